@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: MIT
+# What every target of softcnc is compiled with.
+add_library(softcnc_options INTERFACE)
+target_include_directories(softcnc_options INTERFACE ${PROJECT_SOURCE_DIR}/libs)
+target_compile_options(softcnc_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+  -ffp-contract=off)  # one build, one family of CPUs: the same bytes
+if(SOFTCNC_SANITIZE)
+  target_compile_options(softcnc_options INTERFACE
+    -fsanitize=${SOFTCNC_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(softcnc_options INTERFACE -fsanitize=${SOFTCNC_SANITIZE})
+endif()
+if(SOFTCNC_FUZZ)
+  target_compile_options(softcnc_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
+# softcnc_room(NAME STANDS_ON targets...): one room of the house, made of the sources in its folder.
+function(softcnc_room name)
+  cmake_parse_arguments(ROOM "" "" "STANDS_ON" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  add_library(softcnc_${name} STATIC ${sources})
+  add_library(softcnc::${name} ALIAS softcnc_${name})
+  target_link_libraries(softcnc_${name} PUBLIC softcnc_options ${ROOM_STANDS_ON})
+endfunction()

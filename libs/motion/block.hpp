@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A block: what the interpreter makes of a line, in machine coordinates, mm and seconds.
+#pragma once
+
+#include <cstdint>
+#include <variant>
+
+#include "motion/diagnostic.hpp"
+#include "motion/path.hpp"
+
+namespace softcnc {
+
+/// How a move goes over into the next one.
+enum class Join : std::uint8_t {
+  follow,  // G61, G64 without tolerance: the path exactly, rest only where the tangent turns
+  stop,    // G61.1: rest at the end of the block
+};
+
+struct Move {
+  Path path;
+  bool rapid = false;  // G00: only axis limits bind
+  double feed = 0;     // mm/s along the path, as programmed; unused for rapids
+  Join join = Join::follow;
+};
+
+struct Dwell {
+  double duration = 0;  // s
+};
+
+/// Something that happens at rest, between moves.
+struct Action {
+  enum class Kind : std::uint8_t { tool, spindle, coolant, stop, end };
+  Kind kind;
+  int code = 0;      // the number of the M code behind it (M03: 3; S alone: 0)
+  double value = 0;  // tool number; spindle speed in rpm, signed (positive: M03, clockwise)
+};
+
+struct Block {
+  std::variant<Move, Dwell, Action> what;
+  SourcePos source;
+  int number = 0;  // 1-based, in the order of the program as it runs
+};
+
+}  // namespace softcnc

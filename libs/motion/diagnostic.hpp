@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// What goes wrong, where, and how it is told.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace softcnc {
+
+enum class Severity { note, warning, error };
+
+/// A place in a text file. Lines and columns count from 1; columns and lengths count bytes.
+/// Line 0 means: no place. Column 0 means: the line as a whole.
+struct SourcePos {
+  int line = 0;
+  int column = 0;
+  int length = 1;
+};
+
+/// The codes of diagnostic_table.inc: Code::SC2103 and so on.
+enum class Code : int {
+#define SOFTCNC_DIAGNOSTIC(number, severity, title, help) SC##number = number,
+#include "motion/diagnostic_table.inc"
+#undef SOFTCNC_DIAGNOSTIC
+};
+
+/// A row of diagnostic_table.inc.
+struct CodeInfo {
+  Code code;
+  Severity severity;
+  std::string_view title;  // what is wrong, in a few words
+  std::string_view help;   // what to do about it, in one sentence
+};
+
+std::span<const CodeInfo> code_table() noexcept;
+const CodeInfo& code_info(Code code) noexcept;
+std::string_view name(Severity severity) noexcept;
+
+struct Diagnostic {
+  Code code;
+  SourcePos pos;
+  std::string message;
+  std::string file;         // as the user named it; empty until someone knows
+  std::string source_line;  // the text of line pos.line; empty if unknown
+
+  Severity severity() const noexcept { return code_info(code).severity; }
+};
+
+/// file:line:column: severity SCnnnn: message, then the source line and a caret below its columns.
+/// The column shown counts characters (UTF-8 code points), as editors do. Ends with a newline.
+std::string render(const Diagnostic& diagnostic);
+
+/// The exit status a diagnostic asks for: 1 program, 3 machine limit, 4 runtime, 5 input or output,
+/// 2 machine file, 70 a defect in softcnc; 0 for notes and warnings.
+int exit_status(const Diagnostic& diagnostic) noexcept;
+
+/// The first that applies of 2, 5, 1, 3 (interfaces: exit status); otherwise the larger.
+int worse_status(int a, int b) noexcept;
+
+/// Collects or passes on what the stages report while they read on.
+class Diagnostics {
+ public:
+  using Sink = std::function<void(const Diagnostic&)>;
+
+  /// Without a sink everything is kept and can be read by all().
+  Diagnostics() = default;
+  explicit Diagnostics(Sink sink) : sink_(std::move(sink)) {}
+
+  void set_file(std::string file) { file_ = std::move(file); }
+  const std::string& file() const noexcept { return file_; }
+
+  void report(Diagnostic diagnostic);
+  void report(Code code, SourcePos pos, std::string message, std::string_view source_line = {});
+
+  std::span<const Diagnostic> all() const noexcept { return kept_; }
+  int errors() const noexcept { return errors_; }
+  int status() const noexcept { return status_; }  // worst exit status so far
+
+ private:
+  Sink sink_;
+  std::string file_;
+  std::vector<Diagnostic> kept_;
+  int errors_ = 0;
+  int status_ = 0;
+};
+
+}  // namespace softcnc

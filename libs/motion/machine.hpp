@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// The machine: plain data in house units (mm, s, V, A, Nm, kg m^2). The defaults together are the
+// retrofitted mill of paper 003 (Table 1), with a z axis of the same kind.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "motion/axes.hpp"
+
+namespace softcnc {
+
+/// How the next point is found within a period.
+enum class Method : std::uint8_t { arc_length, taylor1, taylor2, curvature3p };
+
+enum class BackendKind : std::uint8_t { none, sim };
+
+struct Control {
+  double period = 0.001;            // s: one setpoint each
+  double servo_period = 0.001;      // s: the backend interpolates linearly in between
+  double chord_tolerance = 0.001;   // mm
+  Method interpolation = Method::arc_length;
+  double corner_tolerance = 0.0;    // mm; 0: the path is followed exactly
+  BackendKind backend = BackendKind::sim;
+};
+
+struct PathLimits {
+  double feed = 250.0;  // mm/s; caps cutting moves; 0: only the axes limit
+};
+
+/// A permanent-magnet DC motor with its load, reduced to the motor shaft.
+struct Motor {
+  double resistance = 0;        // ohm
+  double inductance = 0;        // H
+  double torque_constant = 0;   // Nm/A
+  double emf_constant = 0;      // V s/rad
+  double inertia = 0;           // kg m^2: rotor, screw and table
+  double viscous_friction = 0;  // Nm s/rad
+  double coulomb_friction = 0;  // Nm
+};
+
+/// The position loop (up/down counter), velocity loop (F/V converter) and amplifier.
+struct Drive {
+  double kv = 0;                // 1/s: velocity per following error
+  int counter_bits = 0;         // of the up/down counter
+  double fv_time_constant = 0;  // s
+  double velocity_gain = 0;     // V per rad/s of velocity error
+  double velocity_reset = 0;    // 1/s: reset rate of the velocity loop's integral part
+  double supply_voltage = 0;    // V
+  double current_limit = 0;     // A
+  double following_error = 0;   // mm: alarm beyond
+};
+
+struct Axis {
+  bool present = true;
+  double velocity = 250.0;       // mm/s
+  double acceleration = 1000.0;  // mm/s^2
+  double jerk = 0.0;             // mm/s^3; 0: no limit
+  double min = -1000.0;          // mm
+  double max = 1000.0;           // mm
+  double blu = 0.0025;           // mm: basic length unit, one command pulse
+  double screw_lead = 5.0;       // mm per revolution
+  int counts_per_rev = 2000;     // of the encoder
+  Motor motor;
+  Drive drive;
+};
+
+struct Spindle {
+  double min_rpm = 0;
+  double max_rpm = 24000;
+};
+
+struct Tool {
+  double radius = 0;  // mm
+  int teeth = 0;
+};
+
+struct Machine {
+  std::string name = "retrofitted mill (built-in)";
+  Control control;
+  PathLimits limits;
+  std::array<Axis, kAxes> axes;
+  Spindle spindle;
+  std::map<int, Tool> tools;
+};
+
+}  // namespace softcnc

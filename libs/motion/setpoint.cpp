@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "motion/setpoint.hpp"
+
+#include <array>
+
+namespace softcnc {
+
+std::string_view name(Limit limit) noexcept {
+  constexpr std::array<std::string_view, kLimits> names{
+      "feed", "rapid", "chord", "corner", "axis_velocity", "acceleration", "override", "stop"};
+  return names[static_cast<std::size_t>(limit)];
+}
+
+std::string_view name(Alarm alarm) noexcept {
+  constexpr std::array<std::string_view, 5> names{"none", "following error", "counter overflow",
+                                                  "overrun", "port"};
+  return names[static_cast<std::size_t>(alarm)];
+}
+
+}  // namespace softcnc

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What the interpolator hands to a backend each period, and what comes back.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "motion/axes.hpp"
+
+namespace softcnc {
+
+/// What holds the feed down; its name() is the trace column and the report's key.
+enum class Limit : std::uint8_t {
+  feed,
+  rapid,
+  chord,
+  corner,
+  axis_velocity,
+  acceleration,
+  override_,
+  stop,
+};
+inline constexpr int kLimits = 8;
+
+std::string_view name(Limit limit) noexcept;
+
+struct Setpoint {
+  std::int64_t period = 0;  // counts from 0; t = period * control.period
+  int line = 0;             // physical line on which the block begins
+  int block = 0;            // 1-based number of the block
+  double s = 0;             // mm of path from the start of the program
+  double v = 0;             // mm/s, planned
+  double a = 0;             // mm/s^2 along the path, planned
+  Limit limit = Limit::stop;
+  AxisVector position = AxisVector::Zero();  // mm, commanded
+};
+
+enum class Alarm : std::uint8_t { none, following_error, counter_overflow, overrun, port };
+
+std::string_view name(Alarm alarm) noexcept;
+
+struct Feedback {
+  AxisVector position = AxisVector::Zero();  // mm, actual
+  Alarm alarm = Alarm::none;
+  int alarm_axis = -1;
+};
+
+}  // namespace softcnc
