@@ -18,9 +18,12 @@ struct PlaneAxes {
 };
 constexpr PlaneAxes plane_axes(Plane plane) noexcept {
   switch (plane) {
-    case Plane::zx: return {2, 0, 1};
-    case Plane::yz: return {1, 2, 0};
-    case Plane::xy: break;
+    case Plane::zx:
+      return {2, 0, 1};
+    case Plane::yz:
+      return {1, 2, 0};
+    case Plane::xy:
+      break;
   }
   return {0, 1, 2};
 }
@@ -55,12 +58,21 @@ class Arc {
   double sweep() const noexcept { return sweep_; }  // rad, signed, all turns
 
  private:
+  /// The radial and tangential unit vectors of a point of the circle.
+  struct Frame {
+    AxisVector radial, tangent;
+  };
+
   Arc() = default;
+  Frame frame_at(const AxisVector& on_circle) const noexcept;
+  Frame frame_after(const Frame& start, double angle) const noexcept;
 
   AxisVector from_, to_, center_;
+  Frame start_, end_;
+  AxisVector across_;  // unit vector across the plane
   Plane plane_ = Plane::xy;
   int turns_ = 0;
-  double radius_ = 0, start_angle_ = 0, sweep_ = 0, pitch_ = 0;  // pitch: mm across, in all
+  double radius_ = 0, sweep_ = 0, pitch_ = 0;  // pitch: mm across, in all
   double length_ = 0;
 };
 

@@ -1,33 +1,71 @@
 // SPDX-License-Identifier: MIT
-// The map between the parameter of a curve and its arc length, built once, looked up in bounded time.
+// The map between the parameter of a curve and its arc length: built once, looked up in bounded
+// time.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "motion/chebyshev.hpp"
+#include "motion/curve.hpp"
+
 namespace softcnc {
 
-/// s(u) and its inverse u(s), as Chebyshev polynomials over cells that are halved until both are
-/// exact to kTolerance of the length.
+/// A place on a curve made of smooth spans: 0 <= t <= 1 inside span 0, 1, 2, ...
+struct SpanPlace {
+  int span = 0;
+  double t = 0;
+};
+
+/// s(t) and its inverse t(s) as Chebyshev polynomials over cells, which are halved until both are
+/// exact: the inverse within kTolerance of the length everywhere, s(t) within that in sum.
 class ArcLengthMap {
  public:
   static constexpr double kTolerance = 1e-13;
 
-  ArcLengthMap() noexcept;
+  /// |dC/dt| in mm, 0 <= t <= 1, inside a span; smooth there except where it is zero.
+  using Speed = std::function<double(int span, double t)>;
 
-  /// `speed(u, span)` is |dC/du| inside span i = [knots[i], knots[i+1]]; knots strictly ascend.
-  /// `scale` estimates the length (the control polygon), in mm.
-  ArcLengthMap(const std::function<double(double u, int span)>& speed,
-               std::span<const double> knots, double scale);
+  ArcLengthMap() = default;
 
-  double length() const noexcept;
-  double parameter(double s) const noexcept;
-  double arc_length(double u) const noexcept;
+  /// Measures a curve of so many spans. Nothing where the speed is not finite, zero all along, or
+  /// too rugged to be measured.
+  static std::optional<ArcLengthMap> measure(const Speed& speed, int spans);
+
+  double length() const noexcept { return starts_.back(); }
+
+  /// 0 <= s <= length(). Where s begins a cell exactly, `side` says which of the two it means.
+  SpanPlace place(double s, Side side = Side::after) const noexcept;
+  double arc_length(const SpanPlace& place) const noexcept;
+
+  /// Arc length at which each span begins, and the length at the end.
+  std::span<const double> span_starts() const noexcept { return span_starts_; }
+
+  /// Where cells had to be shorter than kCrowded of the length, ascending: the curve stands still
+  /// there, or nearly so.
+  struct Crowd {
+    int span;
+    double t_first, t_last;
+  };
+  static constexpr double kCrowded = 1e-10;
+  std::vector<Crowd> crowds() const;
 
  private:
-  struct Cell;
+  class Builder;
+
+  struct Cell {
+    SpanPlace first;
+    double width;                    // in t
+    ChebyshevIntegral s_from_first;  // mm, by t
+    ChebyshevSeries t_from_first;    // by s
+    std::size_t s_terms, t_terms;    // of these, so many matter
+  };
+
+  std::vector<double> starts_{0.0};  // of the cells, strictly ascending, and the length
   std::vector<Cell> cells_;
+  std::vector<double> span_starts_;
 };
 
 }  // namespace softcnc

@@ -7,30 +7,26 @@
 #include <vector>
 
 #include "motion/arc_length.hpp"
+#include "motion/bezier.hpp"
 #include "motion/curve.hpp"
+#include "motion/nurbs_spec.hpp"
 #include "motion/result.hpp"
 
 namespace softcnc {
-
-struct NurbsSpec {
-  int degree = 3;
-  std::vector<AxisVector> control;  // mm
-  std::vector<double> weights;      // > 0, as many as control points
-  std::vector<double> knots;        // control points + degree + 1, clamped at both ends
-};
 
 /// Position and the first three derivatives by the parameter u (mm, mm/u, ...).
 using NurbsDerivatives = std::array<AxisVector, 4>;
 
 class Nurbs {
  public:
-  static constexpr int kMaxDegree = 9;
+  static constexpr int kMaxDegree = kMaxBezierDegree;
 
   /// Checks the specification, turns every span into a Bezier segment and measures the curve.
   /// Errors: the SC30xx codes; the place of the error is left to the caller.
   static Result<Nurbs> make(NurbsSpec spec);
 
   double length() const noexcept { return map_.length(); }
+  /// Where the curve stands still the derivatives are those a little further on `side`.
   PathPoint at(double s, Side side = Side::after) const noexcept;
   AxisVector position(double s) const noexcept;
 
@@ -47,23 +43,38 @@ class Nurbs {
 
   /// The parameter at arc length s, and the arc length from the start to u. Exact to 1e-12 of the
   /// length.
-  double parameter(double s) const noexcept { return map_.parameter(s); }
-  double arc_length(double u) const noexcept { return map_.arc_length(u); }
+  double parameter(double s) const noexcept;
+  double arc_length(double u) const noexcept;
 
   const NurbsSpec& spec() const noexcept { return spec_; }
 
  private:
-  // See nurbs.cpp.
-  struct Span;
-
-  NurbsSpec spec_;
-  std::vector<double> span_knots_;            // distinct knots: span i is [i, i + 1]
-  std::vector<Eigen::Vector4d> bezier_;       // degree + 1 homogeneous points a span, local origin
-  std::vector<AxisVector> origin_;            // local origin of each span
-  ArcLengthMap map_;
-  std::vector<double> breaks_;
+  /// A span and where in it, by the parameter t of its segment.
+  struct Place {
+    int span;
+    BezierParameter t;
+  };
 
   Nurbs() = default;
+  void make_segments();
+  void find_breaks();
+
+  std::span<const Homogeneous> segment(int span) const noexcept;
+  double width(int span) const noexcept;  // in u
+  Place place(double u, Side side) const noexcept;
+  /// `order` derivatives by t.
+  template <int order>
+  std::array<AxisVector, order + 1> evaluate(int span, const BezierParameter& t) const noexcept;
+  double span_speed(const SpanPlace& place) const noexcept;  // by t
+  SpanPlace moving(SpanPlace place, Side side) const noexcept;
+  SpanPlace slowest(const ArcLengthMap::Crowd& crowd) const noexcept;
+
+  NurbsSpec spec_;
+  std::vector<double> span_knots_;     // distinct knots: span i is [i, i + 1]
+  std::vector<Homogeneous> segments_;  // degree + 1 Bezier points a span, about its origin
+  std::vector<AxisVector> origins_;
+  ArcLengthMap map_;
+  std::vector<double> breaks_;
 };
 
 static_assert(Curve<Nurbs>);

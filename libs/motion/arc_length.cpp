@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// Measures a curve cell by cell: the speed as a Chebyshev series, its integral, and the inverse.
+#include "motion/arc_length.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace softcnc {
+namespace {
+
+constexpr int kDeepest = 200;        // halvings of a span
+constexpr double kShortest = 1e-14;  // of the length: cells below are taken linear
+constexpr std::size_t kTail = 3;     // terms that must have died away
+constexpr int kNewtonSteps = 8;
+
+/// The largest of the last coefficients: what the polynomial does not follow.
+double tail(std::span<const double> c) noexcept {
+  double largest = 0.0;
+  for (const double term : c.last(kTail)) largest = std::max(largest, std::abs(term));
+  return largest;
+}
+
+/// The speed along a cell as a series in -1 <= x <= 1, and how far the curve has come.
+struct Forward {
+  ChebyshevSeries ds;   // mm per unit of x
+  ChebyshevIntegral s;  // mm from the beginning of the cell
+  double length;
+  double error;  // of s, estimated
+  double fastest;
+};
+
+/// x at which s is reached, by Newton's method from a guess; NaN if it is not found.
+double solve(const Forward& forward, double s, double guess, double tolerance) noexcept {
+  double x = guess;
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    const double miss = evaluate_chebyshev(forward.s, x) - s;
+    if (std::abs(miss) <= tolerance) return x;
+    x = std::clamp(x - miss / evaluate_chebyshev(forward.ds, x), -1.0, 1.0);
+  }
+  return std::nan("");
+}
+
+/// x(s) as a series in -1 <= 2 s / length - 1 <= 1.
+ChebyshevSeries invert(const Forward& forward, double tolerance) {
+  ChebyshevSamples x;
+  double guess = -1.0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double s = 0.5 * forward.length * (1.0 + chebyshev_nodes()[k]);
+    x[k] = guess = solve(forward, s, guess, tolerance);
+  }
+  return chebyshev_series(x);
+}
+
+/// The largest miss in s, looked for between the nodes.
+double inverse_error(const Forward& forward, const ChebyshevSeries& x_of_s) noexcept {
+  double largest = tail(x_of_s) * forward.fastest;
+  for (const double y : {-0.99, -0.56, 0.05, 0.61, 0.98}) {
+    const double x = evaluate_chebyshev(x_of_s, y);
+    const double miss = evaluate_chebyshev(forward.s, x) - 0.5 * forward.length * (1.0 + y);
+    largest = std::max(largest, std::abs(miss));
+  }
+  return std::isfinite(tail(x_of_s)) ? largest : tail(x_of_s);
+}
+
+}  // namespace
+
+class ArcLengthMap::Builder {
+ public:
+  Builder(const Speed& speed, int spans)
+      : speed_(speed), spans_(spans), most_cells_(4096 + 64 * static_cast<std::size_t>(spans)) {}
+
+  std::optional<ArcLengthMap> build();
+
+ private:
+  Forward forward(const SpanPlace& first, double width) const;
+  void divide(const SpanPlace& first, double width, int depth);
+  bool keep_if_exact(const SpanPlace& first, double width, const Forward& forward);
+  void keep_linear(const SpanPlace& first, double width, double length);
+  void keep(const Cell& cell, double length);
+
+  const Speed& speed_;
+  int spans_;
+  std::size_t most_cells_;
+  double scale_ = 0.0;  // mm: the length, estimated
+  double carry_ = 0.0;  // of the compensated sum of lengths
+  bool failed_ = false;
+  ArcLengthMap map_;
+};
+
+Forward ArcLengthMap::Builder::forward(const SpanPlace& first, double width) const {
+  const auto ds_at = [&](double x) {
+    return 0.5 * width * speed_(first.span, first.t + 0.5 * width * (1.0 + x));
+  };
+  ChebyshevSamples samples;
+  std::transform(chebyshev_nodes().begin(), chebyshev_nodes().end(), samples.begin(), ds_at);
+  Forward f;
+  f.ds = chebyshev_series(samples);
+  f.s = integrate_chebyshev(f.ds);
+  f.length = evaluate_chebyshev(f.s, 1.0);
+  f.fastest = *std::max_element(samples.begin(), samples.end());
+  const double off_begin = std::abs(evaluate_chebyshev(f.ds, -1.0) - ds_at(-1.0));
+  const double off_end = std::abs(evaluate_chebyshev(f.ds, 1.0) - ds_at(1.0));
+  f.error = 0.25 * std::max({tail(f.ds), off_begin, off_end});
+  return f;
+}
+
+std::optional<ArcLengthMap> ArcLengthMap::Builder::build() {
+  for (int span = 0; span < spans_; ++span) scale_ += forward({span, 0.0}, 1.0).length;
+  if (!std::isfinite(scale_) || !(scale_ > 0.0)) return std::nullopt;
+  for (int span = 0; span < spans_; ++span) {
+    map_.span_starts_.push_back(map_.length());
+    divide({span, 0.0}, 1.0, 0);
+  }
+  map_.span_starts_.push_back(map_.length());
+  if (failed_ || map_.cells_.empty()) return std::nullopt;
+  return std::move(map_);
+}
+
+void ArcLengthMap::Builder::divide(const SpanPlace& first, double width, int depth) {
+  if (failed_) return;
+  const Forward f = forward(first, width);
+  if (keep_if_exact(first, width, f)) return;
+  if (f.length + f.error <= kShortest * scale_) {
+    keep_linear(first, width, f.length);
+    return;
+  }
+  const double half = 0.5 * width;
+  failed_ = !std::isfinite(f.length) || depth >= kDeepest || first.t + half == first.t ||
+            map_.cells_.size() >= most_cells_;
+  divide(first, half, depth + 1);
+  divide({first.span, first.t + half}, half, depth + 1);
+}
+
+bool ArcLengthMap::Builder::keep_if_exact(const SpanPlace& first, double width, const Forward& f) {
+  // Errors of s(t) add up, so each cell may have its share only; those of the inverse do not.
+  const double share = 0.5 * kTolerance * (f.length + scale_ * width / spans_);
+  if (!(f.error <= share)) return false;
+  ChebyshevSeries t = invert(f, 0.01 * kTolerance * scale_);
+  if (!(inverse_error(f, t) <= 0.3 * kTolerance * scale_)) return false;
+  const double trifle = 0.02 * kTolerance * scale_;
+  const std::size_t t_terms = chebyshev_terms(t, trifle / f.fastest);
+  t[0] += 1.0;
+  for (double& term : t) term *= 0.5 * width;
+  keep({first, width, f.s, t, chebyshev_terms(f.s, trifle), t_terms}, f.length);
+  return true;
+}
+
+void ArcLengthMap::Builder::keep_linear(const SpanPlace& first, double width, double length) {
+  keep({first, width, {0.5 * length, 0.5 * length}, {0.5 * width, 0.5 * width}, 2, 2}, length);
+}
+
+void ArcLengthMap::Builder::keep(const Cell& cell, double length) {
+  const double begin = map_.length();
+  const double advance = length - carry_;  // Kahan's summation
+  const double end = begin + advance;
+  if (!(end > begin)) return;  // too short to count
+  carry_ = (end - begin) - advance;
+  map_.starts_.push_back(end);
+  map_.cells_.push_back(cell);
+}
+
+std::optional<ArcLengthMap> ArcLengthMap::measure(const Speed& speed, int spans) {
+  return Builder(speed, spans).build();
+}
+
+SpanPlace ArcLengthMap::place(double s, Side side) const noexcept {
+  const auto inner = std::span(starts_).subspan(1, cells_.size() - 1);
+  const auto next = side == Side::after ? std::upper_bound(inner.begin(), inner.end(), s)
+                                        : std::lower_bound(inner.begin(), inner.end(), s);
+  const auto i = static_cast<std::size_t>(next - inner.begin());
+  const Cell& cell = cells_[i];
+  const double begin = starts_[i];
+  const double end = starts_[i + 1];
+  if (s <= begin) return cell.first;
+  if (s >= end) return {cell.first.span, cell.first.t + cell.width};
+  const double y = 2.0 * (s - begin) / (end - begin) - 1.0;
+  const double t = evaluate_chebyshev(std::span(cell.t_from_first).first(cell.t_terms), y);
+  return {cell.first.span, cell.first.t + std::clamp(t, 0.0, cell.width)};
+}
+
+double ArcLengthMap::arc_length(const SpanPlace& place) const noexcept {
+  const auto later = [](const SpanPlace& a, const Cell& b) {
+    return a.span != b.first.span ? a.span < b.first.span : a.t < b.first.t;
+  };
+  const auto next = std::upper_bound(cells_.begin() + 1, cells_.end(), place, later);
+  const auto i = static_cast<std::size_t>(next - cells_.begin()) - 1;
+  const Cell& cell = cells_[i];
+  if (later(place, cell)) return starts_[i];
+  const double x = 2.0 * (place.t - cell.first.t) / cell.width - 1.0;
+  if (place.span > cell.first.span || x >= 1.0) return starts_[i + 1];
+  const double s = evaluate_chebyshev(std::span(cell.s_from_first).first(cell.s_terms), x);
+  return std::clamp(starts_[i] + s, starts_[i], starts_[i + 1]);
+}
+
+std::vector<ArcLengthMap::Crowd> ArcLengthMap::crowds() const {
+  std::vector<Crowd> crowds;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (starts_[i + 1] - starts_[i] > kCrowded * length()) continue;
+    const auto& [span, t] = cells_[i].first;
+    const double t_last = t + cells_[i].width;
+    if (!crowds.empty() && crowds.back().span == span && crowds.back().t_last >= t)
+      crowds.back().t_last = t_last;
+    else
+      crowds.push_back({span, t, t_last});
+  }
+  return crowds;
+}
+
+}  // namespace softcnc
