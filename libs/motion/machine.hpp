@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The machine: plain data in house units (mm, s, V, A, Nm, kg m^2). The defaults together are the
 // retrofitted mill of paper 003 (Table 1), with a z axis of the same kind.
+//
+// Paper 003 names a "400 W class" DC servo motor of 3000 rpm without its maker. The motor here is
+// the printed-armature DC servo motor BR13MACH of Pranshu Electricals (380 W, 1.20 Nm, 3000 rpm, 65
+// V, 8 A; maker's table of the B and BR series, http://pranshu.com/node/35). docs/machine.md shows
+// how each figure that the table does not give was derived.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "motion/axes.hpp"
 
@@ -14,15 +21,24 @@ namespace softcnc {
 
 /// How the next point is found within a period.
 enum class Method : std::uint8_t { arc_length, taylor1, taylor2, curvature3p };
+inline constexpr std::array<std::string_view, 4> kMethodNames{"arc-length", "taylor1", "taylor2",
+                                                              "curvature3p"};
+constexpr std::string_view name(Method method) noexcept {
+  return kMethodNames[static_cast<std::size_t>(method)];
+}
 
 enum class BackendKind : std::uint8_t { none, sim };
+inline constexpr std::array<std::string_view, 2> kBackendNames{"none", "sim"};
+constexpr std::string_view name(BackendKind backend) noexcept {
+  return kBackendNames[static_cast<std::size_t>(backend)];
+}
 
 struct Control {
-  double period = 0.001;            // s: one setpoint each
-  double servo_period = 0.001;      // s: the backend interpolates linearly in between
-  double chord_tolerance = 0.001;   // mm
+  double period = 0.001;           // s: one setpoint each
+  double servo_period = 0.001;     // s: the backend interpolates linearly in between
+  double chord_tolerance = 0.001;  // mm
   Method interpolation = Method::arc_length;
-  double corner_tolerance = 0.0;    // mm; 0: the path is followed exactly
+  double corner_tolerance = 0.0;  // mm; 0: the path is followed exactly
   BackendKind backend = BackendKind::sim;
 };
 
@@ -32,25 +48,25 @@ struct PathLimits {
 
 /// A permanent-magnet DC motor with its load, reduced to the motor shaft.
 struct Motor {
-  double resistance = 0;        // ohm
-  double inductance = 0;        // H
-  double torque_constant = 0;   // Nm/A
-  double emf_constant = 0;      // V s/rad
-  double inertia = 0;           // kg m^2: rotor, screw and table
-  double viscous_friction = 0;  // Nm s/rad
-  double coulomb_friction = 0;  // Nm
+  double resistance = 1.5;           // ohm
+  double inductance = 80e-6;         // H
+  double torque_constant = 0.158;    // Nm/A
+  double emf_constant = 0.1576;      // V s/rad
+  double inertia = 6.1e-4;           // kg m^2: rotor, screw and table
+  double viscous_friction = 1.4e-4;  // Nm s/rad
+  double coulomb_friction = 0.18;    // Nm: motor, screw and guideways
 };
 
 /// The position loop (up/down counter), velocity loop (F/V converter) and amplifier.
 struct Drive {
-  double kv = 0;                // 1/s: velocity per following error
-  int counter_bits = 0;         // of the up/down counter
-  double fv_time_constant = 0;  // s
-  double velocity_gain = 0;     // V per rad/s of velocity error
-  double velocity_reset = 0;    // 1/s: reset rate of the velocity loop's integral part
-  double supply_voltage = 0;    // V
-  double current_limit = 0;     // A
-  double following_error = 0;   // mm: alarm beyond
+  double kv = 30.0;                 // 1/s: velocity per following error
+  int counter_bits = 14;            // of the up/down counter
+  double fv_time_constant = 0.001;  // s
+  double velocity_gain = 1.5;       // V s/rad: V per rad/s of velocity error
+  double velocity_reset = 10.0;     // 1/s: reset rate of the velocity loop's integral part
+  double supply_voltage = 80.0;     // V
+  double current_limit = 16.0;      // A
+  double following_error = 12.0;    // mm: alarm beyond
 };
 
 struct Axis {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Backend: where setpoints go, and what comes back.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "motion/machine.hpp"
+#include "motion/result.hpp"
+#include "motion/setpoint.hpp"
+
+namespace softcnc::hal {
+
+class Backend {
+ public:
+  virtual ~Backend() = default;
+
+  /// Carries the machine over one period to the setpoint; the first one tells where it stands.
+  /// Realtime.
+  virtual Feedback exchange(const Setpoint& setpoint) noexcept = 0;
+
+  /// Further columns of the trace, such as "x_act_mm".
+  virtual std::span<const std::string> columns() const noexcept { return {}; }
+
+  /// Their values after the last exchange; `out` is as long as columns(). Realtime.
+  virtual void values(std::span<double> out) const noexcept { static_cast<void>(out); }
+
+  /// Largest distance between command and axis over all exchanges so far, in mm by axis. NaN where
+  /// nothing is measured: axes the machine lacks, backends without feedback.
+  virtual std::array<double, kAxes> following_error_max() const noexcept;
+
+  /// Where the axes come to rest if the last command stands, in mm. Leaves the backend as it is.
+  virtual AxisVector settle() const noexcept = 0;
+};
+
+/// The backend that machine.control.backend names.
+Result<std::unique_ptr<Backend>> open_backend(const Machine& machine);
+
+}  // namespace softcnc::hal

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The machine file: TOML in, Machine out, or the place where it is wrong; and back to text.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "motion/machine.hpp"
+#include "motion/result.hpp"
+
+namespace softcnc::hal {
+
+/// The machine of a TOML file with `settings` ("KEY=VALUE": a TOML value, else a string) on top.
+/// An empty name means the built-in machine. A file that names any [axis.*] has exactly those axes;
+/// a key that is absent keeps its default. Errors: the SC70xx codes; the first of the file, with
+/// line and column, or of the settings, in a file called "--set".
+Result<Machine> load_machine(const std::string& file, std::span<const std::string> settings);
+
+/// The same for a text that is already in memory; `name` stands for the file in diagnostics.
+Result<Machine> parse_machine(std::string_view text, const std::string& name,
+                              std::span<const std::string> settings);
+
+/// One value of the machine as it will be used.
+struct EffectiveValue {
+  std::string key;      // "axis.x.blu_um"
+  std::string value;    // as a machine file spells it: 2.5, "sim"
+  std::string unit;     // "um"; empty where there is none
+  std::string origin;   // "default", "mill.toml:3", "--set"
+  std::string meaning;  // in a few words
+};
+
+/// Every value of the machine that load_machine() returns, in the order of the table.
+Result<std::vector<EffectiveValue>> effective_values(const std::string& file,
+                                                     std::span<const std::string> settings);
+
+/// A complete TOML file. It loads back to the identical machine, bit for bit, for every machine
+/// that load_machine() returns.
+std::string machine_toml(const Machine& machine);
+
+/// The table of keys in Markdown, as it stands in docs/machine.md.
+std::string key_table();
+
+}  // namespace softcnc::hal

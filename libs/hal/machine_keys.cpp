@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// The rows of the table of machine keys, and how a name finds its row.
+#include "hal/machine_keys.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <numeric>
+#include <vector>
+
+#include "motion/units.hpp"
+
+namespace softcnc::hal {
+namespace {
+
+constexpr double same(double value) noexcept { return value; }
+
+constexpr Range at_least_0(double high) { return {0, high}; }
+constexpr Range above_0(double high) { return {0, high, true}; }
+
+template <auto Part, auto Member>
+auto& in_part(Machine& machine, int) {
+  return machine.*Part.*Member;
+}
+template <auto Member>
+auto& in_axis(Machine& machine, int axis) {
+  return machine.axes[static_cast<std::size_t>(axis)].*Member;
+}
+template <auto Part, auto Member>
+auto& in_axis_part(Machine& machine, int axis) {
+  return machine.axes[static_cast<std::size_t>(axis)].*Part.*Member;
+}
+template <auto Member>
+auto& in_tool(Machine& machine, int number) {
+  return machine.tools[number].*Member;
+}
+std::string& machine_name(Machine& machine, int) { return machine.name; }
+
+template <auto Member>
+constexpr Choice control_choice(std::span<const std::string_view> words) {
+  return {words, [](const Machine& m) { return static_cast<int>(m.control.*Member); },
+          [](Machine& m, int i) {
+            auto& place = m.control.*Member;
+            place = static_cast<std::remove_reference_t<decltype(place)>>(i);
+          }};
+}
+
+template <auto Member>
+constexpr auto motor = in_axis_part<&Axis::motor, Member>;
+template <auto Member>
+constexpr auto drive = in_axis_part<&Axis::drive, Member>;
+template <auto Member>
+constexpr auto control = in_part<&Machine::control, Member>;
+
+// clang-format off
+const MachineKey kKeys[] = {
+    {"name", "", "what the machine is called in reports; the file's name if absent",
+     Text{machine_name}},
+
+    {"control.period_ms", "ms", "interpolation period: one setpoint each",
+     Number{control<&Control::period>, s_from_ms, ms_from_s, above_0(1000)}},
+    {"control.servo_period_ms", "ms", "the backend interpolates linearly from one servo period to the "
+     "next; divides period_ms. If absent: 1 ms, or the next smaller that divides period_ms",
+     Number{control<&Control::servo_period>, s_from_ms, ms_from_s, above_0(1000)}},
+    {"control.chord_tolerance_um", "um", "largest distance between curve and chord within one period",
+     Number{control<&Control::chord_tolerance>, mm_from_um, um_from_mm, above_0(1e6)}},
+    {"control.interpolation", "", "how the next point on a curve is found",
+     control_choice<&Control::interpolation>(kMethodNames)},
+    {"control.corner_tolerance_um", "um", "G64 without P; 0: the path is followed exactly",
+     Number{control<&Control::corner_tolerance>, mm_from_um, um_from_mm, kNotYet}},
+    {"control.backend", "", "what moves: nothing, or the simulated mill",
+     control_choice<&Control::backend>(kBackendNames)},
+
+    {"limits.feed_mm_min", "mm/min", "caps the speed of cutting moves along the path; 0: only the axes limit",
+     Number{in_part<&Machine::limits, &PathLimits::feed>, mm_s_from_mm_min, mm_min_from_mm_s, at_least_0(1e7)}},
+
+    {"axis.*.velocity_mm_min", "mm/min", "largest speed of the axis",
+     Number{in_axis<&Axis::velocity>, mm_s_from_mm_min, mm_min_from_mm_s, above_0(1e7)}},
+    {"axis.*.acceleration_mm_s2", "mm/s^2", "largest acceleration of the axis",
+     Number{in_axis<&Axis::acceleration>, same, same, above_0(1e7)}},
+    {"axis.*.jerk_mm_s3", "mm/s^3", "largest jerk of the axis; 0: no limit",
+     Number{in_axis<&Axis::jerk>, same, same, kNotYet}},
+    {"axis.*.min_mm", "mm", "lower end of travel, in machine coordinates",
+     Number{in_axis<&Axis::min>, same, same, {-1e5, 1e5}}},
+    {"axis.*.max_mm", "mm", "upper end of travel, in machine coordinates",
+     Number{in_axis<&Axis::max>, same, same, {-1e5, 1e5}}},
+    {"axis.*.blu_um", "um", "basic length unit: one command pulse",
+     Number{in_axis<&Axis::blu>, mm_from_um, um_from_mm, {0.001, 1e4}}},
+    {"axis.*.screw_lead_mm", "mm", "travel per turn of the screw",
+     Number{in_axis<&Axis::screw_lead>, same, same, {0.01, 1000}}},
+    {"axis.*.counts_per_rev", "", "encoder counts per turn of the motor, all edges",
+     Whole{in_axis<&Axis::counts_per_rev>, {1, 1e8}}},
+
+    {"axis.*.motor.resistance_ohm", "ohm", "terminal resistance of the armature circuit",
+     Number{motor<&Motor::resistance>, same, same, {1e-3, 1e4}}},
+    {"axis.*.motor.inductance_mh", "mH", "inductance of the armature circuit",
+     Number{motor<&Motor::inductance>, s_from_ms, ms_from_s, {1e-3, 1e4}}},
+    {"axis.*.motor.torque_constant_nm_a", "Nm/A", "torque per current",
+     Number{motor<&Motor::torque_constant>, same, same, {1e-4, 1e3}}},
+    {"axis.*.motor.emf_constant_v_s_rad", "V s/rad", "back-EMF per speed",
+     Number{motor<&Motor::emf_constant>, same, same, {1e-4, 1e3}}},
+    {"axis.*.motor.inertia_kg_m2", "kg m^2", "rotor, coupling, screw and table, reduced to the motor shaft",
+     Number{motor<&Motor::inertia>, same, same, {1e-8, 1e3}}},
+    {"axis.*.motor.viscous_friction_nm_s_rad", "Nm s/rad", "friction torque per speed",
+     Number{motor<&Motor::viscous_friction>, same, same, at_least_0(100)}},
+    {"axis.*.motor.coulomb_friction_nm", "Nm", "friction torque that any motion takes; a motor torque below it does not move the axis",
+     Number{motor<&Motor::coulomb_friction>, same, same, at_least_0(1e4)}},
+
+    {"axis.*.drive.kv_1_s", "1/s", "gain of the position loop: speed per following error",
+     Number{drive<&Drive::kv>, same, same, above_0(1000)}},
+    {"axis.*.drive.counter_bits", "", "width of the up/down counter, sign included; an overflow is an alarm",
+     Whole{drive<&Drive::counter_bits>, {2, 32}}},
+    {"axis.*.drive.fv_time_constant_ms", "ms", "lag of the frequency-to-voltage converter that measures the speed",
+     Number{drive<&Drive::fv_time_constant>, s_from_ms, ms_from_s, {0.01, 1000}}},
+    {"axis.*.drive.velocity_gain_v_s_rad", "V s/rad", "motor voltage per speed error at the motor shaft",
+     Number{drive<&Drive::velocity_gain>, same, same, above_0(1e4)}},
+    {"axis.*.drive.velocity_reset_1_s", "1/s", "reset rate of the integral part of the velocity loop; 0: proportional only",
+     Number{drive<&Drive::velocity_reset>, same, same, at_least_0(1e4)}},
+    {"axis.*.drive.supply_v", "V", "largest motor voltage, either way",
+     Number{drive<&Drive::supply_voltage>, same, same, above_0(1e4)}},
+    {"axis.*.drive.current_limit_a", "A", "largest motor current, either way",
+     Number{drive<&Drive::current_limit>, same, same, above_0(1e4)}},
+    {"axis.*.drive.following_error_um", "um", "a larger distance between command and axis is an alarm",
+     Number{drive<&Drive::following_error>, mm_from_um, um_from_mm, above_0(1e8)}},
+
+    {"spindle.min_rpm", "rpm", "a smaller S is clamped with a warning",
+     Number{in_part<&Machine::spindle, &Spindle::min_rpm>, same, same, at_least_0(1e6)}},
+    {"spindle.max_rpm", "rpm", "a larger S is clamped with a warning",
+     Number{in_part<&Machine::spindle, &Spindle::max_rpm>, same, same, at_least_0(1e6)}},
+
+    {"tool.*.radius_mm", "mm", "radius of the cutter",
+     Number{in_tool<&Tool::radius>, same, same, at_least_0(1e4)}},
+    {"tool.*.teeth", "", "number of teeth",
+     Whole{in_tool<&Tool::teeth>, {0, 1000}}},
+};
+// clang-format on
+
+std::vector<std::string_view> split(std::string_view path) {
+  std::vector<std::string_view> parts;
+  for (std::size_t dot; (dot = path.find('.')) != path.npos; path.remove_prefix(dot + 1))
+    parts.push_back(path.substr(0, dot));
+  parts.push_back(path);
+  return parts;
+}
+
+std::optional<int> axis_of(std::string_view part) {
+  if (part.size() != 1 || part[0] < 'a') return std::nullopt;
+  const int axis = axis_index(part[0]);
+  return axis < 0 ? std::nullopt : std::optional(axis);
+}
+
+std::optional<int> tool_of(std::string_view part) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
+  const bool plain = error == std::errc{} && end == part.data() + part.size() && part[0] != '0';
+  return plain && number > 0 ? std::optional(number) : std::nullopt;
+}
+
+/// What the '*' of a pattern stands for if `parts` begin as the pattern does; 0 if it has none.
+std::optional<int> match_prefix(const std::vector<std::string_view>& parts,
+                                const std::vector<std::string_view>& pattern) {
+  if (parts.size() > pattern.size()) return std::nullopt;
+  int index = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (pattern[i] == parts[i]) continue;
+    if (pattern[i] != "*") return std::nullopt;
+    const auto found = pattern[0] == "axis" ? axis_of(parts[i]) : tool_of(parts[i]);
+    if (!found) return std::nullopt;
+    index = *found;
+  }
+  return index;
+}
+
+std::string_view leaf(std::string_view path) { return path.substr(path.rfind('.') + 1); }
+
+/// Levenshtein distance.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+/// The axis or tool that `path` names where `key` has its '*', otherwise the first.
+int index_like(std::string_view path, const MachineKey& key) {
+  const auto parts = split(path);
+  const bool axis = is_axis_key(key);
+  if (parts.size() > 1 && parts[0] == split(key.name)[0])
+    if (const auto index = axis ? axis_of(parts[1]) : tool_of(parts[1])) return *index;
+  return axis ? 0 : 1;
+}
+
+}  // namespace
+
+std::span<const MachineKey> machine_keys() noexcept { return kKeys; }
+
+bool is_axis_key(const MachineKey& key) noexcept { return key.name.starts_with("axis."); }
+bool is_tool_key(const MachineKey& key) noexcept { return key.name.starts_with("tool."); }
+
+std::optional<KeyRef> find_key(std::string_view path) {
+  const auto parts = split(path);
+  for (const MachineKey& key : kKeys) {
+    const auto pattern = split(key.name);
+    if (pattern.size() != parts.size()) continue;
+    if (const auto index = match_prefix(parts, pattern)) return KeyRef{&key, *index};
+  }
+  return std::nullopt;
+}
+
+bool is_section(std::string_view path) {
+  const auto parts = split(path);
+  return std::any_of(std::begin(kKeys), std::end(kKeys), [&](const MachineKey& key) {
+    const auto pattern = split(key.name);
+    return parts.size() < pattern.size() && match_prefix(parts, pattern);
+  });
+}
+
+std::string path_of(const KeyRef& ref) {
+  std::string path(ref.key->name);
+  const auto star = path.find('*');
+  if (star == path.npos) return path;
+  const char letter = static_cast<char>(
+      kAxisLetters[static_cast<std::size_t>(is_axis_key(*ref.key) ? ref.index : 0)] - 'A' + 'a');
+  return path.replace(star, 1,
+                      is_axis_key(*ref.key) ? std::string(1, letter) : std::to_string(ref.index));
+}
+
+std::string nearest_key(std::string_view path) {
+  std::string nearest;
+  std::size_t least = std::string::npos;
+  for (const MachineKey& key : kKeys) {
+    const std::string known = path_of({&key, index_like(path, key)});
+    const std::size_t far = std::min(distance(path, known), distance(leaf(path), leaf(known)) + 1);
+    if (far < least) {
+      least = far;
+      nearest = known;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace softcnc::hal

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// A value on its way between the text of a machine file and its place in the Machine.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "hal/machine_keys.hpp"
+#include "motion/result.hpp"
+
+namespace softcnc::hal {
+
+/// A value that no key takes, by the name of its type: "a date", "an array".
+struct OtherValue {
+  std::string_view type;
+};
+using FileValue = std::variant<double, std::int64_t, std::string, OtherValue>;
+
+/// Checks `value` against type and range of the key and stores it in house units.
+/// Errors: SC7004, SC7005, SC7006, SC7009; their place is left to the caller.
+Status assign(const KeyRef& ref, const FileValue& value, Machine& machine);
+
+/// The value as a machine file spells it; assign() of what that reads as stores the same bits.
+std::string value_text(const KeyRef& ref, const Machine& machine);
+
+}  // namespace softcnc::hal

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Writing, syncing and renaming by POSIX calls, which alone tell why they fail.
+#include "hal/output_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+namespace softcnc::hal {
+namespace {
+
+constexpr mode_t kMode = 0666;  // less the umask
+
+tl::unexpected<Diagnostic> failure(Code code, const std::string& file, std::string_view what) {
+  return tl::make_unexpected(
+      Diagnostic{code, {}, std::string(what) + ": " + std::strerror(errno), file, {}});
+}
+
+/// What a symbolic link points to, otherwise the name itself.
+std::string resolved(const std::string& file) {
+  std::error_code error;
+  const auto target = std::filesystem::canonical(file, error);
+  return error ? file : target.string();
+}
+
+bool written_directly(const std::string& file) {
+  struct stat info {};
+  return ::stat(file.c_str(), &info) == 0 && !S_ISREG(info.st_mode);
+}
+
+int open_for_writing(const std::string& file, int flags) {
+  return ::open(file.c_str(), O_WRONLY | O_CLOEXEC | flags, kMode);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(std::string name, std::string part, std::string target, int descriptor)
+    : name_(std::move(name)),
+      part_(std::move(part)),
+      target_(std::move(target)),
+      descriptor_(descriptor) {}
+
+Result<std::unique_ptr<OutputFile>> OutputFile::open(const std::string& file) {
+  const auto make = [&](const std::string& part, const std::string& target, int descriptor) {
+    return std::unique_ptr<OutputFile>(new OutputFile(file, part, target, descriptor));
+  };
+  if (file == "-") return make({}, {}, ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0));
+  const bool direct = written_directly(file);
+  const std::string target = direct ? file : resolved(file);
+  const std::string part = direct ? std::string() : target + ".part";
+  const int descriptor =
+      direct ? open_for_writing(target, 0) : open_for_writing(part, O_CREAT | O_TRUNC);
+  if (descriptor < 0) return failure(Code::SC6011, file, "cannot be created");
+  return make(part, target, descriptor);
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!part_.empty()) ::unlink(part_.c_str());
+}
+
+Status OutputFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const auto written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written >= 0)
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      return failed();
+  }
+  return {};
+}
+
+Status OutputFile::finish() {
+  if (!part_.empty() && ::fsync(descriptor_) != 0) return failed();
+  const int descriptor = std::exchange(descriptor_, -1);
+  if (::close(descriptor) != 0) return failed();
+  if (part_.empty()) return {};
+  if (std::rename(part_.c_str(), target_.c_str()) != 0) return failed();
+  part_.clear();
+  return {};
+}
+
+Status OutputFile::failed() const {
+  if (errno == EPIPE) return failure(Code::SC6013, name_, "the reader closed the pipe");
+  return failure(Code::SC6012, name_, "writing failed");
+}
+
+Status write_file(const std::string& file, std::string_view text) {
+  auto output = OutputFile::open(file);
+  if (!output) return tl::make_unexpected(output.error());
+  if (auto written = (*output)->write(text); !written) return written;
+  return (*output)->finish();
+}
+
+}  // namespace softcnc::hal

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// One axis of the simulated mill: up/down counter, velocity loop, DC motor, screw.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "motion/counts.hpp"
+#include "motion/machine.hpp"
+#include "motion/setpoint.hpp"
+
+namespace softcnc::hal {
+
+/// The servo axis of paper 003: command pulses and encoder pulses meet in an up/down counter; what
+/// it holds is the velocity command; an F/V converter measures the speed from the encoder's
+/// frequency; a PI amplifier drives a permanent-magnet DC motor.
+///
+/// The linear part (armature current, speed, F/V lag, integral, angle) is carried over a fixed
+/// substep exactly, by a matrix exponential made once. Counter, limits and friction are held over a
+/// substep:
+/// - the counter is read at its start;
+/// - the amplifier's voltage is clamped to the supply, and to what drives the limiting current at
+/// the
+///   present speed; while clamped, the voltage stands still and so does the integral part;
+/// - Coulomb friction is a constant torque against the motion. When the speed passes zero the axis
+///   stops, and stays at rest until the motor's torque exceeds the friction.
+/// The ripple of single pulses behind the F/V converter is not modelled.
+class ServoAxis {
+ public:
+  static constexpr double kSubstep = 0.25e-3;  // s, at most
+
+  ServoAxis(const Axis& axis, double servo_period);
+
+  /// At rest at `position`, which is also commanded. Realtime.
+  void reset(double position) noexcept;
+
+  /// Runs one servo period in which the command pulses up to `command` (mm) come evenly spread.
+  /// Realtime.
+  void advance(double command) noexcept;
+
+  double position() const noexcept { return angle_ * mm_per_rad_; }         // mm
+  double velocity() const noexcept { return state_[speed] * mm_per_rad_; }  // mm/s
+  double current() const noexcept { return state_[armature_current]; }      // A
+  std::int64_t counter() const noexcept { return counter_; }                // BLU
+
+  /// The first alarm since reset().
+  Alarm alarm() const noexcept { return alarm_; }
+
+ private:
+  enum State { armature_current, speed, measured_speed, integral, kStates };
+  static constexpr int kInputs = 2;  // velocity command or motor voltage; friction torque
+  static constexpr int kOutputs = kStates + 1;  // and the angle turned
+  using StateVector = std::array<double, kStates>;
+  /// Column by column: what each state and input adds to the outputs over one substep.
+  using Transition = std::array<std::array<double, kOutputs>, kStates + kInputs>;
+
+  /// The four linear systems of an axis.
+  struct Mode {
+    bool clamped, stuck;
+  };
+  Transition transition(const Axis& axis, const Mode& mode) const;
+
+  void read_counter(std::int64_t command_counts) noexcept;
+  void step() noexcept;
+  std::int64_t encoder_counts() const noexcept;
+
+  Drive drive_;
+  Motor motor_;
+  Counts counts_;
+  double mm_per_rad_, counts_per_rad_, blu_per_count_, rad_s_per_blu_;
+  std::int64_t counter_limit_, following_error_limit_;  // BLU
+  int substeps_;
+  double substep_;  // s
+  std::array<Transition, 4> transitions_;
+
+  StateVector state_{};
+  double angle_ = 0;  // rad
+  std::int64_t commanded_ = 0, counter_ = 0;
+  Alarm alarm_ = Alarm::none;
+};
+
+}  // namespace softcnc::hal

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Fine interpolation between setpoints, and the mill's columns of the trace.
+#include "hal/sim.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/units.hpp"
+
+namespace softcnc::hal {
+
+SimulatedMill::SimulatedMill(const Machine& machine)
+    : servo_periods_(
+          static_cast<int>(std::lround(machine.control.period / machine.control.servo_period))),
+      servo_period_(machine.control.period / servo_periods_),
+      error_max_(Backend::following_error_max()) {
+  for (int axis = 0; axis < kAxes; ++axis) {
+    const Axis& described = machine.axes[static_cast<std::size_t>(axis)];
+    if (!described.present) continue;
+    slides_.push_back({axis, ServoAxis(described, servo_period_)});
+    error_max_[static_cast<std::size_t>(axis)] = 0;
+    const std::string letter(1, "xyz"[axis]);
+    for (const char* quantity : {"_act_mm", "_err_um", "_current_a"})
+      columns_.push_back(letter + quantity);
+  }
+}
+
+Feedback SimulatedMill::exchange(const Setpoint& setpoint) noexcept {
+  if (started_)
+    run_period(setpoint.position);
+  else
+    for (Slide& slide : slides_) slide.servo.reset(setpoint.position[slide.axis]);
+  started_ = true;
+  commanded_ = setpoint.position;
+
+  Feedback feedback{setpoint.position, Alarm::none, -1};
+  for (const Slide& slide : slides_) {
+    feedback.position[slide.axis] = slide.servo.position();
+    double& largest = error_max_[static_cast<std::size_t>(slide.axis)];
+    largest = std::max(largest, std::abs(commanded_[slide.axis] - slide.servo.position()));
+    if (feedback.alarm != Alarm::none || slide.servo.alarm() == Alarm::none) continue;
+    feedback.alarm = slide.servo.alarm();
+    feedback.alarm_axis = slide.axis;
+  }
+  return feedback;
+}
+
+void SimulatedMill::run_period(const AxisVector& target) noexcept {
+  for (Slide& slide : slides_) {
+    const double from = commanded_[slide.axis];
+    const double way = target[slide.axis] - from;
+    for (int i = 1; i <= servo_periods_; ++i)
+      slide.servo.advance(i == servo_periods_ ? target[slide.axis]
+                                              : from + way * i / servo_periods_);
+  }
+}
+
+void SimulatedMill::values(std::span<double> out) const noexcept {
+  std::size_t i = 0;
+  for (const Slide& slide : slides_) {
+    const double actual = slide.servo.position();
+    out[i++] = actual;
+    out[i++] = um_from_mm(commanded_[slide.axis] - actual);
+    out[i++] = slide.servo.current();
+  }
+}
+
+AxisVector SimulatedMill::settle() const noexcept {
+  AxisVector settled = commanded_;
+  for (const Slide& slide : slides_) {
+    ServoAxis servo = slide.servo;
+    const double command = commanded_[slide.axis];
+    const int longest = static_cast<int>(kSettleTime / servo_period_);
+    int quiet = 0;  // servo periods for which the axis has stood with an empty counter
+    for (int i = 0; i < longest && quiet * servo_period_ < 0.05; ++i) {
+      servo.advance(command);
+      const bool quiet_now = servo.counter() == 0 && std::abs(servo.velocity()) < 1e-3;
+      quiet = quiet_now ? quiet + 1 : 0;
+    }
+    settled[slide.axis] = servo.position();
+  }
+  return settled;
+}
+
+}  // namespace softcnc::hal

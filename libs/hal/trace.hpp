@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The trace: one row per period, streamed into a file whose suffix chooses the format.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "hal/hash.hpp"  // IWYU pragma: export
+#include "hal/output_file.hpp"
+#include "motion/machine.hpp"
+#include "motion/result.hpp"
+#include "motion/setpoint.hpp"
+
+namespace softcnc::hal {
+
+/// Raised when columns change their meaning or order.
+inline constexpr int kTraceSchema = 1;
+
+struct TraceHeader {
+  double period = 0.001;     // s
+  std::string program_hash;  // hash_hex() of the program's text
+  std::string machine_hash;  // hash_hex() of machine_toml()
+};
+
+class TraceWriter {
+ public:
+  /// Known suffixes are those of trace_suffixes(); "-" and what is no regular file take CSV.
+  /// Errors: SC6011, SC6014.
+  static Result<std::unique_ptr<TraceWriter>> open(const std::string& file,
+                                                   const TraceHeader& header,
+                                                   const Machine& machine,
+                                                   std::span<const std::string> backend_columns);
+  virtual ~TraceWriter() = default;
+
+  /// Takes as many values as there are backend columns. Allocates nothing as long as writing
+  /// succeeds. After an error rows are dropped and finish() tells it.
+  virtual void row(const Setpoint& setpoint, std::span<const double> backend_values) noexcept = 0;
+
+  /// False once writing has failed: a caller may stop early.
+  virtual bool ok() const noexcept = 0;
+
+  /// Writes what is left; without it no file is left. Errors: SC6012, SC6013.
+  virtual Status finish() = 0;
+};
+
+/// ".csv", ".csv.zst", ...: for messages and help.
+std::string trace_suffixes();
+
+}  // namespace softcnc::hal
