@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Arcs and helices: G02 and G03, by centre or by radius.
+#include <cmath>
+#include <string>
+
+#include "ipr/handlers.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr std::string_view kOffsetLetters = "IJK";  // of X, Y, Z
+constexpr double kSamePoint = 1e-9;                 // mm
+constexpr double kReach = 0.00127;  // mm (0.00005 inch): how much R may fall short, as in RS274
+
+char axis_letter(int axis) { return kAxisLetters[static_cast<std::size_t>(axis)]; }
+char offset_letter(int axis) { return kOffsetLetters[static_cast<std::size_t>(axis)]; }
+
+Letters position_letters(const PlaneAxes& axes) {
+  Letters letters;
+  letters.add(axis_letter(axes.first));
+  letters.add(axis_letter(axes.second));
+  return letters;
+}
+
+bool has_plane_axes(Task& task, const PlaneAxes& axes) {
+  for (const int axis : {axes.first, axes.second}) {
+    if (task.machine.axes[static_cast<std::size_t>(axis)].present) continue;
+    task.out.report(
+        Code::SC2008, task.word.pos,
+        code_name(task.code) + " needs axis " + axis_letter(axis) + ", which the machine lacks");
+    return false;
+  }
+  return true;
+}
+
+/// Told apart: centre and radius, neither, or a centre off the plane.
+bool is_well_given(Task& task, const PlaneAxes& axes) {
+  const Values& values = task.values;
+  const bool radius = values.has('R');
+  const bool centre = values.letters().has_any(kOffsetLetters);
+  const std::string name = code_name(task.code);
+  if (radius && centre) {
+    task.out.report(Code::SC2106, span_of(values, "IJKR"), name + " takes R or a centre, not both");
+  } else if (!radius && !centre) {
+    task.out.report(Code::SC2107, span_of(values, "XYZ"), name + " needs a centre or R");
+  } else if (const char across = offset_letter(axes.across); values.has(across)) {
+    task.out.report(Code::SC2105, values.word(across).pos,
+                    std::string(1, across) + " lies across the plane of the arc");
+  } else {
+    return true;
+  }
+  return false;
+}
+
+AxisVector center_by_offsets(const Task& task, const PlaneAxes& axes) {
+  AxisVector center = task.modal.position;
+  for (const int axis : {axes.first, axes.second})
+    center[axis] += task.values.value_or(offset_letter(axis), 0) * task.modal.mm_per_unit;
+  return center;
+}
+
+/// The centre left of the chord for a short arc counter-clockwise, right of it for a long one; for
+/// an arc clockwise the other way round. A negative R asks for the long arc.
+std::optional<AxisVector> center_by_radius(Task& task, const PlaneAxes& axes, const AxisVector& to,
+                                           bool ccw) {
+  const AxisVector& from = task.modal.position;
+  const double radius = task.values['R'] * task.modal.mm_per_unit;
+  const double across = to[axes.first] - from[axes.first];
+  const double up = to[axes.second] - from[axes.second];
+  const double chord = std::hypot(across, up);
+  const SourcePos pos = task.values.word('R').pos;
+  const Letters depends_on = position_letters(axes);
+  if (chord <= kSamePoint) {
+    report_if_certain(task, depends_on, Code::SC2108, pos,
+                      code_name(task.code) + " ends where it starts; R cannot tell its centre");
+    return std::nullopt;
+  }
+  if (chord / 2 > std::abs(radius) + kReach) {
+    report_if_certain(task, depends_on, Code::SC2109, pos,
+                      "a radius of " + number_text(std::abs(radius)) +
+                          " mm does not reach an end " + number_text(chord) + " mm away");
+    return std::nullopt;
+  }
+  const double height_squared = radius * radius - chord * chord / 4;
+  const double height = height_squared > 0 ? std::sqrt(height_squared) : 0;
+  const double left = (ccw == (radius > 0) ? height : -height) / chord;
+  AxisVector center = from;
+  center[axes.first] += across / 2 - left * up;
+  center[axes.second] += up / 2 + left * across;
+  return center;
+}
+
+void emit_arc(Task& task, const ArcSpec& spec, const PlaneAxes& axes) {
+  Result<Arc> made = Arc::make(spec);
+  if (made) {
+    task.out.emit(Move{std::move(*made), false, task.modal.feed, task.modal.join});
+    return;
+  }
+  const bool by_radius = task.values.has('R');
+  report_if_certain(task, position_letters(axes), made.error().code,
+                    by_radius ? task.values.word('R').pos : span_of(task.values, "XYZIJK"),
+                    std::move(made.error().message));
+}
+
+void arc(Task& task, bool ccw) {
+  begin_motion(task);
+  if (!task.values.letters().has_any(task.code.words)) return;
+  const PlaneAxes axes = plane_axes(task.modal.plane);
+  const AxisVector to = end_point(task);
+  if (has_plane_axes(task, axes) && is_well_given(task, axes) && has_feed(task)) {
+    const auto center = task.values.has('R') ? center_by_radius(task, axes, to, ccw)
+                                             : center_by_offsets(task, axes);
+    if (center) emit_arc(task, {task.modal.position, to, *center, task.modal.plane, ccw, 0}, axes);
+  }
+  task.modal.position = to;
+}
+
+}  // namespace
+
+void arc_clockwise(Task& task) { arc(task, false); }
+void arc_counterclockwise(Task& task) { arc(task, true); }
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Sorts the words of a line and finds what contradicts itself.
+#include "ipr/command.hpp"
+
+#include <string>
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr Letters kAfterUnknownCode{"GXYZ"};  // what it would have done is not known
+
+}  // namespace
+
+void Command::read(const Line& line, Output& out) {
+  values_.letters_ = {};
+  count_ = 0;
+  groups_ = 0;
+  uncertain_ = line.lost;
+  for (const Word& word : line.words)
+    is_code_letter(word.letter) ? read_code(word, out) : read_value(word, out);
+  if (has(Group::program_number)) check_program_number(line, out);
+}
+
+void Command::read_code(const Word& word, Output& out) {
+  const GCode* code = find_gcode(word.letter, word.value);
+  if (code == nullptr) {
+    out.report(Code::SC2001, word.pos, code_name(word.letter, word.value) + " is not supported");
+    uncertain_ |= kAfterUnknownCode;
+    return;
+  }
+  if (!has(code->group)) return add(*code, word);
+  uncertain_ |= kAfterUnknownCode;
+  if (code->number == kAnyNumber)
+    out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
+  else
+    out.report(Code::SC2002, word.pos, code_name(*code) + " beside another code of the same group");
+}
+
+void Command::read_value(const Word& word, Output& out) {
+  if (values_.has(word.letter)) {
+    out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
+    uncertain_.add(word.letter);
+    return;
+  }
+  values_.letters_.add(word.letter);
+  values_.words_[Values::index(word.letter)] = &word;
+}
+
+/// O names the program; only a line number may stand beside it.
+void Command::check_program_number(const Line& line, Output& out) {
+  for (const Word& word : line.words) {
+    if (word.letter == 'O' || word.letter == 'N') continue;
+    out.report(Code::SC2006, word.pos, "O stands alone on its line");
+    return;
+  }
+}
+
+void Command::add(const GCode& code, const Word& word) {
+  std::size_t at = count_++;
+  for (; at > 0 && codes_[at - 1].code->order > code.order; --at) codes_[at] = codes_[at - 1];
+  codes_[at] = {&code, &word};
+  groups_ |= bit(code.group);
+}
+
+Letters Command::unused() const noexcept {
+  Letters used;
+  for (const CodeWord& code : codes()) used |= Letters(code.code->words);
+  return values_.letters().without(used);
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The words of a line, sorted into codes and values.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "ipr/gcode_table.hpp"
+#include "ipr/letters.hpp"
+#include "ipr/output.hpp"
+#include "ipr/parser.hpp"
+
+namespace softcnc::ipr {
+
+/// The words that are not codes, by letter.
+class Values {
+ public:
+  Letters letters() const noexcept { return letters_; }
+  bool has(char letter) const noexcept { return letters_.has(letter); }
+  /// Expects has(letter).
+  const Word& word(char letter) const noexcept { return *words_[index(letter)]; }
+  double operator[](char letter) const noexcept { return word(letter).value; }
+  double value_or(char letter, double otherwise) const noexcept {
+    return has(letter) ? word(letter).value : otherwise;
+  }
+
+ private:
+  friend class Command;
+  static std::size_t index(char letter) noexcept { return static_cast<std::size_t>(letter - 'A'); }
+
+  Letters letters_;
+  std::array<const Word*, 26> words_{};
+};
+
+class Command {
+ public:
+  struct CodeWord {
+    const GCode* code;
+    const Word* word;
+  };
+
+  /// Sorts the words; reports codes that are unknown or exclude each other, and words given twice.
+  void read(const Line& line, Output& out);
+
+  /// Adds the motion in force, if words of the line are meant for it.
+  void add_modal_motion(const GCode& motion, const Word& word) { add(motion, word); }
+
+  const Values& values() const noexcept { return values_; }
+  /// In the order in which they act.
+  std::span<const CodeWord> codes() const noexcept { return {codes_.data(), count_}; }
+  bool has(Group group) const noexcept { return (groups_ & bit(group)) != 0; }
+  /// Values that no code of the line takes.
+  Letters unused() const noexcept;
+  /// What the line's own errors have made uncertain.
+  Letters uncertain() const noexcept { return uncertain_; }
+
+ private:
+  void read_code(const Word& word, Output& out);
+  void read_value(const Word& word, Output& out);
+  void check_program_number(const Line& line, Output& out);
+  void add(const GCode& code, const Word& word);
+  static std::uint32_t bit(Group group) noexcept { return 1U << static_cast<unsigned>(group); }
+
+  Values values_;
+  std::array<CodeWord, kGroups> codes_{};  // no group twice
+  std::size_t count_ = 0;
+  std::uint32_t groups_ = 0;
+  Letters uncertain_;
+};
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// The table of codes, in order of letter and number, and the search in it.
+#include "ipr/gcode_table.hpp"
+
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "ipr/handlers.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+/// When a code acts within its line: the order of RS274, but that units come first, so that they
+/// count for every word of their line.
+namespace order {
+enum : int {
+  units,
+  feed_mode,
+  feed,
+  speed,
+  tool,
+  tool_change,
+  spindle,
+  coolant,
+  dwell,
+  plane,
+  compensation,
+  work_offset,
+  path_control,
+  distance,
+  motion,
+  stopping,
+};
+}  // namespace order
+
+constexpr GCode kTable[] = {
+    {'G', 0, Group::motion, order::motion, "XYZ", rapid,
+     "Straight move on which only the axes limit."},
+    {'G', 10, Group::motion, order::motion, "XYZ", feed_line, "Straight move at the feed."},
+    {'G', 20, Group::motion, order::motion, "XYZIJKR", arc_clockwise,
+     "Arc or helix clockwise, by centre (I J K from the start) or radius R (negative: the long "
+     "way)."},
+    {'G', 30, Group::motion, order::motion, "XYZIJKR", arc_counterclockwise,
+     "Arc or helix counter-clockwise, by centre or radius as G02."},
+    {'G', 40, Group::non_modal, order::dwell, "P", dwell, "Dwell of P seconds."},
+    {'G', 62, Group::motion, order::motion, "XYZKRP", nurbs,
+     "NURBS of order P (4): one block a control point with knot K and weight R (1), then P blocks "
+     "of K."},
+    {'G', 170, Group::plane, order::plane, "", select_plane, "Arcs lie in the plane X Y."},
+    {'G', 180, Group::plane, order::plane, "", select_plane, "Arcs lie in the plane Z X."},
+    {'G', 190, Group::plane, order::plane, "", select_plane, "Arcs lie in the plane Y Z."},
+    {'G', 200, Group::units, order::units, "", use_inches,
+     "Lengths are in inches, feeds in inches per minute."},
+    {'G', 210, Group::units, order::units, "", use_millimetres,
+     "Lengths are in mm, feeds in mm per minute."},
+    {'G', 400, Group::cutter_compensation, order::compensation, "", nullptr,
+     "Cutter compensation off, as at the start."},
+    {'G', 490, Group::tool_length, order::compensation, "", nullptr,
+     "Tool length offset off, as at the start."},
+    {'G', 540, Group::work_offset, order::work_offset, "", nullptr,
+     "First work offset, as at the start."},
+    {'G', 610, Group::path_control, order::path_control, "", follow_path,
+     "The path is followed exactly."},
+    {'G', 611, Group::path_control, order::path_control, "", stop_exactly,
+     "Every block ends at rest."},
+    {'G', 640, Group::path_control, order::path_control, "P", follow_path_within,
+     "The path is followed exactly; P0 at most."},
+    {'G', 800, Group::motion, order::motion, "", cancel_motion, "No motion code in force."},
+    {'G', 900, Group::distance, order::distance, "", use_absolute, "Coordinates are positions."},
+    {'G', 910, Group::distance, order::distance, "", use_incremental,
+     "Coordinates are distances from the position."},
+    {'G', 940, Group::feed_mode, order::feed_mode, "", nullptr,
+     "F is a speed per minute, as at the start."},
+    {'M', 0, Group::stopping, order::stopping, "", stop_program,
+     "Stop until the operator goes on."},
+    {'M', 10, Group::stopping, order::stopping, "", stop_optionally,
+     "Stop if optional stops are switched on."},
+    {'M', 20, Group::stopping, order::stopping, "", end_program, "End of the program."},
+    {'M', 30, Group::spindle, order::spindle, "", turn_spindle, "Spindle on, clockwise."},
+    {'M', 40, Group::spindle, order::spindle, "", turn_spindle, "Spindle on, counter-clockwise."},
+    {'M', 50, Group::spindle, order::spindle, "", turn_spindle, "Spindle off."},
+    {'M', 60, Group::tool_change, order::tool_change, "", change_tool,
+     "Change to the tool that T has selected."},
+    {'M', 70, Group::coolant, order::coolant, "", switch_coolant, "Mist on."},
+    {'M', 80, Group::coolant, order::coolant, "", switch_coolant, "Flood on."},
+    {'M', 90, Group::coolant, order::coolant, "", switch_coolant, "Coolant off."},
+    {'M', 300, Group::stopping, order::stopping, "", end_program, "End of the program."},
+    {'F', kAnyNumber, Group::feed, order::feed, "", set_feed, "Feed along the path, per minute."},
+    {'S', kAnyNumber, Group::speed, order::speed, "", set_speed,
+     "Spindle speed in revolutions per minute."},
+    {'T', kAnyNumber, Group::tool, order::tool, "", select_tool, "Selects the tool for M06."},
+    {'N', kAnyNumber, Group::line_number, order::stopping, "", nullptr,
+     "Number of the line; nothing follows from it."},
+    {'O', kAnyNumber, Group::program_number, order::stopping, "", nullptr,
+     "Number of the program, alone on its line."},
+};
+
+constexpr int kNumbers = 1000;  // G0 to G99.9
+constexpr std::uint8_t kNone = 0xFF;
+static_assert(std::size(kTable) < kNone);
+
+using Index = std::array<std::uint8_t, kNumbers>;
+
+constexpr Index index_of(char letter) {
+  Index index{};
+  index.fill(kNone);
+  for (std::size_t row = 0; row < std::size(kTable); ++row)
+    if (kTable[row].letter == letter && kTable[row].number != kAnyNumber)
+      index[static_cast<std::size_t>(kTable[row].number)] = static_cast<std::uint8_t>(row);
+  return index;
+}
+
+constexpr Index kGIndex = index_of('G');
+constexpr Index kMIndex = index_of('M');
+
+const GCode* find_word(char letter) noexcept {
+  for (const GCode& code : kTable)
+    if (code.letter == letter && code.number == kAnyNumber) return &code;
+  return nullptr;
+}
+
+}  // namespace
+
+std::span<const GCode> gcode_table() noexcept { return kTable; }
+
+const GCode* find_gcode(char letter, double value) noexcept {
+  if (letter != 'G' && letter != 'M') return find_word(letter);
+  constexpr double kRounding = 1e-6;
+  const double tenths = value * 10;
+  const double nearest = std::round(tenths);
+  if (nearest < 0 || nearest >= kNumbers || std::abs(tenths - nearest) > kRounding) return nullptr;
+  const Index& index = letter == 'G' ? kGIndex : kMIndex;
+  const std::uint8_t row = index[static_cast<std::size_t>(nearest)];
+  return row == kNone ? nullptr : &kTable[row];
+}
+
+std::string code_name(const GCode& code) {
+  if (code.number == kAnyNumber) return {code.letter};
+  return code_name(code.letter, code.number / 10.0);
+}
+
+std::string code_name(char letter, double value) {
+  std::string name(1, letter);
+  if (value >= 0 && value < 10) name += '0';
+  return name += number_text(value);
+}
+
+}  // namespace softcnc::ipr

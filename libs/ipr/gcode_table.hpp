@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The table of codes: everything a line can ask for is a row here and a handler.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "ipr/letters.hpp"
+
+namespace softcnc::ipr {
+
+struct Task;
+
+/// Codes of one group exclude each other on a line. The groups of RS274, and one for each word that
+/// is a code of its own (F, S, T, N, O).
+enum class Group : std::uint8_t {
+  non_modal,
+  motion,
+  plane,
+  distance,
+  feed_mode,
+  units,
+  cutter_compensation,
+  tool_length,
+  work_offset,
+  path_control,
+  stopping,
+  tool_change,
+  spindle,
+  coolant,
+  feed,
+  speed,
+  tool,
+  line_number,
+  program_number,
+};
+inline constexpr int kGroups = 19;
+
+inline constexpr int kAnyNumber = -1;
+
+struct GCode {
+  char letter;
+  int number;  // G and M: ten times the number, G06.2 is 62; others: kAnyNumber
+  Group group;
+  int order;               // codes of a line act in ascending order
+  std::string_view words;  // letters it takes
+  void (*act)(Task&);      // nullptr: nothing is to be done
+  std::string_view says;   // one sentence for the user
+};
+
+/// In the order of G, M, and the other letters; within a letter by number.
+std::span<const GCode> gcode_table() noexcept;
+
+/// The row of a word; nullptr if softcnc does not know the code.
+const GCode* find_gcode(char letter, double value) noexcept;
+
+/// Whether a word of this letter is a code, rather than a value for one.
+constexpr bool is_code_letter(char letter) noexcept { return Letters("GMFSTNO").has(letter); }
+
+/// "G02", "G06.2", "M30", "F".
+std::string code_name(const GCode& code);
+std::string code_name(char letter, double value);
+
+}  // namespace softcnc::ipr

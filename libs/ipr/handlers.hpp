@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What codes do. Handlers change modes and position even on a line with an error, so that the lines
+// behind it are not reported for its sake.
+#pragma once
+
+#include "ipr/command.hpp"
+#include "ipr/gcode_table.hpp"
+#include "ipr/interpreter.hpp"
+#include "ipr/modal.hpp"
+#include "ipr/output.hpp"
+#include "motion/machine.hpp"
+
+namespace softcnc::ipr {
+
+/// One code of one line, at work.
+struct Task {
+  const GCode& code;
+  const Word& word;  // what called for it; for a modal motion the first coordinate
+  const Command& command;
+  const Values& values;
+  const Machine& machine;
+  const InterpreterOptions& options;
+  Modal& modal;
+  Output& out;
+};
+
+// moves.cpp
+void rapid(Task& task);
+void feed_line(Task& task);
+void cancel_motion(Task& task);
+
+// arcs.cpp
+void arc_clockwise(Task& task);
+void arc_counterclockwise(Task& task);
+
+// nurbs_words.cpp
+void nurbs(Task& task);
+/// Ends a pending curve at a line whose codes do not belong into it.
+void check_pending_curve(const Command& command, Modal& modal, Output& out);
+/// Ends a pending curve at the end of the program.
+void end_pending_curve(Modal& modal, Output& out);
+
+// modes.cpp
+void select_plane(Task& task);
+void use_inches(Task& task);
+void use_millimetres(Task& task);
+void use_absolute(Task& task);
+void use_incremental(Task& task);
+void follow_path(Task& task);
+void follow_path_within(Task& task);
+void stop_exactly(Task& task);
+void set_feed(Task& task);
+
+// actions.cpp
+void dwell(Task& task);
+void set_speed(Task& task);
+void select_tool(Task& task);
+void change_tool(Task& task);
+void turn_spindle(Task& task);
+void switch_coolant(Task& task);
+void stop_program(Task& task);
+void stop_optionally(Task& task);
+void end_program(Task& task);
+
+// words.cpp: what several handlers need
+/// Where the axis words lead, in mm, from the position in force.
+AxisVector end_point(const Task& task);
+/// False, and told or muted, if there is no feed.
+bool has_feed(Task& task);
+/// Makes the code the motion in force.
+void begin_motion(Task& task);
+/// Reports, or only mutes the line if the error may come from an earlier one.
+void report_if_certain(Task& task, Letters depends_on, Code code, SourcePos pos,
+                       std::string message);
+/// The value as a whole number from 0; otherwise told, and nothing.
+std::optional<int> whole_number(Task& task, const Word& word);
+/// From the first to the last of these words.
+SourcePos span_of(const Values& values, std::string_view letters) noexcept;
+/// A number for a message: at most three decimals, no trailing zeros.
+std::string number_text(double value);
+
+}  // namespace softcnc::ipr

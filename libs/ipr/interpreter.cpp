@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Reads a line, finds what it means by the modes in force, and lets its codes act.
+#include "ipr/interpreter.hpp"
+
+#include <string>
+
+#include "ipr/handlers.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+/// The first word of these letters on the line.
+const Word* first_of(const Values& values, Letters letters) noexcept {
+  const Word* first = nullptr;
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    if (!letters.has(letter) || !values.has(letter)) continue;
+    const Word& word = values.word(letter);
+    if (first == nullptr || word.pos.column < first->pos.column) first = &word;
+  }
+  return first;
+}
+
+}  // namespace
+
+Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& diagnostics,
+                         InterpreterOptions options)
+    : parser_(parser), machine_(machine), options_(options), out_(diagnostics) {}
+
+std::optional<Block> Interpreter::next() {
+  for (;;) {
+    if (std::optional<Block> block = out_.pop()) {
+      block->number = ++blocks_;
+      return block;
+    }
+    if (modal_.ended) return std::nullopt;
+    if (const auto line = parser_.next())
+      interpret(*line);
+    else
+      finish();
+  }
+}
+
+void Interpreter::interpret(const Line& line) {
+  if (line.skip && options_.block_skip) return;
+  out_.begin(line);
+  command_.read(line, out_);
+  if (modal_.curve) check_pending_curve(command_, modal_, out_);
+  if (!command_.has(Group::motion)) find_motion();
+  check_axes();
+  if (!line.broken && !out_.failed()) check_unused();
+  if (line.broken || out_.failed()) out_.mute();
+  execute();
+  modal_.uncertain |= command_.uncertain();
+  out_.end();
+}
+
+/// Words that no code of the line takes may be meant for the motion in force.
+void Interpreter::find_motion() {
+  const Letters unused = command_.unused();
+  if (unused.empty()) return;
+  if (modal_.motion != nullptr && unused.has_any(modal_.motion->words)) {
+    const Letters meant = modal_.motion->words;
+    command_.add_modal_motion(*modal_.motion, *first_of(command_.values(), meant));
+    return;
+  }
+  if (modal_.motion != nullptr || !unused.has_any(kAxisWords)) return;
+  const Word& word = *first_of(command_.values(), kAxisWords);
+  if (modal_.uncertain.has('G') || command_.uncertain().has('G')) return out_.mute();
+  out_.report(Code::SC2101, word.pos,
+              std::string(1, word.letter) + " with no motion code in force");
+  modal_.uncertain.add('G');
+}
+
+void Interpreter::check_axes() {
+  const Values& values = command_.values();
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    const char letter = kAxisLetters[i];
+    if (machine_.axes[i].present || !values.has(letter)) continue;
+    out_.report(Code::SC2008, values.word(letter).pos,
+                std::string("the machine has no axis ") + letter);
+  }
+}
+
+void Interpreter::check_unused() {
+  const Letters unused = command_.unused();
+  if (unused.empty()) return;
+  if (modal_.uncertain.has('G') && !command_.has(Group::motion)) return out_.mute();
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    if (!unused.has(letter)) continue;
+    out_.report(Code::SC2004, command_.values().word(letter).pos,
+                std::string(1, letter) + " is used by no code of this line");
+  }
+}
+
+void Interpreter::execute() {
+  for (const auto& [code, word] : command_.codes()) {
+    if (code->act == nullptr) continue;
+    Task task{*code, *word, command_, command_.values(), machine_, options_, modal_, out_};
+    code->act(task);
+  }
+}
+
+/// The text has ended without M02 or M30.
+void Interpreter::finish() {
+  Line line;
+  line.number = parser_.line();
+  out_.begin(line);
+  if (modal_.curve) end_pending_curve(modal_, out_);
+  out_.report(Code::SC2205, {line.number, 0, 1}, "the program ends without M02 or M30");
+  out_.end();
+  out_.begin(line);
+  out_.emit(Action{Action::Kind::end, 30, 0});
+  modal_.ended = true;
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Lines to blocks, one at a time.
+#pragma once
+
+#include <optional>
+
+#include "ipr/command.hpp"
+#include "ipr/modal.hpp"
+#include "ipr/output.hpp"
+#include "ipr/parser.hpp"
+#include "motion/machine.hpp"
+
+namespace softcnc::ipr {
+
+struct InterpreterOptions {
+  bool block_skip = false;     // leave out lines that begin with '/'
+  bool optional_stop = false;  // M01 stops
+};
+
+class Interpreter {
+ public:
+  /// What is referred to must outlive the interpreter.
+  Interpreter(Parser& parser, const Machine& machine, Diagnostics& diagnostics,
+              InterpreterOptions options = {});
+
+  /// The next block of the program, the last being Action::Kind::end. Lines with an error are
+  /// reported and give no block; reading goes on behind them, and what is wrong only as a
+  /// consequence is not reported.
+  std::optional<Block> next();
+
+ private:
+  void interpret(const Line& line);
+  void find_motion();
+  void check_axes();
+  void check_unused();
+  void execute();
+  void finish();
+
+  Parser& parser_;
+  const Machine& machine_;
+  InterpreterOptions options_;
+  Output out_;
+  Modal modal_;
+  Command command_;
+  int blocks_ = 0;
+};
+
+}  // namespace softcnc::ipr

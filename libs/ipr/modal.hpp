@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// What stays in force from line to line: modes, position, and a NURBS whose lines are still coming.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ipr/letters.hpp"
+#include "motion/arc.hpp"
+#include "motion/block.hpp"
+#include "motion/nurbs.hpp"
+
+namespace softcnc::ipr {
+
+struct GCode;
+
+/// A curve of G06.2 between its first block and its last closing knot.
+struct PendingCurve {
+  NurbsSpec spec;         // what has been read so far
+  int order = 0;          // 0: unknown, because P was bad
+  int closing_knots = 0;  // read so far
+  Letters axes;           // of the curve; empty until a block names one
+  bool broken = false;    // something in it was reported: no more is said, no block made
+  double feed = 0;        // mm/s
+  SourcePos source;       // of the line of G06.2
+  SourcePos head;         // of the word G06.2
+  std::string head_line;  // its text
+};
+
+/// The start state is that of a new Modal.
+struct Modal {
+  AxisVector position = AxisVector::Zero();  // mm: the end of the last move
+  const GCode* motion = nullptr;             // the motion code in force
+  Plane plane = Plane::xy;
+  double mm_per_unit = 1;  // of programmed lengths
+  bool incremental = false;
+  Join join = Join::follow;
+  double feed = 0;                      // mm/s; 0: not set
+  std::optional<double> spindle_speed;  // rpm, as programmed by S, within the machine's range
+  int spindle_direction = 0;            // 1: M03, -1: M04, 0: at rest
+  std::optional<int> tool;              // as selected by T
+  std::optional<PendingCurve> curve;
+
+  /// Words whose value an error has made uncertain (G: the motion code). What would be wrong only
+  /// because of them is not reported.
+  Letters uncertain;
+
+  bool feed_warned = false, spindle_warned = false;  // once a file
+  bool ended = false;                                // M02 or M30 was read
+};
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// G06.2, a NURBS over several lines: one block per control point, then as many blocks of K alone as
+// the order. It ends by that count.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ipr/handlers.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr int kDefaultOrder = 4;
+constexpr int kLeastOrder = 2;
+constexpr double kSameStart = 0.001;  // mm: how far the first control point may lie off
+
+bool is_first(const PendingCurve& curve) { return curve.spec.knots.empty(); }
+
+std::optional<int> read_order(Task& task) {
+  if (!task.values.has('P')) return kDefaultOrder;
+  const Word& word = task.values.word('P');
+  const bool legal = word.value == std::floor(word.value) && word.value >= kLeastOrder &&
+                     word.value <= Nurbs::kMaxDegree + 1;
+  if (legal) return static_cast<int>(word.value);
+  task.out.report(Code::SC3001, word.pos,
+                  "P, the order of the curve, is a whole number from 2 to " +
+                      std::to_string(Nurbs::kMaxDegree + 1));
+  return std::nullopt;
+}
+
+void begin_curve(Task& task) {
+  begin_motion(task);
+  PendingCurve& curve = task.modal.curve.emplace();
+  curve.order = read_order(task).value_or(0);
+  curve.spec.degree = curve.order - 1;
+  curve.source = task.out.source();
+  curve.head = task.word.pos;
+  curve.head_line = task.out.text();
+  has_feed(task);
+  curve.feed = task.modal.feed;
+}
+
+/// How often the last knot stands at the end of what was read.
+int repetitions(const std::vector<double>& knots) {
+  const auto other =
+      std::find_if(knots.rbegin(), knots.rend(), [&](double knot) { return knot != knots.back(); });
+  return static_cast<int>(other - knots.rbegin());
+}
+
+std::string ends_message(const char* which, int order) {
+  return std::string("the ") + which + " " + std::to_string(order) + " knots must be equal";
+}
+
+/// What is wrong with the knot just read can be said at once, and so at its place.
+void check_knot(Task& task, const PendingCurve& curve, SourcePos pos) {
+  const std::vector<double>& knots = curve.spec.knots;
+  const int count = static_cast<int>(knots.size());
+  const double knot = knots.back();
+  const double before = count > 1 ? knots[static_cast<std::size_t>(count) - 2] : knot;
+  if (knot < before)
+    return task.out.report(Code::SC3004, pos,
+                           "knot " + number_text(knot) + " after " + number_text(before) +
+                               "; knots must not decrease");
+  if (count <= curve.order && knot != knots.front())
+    return task.out.report(Code::SC3005, pos, ends_message("first", curve.order));
+  if (curve.closing_knots > 1 && knot != before)
+    return task.out.report(Code::SC3005, pos, ends_message("last", curve.order));
+  const int most = count <= curve.order || curve.closing_knots > 0 ? curve.order : curve.order - 1;
+  if (repetitions(knots) > most)
+    task.out.report(Code::SC3006, pos,
+                    "knot " + number_text(knot) + " stands " + std::to_string(repetitions(knots)) +
+                        " times; here " + std::to_string(most) + " times at most");
+}
+
+void read_knot(Task& task, PendingCurve& curve) {
+  if (!task.values.has('K'))
+    return task.out.report(Code::SC3102, task.word.pos, "a block of a curve needs its knot, K");
+  curve.spec.knots.push_back(task.values['K']);
+  check_knot(task, curve, task.values.word('K').pos);
+}
+
+double read_weight(Task& task) {
+  if (!task.values.has('R')) return 1;
+  const Word& word = task.values.word('R');
+  if (word.value <= 0)
+    task.out.report(Code::SC3007, word.pos, "R, the weight of a control point, must be above 0");
+  return word.value;
+}
+
+/// The first block that names axes names those of the curve.
+void check_curve_axes(Task& task, PendingCurve& curve) {
+  for (const char letter : kAxisLetters) {
+    if (!task.values.has(letter) || curve.axes.has(letter)) continue;
+    if (curve.spec.control.size() <= 1 && !curve.axes.has_any(task.values.letters())) break;
+    task.out.report(Code::SC3103, task.values.word(letter).pos,
+                    std::string(1, letter) + " is missing in the first block of the curve");
+  }
+}
+
+double start_tolerance(const Machine& machine) {
+  double tolerance = kSameStart;
+  for (const Axis& axis : machine.axes)
+    if (axis.present) tolerance = std::max(tolerance, axis.blu);
+  return tolerance;
+}
+
+/// The curve begins in the position exactly, wherever within the tolerance its first point lies.
+AxisVector first_point(Task& task) {
+  const AxisVector point = end_point(task);
+  const double off = (point - task.modal.position).norm();
+  if (off > start_tolerance(task.machine))
+    report_if_certain(task, kAxisWords, Code::SC3109, span_of(task.values, "XYZ"),
+                      "the curve begins " + number_text(off) + " mm off the position");
+  return task.modal.position;
+}
+
+void read_control_point(Task& task, PendingCurve& curve) {
+  if (curve.closing_knots > 0)
+    return task.out.report(Code::SC3104, span_of(task.values, "XYZ"),
+                           "a control point after " + std::to_string(curve.closing_knots) + " of " +
+                               std::to_string(curve.order) + " closing knots");
+  const bool first = is_first(curve);
+  check_curve_axes(task, curve);
+  if (!first) task.modal.position = end_point(task);
+  curve.spec.control.push_back(first ? first_point(task) : task.modal.position);
+  curve.spec.weights.push_back(read_weight(task));
+  read_knot(task, curve);
+}
+
+void read_closing_knot(Task& task, PendingCurve& curve) {
+  const int points = static_cast<int>(curve.spec.control.size());
+  if (curve.closing_knots++ == 0 && points < curve.order)
+    task.out.report(Code::SC3002, task.word.pos,
+                    "the curve ends after " + std::to_string(points) +
+                        " control points; its order asks for " + std::to_string(curve.order));
+  if (task.values.has('R'))
+    task.out.report(Code::SC3111, task.values.word('R').pos, "a closing knot takes K alone");
+  if (!task.out.failed()) read_knot(task, curve);
+}
+
+void finish_curve(Task& task, PendingCurve& curve) {
+  Result<Nurbs> made = Nurbs::make(std::move(curve.spec));
+  if (!made)
+    return task.out.report(made.error().code, curve.head, std::move(made.error().message),
+                           curve.head_line);
+  task.out.emit(Move{std::move(*made), false, curve.feed, task.modal.join}, curve.source);
+}
+
+void read_block(Task& task, PendingCurve& curve) {
+  const bool begins = task.word.letter == 'G';
+  if (!begins && task.values.has('P'))
+    task.out.report(Code::SC3110, task.values.word('P').pos,
+                    "P belongs to the first block of the curve");
+  if (begins || task.values.letters().has_any(kAxisWords))
+    read_control_point(task, curve);
+  else
+    read_closing_knot(task, curve);
+}
+
+void forget_curve(Modal& modal) {
+  modal.curve.reset();
+  modal.motion = nullptr;
+}
+
+std::string unfinished(const PendingCurve& curve) {
+  return "the curve has " + std::to_string(curve.closing_knots) + " of its " +
+         std::to_string(curve.order) + " closing knots";
+}
+
+}  // namespace
+
+void nurbs(Task& task) {
+  if (!task.modal.curve) begin_curve(task);
+  PendingCurve& curve = *task.modal.curve;
+  if (curve.broken) task.out.mute();
+  read_block(task, curve);
+  curve.broken = curve.broken || task.out.failed();
+  if (curve.order == 0 || curve.closing_knots < curve.order) return;
+  if (!curve.broken) finish_curve(task, curve);
+  forget_curve(task.modal);
+}
+
+void check_pending_curve(const Command& command, Modal& modal, Output& out) {
+  const PendingCurve& curve = *modal.curve;
+  for (const auto& [code, word] : command.codes()) {
+    if (code->group == Group::line_number) continue;
+    if (code->group == Group::feed) {
+      if (!curve.broken)
+        out.report(Code::SC3110, word->pos, "F belongs to the first block of the curve");
+      continue;
+    }
+    if (!curve.broken && curve.closing_knots > 0)
+      out.report(Code::SC3104, word->pos, code_name(*code) + " too early: " + unfinished(curve));
+    else if (!curve.broken)
+      out.report(Code::SC3105, word->pos, code_name(*code) + " within a curve of G06.2");
+    return forget_curve(modal);
+  }
+}
+
+void end_pending_curve(Modal& modal, Output& out) {
+  const PendingCurve& curve = *modal.curve;
+  if (!curve.broken)
+    out.report(Code::SC3104, curve.head, "the program ends, and " + unfinished(curve),
+               curve.head_line);
+  forget_curve(modal);
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Where the blocks and the errors of a line go.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ipr/parser.hpp"
+#include "motion/block.hpp"
+
+namespace softcnc::ipr {
+
+/// Keeps the blocks of good lines until they are asked for. A line with an error gives none.
+class Output {
+ public:
+  explicit Output(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  void begin(const Line& line);
+  void end();
+
+  /// Reports with the text of the line, unless the line is muted. An error makes the line fail.
+  void report(Code code, SourcePos pos, std::string message);
+  /// The same for a place on an earlier line.
+  void report(Code code, SourcePos pos, std::string message, std::string_view source_line);
+
+  /// From here to its end the line only changes modes and position: no word, no block.
+  void mute() noexcept { muted_ = true; }
+  bool failed() const noexcept { return failed_ || muted_; }
+
+  /// A block that begins with the line.
+  template <typename What>
+  void emit(What&& what) {
+    emit(std::forward<What>(what), source_);
+  }
+  template <typename What>
+  void emit(What&& what, SourcePos source) {
+    if (!failed()) blocks_.push_back({std::forward<What>(what), source, 0});
+  }
+
+  std::optional<Block> pop();
+
+  SourcePos source() const noexcept { return source_; }
+  std::string_view text() const noexcept { return text_; }
+
+ private:
+  Diagnostics& diagnostics_;
+  std::vector<Block> blocks_;  // those before next_ are gone
+  std::size_t next_ = 0, kept_ = 0;
+  SourcePos source_;
+  std::string_view text_;
+  bool failed_ = false, muted_ = false;
+};
+
+}  // namespace softcnc::ipr

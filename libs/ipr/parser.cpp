@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+// Reads words; a bad word is reported with its cause, and reading goes on behind it.
+#include "ipr/parser.hpp"
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr int kLongestShown = 24;  // bytes of a bad word repeated in a message
+
+std::string quoted(std::string_view text) {
+  return "'" + std::string(text.substr(0, kLongestShown)) + "'";
+}
+
+std::string_view text_of(std::string_view line, const Token& token) {
+  return line.substr(static_cast<std::size_t>(token.column) - 1,
+                     static_cast<std::size_t>(token.length));
+}
+
+/// A character by its looks, its code point or its byte.
+std::string character_name(std::string_view character) {
+  const auto byte = static_cast<unsigned char>(character.front());
+  std::array<char, 16> text{};
+  if (character.size() == 1) {
+    if (byte > 0x20U && byte < 0x7FU) return quoted(character);
+    std::snprintf(text.data(), text.size(), "byte 0x%02X", byte);
+    return text.data();
+  }
+  unsigned point = byte & (0xFFU >> (character.size() + 1));
+  for (const char c : character.substr(1))
+    point = (point << 6U) | (static_cast<unsigned char>(c) & 0x3FU);
+  std::snprintf(text.data(), text.size(), " (U+%04X)", point);
+  return quoted(character) + text.data();
+}
+
+/// Text in UTF-16 shows its byte order mark, or a zero byte beside its first character.
+bool looks_like_utf16(std::string_view first_line) {
+  if (first_line.starts_with("\xFF\xFE") || first_line.starts_with("\xFE\xFF")) return true;
+  return first_line.size() > 1 && (first_line[0] == '\0') != (first_line[1] == '\0');
+}
+
+constexpr bool is_letter(char c) noexcept {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+std::string_view letters_at(std::string_view line, const Token& letter) {
+  const std::string_view rest = line.substr(static_cast<std::size_t>(letter.column) - 1);
+  std::size_t count = 0;
+  while (count < rest.size() && is_letter(rest[count])) ++count;
+  return rest.substr(0, count);
+}
+
+}  // namespace
+
+std::optional<Line> Parser::next() {
+  while (!ended_) {
+    const auto text = reader_.next();
+    if (!text) break;
+    read_line(*text);
+    if (ended_) break;
+    if (words_.empty() && !line_.broken) continue;
+    started_ = true;
+    line_.words = words_;
+    return line_;
+  }
+  if (!ended_ && reader_.failure()) diagnostics_.report(*reader_.failure());
+  ended_ = true;
+  return std::nullopt;
+}
+
+void Parser::read_line(std::string_view text) {
+  words_.clear();
+  line_ = Line{};
+  line_.number = reader_.line();
+  line_.text = text;
+  given_up_ = false;
+  Lexer lexer(text);
+  if (line_.number == 1 && looks_like_utf16(text)) {
+    give_up(Code::SC1013, Token{}, "the file is in UTF-16; save it as UTF-8 or ASCII");
+    ended_ = true;
+    return;
+  }
+  Token token = lexer.next();
+  while (token.kind != Token::Kind::end && !given_up_ && !ended_)
+    token = token.kind == Token::Kind::letter ? read_word(lexer, token) : read_mark(lexer, token);
+  if (reader_.line_was_cut() && !given_up_ && !ended_)
+    give_up(Code::SC1015, Token{},
+            "the line is longer than " + std::to_string(Reader::kLongestLine) + " bytes");
+}
+
+/// Returns the first token that does not belong to the word.
+Token Parser::read_word(Lexer& lexer, const Token& letter) {
+  if (letter.letter == 'E' && !words_.empty()) {
+    const SourcePos& before = words_.back().pos;
+    if (before.column + before.length == letter.column) return read_exponent(lexer, letter);
+  }
+  const Token number = lexer.next();
+  if (number.kind != Token::Kind::number) {
+    report_missing_number(letter, number);
+    return number;
+  }
+  if (number.fault == NumberFault::none) {
+    const int length = number.end_column() - letter.column;
+    words_.push_back({letter.letter, number.value, {line_.number, letter.column, length}});
+  } else {
+    report_number(letter, number);
+  }
+  return lexer.next();
+}
+
+void Parser::report_missing_number(const Token& letter, const Token& instead) {
+  using Kind = Token::Kind;
+  const bool excused = instead.kind != Kind::letter && instead.kind != Kind::end &&
+                       instead.kind != Kind::slash;  // what stands there is told instead
+  const std::string_view letters = letters_at(line_.text, letter);
+  const bool name = letters.size() > 2 || (letters.size() == 2 && excused);
+  if (name) {
+    Token whole = letter;
+    whole.length = static_cast<int>(letters.size());
+    give_up(Code::SC1008, whole,
+            quoted(letters) + " is not understood: softcnc has no variables and no subprograms");
+    return;
+  }
+  line_.lost.add(letter.letter);
+  if (!excused)
+    report(Code::SC1002, letter.column, 1, std::string("no number after ") + letter.letter);
+}
+
+/// `X1E5`: an E right behind a number was meant as its exponent.
+Token Parser::read_exponent(Lexer& lexer, const Token& letter) {
+  const Word word = words_.back();
+  words_.pop_back();
+  line_.lost.add(word.letter);
+  Token after = lexer.next();
+  const bool exponent = after.kind == Token::Kind::number;
+  const int end = exponent ? after.end_column() : letter.end_column();
+  const auto written = line_.text.substr(static_cast<std::size_t>(word.pos.column) - 1,
+                                         static_cast<std::size_t>(end - word.pos.column));
+  report(Code::SC1006, word.pos.column, end - word.pos.column,
+         quoted(written) + " has an exponent; write the number out");
+  return exponent ? lexer.next() : after;
+}
+
+void Parser::report_number(const Token& letter, const Token& number) {
+  line_.lost.add(letter.letter);
+  const std::string written = quoted(text_of(line_.text, number));
+  const auto say = [&](Code code, std::string message) {
+    report(code, number.column, number.length, std::move(message));
+  };
+  switch (number.fault) {
+    case NumberFault::no_digits:
+      return say(Code::SC1002,
+                 std::string("no number after ") + letter.letter + ", only " + written);
+    case NumberFault::sign_inside:
+      return say(Code::SC1003, "a sign inside the number " + written);
+    case NumberFault::two_points:
+      return say(Code::SC1004, "two decimal points in " + written);
+    case NumberFault::too_large:
+      return say(Code::SC1005, written + " has more than " + std::to_string(kIntegerDigits) +
+                                   " digits before the decimal point");
+    case NumberFault::none:
+      break;
+  }
+}
+
+/// Whatever does not begin a word.
+Token Parser::read_mark(Lexer& lexer, const Token& mark) {
+  const std::string_view text = text_of(line_.text, mark);
+  switch (mark.kind) {
+    case Token::Kind::percent:
+      return read_percent(lexer, mark);
+    case Token::Kind::slash:
+      return read_slash(lexer, mark);
+    case Token::Kind::number:
+      give_up(Code::SC1007, mark, "the number " + quoted(text) + " has no letter before it");
+      break;
+    case Token::Kind::macro:
+      give_up(Code::SC1008, mark,
+              quoted(text) + " is not understood: softcnc has no variables and no expressions");
+      break;
+    case Token::Kind::open_comment:
+      give_up(Code::SC1009, mark, "the comment has no ')'");
+      break;
+    case Token::Kind::nested_comment:
+      give_up(Code::SC1010, mark, "a comment inside a comment");
+      break;
+    case Token::Kind::nul:
+      give_up(Code::SC1014, mark, "a byte 0; the file is damaged or no text");
+      break;
+    default:
+      give_up(Code::SC1001, mark, "unknown character " + character_name(text));
+      break;
+  }
+  return {};
+}
+
+/// The first '%' begins the program, the next one ends it; whatever follows that is no program.
+Token Parser::read_percent(Lexer& lexer, const Token& percent) {
+  if (!words_.empty() || line_.skip) {
+    give_up(Code::SC1012, percent, "'%' within a line; it stands on a line of its own");
+    return {};
+  }
+  if (started_) {
+    ended_ = true;
+    return {};
+  }
+  started_ = true;
+  const Token after = lexer.next();
+  if (after.kind != Token::Kind::end)
+    give_up(Code::SC1012, percent, "'%' with more behind it; it stands on a line of its own");
+  return after;
+}
+
+/// '/' or '/2', before or behind the line number.
+Token Parser::read_slash(Lexer& lexer, const Token& slash) {
+  const Token after = lexer.next();
+  if (line_.skip || !only_line_number()) {
+    give_up(Code::SC1011, slash, "'/' (block skip) within a line; it stands at its beginning");
+    return after;
+  }
+  line_.skip = true;
+  const bool level = after.kind == Token::Kind::number && after.length == 1 && after.value >= 1;
+  return level ? lexer.next() : after;
+}
+
+bool Parser::only_line_number() const noexcept {
+  return words_.empty() || (words_.size() == 1 && words_.front().letter == 'N');
+}
+
+void Parser::report(Code code, int column, int length, std::string message) {
+  line_.broken = true;
+  diagnostics_.report(code, {line_.number, column, length}, std::move(message), line_.text);
+}
+
+/// For a fault behind which nothing can be trusted: the rest of the line is lost.
+void Parser::give_up(Code code, const Token& token, std::string message) {
+  report(code, token.column, token.length, std::move(message));
+  line_.lost = kAllLetters;
+  given_up_ = true;
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Reads a text through one buffer; a line is found by its end, never copied.
+#include "ipr/reader.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr std::size_t kBufferSize = 65536;
+static_assert(kBufferSize > 2 * Reader::kLongestLine);
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+Diagnostic cannot_read(Code code, const std::string& what, int error) {
+  return {code, {}, "cannot read " + what + ": " + std::generic_category().message(error), {}, {}};
+}
+
+}  // namespace
+
+Reader::Reader(int descriptor, bool owned)
+    : descriptor_(descriptor), owned_(owned), buffer_(kBufferSize, '\0') {}
+
+Reader::Reader(Reader&& other) noexcept { *this = std::move(other); }
+
+Reader& Reader::operator=(Reader&& other) noexcept {
+  if (this == &other) return *this;
+  close();
+  descriptor_ = std::exchange(other.descriptor_, -1);
+  owned_ = other.owned_;
+  buffer_ = std::move(other.buffer_);
+  begin_ = std::exchange(other.begin_, 0);
+  end_ = std::exchange(other.end_, 0);
+  line_feed_ = other.line_feed_;
+  line_feed_belongs_to_cr_ = other.line_feed_belongs_to_cr_;
+  line_was_cut_ = other.line_was_cut_;
+  line_ = other.line_;
+  failure_ = std::move(other.failure_);
+  return *this;
+}
+
+Reader::~Reader() { close(); }
+
+void Reader::close() noexcept {
+  if (owned_ && descriptor_ >= 0) ::close(descriptor_);
+  descriptor_ = -1;
+}
+
+Result<Reader> Reader::open(const std::string& file) {
+  if (file == "-") return Reader(STDIN_FILENO);
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return tl::unexpected(cannot_read(Code::SC6001, "'" + file + "'", errno));
+  Reader reader(descriptor, true);
+  struct stat status {};
+  if (::fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode))
+    return tl::unexpected(cannot_read(Code::SC6001, "'" + file + "'", EISDIR));
+  return reader;
+}
+
+Reader Reader::from_text(std::string text) {
+  Reader reader(-1);
+  reader.buffer_ = std::move(text);
+  reader.end_ = reader.buffer_.size();
+  return reader;
+}
+
+std::optional<std::string_view> Reader::next() {
+  std::size_t searched = 0;  // bytes of the line that hold no line end
+  for (;;) {
+    skip_line_feed();
+    const std::size_t line_end = find_line_end(begin_ + searched);
+    if (line_end < end_) return take(line_end);
+    if (!fill()) break;
+    searched = 0;
+  }
+  if (begin_ == end_) return std::nullopt;
+  return take(end_);
+}
+
+/// Leaves out the LF of a CRLF, which may come in a later piece than its CR.
+void Reader::skip_line_feed() noexcept {
+  if (!line_feed_belongs_to_cr_ || begin_ == end_) return;
+  if (buffer_[begin_] == '\n') ++begin_;
+  line_feed_belongs_to_cr_ = false;
+}
+
+std::size_t Reader::find(char wanted, std::size_t from, std::size_t to) const noexcept {
+  if (from >= to) return to;
+  const char* text = buffer_.data();
+  const auto* found = static_cast<const char*>(std::memchr(text + from, wanted, to - from));
+  return found ? static_cast<std::size_t>(found - text) : to;
+}
+
+/// The place of the line's CR or LF, end_ if neither is in the buffer. The LF is remembered, so
+/// that a text with nothing but CRs is not searched to its end for every line.
+std::size_t Reader::find_line_end(std::size_t from) noexcept {
+  if (line_feed_ == kUnknown || line_feed_ < from) line_feed_ = find('\n', from, end_);
+  return find('\r', from, line_feed_);
+}
+
+/// Reads more behind what is there. False at the end of the text.
+bool Reader::fill() {
+  if (descriptor_ < 0) return false;
+  std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+  end_ -= std::exchange(begin_, 0);
+  if (end_ == buffer_.size()) end_ = kLongestLine + 1;  // the rest of such a line is not kept
+  line_feed_ = kUnknown;
+  ssize_t got = 0;
+  do {
+    got = ::read(descriptor_, buffer_.data() + end_, buffer_.size() - end_);
+  } while (got < 0 && errno == EINTR);
+  if (got < 0) failure_ = cannot_read(Code::SC6002, "on", errno);
+  if (got <= 0) {
+    close();
+    return false;
+  }
+  end_ += static_cast<std::size_t>(got);
+  return true;
+}
+
+std::string_view Reader::take(std::size_t line_end) noexcept {
+  std::string_view line(buffer_.data() + begin_, line_end - begin_);
+  line_feed_belongs_to_cr_ = line_end < end_ && buffer_[line_end] == '\r';
+  begin_ = std::min(line_end + 1, end_);
+  if (++line_ == 1 && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
+  line_was_cut_ = line.size() > kLongestLine;
+  return line.substr(0, kLongestLine);
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// What the handlers share: coordinates, feed, whole numbers, places.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "ipr/handlers.hpp"
+
+namespace softcnc::ipr {
+
+AxisVector end_point(const Task& task) {
+  AxisVector end = task.modal.position;
+  for (int i = 0; i < kAxes; ++i) {
+    const char letter = kAxisLetters[static_cast<std::size_t>(i)];
+    if (!task.values.has(letter)) continue;
+    const double value = task.values[letter] * task.modal.mm_per_unit;
+    end[i] = task.modal.incremental ? end[i] + value : value;
+    if (!task.modal.incremental) task.modal.uncertain.remove(letter);
+  }
+  return end;
+}
+
+bool has_feed(Task& task) {
+  if (task.modal.feed > 0) return true;
+  report_if_certain(task, "F", Code::SC2102, task.word.pos,
+                    code_name(task.code) + " needs a feed, and F is not set");
+  task.modal.uncertain.add('F');
+  return false;
+}
+
+void begin_motion(Task& task) {
+  task.modal.motion = &task.code;
+  task.modal.uncertain.remove('G');
+}
+
+void report_if_certain(Task& task, Letters depends_on, Code code, SourcePos pos,
+                       std::string message) {
+  if (task.modal.uncertain.has_any(depends_on)) return task.out.mute();
+  task.out.report(code, pos, std::move(message));
+}
+
+std::optional<int> whole_number(Task& task, const Word& word) {
+  if (word.value >= 0 && word.value == std::floor(word.value)) return static_cast<int>(word.value);
+  task.out.report(Code::SC2007, word.pos,
+                  std::string(1, word.letter) + " takes a whole number from 0");
+  return std::nullopt;
+}
+
+SourcePos span_of(const Values& values, std::string_view letters) noexcept {
+  SourcePos span;
+  int end = 0;
+  for (const char letter : letters) {
+    if (!values.has(letter)) continue;
+    const SourcePos& pos = values.word(letter).pos;
+    span.column = span.line == 0 ? pos.column : std::min(span.column, pos.column);
+    span.line = pos.line;
+    end = std::max(end, pos.column + pos.length);
+  }
+  span.length = std::max(1, end - span.column);
+  return span;
+}
+
+std::string number_text(double value) {
+  std::array<char, 400> text{};
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 3);
+  std::string number(text.data(), end);
+  number.erase(number.find_last_not_of('0') + 1);
+  if (number.ends_with('.')) number.pop_back();
+  return number == "-0" ? "0" : number;
+}
+
+}  // namespace softcnc::ipr
