@@ -90,7 +90,7 @@ class ArcLengthMap::Builder {
 
 Forward ArcLengthMap::Builder::forward(const SpanPlace& first, double width) const {
   const auto ds_at = [&](double x) {
-    return 0.5 * width * speed_(first.span, first.t + 0.5 * width * (1.0 + x));
+    return 0.5 * width * speed_({first.span, first.end, first.offset + 0.5 * width * (1.0 + x)});
   };
   ChebyshevSamples samples;
   std::transform(chebyshev_nodes().begin(), chebyshev_nodes().end(), samples.begin(), ds_at);
@@ -106,11 +106,11 @@ Forward ArcLengthMap::Builder::forward(const SpanPlace& first, double width) con
 }
 
 std::optional<ArcLengthMap> ArcLengthMap::Builder::build() {
-  for (int span = 0; span < spans_; ++span) scale_ += forward({span, 0.0}, 1.0).length;
+  for (int span = 0; span < spans_; ++span) scale_ += forward({span}, 1.0).length;
   if (!std::isfinite(scale_) || !(scale_ > 0.0)) return std::nullopt;
   for (int span = 0; span < spans_; ++span) {
     map_.span_starts_.push_back(map_.length());
-    divide({span, 0.0}, 1.0, 0);
+    divide({span}, 1.0, 0);
   }
   map_.span_starts_.push_back(map_.length());
   if (failed_ || map_.cells_.empty()) return std::nullopt;
@@ -126,10 +126,12 @@ void ArcLengthMap::Builder::divide(const SpanPlace& first, double width, int dep
     return;
   }
   const double half = 0.5 * width;
-  failed_ = !std::isfinite(f.length) || depth >= kDeepest || first.t + half == first.t ||
-            map_.cells_.size() >= most_cells_;
+  failed_ = !std::isfinite(f.length) || depth >= kDeepest || map_.cells_.size() >= most_cells_;
+  SpanPlace middle = first;
+  middle.offset += half;
+  if (depth == 0) middle = {first.span, 1, -0.5};  // from here on counted from the end
   divide(first, half, depth + 1);
-  divide({first.span, first.t + half}, half, depth + 1);
+  divide(middle, half, depth + 1);
 }
 
 bool ArcLengthMap::Builder::keep_if_exact(const SpanPlace& first, double width, const Forward& f) {
@@ -173,21 +175,19 @@ SpanPlace ArcLengthMap::place(double s, Side side) const noexcept {
   const double begin = starts_[i];
   const double end = starts_[i + 1];
   if (s <= begin) return cell.first;
-  if (s >= end) return {cell.first.span, cell.first.t + cell.width};
+  if (s >= end) return moved(cell.first, cell.width);
   const double y = 2.0 * (s - begin) / (end - begin) - 1.0;
   const double t = evaluate_chebyshev(std::span(cell.t_from_first).first(cell.t_terms), y);
-  return {cell.first.span, cell.first.t + std::clamp(t, 0.0, cell.width)};
+  return moved(cell.first, std::clamp(t, 0.0, cell.width));
 }
 
 double ArcLengthMap::arc_length(const SpanPlace& place) const noexcept {
-  const auto later = [](const SpanPlace& a, const Cell& b) {
-    return a.span != b.first.span ? a.span < b.first.span : a.t < b.first.t;
-  };
-  const auto next = std::upper_bound(cells_.begin() + 1, cells_.end(), place, later);
+  const auto before = [](const SpanPlace& a, const Cell& b) { return a < b.first; };
+  const auto next = std::upper_bound(cells_.begin() + 1, cells_.end(), place, before);
   const auto i = static_cast<std::size_t>(next - cells_.begin()) - 1;
   const Cell& cell = cells_[i];
-  if (later(place, cell)) return starts_[i];
-  const double x = 2.0 * (place.t - cell.first.t) / cell.width - 1.0;
+  if (place < cell.first) return starts_[i];
+  const double x = 2.0 * distance(cell.first, place) / cell.width - 1.0;
   if (place.span > cell.first.span || x >= 1.0) return starts_[i + 1];
   const double s = evaluate_chebyshev(std::span(cell.s_from_first).first(cell.s_terms), x);
   return std::clamp(starts_[i] + s, starts_[i], starts_[i + 1]);
@@ -195,14 +195,15 @@ double ArcLengthMap::arc_length(const SpanPlace& place) const noexcept {
 
 std::vector<ArcLengthMap::Crowd> ArcLengthMap::crowds() const {
   std::vector<Crowd> crowds;
+  bool crowded = false;  // the cell before was short, in the same span
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    if (starts_[i + 1] - starts_[i] > kCrowded * length()) continue;
-    const auto& [span, t] = cells_[i].first;
-    const double t_last = t + cells_[i].width;
-    if (!crowds.empty() && crowds.back().span == span && crowds.back().t_last >= t)
-      crowds.back().t_last = t_last;
-    else
-      crowds.push_back({span, t, t_last});
+    const Cell& cell = cells_[i];
+    const bool is_short = starts_[i + 1] - starts_[i] <= kCrowded * length();
+    if (is_short && crowded && crowds.back().first.span == cell.first.span)
+      crowds.back().width += cell.width;
+    else if (is_short)
+      crowds.push_back({cell.first, cell.width});
+    crowded = is_short;
   }
   return crowds;
 }

@@ -10,14 +10,9 @@
 
 #include "motion/chebyshev.hpp"
 #include "motion/curve.hpp"
+#include "motion/span_place.hpp"
 
 namespace softcnc {
-
-/// A place on a curve made of smooth spans: 0 <= t <= 1 inside span 0, 1, 2, ...
-struct SpanPlace {
-  int span = 0;
-  double t = 0;
-};
 
 /// s(t) and its inverse t(s) as Chebyshev polynomials over cells, which are halved until both are
 /// exact: the inverse within kTolerance of the length everywhere, s(t) within that in sum.
@@ -25,8 +20,8 @@ class ArcLengthMap {
  public:
   static constexpr double kTolerance = 1e-13;
 
-  /// |dC/dt| in mm, 0 <= t <= 1, inside a span; smooth there except where it is zero.
-  using Speed = std::function<double(int span, double t)>;
+  /// |dC/dt| in mm; smooth inside a span except where it is zero.
+  using Speed = std::function<double(const SpanPlace&)>;
 
   ArcLengthMap() = default;
 
@@ -46,8 +41,8 @@ class ArcLengthMap {
   /// Where cells had to be shorter than kCrowded of the length, ascending: the curve stands still
   /// there, or nearly so.
   struct Crowd {
-    int span;
-    double t_first, t_last;
+    SpanPlace first;
+    double width;  // in t
   };
   static constexpr double kCrowded = 1e-10;
   std::vector<Crowd> crowds() const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "motion/bezier.hpp"
 
+#include <algorithm>
+
 namespace softcnc {
 namespace {
 
@@ -13,12 +15,13 @@ Homogeneous between(const Homogeneous& a, const Homogeneous& b, double first, do
   return b + (last - u) / wide * (a - b);
 }
 
-/// The blossom of the span's polynomial at `degree` arguments: `late` of them the end of the span,
-/// the others its beginning.
+/// The blossom of the span's polynomial at as many arguments as its degree: `late` of them the end
+/// of the span, the others its beginning.
 Homogeneous blossom(std::span<const Homogeneous> polygon, std::span<const double> knots,
                     std::size_t index, std::size_t late) {
   const std::size_t degree = polygon.size() - 1;
-  std::vector<Homogeneous> d(polygon.begin(), polygon.end());
+  std::array<Homogeneous, kMaxBezierDegree + 1> d;
+  std::copy(polygon.begin(), polygon.end(), d.begin());
   for (std::size_t round = 1; round <= degree; ++round) {
     const double u = round <= late ? knots[index + 1] : knots[index];
     for (std::size_t i = 0; i <= degree - round; ++i) {
@@ -29,13 +32,29 @@ Homogeneous blossom(std::span<const Homogeneous> polygon, std::span<const double
   return d[0];
 }
 
+/// The de Boor points of the derivative by t = (u - knots[index]) / width of the span.
+void differentiate(std::vector<Homogeneous>& polygon, std::span<const double> knots,
+                   std::size_t index) {
+  const std::size_t degree = polygon.size() - 1;
+  const double width = knots[index + 1] - knots[index];
+  for (std::size_t i = 0; i < degree; ++i) {
+    const std::size_t knot = index - degree + 1 + i;
+    const double share = width / (knots[knot + degree] - knots[knot]);
+    polygon[i] = static_cast<double>(degree) * share * (polygon[i + 1] - polygon[i]);
+  }
+  polygon.pop_back();
+}
+
 }  // namespace
 
-std::vector<Homogeneous> bezier_points(std::span<const Homogeneous> polygon,
+std::vector<Homogeneous> bezier_points(std::vector<Homogeneous> polygon,
                                        std::span<const double> knots, std::size_t index) {
   std::vector<Homogeneous> points;
-  for (std::size_t late = 0; late < polygon.size(); ++late)
-    points.push_back(blossom(polygon, knots, index, late));
+  for (int order = 0; order <= kBezierOrders && !polygon.empty(); ++order) {
+    for (std::size_t late = 0; late < polygon.size(); ++late)
+      points.push_back(blossom(polygon, knots, index, late));
+    differentiate(polygon, knots, index);
+  }
   return points;
 }
 

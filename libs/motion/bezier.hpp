@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "motion/axes.hpp"
+#include "motion/span_place.hpp"
 
 namespace softcnc {
 
 inline constexpr int kMaxBezierDegree = 9;
+inline constexpr int kBezierOrders = 3;  // of derivatives
 
 /// (w (P - origin), w)
 using Homogeneous = Eigen::Vector4d;
@@ -22,78 +24,60 @@ inline Homogeneous homogeneous(const AxisVector& point, double weight, const Axi
   return h;
 }
 
-/// A parameter 0 <= t <= 1 as its distance from the nearer end, so that it is as exact near 1 as
-/// it is near 0: t = end + offset.
-struct BezierParameter {
-  int end;        // 0 or 1
-  double offset;  // 0 .. 1/2 after end 0, -1/2 .. 0 before end 1
-};
-
-constexpr BezierParameter bezier_parameter(double t) noexcept {
-  return t <= 0.5 ? BezierParameter{0, t} : BezierParameter{1, t - 1.0};
+/// Bezier points of a segment and, behind them, those of its derivatives by t of order 1, 2 and 3:
+/// degree + 1, degree, degree - 1 and degree - 2 points. Derivatives have points of their own
+/// because differences of Bezier points lose their digits in narrow knot spans.
+constexpr std::size_t bezier_points_begin(int degree, int order) noexcept {
+  std::size_t begin = 0;
+  for (int k = 0; k < order && k <= degree; ++k) begin += static_cast<std::size_t>(degree + 1 - k);
+  return begin;
+}
+constexpr std::size_t bezier_point_count(int degree) noexcept {
+  return bezier_points_begin(degree, kBezierOrders + 1);
 }
 
-/// Value and derivatives by t, up to the order asked for, of a (not rational) Bezier polynomial in
-/// homogeneous space: de Casteljau's scheme, the k-th derivative from its row of k + 1 points.
-template <int order>
-std::array<Homogeneous, order + 1> bezier_derivatives(std::span<const Homogeneous> points,
-                                                      const BezierParameter& t) noexcept;
+/// The points, as above, of the knot span knots[index] < knots[index + 1]. `polygon` are the
+/// degree + 1 de Boor points of that span in homogeneous space. Derivatives of a spline: Piegl and
+/// Tiller, The NURBS Book, eq. 3.8; Bezier points by blossoming: Ramshaw 1989.
+std::vector<Homogeneous> bezier_points(std::vector<Homogeneous> polygon,
+                                       std::span<const double> knots, std::size_t index);
 
-/// Derivatives of the quotient A / w from those of (A, w), by Leibniz' rule (Piegl and Tiller, The
-/// NURBS Book, eq. 4.8). Relative to the origin of the homogeneous points.
+/// Value and derivatives by t, up to the order asked for, in homogeneous space. `points` are those
+/// of the span of `place`.
+template <int order>
+std::array<Homogeneous, order + 1> bezier_derivatives(const Homogeneous* points, int degree,
+                                                      const SpanPlace& place) noexcept;
+
+/// Derivatives of the quotient A / w from those of (A, w), by Leibniz' rule (The NURBS Book, eq.
+/// 4.8). Relative to the origin of the homogeneous points.
 template <int order>
 std::array<AxisVector, order + 1> projected(
     const std::array<Homogeneous, order + 1>& derivatives) noexcept;
 
-/// The degree + 1 Bezier points of the knot span knots[index] < knots[index + 1], by blossoming
-/// (Ramshaw 1989). `polygon` are the degree + 1 de Boor points of that span, in homogeneous space.
-std::vector<Homogeneous> bezier_points(std::span<const Homogeneous> polygon,
-                                       std::span<const double> knots, std::size_t index);
-
 // ------------------------------------------------------------------------------------------------
 
-namespace bezier_detail {
-
-using Points = std::array<Homogeneous, kMaxBezierDegree + 1>;
-
-/// The forward difference of order 1, 2 or 3 of the first points.
 template <int order>
-Homogeneous difference(const Points& b) noexcept {
-  if constexpr (order == 1) return b[1] - b[0];
-  if constexpr (order == 2) return (b[2] - b[1]) - (b[1] - b[0]);
-  if constexpr (order == 3) return (b[3] - b[0]) - 3.0 * (b[2] - b[1]);
-}
-
-/// Fills in derivative `order` (and lower ones, as the scheme comes to their rows).
-template <int order, std::size_t size>
-void fill(std::array<Homogeneous, size>& derivatives, const Points& b, int degree,
-          int row) noexcept {
-  if constexpr (order > 0) {
-    if (row != order) return fill<order - 1>(derivatives, b, degree, row);
-    double factor = 1.0;
-    for (int i = 0; i < order; ++i) factor *= degree - i;
-    derivatives[order] = factor * difference<order>(b);
-  }
-}
-
-}  // namespace bezier_detail
-
-template <int order>
-std::array<Homogeneous, order + 1> bezier_derivatives(std::span<const Homogeneous> points,
-                                                      const BezierParameter& t) noexcept {
-  static_assert(0 <= order && order <= 3);
-  const int degree = static_cast<int>(points.size()) - 1;
-  bezier_detail::Points b;
-  for (std::size_t i = 0; i < points.size(); ++i) b[i] = points[i];
+std::array<Homogeneous, order + 1> bezier_derivatives(const Homogeneous* points, int degree,
+                                                      const SpanPlace& place) noexcept {
+  static_assert(0 <= order && order <= kBezierOrders);
+  const double rise = place.from_first();
+  const double fall = place.from_last();
   std::array<Homogeneous, order + 1> derivatives;
-  for (int k = order; k > degree; --k) derivatives[static_cast<std::size_t>(k)].setZero();
-  for (int row = degree; row > 0; --row) {
-    if (row <= order) bezier_detail::fill<order>(derivatives, b, degree, row);
-    const auto* from = b.data() + t.end;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(row); ++i)
-      b[i] = from[i] + t.offset * (b[i + 1] - b[i]);
+  for (auto& derivative : derivatives) derivative.setZero();
+  std::array<double, kMaxBezierDegree + 1> basis;  // Bernstein polynomials, degree by degree
+  basis[0] = 1.0;
+  for (int low = 0; low <= degree; ++low) {
+    if (const int k = degree - low; k <= order) {
+      const Homogeneous* b = points + bezier_points_begin(degree, k);
+      auto& sum = derivatives[static_cast<std::size_t>(k)];
+      for (int i = 0; i <= low; ++i) sum += basis[static_cast<std::size_t>(i)] * b[i];
+    }
+    if (low == degree) break;
+    const auto top = static_cast<std::size_t>(low) + 1;
+    basis[top] = rise * basis[top - 1];
+    for (std::size_t i = top - 1; i > 0; --i) basis[i] = fall * basis[i] + rise * basis[i - 1];
+    basis[0] *= fall;
   }
-  derivatives[0] = b[0];
   return derivatives;
 }
 

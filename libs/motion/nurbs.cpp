@@ -28,7 +28,7 @@ Result<Nurbs> Nurbs::make(NurbsSpec spec) {
   Nurbs nurbs;
   nurbs.spec_ = std::move(spec);
   nurbs.make_segments();
-  const auto speed = [&](int span, double t) { return nurbs.span_speed({span, t}); };
+  const auto speed = [&](const SpanPlace& place) { return nurbs.span_speed(place); };
   auto map = ArcLengthMap::measure(speed, static_cast<int>(nurbs.origins_.size()));
   if (!map)
     return tl::unexpected(
@@ -56,52 +56,45 @@ void Nurbs::make_segments() {
   span_knots_.push_back(knots.back());
 }
 
-std::span<const Homogeneous> Nurbs::segment(int span) const noexcept {
-  const auto order = static_cast<std::size_t>(spec_.degree) + 1;
-  return {segments_.data() + static_cast<std::size_t>(span) * order, order};
-}
-
 double Nurbs::width(int span) const noexcept {
   const auto* knot = span_knots_.data() + span;
   return knot[1] - knot[0];
 }
 
 template <int order>
-std::array<AxisVector, order + 1> Nurbs::evaluate(int span,
-                                                  const BezierParameter& t) const noexcept {
-  auto c = projected<order>(bezier_derivatives<order>(segment(span), t));
-  c[0] += origins_[static_cast<std::size_t>(span)];
+std::array<AxisVector, order + 1> Nurbs::evaluate(const SpanPlace& place) const noexcept {
+  const auto span = static_cast<std::size_t>(place.span);
+  const auto* points = segments_.data() + span * bezier_point_count(spec_.degree);
+  auto c = projected<order>(bezier_derivatives<order>(points, spec_.degree, place));
+  c[0] += origins_[span];
   return c;
 }
 
 double Nurbs::span_speed(const SpanPlace& place) const noexcept {
-  return evaluate<1>(place.span, bezier_parameter(place.t))[1].norm();
+  return evaluate<1>(place)[1].norm();
 }
 
 // By the parameter --------------------------------------------------------------------------------
 
-Nurbs::Place Nurbs::place(double u, Side side) const noexcept {
+SpanPlace Nurbs::place(double u, Side side) const noexcept {
   const auto first = span_knots_.begin() + 1;
   const auto last = span_knots_.end() - 1;
   const auto next =
       side == Side::after ? std::upper_bound(first, last, u) : std::lower_bound(first, last, u);
-  const double before = u - next[-1];
-  const double behind = u - next[0];
+  const auto span = static_cast<int>(next - first);
+  const double behind = u - next[-1];
+  const double ahead = next[0] - u;
   const double wide = next[0] - next[-1];
-  const auto t =
-      before <= -behind ? BezierParameter{0, before / wide} : BezierParameter{1, behind / wide};
-  return {static_cast<int>(next - first), t};
+  if (behind <= ahead) return {span, 0, behind / wide};
+  return {span, 1, -ahead / wide};
 }
 
-AxisVector Nurbs::point(double u) const noexcept {
-  const auto [span, t] = place(u, Side::after);
-  return evaluate<0>(span, t)[0];
-}
+AxisVector Nurbs::point(double u) const noexcept { return evaluate<0>(place(u, Side::after))[0]; }
 
 NurbsDerivatives Nurbs::derivatives(double u, Side side) const noexcept {
-  const auto [span, t] = place(u, side);
-  auto c = evaluate<3>(span, t);
-  const double scale = 1.0 / width(span);
+  const SpanPlace at = place(u, side);
+  auto c = evaluate<3>(at);
+  const double scale = 1.0 / width(at.span);
   c[1] *= scale;
   c[2] *= scale * scale;
   c[3] *= scale * scale * scale;
@@ -109,70 +102,64 @@ NurbsDerivatives Nurbs::derivatives(double u, Side side) const noexcept {
 }
 
 double Nurbs::speed(double u, Side side) const noexcept {
-  const auto [span, t] = place(u, side);
-  return evaluate<1>(span, t)[1].norm() / width(span);
+  const SpanPlace at = place(u, side);
+  return span_speed(at) / width(at.span);
 }
 
-// By arc length -----------------------------------------------------------------------------------
+double Nurbs::arc_length(double u) const noexcept { return map_.arc_length(place(u, Side::after)); }
 
 double Nurbs::parameter(double s) const noexcept {
   const SpanPlace at = map_.place(s);
   const auto* knot = span_knots_.data() + at.span;
-  const auto [end, offset] = bezier_parameter(at.t);
-  return std::clamp(knot[end] + offset * (knot[1] - knot[0]), knot[0], knot[1]);
+  return std::clamp(knot[at.end] + at.offset * width(at.span), knot[0], knot[1]);
 }
 
-double Nurbs::arc_length(double u) const noexcept {
-  const auto [span, t] = place(u, Side::after);
-  return map_.arc_length({span, t.end + t.offset});
-}
+// By arc length -----------------------------------------------------------------------------------
 
 AxisVector Nurbs::position(double s) const noexcept {
   if (s <= 0.0) return spec_.control.front();
   if (s >= length()) return spec_.control.back();
-  const SpanPlace at = map_.place(s);
-  return evaluate<0>(at.span, bezier_parameter(at.t))[0];
+  return evaluate<0>(map_.place(s))[0];
 }
 
 PathPoint Nurbs::at(double s, Side side) const noexcept {
-  const SpanPlace at = moving(map_.place(s, side), side);
-  PathPoint point = by_arc_length(evaluate<3>(at.span, bezier_parameter(at.t)));
+  PathPoint point = by_arc_length(evaluate<3>(moving(map_.place(s, side), side)));
   point.q = position(s);
   return point;
 }
 
+/// The place itself, or where the curve stands still one a little further on `side`.
 SpanPlace Nurbs::moving(SpanPlace place, Side side) const noexcept {
   const auto starts = map_.span_starts().subspan(static_cast<std::size_t>(place.span), 2);
   const double slow = kStandstill * (starts[1] - starts[0]);
-  const bool onward = place.t <= 0.0 || (side == Side::after && place.t < 1.0);
+  const bool onward = place.from_first() <= 0.0 || (side == Side::after && place.from_last() > 0.0);
   for (double step = 4.0 * kStandstill; step < 1.0 && span_speed(place) <= slow; step *= 4.0)
-    place.t = std::clamp(onward ? place.t + step : place.t - step, 0.0, 1.0);
+    place = moved(place, onward ? step : -step);
   return place;
 }
 
 // Breaks ------------------------------------------------------------------------------------------
 
-/// The slowest place among the crowded cells, by golden sections.
+/// The slowest place in a crowd of cells, by golden sections.
 SpanPlace Nurbs::slowest(const ArcLengthMap::Crowd& crowd) const noexcept {
   constexpr double kGolden = 0.6180339887498949;
-  double a = crowd.t_first;
-  double b = crowd.t_last;
-  while (b - a > 1e-12) {
-    const double left = b - kGolden * (b - a);
-    const double right = a + kGolden * (b - a);
-    (span_speed({crowd.span, left}) < span_speed({crowd.span, right}) ? b : a) =
-        span_speed({crowd.span, left}) < span_speed({crowd.span, right}) ? right : left;
+  SpanPlace first = crowd.first;
+  for (double width = crowd.width; width > 1e-12; width *= kGolden) {
+    const double left = span_speed(moved(first, (1.0 - kGolden) * width));
+    const double right = span_speed(moved(first, kGolden * width));
+    if (right < left) first = moved(first, (1.0 - kGolden) * width);
   }
-  return {crowd.span, 0.5 * (a + b)};
+  return first;
 }
 
 void Nurbs::find_breaks() {
   const auto inner = map_.span_starts().subspan(1, origins_.size() - 1);
   breaks_.assign(inner.begin(), inner.end());
   for (const auto& crowd : map_.crowds()) {
-    if (crowd.t_first <= 0.0 || crowd.t_last >= 1.0) continue;  // a knot: a break already
+    if (crowd.first.from_first() <= 0.0 || moved(crowd.first, crowd.width).from_last() <= 0.0)
+      continue;  // at a knot: a break already
     const SpanPlace still = slowest(crowd);
-    const double nearby = span_speed({still.span, still.t + 0.1 * (1.0 - still.t)});
+    const double nearby = span_speed(moved(still, 0.1 * still.from_last()));
     if (span_speed(still) <= kStandstill * nearby) breaks_.push_back(map_.arc_length(still));
   }
   std::sort(breaks_.begin(), breaks_.end());

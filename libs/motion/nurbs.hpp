@@ -11,6 +11,7 @@
 #include "motion/curve.hpp"
 #include "motion/nurbs_spec.hpp"
 #include "motion/result.hpp"
+#include "motion/span_place.hpp"
 
 namespace softcnc {
 
@@ -49,29 +50,22 @@ class Nurbs {
   const NurbsSpec& spec() const noexcept { return spec_; }
 
  private:
-  /// A span and where in it, by the parameter t of its segment.
-  struct Place {
-    int span;
-    BezierParameter t;
-  };
-
   Nurbs() = default;
   void make_segments();
   void find_breaks();
 
-  std::span<const Homogeneous> segment(int span) const noexcept;
   double width(int span) const noexcept;  // in u
-  Place place(double u, Side side) const noexcept;
+  SpanPlace place(double u, Side side) const noexcept;
   /// `order` derivatives by t.
   template <int order>
-  std::array<AxisVector, order + 1> evaluate(int span, const BezierParameter& t) const noexcept;
+  std::array<AxisVector, order + 1> evaluate(const SpanPlace& place) const noexcept;
   double span_speed(const SpanPlace& place) const noexcept;  // by t
   SpanPlace moving(SpanPlace place, Side side) const noexcept;
   SpanPlace slowest(const ArcLengthMap::Crowd& crowd) const noexcept;
 
   NurbsSpec spec_;
   std::vector<double> span_knots_;     // distinct knots: span i is [i, i + 1]
-  std::vector<Homogeneous> segments_;  // degree + 1 Bezier points a span, about its origin
+  std::vector<Homogeneous> segments_;  // Bezier points of each span, about its origin
   std::vector<AxisVector> origins_;
   ArcLengthMap map_;
   std::vector<double> breaks_;
