@@ -31,6 +31,7 @@ struct Setpoint {
   double s = 0;             // mm of path from the start of the program
   double v = 0;             // mm/s, planned
   double a = 0;             // mm/s^2 along the path, planned
+  double advance = 0;       // mm: the planned speed integrated since the last setpoint
   Limit limit = Limit::stop;
   AxisVector position = AxisVector::Zero();  // mm, commanded
 };

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The door between planning and the cycle: timed blocks, in order.
+#pragma once
+
+#include <deque>
+
+#include "ipo/profile.hpp"
+#include "motion/block.hpp"
+
+namespace softcnc::ipo {
+
+/// A block with its place in time and along the path of the program.
+struct TimedBlock {
+  Block block;
+  Profile profile;
+  double t_start = 0;  // s from the start of the program
+  double s_start = 0;  // mm of path from the start of the program
+
+  double t_end() const noexcept { return t_start + profile.duration(); }
+  const Move* move() const noexcept { return std::get_if<Move>(&block.what); }
+};
+
+/// The reader advances and frees nothing; the writer frees what the reader has left behind.
+class BlockQueue {
+ public:
+  void push(TimedBlock block);
+  void trim();  // planning side
+  /// Takes out everything from the present block on, to be planned anew. Planning side.
+  std::deque<TimedBlock> take_rest();
+
+  /// Realtime.
+  bool empty() const noexcept { return current_ == blocks_.size(); }
+  const TimedBlock& front() const noexcept { return blocks_[current_]; }  // if not empty()
+  void advance() noexcept { ++current_; }
+
+  /// Calls visit(block) for what has been passed since trim() and for the present block.
+  template <typename Visit>
+  void for_each_recent(Visit&& visit) const {
+    for (std::size_t i = 0; i < blocks_.size() && i <= current_; ++i) visit(blocks_[i]);
+  }
+
+  /// The instant up to which everything is timed, s.
+  double t_end() const noexcept { return t_end_; }
+
+ private:
+  std::deque<TimedBlock> blocks_;
+  std::size_t current_ = 0;
+  double t_end_ = 0;
+};
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// What holds the feed back: every reason is a Constraint, and this is their list.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "motion/block.hpp"
+#include "motion/machine.hpp"
+#include "motion/setpoint.hpp"
+
+namespace softcnc::ipo {
+
+inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+/// Strips |c0 q + c1 u| <= bound, one per axis, on q = v^2 (mm^2/s^2) and u = dv/dt along the path
+/// (mm/s^2) at one point of the path.
+struct Strips {
+  AxisVector c0 = AxisVector::Zero();
+  AxisVector c1 = AxisVector::Zero();
+  AxisVector bound = AxisVector::Constant(kUnlimited);
+};
+
+/// One reason to be slow, asked once per node of the grid and one-sided where derivatives jump.
+class Constraint {
+ public:
+  Constraint() = default;
+  Constraint(const Constraint&) = delete;
+  Constraint& operator=(const Constraint&) = delete;
+  virtual ~Constraint() = default;
+
+  /// Its name in the trace.
+  virtual Limit limit(const Move& move) const noexcept = 0;
+
+  /// Upper bound on q = v^2 at this point, mm^2/s^2.
+  virtual double cap(const PathPoint&, const Move&) const noexcept { return kUnlimited; }
+
+  /// True if the cap holds for every period's step that touches the point: the step, not only the
+  /// point, then keeps it.
+  virtual bool holds_over_steps() const noexcept { return false; }
+};
+
+/// The caps of one machine; axis acceleration, the one constraint with rows, stands beside them.
+class Constraints {
+ public:
+  /// `feed_override` multiplies the programmed feed (1: as programmed), never a machine limit.
+  Constraints(const Machine& machine, double feed_override);
+
+  const std::vector<std::unique_ptr<Constraint>>& caps() const noexcept { return caps_; }
+
+  /// Axis acceleration |x'' q + x' u| <= A.
+  Strips acceleration(const PathPoint& point) const noexcept;
+
+  const AxisVector& acceleration_limits() const noexcept { return acceleration_; }
+  double period() const noexcept { return period_; }
+  double chord_tolerance() const noexcept { return chord_tolerance_; }
+
+ private:
+  std::vector<std::unique_ptr<Constraint>> caps_;
+  AxisVector acceleration_;
+  double period_, chord_tolerance_;
+};
+
+std::unique_ptr<Constraint> make_feed_limit(const Machine& machine, double feed_override);
+std::unique_ptr<Constraint> make_axis_velocity(const Machine& machine);
+std::unique_ptr<Constraint> make_chord_error(const Machine& machine);
+
+/// The longest step, in mm, whose chord stays within `tolerance` mm of an arc of curvature `kappa`
+/// (1/mm): 2 sqrt(2 rho eps - eps^2), paper 000 eq. (5) in its exact circle form; where rho <= eps
+/// it is 2 eps, since a path of length L is never further than L/2 from its chord.
+double chord_step(double kappa, double tolerance) noexcept;
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// A move as a chain of short intervals on which its derivatives are as good as linear.
+#pragma once
+
+#include <vector>
+
+#include "ipo/constraint.hpp"
+#include "motion/block.hpp"
+
+namespace softcnc::ipo {
+
+/// An upper bound on q = v^2 (mm^2/s^2) and the name of what sets it.
+struct Cap {
+  double q = kUnlimited;
+  Limit limit = Limit::feed;
+
+  /// The lower of the two; the first where they are equal.
+  void lower_to(const Cap& other) noexcept {
+    if (other.q < q) *this = other;
+  }
+};
+
+/// A stretch of one move between two nodes.
+struct Interval {
+  double s0 = 0, s1 = 0;    // mm from the start of the move
+  PathPoint left, right;    // one-sided, from inside the interval
+  Cap left_cap, right_cap;  // at its ends
+  Cap step_cap;             // for every step that touches it
+
+  double length() const noexcept { return s1 - s0; }
+  bool straight() const noexcept { return left.ddq.isZero(0) && right.ddq.isZero(0); }
+};
+
+/// The intervals of a move from `from` mm to its end. Between two nodes x' and x'' differ from
+/// their linear interpolation by less than kGridTolerance; every break of the path is a node; a
+/// straight line keeps a node one step (at its highest speed) away from either end, so that what a
+/// neighbour asks for need not slow the whole line.
+std::vector<Interval> make_grid(const Move& move, const Constraints& constraints, double from = 0);
+
+inline constexpr double kGridTolerance = 3e-4;
+
+}  // namespace softcnc::ipo

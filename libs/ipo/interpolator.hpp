@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The setpoint one period later.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "ipo/block_queue.hpp"
+#include "ipo/stepping.hpp"
+#include "motion/machine.hpp"
+
+namespace softcnc::ipo {
+
+class Interpolator {
+ public:
+  /// `queue` must outlive the interpolator.
+  Interpolator(BlockQueue& queue, const Control& control) noexcept
+      : queue_(queue), control_(control) {}
+
+  /// Realtime. The next setpoint, nothing after the last, which rests at the end of the queue. The
+  /// queue must hold every block up to needs_until(), or all there are.
+  std::optional<Setpoint> step() noexcept;
+
+  /// The planned time, s, that the next step may reach.
+  double needs_until() const noexcept;
+
+  /// Where the machine stands in the front block of the queue. Planning side.
+  State state() const noexcept;
+
+  /// Goes on where it is after the queue has been planned anew from state(): the front block is the
+  /// same one, and its profile starts there. Planning side.
+  void replanned() noexcept;
+
+  /// The instant of the last setpoint, s.
+  double time() const noexcept { return static_cast<double>(periods_ - 1) * control_.period; }
+
+ private:
+  void enter_block() noexcept;
+  void leave_block() noexcept;
+  void follow_time() noexcept;
+  void follow_method(double period) noexcept;
+  Setpoint setpoint() noexcept;
+
+  BlockQueue& queue_;
+  const Control& control_;
+  std::int64_t periods_ = 0;           // setpoints made so far
+  double t_ = 0;                       // planned time within the front block
+  std::size_t hint_ = 0;               // piece of its profile
+  std::optional<ParameterWalk> walk_;  // through its NURBS, by a method of the literature
+  double planned_ = 0;                 // integral of the planned speed since the last setpoint, mm
+  double planned_from_ = 0;            // program length at the last setpoint, mm
+  Setpoint last_;
+  bool done_ = false;
+};
+
+}  // namespace softcnc::ipo

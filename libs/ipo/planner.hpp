@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Blocks in, timed blocks out: as fast as the machine may follow them, and never outside a limit.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "ipo/block_queue.hpp"
+#include "ipo/window.hpp"
+#include "motion/machine.hpp"
+
+namespace softcnc::ipo {
+
+struct PlannerCounts {
+  std::size_t nodes = 0;   // of the grid, in all
+  std::size_t passes = 0;  // over the window
+};
+
+class Planner {
+ public:
+  /// `machine` must outlive the planner. What lies outside the travel of an axis is reported to
+  /// `diagnostics`; planning goes on.
+  Planner(const Machine& machine, double feed_override, Diagnostics& diagnostics);
+  Planner(const Planner&) = delete;
+  Planner& operator=(const Planner&) = delete;
+
+  void push(Block block);
+  /// Nothing follows: the machine rests at the end of the last block.
+  void finish() noexcept { finished_ = true; }
+
+  /// The next block whose speeds no longer depend on blocks not yet pushed.
+  std::optional<TimedBlock> pop();
+
+  const PlannerCounts& counts() const noexcept { return counts_; }
+
+ private:
+  struct Pending {
+    TimedBlock timed;
+    std::size_t intervals = 0;  // still to run
+  };
+
+  bool run(Pending& pending);
+  bool settle();
+  void add_pieces(Profile& profile);
+  void rest_at_turn(Pending& pending);
+  TimedBlock take();
+
+  const Machine& machine_;
+  Diagnostics& diagnostics_;
+  Constraints constraints_;
+  Window window_;
+  std::deque<Pending> pending_;
+  std::vector<SpeedPiece> pieces_;
+  PlannerCounts counts_;
+  std::size_t settled_ = 0;    // intervals at the front of the window whose speeds are final
+  std::size_t last_size_ = 0;  // of the window when it was last settled
+  double t_ = 0, s_ = 0;       // where the next pending block starts
+  bool rest_ = true;           // before the next move
+  bool finished_ = false;
+};
+
+}  // namespace softcnc::ipo

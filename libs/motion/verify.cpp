@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "motion/verify.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softcnc {
+namespace {
+
+constexpr int kChordSamples = 8;
+constexpr double kSmallestAdvance = 1e-3;  // mm; interfaces: feed_fluctuation_max
+
+// Gauss-Legendre nodes and weights on [-1, 1], the positive half; they integrate polynomials of
+// degree 15 exactly (Abramowitz and Stegun, table 25.4).
+constexpr std::array<double, 4> kGaussNode{0.183434642495649805, 0.525532409916328986,
+                                           0.796666477413626740, 0.960289856497536232};
+constexpr std::array<double, 4> kGaussWeight{0.362683783378361983, 0.313706645877887287,
+                                             0.222381034453374471, 0.101228536290376259};
+
+double gauss(const Nurbs& nurbs, double u0, double u1) noexcept {
+  const double middle = 0.5 * (u0 + u1), half = 0.5 * (u1 - u0);
+  double sum = 0;
+  for (std::size_t i = 0; i < kGaussNode.size(); ++i)
+    sum += kGaussWeight[i] * (nurbs.speed(middle - half * kGaussNode[i]) +
+                              nurbs.speed(middle + half * kGaussNode[i]));
+  return sum * half;
+}
+
+double integrate(const Nurbs& nurbs, double s0, double s1) noexcept {
+  double sum = 0, u = nurbs.parameter(s0);
+  const auto inner = nurbs.breaks();
+  for (auto at = std::upper_bound(inner.begin(), inner.end(), s0); at != inner.end() && *at < s1;
+       ++at) {
+    const double u_break = nurbs.parameter(*at);
+    sum += gauss(nurbs, u, u_break);
+    u = u_break;
+  }
+  return sum + gauss(nurbs, u, nurbs.parameter(s1));
+}
+
+double distance_to_chord(const AxisVector& p, const AxisVector& a, const AxisVector& b) noexcept {
+  const AxisVector chord = b - a;
+  const double square = chord.squaredNorm();
+  const double along = square > 0 ? std::clamp((p - a).dot(chord) / square, 0.0, 1.0) : 0.0;
+  return (p - a - along * chord).norm();
+}
+
+}  // namespace
+
+Verifier::Verifier(const Machine& machine) noexcept : period_(machine.control.period) {}
+
+void Verifier::row(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {
+  if (measured_.rows == 0)
+    last_.fill(setpoint.position);
+  else
+    geometry(setpoint, stretches);
+  differences(setpoint.position);
+  before_ = setpoint;
+  ++measured_.rows;
+}
+
+void Verifier::finish() noexcept {
+  if (measured_.rows == 0) return;
+  for (int i = 0; i < 3; ++i) differences(before_.position);
+}
+
+void Verifier::differences(const AxisVector& position) noexcept {
+  std::rotate(last_.begin(), last_.end() - 1, last_.end());
+  last_[0] = position;
+  const AxisVector first = last_[0] - last_[1];
+  const AxisVector second = last_[0] - 2 * last_[1] + last_[2];
+  const AxisVector third = last_[0] - 3 * last_[1] + 3 * last_[2] - last_[3];
+  const auto raise = [](AxisVector& largest, const AxisVector& value) {
+    largest = largest.cwiseMax(value.cwiseAbs());
+  };
+  raise(measured_.velocity, first / period_);
+  raise(measured_.acceleration, second / (period_ * period_));
+  raise(measured_.jerk, third / (period_ * period_ * period_));
+}
+
+void Verifier::geometry(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {
+  double travelled = 0;
+  for (const Stretch& stretch : stretches) {
+    const double s_end = softcnc::length(*stretch.path);
+    const double s0 = std::clamp(before_.s - stretch.s_start, 0.0, s_end);
+    const double s1 = std::clamp(setpoint.s - stretch.s_start, 0.0, s_end);
+    if (s1 <= s0) continue;
+    measured_.chord_error =
+        std::max(measured_.chord_error,
+                 chord_error(*stretch.path, s0, s1, before_.position, setpoint.position));
+    travelled += integrated_length(*stretch.path, s0, s1);
+  }
+  if (!stretches.empty()) {
+    const Stretch& here = stretches.back();
+    const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
+    measured_.path_deviation =
+        std::max(measured_.path_deviation, (position(*here.path, s) - setpoint.position).norm());
+  }
+  if (setpoint.advance > kSmallestAdvance)
+    measured_.feed_fluctuation =
+        std::max(measured_.feed_fluctuation, std::abs(travelled / setpoint.advance - 1));
+}
+
+double chord_error(const Path& path, double s0, double s1, const AxisVector& a,
+                   const AxisVector& b) noexcept {
+  // The ends belong to the stretch: at a joint within the period they are off the chord as well.
+  double largest = std::max(distance_to_chord(position(path, s0), a, b),
+                            distance_to_chord(position(path, s1), a, b));
+  if (std::holds_alternative<Line>(path)) return largest;
+  for (int i = 1; i < kChordSamples; ++i)
+    largest = std::max(largest,
+                       distance_to_chord(position(path, s0 + (s1 - s0) * i / kChordSamples), a, b));
+  return largest;
+}
+
+double integrated_length(const Path& path, double s0, double s1) noexcept {
+  const auto* nurbs = std::get_if<Nurbs>(&path);
+  return nurbs ? integrate(*nurbs, s0, s1) : s1 - s0;
+}
+
+}  // namespace softcnc

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The limits verifier: reads rows and paths, knows no planner, measures what was really commanded.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "motion/machine.hpp"
+#include "motion/path.hpp"
+#include "motion/setpoint.hpp"
+
+namespace softcnc {
+
+/// A path and where it starts along the program, mm.
+struct Stretch {
+  const Path* path;
+  double s_start;
+};
+
+/// The largest values seen so far. Differences are those of the commanded rows, padded with rest.
+struct Measured {
+  AxisVector velocity = AxisVector::Zero();      // mm/s
+  AxisVector acceleration = AxisVector::Zero();  // mm/s^2
+  AxisVector jerk = AxisVector::Zero();          // mm/s^3
+  double chord_error = 0;                        // mm: curve between two rows to their chord
+  double path_deviation = 0;                     // mm: commanded position to the curve
+  double feed_fluctuation = 0;  // |arc length / planned advance - 1|, advances over 1 um
+  std::int64_t rows = 0;
+};
+
+class Verifier {
+ public:
+  explicit Verifier(const Machine& machine) noexcept;
+
+  /// Takes the next row. `stretches` are the paths from the one of the row before to the one of
+  /// this row, in order; blocks without a path are left out.
+  void row(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
+
+  /// After the last row: the differences that reach into the rest behind it.
+  void finish() noexcept;
+
+  const Measured& measured() const noexcept { return measured_; }
+
+ private:
+  void differences(const AxisVector& position) noexcept;
+  void geometry(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
+
+  double period_;
+  std::array<AxisVector, 4> last_;  // positions, newest first
+  Setpoint before_;
+  Measured measured_;
+};
+
+/// Largest distance, mm, of the path between arc lengths s0 and s1 from the chord a-b.
+double chord_error(const Path& path, double s0, double s1, const AxisVector& a,
+                   const AxisVector& b) noexcept;
+
+/// Arc length, mm, between s0 and s1 by integration of the speed, independent of the path's own map
+/// from s to its parameter.
+double integrated_length(const Path& path, double s0, double s1) noexcept;
+
+}  // namespace softcnc
