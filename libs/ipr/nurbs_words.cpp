@@ -87,13 +87,16 @@ double read_weight(Task& task) {
   return word.value;
 }
 
-/// The first block that names axes names those of the curve.
+/// The first block names the axes of the curve; if it names none, the second one does.
 void check_curve_axes(Task& task, PendingCurve& curve) {
+  const bool naming = curve.axes.empty() && curve.spec.control.size() <= 1;
   for (const char letter : kAxisLetters) {
     if (!task.values.has(letter) || curve.axes.has(letter)) continue;
-    if (curve.spec.control.size() <= 1 && !curve.axes.has_any(task.values.letters())) break;
-    task.out.report(Code::SC3103, task.values.word(letter).pos,
-                    std::string(1, letter) + " is missing in the first block of the curve");
+    if (naming)
+      curve.axes.add(letter);
+    else
+      task.out.report(Code::SC3103, task.values.word(letter).pos,
+                      std::string(1, letter) + " is missing in the first block of the curve");
   }
 }
 
