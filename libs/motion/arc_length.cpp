@@ -14,53 +14,45 @@ constexpr double kShortest = 1e-14;  // of the length: cells below are taken lin
 constexpr std::size_t kTail = 3;     // terms that must have died away
 constexpr int kNewtonSteps = 8;
 
-/// The largest of the last coefficients: what the polynomial does not follow.
-double tail(std::span<const double> c) noexcept {
-  double largest = 0.0;
-  for (const double term : c.last(kTail)) largest = std::max(largest, std::abs(term));
-  return largest;
+std::span<const double> terms(const auto& series) noexcept {
+  return {series.data(), static_cast<std::size_t>(series.size())};
 }
 
-/// The speed along a cell as a series in -1 <= x <= 1, and how far the curve has come.
+/// The largest of the last coefficients: what the polynomial does not follow.
+double tail(const ChebyshevSeries& c) noexcept { return c.tail<kTail>().abs().maxCoeff(); }
+
+/// A cell in -1 <= x <= 1: its speed, and how far the curve has come.
 struct Forward {
   ChebyshevSeries ds;   // mm per unit of x
   ChebyshevIntegral s;  // mm from the beginning of the cell
   double length;
-  double error;  // of s, estimated
+  double error;  // of s inside the cell, estimated
   double fastest;
+
+  /// Of the length. The rule of quadrature behind it (Fejer's first) converges twice as fast as the
+  /// series; half of that advantage is counted on.
+  double length_error() const noexcept { return error * std::sqrt(std::min(1.0, error / length)); }
 };
 
-/// x at which s is reached, by Newton's method from a guess; NaN if it is not found.
-double solve(const Forward& forward, double s, double guess, double tolerance) noexcept {
-  double x = guess;
-  for (int i = 0; i < kNewtonSteps; ++i) {
-    const double miss = evaluate_chebyshev(forward.s, x) - s;
-    if (std::abs(miss) <= tolerance) return x;
-    x = std::clamp(x - miss / evaluate_chebyshev(forward.ds, x), -1.0, 1.0);
-  }
-  return std::nan("");
-}
-
-/// x(s) as a series in -1 <= 2 s / length - 1 <= 1.
+/// x(s) as a series in y = 2 s / length - 1, by Newton's method at all nodes together.
 ChebyshevSeries invert(const Forward& forward, double tolerance) {
-  ChebyshevSamples x;
-  double guess = -1.0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const double s = 0.5 * forward.length * (1.0 + chebyshev_nodes()[k]);
-    x[k] = guess = solve(forward, s, guess, tolerance);
+  const ChebyshevSamples s = 0.5 * forward.length * (1.0 + chebyshev_nodes());
+  ChebyshevSamples x = chebyshev_nodes();
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    const ChebyshevSamples miss = evaluate_chebyshev(terms(forward.s), x) - s;
+    x = (x - miss / evaluate_chebyshev(terms(forward.ds), x)).max(-1.0).min(1.0);
+    if ((miss.abs() <= tolerance).all()) break;
   }
   return chebyshev_series(x);
 }
 
 /// The largest miss in s, looked for between the nodes.
 double inverse_error(const Forward& forward, const ChebyshevSeries& x_of_s) noexcept {
-  double largest = tail(x_of_s) * forward.fastest;
-  for (const double y : {-0.99, -0.56, 0.05, 0.61, 0.98}) {
-    const double x = evaluate_chebyshev(x_of_s, y);
-    const double miss = evaluate_chebyshev(forward.s, x) - 0.5 * forward.length * (1.0 + y);
-    largest = std::max(largest, std::abs(miss));
-  }
-  return std::isfinite(tail(x_of_s)) ? largest : tail(x_of_s);
+  const Eigen::Array4d y(-0.99, -0.45, 0.5, 0.98);
+  const Eigen::Array4d x = evaluate_chebyshev(terms(x_of_s), y);
+  const Eigen::Array4d s = evaluate_chebyshev(terms(forward.s), x);
+  const double miss = (s - 0.5 * forward.length * (1.0 + y)).abs().maxCoeff();
+  return std::max(miss, tail(x_of_s) * forward.fastest);
 }
 
 }  // namespace
@@ -92,16 +84,15 @@ Forward ArcLengthMap::Builder::forward(const SpanPlace& first, double width) con
   const auto ds_at = [&](double x) {
     return 0.5 * width * speed_({first.span, first.end, first.offset + 0.5 * width * (1.0 + x)});
   };
-  ChebyshevSamples samples;
-  std::transform(chebyshev_nodes().begin(), chebyshev_nodes().end(), samples.begin(), ds_at);
+  const ChebyshevSamples samples = chebyshev_nodes().unaryExpr(ds_at);
   Forward f;
   f.ds = chebyshev_series(samples);
   f.s = integrate_chebyshev(f.ds);
-  f.length = evaluate_chebyshev(f.s, 1.0);
-  f.fastest = *std::max_element(samples.begin(), samples.end());
-  const double off_begin = std::abs(evaluate_chebyshev(f.ds, -1.0) - ds_at(-1.0));
-  const double off_end = std::abs(evaluate_chebyshev(f.ds, 1.0) - ds_at(1.0));
-  f.error = 0.25 * std::max({tail(f.ds), off_begin, off_end});
+  f.length = evaluate_chebyshev(terms(f.s), 1.0);
+  f.fastest = samples.maxCoeff();
+  const double off_first = std::abs(evaluate_chebyshev(terms(f.ds), -1.0) - ds_at(-1.0));
+  const double off_last = std::abs(evaluate_chebyshev(terms(f.ds), 1.0) - ds_at(1.0));
+  f.error = 0.25 * std::max({tail(f.ds), off_first, off_last});
   return f;
 }
 
@@ -135,21 +126,25 @@ void ArcLengthMap::Builder::divide(const SpanPlace& first, double width, int dep
 }
 
 bool ArcLengthMap::Builder::keep_if_exact(const SpanPlace& first, double width, const Forward& f) {
-  // Errors of s(t) add up, so each cell may have its share only; those of the inverse do not.
-  const double share = 0.5 * kTolerance * (f.length + scale_ * width / spans_);
-  if (!(f.error <= share)) return false;
-  ChebyshevSeries t = invert(f, 0.01 * kTolerance * scale_);
-  if (!(inverse_error(f, t) <= 0.3 * kTolerance * scale_)) return false;
-  const double trifle = 0.02 * kTolerance * scale_;
-  const std::size_t t_terms = chebyshev_terms(t, trifle / f.fastest);
+  // Errors of the length add up, so that each cell may have its share only.
+  const double tolerance = kTolerance * scale_;
+  const double share = 0.5 * (kTolerance * f.length + tolerance * width / spans_);
+  if (!(f.error <= 0.3 * tolerance && f.length_error() <= share)) return false;
+  ChebyshevSeries t = invert(f, 0.1 * tolerance);
+  if (!(inverse_error(f, t) <= 0.3 * tolerance)) return false;
+  const double trifle = 0.02 * tolerance;
+  const std::size_t t_terms = chebyshev_terms(terms(t), trifle / f.fastest);
   t[0] += 1.0;
-  for (double& term : t) term *= 0.5 * width;
-  keep({first, width, f.s, t, chebyshev_terms(f.s, trifle), t_terms}, f.length);
+  t *= 0.5 * width;
+  keep({first, width, f.s, t, chebyshev_terms(terms(f.s), trifle), t_terms}, f.length);
   return true;
 }
 
 void ArcLengthMap::Builder::keep_linear(const SpanPlace& first, double width, double length) {
-  keep({first, width, {0.5 * length, 0.5 * length}, {0.5 * width, 0.5 * width}, 2, 2}, length);
+  Cell cell{first, width, ChebyshevIntegral::Zero(), ChebyshevSeries::Zero(), 2, 2};
+  cell.s_from_first.head<2>().setConstant(0.5 * length);
+  cell.t_from_first.head<2>().setConstant(0.5 * width);
+  keep(cell, length);
 }
 
 void ArcLengthMap::Builder::keep(const Cell& cell, double length) {
@@ -177,7 +172,7 @@ SpanPlace ArcLengthMap::place(double s, Side side) const noexcept {
   if (s <= begin) return cell.first;
   if (s >= end) return moved(cell.first, cell.width);
   const double y = 2.0 * (s - begin) / (end - begin) - 1.0;
-  const double t = evaluate_chebyshev(std::span(cell.t_from_first).first(cell.t_terms), y);
+  const double t = evaluate_chebyshev(terms(cell.t_from_first).first(cell.t_terms), y);
   return moved(cell.first, std::clamp(t, 0.0, cell.width));
 }
 
@@ -189,7 +184,7 @@ double ArcLengthMap::arc_length(const SpanPlace& place) const noexcept {
   if (place < cell.first) return starts_[i];
   const double x = 2.0 * distance(cell.first, place) / cell.width - 1.0;
   if (place.span > cell.first.span || x >= 1.0) return starts_[i + 1];
-  const double s = evaluate_chebyshev(std::span(cell.s_from_first).first(cell.s_terms), x);
+  const double s = evaluate_chebyshev(terms(cell.s_from_first).first(cell.s_terms), x);
   return std::clamp(starts_[i] + s, starts_[i], starts_[i + 1]);
 }
 
