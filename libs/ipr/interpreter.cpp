@@ -50,14 +50,23 @@ void Interpreter::interpret(const Line& line) {
   if (!line.broken && !out_.failed()) check_unused();
   if (line.broken || out_.failed()) out_.mute();
   execute();
-  modal_.uncertain |= command_.uncertain();
+  remember_uncertain();
   out_.end();
+}
+
+/// What an error leaves unknown. A motion code that could be read is known all the same.
+void Interpreter::remember_uncertain() {
+  Letters uncertain = command_.uncertain();
+  if (command_.has(Group::motion)) uncertain.remove('G');
+  if (uncertain.has('G')) modal_.motion = nullptr;
+  modal_.uncertain |= uncertain;
 }
 
 /// Words that no code of the line takes may be meant for the motion in force.
 void Interpreter::find_motion() {
   const Letters unused = command_.unused();
   if (unused.empty()) return;
+  if (command_.uncertain().has('G')) return out_.mute();
   if (modal_.motion != nullptr && unused.has_any(modal_.motion->words)) {
     const Letters meant = modal_.motion->words;
     command_.add_modal_motion(*modal_.motion, *first_of(command_.values(), meant));
@@ -65,7 +74,7 @@ void Interpreter::find_motion() {
   }
   if (modal_.motion != nullptr || !unused.has_any(kAxisWords)) return;
   const Word& word = *first_of(command_.values(), kAxisWords);
-  if (modal_.uncertain.has('G') || command_.uncertain().has('G')) return out_.mute();
+  if (modal_.uncertain.has('G')) return out_.mute();
   out_.report(Code::SC2101, word.pos,
               std::string(1, word.letter) + " with no motion code in force");
   modal_.uncertain.add('G');
@@ -106,7 +115,8 @@ void Interpreter::finish() {
   line.number = parser_.line();
   out_.begin(line);
   if (modal_.curve) end_pending_curve(modal_, out_);
-  out_.report(Code::SC2205, {line.number, 0, 1}, "the program ends without M02 or M30");
+  if (!parser_.broke_off())
+    out_.report(Code::SC2205, {line.number, 0, 1}, "the program ends without M02 or M30");
   out_.end();
   out_.begin(line);
   out_.emit(Action{Action::Kind::end, 30, 0});

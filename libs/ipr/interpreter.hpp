@@ -34,6 +34,7 @@ class Interpreter {
   void check_axes();
   void check_unused();
   void execute();
+  void remember_uncertain();
   void finish();
 
   Parser& parser_;

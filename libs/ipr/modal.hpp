@@ -16,15 +16,16 @@ struct GCode;
 
 /// A curve of G06.2 between its first block and its last closing knot.
 struct PendingCurve {
-  NurbsSpec spec;         // what has been read so far
-  int order = 0;          // 0: unknown, because P was bad
-  int closing_knots = 0;  // read so far
-  Letters axes;           // of the curve; empty until a block names one
-  bool broken = false;    // something in it was reported: no more is said, no block made
-  double feed = 0;        // mm/s
-  SourcePos source;       // of the line of G06.2
-  SourcePos head;         // of the word G06.2
-  std::string head_line;  // its text
+  NurbsSpec spec;                // what has been read so far
+  int order = 0;                 // 0: P was bad, and the end of the curve is not known
+  int closing_knots = 0;         // read so far
+  Letters axes;                  // of the curve; empty until a block names one
+  bool broken = false;           // something in it was reported: no block is made
+  bool knots_uncertain = false;  // the same for its knots: no more is said about them
+  double feed = 0;               // mm/s
+  SourcePos source;              // of the line of G06.2
+  SourcePos head;                // of the word G06.2
+  std::string head_line;         // its text
 };
 
 /// The start state is that of a new Modal.

@@ -14,7 +14,7 @@ constexpr int kDefaultOrder = 4;
 constexpr int kLeastOrder = 2;
 constexpr double kSameStart = 0.001;  // mm: how far the first control point may lie off
 
-bool is_first(const PendingCurve& curve) { return curve.spec.knots.empty(); }
+bool is_first(const PendingCurve& curve) { return curve.spec.control.empty(); }
 
 std::optional<int> read_order(Task& task) {
   if (!task.values.has('P')) return kDefaultOrder;
@@ -32,6 +32,7 @@ void begin_curve(Task& task) {
   begin_motion(task);
   PendingCurve& curve = task.modal.curve.emplace();
   curve.order = read_order(task).value_or(0);
+  curve.knots_uncertain = curve.order == 0;
   curve.spec.degree = curve.order - 1;
   curve.source = task.out.source();
   curve.head = task.word.pos;
@@ -52,31 +53,37 @@ std::string ends_message(const char* which, int order) {
 }
 
 /// What is wrong with the knot just read can be said at once, and so at its place.
-void check_knot(Task& task, const PendingCurve& curve, SourcePos pos) {
+void check_knot(Task& task, PendingCurve& curve) {
   const std::vector<double>& knots = curve.spec.knots;
   const int count = static_cast<int>(knots.size());
   const double knot = knots.back();
   const double before = count > 1 ? knots[static_cast<std::size_t>(count) - 2] : knot;
+  const bool end = knot == knots.front() || curve.closing_knots > 0;
+  const int most = end ? curve.order : curve.order - 1;
+  const auto refuse = [&](Code code, std::string message) {
+    task.out.report(code, task.values.word('K').pos, std::move(message));
+    curve.knots_uncertain = true;
+  };
   if (knot < before)
-    return task.out.report(Code::SC3004, pos,
-                           "knot " + number_text(knot) + " after " + number_text(before) +
-                               "; knots must not decrease");
-  if (count <= curve.order && knot != knots.front())
-    return task.out.report(Code::SC3005, pos, ends_message("first", curve.order));
-  if (curve.closing_knots > 1 && knot != before)
-    return task.out.report(Code::SC3005, pos, ends_message("last", curve.order));
-  const int most = count <= curve.order || curve.closing_knots > 0 ? curve.order : curve.order - 1;
-  if (repetitions(knots) > most)
-    task.out.report(Code::SC3006, pos,
-                    "knot " + number_text(knot) + " stands " + std::to_string(repetitions(knots)) +
-                        " times; here " + std::to_string(most) + " times at most");
+    refuse(Code::SC3004, "knot " + number_text(knot) + " after " + number_text(before) +
+                             "; knots must not decrease");
+  else if (count <= curve.order && knot != knots.front())
+    refuse(Code::SC3005, ends_message("first", curve.order));
+  else if (curve.closing_knots > 1 && knot != before)
+    refuse(Code::SC3005, ends_message("last", curve.order));
+  else if (const int row = repetitions(knots); row > most)
+    refuse(Code::SC3006, "knot " + number_text(knot) + " stands " + std::to_string(row) +
+                             " times in a row; at most " + std::to_string(most) + " can be here");
 }
 
 void read_knot(Task& task, PendingCurve& curve) {
-  if (!task.values.has('K'))
-    return task.out.report(Code::SC3102, task.word.pos, "a block of a curve needs its knot, K");
+  if (!task.values.has('K')) {
+    task.out.report(Code::SC3102, task.word.pos, "a block of a curve needs its knot, K");
+    curve.knots_uncertain = true;
+    return;
+  }
   curve.spec.knots.push_back(task.values['K']);
-  check_knot(task, curve, task.values.word('K').pos);
+  if (!curve.knots_uncertain) check_knot(task, curve);
 }
 
 double read_weight(Task& task) {
@@ -118,10 +125,12 @@ AxisVector first_point(Task& task) {
 }
 
 void read_control_point(Task& task, PendingCurve& curve) {
-  if (curve.closing_knots > 0)
-    return task.out.report(Code::SC3104, span_of(task.values, "XYZ"),
-                           "a control point after " + std::to_string(curve.closing_knots) + " of " +
-                               std::to_string(curve.order) + " closing knots");
+  if (curve.closing_knots > 0 && !curve.knots_uncertain) {
+    task.out.report(Code::SC3104, span_of(task.values, "XYZ"),
+                    "a control point after " + std::to_string(curve.closing_knots) + " of " +
+                        std::to_string(curve.order) + " closing knots");
+    curve.knots_uncertain = true;
+  }
   const bool first = is_first(curve);
   check_curve_axes(task, curve);
   if (!first) task.modal.position = end_point(task);
@@ -132,13 +141,15 @@ void read_control_point(Task& task, PendingCurve& curve) {
 
 void read_closing_knot(Task& task, PendingCurve& curve) {
   const int points = static_cast<int>(curve.spec.control.size());
-  if (curve.closing_knots++ == 0 && points < curve.order)
+  if (curve.closing_knots++ == 0 && points < curve.order) {
     task.out.report(Code::SC3002, task.word.pos,
                     "the curve ends after " + std::to_string(points) +
                         " control points; its order asks for " + std::to_string(curve.order));
+    curve.knots_uncertain = true;
+  }
   if (task.values.has('R'))
     task.out.report(Code::SC3111, task.values.word('R').pos, "a closing knot takes K alone");
-  if (!task.out.failed()) read_knot(task, curve);
+  read_knot(task, curve);
 }
 
 void finish_curve(Task& task, PendingCurve& curve) {
@@ -154,7 +165,9 @@ void read_block(Task& task, PendingCurve& curve) {
   if (!begins && task.values.has('P'))
     task.out.report(Code::SC3110, task.values.word('P').pos,
                     "P belongs to the first block of the curve");
-  if (begins || task.values.letters().has_any(kAxisWords))
+  const bool has_axes =
+      task.values.letters().has_any(kAxisWords) || task.command.uncertain().has_any(kAxisWords);
+  if (begins || has_axes)
     read_control_point(task, curve);
   else
     read_closing_knot(task, curve);
@@ -170,12 +183,20 @@ std::string unfinished(const PendingCurve& curve) {
          std::to_string(curve.order) + " closing knots";
 }
 
+void report_left_early(const PendingCurve& curve, const GCode& code, const Word& word,
+                       Output& out) {
+  const std::string name = code_name(code);
+  if (curve.closing_knots > 0)
+    out.report(Code::SC3104, word.pos, name + " too early: " + unfinished(curve));
+  else
+    out.report(Code::SC3105, word.pos, name + " within a curve of G06.2");
+}
+
 }  // namespace
 
 void nurbs(Task& task) {
   if (!task.modal.curve) begin_curve(task);
   PendingCurve& curve = *task.modal.curve;
-  if (curve.broken) task.out.mute();
   read_block(task, curve);
   curve.broken = curve.broken || task.out.failed();
   if (curve.order == 0 || curve.closing_knots < curve.order) return;
@@ -188,21 +209,18 @@ void check_pending_curve(const Command& command, Modal& modal, Output& out) {
   for (const auto& [code, word] : command.codes()) {
     if (code->group == Group::line_number) continue;
     if (code->group == Group::feed) {
-      if (!curve.broken)
-        out.report(Code::SC3110, word->pos, "F belongs to the first block of the curve");
+      out.report(Code::SC3110, word->pos, "F belongs to the first block of the curve");
       continue;
     }
-    if (!curve.broken && curve.closing_knots > 0)
-      out.report(Code::SC3104, word->pos, code_name(*code) + " too early: " + unfinished(curve));
-    else if (!curve.broken)
-      out.report(Code::SC3105, word->pos, code_name(*code) + " within a curve of G06.2");
+    if (!curve.knots_uncertain) report_left_early(curve, *code, *word, out);
     return forget_curve(modal);
   }
+  if (command.uncertain().has('G')) forget_curve(modal);
 }
 
 void end_pending_curve(Modal& modal, Output& out) {
   const PendingCurve& curve = *modal.curve;
-  if (!curve.broken)
+  if (!curve.knots_uncertain)
     out.report(Code::SC3104, curve.head, "the program ends, and " + unfinished(curve),
                curve.head_line);
   forget_curve(modal);

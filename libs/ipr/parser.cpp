@@ -53,6 +53,14 @@ std::string_view letters_at(std::string_view line, const Token& letter) {
   return rest.substr(0, count);
 }
 
+/// WHILE, sub and the like: three letters in a row, or two before a bracket.
+bool is_name(std::string_view line, const Token& letter, std::string_view letters) {
+  if (letters.size() != 2) return letters.size() > 2;
+  const std::size_t behind =
+      line.find_first_not_of(" \t", static_cast<std::size_t>(letter.column) + 1);
+  return behind != std::string_view::npos && line[behind] == '[';
+}
+
 }  // namespace
 
 std::optional<Line> Parser::next() {
@@ -66,7 +74,10 @@ std::optional<Line> Parser::next() {
     line_.words = words_;
     return line_;
   }
-  if (!ended_ && reader_.failure()) diagnostics_.report(*reader_.failure());
+  if (!ended_ && reader_.failure()) {
+    diagnostics_.report(*reader_.failure());
+    broke_off_ = true;
+  }
   ended_ = true;
   return std::nullopt;
 }
@@ -77,18 +88,26 @@ void Parser::read_line(std::string_view text) {
   line_.number = reader_.line();
   line_.text = text;
   given_up_ = false;
-  Lexer lexer(text);
-  if (line_.number == 1 && looks_like_utf16(text)) {
+  if (is_readable()) read_words();
+}
+
+bool Parser::is_readable() {
+  if (line_.number == 1 && looks_like_utf16(line_.text)) {
+    line_.text = {};  // nothing that could be shown
     give_up(Code::SC1013, Token{}, "the file is in UTF-16; save it as UTF-8 or ASCII");
-    ended_ = true;
-    return;
+    ended_ = broke_off_ = true;
+  } else if (reader_.line_was_cut()) {
+    give_up(Code::SC1015, Token{},
+            "the line is longer than " + std::to_string(Reader::kLongestLine) + " bytes");
   }
+  return !given_up_;
+}
+
+void Parser::read_words() {
+  Lexer lexer(line_.text);
   Token token = lexer.next();
   while (token.kind != Token::Kind::end && !given_up_ && !ended_)
     token = token.kind == Token::Kind::letter ? read_word(lexer, token) : read_mark(lexer, token);
-  if (reader_.line_was_cut() && !given_up_ && !ended_)
-    give_up(Code::SC1015, Token{},
-            "the line is longer than " + std::to_string(Reader::kLongestLine) + " bytes");
 }
 
 /// Returns the first token that does not belong to the word.
@@ -116,8 +135,7 @@ void Parser::report_missing_number(const Token& letter, const Token& instead) {
   const bool excused = instead.kind != Kind::letter && instead.kind != Kind::end &&
                        instead.kind != Kind::slash;  // what stands there is told instead
   const std::string_view letters = letters_at(line_.text, letter);
-  const bool name = letters.size() > 2 || (letters.size() == 2 && excused);
-  if (name) {
+  if (is_name(line_.text, letter, letters)) {
     Token whole = letter;
     whole.length = static_cast<int>(letters.size());
     give_up(Code::SC1008, whole,
@@ -182,7 +200,7 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
               quoted(text) + " is not understood: softcnc has no variables and no expressions");
       break;
     case Token::Kind::open_comment:
-      give_up(Code::SC1009, mark, "the comment has no ')'");
+      report(Code::SC1009, mark.column, mark.length, "the comment has no ')'");
       break;
     case Token::Kind::nested_comment:
       give_up(Code::SC1010, mark, "a comment inside a comment");

@@ -40,9 +40,13 @@ class Parser {
 
   /// Number of the line last read.
   int line() const noexcept { return reader_.line(); }
+  /// The text could not be read to its end: that has been reported.
+  bool broke_off() const noexcept { return broke_off_; }
 
  private:
   void read_line(std::string_view text);
+  bool is_readable();
+  void read_words();
   Token read_word(Lexer& lexer, const Token& letter);
   Token read_mark(Lexer& lexer, const Token& mark);
   Token read_percent(Lexer& lexer, const Token& percent);
@@ -58,7 +62,7 @@ class Parser {
   Diagnostics& diagnostics_;
   Line line_;
   std::vector<Word> words_;
-  bool started_ = false, given_up_ = false, ended_ = false;
+  bool started_ = false, given_up_ = false, ended_ = false, broke_off_ = false;
 };
 
 }  // namespace softcnc::ipr
