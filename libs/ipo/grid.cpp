@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kMinDepth = 1;  // a stretch between two stops has a node where it runs
 constexpr int kMaxDepth = 40;
+constexpr double kStepParts = 8;
 constexpr double kShortest = 1e-7;  // mm; shorter than any machine resolves
 
 Cap cap_at(const PathPoint& point, const Move& move, const Constraints& constraints,
@@ -37,8 +38,8 @@ class Refiner {
       : move_(move), constraints_(constraints), out_(out) {
     const double q = cap_at(at(move.path, 0), move, constraints, false).q;
     const double a = constraints.acceleration_limits().minCoeff();
-    // Curvature below this asks for a thousandth of the acceleration at the highest speed.
-    curvature_floor_ = 1e-3 * a / q;
+    // Below this curvature the highest speed does not ask for all of the acceleration.
+    curvature_floor_ = a / q;
     // A ramp from rest to the highest speed spans two intervals or more.
     longest_ = 0.5 * q / (2 * a);
   }
@@ -51,13 +52,22 @@ class Refiner {
   void split(double s0, double s1, const PathPoint& left, const PathPoint& right, int depth) {
     const double middle = 0.5 * (s0 + s1);
     const PathPoint mid = at(move_.path, middle);
-    if (depth >= kMaxDepth || s1 - s0 < 2 * kShortest ||
-        (depth >= kMinDepth && s1 - s0 <= longest_ && as_good_as_linear(left, mid, right))) {
-      out_.push_back(make_interval(s0, s1, left, right, move_, constraints_));
+    const Interval whole = make_interval(s0, s1, left, right, move_, constraints_);
+    const bool fine = depth >= kMinDepth && s1 - s0 <= longest(whole) &&
+                      as_good_as_linear(left, mid, right);
+    if (fine || depth >= kMaxDepth || s1 - s0 < 2 * kShortest) {
+      out_.push_back(whole);
       return;
     }
     split(s0, middle, left, mid, depth + 1);
     split(middle, s1, mid, right, depth + 1);
+  }
+
+  /// Ramps span two intervals or more; steps, where they are what binds, kStepParts.
+  double longest(const Interval& interval) const {
+    const bool steps_bind = interval.step_cap.q < interval.left_cap.q;
+    const double step = std::sqrt(interval.step_cap.q) * constraints_.period();
+    return steps_bind ? std::min(longest_, step / kStepParts) : longest_;
   }
 
   bool as_good_as_linear(const PathPoint& left, const PathPoint& mid,

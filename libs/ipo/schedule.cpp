@@ -134,6 +134,16 @@ double follow(const KLine& line, double q, double u, std::vector<SpeedPiece>& ou
   return line.k1;
 }
 
+/// What holds back who runs along K of a curved interval: the lower of its caps, if both ends are
+/// at theirs; a corner holds back only itself, the way to and from it is acceleration.
+Limit limit_along_k(const Reach& reach) {
+  if (!at_cap(reach.left_k, reach.left) || !at_cap(reach.right_k, reach.right))
+    return Limit::acceleration;
+  const Cap& lower = reach.left.q <= reach.right.q ? reach.left : reach.right;
+  const bool corner = lower.limit == Limit::corner && reach.left.q != reach.right.q;
+  return corner ? Limit::acceleration : lower.limit;
+}
+
 double run_straight(const Interval& interval, const Reach& reach, double u, double q,
                     std::vector<SpeedPiece>& out) {
   const double top = reach.inside.q;
@@ -165,9 +175,8 @@ double run_forward(const Interval& interval, const Constraints& constraints, con
   const IntervalRows rows(interval, constraints, reach.share);
   const double u = rows.largest_u(q);
   const double ahead = reach.left_k + 2 * rows.largest_u(reach.left_k) * interval.length();
-  const bool level = at_cap(reach.left_k, reach.left) && at_cap(reach.right_k, reach.right);
   return follow({interval.s0, interval.s1, reach.left_k, std::min(reach.right_k, ahead),
-                 level ? reach.left.limit : Limit::acceleration},
+                 limit_along_k(reach)},
                 q, u, out);
 }
 
