@@ -28,9 +28,8 @@ inline Homogeneous homogeneous(const AxisVector& point, double weight, const Axi
 /// degree + 1, degree, degree - 1 and degree - 2 points. Derivatives have points of their own
 /// because differences of Bezier points lose their digits in narrow knot spans.
 constexpr std::size_t bezier_points_begin(int degree, int order) noexcept {
-  std::size_t begin = 0;
-  for (int k = 0; k < order && k <= degree; ++k) begin += static_cast<std::size_t>(degree + 1 - k);
-  return begin;
+  const int orders = order <= degree ? order : degree + 1;  // that have points
+  return static_cast<std::size_t>(orders * (2 * degree + 3 - orders) / 2);
 }
 constexpr std::size_t bezier_point_count(int degree) noexcept {
   return bezier_points_begin(degree, kBezierOrders + 1);
