@@ -19,7 +19,7 @@ namespace softcnc::hal {
 Result<Machine> load_machine(const std::string& file, std::span<const std::string> settings);
 
 /// The same for a text that is already in memory; `name` stands for the file in diagnostics.
-Result<Machine> parse_machine(std::string_view text, const std::string& name,
+Result<Machine> parse_machine(const std::string& text, const std::string& name,
                               std::span<const std::string> settings);
 
 /// One value of the machine as it will be used.

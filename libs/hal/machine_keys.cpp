@@ -198,6 +198,23 @@ int index_like(std::string_view path, const MachineKey& key) {
   return axis ? 0 : 1;
 }
 
+/// The known key, cut off after `depth` parts, that reads most like `path`.
+std::string nearest(std::string_view path, std::size_t depth) {
+  std::string nearest;
+  std::size_t least = std::string::npos;
+  for (const MachineKey& key : kKeys) {
+    std::string known = path_of({&key, index_like(path, key)});
+    const auto parts = split(known);
+    if (depth < parts.size())
+      known.resize(static_cast<std::size_t>(parts[depth].data() - known.data()) - 1);
+    const std::size_t far = std::min(distance(path, known), distance(leaf(path), leaf(known)) + 1);
+    if (far >= least) continue;
+    least = far;
+    nearest = known;
+  }
+  return nearest;
+}
+
 }  // namespace
 
 std::span<const MachineKey> machine_keys() noexcept { return kKeys; }
@@ -233,18 +250,10 @@ std::string path_of(const KeyRef& ref) {
                       is_axis_key(*ref.key) ? std::string(1, letter) : std::to_string(ref.index));
 }
 
-std::string nearest_key(std::string_view path) {
-  std::string nearest;
-  std::size_t least = std::string::npos;
-  for (const MachineKey& key : kKeys) {
-    const std::string known = path_of({&key, index_like(path, key)});
-    const std::size_t far = std::min(distance(path, known), distance(leaf(path), leaf(known)) + 1);
-    if (far < least) {
-      least = far;
-      nearest = known;
-    }
-  }
-  return nearest;
+std::string nearest_key(std::string_view path) { return nearest(path, std::string_view::npos); }
+
+std::string nearest_section(std::string_view path) {
+  return nearest(path, static_cast<std::size_t>(std::count(path.begin(), path.end(), '.')) + 1);
 }
 
 }  // namespace softcnc::hal

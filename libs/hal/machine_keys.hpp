@@ -74,4 +74,7 @@ std::string path_of(const KeyRef& ref);
 /// The known key that reads most like `path`, spelled for the same axis or tool.
 std::string nearest_key(std::string_view path);
 
+/// The same for the name of a table.
+std::string nearest_section(std::string_view path);
+
 }  // namespace softcnc::hal

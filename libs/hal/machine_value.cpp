@@ -34,9 +34,12 @@ std::string range_text(const Range& range) {
          " and at most " + number_text(range.high);
 }
 
+bool is_not_yet(const Range& range) {
+  return range.low == kNotYet.low && range.high == kNotYet.high;
+}
+
 Status check(const KeyRef& ref, double value, const Range& range) {
-  const bool not_yet = range.low == kNotYet.low && range.high == kNotYet.high;
-  if (not_yet && std::abs(value) > 0)
+  if (is_not_yet(range) && std::abs(value) > 0)
     return failure(Code::SC7009,
                    path_of(ref) + " = " + number_text(value) +
                        ": this version cannot hold this limit yet; only 0 is accepted");
@@ -127,6 +130,15 @@ std::string toml_string(std::string_view text) {
   return out + '"';
 }
 
+struct Allowed {
+  std::string operator()(const Number& number) const {
+    return is_not_yet(number.range) ? "0 (in this version)" : range_text(number.range);
+  }
+  std::string operator()(const Whole& whole) const { return "whole, " + range_text(whole.range); }
+  std::string operator()(const Choice& choice) const { return list(choice.words); }
+  std::string operator()(const Text&) const { return "a text"; }
+};
+
 struct Spell {
   const KeyRef& ref;
   Machine& machine;
@@ -151,6 +163,8 @@ Status assign(const KeyRef& ref, const FileValue& value, Machine& machine) {
   return std::visit([&](const auto& kind) { return store(kind, ref, value, machine); },
                     ref.key->value);
 }
+
+std::string allowed_text(const MachineKey& key) { return std::visit(Allowed{}, key.value); }
 
 std::string value_text(const KeyRef& ref, const Machine& machine) {
   Machine copy = machine;

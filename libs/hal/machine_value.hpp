@@ -21,6 +21,9 @@ using FileValue = std::variant<double, std::int64_t, std::string, OtherValue>;
 /// Errors: SC7004, SC7005, SC7006, SC7009; their place is left to the caller.
 Status assign(const KeyRef& ref, const FileValue& value, Machine& machine);
 
+/// What the key takes, in words: "greater than 0 and at most 1000".
+std::string allowed_text(const MachineKey& key);
+
 /// The value as a machine file spells it; assign() of what that reads as stores the same bits.
 std::string value_text(const KeyRef& ref, const Machine& machine);
 

@@ -56,14 +56,16 @@ void flatten(std::string_view text, const toml::table& table, const std::string&
   }
 }
 
+/// toml++ tells a key given twice only in words: "... cannot redefine existing integer 'blu_um'".
 Diagnostic diagnostic_of(std::string_view text, const toml::parse_error& error) {
-  std::string says(error.description());
-  const bool twice = says.find("redefine") != says.npos;
-  return {twice ? Code::SC7012 : Code::SC7002,
-          place(text, error.source()),
-          (twice ? "given twice: " : "not TOML: ") + std::move(says),
-          {},
-          {}};
+  constexpr std::string_view kPrefix = "Error while parsing ";
+  std::string_view says = error.description();
+  const SourcePos pos = place(text, error.source());
+  if (says.find("cannot redefine") != says.npos)
+    return {
+        Code::SC7012, pos, std::string(says.substr(says.find('\''))) + " is given twice", {}, {}};
+  if (says.starts_with(kPrefix)) says.remove_prefix(kPrefix.size());
+  return {Code::SC7002, pos, "not TOML: " + std::string(says), {}, {}};
 }
 
 }  // namespace

@@ -62,8 +62,8 @@ struct Drive {
   double kv = 30.0;                 // 1/s: velocity per following error
   int counter_bits = 14;            // of the up/down counter
   double fv_time_constant = 0.001;  // s
-  double velocity_gain = 1.5;       // V s/rad: V per rad/s of velocity error
-  double velocity_reset = 10.0;     // 1/s: reset rate of the velocity loop's integral part
+  double velocity_gain = 2.0;       // V s/rad: V per rad/s of velocity error
+  double velocity_reset = 50.0;     // 1/s: reset rate of the velocity loop's integral part
   double supply_voltage = 80.0;     // V
   double current_limit = 16.0;      // A
   double following_error = 12.0;    // mm: alarm beyond

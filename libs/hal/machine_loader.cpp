@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// What a machine file and settings say, checked and put in place.
+#include "hal/machine_loader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <tuple>
+
+#include "hal/number.hpp"
+#include "motion/units.hpp"
+
+namespace softcnc::hal {
+namespace {
+
+std::string unknown(std::string_view key, const std::string& nearest) {
+  return "unknown key '" + std::string(key) + "'; did you mean '" + nearest + "'?";
+}
+
+bool earlier(const Diagnostic& a, const Diagnostic& b) {
+  return std::tie(a.pos.line, a.pos.column) < std::tie(b.pos.line, b.pos.column);
+}
+
+bool names_axis(const TomlEntry& entry) {
+  constexpr std::string_view kAxis = "axis.";
+  return entry.table && entry.path.starts_with(kAxis) && entry.path.size() == kAxis.size() + 1 &&
+         is_section(entry.path);
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = std::min(text.find_first_not_of(" \t"), text.size());
+  return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+}
+
+/// KEY=VALUE taken apart. Both parts lie within the setting.
+struct Setting {
+  std::string_view key, value;
+};
+
+Setting split(std::string_view setting) {
+  const auto equals = setting.find('=');
+  if (equals == setting.npos) return {trimmed(setting), setting.substr(setting.size())};
+  return {trimmed(setting.substr(0, equals)), trimmed(setting.substr(equals + 1))};
+}
+
+Place place_in(const std::string& setting, std::string_view part) {
+  const int column = static_cast<int>(part.data() - setting.data()) + 1;
+  return {
+      std::string(kSettingFile), {1, column, std::max(1, static_cast<int>(part.size()))}, setting};
+}
+
+}  // namespace
+
+void MachineLoader::fail(Code code, const Place& place, std::string message) {
+  errors_.push_back({code, place.pos, std::move(message), place.file, place.line});
+}
+
+void MachineLoader::read(std::string_view text, const std::string& name) {
+  const auto stem = std::filesystem::path(name).stem().string();
+  if (!stem.empty()) loaded_.machine.name = stem;
+  const auto entries = read_toml(text);
+  if (!entries) {
+    const auto& [code, pos, message, file, line] = entries.error();
+    return fail(code, {name, pos, text_line(text, pos.line)}, message);
+  }
+  for (const TomlEntry& entry : *entries) take(entry, text, name);
+  keep_named_axes(*entries);
+  std::stable_sort(errors_.begin(), errors_.end(), earlier);
+}
+
+void MachineLoader::take(const TomlEntry& entry, std::string_view text, const std::string& name) {
+  const auto at = [&](const SourcePos& pos) { return Place{name, pos, text_line(text, pos.line)}; };
+  if (is_section(entry.path)) {
+    if (!entry.table) fail(Code::SC7004, at(entry.value_pos), entry.path + " is a table of keys");
+  } else if (const auto ref = find_key(entry.path)) {
+    take(*ref, entry.value, at(entry.value_pos));
+  } else {
+    fail(Code::SC7001, at(entry.key_pos),
+         unknown(entry.path, entry.table ? nearest_section(entry.path) : nearest_key(entry.path)));
+  }
+}
+
+void MachineLoader::take(const KeyRef& ref, const FileValue& value, Place place) {
+  const auto stored = assign(ref, value, loaded_.machine);
+  if (!stored) fail(stored.error().code, place, stored.error().message);
+  loaded_.given.insert_or_assign(path_of(ref), std::move(place));
+}
+
+void MachineLoader::keep_named_axes(const std::vector<TomlEntry>& entries) {
+  if (std::none_of(entries.begin(), entries.end(), names_axis)) return;
+  for (Axis& axis : loaded_.machine.axes) axis.present = false;
+  for (const TomlEntry& entry : entries)
+    if (names_axis(entry))
+      loaded_.machine.axes[static_cast<std::size_t>(axis_index(entry.path.back()))].present = true;
+}
+
+void MachineLoader::set(const std::string& setting) {
+  const auto [key, value] = split(setting);
+  if (key.empty() || value.empty())
+    return fail(Code::SC7011, place_in(setting, value), "a setting reads KEY=VALUE");
+  const auto ref = find_key(key);
+  if (!ref) return fail(Code::SC7001, place_in(setting, key), unknown(key, nearest_key(key)));
+  if (!has_axis_of(*ref))
+    return fail(Code::SC7007, place_in(setting, key),
+                "the machine has no axis " + std::string(1, "xyz"[ref->index]));
+  take(*ref, read_toml_value(std::string(value)), place_in(setting, value));
+}
+
+bool MachineLoader::has_axis_of(const KeyRef& ref) const {
+  return !is_axis_key(*ref.key) ||
+         loaded_.machine.axes[static_cast<std::size_t>(ref.index)].present;
+}
+
+Result<LoadedMachine> MachineLoader::finish() {
+  if (errors_.empty()) {
+    derive_servo_period();
+    check_periods();
+    for (int axis = 0; axis < kAxes; ++axis) check_travel(axis);
+  }
+  if (!errors_.empty()) return tl::make_unexpected(std::move(errors_.front()));
+  return std::move(loaded_);
+}
+
+/// Without a word about it the servo period is 1 ms, or the next smaller that divides the period.
+void MachineLoader::derive_servo_period() {
+  constexpr double kRoundOff = 1e-9;
+  if (loaded_.given.contains("control.servo_period_ms")) return;
+  Control& control = loaded_.machine.control;
+  const double period_ms = ms_from_s(control.period);
+  control.servo_period = s_from_ms(period_ms / std::ceil(period_ms - kRoundOff));
+}
+
+void MachineLoader::check_periods() {
+  constexpr double kRoundOff = 1e-9;
+  const Control& control = loaded_.machine.control;
+  const double ratio = control.period / control.servo_period;
+  if (ratio > 0.5 && std::abs(ratio - std::round(ratio)) < kRoundOff * ratio) return;
+  fail(Code::SC7010, place_of("control.period_ms", "control.servo_period_ms"),
+       "control.period_ms = " + number_text(ms_from_s(control.period)) +
+           " is no multiple of control.servo_period_ms = " +
+           number_text(ms_from_s(control.servo_period)));
+}
+
+void MachineLoader::check_travel(int index) {
+  const Axis& axis = loaded_.machine.axes[static_cast<std::size_t>(index)];
+  if (!axis.present || axis.min < axis.max) return;
+  const std::string name = std::string("axis.") + "xyz"[index];
+  fail(Code::SC7008, place_of(name + ".max_mm", name + ".min_mm"),
+       name + ".min_mm = " + number_text(axis.min) + " is not below " + name +
+           ".max_mm = " + number_text(axis.max));
+}
+
+/// Where the first of two keys was given, or else the second.
+const Place& MachineLoader::place_of(std::string_view key, std::string_view other) const {
+  const auto found = loaded_.given.find(key);
+  return found != loaded_.given.end() ? found->second : loaded_.given.find(other)->second;
+}
+
+}  // namespace softcnc::hal

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// From the text of a machine file and the settings on the command line to a Machine.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/machine_value.hpp"
+#include "hal/toml_reader.hpp"
+#include "motion/result.hpp"
+
+namespace softcnc::hal {
+
+/// The file that diagnostics of settings name.
+inline constexpr std::string_view kSettingFile = "--set";
+
+/// Where a value was given.
+struct Place {
+  std::string file;
+  SourcePos pos;
+  std::string line;
+};
+
+struct LoadedMachine {
+  Machine machine;
+  std::map<std::string, Place, std::less<>> given;  // by full name of the key
+};
+
+/// Collects what a file and then settings say. Of several errors the first is told.
+class MachineLoader {
+ public:
+  void read(std::string_view text, const std::string& name);
+  void set(const std::string& setting);  // "KEY=VALUE"
+
+  /// Fills in what was left out and checks values against one another. Call once.
+  Result<LoadedMachine> finish();
+
+ private:
+  void take(const TomlEntry& entry, std::string_view text, const std::string& name);
+  void take(const KeyRef& ref, const FileValue& value, Place place);
+  void keep_named_axes(const std::vector<TomlEntry>& entries);
+  void derive_servo_period();
+  void check_periods();
+  void check_travel(int axis);
+
+  bool has_axis_of(const KeyRef& ref) const;
+  const Place& place_of(std::string_view key, std::string_view other) const;
+  void fail(Code code, const Place& place, std::string message);
+
+  LoadedMachine loaded_;
+  std::vector<Diagnostic> errors_;
+};
+
+}  // namespace softcnc::hal

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Backends: what they hand back, their columns, and the simulated mill as a whole.
+#include "hal/backend.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "motion/counts.hpp"
+
+namespace softcnc::hal {
+namespace {
+
+std::unique_ptr<Backend> opened(const Machine& machine) {
+  auto backend = open_backend(machine);
+  REQUIRE(backend);
+  return std::move(*backend);
+}
+
+Setpoint at(double x, double y = 0, double z = 0) {
+  Setpoint setpoint;
+  setpoint.position = {x, y, z};
+  return setpoint;
+}
+
+Machine retrofit() {
+  Machine machine;
+  machine.axes[2].present = false;
+  return machine;
+}
+
+/// A move of `distance` at the axis limits: trapezoid or triangle.
+double planned(const Axis& axis, double distance, double t) {
+  const double ramp =
+      std::min(axis.velocity / axis.acceleration, std::sqrt(distance / axis.acceleration));
+  const double speed = axis.acceleration * ramp;
+  const double duration = distance / speed + ramp;
+  if (t < ramp) return axis.acceleration * t * t / 2;
+  if (t < duration - ramp) return speed * (t - ramp / 2);
+  const double left = std::max(0.0, duration - t);
+  return distance - axis.acceleration * left * left / 2;
+}
+
+}  // namespace
+
+TEST_CASE("without a backend the axes are where they are commanded", "[hal][backend]") {
+  Machine machine;
+  machine.control.backend = BackendKind::none;
+  const auto backend = opened(machine);
+  CHECK(backend->columns().empty());
+  const Feedback feedback = backend->exchange(at(1, 2, 3));
+  CHECK(feedback.position == AxisVector(1, 2, 3));
+  CHECK(feedback.alarm == Alarm::none);
+  CHECK(backend->settle() == AxisVector(1, 2, 3));
+  CHECK(std::isnan(backend->following_error_max()[0]));
+}
+
+TEST_CASE("the simulated mill names columns for the axes it has", "[hal][sim]") {
+  const auto backend = opened(retrofit());
+  const auto columns = backend->columns();
+  CHECK(std::vector<std::string>(columns.begin(), columns.end()) ==
+        std::vector<std::string>{"x_act_mm", "x_err_um", "x_current_a", "y_act_mm", "y_err_um",
+                                 "y_current_a"});
+}
+
+TEST_CASE("the first setpoint tells where the mill stands", "[hal][sim]") {
+  const auto backend = opened(retrofit());
+  const Feedback feedback = backend->exchange(at(-12.3456, 7));
+  CHECK(feedback.position[0] == Approx(-12.3456).epsilon(1e-15));
+  CHECK(feedback.position[1] == Approx(7).epsilon(1e-15));
+  std::array<double, 6> values{};
+  backend->values(values);
+  CHECK(std::abs(values[1]) < 1e-9);
+  CHECK(backend->following_error_max()[0] < 1e-12);
+}
+
+TEST_CASE("the default mill runs at its limits without an alarm", "[hal][sim]") {
+  const Machine machine;
+  const auto backend = opened(machine);
+  double largest_error = 0, largest_current = 0;
+  std::array<double, 9> values{};
+  for (int i = 0; i < 6000; ++i) {
+    const double t = i * machine.control.period;
+    const double x =
+        t < 3 ? planned(machine.axes[0], 500, t) : 500 - planned(machine.axes[0], 500, t - 3);
+    const Feedback feedback = backend->exchange(at(x, -x, x / 3));
+    REQUIRE(feedback.alarm == Alarm::none);
+    backend->values(values);
+    REQUIRE(values[0] == feedback.position[0]);
+    REQUIRE(values[1] == Approx((x - values[0]) * 1000).margin(1e-9));
+    largest_error = std::max(largest_error, std::abs(x - values[0]));
+    largest_current = std::max(largest_current, std::abs(values[2]));
+  }
+  CHECK(backend->following_error_max()[0] == largest_error);
+  CHECK(largest_error == Approx(250.0 / 30.0).epsilon(0.01));
+  CHECK(largest_current < 8.0);  // rated current of the motor: it can do so all day
+}
+
+TEST_CASE("the mill settles on the commanded counts and is left as it was", "[hal][sim]") {
+  const double target = GENERATE(0.0025, 1.0, 33.3325, -87.6);
+  const Machine machine = retrofit();
+  const auto backend = opened(machine);
+  const int periods = 700;
+  for (int i = 0; i <= periods; ++i) {
+    const double part = planned(machine.axes[0], std::abs(target), i * 0.001) / std::abs(target);
+    backend->exchange(at(target * std::min(part, 1.0), 0));
+  }
+  std::array<double, 6> before{}, after{};
+  backend->values(before);
+  const AxisVector settled = backend->settle();
+  backend->values(after);
+  CHECK(before == after);
+  const Counts counts(machine.axes[0].blu);
+  CHECK(counts(settled[0]) == counts(target));
+  CHECK(counts(settled[1]) == 0);
+  CHECK(backend->settle() == settled);
+}
+
+TEST_CASE("a jump of the command is an alarm that names its axis", "[hal][sim]") {
+  const auto backend = opened(retrofit());
+  backend->exchange(at(0, 0));
+  const Feedback feedback = backend->exchange(at(0, 15));
+  CHECK(feedback.alarm == Alarm::following_error);
+  CHECK(feedback.alarm_axis == 1);
+}
+
+TEST_CASE("between setpoints the mill is led along the line in servo periods", "[hal][sim]") {
+  // 8 ms told as one setpoint is 8 setpoints of 1 ms on the same line.
+  Machine slow = retrofit();
+  slow.control.period = 0.008;
+  const auto coarse = opened(slow);
+  const auto fine = opened(retrofit());
+  coarse->exchange(at(0, 0));
+  fine->exchange(at(0, 0));
+  for (int i = 1; i <= 100; ++i) {
+    Feedback expected;
+    for (int k = 1; k <= 8; ++k) expected = fine->exchange(at(0.1 * (i - 1 + k / 8.0), 0.05 * i));
+    const Feedback feedback = coarse->exchange(at(0.1 * i, 0));
+    REQUIRE(feedback.position[0] == Approx(expected.position[0]).margin(1e-12));
+  }
+}
+
+TEST_CASE("the same setpoints move the mill the same, bit for bit", "[hal][sim]") {
+  const auto run = [] {
+    const auto backend = opened(retrofit());
+    AxisVector last;
+    for (int i = 0; i < 3000; ++i)
+      last =
+          backend->exchange(at(30 * std::sin(i * 0.004), 30 * std::cos(i * 0.004) - 30)).position;
+    return last;
+  };
+  CHECK(run() == run());
+}
+
+}  // namespace softcnc::hal

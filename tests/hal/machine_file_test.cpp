@@ -1,0 +1,489 @@
+// SPDX-License-Identifier: MIT
+// Machine files that load, machine files that are refused with their place, and the way back to
+// text.
+#include "hal/machine_file.hpp"
+
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "hal/machine_keys.hpp"
+#include "support_hal.hpp"
+
+namespace softcnc::hal {
+namespace {
+
+using Settings = std::vector<std::string>;
+
+Machine parsed(const std::string& text, const Settings& settings = {}) {
+  const auto machine = parse_machine(text, "mill.toml", settings);
+  INFO((machine ? std::string() : render(machine.error())));
+  REQUIRE(machine);
+  return *machine;
+}
+
+std::string refused(const std::string& text, const Settings& settings = {}) {
+  const auto machine = parse_machine(text, "mill.toml", settings);
+  REQUIRE_FALSE(machine);
+  CHECK(exit_status(machine.error()) == 2);
+  return render(machine.error());
+}
+
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+/// Every number of the machine, by way of the table of keys.
+bool identical(Machine a, Machine b) {
+  if (a.tools.size() != b.tools.size()) return false;
+  for (std::size_t axis = 0; axis < a.axes.size(); ++axis)
+    if (a.axes[axis].present != b.axes[axis].present) return false;
+  const auto same = [&](const MachineKey& key, int index) {
+    if (const auto* number = std::get_if<Number>(&key.value))
+      return same_bits(number->place(a, index), number->place(b, index));
+    if (const auto* whole = std::get_if<Whole>(&key.value))
+      return whole->place(a, index) == whole->place(b, index);
+    if (const auto* choice = std::get_if<Choice>(&key.value))
+      return choice->get(a) == choice->get(b);
+    return std::get<Text>(key.value).place(a, index) == std::get<Text>(key.value).place(b, index);
+  };
+  for (const MachineKey& key : machine_keys()) {
+    if (is_axis_key(key)) {
+      for (int axis = 0; axis < kAxes; ++axis)
+        if (a.axes[static_cast<std::size_t>(axis)].present && !same(key, axis)) return false;
+    } else if (is_tool_key(key)) {
+      for (const auto& [number, tool] : Machine(a).tools)
+        if (!b.tools.contains(number) || !same(key, number)) return false;
+    } else if (!same(key, 0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+const std::string kSource = SOFTCNC_SOURCE_DIR;
+
+}  // namespace
+
+TEST_CASE("without a file the machine is the built-in one", "[hal][machine]") {
+  const auto machine = load_machine("", {});
+  REQUIRE(machine);
+  CHECK(identical(*machine, Machine{}));
+}
+
+TEST_CASE("an empty file is the built-in machine under the file's name", "[hal][machine]") {
+  Machine expected;
+  expected.name = "mill";
+  CHECK(identical(parsed(""), expected));
+}
+
+TEST_CASE("every key reaches its place in house units", "[hal][machine]") {
+  const Machine m = parsed(R"(
+name = "bench mill"
+[control]
+period_ms = 8
+servo_period_ms = 0.5
+chord_tolerance_um = 0.05
+interpolation = "curvature3p"
+corner_tolerance_um = 0.0
+backend = "none"
+[limits]
+feed_mm_min = 2000
+[axis.y]
+velocity_mm_min = 6000.0
+acceleration_mm_s2 = 500
+min_mm = -20
+max_mm = 30.5
+blu_um = 1.25
+screw_lead_mm = 2.5
+counts_per_rev = 2_000
+[axis.y.motor]
+resistance_ohm = 2
+inductance_mh = 1.5
+torque_constant_nm_a = 0.2
+emf_constant_v_s_rad = 0.21
+inertia_kg_m2 = 1e-3
+viscous_friction_nm_s_rad = 1e-5
+coulomb_friction_nm = 0.25
+[axis.y.drive]
+kv_1_s = 40
+counter_bits = 16
+fv_time_constant_ms = 2
+velocity_gain_v_s_rad = 3
+velocity_reset_1_s = 70
+supply_v = 60
+current_limit_a = 12
+following_error_um = 7500
+[spindle]
+min_rpm = 100
+max_rpm = 12500
+[tool.7]
+radius_mm = 2.5
+teeth = 4
+)");
+  CHECK(m.name == "bench mill");
+  CHECK(m.control.period == 0.008);
+  CHECK(m.control.servo_period == 0.0005);
+  CHECK(m.control.chord_tolerance == 0.05e-3);
+  CHECK(m.control.interpolation == Method::curvature3p);
+  CHECK(m.control.corner_tolerance == 0);
+  CHECK(m.control.backend == BackendKind::none);
+  CHECK(m.limits.feed == 2000.0 / 60.0);
+  CHECK_FALSE(m.axes[0].present);
+  CHECK_FALSE(m.axes[2].present);
+  const Axis& y = m.axes[1];
+  REQUIRE(y.present);
+  CHECK(y.velocity == 100.0);
+  CHECK(y.acceleration == 500.0);
+  CHECK(y.jerk == 0.0);
+  CHECK(y.min == -20.0);
+  CHECK(y.max == 30.5);
+  CHECK(y.blu == 0.00125);
+  CHECK(y.screw_lead == 2.5);
+  CHECK(y.counts_per_rev == 2000);
+  CHECK(y.motor.resistance == 2.0);
+  CHECK(y.motor.inductance == 0.0015);
+  CHECK(y.motor.torque_constant == 0.2);
+  CHECK(y.motor.emf_constant == 0.21);
+  CHECK(y.motor.inertia == 0.001);
+  CHECK(y.motor.viscous_friction == 1e-5);
+  CHECK(y.motor.coulomb_friction == 0.25);
+  CHECK(y.drive.kv == 40.0);
+  CHECK(y.drive.counter_bits == 16);
+  CHECK(y.drive.fv_time_constant == 0.002);
+  CHECK(y.drive.velocity_gain == 3.0);
+  CHECK(y.drive.velocity_reset == 70.0);
+  CHECK(y.drive.supply_voltage == 60.0);
+  CHECK(y.drive.current_limit == 12.0);
+  CHECK(y.drive.following_error == 7.5);
+  CHECK(m.spindle.min_rpm == 100);
+  CHECK(m.spindle.max_rpm == 12500);
+  REQUIRE(m.tools.size() == 1);
+  CHECK(m.tools.at(7).radius == 2.5);
+  CHECK(m.tools.at(7).teeth == 4);
+}
+
+TEST_CASE("every word of a choice is known", "[hal][machine]") {
+  for (std::size_t i = 0; i < kMethodNames.size(); ++i) {
+    const std::string word(kMethodNames[i]);
+    CHECK(static_cast<std::size_t>(
+              parsed("", {"control.interpolation=" + word}).control.interpolation) == i);
+  }
+  CHECK(parsed("", {"control.backend=none"}).control.backend == BackendKind::none);
+  CHECK(parsed("", {"control.backend=\"sim\""}).control.backend == BackendKind::sim);
+}
+
+TEST_CASE("a file that names an axis has exactly the axes it names", "[hal][machine]") {
+  const auto axes = [](const std::string& text) {
+    std::string letters;
+    const Machine machine = parsed(text);
+    for (std::size_t i = 0; i < machine.axes.size(); ++i)
+      if (machine.axes[i].present) letters += kAxisLetters[i];
+    return letters;
+  };
+  CHECK(axes("[control]\nperiod_ms = 2") == "XYZ");
+  CHECK(axes("[axis.x]\n[axis.y]") == "XY");
+  CHECK(axes("[axis.z.motor]\nresistance_ohm = 2") == "Z");
+  CHECK(axes("axis.y.blu_um = 1.0") == "Y");
+}
+
+TEST_CASE("settings stand above the file", "[hal][machine]") {
+  const Machine m = parsed("[axis.x]\nacceleration_mm_s2 = 300\nvelocity_mm_min = 60",
+                           {"axis.x.acceleration_mm_s2=500", " control.period_ms = 2.0 ",
+                            "name=a=b", "tool.3.teeth=2", "axis.x.min_mm=-0.0"});
+  CHECK(m.axes[0].acceleration == 500);
+  CHECK(m.axes[0].velocity == 1);
+  CHECK(m.control.period == 0.002);
+  CHECK(m.name == "a=b");
+  CHECK(m.tools.at(3).teeth == 2);
+  CHECK_FALSE(std::signbit(m.axes[0].min));
+}
+
+TEST_CASE("the servo period follows the period unless it is given", "[hal][machine]") {
+  const auto servo = [](double period_ms) {
+    return parsed("", {"control.period_ms=" + std::to_string(period_ms)}).control.servo_period;
+  };
+  CHECK(servo(1.0) == 0.001);
+  CHECK(servo(8.0) == 0.001);
+  CHECK(servo(0.25) == 0.00025);
+  CHECK(servo(1.5) == 0.00075);
+}
+
+TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
+  SECTION("an unknown key") {
+    CHECK(refused("[control]\ncicle_ms = 1.0\n") ==
+          "mill.toml:2:1: error SC7001: unknown key 'control.cicle_ms'; did you mean "
+          "'control.period_ms'?\n"
+          "    2 | cicle_ms = 1.0\n"
+          "      | ^~~~~~~~\n");
+    CHECK(refused("period_ms = 1.0") ==
+          "mill.toml:1:1: error SC7001: unknown key 'period_ms'; did you mean "
+          "'control.period_ms'?\n"
+          "    1 | period_ms = 1.0\n"
+          "      | ^~~~~~~~~\n");
+    CHECK(refused("[axis.y.driv]\nkv_1_s = 3")
+              .starts_with("mill.toml:1:9: error SC7001: unknown key 'axis.y.driv'; did you mean "
+                           "'axis.y.drive'?\n"));
+    CHECK(refused("[axis.a]\nblu_um = 3")
+              .starts_with("mill.toml:1:7: error SC7001: unknown key 'axis.a'"));
+    CHECK(refused("[tool.01]\nteeth = 3")
+              .starts_with("mill.toml:1:7: error SC7001: unknown key 'tool.01'"));
+  }
+  SECTION("no TOML") {
+    CHECK(refused("[control]\nperiod_ms = = 1\n") ==
+          "mill.toml:2:13: error SC7002: not TOML: value: could not determine value type\n"
+          "    2 | period_ms = = 1\n"
+          "      |             ^\n");
+  }
+  SECTION("a missing file") {
+    const auto machine = load_machine("no/such/mill.toml", {});
+    REQUIRE_FALSE(machine);
+    CHECK(render(machine.error()) ==
+          "no/such/mill.toml: error SC7003: cannot be read: No such file or directory\n");
+    const auto folder = load_machine(kSource, {});
+    REQUIRE_FALSE(folder);
+    CHECK(folder.error().code == Code::SC7003);
+  }
+  SECTION("a wrong type") {
+    CHECK(refused("[axis.x]\nblu_um = \"fine\"") ==
+          "mill.toml:2:10: error SC7004: axis.x.blu_um takes a number, not a text\n"
+          "    2 | blu_um = \"fine\"\n"
+          "      |          ^~~~~~\n");
+    CHECK(refused("control = 3")
+              .starts_with("mill.toml:1:11: error SC7004: control is a table of keys\n"));
+    CHECK(refused("axis.x.counts_per_rev = 2000.5")
+              .starts_with("mill.toml:1:25: error SC7004: axis.x.counts_per_rev takes a whole "
+                           "number, not a number\n"));
+    CHECK(refused("control.backend = true")
+              .starts_with("mill.toml:1:19: error SC7004: control.backend takes one of 'none', "
+                           "'sim', not true or "
+                           "false\n"));
+    CHECK(refused("[control.period_ms]\nx = 1")
+              .starts_with(
+                  "mill.toml:1:1: error SC7004: control.period_ms takes a number, not a table\n"));
+    CHECK(refused("name = 1979-05-27")
+              .starts_with("mill.toml:1:8: error SC7004: name takes a text, not a date or time\n"));
+    CHECK(refused("name = [1]")
+              .starts_with("mill.toml:1:8: error SC7004: name takes a text, not an array\n"));
+  }
+  SECTION("out of range") {
+    CHECK(refused("[control]\n\n   period_ms = -1.5 # no\n") ==
+          "mill.toml:3:16: error SC7005: control.period_ms must be greater than 0 and at most "
+          "1000, not -1.5\n"
+          "    3 |    period_ms = -1.5 # no\n"
+          "      |                ^~~~\n");
+    for (const char* value : {"0", "nan", "inf", "-inf", "1e9"})
+      CHECK(refused(std::string("axis.x.velocity_mm_min = ") + value)
+                .starts_with("mill.toml:1:26: error SC7005: axis.x.velocity_mm_min must be"));
+    for (const char* key : {"acceleration_mm_s2", "blu_um"})
+      CHECK(refused(std::string("[axis.z]\n") + key + " = 0")
+                .find("error SC7005: axis.z." + std::string(key)) != std::string::npos);
+    CHECK(refused("axis.x.drive.counter_bits = 99")
+              .starts_with("mill.toml:1:29: error SC7005: axis.x.drive.counter_bits must be at "
+                           "least 2 and at most "
+                           "32, not 99\n"));
+  }
+  SECTION("an unknown word") {
+    CHECK(refused("control.interpolation = 'spline'")
+              .starts_with("mill.toml:1:25: error SC7006: control.interpolation does not know "
+                           "'spline'; it knows "
+                           "'arc-length', 'taylor1', 'taylor2', 'curvature3p'\n"));
+  }
+  SECTION("travel the wrong way round") {
+    CHECK(refused("[axis.x]\nmin_mm = 10\nmax_mm = 10") ==
+          "mill.toml:3:10: error SC7008: axis.x.min_mm = 10 is not below axis.x.max_mm = 10\n"
+          "    3 | max_mm = 10\n"
+          "      |          ^~\n");
+    CHECK(refused("[axis.z]\nmin_mm = 2000")
+              .starts_with("mill.toml:2:10: error SC7008: axis.z.min_mm = 2000 is not below "
+                           "axis.z.max_mm = 1000\n"));
+  }
+  SECTION("limits of later versions") {
+    CHECK(refused("[axis.x]\njerk_mm_s3 = 2e4") ==
+          "mill.toml:2:14: error SC7009: axis.x.jerk_mm_s3 = 20000: this version cannot hold this "
+          "limit yet; only 0 is accepted\n"
+          "    2 | jerk_mm_s3 = 2e4\n"
+          "      |              ^~~\n");
+    CHECK(refused("control.corner_tolerance_um = 5")
+              .starts_with(
+                  "mill.toml:1:31: error SC7009: control.corner_tolerance_um = 5: this version"));
+    CHECK(parsed("axis.x.jerk_mm_s3 = 0").axes[0].jerk == 0);
+  }
+  SECTION("periods that do not divide") {
+    CHECK(refused("[control]\nperiod_ms = 1.5\nservo_period_ms = 1.0") ==
+          "mill.toml:2:13: error SC7010: control.period_ms = 1.5 is no multiple of "
+          "control.servo_period_ms = 1\n"
+          "    2 | period_ms = 1.5\n"
+          "      |             ^~~\n");
+    CHECK(
+        refused("[control]\nservo_period_ms = 2.0").starts_with("mill.toml:2:19: error SC7010: "));
+  }
+  SECTION("a key given twice") {
+    CHECK(refused("[control]\nperiod_ms = 1\nperiod_ms = 2")
+              .starts_with("mill.toml:3:13: error SC7012: 'period_ms' is given twice\n"));
+  }
+}
+
+TEST_CASE("a wrong setting is refused with its place", "[hal][machine]") {
+  CHECK(refused("", {"control.period_ms=0"}) ==
+        "--set:1:19: error SC7005: control.period_ms must be greater than 0 and at most 1000, not "
+        "0\n"
+        "    1 | control.period_ms=0\n"
+        "      |                   ^\n");
+  CHECK(refused("", {"control.perid_ms=1"})
+            .starts_with("--set:1:1: error SC7001: unknown key 'control.perid_ms'; did you mean "
+                         "'control.period_ms'?\n"));
+  CHECK(refused("[axis.x]", {"axis.z.blu_um=1"})
+            .starts_with("--set:1:1: error SC7007: the machine has no axis z\n"));
+  CHECK(refused("", {"control.period_ms"})
+            .starts_with("--set:1:18: error SC7011: a setting reads KEY=VALUE\n"));
+  CHECK(refused("", {"control.period_ms="}).starts_with("--set:1:19: error SC7011: "));
+  CHECK(refused("", {"=3"}).starts_with("--set:1:2: error SC7011: "));
+  CHECK(refused("", {"axis.x.blu_um=2.5\naxis.y.blu_um=1"})
+            .starts_with("--set:1:15: error SC7004: axis.x.blu_um takes a number, not a text\n"));
+  CHECK(refused("", {"control.period_ms=3", "control.servo_period_ms=2"})
+            .starts_with("--set:1:19: error SC7010: "));
+}
+
+TEST_CASE("the first error of a file is the one told", "[hal][machine]") {
+  CHECK(refused("[spindle]\nmax_rpm = -1\n[control]\nperiod_ms = -1")
+            .starts_with("mill.toml:2:11: error SC7005: spindle.max_rpm"));
+}
+
+TEST_CASE("columns count bytes inside and characters outside", "[hal][machine]") {
+  const auto machine = parse_machine("name = \"Fräse\"; x", "mill.toml", {});
+  REQUIRE_FALSE(machine);
+  CHECK(machine.error().code == Code::SC7002);
+  CHECK(machine.error().pos.column == 16);
+  CHECK(render(machine.error()).starts_with("mill.toml:1:15: error SC7002"));
+}
+
+TEST_CASE("the nearest key is spelled for the same axis", "[hal][machine]") {
+  CHECK(nearest_key("axis.y.acceleration_mm_s") == "axis.y.acceleration_mm_s2");
+  CHECK(nearest_key("axis.z.drive.kv") == "axis.z.drive.kv_1_s");
+  CHECK(nearest_key("tool.12.tooth") == "tool.12.teeth");
+  CHECK(nearest_key("feed_mm_min") == "limits.feed_mm_min");
+}
+
+TEST_CASE("the built-in machine reads back from its text bit for bit", "[hal][machine]") {
+  CHECK(identical(parsed(machine_toml(Machine{})), Machine{}));
+}
+
+TEST_CASE("a machine reads back from its text bit for bit", "[hal][machine][property]") {
+  rc::check("any values, any axes, any tools", [] {
+    const auto pick = [](const MachineKey& key) -> std::string {
+      if (const auto* number = std::get_if<Number>(&key.value)) {
+        if (number->range.high == 0) return "0";
+        const double part = *rc::gen::inRange(1, 1'000'000'000) / 1e9;
+        std::ostringstream text;
+        text.precision(17);
+        text << number->range.low +
+                    part * (std::min(number->range.high, 900.0) - number->range.low);
+        return text.str();
+      }
+      if (const auto* whole = std::get_if<Whole>(&key.value))
+        return std::to_string(
+            *rc::gen::inRange(static_cast<int>(whole->range.low),
+                              static_cast<int>(std::min(whole->range.high, 1e6))));
+      if (const auto* choice = std::get_if<Choice>(&key.value))
+        return std::string(*rc::gen::elementOf(
+            std::vector<std::string_view>(choice->words.begin(), choice->words.end())));
+      return "\"a \\\" \\\\ \\u0007 ü\"";
+    };
+    std::string text = *rc::gen::element<std::string>("", "[axis.x]\n", "[axis.x]\n[axis.z]\n");
+    const bool has_z = text.empty() || text.ends_with("z]\n");
+    Settings settings;
+    for (const MachineKey& key : machine_keys()) {
+      const int index = is_axis_key(key) ? (has_z ? 2 : 0) : 4711;
+      if (key.name.ends_with("_mm") || key.name == "control.servo_period_ms" ||
+          *rc::gen::arbitrary<bool>())
+        continue;
+      settings.push_back(path_of({&key, index}) + "=" + pick(key));
+    }
+    const auto machine = parse_machine(text, "mill.toml", settings);
+    RC_ASSERT(machine.has_value());
+    const auto again = parse_machine(machine_toml(*machine), "mill.toml", {});
+    RC_ASSERT(again.has_value());
+    RC_ASSERT(identical(*again, *machine));
+    RC_ASSERT(machine_toml(*again) == machine_toml(*machine));
+  });
+}
+
+TEST_CASE("numbers are written as a person would", "[hal][machine]") {
+  const std::string text = machine_toml(parsed("limits.feed_mm_min = 1000\naxis.x.blu_um = 0.1"));
+  CHECK(text.find("\nfeed_mm_min = 1000\n") != std::string::npos);
+  CHECK(text.find("\nblu_um = 0.1\n") != std::string::npos);
+  CHECK(text.starts_with("name = \"mill\"\n\n[control]\nperiod_ms = 1\n"));
+}
+
+TEST_CASE("the effective machine tells where each value came from", "[hal][machine]") {
+  const test::Folder folder;
+  const std::string file = folder / "mill.toml";
+  std::ofstream(file) << "[control]\n\nperiod_ms = 8\n[axis.x]\nblu_um = 1.0\n";
+  const auto values = effective_values(file, Settings{"control.chord_tolerance_um=0.05"});
+  REQUIRE(values);
+  const auto find = [&](std::string_view key) {
+    const auto found = std::find_if(values->begin(), values->end(),
+                                    [&](const EffectiveValue& v) { return v.key == key; });
+    REQUIRE(found != values->end());
+    return *found;
+  };
+  CHECK(find("control.period_ms").value == "8");
+  CHECK(find("control.period_ms").unit == "ms");
+  CHECK(find("control.period_ms").origin == file + ":3");
+  CHECK(find("control.period_ms").meaning == "interpolation period: one setpoint each");
+  CHECK(find("axis.x.blu_um").origin == file + ":5");
+  CHECK(find("control.chord_tolerance_um").origin == "--set");
+  CHECK(find("control.chord_tolerance_um").value == "0.05");
+  CHECK(find("axis.x.velocity_mm_min").origin == "default");
+  CHECK(find("control.backend").value == "\"sim\"");
+  CHECK(std::none_of(values->begin(), values->end(),
+                     [](const EffectiveValue& v) { return v.key.starts_with("axis.y"); }));
+  CHECK_FALSE(effective_values("no/such.toml", {}));
+}
+
+TEST_CASE("names of keys are distinct and found again", "[hal][machine]") {
+  std::set<std::string_view> seen;
+  for (const MachineKey& key : machine_keys()) {
+    CHECK(seen.insert(key.name).second);
+    const KeyRef ref{&key, is_tool_key(key) ? 42 : is_axis_key(key) ? 1 : 0};
+    const auto found = find_key(path_of(ref));
+    REQUIRE(found);
+    CHECK(found->key == &key);
+    CHECK(found->index == ref.index);
+    CHECK_FALSE(key.meaning.empty());
+  }
+}
+
+TEST_CASE("docs/machine.md shows the table of keys", "[hal][machine][docs]") {
+  CHECK(test::read(kSource + "/docs/machine.md").find(key_table()) != std::string::npos);
+}
+
+TEST_CASE("the machines by name load", "[hal][machine]") {
+  for (const char* name : {"retrofit", "paper_000", "paper_004", "bench_mill"}) {
+    const auto machine = load_machine(kSource + "/programs/machines/" + name + ".toml", {});
+    INFO(name << (machine ? "" : render(machine.error())));
+    REQUIRE(machine);
+    CHECK(identical(parsed(machine_toml(*machine)), *machine));
+  }
+}
+
+TEST_CASE("the paper's mill is that of its Table 1", "[hal][machine][paper003]") {
+  const auto machine = load_machine(kSource + "/programs/machines/retrofit.toml", {});
+  REQUIRE(machine);
+  CHECK_FALSE(machine->axes[2].present);
+  for (int i = 0; i < 2; ++i) {
+    const Axis& axis = machine->axes[static_cast<std::size_t>(i)];
+    REQUIRE(axis.present);
+    CHECK(axis.counts_per_rev == 2000);
+    CHECK(axis.blu == 0.0025);
+    CHECK(axis.screw_lead / axis.counts_per_rev == Approx(axis.blu).epsilon(1e-15));
+    CHECK(axis.velocity == 250.0);                            // 15 m/min
+    CHECK(axis.velocity / axis.screw_lead * 60.0 == 3000.0);  // rpm
+  }
+}
+
+}  // namespace softcnc::hal
