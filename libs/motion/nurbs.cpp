@@ -31,8 +31,12 @@ Result<Nurbs> Nurbs::make(NurbsSpec spec) {
   const auto speed = [&](const SpanPlace& place) { return nurbs.span_speed(place); };
   auto map = ArcLengthMap::measure(speed, static_cast<int>(nurbs.origins_.size()));
   if (!map)
-    return tl::unexpected(
-        Diagnostic{Code::SC3010, {}, "the NURBS is too rugged to be measured", {}, {}});
+    return tl::unexpected(Diagnostic{
+        Code::SC3010,
+        {},
+        "the NURBS cannot be computed: its weights, knots or coordinates differ too much in size",
+        {},
+        {}});
   nurbs.map_ = *std::move(map);
   nurbs.find_breaks();
   return nurbs;
@@ -123,19 +127,46 @@ AxisVector Nurbs::position(double s) const noexcept {
 }
 
 PathPoint Nurbs::at(double s, Side side) const noexcept {
-  PathPoint point = by_arc_length(evaluate<3>(moving(map_.place(s, side), side)));
+  const SpanPlace place = map_.place(s, side);
+  const auto c = evaluate<3>(place);
+  PathPoint point = c[1].norm() > standstill(place.span) ? by_arc_length(c) : past(place, side);
   point.q = position(s);
   return point;
 }
 
-/// The place itself, or where the curve stands still one a little further on `side`.
-SpanPlace Nurbs::moving(SpanPlace place, Side side) const noexcept {
-  const auto starts = map_.span_starts().subspan(static_cast<std::size_t>(place.span), 2);
-  const double slow = kStandstill * (starts[1] - starts[0]);
+double Nurbs::standstill(int span) const noexcept {
+  const auto starts = map_.span_starts().subspan(static_cast<std::size_t>(span), 2);
+  return kStandstill * (starts[1] - starts[0]);
+}
+
+/// Where the curve stands still: the tangent in the limit, curvature from a little further on.
+PathPoint Nurbs::past(const SpanPlace& place, Side side) const noexcept {
   const bool onward = place.from_first() <= 0.0 || (side == Side::after && place.from_last() > 0.0);
-  for (double step = 4.0 * kStandstill; step < 1.0 && span_speed(place) <= slow; step *= 4.0)
-    place = moved(place, onward ? step : -step);
-  return place;
+  SpanPlace moving = place;
+  for (double step = 4.0 * kStandstill; step < 1.0; step *= 4.0) {
+    moving = moved(moving, onward ? step : -step);
+    if (span_speed(moving) > standstill(place.span)) break;
+  }
+  PathPoint point = by_arc_length(evaluate<3>(moving));
+  if (place.offset == 0.0) point.dq = end_tangent(place);
+  point.ddq -= point.dq.dot(point.ddq) * point.dq;
+  return point;
+}
+
+/// The direction in which a span leaves its first point or reaches its last: towards the first
+/// Bezier point that differs from it.
+AxisVector Nurbs::end_tangent(const SpanPlace& place) const noexcept {
+  const int degree = spec_.degree;
+  const auto* b =
+      segments_.data() + static_cast<std::size_t>(place.span) * bezier_point_count(degree);
+  const auto point = [&](int i) {
+    const Homogeneous& h = b[place.end == 0 ? i : degree - i];
+    return AxisVector(h.head<3>() / h[3]);
+  };
+  AxisVector chord = AxisVector::Zero();
+  for (int i = 1; i <= degree && chord.norm() <= standstill(place.span); ++i)
+    chord = point(i) - point(0);
+  return (place.end == 0 ? 1.0 : -1.0) * chord.normalized();
 }
 
 // Breaks ------------------------------------------------------------------------------------------

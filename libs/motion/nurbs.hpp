@@ -27,7 +27,8 @@ class Nurbs {
   static Result<Nurbs> make(NurbsSpec spec);
 
   double length() const noexcept { return map_.length(); }
-  /// Where the curve stands still the derivatives are those a little further on `side`.
+  /// Where the curve stands still dq is its limit, and ddq and dddq, which may have none, are
+  /// those a little further on `side`.
   PathPoint at(double s, Side side = Side::after) const noexcept;
   AxisVector position(double s) const noexcept;
 
@@ -60,7 +61,9 @@ class Nurbs {
   template <int order>
   std::array<AxisVector, order + 1> evaluate(const SpanPlace& place) const noexcept;
   double span_speed(const SpanPlace& place) const noexcept;  // by t
-  SpanPlace moving(SpanPlace place, Side side) const noexcept;
+  double standstill(int span) const noexcept;                // speed that counts as none
+  PathPoint past(const SpanPlace& place, Side side) const noexcept;
+  AxisVector end_tangent(const SpanPlace& place) const noexcept;
   SpanPlace slowest(const ArcLengthMap::Crowd& crowd) const noexcept;
 
   NurbsSpec spec_;
