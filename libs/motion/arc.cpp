@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "motion/arc.hpp"
 
+#include <Eigen/Geometry>
+
 #include <fmt/format.h>
 
 #include <algorithm>
