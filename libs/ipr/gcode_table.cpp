@@ -29,6 +29,7 @@ enum : int {
   work_offset,
   path_control,
   distance,
+  cycle,
   motion,
   stopping,
 };
@@ -66,7 +67,8 @@ constexpr GCode kTable[] = {
      "Every block ends at rest."},
     {'G', 640, Group::path_control, order::path_control, "P", follow_path_within,
      "The path is followed exactly; P0 at most."},
-    {'G', 800, Group::motion, order::motion, "", cancel_motion, "No motion code in force."},
+    {'G', 800, Group::cycle, order::cycle, "", cancel_motion,
+     "No motion code in force, unless one stands beside it."},
     {'G', 900, Group::distance, order::distance, "", use_absolute, "Coordinates are positions."},
     {'G', 910, Group::distance, order::distance, "", use_incremental,
      "Coordinates are distances from the position."},

@@ -13,11 +13,13 @@ namespace softcnc::ipr {
 
 struct Task;
 
-/// Codes of one group exclude each other on a line. The groups of RS274, and one for each word that
-/// is a code of its own (F, S, T, N, O).
+/// Codes of one group exclude each other on a line. The groups of RS274, but that G80 may stand
+/// beside a motion code, as in FANUC's first lines; and one for each word that is a code of its
+/// own.
 enum class Group : std::uint8_t {
   non_modal,
   motion,
+  cycle,
   plane,
   distance,
   feed_mode,
@@ -36,7 +38,7 @@ enum class Group : std::uint8_t {
   line_number,
   program_number,
 };
-inline constexpr int kGroups = 19;
+inline constexpr int kGroups = 20;
 
 inline constexpr int kAnyNumber = -1;
 

@@ -67,12 +67,10 @@ void Interpreter::find_motion() {
   const Letters unused = command_.unused();
   if (unused.empty()) return;
   if (command_.uncertain().has('G')) return out_.mute();
-  if (modal_.motion != nullptr && unused.has_any(modal_.motion->words)) {
-    const Letters meant = modal_.motion->words;
-    command_.add_modal_motion(*modal_.motion, *first_of(command_.values(), meant));
-    return;
-  }
-  if (modal_.motion != nullptr || !unused.has_any(kAxisWords)) return;
+  const GCode* motion = command_.has(Group::cycle) ? nullptr : modal_.motion;
+  if (motion != nullptr && unused.has_any(motion->words))
+    return command_.add_modal_motion(*motion, *first_of(command_.values(), motion->words));
+  if (motion != nullptr || !unused.has_any(kAxisWords)) return;
   const Word& word = *first_of(command_.values(), kAxisWords);
   if (modal_.uncertain.has('G')) return out_.mute();
   out_.report(Code::SC2101, word.pos,

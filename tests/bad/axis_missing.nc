@@ -1,0 +1,5 @@
+(expect SC2008 2:8, SC2008 4:5; axes XZ)
+G00 X1 Y2
+G01 F100 Z5
+G17 G02 X3 I1
+M30

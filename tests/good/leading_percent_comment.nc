@@ -1,0 +1,6 @@
+(saved by hand)
+
+%
+G00 X1
+M30
+%

@@ -1,0 +1,7 @@
+G00 X1
+M00
+G00 X2
+M01
+G00 X3
+M00 (turn the part over)
+M02

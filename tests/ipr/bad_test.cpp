@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// tests/bad: every way to be wrong has a file, whose first line says what is to be reported and
+// where.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "ipr/interpret.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+std::vector<std::filesystem::path> files() {
+  std::vector<std::filesystem::path> all;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(SOFTCNC_SOURCE_DIR) + "/tests/bad"))
+    if (entry.path().extension() == ".nc") all.push_back(entry.path());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// What is between "(expect" and ")" on the first line; in UTF-16 too.
+std::string expectation(const std::string& bytes) {
+  std::string line;
+  for (const char c : bytes.substr(0, bytes.find(')')))
+    if (c > 0) line += c;
+  const std::string key = "(expect ";
+  REQUIRE(line.find(key) != std::string::npos);
+  return line.substr(line.find(key) + key.size());
+}
+
+Places expected_places(const std::string& expectation) {
+  std::istringstream list(expectation.substr(0, expectation.find(';')));
+  Places all;
+  for (std::string place; std::getline(list, place, ',');)
+    all.push_back(place.substr(place.find_first_not_of(' ')));
+  return all;
+}
+
+/// "; axes XZ": the machine has these only.
+Machine machine_for(const std::string& expectation) {
+  Machine machine;
+  const std::string key = "; axes ";
+  const std::size_t found = expectation.find(key);
+  if (found == std::string::npos) return machine;
+  for (std::size_t i = 0; i < kAxes; ++i)
+    machine.axes[i].present =
+        expectation.find(kAxisLetters[i], found + key.size()) != std::string::npos;
+  return machine;
+}
+
+struct Told {
+  Places places;
+  std::multimap<Code, std::string> texts;
+};
+
+Told told_by(const std::filesystem::path& file) {
+  const std::string bytes = bytes_of(file);
+  const Interpreted result = interpret(bytes, machine_for(expectation(bytes)));
+  Told told{places(result), {}};
+  for (const Diagnostic& diagnostic : result.diagnostics)
+    told.texts.emplace(diagnostic.code, diagnostic.message);
+  return told;
+}
+
+/// For every code one of the texts it is told by.
+const std::multimap<Code, std::string> kTexts{
+    {Code::SC1001, "unknown character '$'"},
+    {Code::SC1001, "unknown character '\u00d7' (U+00D7)"},
+    {Code::SC1001, "unknown character byte 0x07"},
+    {Code::SC1002, "no number after X"},
+    {Code::SC1002, "no number after X, only '-'"},
+    {Code::SC1003, "a sign inside the number '--1'"},
+    {Code::SC1004, "two decimal points in '1.2.3'"},
+    {Code::SC1005, "'1234567890' has more than 9 digits before the decimal point"},
+    {Code::SC1006, "'X1E5' has an exponent; write the number out"},
+    {Code::SC1007, "the number '5' has no letter before it"},
+    {Code::SC1008, "'#' is not understood: softcnc has no variables and no expressions"},
+    {Code::SC1008, "'WHILE' is not understood: softcnc has no variables and no subprograms"},
+    {Code::SC1009, "the comment has no ')'"},
+    {Code::SC1010, "a comment inside a comment"},
+    {Code::SC1011, "'/' (block skip) within a line; it stands at its beginning"},
+    {Code::SC1012, "'%' within a line; it stands on a line of its own"},
+    {Code::SC1012, "'%' with more behind it; it stands on a line of its own"},
+    {Code::SC1013, "the file is in UTF-16; save it as UTF-8 or ASCII"},
+    {Code::SC1014, "a byte 0; the file is damaged or no text"},
+    {Code::SC1015, "the line is longer than 16384 bytes"},
+    {Code::SC2001, "G41 is not supported"},
+    {Code::SC2001, "G05.1 is not supported"},
+    {Code::SC2002, "G01 beside another code of the same group"},
+    {Code::SC2003, "X is given twice"},
+    {Code::SC2003, "F is given twice"},
+    {Code::SC2004, "Q is used by no code of this line"},
+    {Code::SC2005, "G04 needs P, the time in seconds"},
+    {Code::SC2006, "O stands alone on its line"},
+    {Code::SC2007, "F must not be negative"},
+    {Code::SC2007, "T takes a whole number from 0"},
+    {Code::SC2007, "S must not be negative"},
+    {Code::SC2007, "P, the time of G04, must not be negative"},
+    {Code::SC2007, "G64 with a tolerance is not supported; without P the path is followed exactly"},
+    {Code::SC2008, "the machine has no axis Y"},
+    {Code::SC2008, "G02 needs axis Y, which the machine lacks"},
+    {Code::SC2101, "X with no motion code in force"},
+    {Code::SC2102, "G01 needs a feed, and F is not set"},
+    {Code::SC2103,
+     "G02 ends 0.298 mm off its circle (radius 20.3 mm at the start, 20.002 mm at the end)"},
+    {Code::SC2104, "G02 has no radius: its centre is its start"},
+    {Code::SC2105, "K lies across the plane of the arc"},
+    {Code::SC2106, "G02 takes R or a centre, not both"},
+    {Code::SC2107, "G03 needs a centre or R"},
+    {Code::SC2108, "G02 ends where it starts; R cannot tell its centre"},
+    {Code::SC2109, "a radius of 4.99 mm does not reach an end 10 mm away"},
+    {Code::SC2201, "F is above the machine's 15000 mm/min, which are used here and below"},
+    {Code::SC2202, "the spindle turns at 0 to 24000 rpm; S is held within, here and below"},
+    {Code::SC2203, "M03 without S: the spindle does not turn"},
+    {Code::SC2204, "M06 without a tool: T is not set"},
+    {Code::SC2205, "the program ends without M02 or M30"},
+    {Code::SC3001, "P, the order of the curve, is a whole number from 2 to 10"},
+    {Code::SC3002, "the curve ends after 3 control points; its order asks for 4"},
+    {Code::SC3004, "knot 1 after 2; knots must not decrease"},
+    {Code::SC3005, "the first 3 knots must be equal"},
+    {Code::SC3005, "the last 3 knots must be equal"},
+    {Code::SC3006, "knot 1 stands 3 times in a row; at most 2 can be here"},
+    {Code::SC3007, "R, the weight of a control point, must be above 0"},
+    {Code::SC3009, "all control points of the NURBS are the same"},
+    {Code::SC3102, "a block of a curve needs its knot, K"},
+    {Code::SC3103, "Y is missing in the first block of the curve"},
+    {Code::SC3104, "G01 too early: the curve has 2 of its 3 closing knots"},
+    {Code::SC3104, "a control point after 1 of 3 closing knots"},
+    {Code::SC3104, "the program ends, and the curve has 1 of its 3 closing knots"},
+    {Code::SC3105, "G01 within a curve of G06.2"},
+    {Code::SC3109, "the curve begins 0.01 mm off the position"},
+    {Code::SC3110, "P belongs to the first block of the curve"},
+    {Code::SC3110, "F belongs to the first block of the curve"},
+    {Code::SC3111, "a closing knot takes K alone"},
+};
+
+/// Codes of the interpreter's own: characters and words, modes and motion, blocks of a NURBS.
+bool is_own(Code code) {
+  const int number = static_cast<int>(code);
+  return number < 3000 || (number >= 3100 && number < 3200);
+}
+
+}  // namespace
+
+TEST_CASE("a bad program is told what is wrong with it, where, and nothing else", "[ipr][bad]") {
+  for (const auto& file : files()) {
+    INFO(file.filename().string());
+    CHECK(told_by(file).places == expected_places(expectation(bytes_of(file))));
+  }
+}
+
+TEST_CASE("every code of the interpreter has a bad program", "[ipr][bad]") {
+  std::set<Code> told;
+  for (const auto& file : files())
+    for (const auto& [code, text] : told_by(file).texts) told.insert(code);
+  for (const CodeInfo& row : code_table()) {
+    INFO("SC" << static_cast<int>(row.code));
+    CHECK((!is_own(row.code) || told.count(row.code) == 1));
+  }
+}
+
+TEST_CASE("every code that bad programs are told has its text", "[ipr][bad]") {
+  std::multimap<Code, std::string> told;
+  for (const auto& file : files()) told.merge(told_by(file).texts);
+  for (const auto& [code, text] : told) {
+    INFO("SC" << static_cast<int>(code) << " " << text);
+    CHECK(kTexts.count(code) > 0);
+  }
+  for (const auto& [code, text] : kTexts) {
+    const auto [first, last] = told.equal_range(code);
+    const bool found =
+        std::any_of(first, last, [&](const auto& one) { return one.second == text; });
+    INFO("SC" << static_cast<int>(code) << " " << text);
+    CHECK(found);
+  }
+}
+
+}  // namespace softcnc::ipr

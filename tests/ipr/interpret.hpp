@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Runs a part program given as text through reader, parser and interpreter.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ipr/interpreter.hpp"
+
+namespace softcnc::ipr {
+
+struct Interpreted {
+  std::vector<Block> blocks;
+  std::vector<Diagnostic> diagnostics;
+};
+
+inline Interpreted interpret(Reader reader, const Machine& machine = {},
+                             InterpreterOptions options = {}) {
+  Diagnostics diagnostics;
+  Parser parser(reader, diagnostics);
+  Interpreter interpreter(parser, machine, diagnostics, options);
+  Interpreted result;
+  while (auto block = interpreter.next()) result.blocks.push_back(std::move(*block));
+  result.diagnostics.assign(diagnostics.all().begin(), diagnostics.all().end());
+  return result;
+}
+
+inline Interpreted interpret(std::string text, const Machine& machine = {},
+                             InterpreterOptions options = {}) {
+  return interpret(Reader::from_text(std::move(text)), machine, options);
+}
+
+/// The blocks of a program that has to be without any fault.
+inline std::vector<Block> blocks_of(std::string text, const Machine& machine = {},
+                                    InterpreterOptions options = {}) {
+  Interpreted result = interpret(std::move(text), machine, options);
+  for (const Diagnostic& diagnostic : result.diagnostics) FAIL(render(diagnostic));
+  return std::move(result.blocks);
+}
+
+/// Only the moves among them.
+inline std::vector<Move> moves_of(std::string text, const Machine& machine = {}) {
+  std::vector<Move> moves;
+  for (Block& block : blocks_of(std::move(text), machine))
+    if (auto* move = std::get_if<Move>(&block.what)) moves.push_back(std::move(*move));
+  return moves;
+}
+
+/// "SC2103 4:9", in the order in which it was reported.
+inline std::vector<std::string> places(const Interpreted& result) {
+  std::vector<std::string> all;
+  for (const Diagnostic& d : result.diagnostics)
+    all.push_back("SC" + std::to_string(static_cast<int>(d.code)) + " " +
+                  std::to_string(d.pos.line) + ":" + std::to_string(d.pos.column));
+  return all;
+}
+
+using Places = std::vector<std::string>;
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Tokens and their places.
+#include "ipr/lexer.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+namespace softcnc::ipr {
+namespace {
+
+using Kind = Token::Kind;
+
+std::vector<Token> tokens_of(std::string_view line) {
+  Lexer lexer(line);
+  std::vector<Token> tokens;
+  for (Token token = lexer.next(); token.kind != Kind::end; token = lexer.next())
+    tokens.push_back(token);
+  return tokens;
+}
+
+Kind only_kind(std::string_view line) {
+  const auto tokens = tokens_of(line);
+  REQUIRE(tokens.size() == 1);
+  return tokens.front().kind;
+}
+
+}  // namespace
+
+TEST_CASE("a line is cut into letters and numbers with their columns", "[ipr][lexer]") {
+  const auto tokens = tokens_of("N40 g02 X-6.5");
+  REQUIRE(tokens.size() == 6);
+  CHECK(tokens[0].letter == 'N');
+  CHECK(tokens[0].column == 1);
+  CHECK(tokens[2].letter == 'G');
+  CHECK(tokens[2].column == 5);
+  CHECK(tokens[3].value == 2.0);
+  CHECK(tokens[5].kind == Kind::number);
+  CHECK(tokens[5].value == -6.5);
+  CHECK(tokens[5].column == 10);
+  CHECK(tokens[5].end_column() == 14);
+}
+
+TEST_CASE("comments and blanks are no tokens", "[ipr][lexer]") {
+  CHECK(tokens_of("").empty());
+  CHECK(tokens_of(" \t ").empty());
+  CHECK(tokens_of("(X1 \xFF $ [)").empty());
+  CHECK(tokens_of("; G00 ( X1").empty());
+  CHECK(tokens_of("()G(a)0(b);c").size() == 2);
+}
+
+TEST_CASE("a comment ends a number", "[ipr][lexer]") {
+  const auto tokens = tokens_of("X1(c)2");
+  REQUIRE(tokens.size() == 3);
+  CHECK(tokens[1].value == 1.0);
+  CHECK(tokens[2].value == 2.0);
+}
+
+TEST_CASE("a '(' inside a comment is part of it, unless a second ')' follows", "[ipr][lexer]") {
+  CHECK(tokens_of("(a ( b)").empty());
+  CHECK(tokens_of("(a ( b) (c)").empty());
+  CHECK(tokens_of("(a ( b) ; )").empty());
+  const auto tokens = tokens_of("(a (b) c) X1");
+  REQUIRE_FALSE(tokens.empty());
+  CHECK(tokens[0].kind == Kind::nested_comment);
+  CHECK(tokens[0].column == 4);
+  CHECK(tokens[0].length == 3);
+}
+
+TEST_CASE("marks and strangers are told apart", "[ipr][lexer]") {
+  CHECK(only_kind("/") == Kind::slash);
+  CHECK(only_kind("%") == Kind::percent);
+  CHECK(only_kind("#") == Kind::macro);
+  CHECK(only_kind("[") == Kind::macro);
+  CHECK(only_kind(")") == Kind::unknown);
+  CHECK(only_kind(std::string_view("\0", 1)) == Kind::nul);
+  CHECK(only_kind("(open") == Kind::open_comment);
+}
+
+TEST_CASE("an unknown character is one token, however many bytes it has", "[ipr][lexer]") {
+  CHECK(tokens_of("\u00e9")[0].length == 2);
+  CHECK(tokens_of("\u65e5")[0].length == 3);
+  CHECK(tokens_of("\U0001F600")[0].length == 4);
+  CHECK(tokens_of("\xE9").front().length == 1);
+  CHECK(tokens_of("\xE9\x80").size() == 2);
+  CHECK(tokens_of("\xFF\x80\x80\x80\x80").size() == 5);
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Decimal numbers: value, length, faults.
+#include "ipr/number.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+namespace softcnc::ipr {
+
+TEST_CASE("a number is read in every way it is written", "[ipr][number]") {
+  CHECK(read_number("10").value == 10.0);
+  CHECK(read_number("10.").value == 10.0);
+  CHECK(read_number(".5").value == 0.5);
+  CHECK(read_number("-.5").value == -0.5);
+  CHECK(read_number("+007.250").value == 7.25);
+  CHECK(read_number("0.1").value == 0.1);
+  CHECK(read_number("999999999.999").value == 999999999.999);
+}
+
+TEST_CASE("blanks inside a number do not count, those behind it are not part of it",
+          "[ipr][number]") {
+  const Number number = read_number("- 1 0 .\t5  Y3");
+  CHECK(number.value == -10.5);
+  CHECK(number.length == 9);
+}
+
+TEST_CASE("a number ends where something else begins", "[ipr][number]") {
+  const Number number = read_number("12.5Y3");
+  CHECK(number.value == 12.5);
+  CHECK(number.length == 4);
+}
+
+TEST_CASE("every fault of a number has its name", "[ipr][number]") {
+  CHECK(read_number("-").fault == NumberFault::no_digits);
+  CHECK(read_number(".").fault == NumberFault::no_digits);
+  CHECK(read_number("--1").fault == NumberFault::sign_inside);
+  CHECK(read_number("1-2").fault == NumberFault::sign_inside);
+  CHECK(read_number("1.2.3").fault == NumberFault::two_points);
+  CHECK(read_number("..").fault == NumberFault::two_points);
+  CHECK(read_number("1234567890").fault == NumberFault::too_large);
+  CHECK(read_number("0000000000001").fault == NumberFault::none);
+}
+
+TEST_CASE("a number with a fault is passed over whole", "[ipr][number]") {
+  CHECK(read_number("1.2.3Y").length == 5);
+  CHECK(read_number("--1 X").length == 3);
+}
+
+TEST_CASE("numbers agree with strtod to the last bit", "[ipr][number]") {
+  std::mt19937_64 random(20240611);
+  const auto digits = [&](int most) {
+    std::string text;
+    const auto count = static_cast<int>(random() % static_cast<unsigned>(most)) + 1;
+    for (int i = 0; i < count; ++i) text += static_cast<char>('0' + random() % 10);
+    return text;
+  };
+  for (int i = 0; i < 200000; ++i) {
+    const std::string sign = random() % 2 == 0 ? "-" : "";
+    const std::string text = sign + digits(9) + "." + digits(i % 10 == 0 ? 40 : 10);
+    REQUIRE(read_number(text).fault == NumberFault::none);
+    REQUIRE(read_number(text).value == std::strtod(text.c_str(), nullptr));
+  }
+}
+
+TEST_CASE("a number too small for a double is zero", "[ipr][number]") {
+  const std::string text = "0." + std::string(400, '0') + "1";
+  CHECK(read_number(text).value == 0.0);
+  CHECK(read_number(text).fault == NumberFault::none);
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Lines of texts, files and descriptors.
+#include "ipr/reader.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+namespace softcnc::ipr {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+Lines lines_of(Reader reader) {
+  Lines lines;
+  while (const auto line = reader.next()) {
+    lines.emplace_back(*line);
+    REQUIRE(reader.line() == static_cast<int>(lines.size()));
+  }
+  return lines;
+}
+
+/// The text through a pipe, in pieces of the size given.
+Lines lines_through_pipe(const std::string& text, std::size_t piece) {
+  std::array<int, 2> ends{};
+  REQUIRE(::pipe(ends.data()) == 0);
+  const pid_t writer = ::fork();
+  if (writer == 0) {
+    for (std::size_t at = 0; at < text.size(); at += piece) {
+      const std::size_t size = std::min(piece, text.size() - at);
+      if (::write(ends[1], text.data() + at, size) < 0) ::_exit(1);
+    }
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  const Lines lines = lines_of(Reader(ends[0]));
+  ::close(ends[0]);
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("lines end with LF, CRLF or a lone CR", "[ipr][reader]") {
+  CHECK(lines_of(Reader::from_text("a\nb\n")) == Lines{"a", "b"});
+  CHECK(lines_of(Reader::from_text("a\r\nb\r\n")) == Lines{"a", "b"});
+  CHECK(lines_of(Reader::from_text("a\rb\r")) == Lines{"a", "b"});
+  CHECK(lines_of(Reader::from_text("a\n\nb\r\rc\r\n\r\nd")) ==
+        Lines{"a", "", "b", "", "c", "", "d"});
+}
+
+TEST_CASE("the last line may lack its end, and an empty text has no line", "[ipr][reader]") {
+  CHECK(lines_of(Reader::from_text("a\nb")) == Lines{"a", "b"});
+  CHECK(lines_of(Reader::from_text("")).empty());
+  CHECK(lines_of(Reader::from_text("\n")) == Lines{""});
+}
+
+TEST_CASE("a byte order mark is left out, on the first line only", "[ipr][reader]") {
+  CHECK(lines_of(Reader::from_text("\xEF\xBB\xBFG0\n\xEF\xBB\xBFG1")) ==
+        Lines{"G0", "\xEF\xBB\xBFG1"});
+}
+
+TEST_CASE("pieces of a text do not show in its lines", "[ipr][reader]") {
+  const std::string text = "one\r\ntwo\rthree\n\r\nfive\r";
+  const Lines expected{"one", "two", "three", "", "five"};
+  for (const std::size_t piece : {1U, 2U, 3U, 5U, 100U})
+    CHECK(lines_through_pipe(text, piece) == expected);
+}
+
+TEST_CASE("a text longer than the buffer comes out whole", "[ipr][reader]") {
+  std::string text;
+  Lines expected;
+  for (int i = 0; i < 30000; ++i) {
+    expected.push_back("G01 X" + std::to_string(i) +
+                       std::string(static_cast<unsigned>(i % 37), ' '));
+    text += expected.back() + (i % 3 == 0 ? "\r\n" : "\n");
+  }
+  CHECK(lines_through_pipe(text, 60000) == expected);
+  CHECK(lines_of(Reader::from_text(text)) == expected);
+}
+
+TEST_CASE("a line without end is cut, and the next one is read", "[ipr][reader]") {
+  const std::string text = "a\n" + std::string(300000, 'x') + "\nb\n";
+  CHECK(lines_through_pipe(text, 50000) == Lines{"a", std::string(Reader::kLongestLine, 'x'), "b"});
+  Reader reader = Reader::from_text(text);
+  reader.next();
+  CHECK_FALSE(reader.line_was_cut());
+  reader.next();
+  CHECK(reader.line_was_cut());
+  reader.next();
+  CHECK_FALSE(reader.line_was_cut());
+}
+
+TEST_CASE("a file is read by its name", "[ipr][reader]") {
+  const auto file = std::filesystem::path(SOFTCNC_SOURCE_DIR) / "tests/good/only_end.nc";
+  auto reader = Reader::open(file.string());
+  REQUIRE(reader);
+  CHECK(lines_of(std::move(*reader)) == Lines{"M30"});
+}
+
+TEST_CASE("a file that is not there is SC6001, with the reason", "[ipr][reader]") {
+  const auto reader = Reader::open("no/such/file.nc");
+  REQUIRE_FALSE(reader);
+  CHECK(reader.error().code == Code::SC6001);
+  CHECK(reader.error().pos.line == 0);
+  CHECK(reader.error().message == "cannot read 'no/such/file.nc': No such file or directory");
+}
+
+TEST_CASE("a folder is no part program: SC6001", "[ipr][reader]") {
+  const auto reader = Reader::open(SOFTCNC_SOURCE_DIR);
+  REQUIRE_FALSE(reader);
+  CHECK(reader.error().code == Code::SC6001);
+  CHECK(reader.error().message ==
+        "cannot read '" + std::string(SOFTCNC_SOURCE_DIR) + "': Is a directory");
+}
+
+TEST_CASE("reading that fails is SC6002, and ends the text", "[ipr][reader]") {
+  const int folder = ::open(SOFTCNC_SOURCE_DIR, O_RDONLY);
+  REQUIRE(folder >= 0);
+  Reader reader(folder);
+  CHECK_FALSE(reader.next());
+  REQUIRE(reader.failure());
+  CHECK(reader.failure()->code == Code::SC6002);
+  CHECK(reader.failure()->pos.line == 0);
+  CHECK(reader.failure()->message == "cannot read on: Is a directory");
+  ::close(folder);
+}
+
+TEST_CASE("a reader keeps its place when it is moved", "[ipr][reader]") {
+  Reader first = Reader::from_text("a\nb\nc\n");
+  first.next();
+  Reader second = std::move(first);
+  CHECK(second.next() == "b");
+  CHECK(second.line() == 2);
+  first = std::move(second);
+  CHECK(first.next() == "c");
+}
+
+}  // namespace softcnc::ipr
