@@ -1,0 +1,15 @@
+(SPDX-License-Identifier: MIT)
+(01  A LINE)
+(A part program is read from top to bottom, one block a line. Text in round)
+(brackets is for people. This one draws a single straight line.)
+(When the program starts, the tool stands at X0 Y0 Z0, lengths are millimetres,)
+(coordinates are positions and not distances: G21 and G90 are in force.)
+
+(G01: straight to the point named, at the feed F in mm per minute along the path.)
+(30 and 40 make a path of 50 mm; 3000 mm/min are 50 mm/s. With 1000 mm/s2 an axis)
+(the machine needs 40 ms to reach that speed and 40 ms to brake: on the way from)
+(rest to rest the trace shows acceleration, feed, acceleration.)
+G01 X30 Y40 F3000
+
+(M30: the end. Without it softcnc ends all the same, and says so in a note.)
+M30

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=bash disable=SC2034
+# What the scripts share: saying what they do, installing what is missing, building a preset.
+# Read by bash scripts, which set -euo pipefail before.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+# Debian 12 packages: what softcnc is built from, and what its tests need beyond that.
+build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev libspdlog-dev libfmt-dev
+                libtomlplusplus-dev nlohmann-json3-dev libexpected-dev libzstd-dev libzip-dev
+                libxxhash-dev)
+test_packages=(catch2 clang libclang-rt-14-dev librapidcheck-dev libbenchmark-dev python3
+               python3-numpy python3-scipy)
+tidy_packages=(clang clang-tidy clang-format)
+
+say() { printf 'softcnc: %s\n' "$*" >&2; }
+
+# missing PACKAGE...: those that are not installed, one a line.
+missing() {
+  local installed
+  installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "$@" 2>/dev/null |
+              sed -n 's/ installed$//p' || true)
+  comm -23 <(printf '%s\n' "$@" | sort -u) <(sort -u <<<"$installed")
+}
+
+# as_root COMMAND...: never asks for a password where nobody can type one.
+as_root() {
+  if ((EUID == 0)); then "$@"
+  elif [[ -t 0 ]]; then sudo -- "$@"
+  else sudo -n -- "$@"; fi
+}
+
+apt_install() {
+  as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install --yes --quiet --no-install-recommends "$@"
+}
+
+# need PACKAGE...: installs what is missing; exit 2 and the line to type where that is not allowed.
+need() {
+  local wanted log="$root/build/install.log"
+  mapfile -t wanted < <(missing "$@")
+  ((${#wanted[@]})) || return 0
+  local line="apt-get install ${wanted[*]}"
+  if ((EUID != 0)) && ! as_root true 2>/dev/null; then
+    say "these packages are missing, and only root can install them:"
+    printf '  sudo %s\n' "$line" >&2
+    exit 2
+  fi
+  mkdir -p "$root/build"
+  say "installing ${wanted[*]}"
+  apt_install "${wanted[@]}" >"$log" 2>&1 && return 0
+  say "updating the list of packages, then installing again"
+  { as_root apt-get update --quiet && apt_install "${wanted[@]}"; } >>"$log" 2>&1 && return 0
+  tail -n 15 "$log" >&2
+  say "installing failed; all that was said stands in $log"
+  exit 2
+}
+
+# configure PRESET [CMAKE OPTION...]
+configure() {
+  local log="$root/build/$1.log"
+  mkdir -p "$root/build"
+  say "configuring preset $1 in build/$1"
+  local cached=()
+  command -v ccache >/dev/null && cached=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  (cd "$root" && cmake --preset "$@" "${cached[@]}") >"$log" 2>&1 && return 0
+  tail -n 25 "$log" >&2
+  say "configuring failed; all that was said stands in $log"
+  return 1
+}
+
+# build PRESET TARGET...: a line that counts on a terminal, nothing but errors elsewhere.
+build() {
+  local preset=$1 quiet=(--quiet)
+  shift
+  say "building $* in build/$preset"
+  [[ -t 2 ]] && quiet=()
+  ninja -C "$root/build/$preset" -j"$(nproc)" "${quiet[@]}" "$@" >&2
+}
+
+# sidecar PART: the machine file beside a part program, PART with the suffix .toml, where it stands.
+sidecar() {
+  local base=$1
+  [[ $base =~ \.[^./]+$ ]] && base=${base%.*}
+  if [[ -f $base.toml ]]; then printf '%s\n' "$base.toml"; fi
+}
