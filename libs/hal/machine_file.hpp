@@ -14,8 +14,9 @@ namespace softcnc::hal {
 
 /// The machine of a TOML file with `settings` ("KEY=VALUE": a TOML value, else a string) on top.
 /// An empty name means the built-in machine. A file that names any [axis.*] has exactly those axes;
-/// a key that is absent keeps its default. Errors: the SC70xx codes; the first of the file, with
-/// line and column, or of the settings, in a file called "--set".
+/// a key that is absent keeps its default, but the limit along the path, which then is none.
+/// Errors: the SC70xx codes; the first of the file, with line and column, or of the settings, in a
+/// file called "--set".
 Result<Machine> load_machine(const std::string& file, std::span<const std::string> settings);
 
 /// The same for a text that is already in memory; `name` stands for the file in diagnostics.

@@ -71,7 +71,7 @@ const MachineKey kKeys[] = {
     {"control.backend", "", "what moves: nothing, or the simulated mill",
      control_choice<&Control::backend>(kBackendNames)},
 
-    {"limits.feed_mm_min", "mm/min", "caps the speed of cutting moves along the path; 0: only the axes limit",
+    {"limits.feed_mm_min", "mm/min", "caps the speed of cutting moves along the path; 0, or absent beside axes of your own: only the axes limit",
      Number{in_part<&Machine::limits, &PathLimits::feed>, mm_s_from_mm_min, mm_min_from_mm_s, at_least_0(1e7)}},
 
     {"axis.*.velocity_mm_min", "mm/min", "largest speed of the axis",

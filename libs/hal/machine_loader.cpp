@@ -64,7 +64,7 @@ void MachineLoader::read(std::string_view text, const std::string& name) {
     return fail(code, {name, pos, text_line(text, pos.line)}, message);
   }
   for (const TomlEntry& entry : *entries) take(entry, text, name);
-  keep_named_axes(*entries);
+  if (std::any_of(entries->begin(), entries->end(), names_axis)) keep_named_axes(*entries);
   std::stable_sort(errors_.begin(), errors_.end(), earlier);
 }
 
@@ -86,8 +86,9 @@ void MachineLoader::take(const KeyRef& ref, const FileValue& value, Place place)
   loaded_.given.insert_or_assign(path_of(ref), std::move(place));
 }
 
+/// Axes that are not those of the built-in mill do not take its limit along the path either.
 void MachineLoader::keep_named_axes(const std::vector<TomlEntry>& entries) {
-  if (std::none_of(entries.begin(), entries.end(), names_axis)) return;
+  if (!loaded_.given.contains("limits.feed_mm_min")) loaded_.machine.limits.feed = 0;
   for (Axis& axis : loaded_.machine.axes) axis.present = false;
   for (const TomlEntry& entry : entries)
     if (names_axis(entry))
@@ -127,7 +128,8 @@ void MachineLoader::derive_servo_period() {
   if (loaded_.given.contains("control.servo_period_ms")) return;
   Control& control = loaded_.machine.control;
   const double period_ms = ms_from_s(control.period);
-  control.servo_period = s_from_ms(period_ms / std::ceil(period_ms - kRoundOff));
+  const double parts = std::ceil(period_ms - kRoundOff);
+  control.servo_period = parts > 1 ? s_from_ms(period_ms / parts) : control.period;
 }
 
 void MachineLoader::check_periods() {

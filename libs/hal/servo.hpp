@@ -48,21 +48,33 @@ class ServoAxis {
 
  private:
   enum State { armature_current, speed, measured_speed, integral, kStates };
+  static constexpr int kAngle = kStates;        // the angle turned, an output only
+  static constexpr int kOutputs = kStates + 2;  // padded to whole pairs, for the vector units
   static constexpr int kInputs = 2;  // velocity command or motor voltage; friction torque
-  static constexpr int kOutputs = kStates + 1;  // and the angle turned
-  using StateVector = std::array<double, kStates>;
+
   /// Column by column: what each state and input adds to the outputs over one substep.
   using Transition = std::array<std::array<double, kOutputs>, kStates + kInputs>;
 
-  /// The four linear systems of an axis.
-  struct Mode {
-    bool clamped, stuck;
+  /// What the amplifier does: as the linear equations say, or at a limit.
+  struct Amplifier {
+    bool clamped;
+    double input;  // velocity command (rad/s), or the voltage at the limit (V)
   };
-  Transition transition(const Axis& axis, const Mode& mode) const;
+  struct Friction {
+    bool stuck;
+    double torque;  // Nm, with its sign
+  };
 
-  void read_counter(std::int64_t command_counts) noexcept;
-  void step() noexcept;
+  static std::size_t mode(bool clamped, bool stuck) noexcept {
+    return (clamped ? 2U : 0U) + (stuck ? 1U : 0U);
+  }
+  Transition transition(bool clamped, bool stuck) const;
+
   std::int64_t encoder_counts() const noexcept;
+  void read_counter(std::int64_t command_counts) noexcept;
+  Amplifier amplifier() const noexcept;
+  Friction friction() const noexcept;
+  void step() noexcept;
 
   Drive drive_;
   Motor motor_;
@@ -73,7 +85,7 @@ class ServoAxis {
   double substep_;  // s
   std::array<Transition, 4> transitions_;
 
-  StateVector state_{};
+  std::array<double, kStates> state_{};
   double angle_ = 0;  // rad
   std::int64_t commanded_ = 0, counter_ = 0;
   Alarm alarm_ = Alarm::none;

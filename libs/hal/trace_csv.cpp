@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hal/number.hpp"
+#include "motion/units.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -19,10 +20,16 @@ namespace {
 constexpr std::size_t kBuffer = 1U << 16U;
 constexpr std::size_t kOwnColumns = 7;  // t_s to limit
 
+/// The period in ms as a person would write it, unless that is another double.
+std::string period_text(double period) {
+  const double rounded = std::round(period * 1e12) / 1e9;
+  return number_text(s_from_ms(rounded) == period ? rounded : ms_from_s(period));
+}
+
 std::string comment(const TraceHeader& header) {
   return "# schema: softcnc-trace " + std::to_string(kTraceSchema) +
-         "\n# period_ms: " + number_text(header.period * 1000.0) +
-         "\n# program: " + header.program_hash + "\n# machine: " + header.machine_hash + "\n";
+         "\n# period_ms: " + period_text(header.period) + "\n# program: " + header.program_hash +
+         "\n# machine: " + header.machine_hash + "\n";
 }
 
 class CsvTrace final : public TraceWriter {

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "hal/machine_file.hpp"
 #include "motion/counts.hpp"
 
 namespace softcnc::hal {
@@ -93,6 +94,24 @@ TEST_CASE("the default mill runs at its limits without an alarm", "[hal][sim]") 
   CHECK(backend->following_error_max()[0] == largest_error);
   CHECK(largest_error == Approx(250.0 / 30.0).epsilon(0.01));
   CHECK(largest_current < 8.0);  // rated current of the motor: it can do so all day
+}
+
+TEST_CASE("the machines by name run at their limits without an alarm", "[hal][sim]") {
+  const std::string name = GENERATE("retrofit", "paper_004", "bench_mill");
+  INFO(name);
+  const auto machine =
+      load_machine(std::string(SOFTCNC_SOURCE_DIR) + "/programs/machines/" + name + ".toml", {});
+  REQUIRE(machine);
+  const auto mill = opened(*machine);
+  const Axis& axis = machine->axes[0];
+  const double way = std::min(200.0, axis.max - axis.min);
+  for (int i = 0; i * machine->control.period < 3.0; ++i) {
+    const double x = planned(axis, way, i * machine->control.period);
+    REQUIRE(mill->exchange(at(x, x)).alarm == Alarm::none);
+  }
+  const Counts counts(axis.blu);
+  CHECK(counts(mill->settle()[0]) == counts(way));
+  CHECK(mill->following_error_max()[0] == Approx(axis.velocity / axis.drive.kv).epsilon(0.02));
 }
 
 TEST_CASE("the mill settles on the commanded counts and is left as it was", "[hal][sim]") {

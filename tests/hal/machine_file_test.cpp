@@ -190,6 +190,14 @@ TEST_CASE("a file that names an axis has exactly the axes it names", "[hal][mach
   CHECK(axes("axis.y.blu_um = 1.0") == "Y");
 }
 
+TEST_CASE("axes of one's own come without a limit along the path", "[hal][machine]") {
+  CHECK(parsed("").limits.feed == 250);
+  CHECK(parsed("[control]\nperiod_ms = 2").limits.feed == 250);
+  CHECK(parsed("[axis.x]").limits.feed == 0);
+  CHECK(parsed("[axis.x]\n[limits]\nfeed_mm_min = 60").limits.feed == 1);
+  CHECK(parsed("[axis.x]", {"limits.feed_mm_min=120"}).limits.feed == 2);
+}
+
 TEST_CASE("settings stand above the file", "[hal][machine]") {
   const Machine m = parsed("[axis.x]\nacceleration_mm_s2 = 300\nvelocity_mm_min = 60",
                            {"axis.x.acceleration_mm_s2=500", " control.period_ms = 2.0 ",
@@ -209,6 +217,7 @@ TEST_CASE("the servo period follows the period unless it is given", "[hal][machi
   CHECK(servo(1.0) == 0.001);
   CHECK(servo(8.0) == 0.001);
   CHECK(servo(0.25) == 0.00025);
+  CHECK(servo(0.7) == 0.0007);
   CHECK(servo(1.5) == 0.00075);
 }
 

@@ -118,6 +118,18 @@ TEST_CASE("instants are the nearest doubles to their decimals", "[hal][trace]") 
   CHECK(TraceTime(1.0 / 3.0)(6) == 2.0);
 }
 
+TEST_CASE("the period stands in the comments as a person would write it", "[hal][trace]") {
+  const test::Folder folder;
+  for (const char* period_ms : {"1", "8", "0.7", "0.25", "0.1", "1.1"}) {
+    const TraceHeader header{std::stod(period_ms) / 1000.0, "", ""};
+    auto trace = TraceWriter::open(folder / "t.csv", header, Machine{}, {});
+    REQUIRE(trace);
+    REQUIRE((*trace)->finish());
+    CHECK(test::read(folder / "t.csv").find("\n# period_ms: " + std::string(period_ms) + "\n") !=
+          std::string::npos);
+  }
+}
+
 TEST_CASE("numbers read back bit for bit", "[hal][trace][property]") {
   rc::check("any finite number", [](std::uint64_t bits) {
     const auto value = std::bit_cast<double>(bits);
