@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Dwell, tool, spindle, coolant, stops.
+#include <catch2/catch.hpp>
+
+#include "ipr/interpret.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+std::vector<Action> actions_of(const std::string& program, InterpreterOptions options = {}) {
+  std::vector<Action> actions;
+  for (const Block& block : blocks_of(program, {}, options))
+    if (const auto* action = std::get_if<Action>(&block.what)) actions.push_back(*action);
+  return actions;
+}
+
+void check(const Action& action, Action::Kind kind, int code, double value) {
+  CHECK(action.kind == kind);
+  CHECK(action.code == code);
+  CHECK(action.value == value);
+}
+
+}  // namespace
+
+TEST_CASE("G04 waits P seconds, and P0 is no block", "[ipr][actions]") {
+  const auto blocks = blocks_of("G04 P1.5\nG04 P0\nM30\n");
+  REQUIRE(blocks.size() == 2);
+  CHECK(std::get<Dwell>(blocks[0].what).duration == 1.5);
+}
+
+TEST_CASE("the spindle has its speed and its sense", "[ipr][actions]") {
+  const auto actions = actions_of("S1000\nM03\nS2000\nM04\nM05\nS500\nM03 S10\nM30\n");
+  REQUIRE(actions.size() == 6);
+  check(actions[0], Action::Kind::spindle, 3, 1000);
+  check(actions[1], Action::Kind::spindle, 0, 2000);
+  check(actions[2], Action::Kind::spindle, 4, -2000);
+  check(actions[3], Action::Kind::spindle, 5, 0);
+  check(actions[4], Action::Kind::spindle, 3, 10);
+}
+
+TEST_CASE("S is held within the machine's range, with one warning a file", "[ipr][actions]") {
+  Machine machine;
+  machine.spindle = {100, 6000};
+  const Interpreted result = interpret("M03 S50\nS9000\nS0\nM30\n", machine);
+  CHECK(places(result) == Places{"SC2202 1:5"});
+  CHECK(std::get<Action>(result.blocks[0].what).value == 100);
+  CHECK(std::get<Action>(result.blocks[1].what).value == 6000);
+  CHECK(std::get<Action>(result.blocks[2].what).value == 0);
+}
+
+TEST_CASE("T selects and M06 changes", "[ipr][actions]") {
+  const auto actions = actions_of("T3\nT5 M06\nM06\nM30\n");
+  REQUIRE(actions.size() == 3);
+  check(actions[0], Action::Kind::tool, 6, 5);
+  check(actions[1], Action::Kind::tool, 6, 5);
+}
+
+TEST_CASE("coolant and stops are told by their code", "[ipr][actions]") {
+  const auto actions = actions_of("M07\nM08\nM09\nM00\nM02\n");
+  REQUIRE(actions.size() == 5);
+  check(actions[0], Action::Kind::coolant, 7, 0);
+  check(actions[1], Action::Kind::coolant, 8, 0);
+  check(actions[2], Action::Kind::coolant, 9, 0);
+  check(actions[3], Action::Kind::stop, 0, 0);
+  check(actions[4], Action::Kind::end, 2, 0);
+}
+
+TEST_CASE("M01 stops only when optional stops are switched on", "[ipr][actions]") {
+  CHECK(actions_of("M01\nM30\n").size() == 1);
+  const auto actions = actions_of("M01\nM30\n", {.optional_stop = true});
+  REQUIRE(actions.size() == 2);
+  check(actions[0], Action::Kind::stop, 1, 0);
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Units, distances, path control, feed.
+#include <catch2/catch.hpp>
+
+#include "ipr/interpret.hpp"
+
+namespace softcnc::ipr {
+
+TEST_CASE("the start state is mm and absolute", "[ipr][modes]") {
+  const auto moves = moves_of("G00 X1\nX1 Y1\nM30\n");
+  CHECK(end(moves[1].path) == AxisVector(1, 1, 0));
+  CHECK(moves[1].join == Join::follow);
+}
+
+TEST_CASE("inches count for every word of their line, F too", "[ipr][modes]") {
+  const auto moves = moves_of("G01 X1 F60 G20\nG21 X0 F60\nM30\n");
+  CHECK(end(moves[0].path).x() == 25.4);
+  CHECK(moves[0].feed == 25.4);
+  CHECK(end(moves[1].path).x() == 0);
+  CHECK(moves[1].feed == 1.0);
+}
+
+TEST_CASE("a feed keeps its speed when units change", "[ipr][modes]") {
+  const auto moves = moves_of("G20 F60\nG21 G01 X1\nM30\n");
+  CHECK(moves[0].feed == 25.4);
+}
+
+TEST_CASE("G91 adds to the position, G90 does not", "[ipr][modes]") {
+  const auto moves = moves_of("G91 G00 X1 Y1\nX1\nG90 X1 Z5\nM30\n");
+  CHECK(end(moves[1].path) == AxisVector(2, 1, 0));
+  CHECK(end(moves[2].path) == AxisVector(1, 1, 5));
+}
+
+TEST_CASE("G61.1 stops at every end, G61 and G64 follow the path", "[ipr][modes]") {
+  const auto moves = moves_of("G00 X1\nG61.1 X2\nX3\nG61 X4\nG61.1\nG64 X5\nM30\n");
+  CHECK(moves[0].join == Join::follow);
+  CHECK(moves[1].join == Join::stop);
+  CHECK(moves[2].join == Join::stop);
+  CHECK(moves[3].join == Join::follow);
+  CHECK(moves[4].join == Join::follow);
+}
+
+TEST_CASE("a feed above the limit is held at it, with one warning a file", "[ipr][modes]") {
+  Machine machine;
+  machine.limits.feed = 50;
+  const Interpreted result = interpret("F6000\nG01 X1\nF9000 X2\nF600 X3\nM30\n", machine);
+  CHECK(places(result) == Places{"SC2201 1:1"});
+  CHECK(std::get<Move>(result.blocks[0].what).feed == 50);
+  CHECK(std::get<Move>(result.blocks[1].what).feed == 50);
+  CHECK(std::get<Move>(result.blocks[2].what).feed == 10);
+  machine.limits.feed = 0;
+  CHECK(places(interpret("F900000\nM30\n", machine)).empty());
+}
+
+}  // namespace softcnc::ipr

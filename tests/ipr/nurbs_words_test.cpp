@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// G06.2 over its lines.
+#include <catch2/catch.hpp>
+
+#include "ipr/interpret.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+struct Curve {
+  Move move;
+  SourcePos source;
+  const NurbsSpec& spec() const { return std::get<Nurbs>(move.path).spec(); }
+};
+
+Curve only_curve(const std::string& program) {
+  for (Block& block : blocks_of(program))
+    if (auto* move = std::get_if<Move>(&block.what))
+      if (std::holds_alternative<Nurbs>(move->path)) return {std::move(*move), block.source};
+  FAIL("no curve");
+  return {Move{softcnc::Line(AxisVector::Zero(), AxisVector::Ones())}, {}};
+}
+
+const std::vector<double> kClampedCubic{0, 0, 0, 0, 1, 1, 1, 1};
+
+}  // namespace
+
+TEST_CASE("a curve takes its points, weights, knots, feed and line from its blocks",
+          "[ipr][nurbs]") {
+  const Curve curve = only_curve(
+      "F600\n\nN7 G06.2 P4 K0 X0 Y0\n(c)\nR2 K0 Y5 X5\n\nN8 K0 X10 Y-5 R.5\nK0 X15 Y0\n"
+      "K1\nK1\nN9\nK1\nK1\nM30\n");
+  CHECK(curve.source.line == 3);
+  CHECK(curve.move.feed == 10.0);
+  CHECK_FALSE(curve.move.rapid);
+  CHECK(curve.spec().degree == 3);
+  CHECK(curve.spec().knots == kClampedCubic);
+  CHECK(curve.spec().weights == std::vector<double>{1, 2, 0.5, 1});
+  REQUIRE(curve.spec().control.size() == 4);
+  CHECK(curve.spec().control[1] == AxisVector(5, 5, 0));
+  CHECK(curve.spec().control[3] == AxisVector(15, 0, 0));
+}
+
+TEST_CASE("without P the order is 4", "[ipr][nurbs]") {
+  CHECK(only_curve("F600\nG06.2 K0 X0\nK0 X1\nK0 X2\nK0 X3\nK1\nK1\nK1\nK1\nM30\n").spec().degree ==
+        3);
+}
+
+TEST_CASE("a first block without axes is the position, and the second names them", "[ipr][nurbs]") {
+  const Curve curve = only_curve("F600 G00 X3 Y4\nG06.2 P2 K0 R3\nK0 X5 Y6\nK1\nK1\nM30\n");
+  CHECK(curve.spec().control[0] == AxisVector(3, 4, 0));
+  CHECK(curve.spec().weights == std::vector<double>{3, 1});
+}
+
+TEST_CASE("a curve begins in the position, also if its first point is a rounding off",
+          "[ipr][nurbs]") {
+  const auto moves = moves_of("F600 G01 X10.0004\nG06.2 P2 K0 X10\nK0 X20\nK1\nK1\nM30\n");
+  REQUIRE(moves.size() == 2);
+  CHECK(start(moves[1].path) == end(moves[0].path));
+}
+
+TEST_CASE("the first point may lie one BLU off, and no more", "[ipr][nurbs]") {
+  const auto program = [](const std::string& first) {
+    return "F600\nG06.2 P2 K0 X" + first + "\nK0 X20\nK1\nK1\nM30\n";
+  };
+  CHECK(places(interpret(program("0.0024"))).empty());
+  CHECK(places(interpret(program("0.0026"))) == Places{"SC3109 2:13"});
+  Machine fine;
+  for (Axis& axis : fine.axes) axis.blu = 0.0001;
+  CHECK(places(interpret(program("0.0009"), fine)).empty());
+  CHECK(places(interpret(program("0.0011"), fine)) == Places{"SC3109 2:13"});
+}
+
+TEST_CASE("in G91 points are distances from the point before, in G20 inches", "[ipr][nurbs]") {
+  const Curve steps = only_curve("G91 F600\nG06.2 P2 K0 X0\nK0 X5 \nK1 X5\nK2\nK2\nM30\n");
+  CHECK(steps.spec().control[2] == AxisVector(10, 0, 0));
+  const Curve inches = only_curve("G20 F60\nG06.2 P2 K0 X0 Y0\nK0 X1 Y-1\nK1\nK1\nM30\n");
+  CHECK(inches.spec().control[1] == AxisVector(25.4, -25.4, 0));
+  CHECK(inches.move.feed == Approx(25.4));
+}
+
+TEST_CASE("a curve ends by count, and motion needs a code again", "[ipr][nurbs]") {
+  const std::string curve = "F600\nG06.2 P2 K0 X0\nK0 X5\nK1\nK1\n";
+  CHECK(places(interpret(curve + "X6\nM30\n")) == Places{"SC2101 6:1"});
+  CHECK(places(interpret(curve + "K1\nM30\n")) == Places{"SC2004 6:1"});
+  const auto moves = moves_of(curve + "G01 X6\nM30\n");
+  REQUIRE(moves.size() == 2);
+  CHECK(start(moves[1].path) == AxisVector(5, 0, 0));
+}
+
+TEST_CASE("a bad curve gives no block, and the position is its last point", "[ipr][nurbs]") {
+  const Interpreted result = interpret("F600\nG06.2 P2 K0 X0\nK0 X5 Q1\nK1\nK1\nG02 X9 I2\nM30\n");
+  CHECK(places(result) == Places{"SC2004 3:7"});
+  REQUIRE(result.blocks.size() == 2);
+  CHECK(end(std::get<Move>(result.blocks[0].what).path) == AxisVector(9, 0, 0));
+}
+
+TEST_CASE("P, F and R in one first block", "[ipr][nurbs]") {
+  const Curve curve = only_curve("G06.2 R2 F300 X0 K0 P2\nK0 X1\nK1\nK1\nM30\n");
+  CHECK(curve.move.feed == 5.0);
+  CHECK(curve.spec().weights.front() == 2.0);
+}
+
+}  // namespace softcnc::ipr
