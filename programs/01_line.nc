@@ -6,9 +6,10 @@
 (coordinates are positions and not distances: G21 and G90 are in force.)
 
 (G01: straight to the point named, at the feed F in mm per minute along the path.)
-(30 and 40 make a path of 50 mm; 3000 mm/min are 50 mm/s. With 1000 mm/s2 an axis)
-(the machine needs 40 ms to reach that speed and 40 ms to brake: on the way from)
-(rest to rest the trace shows acceleration, feed, acceleration.)
+(30 and 40 make a path of 50 mm; 3000 mm/min are 50 mm/s. No axis gets there at)
+(once: Y, which makes four fifths of the way, accelerates with 1000 mm/s2 for 40 ms)
+(at the beginning, and brakes as long at the end. In the trace the limits are)
+(acceleration, feed, acceleration.)
 G01 X30 Y40 F3000
 
 (M30: the end. Without it softcnc ends all the same, and says so in a note.)
