@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// `softcnc blocks`: the blocks as the interpreter leaves them.
+#include <unistd.h>
+
+#include "block_json.hpp"
+#include "commands.hpp"
+#include "hal/machine_file.hpp"
+#include "ipr/interpreter.hpp"
+#include "messages.hpp"
+
+namespace softcnc::app {
+namespace {
+
+/// Streams: reads no further than it writes, and shows errors as it meets them.
+int write_blocks(ipr::Reader& reader, const std::string& file, const Machine& machine,
+                 const Options& options) {
+  Messages messages;
+  Diagnostics diagnostics([&](const Diagnostic& d) { messages.show(d); });
+  diagnostics.set_file(file);
+  ipr::Parser parser(reader, diagnostics);
+  ipr::Interpreter interpreter(parser, machine, diagnostics,
+                               {options.block_skip, options.optional_stop});
+  StandardOutput out;
+  BlockJson json;
+  while (out.ok()) {
+    const auto block = interpreter.next();
+    if (!block) break;
+    out.write(json(*block));
+  }
+  if (reader.failure()) diagnostics.report(*reader.failure());
+  return worse_status(diagnostics.status(), out.finish());
+}
+
+}  // namespace
+
+int blocks(const Options& options) {
+  const auto machine = hal::load_machine(options.machine_file, options.settings);
+  if (!machine) return failed(machine.error());
+  if (options.files.front() == "-") {
+    ipr::Reader reader(STDIN_FILENO);  // not copied: a pipe need not end
+    return write_blocks(reader, "<stdin>", *machine, options);
+  }
+  auto program = Program::open(options.files.front());
+  if (!program) return failed(program.error());
+  ipr::Reader reader = program->reader();
+  return write_blocks(reader, program->name(), *machine, options);
+}
+
+}  // namespace softcnc::app

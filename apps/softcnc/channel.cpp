@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Feeder and channel: from text to setpoints, in one thread.
+#include "channel.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "cpu_clock.hpp"
+#include "ipo/stop.hpp"
+
+namespace softcnc::app {
+namespace {
+
+/// How far ahead of its need the queue is filled, in periods.
+constexpr double kAhead = 256;
+
+void add_times(const ipo::Profile& profile, double until, std::array<double, kLimits>& sums) {
+  profile.for_each_piece([&](Limit limit, double duration) {
+    const double passed = std::clamp(until, 0.0, duration);
+    sums[static_cast<std::size_t>(limit)] += passed;
+    until -= duration;
+  });
+}
+
+}  // namespace
+
+Feeder::Feeder(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+               Diagnostics& diagnostics)
+    : reader_(reader),
+      machine_(machine),
+      options_(options),
+      diagnostics_(diagnostics),
+      parser_(reader, diagnostics),
+      interpreter_(parser_, machine, diagnostics, options.interpreter),
+      planner_(machine, options.feed_override, diagnostics) {}
+
+void Feeder::fill(ipo::BlockQueue& queue, double until) {
+  CpuLaps cpu;
+  while (queue.t_end() <= until) {
+    if (auto timed = planner_.pop())
+      queue.push(std::move(*timed));
+    else if (ended_)
+      break;
+    else
+      read_block();
+  }
+  cpu_ += cpu.lap();
+}
+
+void Feeder::finish(ipo::BlockQueue& queue) {
+  if (!std::exchange(ended_, true)) planner_.finish();
+  while (auto timed = planner_.pop()) queue.push(std::move(*timed));
+}
+
+void Feeder::read_block() {
+  auto block = interpreter_.next();
+  const bool good = block && diagnostics_.errors() == 0;
+  if (good) planner_.push(*std::exchange(block, std::nullopt));
+  if (good && diagnostics_.errors() == 0) return;
+  planner_.finish();
+  ended_ = true;
+  read_on(std::move(block));
+  if (reader_.failure()) diagnostics_.report(*reader_.failure());
+}
+
+/// Reads to the end of the program only to find what else is wrong.
+void Feeder::read_on(std::optional<Block> block) {
+  if (diagnostics_.errors() == 0) return;
+  ipo::Planner rest(machine_, options_.feed_override, diagnostics_);
+  if (!block) block = interpreter_.next();
+  for (; block; block = interpreter_.next()) {
+    rest.push(std::move(*block));
+    while (rest.pop()) {
+    }
+  }
+}
+
+Channel::Channel(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+                 Diagnostics& diagnostics)
+    : machine_(machine),
+      feed_override_(options.feed_override),
+      feeder_(reader, machine, options, diagnostics),
+      interpolator_(queue_, machine.control) {}
+
+std::optional<Setpoint> Channel::step(const Panel& panel) noexcept {
+  try {
+    const double needed = interpolator_.needs_until();
+    if (queue_.t_end() <= needed) feeder_.fill(queue_, needed + kAhead * machine_.control.period);
+    if (panel.stop && started_ && !std::exchange(stopping_, true)) replan_to_stop();
+  } catch (...) {
+    broken_ = std::current_exception();
+    return std::nullopt;
+  }
+  started_ = true;
+  return interpolator_.step();
+}
+
+void Channel::replan_to_stop() {
+  feeder_.finish(queue_);
+  if (queue_.empty()) return;
+  const double now = interpolator_.time();
+  add_times(queue_.front().profile, now - queue_.front().t_start, time_by_limit_);
+  const ipo::Constraints constraints(machine_, feed_override_);
+  const ipo::State state = interpolator_.state();
+  for (auto& timed : ipo::plan_stop(constraints, queue_.take_rest(), state, now))
+    queue_.push(std::move(timed));
+  interpolator_.replanned();
+}
+
+void Channel::forget_passed() {
+  const auto* present = queue_.empty() ? nullptr : &queue_.front();
+  queue_.for_each_recent([&](const ipo::TimedBlock& timed) {
+    if (&timed != present) add_times(timed.profile, timed.profile.duration(), time_by_limit_);
+  });
+  queue_.trim();
+}
+
+void Channel::rethrow() const {
+  if (broken_) std::rethrow_exception(broken_);
+}
+
+double Channel::time() const noexcept {
+  return queue_.empty() ? queue_.t_end() : interpolator_.time();
+}
+
+std::array<double, kLimits> Channel::time_by_limit() const {
+  auto sums = time_by_limit_;
+  if (!queue_.empty()) add_times(queue_.front().profile, time() - queue_.front().t_start, sums);
+  return sums;
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// THE PIPELINE: part program -> blocks -> timed blocks -> setpoints -> backend -> rows.
+//
+//   Reader -> Parser -> Interpreter -> Planner ==queue==> Interpolator -> run_cycle -> Backend
+//   '---------------- Feeder -----------------'
+//   '---------------------- Channel -----------------------'
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <exception>
+#include <optional>
+#include <span>
+
+#include "hal/backend.hpp"
+#include "ipo/interpolator.hpp"
+#include "ipo/planner.hpp"
+#include "ipr/interpreter.hpp"
+#include "motion/cycle.hpp"
+#include "motion/verify.hpp"
+
+namespace softcnc::app {
+
+/// How a part program runs, beside the machine.
+struct ChannelOptions {
+  double feed_override = 1;  // of the programmed feed
+  ipr::InterpreterOptions interpreter;
+};
+
+/// The planning side: reads, interprets and plans as far as the queue needs it.
+class Feeder {
+ public:
+  /// What is referred to must outlive the feeder.
+  Feeder(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+         Diagnostics& diagnostics);
+
+  /// Times blocks until the queue reaches beyond `until`, or holds all there are. After an error
+  /// the motion ends with the last good block, and the rest is read only to tell what else is
+  /// wrong.
+  void fill(ipo::BlockQueue& queue, double until);
+
+  /// Reads no further; the queue gets what has been read.
+  void finish(ipo::BlockQueue& queue);
+
+  const ipo::PlannerCounts& counts() const noexcept { return planner_.counts(); }
+  double cpu() const noexcept { return cpu_; }  // s
+
+ private:
+  void read_block();
+  void end();
+  void read_on(std::optional<Block> block);
+
+  ipr::Reader& reader_;
+  const Machine& machine_;
+  const ChannelOptions options_;
+  Diagnostics& diagnostics_;
+  ipr::Parser parser_;
+  ipr::Interpreter interpreter_;
+  ipo::Planner planner_;
+  bool ended_ = false;
+  double cpu_ = 0;
+};
+
+/// A Source of setpoints for one thread: it plans whenever the queue runs low.
+class Channel {
+ public:
+  Channel(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+          Diagnostics& diagnostics);
+
+  /// The next setpoint; nothing at the end. When the panel asks for a stop the rest of the way is
+  /// planned anew, to rest as soon as the limits allow; it must not ask between two calls of
+  /// forget_passed().
+  std::optional<Setpoint> step(const Panel& panel) noexcept;
+
+  /// Blocks from the one of the last forget_passed() to the present one.
+  const ipo::BlockQueue& queue() const noexcept { return queue_; }
+  void forget_passed();
+
+  /// Passes on what an exception has broken off.
+  void rethrow() const;
+
+  /// The instant of the plan that has been reached, s: at the end, its duration.
+  double time() const noexcept;
+  /// How long of it each limit has held the feed down, s.
+  std::array<double, kLimits> time_by_limit() const;
+
+  const Feeder& feeder() const noexcept { return feeder_; }
+
+ private:
+  void replan_to_stop();
+
+  const Machine& machine_;
+  double feed_override_;
+  Feeder feeder_;
+  ipo::BlockQueue queue_;
+  ipo::Interpolator interpolator_;
+  std::array<double, kLimits> time_by_limit_{};  // of what has been forgotten
+  bool started_ = false, stopping_ = false;
+  std::exception_ptr broken_;
+};
+
+/// Takes the rows of a run, in order.
+class RowSink {
+ public:
+  virtual ~RowSink() = default;
+  /// False: no more rows are wanted.
+  virtual bool row(const Setpoint& setpoint, std::span<const double> backend_values) = 0;
+};
+
+/// Looks at a run from outside, every now and then.
+class Watcher {
+ public:
+  virtual ~Watcher() = default;
+  virtual bool wants_stop() = 0;
+  virtual void sees(const Setpoint& latest) = 0;
+  virtual void sees_action(const Block& block) = 0;  // tool, spindle, coolant, stop, end
+};
+
+/// What a run leaves. CPU times are of this thread.
+struct Outcome {
+  enum class End : std::uint8_t { done, stopped, alarm, broken_off };
+  struct Cpu {
+    double planning = 0, cycle = 0, verification = 0, output = 0;  // s
+  };
+
+  End end = End::done;
+  Setpoint last;
+  Feedback feedback;
+  std::int64_t setpoints = 0;
+  double time = 0;  // s of the plan
+  std::array<double, kLimits> time_by_limit{};
+  Measured measured;
+  ipo::PlannerCounts planner;
+  Cpu cpu;
+};
+
+/// A run as fast as the computer goes: the same rows every time. `rows` and `watcher` may be null.
+Outcome simulate(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+                 hal::Backend& backend, Diagnostics& diagnostics, RowSink* rows, Watcher* watcher);
+
+}  // namespace softcnc::app

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "descriptor.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace softcnc::app {
+namespace {
+
+tl::unexpected<Diagnostic> no_temporary_file() {
+  return tl::make_unexpected(
+      Diagnostic{Code::SC6003,
+                 {},
+                 "cannot keep it in a temporary file: " + std::generic_category().message(errno),
+                 {},
+                 {}});
+}
+
+}  // namespace
+
+Descriptor::Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+
+Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
+  std::swap(number_, other.number_);
+  return *this;
+}
+
+Descriptor::~Descriptor() {
+  if (number_ >= 0) ::close(number_);
+}
+
+Result<Descriptor> unlinked_file() {
+  std::error_code error;
+  auto directory = std::filesystem::temp_directory_path(error);
+  if (error) directory = "/tmp";
+  std::string name = directory / "softcnc-XXXXXX";
+  Descriptor file(::mkstemp(name.data()));
+  if (*file < 0) return no_temporary_file();
+  ::unlink(name.c_str());
+  return file;
+}
+
+Status write_all(const Descriptor& file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(*file, bytes.data(), bytes.size());
+    if (written >= 0)
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      return no_temporary_file();
+  }
+  return {};
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// A file descriptor with an owner, and files without a name.
+#pragma once
+
+#include <string_view>
+
+#include "motion/result.hpp"
+
+namespace softcnc::app {
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) noexcept : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept;
+  Descriptor& operator=(Descriptor&& other) noexcept;
+  ~Descriptor();
+
+  int operator*() const noexcept { return number_; }
+
+ private:
+  int number_;
+};
+
+/// An empty file that vanishes with its descriptor. Errors: SC6003.
+Result<Descriptor> unlinked_file();
+
+/// Errors: SC6003.
+Status write_all(const Descriptor& file, std::string_view bytes);
+
+}  // namespace softcnc::app

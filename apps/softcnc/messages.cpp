@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "messages.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+namespace softcnc::app {
+namespace {
+
+constexpr std::size_t kBuffer = 65536;
+
+void write_to_stderr(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+/// Severity and code in colour.
+std::string coloured(const Diagnostic& diagnostic) {
+  std::string text = render(diagnostic);
+  const std::string plain =
+      fmt::format("{} SC{}", name(diagnostic.severity()), static_cast<int>(diagnostic.code));
+  const auto at = text.find(plain);
+  if (at == std::string::npos) return text;
+  constexpr std::string_view kBold[] = {"\033[1;36m", "\033[1;35m", "\033[1;31m"};
+  const std::string_view on = kBold[static_cast<std::size_t>(diagnostic.severity())];
+  return text.replace(at, plain.size(), fmt::format("{}{}\033[0m", on, plain));
+}
+
+}  // namespace
+
+bool colourful(int descriptor) {
+  const char* no_colour = std::getenv("NO_COLOR");
+  return ::isatty(descriptor) != 0 && (no_colour == nullptr || *no_colour == '\0');
+}
+
+Messages::Messages() : Messages(write_to_stderr, colourful(STDERR_FILENO)) {}
+
+void Messages::show(const Diagnostic& diagnostic) {
+  write_(colour_ ? coloured(diagnostic) : render(diagnostic));
+  if (kept_.size() < kKept) kept_.push_back(diagnostic);
+}
+
+Diagnostics::Sink Messages::sink(Program& program) {
+  return [this, &program](const Diagnostic& diagnostic) {
+    Diagnostic full = diagnostic;
+    if (full.source_line.empty() && full.pos.line > 0)
+      full.source_line = program.line(full.pos.line);
+    show(full);
+  };
+}
+
+int Messages::fail(Diagnostic diagnostic) {
+  constexpr int kSignalled = 128;
+  if (diagnostic.code == Code::SC6013) return kSignalled + SIGPIPE;
+  if (diagnostic.file == "-") diagnostic.file = "<stdout>";
+  show(diagnostic);
+  return exit_status(diagnostic);
+}
+
+int failed(const Diagnostic& diagnostic) { return Messages().fail(diagnostic); }
+
+void StandardOutput::write(std::string_view text) {
+  buffer_ += text;
+  if (buffer_.size() >= kBuffer) flush();
+}
+
+void StandardOutput::flush() {
+  if (!file_ && status_) {
+    auto opened = hal::OutputFile::open("-");
+    if (opened)
+      file_ = std::move(*opened);
+    else
+      status_ = tl::make_unexpected(std::move(opened.error()));
+  }
+  if (status_) status_ = file_->write(buffer_);
+  buffer_.clear();
+}
+
+int StandardOutput::finish() {
+  flush();
+  if (status_) status_ = file_->finish();
+  return status_ ? 0 : failed(status_.error());
+}
+
+}  // namespace softcnc::app

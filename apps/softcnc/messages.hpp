@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Diagnostics on their way to a person, and data on its way to standard output.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/output_file.hpp"
+#include "motion/diagnostic.hpp"
+#include "program.hpp"
+
+namespace softcnc::app {
+
+/// True where colours please: a terminal, and NO_COLOR is not set.
+bool colourful(int descriptor);
+
+/// Shows diagnostics as they come and keeps the first of them for a report.
+class Messages {
+ public:
+  using Write = std::function<void(std::string_view)>;
+  static constexpr std::size_t kKept = 1000;
+
+  /// To standard error.
+  Messages();
+  Messages(Write write, bool colour) : write_(std::move(write)), colour_(colour) {}
+
+  void show(const Diagnostic& diagnostic);
+
+  /// Shows an error that ends a command, a closed pipe excepted, and returns its exit status.
+  int fail(Diagnostic diagnostic);
+
+  /// Where the stages report to. `program` supplies the text of lines and must outlive it.
+  Diagnostics::Sink sink(Program& program);
+
+  std::span<const Diagnostic> kept() const noexcept { return kept_; }
+
+ private:
+  Write write_;
+  bool colour_;
+  std::vector<Diagnostic> kept_;
+};
+
+/// The same on standard error.
+int failed(const Diagnostic& diagnostic);
+
+/// Data for standard output, in a buffer. After an error what follows is dropped.
+class StandardOutput {
+ public:
+  void write(std::string_view text);
+  bool ok() const noexcept { return status_.has_value(); }
+
+  /// Writes what is left. Exit status: 0, 5 or 141; an error is shown.
+  int finish();
+
+ private:
+  void flush();
+
+  std::unique_ptr<hal::OutputFile> file_;
+  std::string buffer_;
+  Status status_;
+};
+
+}  // namespace softcnc::app

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// The command line by CLI11: a function per group of options, and which command takes which group.
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iterator>
+
+#include "hal/trace.hpp"
+#include "motion/machine.hpp"
+
+namespace softcnc::app {
+namespace {
+
+constexpr int kWrongUsage = 2;
+constexpr double kLargestOverride = 200;  // percent
+
+void add_machine(CLI::App& command, Options& options) {
+  command
+      .add_option("--machine", options.machine_file, "Machine file (default: the built-in mill)")
+      ->type_name("FILE.toml");
+  command
+      .add_option("--set", options.settings,
+                  "Set one value of the machine, as in axis.x.jerk_mm_s3=0 (repeatable)")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_backend(CLI::App& command, Options& options) {
+  const std::vector<std::string> names(kBackendNames.begin(), kBackendNames.end());
+  command
+      .add_option_function<std::string>(
+          "--backend",
+          [&options](const std::string& name) {
+            options.settings.push_back("control.backend=" + name);
+          },
+          "Where setpoints go")
+      ->check(CLI::IsMember(names))
+      ->type_name("");
+}
+
+void add_interpreter(CLI::App& command, Options& options) {
+  command.add_flag("--block-skip", options.block_skip, "Leave out lines that begin with '/'");
+  command.add_flag("--optional-stop", options.optional_stop, "Stop at M01");
+}
+
+void add_feed_override(CLI::App& command, Options& options) {
+  command
+      .add_option_function<double>(
+          "--feed-override",
+          [&options](double percent) {
+            if (!(percent > 0 && percent <= kLargestOverride))
+              throw CLI::ValidationError("--feed-override",
+                                         "takes a percentage above 0, at most 200");
+            options.feed_override = percent / 100;
+          },
+          "Multiply the programmed feed (default 100)")
+      ->type_name("PERCENT");
+}
+
+void add_progress(CLI::App& command, Options& options) {
+  command
+      .add_option_function<std::string>(
+          "--progress",
+          [&options](const std::string& word) {
+            options.progress = word == "none"   ? ProgressMode::none
+                               : word == "json" ? ProgressMode::json
+                                                : ProgressMode::automatic;
+          },
+          "Progress on stderr: a bar where it is a terminal (auto), nothing, or JSON lines")
+      ->check(CLI::IsMember({"auto", "none", "json"}))
+      ->type_name("");
+}
+
+void add_words(CLI::App& command, Options& options) {
+  auto* quiet = command.add_flag("-q,--quiet", options.quiet, "Say nothing but diagnostics");
+  command.add_flag("-v,--verbose", options.verbose, "Say more")->excludes(quiet);
+}
+
+void add_part(CLI::App& command, Options& options) {
+  command.add_option("PART", options.files, "Part program; - is standard input")
+      ->required()
+      ->type_name("")
+      ->expected(1);
+}
+
+/// What `run` and `record` share.
+void add_run(CLI::App& command, Options& options) {
+  add_part(command, options);
+  add_machine(command, options);
+  add_backend(command, options);
+  add_feed_override(command, options);
+  add_interpreter(command, options);
+  command.add_option("--report", options.report, "Write the figures of the run as JSON")
+      ->type_name("FILE.json");
+  add_progress(command, options);
+  add_words(command, options);
+}
+
+void make_run(CLI::App& command, Options& options) {
+  add_run(command, options);
+  command.add_flag("--dry-run", options.dry_run,
+                   "No backend and no pre-flight; the trace goes to stdout as CSV");
+  command
+      .add_option("--trace", options.trace,
+                  "Write one row per period (" + hal::trace_suffixes() + ")")
+      ->type_name("FILE");
+}
+
+void make_check(CLI::App& command, Options& options) {
+  command.add_option("PART", options.files, "Part programs; - is standard input")
+      ->required()
+      ->type_name("");
+  add_machine(command, options);
+  add_feed_override(command, options);
+  add_interpreter(command, options);
+  add_words(command, options);
+}
+
+void make_blocks(CLI::App& command, Options& options) {
+  add_part(command, options);
+  add_machine(command, options);
+  add_interpreter(command, options);
+  add_words(command, options);
+}
+
+void make_record(CLI::App& command, Options& options) {
+  add_run(command, options);
+  command.add_option("-o,--output", options.output, "The recording to write")
+      ->required()
+      ->type_name("FILE.rec");
+}
+
+void make_replay(CLI::App& command, Options& options) {
+  command.add_option("FILE.rec", options.files, "Recordings")->required()->type_name("");
+  add_machine(command, options);
+  add_progress(command, options);
+  add_words(command, options);
+}
+
+void make_machine(CLI::App& command, Options& options) {
+  add_machine(command, options);
+  add_backend(command, options);
+  add_words(command, options);
+}
+
+struct CommandRow {
+  Command command;
+  const char* name;
+  const char* says;
+  void (*make)(CLI::App&, Options&);
+};
+
+constexpr CommandRow kCommands[] = {
+    {Command::run, "run", "Check a part program, then run it on the machine", make_run},
+    {Command::check, "check", "Check part programs without motion", make_check},
+    {Command::blocks, "blocks", "Show the blocks of a part program, one JSON object per line",
+     make_blocks},
+    {Command::record, "record", "Run a part program and keep what replay needs", make_record},
+    {Command::replay, "replay", "Run recordings again and compare row by row", make_replay},
+    {Command::machine, "machine", "Show the machine, each value with where it came from",
+     make_machine},
+};
+
+}  // namespace
+
+std::variant<Options, int> parse_command_line(int argc, const char* const* argv) {
+  CLI::App app("softcnc runs part programs (G-code) on a simulated mill.", "softcnc");
+  app.set_version_flag("--version", "softcnc " SOFTCNC_VERSION);
+  app.set_help_flag("-h,--help", "Show this help");
+  app.failure_message(CLI::FailureMessage::simple);
+  app.require_subcommand(1);
+  app.footer("softcnc COMMAND --help tells the options of a command.");
+  Options options;
+  for (const CommandRow& row : kCommands)
+    row.make(*app.add_subcommand(row.name, row.says), options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kWrongUsage;
+  }
+  for (const CommandRow& row : kCommands)
+    if (app.got_subcommand(row.name)) options.command = row.command;
+  return options;
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The command line as a value.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace softcnc::app {
+
+enum class Command : std::uint8_t { run, check, blocks, record, replay, machine };
+enum class ProgressMode : std::uint8_t { automatic, none, json };
+
+struct Options {
+  Command command = Command::run;
+  std::vector<std::string> files;  // PART or FILE.rec; "-": standard input
+
+  std::string machine_file;           // empty: the built-in machine
+  std::vector<std::string> settings;  // KEY=VALUE, on top of it
+
+  double feed_override = 1;  // of the programmed feed
+  bool block_skip = false, optional_stop = false;
+
+  bool dry_run = false;
+  std::string trace, report;  // files; empty: none
+  std::string output;         // of record
+
+  ProgressMode progress = ProgressMode::automatic;
+  bool quiet = false, verbose = false;
+};
+
+/// What was asked for; or, where there is nothing more to do, the exit status: 0 after --help and
+/// --version, 2 after telling what is wrong with the command line.
+std::variant<Options, int> parse_command_line(int argc, const char* const* argv);
+
+}  // namespace softcnc::app

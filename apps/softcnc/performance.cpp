@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "performance.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <cmath>
+
+#include "hal/machine_file.hpp"
+#include "hal/trace.hpp"
+#include "messages.hpp"
+#include "preflight.hpp"
+#include "report_json.hpp"
+#include "summary.hpp"
+#include "terminal.hpp"
+#include "verification.hpp"
+
+namespace softcnc::app {
+namespace {
+
+constexpr int kSignalled = 128;
+
+bool on_terminal(const std::string& trace) { return trace == "-" && ::isatty(STDOUT_FILENO) != 0; }
+
+bool may_ask(const Options& options) {
+  return !options.dry_run && options.files.front() != "-" && ::isatty(STDIN_FILENO) != 0 &&
+         ::isatty(STDERR_FILENO) != 0;
+}
+
+Result<std::unique_ptr<hal::Backend>> open_backend(const Job& job, bool dry_run) {
+  Machine machine = job.machine;
+  if (dry_run) machine.control.backend = BackendKind::none;
+  return hal::open_backend(machine);
+}
+
+/// Rows into a trace file, or nowhere.
+class TraceRows final : public RowSink {
+ public:
+  static Result<TraceRows> open(Job& job, const std::string& file, const hal::Backend& backend) {
+    if (file.empty()) return TraceRows(nullptr);
+    const hal::TraceHeader header{job.machine.control.period, job.program.hash(),
+                                  hal::hash_hex(hal::machine_toml(job.machine))};
+    auto writer = hal::TraceWriter::open(file, header, job.machine, backend.columns());
+    if (!writer) return tl::make_unexpected(std::move(writer.error()));
+    return TraceRows(std::move(*writer));
+  }
+
+  bool row(const Setpoint& setpoint, std::span<const double> backend_values) override {
+    if (writer_) writer_->row(setpoint, backend_values);
+    return !writer_ || writer_->ok();
+  }
+  Status finish() { return writer_ ? writer_->finish() : Status(); }
+
+ private:
+  explicit TraceRows(std::unique_ptr<hal::TraceWriter> writer) : writer_(std::move(writer)) {}
+  std::unique_ptr<hal::TraceWriter> writer_;
+};
+
+Diagnostic alarm_diagnostic(const Outcome& outcome) {
+  const int axis = outcome.feedback.alarm_axis;
+  const double lag = outcome.last.position[axis] - outcome.feedback.position[axis];
+  const bool overflow = outcome.feedback.alarm == Alarm::counter_overflow;
+  return {overflow ? Code::SC5002 : Code::SC5001,
+          {outcome.last.line, 0, 1},
+          fmt::format("{} of {}: it is {:.3f} mm behind its command", name(outcome.feedback.alarm),
+                      kAxisLetters[static_cast<std::size_t>(axis)], std::abs(lag)),
+          {},
+          {}};
+}
+
+/// The run itself, after the pre-flight.
+class Performer {
+ public:
+  Performer(Job& job, const Options& options, Messages& messages, Terminal& terminal)
+      : job_(job), options_(options), messages_(messages), terminal_(terminal) {}
+
+  Performance move(const std::string& trace, double total);
+
+ private:
+  Performance refused(const Diagnostic& diagnostic) const;
+  Diagnostics::Sink sink();
+  void run(hal::Backend& backend, TraceRows& rows);
+  void judge(Diagnostics& diagnostics);
+  void close(TraceRows& rows);
+
+  Job& job_;
+  const Options& options_;
+  Messages& messages_;
+  Terminal& terminal_;
+  Performance performance_;
+};
+
+Performance Performer::refused(const Diagnostic& diagnostic) const {
+  Performance performance;
+  performance.status = messages_.fail(diagnostic);
+  return performance;
+}
+
+Performance Performer::move(const std::string& trace, double total) {
+  auto backend = open_backend(job_, options_.dry_run);
+  if (!backend) return refused(backend.error());
+  auto rows = TraceRows::open(job_, trace, **backend);
+  if (!rows) return refused(rows.error());
+  terminal_.begin(options_.dry_run ? "planning" : "running", total);
+  performance_.moved = true;
+  run(**backend, *rows);
+  close(*rows);
+  return std::move(performance_);
+}
+
+/// After a pre-flight only errors are news.
+Diagnostics::Sink Performer::sink() {
+  return [this, show = messages_.sink(job_.program)](const Diagnostic& diagnostic) {
+    if (!options_.dry_run && diagnostic.severity() != Severity::error) return;
+    terminal_.end();
+    show(diagnostic);
+  };
+}
+
+void Performer::run(hal::Backend& backend, TraceRows& rows) {
+  Diagnostics diagnostics(sink());
+  diagnostics.set_file(job_.program.name());
+  ipr::Reader reader = job_.program.reader();
+  performance_.outcome =
+      simulate(reader, job_.machine, job_.options, backend, diagnostics, &rows, &terminal_);
+  terminal_.end();
+  performance_.following_error = backend.following_error_max();
+  performance_.settled = backend.settle();
+  judge(diagnostics);
+}
+
+void Performer::judge(Diagnostics& diagnostics) {
+  const Outcome& outcome = performance_.outcome;
+  if (outcome.end == Outcome::End::alarm) diagnostics.report(alarm_diagnostic(outcome));
+  const bool at_rest = outcome.end == Outcome::End::done || outcome.end == Outcome::End::stopped;
+  if (at_rest && diagnostics.errors() == 0)
+    report_excess(outcome.measured, job_.machine, diagnostics);
+  performance_.status = diagnostics.status();
+  if (outcome.end == Outcome::End::alarm)
+    performance_.ending = Ending::alarm;
+  else if (diagnostics.errors() > 0 || outcome.end == Outcome::End::broken_off)
+    performance_.ending = Ending::error;
+  else if (outcome.end == Outcome::End::stopped)
+    performance_.ending = Ending::stopped;
+  else
+    performance_.ending = Ending::done;
+  if (outcome.end == Outcome::End::stopped)
+    performance_.status = worse_status(performance_.status, kSignalled + terminal_.signal());
+}
+
+void Performer::close(TraceRows& rows) {
+  const auto finished = rows.finish();
+  if (finished) return;
+  performance_.ending = Ending::error;
+  performance_.status = worse_status(performance_.status, messages_.fail(finished.error()));
+}
+
+}  // namespace
+
+Result<Job> open_job(const Options& options) {
+  auto machine = hal::load_machine(options.machine_file, options.settings);
+  if (!machine) return tl::make_unexpected(std::move(machine.error()));
+  auto program = Program::open(options.files.front());
+  if (!program) return tl::make_unexpected(std::move(program.error()));
+  return Job{std::move(*program), std::move(*machine), channel_options(options)};
+}
+
+std::string_view name(Ending ending) noexcept {
+  constexpr std::array<std::string_view, 4> names{"done", "stopped", "alarm", "error"};
+  return names[static_cast<std::size_t>(ending)];
+}
+
+Performance perform(Job& job, const Options& options, const std::string& trace) {
+  Messages messages;
+  Terminal terminal(options.quiet && options.progress == ProgressMode::automatic
+                        ? ProgressMode::none
+                        : options.progress,
+                    on_terminal(trace), job.machine.control.period, false);
+  Performance performance;
+  double total = 0;
+  if (!options.dry_run) {
+    terminal.begin("checking", 0);
+    const Preflight checked = preflight(job.program, job.machine, job.options, messages, &terminal);
+    terminal.end();
+    performance.status = checked.status;
+    if (checked.outcome.end == Outcome::End::stopped)
+      performance.status = worse_status(checked.status, kSignalled + terminal.signal());
+    total = checked.outcome.time;
+  }
+  if (performance.status == 0) {
+    terminal.set_waits(may_ask(options));
+    performance = Performer(job, options, messages, terminal).move(trace, total);
+  }
+  performance.diagnostics.assign(messages.kept().begin(), messages.kept().end());
+  return performance;
+}
+
+int conclude(Job& job, const Options& options, const Performance& performance) {
+  if (performance.moved && performance.ending != Ending::error)
+    spdlog::info("{}", summary(job, performance));
+  if (options.report.empty()) return performance.status;
+  const auto written = hal::write_file(options.report, report_json(job, performance));
+  if (written) return performance.status;
+  return worse_status(performance.status, failed(written.error()));
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// A program performed on its machine: what `run` and `record` have in common.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "channel.hpp"
+#include "options.hpp"
+#include "program.hpp"
+
+namespace softcnc::app {
+
+/// A program and what it runs on.
+struct Job {
+  Program program;
+  Machine machine;
+  ChannelOptions options;
+};
+Result<Job> open_job(const Options& options);
+
+enum class Ending : std::uint8_t { done, stopped, alarm, error };
+std::string_view name(Ending ending) noexcept;
+
+/// All that is known after a run: summary and report are made of it.
+struct Performance {
+  Ending ending = Ending::error;
+  int status = 0;      // exit status
+  bool moved = false;  // false: refused before anything moved; the rest means nothing
+  Outcome outcome;
+  std::array<double, kAxes> following_error{};  // mm, largest; NaN: not measured
+  AxisVector settled = AxisVector::Zero();      // mm, where a following error is measured
+  std::vector<Diagnostic> diagnostics;
+};
+
+/// Pre-flight (but for a dry run), then motion; the trace goes to `trace` unless that is empty.
+/// Diagnostics are shown.
+Performance perform(Job& job, const Options& options, const std::string& trace);
+
+/// The summary, and the report where one is asked for. Returns the exit status of it all.
+int conclude(Job& job, const Options& options, const Performance& performance);
+
+}  // namespace softcnc::app

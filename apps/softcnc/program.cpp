@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Part programs from files, or kept in a temporary file where they come through a pipe.
+#include "program.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "hal/hash.hpp"
+
+namespace softcnc::app {
+namespace {
+
+tl::unexpected<Diagnostic> unreadable(Code code, const std::string& name, int error) {
+  return tl::make_unexpected(
+      Diagnostic{code, {}, "cannot be read: " + std::generic_category().message(error), name, {}});
+}
+
+Result<Descriptor> copied(const Descriptor& from, const std::string& name) {
+  auto to = unlinked_file();
+  std::array<char, 65536> piece{};
+  while (to) {
+    const ssize_t n = ::read(*from, piece.data(), piece.size());
+    if (n == 0) break;
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return unreadable(Code::SC6002, name, errno);
+    if (auto written = write_all(*to, {piece.data(), static_cast<std::size_t>(n)}); !written)
+      to = tl::make_unexpected(written.error());
+  }
+  if (!to) to.error().file = name;
+  return to;
+}
+
+}  // namespace
+
+Program::Program(std::string name, Descriptor file, off_t begin)
+    : name_(std::move(name)), file_(std::move(file)), begin_(begin), lines_offset_(begin) {}
+
+Result<Program> Program::open(const std::string& name) {
+  const bool standard_input = name == "-";
+  const std::string shown = standard_input ? "<stdin>" : name;
+  Descriptor file(standard_input ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
+                                 : ::open(name.c_str(), O_RDONLY | O_CLOEXEC));
+  struct stat info {};
+  if (*file < 0 || ::fstat(*file, &info) != 0) return unreadable(Code::SC6001, shown, errno);
+  if (S_ISDIR(info.st_mode)) return unreadable(Code::SC6001, shown, EISDIR);
+  if (S_ISREG(info.st_mode)) {
+    const off_t begin = ::lseek(*file, 0, SEEK_CUR);
+    return Program(shown, std::move(file), begin);
+  }
+  auto copy = copied(file, shown);
+  if (!copy) return tl::make_unexpected(std::move(copy.error()));
+  return in_file(shown, std::move(*copy));
+}
+
+Program Program::in_file(std::string name, Descriptor file) {
+  return {std::move(name), std::move(file), 0};
+}
+
+ipr::Reader Program::reader() {
+  ::lseek(*file_, begin_, SEEK_SET);
+  return ipr::Reader(*file_);
+}
+
+std::size_t Program::read(off_t from, char* to, std::size_t size) const {
+  ssize_t n = 0;
+  do {
+    n = ::pread(*file_, to, size, from);
+  } while (n < 0 && errno == EINTR);
+  return n > 0 ? static_cast<std::size_t>(n) : 0;
+}
+
+const std::string& Program::hash() {
+  if (!hash_.empty()) return hash_;
+  hal::Hasher hasher;
+  for_each_piece([&](std::string_view piece) { hasher.add(piece); });
+  return hash_ = hasher.hex();
+}
+
+std::string Program::line(int number) {
+  const off_t here = ::lseek(*file_, 0, SEEK_CUR);
+  if (!lines_ || lines_->line() > number) {
+    lines_.emplace(*file_);
+    lines_offset_ = begin_;
+    line_.clear();
+  }
+  ::lseek(*file_, lines_offset_, SEEK_SET);
+  while (lines_->line() < number) {
+    const auto text = lines_->next();
+    line_ = text.value_or("");
+    if (!text) break;
+  }
+  lines_offset_ = ::lseek(*file_, 0, SEEK_CUR);
+  ::lseek(*file_, here, SEEK_SET);
+  return line_;
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// A part program that can be read more than once.
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+
+#include "descriptor.hpp"
+#include "ipr/reader.hpp"
+#include "motion/result.hpp"
+
+namespace softcnc::app {
+
+class Program {
+ public:
+  /// "-" is standard input. What cannot be read twice is copied into an unlinked temporary file.
+  /// Errors: SC6001, SC6002, SC6003.
+  static Result<Program> open(const std::string& name);
+  /// A program that lies in `file` already.
+  static Program in_file(std::string name, Descriptor file);
+
+  /// As the user named it; "<stdin>" for "-".
+  const std::string& name() const noexcept { return name_; }
+
+  /// Reads from the beginning. One reader at a time.
+  ipr::Reader reader();
+
+  /// hash_hex() of the text.
+  const std::string& hash();
+
+  /// Text of a line, from 1; empty behind the end. A reader may be under way; cheap where lines are
+  /// asked for in their order.
+  std::string line(int number);
+
+  /// Calls take(bytes) for the text, piece by piece, from the beginning.
+  template <typename Take>
+  void for_each_piece(Take&& take);
+
+ private:
+  Program(std::string name, Descriptor file, off_t begin);
+  std::size_t read(off_t from, char* to, std::size_t size) const;
+
+  std::string name_;
+  Descriptor file_;
+  off_t begin_;
+  std::string hash_;
+
+  // Reads lines for diagnostics, with a place of its own in the file.
+  std::optional<ipr::Reader> lines_;
+  off_t lines_offset_ = 0;
+  std::string line_;
+};
+
+template <typename Take>
+void Program::for_each_piece(Take&& take) {
+  std::string piece(65536, '\0');
+  off_t at = begin_;
+  while (const std::size_t n = read(at, piece.data(), piece.size())) {
+    take(std::string_view(piece.data(), n));
+    at += static_cast<off_t>(n);
+  }
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,4 @@
+#include "commands.hpp"
+namespace softcnc::app {
+int record(const Options&) { return 70; }
+}  // namespace softcnc::app

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "report_json.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cpu_clock.hpp"
+#include "hal/hash.hpp"
+#include "hal/machine_file.hpp"
+#include "motion/counts.hpp"
+#include "motion/units.hpp"
+
+namespace softcnc::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// {"x": of(0), ...} for the axes the machine has; NaN is left out.
+template <typename Of>
+Json by_axis(const Machine& machine, Of&& of) {
+  Json object = Json::object();
+  for (int i = 0; i < kAxes; ++i) {
+    if (!machine.axes[static_cast<std::size_t>(i)].present) continue;
+    const auto value = of(i);
+    if (!std::isnan(static_cast<double>(value))) object[std::string(1, "xyz"[i])] = value;
+  }
+  return object;
+}
+
+Json counts(const Machine& machine, const AxisVector& position) {
+  return by_axis(machine, [&](int i) {
+    return Counts(machine.axes[static_cast<std::size_t>(i)].blu)(position[i]);
+  });
+}
+
+Json time_by_limit(const Outcome& outcome) {
+  Json object = Json::object();
+  for (std::size_t i = 0; i < outcome.time_by_limit.size(); ++i)
+    if (outcome.time_by_limit[i] > 0)
+      object[std::string(name(static_cast<Limit>(i)))] = outcome.time_by_limit[i];
+  return object;
+}
+
+Json diagnostics(const Performance& performance) {
+  Json list = Json::array();
+  for (const Diagnostic& d : performance.diagnostics)
+    list.push_back({{"file", d.file},
+                    {"line", d.pos.line},
+                    {"column", d.pos.column},
+                    {"severity", name(d.severity())},
+                    {"code", fmt::format("SC{}", static_cast<int>(d.code))},
+                    {"message", d.message}});
+  return list;
+}
+
+void add_measured(Json& report, const Machine& machine, const Measured& measured) {
+  const auto axes = [&](const AxisVector& value) {
+    return by_axis(machine, [&](int i) { return value[i]; });
+  };
+  report["chord_error_um_max"] = um_from_mm(measured.chord_error);
+  report["path_deviation_um_max"] = um_from_mm(measured.path_deviation);
+  report["feed_fluctuation_max"] = measured.feed_fluctuation;
+  report["velocity_max"] = axes(measured.velocity);
+  report["acceleration_max"] = axes(measured.acceleration);
+  report["jerk_max"] = axes(measured.jerk);
+}
+
+void add_axes(Json& report, const Machine& machine, const Performance& performance) {
+  report["counts"] = counts(machine, performance.outcome.last.position);
+  const Json following = by_axis(machine, [&](int i) {
+    return um_from_mm(performance.following_error[static_cast<std::size_t>(i)]);
+  });
+  if (following.empty()) return;
+  report["following_error_um_max"] = following;
+  report["settled_mm"] = by_axis(machine, [&](int i) { return performance.settled[i]; });
+  report["settled_counts"] = counts(machine, performance.settled);
+}
+
+void add_cpu(Json& report, const Outcome::Cpu& cpu) {
+  report["cpu_s"] = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
+  report["cpu_planning_s"] = cpu.planning;
+  report["cpu_interpolation_s"] = cpu.cycle;
+  report["cpu_verification_s"] = cpu.verification;
+  report["cpu_output_s"] = cpu.output;
+}
+
+}  // namespace
+
+std::string report_json(Job& job, const Performance& performance) {
+  const Outcome& outcome = performance.outcome;
+  Json report;
+  report["status"] = name(performance.ending);
+  report["program"] = job.program.name();
+  report["program_hash"] = job.program.hash();
+  report["machine"] = job.machine.name;
+  report["machine_hash"] = hal::hash_hex(hal::machine_toml(job.machine));
+  report["softcnc"] = SOFTCNC_VERSION;
+  if (performance.moved) {
+    report["time_s"] = outcome.time;
+    report["length_mm"] = outcome.last.s;
+    report["blocks"] = outcome.last.block;
+    report["setpoints"] = outcome.setpoints;
+    add_measured(report, job.machine, outcome.measured);
+    report["time_by_limit_s"] = time_by_limit(outcome);
+    add_axes(report, job.machine, performance);
+    report["planner_nodes"] = outcome.planner.nodes;
+    report["planner_passes"] = outcome.planner.passes;
+    add_cpu(report, outcome.cpu);
+  }
+  report["diagnostics"] = diagnostics(performance);
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "signals.hpp"
+
+#include <poll.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <array>
+
+namespace softcnc::app {
+
+StopSignals::StopSignals() : descriptor_(-1) {
+  sigemptyset(&signals_);
+  sigaddset(&signals_, SIGINT);
+  sigaddset(&signals_, SIGTERM);
+  sigprocmask(SIG_BLOCK, &signals_, &before_);
+  descriptor_ = Descriptor(::signalfd(-1, &signals_, SFD_NONBLOCK | SFD_CLOEXEC));
+}
+
+StopSignals::~StopSignals() { unblock(); }
+
+void StopSignals::unblock() noexcept { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+
+int StopSignals::poll() noexcept {
+  if (received_ != 0) return received_;
+  signalfd_siginfo info{};
+  if (::read(*descriptor_, &info, sizeof info) == sizeof info) {
+    received_ = static_cast<int>(info.ssi_signo);
+    unblock();
+  }
+  return received_;
+}
+
+void StopSignals::wait_for_input(int descriptor) noexcept {
+  std::array<pollfd, 2> sources{{{descriptor, POLLIN, 0}, {*descriptor_, POLLIN, 0}}};
+  ::poll(sources.data(), sources.size(), -1);
+}
+
+}  // namespace softcnc::app

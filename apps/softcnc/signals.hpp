@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Ctrl-C and its like as something to ask for, not something that interrupts.
+#pragma once
+
+#include <csignal>
+
+#include "descriptor.hpp"
+
+namespace softcnc::app {
+
+/// While it lives, SIGINT and SIGTERM wait to be asked for. The first one ends the waiting: a
+/// second one has its usual effect.
+class StopSignals {
+ public:
+  StopSignals();
+  StopSignals(const StopSignals&) = delete;
+  StopSignals& operator=(const StopSignals&) = delete;
+  ~StopSignals();
+
+  /// The signal that has come, 0 if none has.
+  int poll() noexcept;
+
+  /// Waits for input on a descriptor, or for a signal.
+  void wait_for_input(int descriptor) noexcept;
+
+ private:
+  void unblock() noexcept;
+
+  sigset_t signals_{}, before_{};
+  Descriptor descriptor_;
+  int received_ = 0;
+};
+
+}  // namespace softcnc::app

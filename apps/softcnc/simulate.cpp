@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// A run without a clock: the cycle fills a batch of rows, which are then verified and written.
+#include <vector>
+
+#include "channel.hpp"
+#include "cpu_clock.hpp"
+#include "verification.hpp"
+
+namespace softcnc::app {
+namespace {
+
+constexpr std::size_t kBatch = 256;  // rows
+
+/// A Recorder that keeps the rows of a batch.
+class RowBuffer {
+ public:
+  explicit RowBuffer(const hal::Backend& backend)
+      : backend_(backend),
+        columns_(backend.columns().size()),
+        rows_(kBatch),
+        values_(kBatch * columns_) {}
+
+  void clear() noexcept { used_ = 0; }
+  void record(const Setpoint& setpoint, const Feedback&) noexcept {
+    backend_.values(std::span(values_).subspan(used_ * columns_, columns_));
+    rows_[used_++] = setpoint;
+  }
+
+  std::span<const Setpoint> rows() const noexcept { return std::span(rows_).first(used_); }
+  std::span<const double> values(std::size_t row) const noexcept {
+    return std::span(values_).subspan(row * columns_, columns_);
+  }
+
+ private:
+  const hal::Backend& backend_;
+  std::size_t columns_, used_ = 0;
+  std::vector<Setpoint> rows_;
+  std::vector<double> values_;
+};
+
+/// A Source that ends with the batch.
+class Batch {
+ public:
+  explicit Batch(Channel& channel) noexcept : channel_(channel) {}
+  std::optional<Setpoint> step(const Panel& panel) noexcept {
+    return left_-- == 0 ? std::nullopt : channel_.step(panel);
+  }
+
+ private:
+  Channel& channel_;
+  std::size_t left_ = kBatch;
+};
+
+class Simulation {
+ public:
+  Simulation(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+             hal::Backend& backend, Diagnostics& diagnostics)
+      : channel_(reader, machine, options, diagnostics),
+        backend_(backend),
+        buffer_(backend),
+        verification_(machine) {}
+
+  Outcome run(RowSink* rows, Watcher* watcher) {
+    do {
+      if (watcher && !panel_.stop) panel_.stop = watcher->wants_stop();
+    } while (run_batch(rows, watcher));
+    channel_.rethrow();
+    return finish();
+  }
+
+ private:
+  bool run_batch(RowSink* rows, Watcher* watcher);
+  bool write(RowSink* rows);
+  void tell(Watcher* watcher) const;
+  Outcome finish();
+
+  Panel panel_;
+  Channel channel_;
+  hal::Backend& backend_;
+  RowBuffer buffer_;
+  Verification verification_;
+  Outcome outcome_;
+  CpuLaps cpu_;
+};
+
+/// True if more may follow.
+bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
+  buffer_.clear();
+  Batch batch(channel_);
+  const CycleReport cycle = run_cycle(batch, backend_, buffer_, panel_);
+  outcome_.cpu.cycle += cpu_.lap();
+  verification_.add(buffer_.rows(), channel_.queue());
+  outcome_.cpu.verification += cpu_.lap();
+  const bool wanted = write(rows);
+  outcome_.setpoints += cycle.setpoints;
+  if (cycle.setpoints > 0) {
+    outcome_.feedback = cycle.last;
+    outcome_.last = buffer_.rows().back();
+  }
+  tell(watcher);
+  channel_.forget_passed();
+  outcome_.cpu.output += cpu_.lap();
+  if (!wanted) outcome_.end = Outcome::End::broken_off;
+  if (cycle.last.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
+  return outcome_.end == Outcome::End::done && cycle.setpoints == kBatch;
+}
+
+bool Simulation::write(RowSink* rows) {
+  for (std::size_t i = 0; rows && i < buffer_.rows().size(); ++i)
+    if (!rows->row(buffer_.rows()[i], buffer_.values(i))) return false;
+  return true;
+}
+
+void Simulation::tell(Watcher* watcher) const {
+  if (!watcher) return;
+  const auto& queue = channel_.queue();
+  queue.for_each_recent([&](const ipo::TimedBlock& timed) {
+    const bool passed = queue.empty() || &timed != &queue.front();
+    if (passed && std::holds_alternative<Action>(timed.block.what))
+      watcher->sees_action(timed.block);
+  });
+  watcher->sees(outcome_.last);
+}
+
+Outcome Simulation::finish() {
+  verification_.finish();
+  if (outcome_.end == Outcome::End::done && panel_.stop) outcome_.end = Outcome::End::stopped;
+  outcome_.time = channel_.time();
+  outcome_.time_by_limit = channel_.time_by_limit();
+  outcome_.measured = verification_.measured();
+  outcome_.planner = channel_.feeder().counts();
+  outcome_.cpu.planning = channel_.feeder().cpu();
+  outcome_.cpu.cycle -= outcome_.cpu.planning;
+  return outcome_;
+}
+
+}  // namespace
+
+Outcome simulate(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+                 hal::Backend& backend, Diagnostics& diagnostics, RowSink* rows, Watcher* watcher) {
+  return Simulation(reader, machine, options, backend, diagnostics).run(rows, watcher);
+}
+
+}  // namespace softcnc::app

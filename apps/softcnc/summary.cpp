@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "cpu_clock.hpp"
+#include "motion/counts.hpp"
+#include "motion/units.hpp"
+#include "progress.hpp"
+
+namespace softcnc::app {
+namespace {
+
+constexpr double kBar = 30;  // characters for 100 %
+
+std::string head(const Job& job, const Performance& performance) {
+  std::string text = fmt::format("{} on {}", job.program.name(), job.machine.name);
+  const Setpoint& last = performance.outcome.last;
+  if (performance.ending == Ending::stopped)
+    text += fmt::format(", stopped at rest in line {}", last.line);
+  if (performance.ending == Ending::alarm)
+    text += fmt::format(", broken off by an alarm in line {}", last.line);
+  return text;
+}
+
+std::string sizes(const Job& job, const Outcome& outcome) {
+  return fmt::format(
+      "\n  time         {}\n  path         {:.3f} mm in {} block{}\n"
+      "  rows         {}, one every {:.6g} ms\n  chord error  {:.4f} um, {:.6g} um allowed",
+      duration_text(outcome.time), outcome.last.s, outcome.last.block,
+      outcome.last.block == 1 ? "" : "s", outcome.setpoints, ms_from_s(job.machine.control.period),
+      um_from_mm(outcome.measured.chord_error), um_from_mm(job.machine.control.chord_tolerance));
+}
+
+/// The limits that held the feed down, longest first.
+std::string held_by(const Outcome& outcome) {
+  std::vector<std::size_t> order(outcome.time_by_limit.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return outcome.time_by_limit[a] > outcome.time_by_limit[b];
+  });
+  std::string text = "\n\n  held by              time        %";
+  for (const std::size_t i : order) {
+    const double time = outcome.time_by_limit[i];
+    if (!(time > 0)) break;
+    const double part = time / outcome.time;
+    text += fmt::format("\n  {:<14}{:>11}   {:>6.1f}  {}", name(static_cast<Limit>(i)),
+                        duration_text(time), 100 * part,
+                        std::string(static_cast<std::size_t>(std::ceil(kBar * part)), '#'));
+  }
+  return text;
+}
+
+std::string axis_row(const Machine& machine, const Performance& performance, int i) {
+  const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
+  const Outcome& outcome = performance.outcome;
+  const double following = performance.following_error[static_cast<std::size_t>(i)];
+  return fmt::format("\n  {}     {:>8.2f} / {:<8.6g} {:>8.1f} / {:<8.6g} {:>12} {:>12.4f} {:>9}",
+                     kAxisLetters[static_cast<std::size_t>(i)], outcome.measured.velocity[i],
+                     axis.velocity, outcome.measured.acceleration[i], axis.acceleration,
+                     std::isnan(following) ? "-" : fmt::format("{:.1f}", um_from_mm(following)),
+                     outcome.last.position[i] + 0.0, Counts(axis.blu)(outcome.last.position[i]));
+}
+
+std::string axes(const Machine& machine, const Performance& performance) {
+  std::string text =
+      "\n\n  axis    velocity / limit      accel. / limit     following       end at     counts"
+      "\n          mm/s                  mm/s2              error, um       mm         of BLU";
+  for (int i = 0; i < kAxes; ++i)
+    if (machine.axes[static_cast<std::size_t>(i)].present)
+      text += axis_row(machine, performance, i);
+  return text;
+}
+
+std::string cost(const Outcome& outcome) {
+  const double cpu = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
+  return fmt::format("\n\n  CPU {:.3f} s: {:.0f} times faster than real time", cpu,
+                     outcome.time / cpu);
+}
+
+}  // namespace
+
+std::string summary(const Job& job, const Performance& performance) {
+  const Outcome& outcome = performance.outcome;
+  return head(job, performance) + sizes(job, outcome) + held_by(outcome) +
+         axes(job.machine, performance) + cost(outcome);
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "terminal.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+
+namespace softcnc::app {
+
+Terminal::Terminal(ProgressMode progress, bool data_on_terminal, double period, bool waits)
+    : progress_(progress, data_on_terminal), period_(period), waits_(waits) {}
+
+void Terminal::begin(std::string label, double total) { progress_.begin(std::move(label), total); }
+
+void Terminal::sees(const Setpoint& latest) {
+  progress_.update(static_cast<double>(latest.period) * period_, latest.line);
+}
+
+void Terminal::sees_action(const Block& block) {
+  const std::string text = instruction(block);
+  if (!waits_ || text.empty() || signals_.poll() != 0) return;
+  progress_.clear();
+  fmt::print(stderr, "{}: press Enter ", text);
+  std::fflush(stderr);
+  signals_.wait_for_input(STDIN_FILENO);
+  if (signals_.poll() != 0) return;
+  std::array<char, 256> ignored{};
+  if (::read(STDIN_FILENO, ignored.data(), ignored.size()) <= 0) waits_ = false;
+}
+
+std::string instruction(const Block& block) {
+  const auto* action = std::get_if<Action>(&block.what);
+  if (!action) return {};
+  if (action->kind == Action::Kind::tool)
+    return fmt::format("line {}: M{:02} T{:.0f}", block.source.line, action->code, action->value);
+  if (action->kind == Action::Kind::stop)
+    return fmt::format("line {}: M{:02}", block.source.line, action->code);
+  return {};
+}
+
+}  // namespace softcnc::app

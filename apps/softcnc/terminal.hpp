@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The person who watches a run: progress, Ctrl-C, and Enter where the program waits.
+#pragma once
+
+#include <string>
+
+#include "channel.hpp"
+#include "progress.hpp"
+#include "signals.hpp"
+
+namespace softcnc::app {
+
+class Terminal final : public Watcher {
+ public:
+  /// `waits`: M00, M01 and M06 wait for Enter, if there is a terminal to ask on.
+  Terminal(ProgressMode progress, bool data_on_terminal, double period, bool waits);
+
+  /// Begins a part of the work; `total` in s of machine time, 0: unknown.
+  void begin(std::string label, double total);
+  /// From here on nothing waits any more, or it does.
+  void set_waits(bool waits) noexcept { waits_ = waits; }
+
+  bool wants_stop() override { return signals_.poll() != 0; }
+  void sees(const Setpoint& latest) override;
+  void sees_action(const Block& block) override;
+
+  /// Clears the screen for words.
+  void end() { progress_.clear(); }
+
+  /// The signal that asked for a stop; 0: none.
+  int signal() noexcept { return signals_.poll(); }
+
+ private:
+  Progress progress_;
+  StopSignals signals_;
+  double period_;
+  bool waits_;
+};
+
+/// What a person has to do at an action before the program goes on; empty: nothing.
+std::string instruction(const Block& block);
+
+}  // namespace softcnc::app

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "verification.hpp"
+
+#include <fmt/format.h>
+
+#include "motion/units.hpp"
+
+namespace softcnc::app {
+namespace {
+
+/// What differences of rows may exceed a limit by.
+constexpr double kAxisTolerance = 1e-3;
+/// What rounding may add to a chord error.
+constexpr double kChordTolerance = 1e-6;
+
+class Judge {
+ public:
+  Judge(const Machine& machine, Diagnostics& diagnostics)
+      : promised_(machine.control.interpolation == Method::arc_length),
+        method_(name(machine.control.interpolation)),
+        diagnostics_(diagnostics) {}
+
+  void operator()(std::string_view what, double value, double limit, double tolerance,
+                  std::string_view unit) {
+    if (!(value > limit * (1 + tolerance))) return;
+    const std::string text =
+        fmt::format("{} reaches {:.6g} {}, {:.3g} % above its limit of {:.6g} {}", what, value,
+                    unit, 100 * (value / limit - 1), limit, unit);
+    diagnostics_.report(promised_ ? Code::SC4002 : Code::SC4003, {},
+                        promised_ ? text : fmt::format("{}: {}", method_, text));
+  }
+
+ private:
+  bool promised_;
+  std::string_view method_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& queue) {
+  stretches_.clear();
+  block_numbers_.clear();
+  queue.for_each_recent([this](const ipo::TimedBlock& timed) {
+    if (!timed.move()) return;
+    stretches_.push_back({&timed.move()->path, timed.s_start});
+    block_numbers_.push_back(timed.block.number);
+  });
+  std::size_t first = 0, end = 0;
+  for (const Setpoint& row : rows) {
+    while (first < stretches_.size() && block_numbers_[first] < block_before_) ++first;
+    while (end < stretches_.size() && block_numbers_[end] <= row.block) ++end;
+    verifier_.row(row, std::span(stretches_).subspan(first, end - first));
+    block_before_ = row.block;
+  }
+}
+
+void report_excess(const Measured& measured, const Machine& machine, Diagnostics& diagnostics) {
+  Judge judge(machine, diagnostics);
+  for (int i = 0; i < kAxes; ++i) {
+    const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
+    if (!axis.present) continue;
+    const char letter = kAxisLetters[static_cast<std::size_t>(i)];
+    judge(fmt::format("the velocity of {}", letter), measured.velocity[i], axis.velocity,
+          kAxisTolerance, "mm/s");
+    judge(fmt::format("the acceleration of {}", letter), measured.acceleration[i],
+          axis.acceleration, kAxisTolerance, "mm/s2");
+  }
+  judge("the chord error", um_from_mm(measured.chord_error),
+        um_from_mm(machine.control.chord_tolerance), kChordTolerance, "um");
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Every row of a run against the curves and limits it should keep.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ipo/block_queue.hpp"
+#include "motion/verify.hpp"
+
+namespace softcnc::app {
+
+/// Hands rows to the verifier together with the paths between them.
+class Verification {
+ public:
+  explicit Verification(const Machine& machine) noexcept : verifier_(machine) {}
+
+  /// `queue` still holds every block from that of the row before.
+  void add(std::span<const Setpoint> rows, const ipo::BlockQueue& queue);
+  void finish() noexcept { verifier_.finish(); }
+
+  const Measured& measured() const noexcept { return verifier_.measured(); }
+
+ private:
+  Verifier verifier_;
+  int block_before_ = 0;            // number of the block of the row before
+  std::vector<Stretch> stretches_;  // of the blocks in the queue,
+  std::vector<int> block_numbers_;  // and their numbers
+};
+
+/// Reports where the rows have exceeded a limit of the machine: SC4002, or SC4003 for an
+/// interpolation method that does not promise to keep it.
+void report_excess(const Measured& measured, const Machine& machine, Diagnostics& diagnostics);
+
+}  // namespace softcnc::app
