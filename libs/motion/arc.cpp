@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "motion/arc.hpp"
 
-#include <Eigen/Geometry>
-
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
 #include <cmath>

@@ -181,7 +181,7 @@ double ArcLengthMap::arc_length(const SpanPlace& place) const noexcept {
   const auto next = std::upper_bound(cells_.begin() + 1, cells_.end(), place, before);
   const auto i = static_cast<std::size_t>(next - cells_.begin()) - 1;
   const Cell& cell = cells_[i];
-  if (place < cell.first) return starts_[i];
+  if (!(cell.first < place)) return starts_[i];
   const double x = 2.0 * distance(cell.first, place) / cell.width - 1.0;
   if (place.span > cell.first.span || x >= 1.0) return starts_[i + 1];
   const double s = evaluate_chebyshev(terms(cell.s_from_first).first(cell.s_terms), x);

@@ -21,8 +21,7 @@ constexpr double distance(const SpanPlace& a, const SpanPlace& b) noexcept {
 }
 
 constexpr bool operator<(const SpanPlace& a, const SpanPlace& b) noexcept {
-  if (a.span != b.span) return a.span < b.span;
-  return a.end != b.end ? a.end < b.end : a.offset < b.offset;
+  return a.span != b.span ? a.span < b.span : distance(a, b) > 0.0;
 }
 
 /// The place where t is the larger by `step`, not beyond the span.

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// Arcs and helices against their closed forms, in every plane and direction.
+#include "motion/arc.hpp"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "support/curve_checks.hpp"
+#include "support/property.hpp"
+
+namespace softcnc {
+namespace {
+
+using std::numbers::pi;
+using test::integer;
+using test::real;
+
+/// A point given by its coordinates along the first and second axis of a plane, and across.
+AxisVector in(Plane plane, double first, double second, double across) {
+  const PlaneAxes axes = plane_axes(plane);
+  AxisVector v;
+  v[axes.first] = first;
+  v[axes.second] = second;
+  v[axes.across] = across;
+  return v;
+}
+
+/// Radius r about (cx, cy) from angle a over the signed sweep, rising by `pitch`.
+struct Turn {
+  Plane plane;
+  double r, cx, cy, angle, sweep, pitch;
+
+  AxisVector point(double part) const {
+    const double a = angle + part * sweep;
+    return in(plane, cx + r * std::cos(a), cy + r * std::sin(a), 5 + part * pitch);
+  }
+  ArcSpec spec() const {
+    return {point(0), point(1),  in(plane, cx, cy, 77),
+            plane,    sweep > 0, static_cast<int>(std::abs(sweep) / (2 * pi))};
+  }
+  double length() const { return std::hypot(r * sweep, pitch); }
+};
+
+Plane any_plane() { return static_cast<Plane>(integer(0, 2)); }
+
+Turn any_turn() {
+  const double sweep =
+      (integer(0, 1) ? 1.0 : -1.0) * (real(0.01, 2 * pi - 0.01) + 2 * pi * integer(0, 2));
+  return {any_plane(),   real(0.5, 80), real(-50, 50), real(-50, 50),
+          real(-pi, pi), sweep,         real(-20, 20)};
+}
+
+std::string refusal(const ArcSpec& spec) {
+  const auto arc = Arc::make(spec);
+  REQUIRE_FALSE(arc);
+  CHECK(arc.error().pos.line == 0);  // the place is the caller's to know
+  return std::to_string(static_cast<int>(arc.error().code)) + ": " + arc.error().message;
+}
+
+}  // namespace
+
+TEST_CASE("a quarter turn in every quadrant, plane and direction", "[motion][arc]") {
+  const double x[] = {1, 0, -1, 0};
+  const double y[] = {0, 1, 0, -1};
+  for (const Plane plane : {Plane::xy, Plane::zx, Plane::yz})
+    for (int i = 0; i < 4; ++i)
+      for (const bool ccw : {true, false}) {
+        const int j = (i + (ccw ? 1 : 3)) % 4;
+        const auto arc =
+            Arc::make({in(plane, 20 * x[i], 20 * y[i], 3), in(plane, 20 * x[j], 20 * y[j], 3),
+                       in(plane, 0, 0, 0), plane, ccw});
+        REQUIRE(arc);
+        CHECK(arc->length() == Approx(10 * pi).epsilon(1e-15));
+        CHECK(arc->ccw() == ccw);
+        CHECK(arc->radius() == 20);
+        CHECK(arc->turns() == 0);
+        const AxisVector middle =
+            in(plane, 20 * std::sqrt(0.5) * (x[i] + x[j]), 20 * std::sqrt(0.5) * (y[i] + y[j]), 3);
+        CHECK((arc->position(5 * pi) - middle).norm() < 1e-14);
+        CHECK((arc->at(0).dq - in(plane, x[j], y[j], 0)).norm() < 1e-15);
+        CHECK((arc->at(0).ddq + in(plane, x[i], y[i], 0) / 20).norm() < 1e-16);
+      }
+}
+
+TEST_CASE("G17, G18 and G19 turn the way a right-handed machine expects", "[motion][arc]") {
+  // Counter-clockwise from +X towards +Y, from +Z towards +X, from +Y towards +Z.
+  CHECK(plane_axes(Plane::xy).first == 0);
+  CHECK(plane_axes(Plane::zx).first == 2);
+  CHECK(plane_axes(Plane::yz).first == 1);
+  const auto zx = Arc::make({{0, 0, 10}, {10, 0, 0}, {0, 0, 0}, Plane::zx, true});
+  REQUIRE(zx);
+  CHECK(zx->sweep() == Approx(pi / 2));
+  const auto back = Arc::make({{0, 0, 10}, {10, 0, 0}, {0, 0, 0}, Plane::zx, false});
+  REQUIRE(back);
+  CHECK(back->sweep() == Approx(-3 * pi / 2));
+}
+
+TEST_CASE("equal ends make a full circle, and turns add to it", "[motion][arc]") {
+  for (const int turns : {0, 1, 5}) {
+    const auto arc = Arc::make({{10, 0, 0}, {10, 0, 6}, {0, 0, 0}, Plane::xy, false, turns});
+    REQUIRE(arc);
+    CHECK(arc->sweep() == Approx(-2 * pi * (turns + 1)));
+    CHECK(arc->length() == Approx(std::hypot(20 * pi * (turns + 1), 6.0)).epsilon(1e-15));
+    CHECK((arc->position(arc->length() / 2) - AxisVector(turns % 2 ? 10 : -10, 0, 3)).norm() <
+          1e-13);
+    CHECK(arc->position(arc->length()) == AxisVector(10, 0, 6));
+  }
+}
+
+TEST_CASE("ends that differ by rounding alone are equal ends", "[motion][arc]") {
+  const auto arc = Arc::make({{0.1 + 0.2, 7, 0}, {0.3, 7, 0}, {0.3, 2, 0}, Plane::xy, true});
+  REQUIRE(arc);
+  CHECK(arc->length() == Approx(10 * pi).epsilon(1e-14));
+  CHECK(arc->position(arc->length()) == AxisVector(0.3, 7, 0));
+}
+
+TEST_CASE("arcs and helices follow their closed form", "[motion][arc][property]") {
+  test::holds([] {
+    const Turn turn = any_turn();
+    const auto arc = Arc::make(turn.spec());
+    RC_ASSERT(arc.has_value());
+    RC_ASSERT(std::abs(arc->length() - turn.length()) < 1e-11);
+    RC_ASSERT(arc->position(0) == turn.point(0));
+    RC_ASSERT(arc->position(arc->length()) == turn.point(1));
+    for (int i = 0; i <= 16; ++i) {
+      const AxisVector off = arc->position(arc->length() * i / 16.0) - turn.point(i / 16.0);
+      RC_ASSERT(off.norm() < 1e-11);
+    }
+  });
+}
+
+TEST_CASE("the derivatives of arcs and helices are those of their positions",
+          "[motion][arc][property]") {
+  test::holds([] {
+    const Turn turn = any_turn();
+    const auto arc = Arc::make(turn.spec());
+    RC_ASSERT(arc.has_value());
+    const double s = arc->length() * real(0.05, 0.95);
+    const PathPoint p = arc->at(s);
+    test::check_unit_speed(p);
+    test::check_differences(*arc, s, 1e-3 * std::min(turn.r, arc->length()), 1 / turn.r);
+    // Helix of radius r, pitch b a radian: curvature r / (r^2 + b^2), torsion b / (r^2 + b^2).
+    const double b = turn.pitch / std::abs(turn.sweep);
+    const double square = turn.r * turn.r + b * b;
+    RC_ASSERT(std::abs(p.ddq.norm() - turn.r / square) < 1e-11);
+    const double handed = p.dq.dot(p.ddq.cross(p.dddq)) / p.ddq.squaredNorm();
+    RC_ASSERT(std::abs(handed - (turn.sweep > 0 ? b : -b) / square) < 1e-9);
+  });
+}
+
+TEST_CASE("a center off the bisector is moved along the chord", "[motion][arc]") {
+  // Radius 5 at the start, 5.008 at the end.
+  const auto arc = Arc::make({{5, 0, 0}, {0, 5.008, 0}, {0, 0, 0}, Plane::xy, true});
+  REQUIRE(arc);
+  const AxisVector chord = arc->to() - arc->from();
+  CHECK(std::abs(arc->center().dot(AxisVector(chord.y(), -chord.x(), 0))) < 1e-12);
+  for (int i = 0; i <= 100; ++i) {
+    const AxisVector q = arc->position(arc->length() * i / 100);
+    CHECK((q - arc->center()).norm() == Approx(arc->radius()).epsilon(1e-15));
+    CHECK(q.norm() > 5 - 1e-12);
+    CHECK(q.norm() < 5.008 + 1e-12);
+  }
+}
+
+TEST_CASE("no accepted arc strays from its programmed circle", "[motion][arc][property]") {
+  int accepted = 0;
+  test::holds(
+      [&] {
+        const double r = real(0.1, 50);
+        const double a = real(-pi, pi);
+        const double end_radius = r + real(-0.012, 0.012);
+        const double gap = std::pow(10.0, real(-4, 0.5));
+        const ArcSpec spec{{r * std::cos(a), r * std::sin(a), 0},
+                           {end_radius * std::cos(a + gap), end_radius * std::sin(a + gap), 0},
+                           {0, 0, 0},
+                           Plane::xy,
+                           integer(0, 1) == 1};
+        const auto arc = Arc::make(spec);
+        if (!arc) return;
+        ++accepted;
+        for (int i = 0; i <= 64; ++i) {
+          const double radius = arc->position(arc->length() * i / 64).norm();
+          RC_ASSERT(std::abs(radius - r) <= Arc::kRadiusTolerance + 1e-12);
+        }
+      },
+      500);
+  CHECK(accepted > 100);
+  CHECK(accepted < 500);
+}
+
+TEST_CASE("an arc whose end is off its circle is refused", "[motion][arc][code]") {
+  CHECK(
+      refusal({{40, 40, 0}, {60, 20, 0}, {40, 19.7, 0}, Plane::xy, false}) ==
+      "2103: G02 ends 0.298 mm off its circle (radius 20.3 mm at the start, 20.002 mm at the end)");
+  CHECK(refusal({{0, 0, 10}, {10.35, 0, 0}, {0, 0, 0}, Plane::zx, true}) ==
+        "2103: G03 ends 0.35 mm off its circle (radius 10 mm at the start, 10.35 mm at the end)");
+  CHECK(Arc::make({{10, 0, 0}, {0, 10.0099, 0}, {0, 0, 0}}));
+  CHECK_FALSE(Arc::make({{10, 0, 0}, {0, 10.0101, 0}, {0, 0, 0}}));
+  CHECK_FALSE(Arc::make({{10, 0, 0}, {0, 10, 0}, {std::nan(""), 0, 0}}));
+}
+
+TEST_CASE("an arc that would stray although its ends are near the circle is refused",
+          "[motion][arc][code]") {
+  // Almost a full circle: a short chord and radii that differ throw the center far off.
+  CHECK(refusal({{10, 0, 0}, {10.005, -0.1, 0}, {0, 0, 0}, Plane::xy, true}).substr(0, 20) ==
+        "2103: G03 strays 0.5");
+  CHECK(Arc::make({{10, 0, 0}, {10.005, -0.1, 0}, {0, 0, 0}, Plane::xy, false}));
+}
+
+TEST_CASE("an arc about its own start is refused", "[motion][arc][code]") {
+  CHECK(refusal({{3, 4, 0}, {3, 4, 0}, {3, 4, 9}, Plane::xy, true}) ==
+        "2104: G03 has no radius: its centre is its start");
+  CHECK(refusal({{3, 4, 0}, {5, 4, 0}, {3, 4, 9}, Plane::xy, false}) ==
+        "2104: G02 has no radius: its centre is its start");
+}
+
+TEST_CASE("a large radius costs no digits", "[motion][arc]") {
+  // A sagitta of 1/8 um over a chord of 1 mm: c^2 / 8 r with r = 1e6 mm.
+  const auto arc = Arc::make({{0, 0, 0}, {1, 0, 0}, {0.5, 1e6, 0}, Plane::xy, true});
+  REQUIRE(arc);
+  CHECK(arc->position(arc->length() / 2).y() == Approx(-1.25e-7).epsilon(1e-9));
+  CHECK(arc->length() == Approx(1.0).epsilon(1e-12));
+}
+
+}  // namespace softcnc

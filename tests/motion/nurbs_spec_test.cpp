@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Every way in which a specification is not a curve, and how it is told.
+#include "motion/nurbs_spec.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "motion/nurbs.hpp"
+
+namespace softcnc {
+namespace {
+
+/// A cubic of six points that is in order.
+NurbsSpec good() {
+  return {3,
+          {{0, 0, 0}, {1, 2, 0}, {3, 3, 0}, {4, 0, 0}, {6, 1, 0}, {7, 7, 0}},
+          {1, 1, 2, 1, 1, 1},
+          {0, 0, 0, 0, 0.5, 0.75, 1, 1, 1, 1}};
+}
+
+std::string refusal(const NurbsSpec& spec) {
+  const Status status = check(spec);
+  if (status) return "good";
+  const auto nurbs = Nurbs::make(spec);
+  REQUIRE_FALSE(nurbs);
+  CHECK(nurbs.error().code == status.error().code);
+  CHECK(nurbs.error().message == status.error().message);
+  CHECK(status.error().pos.line == 0);  // the place is the caller's to know
+  CHECK(status.error().severity() == Severity::error);
+  return std::to_string(static_cast<int>(status.error().code)) + ": " + status.error().message;
+}
+
+std::string refusal(const std::function<void(NurbsSpec&)>& spoil) {
+  NurbsSpec spec = good();
+  spoil(spec);
+  return refusal(spec);
+}
+
+}  // namespace
+
+TEST_CASE("a specification in order passes", "[motion][nurbs]") {
+  CHECK(refusal(good()) == "good");
+  // A corner: an inner knot as often as the degree.
+  CHECK(refusal([](auto& s) { s.knots = {0, 0, 0, 0, 0.5, 0.5, 1, 1, 1, 1}; }) == "good");
+  CHECK(refusal({1, {{0, 0, 0}, {1, 0, 0}}, {1, 1}, {0, 0, 1, 1}}) == "good");
+  CHECK(refusal({2,
+                 {{0, 0, 0}, {1, 0, 0}, {2, 2, 0}, {2, 4, 0}, {0, 9, 0}},
+                 {1, 1, 1, 1, 1},
+                 {0, 0, 0, 0.5, 0.5, 1, 1, 1}}) == "good");
+}
+
+TEST_CASE("orders below 2 and above 10 are refused", "[motion][nurbs][code]") {
+  CHECK(refusal([](auto& s) { s.degree = 0; }) ==
+        "3001: a NURBS of order 1: orders 2 to 10 can be run");
+  CHECK(refusal([](auto& s) { s.degree = 10; }) ==
+        "3001: a NURBS of order 11: orders 2 to 10 can be run");
+  CHECK(refusal([](auto& s) { s.degree = -1; }).substr(0, 4) == "3001");
+}
+
+TEST_CASE("fewer points than the order are refused", "[motion][nurbs][code]") {
+  CHECK(refusal([](auto& s) { s.control.resize(3); }) ==
+        "3002: 3 control points are too few for a NURBS of order 4");
+}
+
+TEST_CASE("knots too few or too many are refused", "[motion][nurbs][code]") {
+  CHECK(refusal([](auto& s) { s.knots.pop_back(); }) ==
+        "3003: 9 knots for 6 control points of order 4: there must be 10");
+  CHECK(refusal([](auto& s) { s.knots.push_back(1); }) ==
+        "3003: 11 knots for 6 control points of order 4: there must be 10");
+}
+
+TEST_CASE("decreasing knots are refused by number", "[motion][nurbs][code]") {
+  CHECK(refusal([](auto& s) { s.knots[5] = 0.25; }) ==
+        "3004: knot 6 (0.25) is less than the knot before it (0.5)");
+}
+
+TEST_CASE("ends that are not clamped are refused", "[motion][nurbs][code]") {
+  CHECK(refusal([](auto& s) { s.knots[0] = -1; }) ==
+        "3005: the first 4 knots are not equal (-1 to 0)");
+  CHECK(refusal([](auto& s) { s.knots[9] = 1.5; }) ==
+        "3005: the last 4 knots are not equal (1 to 1.5)");
+}
+
+TEST_CASE("knots that would tear the curve are refused", "[motion][nurbs][code]") {
+  const std::vector<AxisVector> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0},
+                                       {3, 3, 0}, {4, 0, 0}, {5, 0, 0}};
+  const std::vector<double> weights(6, 1.0);
+  CHECK(refusal({2, points, weights, {0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}}) ==
+        "3006: knot 4 (0.5) stands 3 times: a curve of order 3 would be torn");
+  CHECK(refusal({2, points, weights, {0, 0, 0, 0, 0.5, 0.7, 1, 1, 1}}) ==
+        "3006: knot 2 (0) stands 4 times: a curve of order 3 would be torn");
+  CHECK(refusal({2, points, weights, {0, 0, 0, 0.5, 0.7, 1, 1, 1, 1}}) ==
+        "3006: knot 6 (1) stands 4 times: a curve of order 3 would be torn");
+  CHECK(refusal({2, points, weights, {1, 1, 1, 1, 1, 1, 1, 1, 1}}) ==
+        "3006: knot 2 (1) stands 9 times: a curve of order 3 would be torn");
+}
+
+TEST_CASE("weights that are not positive or not there are refused", "[motion][nurbs][code]") {
+  CHECK(refusal([](auto& s) { s.weights[2] = 0; }) ==
+        "3007: weight 0 of control point 3 is not positive");
+  CHECK(refusal([](auto& s) { s.weights[5] = -2.5; }) ==
+        "3007: weight -2.5 of control point 6 is not positive");
+  CHECK(refusal([](auto& s) { s.weights[0] = std::nan(""); }).substr(0, 4) == "3007");
+  CHECK(refusal([](auto& s) { s.weights[0] = HUGE_VAL; }).substr(0, 4) == "3007");
+  CHECK(refusal([](auto& s) { s.weights.pop_back(); }) == "3007: 5 weights for 6 control points");
+}
+
+TEST_CASE("numbers that are not finite are refused", "[motion][nurbs][code]") {
+  CHECK(refusal([](auto& s) { s.control[3].y() = HUGE_VAL; }) ==
+        "3008: control point 4 is not finite");
+  CHECK(refusal([](auto& s) { s.knots[4] = std::nan(""); }) == "3008: knot 5 is not finite");
+}
+
+TEST_CASE("a curve that goes nowhere is refused", "[motion][nurbs][code]") {
+  CHECK(refusal([](auto& s) {
+          for (auto& p : s.control) p = {3, 4, 5};
+        }) == "3009: all control points of the NURBS are the same");
+}
+
+TEST_CASE("a curve beyond working precision is refused, not computed wrongly",
+          "[motion][nurbs][code]") {
+  const auto refused = [](NurbsSpec spec) {
+    const auto nurbs = Nurbs::make(std::move(spec));
+    REQUIRE_FALSE(nurbs);
+    CHECK(nurbs.error().code == Code::SC3010);
+    CHECK(
+        nurbs.error().message ==
+        "the NURBS cannot be computed: its weights, knots or coordinates differ too much in size");
+  };
+  NurbsSpec spec = good();
+  spec.weights = {1, 1e300, 1e-300, 1, 1, 1};
+  refused(spec);
+  spec.weights = {1, 1e60, 1, 1, 1, 1};
+  refused(spec);
+  spec = good();
+  spec.control[2] = {1e300, 0, 0};
+  refused(spec);
+}
+
+}  // namespace softcnc

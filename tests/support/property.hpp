@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Properties over random values, with a fixed seed so that every run tests the same.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <catch2/catch.hpp>
+#include <sstream>
+
+namespace softcnc::test {
+
+/// Holds for `times` random values. `testable` draws them with real(), integer() or rc::gen, and
+/// states what must hold with RC_ASSERT.
+template <typename Testable>
+void holds(Testable&& testable, int times = 200) {
+  rc::detail::TestParams params;
+  params.seed = 20261121;
+  params.maxSuccess = times;
+  const auto result = rc::detail::checkTestable(std::forward<Testable>(testable),
+                                                rc::detail::TestMetadata{}, params);
+  std::ostringstream text;
+  rc::detail::printResultMessage(result, text);
+  INFO(text.str());
+  REQUIRE(result.template is<rc::detail::SuccessResult>());
+}
+
+inline double real(double low, double high) {
+  return low + (high - low) * *rc::gen::inRange<int>(0, 1000001) / 1e6;
+}
+
+inline int integer(int low, int high) { return *rc::gen::inRange<int>(low, high + 1); }
+
+}  // namespace softcnc::test
