@@ -43,7 +43,7 @@ class MachineLoader {
   void keep_named_axes(const std::vector<TomlEntry>& entries);
   void derive_servo_period();
   void check_periods();
-  void check_travel(int axis);
+  void check_travel(int index);
 
   bool has_axis_of(const KeyRef& ref) const;
   const Place& place_of(std::string_view key, std::string_view other) const;

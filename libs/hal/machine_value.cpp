@@ -64,7 +64,7 @@ Status store(const Number& number, const KeyRef& ref, const FileValue& value, Ma
     file_value = static_cast<double>(*whole);
   else
     return wrong_type(ref, "a number", value);
-  if (const auto checked = check(ref, file_value, number.range); !checked) return checked;
+  if (auto checked = check(ref, file_value, number.range); !checked) return checked;
   number.place(machine, ref.index) = number.to_house(file_value + 0.0);
   return {};
 }
@@ -72,7 +72,7 @@ Status store(const Number& number, const KeyRef& ref, const FileValue& value, Ma
 Status store(const Whole& whole, const KeyRef& ref, const FileValue& value, Machine& machine) {
   const auto* given = std::get_if<std::int64_t>(&value);
   if (!given) return wrong_type(ref, "a whole number", value);
-  const auto checked = check(ref, static_cast<double>(*given), whole.range);
+  auto checked = check(ref, static_cast<double>(*given), whole.range);
   if (checked) whole.place(machine, ref.index) = static_cast<int>(*given);
   return checked;
 }

@@ -280,7 +280,7 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
   }
   SECTION("out of range") {
     CHECK(refused("[control]\n\n   period_ms = -1.5 # no\n") ==
-          "mill.toml:3:16: error SC7005: control.period_ms must be greater than 0 and at most "
+          "mill.toml:3:16: error SC7005: control.period_ms must be at least 0.001 and at most "
           "1000, not -1.5\n"
           "    3 |    period_ms = -1.5 # no\n"
           "      |                ^~~~\n");
@@ -338,7 +338,7 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
 
 TEST_CASE("a wrong setting is refused with its place", "[hal][machine]") {
   CHECK(refused("", {"control.period_ms=0"}) ==
-        "--set:1:19: error SC7005: control.period_ms must be greater than 0 and at most 1000, not "
+        "--set:1:19: error SC7005: control.period_ms must be at least 0.001 and at most 1000, not "
         "0\n"
         "    1 | control.period_ms=0\n"
         "      |                   ^\n");

@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "hal/hash.hpp"
 #include "support_hal.hpp"
 
 namespace softcnc::hal {
@@ -97,12 +96,6 @@ TEST_CASE("a closed pipe can be told from other failures", "[hal][output]") {
   CHECK(render(written.error()) ==
         pipe + ": error SC6013: the reader closed the pipe: Broken pipe\n");
   CHECK_FALSE(fs::exists(pipe + ".part"));
-}
-
-TEST_CASE("the fingerprint is XXH3 in 128 bits", "[hal][hash]") {
-  CHECK(hash_hex("") == "99aa06d3014798d86001c324468d497f");  // published test vector
-  CHECK(hash_hex("a") != hash_hex("b"));
-  CHECK(hash_hex("G01 X10").size() == 32);
 }
 
 }  // namespace softcnc::hal
