@@ -65,7 +65,7 @@ Result<Reader> Reader::open(const std::string& file) {
 }
 
 Reader Reader::from_text(std::string text) {
-  Reader reader(-1);
+  Reader reader;
   reader.buffer_ = std::move(text);
   reader.end_ = reader.buffer_.size();
   return reader;

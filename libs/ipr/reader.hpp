@@ -39,6 +39,7 @@ class Reader {
   const std::optional<Diagnostic>& failure() const noexcept { return failure_; }
 
  private:
+  Reader() = default;
   Reader(int descriptor, bool owned);
 
   void skip_line_feed() noexcept;

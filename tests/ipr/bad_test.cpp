@@ -177,12 +177,10 @@ TEST_CASE("every code that bad programs are told has its text", "[ipr][bad]") {
     INFO("SC" << static_cast<int>(code) << " " << text);
     CHECK(kTexts.count(code) > 0);
   }
-  for (const auto& [code, text] : kTexts) {
-    const auto [first, last] = told.equal_range(code);
-    const bool found =
-        std::any_of(first, last, [&](const auto& one) { return one.second == text; });
-    INFO("SC" << static_cast<int>(code) << " " << text);
-    CHECK(found);
+  for (const auto& expected : kTexts) {
+    INFO("SC" << static_cast<int>(expected.first) << " " << expected.second);
+    const auto [first, last] = told.equal_range(expected.first);
+    CHECK(std::find(first, last, std::pair<const Code, std::string>(expected)) != last);
   }
 }
 
