@@ -8,6 +8,7 @@
 #include <numeric>
 #include <vector>
 
+#include "hal/axis_name.hpp"
 #include "motion/units.hpp"
 
 namespace softcnc::hal {
@@ -244,10 +245,9 @@ std::string path_of(const KeyRef& ref) {
   std::string path(ref.key->name);
   const auto star = path.find('*');
   if (star == path.npos) return path;
-  const char letter = static_cast<char>(
-      kAxisLetters[static_cast<std::size_t>(is_axis_key(*ref.key) ? ref.index : 0)] - 'A' + 'a');
-  return path.replace(star, 1,
-                      is_axis_key(*ref.key) ? std::string(1, letter) : std::to_string(ref.index));
+  const std::string stands_for =
+      is_axis_key(*ref.key) ? axis_name(ref.index) : std::to_string(ref.index);
+  return path.replace(star, 1, stands_for);
 }
 
 std::string nearest_key(std::string_view path) { return nearest(path, std::string_view::npos); }

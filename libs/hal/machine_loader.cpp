@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <tuple>
 
+#include "hal/axis_name.hpp"
 #include "hal/number.hpp"
 #include "motion/units.hpp"
 
@@ -103,7 +104,7 @@ void MachineLoader::set(const std::string& setting) {
   if (!ref) return fail(Code::SC7001, place_in(setting, key), unknown(key, nearest_key(key)));
   if (!has_axis_of(*ref))
     return fail(Code::SC7007, place_in(setting, key),
-                "the machine has no axis " + std::string(1, "xyz"[ref->index]));
+                "the machine has no axis " + axis_name(ref->index));
   take(*ref, read_toml_value(std::string(value)), place_in(setting, value));
 }
 
@@ -146,7 +147,7 @@ void MachineLoader::check_periods() {
 void MachineLoader::check_travel(int index) {
   const Axis& axis = loaded_.machine.axes[static_cast<std::size_t>(index)];
   if (!axis.present || axis.min < axis.max) return;
-  const std::string name = std::string("axis.") + "xyz"[index];
+  const std::string name = "axis." + axis_name(index);
   fail(Code::SC7008, place_of(name + ".max_mm", name + ".min_mm"),
        name + ".min_mm = " + number_text(axis.min) + " is not below " + name +
            ".max_mm = " + number_text(axis.max));

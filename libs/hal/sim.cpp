@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/axis_name.hpp"
 #include "motion/units.hpp"
 
 namespace softcnc::hal {
@@ -19,9 +20,8 @@ SimulatedMill::SimulatedMill(const Machine& machine)
     if (!described.present) continue;
     slides_.push_back({axis, ServoAxis(described, servo_period_)});
     error_max_[static_cast<std::size_t>(axis)] = 0;
-    const std::string letter(1, "xyz"[axis]);
     for (const char* quantity : {"_act_mm", "_err_um", "_current_a"})
-      columns_.push_back(letter + quantity);
+      columns_.push_back(axis_name(axis) + quantity);
   }
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "hal/axis_name.hpp"
 #include "hal/number.hpp"
 #include "motion/units.hpp"
 
@@ -67,10 +68,7 @@ CsvTrace::CsvTrace(std::unique_ptr<ByteSink> out, const TraceHeader& header, con
 
 void CsvTrace::names(std::span<const std::string> backend_columns) {
   std::string line = "t_s,line,block,s_mm,v_mm_s,a_mm_s2,limit";
-  for (const int axis : axes_)
-    (line += ',')
-        .append(1, static_cast<char>(kAxisLetters[static_cast<std::size_t>(axis)] - 'A' + 'a')) +=
-        "_mm";
+  for (const int axis : axes_) line += ',' + axis_name(axis) + "_mm";
   for (const auto& column : backend_columns) line += ',' + column;
   const auto written = out_->write(line + '\n');
   if (!written && !failure_) failure_ = written.error();
