@@ -67,6 +67,7 @@ void StandardOutput::write(std::string_view text) {
 }
 
 void StandardOutput::flush() {
+  if (buffer_.empty()) return;
   if (!file_ && status_) {
     auto opened = hal::OutputFile::open("-");
     if (opened)
@@ -80,7 +81,7 @@ void StandardOutput::flush() {
 
 int StandardOutput::finish() {
   flush();
-  if (status_) status_ = file_->finish();
+  if (status_ && file_) status_ = file_->finish();
   return status_ ? 0 : failed(status_.error());
 }
 

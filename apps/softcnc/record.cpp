@@ -1,4 +1,43 @@
+// SPDX-License-Identifier: MIT
+// `softcnc record`: run, and keep what replay needs.
+#include <spdlog/spdlog.h>
+
 #include "commands.hpp"
+#include "messages.hpp"
+#include "performance.hpp"
+#include "recording.hpp"
+
 namespace softcnc::app {
-int record(const Options&) { return 70; }
+namespace {
+
+/// A run that was stopped by hand cannot be run again as it was.
+bool worth_keeping(const Performance& performance) {
+  return performance.moved &&
+         (performance.ending == Ending::done || performance.ending == Ending::alarm);
+}
+
+int keep(Job& job, const Options& options, const Performance& performance,
+         const TemporaryFolder& folder) {
+  RecordingMeta meta;
+  meta.rows = performance.outcome.setpoints;
+  meta.options = job.options;
+  const Status written = write_recording(options.output, job.program, job.machine, meta, folder);
+  return written ? 0 : failed(written.error());
+}
+
+}  // namespace
+
+int record(const Options& options) {
+  auto job = open_job(options);
+  if (!job) return failed(job.error());
+  const auto folder = TemporaryFolder::make();
+  if (!folder) return failed(folder.error());
+  const Performance performance = perform(*job, options, folder->file("trace.csv.zst"));
+  const int status = conclude(*job, options, performance);
+  if (worth_keeping(performance))
+    return worse_status(status, keep(*job, options, performance, *folder));
+  if (performance.moved) spdlog::warn("no recording is kept of a run that did not come to its end");
+  return status;
+}
+
 }  // namespace softcnc::app

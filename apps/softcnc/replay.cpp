@@ -1,4 +1,127 @@
+// SPDX-License-Identifier: MIT
+// `softcnc replay`: run recordings again; the first row that differs is shown.
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
 #include "commands.hpp"
+#include "hal/machine_file.hpp"
+#include "hal/trace_csv.hpp"
+#include "messages.hpp"
+#include "recording.hpp"
+#include "terminal.hpp"
+#include "trace_comparison.hpp"
+
 namespace softcnc::app {
-int replay(const Options&) { return 70; }
+namespace {
+
+constexpr int kDiffers = 1;
+constexpr int kSignalled = 128;
+
+class WriterRows final : public RowSink {
+ public:
+  explicit WriterRows(hal::TraceWriter& writer) : writer_(writer) {}
+  bool row(const Setpoint& setpoint, std::span<const double> backend_values) override {
+    writer_.row(setpoint, backend_values);
+    return writer_.ok();
+  }
+
+ private:
+  hal::TraceWriter& writer_;
+};
+
+/// The machine of the recording unless one is given.
+Result<Machine> machine_of(const Recording& recording, const std::string& name,
+                           const Options& options) {
+  if (!options.machine_file.empty())
+    return hal::load_machine(options.machine_file, options.settings);
+  return hal::parse_machine(recording.machine(), name + ":machine.toml", options.settings);
+}
+
+/// A recording with all that is needed to run it again.
+struct Material {
+  Recording recording;
+  Machine machine;
+  Program program;
+  std::unique_ptr<hal::Backend> backend;
+  TraceComparison comparison;
+};
+
+Result<Material> open_material(const std::string& name, const Options& options) {
+  auto recording = Recording::open(name);
+  if (!recording) return tl::make_unexpected(std::move(recording.error()));
+  auto machine = machine_of(*recording, name, options);
+  if (!machine) return tl::make_unexpected(std::move(machine.error()));
+  auto program = recording->program();
+  if (!program) return tl::make_unexpected(std::move(program.error()));
+  auto backend = hal::open_backend(*machine);
+  if (!backend) return tl::make_unexpected(std::move(backend.error()));
+  auto trace = recording->trace();
+  if (!trace) return tl::make_unexpected(std::move(trace.error()));
+  return Material{std::move(*recording), std::move(*machine), std::move(*program),
+                  std::move(*backend), TraceComparison(TraceLines(std::move(*trace)))};
+}
+
+/// Runs the program; its rows go to the comparison. Returns the exit status of the run.
+int run_again(Material& material, Terminal& terminal) {
+  const Machine& machine = material.machine;
+  const hal::TraceHeader header{machine.control.period, material.program.hash(),
+                                hal::hash_hex(hal::machine_toml(machine))};
+  const auto writer = hal::csv_trace(comparison_sink(material.comparison), header, machine,
+                                     material.backend->columns());
+  WriterRows rows(*writer);
+  Messages messages;
+  Diagnostics diagnostics([&, show = messages.sink(material.program)](const Diagnostic& d) {
+    if (d.severity() != Severity::error) return;  // the rest was told when it was recorded
+    terminal.end();
+    show(d);
+  });
+  diagnostics.set_file(material.program.name());
+  ipr::Reader reader = material.program.reader();
+  const Outcome outcome = simulate(reader, machine, material.recording.meta().options,
+                                   *material.backend, diagnostics, &rows, &terminal);
+  terminal.end();
+  const bool stopped = outcome.end == Outcome::End::stopped;
+  if (!stopped && writer->finish()) material.comparison.finish();
+  return worse_status(diagnostics.status(), stopped ? kSignalled + terminal.signal() : 0);
+}
+
+/// Says what has come out. A damaged trace whose rows nevertheless agree is an error all the same.
+Result<int> verdict(const std::string& name, const Material& material, StandardOutput& out) {
+  const TraceComparison& comparison = material.comparison;
+  if (!comparison.status()) return tl::make_unexpected(comparison.status().error());
+  if (!comparison.difference().empty()) {
+    out.write(fmt::format("{}: {}", name, comparison.difference()));
+    return kDiffers;
+  }
+  if (Status good = material.recording.check_trace(); !good)
+    return tl::make_unexpected(std::move(good.error()));
+  spdlog::info("{}: {} rows agree", name, comparison.rows());
+  return 0;
+}
+
+int replay_one(const std::string& name, const Options& options, StandardOutput& out) {
+  auto material = open_material(name, options);
+  if (!material) return failed(material.error());
+  const double period = material->machine.control.period;
+  Terminal terminal(options.progress, false, period, false);
+  terminal.begin(name, static_cast<double>(material->recording.meta().rows) * period);
+  const int status = run_again(*material, terminal);
+  if (status >= kSignalled) return status;
+  auto result = verdict(name, *material, out);
+  if (!result && result.error().file.empty()) result.error().file = name;
+  return worse_status(status, result ? *result : failed(result.error()));
+}
+
+}  // namespace
+
+int replay(const Options& options) {
+  StandardOutput out;
+  int status = 0;
+  for (const std::string& name : options.files) {
+    status = worse_status(status, replay_one(name, options, out));
+    if (status >= kSignalled) break;
+  }
+  return worse_status(status, out.finish());
+}
+
 }  // namespace softcnc::app

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "recording.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "hal/hash.hpp"
+#include "hal/machine_file.hpp"
+#include "hal/output_file.hpp"
+#include "recording_meta.hpp"
+
+namespace softcnc::app {
+namespace {
+
+tl::unexpected<Diagnostic> no_temporary(int error) {
+  return tl::make_unexpected(Diagnostic{
+      Code::SC6003,
+      {},
+      "cannot be kept in the temporary folder: " + std::generic_category().message(error),
+      {},
+      {}});
+}
+
+/// Calls take(bytes) for a file, piece by piece.
+template <typename Take>
+Status for_each_piece_of(const std::string& file, Take&& take) {
+  std::ifstream in(file, std::ios::binary);
+  std::string piece(65536, '\0');
+  while (in) {
+    in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    const auto n = static_cast<std::size_t>(in.gcount());
+    if (Status taken = take(std::string_view(piece.data(), n)); !taken) return taken;
+  }
+  if (!in.eof()) return no_temporary(errno);
+  return {};
+}
+
+Result<std::string> hash_of_file(const std::string& file) {
+  hal::Hasher hasher;
+  const Status read = for_each_piece_of(file, [&](std::string_view piece) -> Status {
+    hasher.add(piece);
+    return {};
+  });
+  if (!read) return tl::make_unexpected(read.error());
+  return hasher.hex();
+}
+
+Status copy_program(Program& program, const std::string& to) {
+  std::ofstream out(to, std::ios::binary);
+  program.for_each_piece([&](std::string_view piece) {
+    out.write(piece.data(), static_cast<std::streamsize>(piece.size()));
+  });
+  out.close();
+  if (!out) return no_temporary(errno);
+  return {};
+}
+
+/// By the rules of all output files: whole under its name, or not at all.
+Status copy_to_output(const std::string& from, const std::string& file) {
+  auto output = hal::OutputFile::open(file);
+  if (!output) return tl::make_unexpected(std::move(output.error()));
+  const Status copied =
+      for_each_piece_of(from, [&](std::string_view piece) { return (*output)->write(piece); });
+  return copied ? (*output)->finish() : copied;
+}
+
+}  // namespace
+
+Result<TemporaryFolder> TemporaryFolder::make() {
+  std::error_code error;
+  auto directory = std::filesystem::temp_directory_path(error);
+  if (error) directory = "/tmp";
+  std::string name = directory / "softcnc-XXXXXX";
+  if (::mkdtemp(name.data()) == nullptr) return no_temporary(errno);
+  return TemporaryFolder(name);
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+}
+
+Status write_recording(const std::string& file, Program& program, const Machine& machine,
+                       RecordingMeta meta, const TemporaryFolder& folder) {
+  const std::string trace = folder.file("trace.csv.zst");
+  const std::string copy = folder.file("program"), packed = folder.file("recording");
+  auto trace_hash = hash_of_file(trace);
+  if (!trace_hash) return tl::make_unexpected(std::move(trace_hash.error()));
+  if (Status copied = copy_program(program, copy); !copied) return copied;
+  const std::string machine_text = hal::machine_toml(machine);
+  meta.program_name = program.name();
+  meta.program_hash = program.hash();
+  meta.machine_hash = hal::hash_hex(machine_text);
+  meta.trace_hash = *trace_hash;
+
+  ZipWriter zip(packed);
+  zip.add_text("meta.json", meta_json(meta));
+  zip.add_file("program", copy, Packing::deflate);
+  zip.add_text("machine.toml", machine_text);
+  zip.add_file("trace.csv.zst", trace, Packing::store);
+  if (Status written = zip.finish(); !written) return written;
+  return copy_to_output(packed, file);
+}
+
+Result<Recording> Recording::open(const std::string& file) {
+  auto zip = ZipReader::open(file);
+  if (!zip) return tl::make_unexpected(std::move(zip.error()));
+  Recording recording(file, std::move(*zip));
+  if (Status read = recording.read(); !read) {
+    if (read.error().file.empty()) read.error().file = file;
+    return tl::make_unexpected(std::move(read.error()));
+  }
+  return recording;
+}
+
+Status Recording::read() {
+  const auto text = zip_.text("meta.json");
+  if (!text) return tl::make_unexpected(text.error());
+  auto meta = parse_meta(*text);
+  if (!meta) return tl::make_unexpected(std::move(meta.error()));
+  meta_ = std::move(*meta);
+  auto machine = zip_.text("machine.toml");
+  if (!machine) return tl::make_unexpected(std::move(machine.error()));
+  machine_ = std::move(*machine);
+  if (Status good = check_hash("program", meta_.program_hash); !good) return good;
+  return check_hash("machine.toml", meta_.machine_hash);
+}
+
+Status Recording::check_hash(const std::string& name, const std::string& expected) const {
+  auto entry = zip_.entry(name);
+  if (!entry) return tl::make_unexpected(std::move(entry.error()));
+  hal::Hasher hasher;
+  const Status read = for_each_piece(std::move(*entry), [&](std::string_view piece) -> Status {
+    hasher.add(piece);
+    return {};
+  });
+  if (!read || hasher.hex() == expected) return read;
+  return tl::make_unexpected(Diagnostic{
+      Code::SC6021, {}, name + " in it is not what was recorded: its hash differs", file_, {}});
+}
+
+Result<Program> Recording::program() const {
+  auto entry = zip_.entry("program");
+  if (!entry) return tl::make_unexpected(std::move(entry.error()));
+  auto file = unlinked_file();
+  if (!file) return tl::make_unexpected(std::move(file.error()));
+  const Status copied = for_each_piece(
+      std::move(*entry), [&](std::string_view piece) { return write_all(*file, piece); });
+  if (!copied) return tl::make_unexpected(copied.error());
+  return Program::in_file(meta_.program_name, std::move(*file));
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Recordings: program, machine and trace in one file, so that a run can be run again.
+//
+// A zip of meta.json, program, machine.toml and trace.csv.zst, in this order.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "channel.hpp"
+#include "program.hpp"
+#include "zip_file.hpp"
+
+namespace softcnc::app {
+
+/// Raised when a recording changes its form.
+inline constexpr int kRecordingSchema = 1;
+
+/// meta.json. Hashes are hash_hex() of the entries' bytes.
+struct RecordingMeta {
+  std::string program_name, program_hash, machine_hash, trace_hash;
+  std::int64_t rows = 0;
+  ChannelOptions options;
+};
+
+/// A folder that vanishes with all that is in it.
+class TemporaryFolder {
+ public:
+  /// Errors: SC6003.
+  static Result<TemporaryFolder> make();
+  TemporaryFolder(TemporaryFolder&&) = default;
+  TemporaryFolder& operator=(TemporaryFolder&&) = default;
+  ~TemporaryFolder();
+
+  std::string file(const std::string& name) const { return path_ / name; }
+
+ private:
+  explicit TemporaryFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  std::filesystem::path path_;
+};
+
+/// Writes a recording of a run whose trace lies in `folder` as trace.csv.zst. The hashes of `meta`
+/// are filled in. Errors: SC6003, SC6011, SC6012, SC6013.
+Status write_recording(const std::string& file, Program& program, const Machine& machine,
+                       RecordingMeta meta, const TemporaryFolder& folder);
+
+class Recording {
+ public:
+  /// Reads meta.json and checks program and machine against their hashes. Errors: SC6021, SC6022.
+  static Result<Recording> open(const std::string& file);
+
+  const RecordingMeta& meta() const noexcept { return meta_; }
+  /// machine.toml
+  const std::string& machine() const noexcept { return machine_; }
+  /// The program, in an unlinked file of its own.
+  Result<Program> program() const;
+  /// trace.csv.zst
+  Result<ZipEntry> trace() const { return zip_.entry("trace.csv.zst"); }
+  /// Errors: SC6021, where the trace is not what was recorded.
+  Status check_trace() const { return check_hash("trace.csv.zst", meta_.trace_hash); }
+
+ private:
+  Recording(std::string file, ZipReader zip) : file_(std::move(file)), zip_(std::move(zip)) {}
+  Status read();
+  Status check_hash(const std::string& entry, const std::string& expected) const;
+
+  std::string file_;
+  ZipReader zip_;
+  RecordingMeta meta_;
+  std::string machine_;
+};
+
+}  // namespace softcnc::app

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// The only file that knows libzip.
+#include "zip_file.hpp"
+
+#include <zip.h>
+
+#include <cerrno>
+#include <utility>
+
+namespace softcnc::app {
+namespace {
+
+// 1980-01-01 00:00, where the calendar of zip files begins.
+constexpr zip_uint16_t kTime = 0;
+constexpr zip_uint16_t kDate = (1U << 5U) | 1U;
+
+constexpr std::size_t kLargestText = 1U << 20U;
+
+tl::unexpected<Diagnostic> unreadable(const std::string& file, const std::string& reason) {
+  return tl::make_unexpected(
+      Diagnostic{Code::SC6021, {}, "cannot be read as a recording: " + reason, file, {}});
+}
+
+std::string text_of(int code) {
+  zip_error_t error;
+  zip_error_init_with_code(&error, code);
+  std::string text = zip_error_strerror(&error);
+  zip_error_fini(&error);
+  return text;
+}
+
+}  // namespace
+
+ZipWriter::ZipWriter(std::string file) : file_(std::move(file)) {
+  int code = 0;
+  zip_ = zip_open(file_.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code);
+  if (zip_ == nullptr) reason_ = text_of(code);
+}
+
+ZipWriter::~ZipWriter() {
+  if (zip_ != nullptr) zip_discard(zip_);
+}
+
+void ZipWriter::add_text(const std::string& name, std::string text) {
+  const std::string& kept = texts_.emplace_back(std::move(text));
+  add(name, zip_source_buffer(zip_, kept.data(), kept.size(), 0), Packing::deflate);
+}
+
+void ZipWriter::add_file(const std::string& name, const std::string& path, Packing packing) {
+  add(name, zip_source_file(zip_, path.c_str(), 0, -1), packing);
+}
+
+void ZipWriter::add(const std::string& name, void* source, Packing packing) {
+  if (!reason_.empty()) return;
+  auto* from = static_cast<zip_source_t*>(source);
+  const zip_int64_t added = from ? zip_file_add(zip_, name.c_str(), from, ZIP_FL_ENC_UTF_8) : -1;
+  if (added < 0) {
+    if (from) zip_source_free(from);
+    reason_ = zip_strerror(zip_);
+    return;
+  }
+  const auto index = static_cast<zip_uint64_t>(added);
+  const zip_int32_t method = packing == Packing::store ? ZIP_CM_STORE : ZIP_CM_DEFLATE;
+  if (zip_set_file_compression(zip_, index, method, 9) != 0 ||
+      zip_file_set_dostime(zip_, index, kTime, kDate, 0) != 0)
+    reason_ = zip_strerror(zip_);
+}
+
+Status ZipWriter::finish() {
+  if (!reason_.empty()) return failure();
+  if (zip_close(zip_) != 0) {
+    reason_ = zip_strerror(zip_);
+    return failure();
+  }
+  zip_ = nullptr;
+  return {};
+}
+
+Status ZipWriter::failure() const {
+  return tl::make_unexpected(Diagnostic{Code::SC6012, {}, "writing failed: " + reason_, file_, {}});
+}
+
+ZipEntry::ZipEntry(zip_file* entry, std::string file) noexcept
+    : entry_(entry, zip_fclose), file_(std::move(file)) {}
+
+Result<std::size_t> ZipEntry::read(char* to, std::size_t size) {
+  const zip_int64_t n = zip_fread(entry_.get(), to, size);
+  if (n < 0) return unreadable(file_, zip_file_strerror(entry_.get()));
+  return static_cast<std::size_t>(n);
+}
+
+ZipReader::ZipReader(zip* archive, std::string file) noexcept
+    : zip_(archive, zip_discard), file_(std::move(file)) {}
+
+Result<ZipReader> ZipReader::open(const std::string& file) {
+  int code = 0;
+  zip_t* archive = zip_open(file.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &code);
+  if (archive == nullptr) return unreadable(file, text_of(code));
+  return ZipReader(archive, file);
+}
+
+Result<ZipEntry> ZipReader::entry(const std::string& name) const {
+  zip_file_t* entry = zip_fopen(zip_.get(), name.c_str(), 0);
+  if (entry == nullptr) return unreadable(file_, name + ": " + zip_strerror(zip_.get()));
+  return ZipEntry(entry, file_);
+}
+
+Result<std::string> ZipReader::text(const std::string& name) const {
+  auto found = entry(name);
+  if (!found) return tl::make_unexpected(std::move(found.error()));
+  std::string text;
+  const Status read = for_each_piece(std::move(*found), [&](std::string_view piece) -> Status {
+    if (text.size() + piece.size() > kLargestText) return unreadable(file_, name + " is too long");
+    text += piece;
+    return {};
+  });
+  if (!read) return tl::make_unexpected(read.error());
+  return text;
+}
+
+}  // namespace softcnc::app

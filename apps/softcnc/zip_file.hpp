@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Zip files: written so that the same content gives the same bytes, read piece by piece.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "motion/result.hpp"
+
+struct zip;
+struct zip_file;
+
+namespace softcnc::app {
+
+enum class Packing { store, deflate };
+
+class ZipWriter {
+ public:
+  explicit ZipWriter(std::string file);
+  ~ZipWriter();
+  ZipWriter(const ZipWriter&) = delete;
+  ZipWriter& operator=(const ZipWriter&) = delete;
+
+  /// Entries stand in the zip in the order in which they are added, all with one fixed date.
+  void add_text(const std::string& name, std::string text);
+  /// `path` is read by finish().
+  void add_file(const std::string& name, const std::string& path, Packing packing);
+
+  /// Errors: SC6012.
+  Status finish();
+
+ private:
+  void add(const std::string& name, void* source, Packing packing);
+  Status failure() const;
+
+  std::string file_;
+  zip* zip_;
+  std::string reason_;             // of the first error
+  std::deque<std::string> texts_;  // alive until finish()
+};
+
+/// One entry while it is read.
+class ZipEntry {
+ public:
+  ZipEntry(zip_file* entry, std::string file) noexcept;
+
+  /// Up to `size` bytes; 0 at the end. Errors: SC6021.
+  Result<std::size_t> read(char* to, std::size_t size);
+
+ private:
+  std::unique_ptr<zip_file, int (*)(zip_file*)> entry_;
+  std::string file_;
+};
+
+class ZipReader {
+ public:
+  /// Errors: SC6021, SC6001.
+  static Result<ZipReader> open(const std::string& file);
+
+  /// Errors: SC6021.
+  Result<ZipEntry> entry(const std::string& name) const;
+
+  /// All of an entry that is known to be short.
+  Result<std::string> text(const std::string& name) const;
+
+ private:
+  ZipReader(zip* archive, std::string file) noexcept;
+
+  std::unique_ptr<zip, void (*)(zip*)> zip_;
+  std::string file_;
+};
+
+/// Calls take(bytes) for an entry, piece by piece.
+template <typename Take>
+Status for_each_piece(ZipEntry entry, Take&& take) {
+  std::string piece(65536, '\0');
+  for (;;) {
+    const auto n = entry.read(piece.data(), piece.size());
+    if (!n) return tl::make_unexpected(n.error());
+    if (*n == 0) return {};
+    if (Status taken = take(std::string_view(piece.data(), *n)); !taken) return taken;
+  }
+}
+
+}  // namespace softcnc::app
