@@ -15,12 +15,13 @@ tidy_packages=(clang clang-tidy clang-format)
 
 say() { printf 'softcnc: %s\n' "$*" >&2; }
 
-# missing PACKAGE...: those that are not installed, one a line.
+# missing PACKAGE...: those that are not installed, on one line.
 missing() {
-  local installed
-  installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "$@" 2>/dev/null |
-              sed -n 's/ installed$//p' || true)
-  comm -23 <(printf '%s\n' "$@" | sort -u) <(sort -u <<<"$installed")
+  local package
+  for package in "$@"; do
+    [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed* ]] ||
+      printf '%s ' "$package"
+  done
 }
 
 # as_root COMMAND...: never asks for a password where nobody can type one.
@@ -38,7 +39,7 @@ apt_install() {
 # need PACKAGE...: installs what is missing; exit 2 and the line to type where that is not allowed.
 need() {
   local wanted log="$root/build/install.log"
-  mapfile -t wanted < <(missing "$@")
+  read -ra wanted <<<"$(missing "$@")"
   ((${#wanted[@]})) || return 0
   local line="apt-get install ${wanted[*]}"
   if ((EUID != 0)) && ! as_root true 2>/dev/null; then
