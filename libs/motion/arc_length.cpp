@@ -3,7 +3,6 @@
 #include "motion/arc_length.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace softcnc {
