@@ -9,8 +9,9 @@
 
 namespace softcnc::test {
 
-/// |dq| = 1, dq ddq = 0 and dq dddq = -|ddq|^2: what parametrisation by arc length means. Curves are
-/// some millimetres large, so that rounding leaves a curvature of about 1e-13 / mm even in a line.
+/// |dq| = 1, dq ddq = 0 and dq dddq = -|ddq|^2: what parametrisation by arc length means. Curves
+/// are some millimetres large, so that rounding leaves a curvature of about 1e-13 / mm even in a
+/// line.
 inline void check_unit_speed(const PathPoint& p) {
   const double curvature = p.ddq.norm();
   CHECK(std::abs(p.dq.norm() - 1.0) < 1e-14);
