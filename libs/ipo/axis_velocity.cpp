@@ -6,7 +6,7 @@ namespace softcnc::ipo {
 namespace {
 
 /// Kept free on curves, where the direction turns a little between two nodes of the grid.
-constexpr double kCurveMargin = 1e-4;
+constexpr double kCurveMargin = 3e-4;
 
 class AxisVelocity final : public Constraint {
  public:

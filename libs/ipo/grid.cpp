@@ -23,7 +23,7 @@ Cap cap_at(const PathPoint& point, const Move& move, const Constraints& constrai
 
 Interval make_interval(double s0, double s1, const PathPoint& left, const PathPoint& right,
                        const Move& move, const Constraints& constraints) {
-  Interval interval{s0, s1, left, right, {}, {}, {}};
+  Interval interval{s0, s1, left, right, {}, {}, {}, false};
   interval.left_cap = cap_at(left, move, constraints, false);
   interval.right_cap = cap_at(right, move, constraints, false);
   interval.step_cap = cap_at(left, move, constraints, true);
@@ -31,17 +31,16 @@ Interval make_interval(double s0, double s1, const PathPoint& left, const PathPo
   return interval;
 }
 
-/// Halves intervals until x' and x'' are as good as linear on each.
+/// Halves intervals until the constraints are as good as linear on each.
 class Refiner {
  public:
   Refiner(const Move& move, const Constraints& constraints, std::vector<Interval>& out)
       : move_(move), constraints_(constraints), out_(out) {
     const double q = cap_at(at(move.path, 0), move, constraints, false).q;
-    const double a = constraints.acceleration_limits().minCoeff();
-    // Below this curvature the highest speed does not ask for all of the acceleration.
-    curvature_floor_ = a / q;
-    // A ramp from rest to the highest speed spans two intervals or more.
-    longest_ = 0.5 * q / (2 * a);
+    // A ramp from rest to the highest speed spans four intervals or more, unless it takes but a
+    // few periods.
+    longest_ = std::max(0.25 * q / (2 * constraints.acceleration_limits().minCoeff()),
+                        0.25 * std::sqrt(q) * constraints.period());
   }
 
   void refine(double s0, double s1) {
@@ -53,8 +52,8 @@ class Refiner {
     const double middle = 0.5 * (s0 + s1);
     const PathPoint mid = at(move_.path, middle);
     const Interval whole = make_interval(s0, s1, left, right, move_, constraints_);
-    const bool fine = depth >= kMinDepth && s1 - s0 <= longest(whole) &&
-                      as_good_as_linear(left, mid, right);
+    const bool fine =
+        depth >= kMinDepth && s1 - s0 <= longest(whole) && as_good_as_linear(whole, mid);
     if (fine || depth >= kMaxDepth || s1 - s0 < 2 * kShortest) {
       out_.push_back(whole);
       return;
@@ -63,58 +62,67 @@ class Refiner {
     split(middle, s1, mid, right, depth + 1);
   }
 
-  /// Ramps span two intervals or more; steps, where they are what binds, kStepParts.
+  /// Ramps span four intervals or more; steps, where they are what binds, kStepParts.
   double longest(const Interval& interval) const {
     const bool steps_bind = interval.step_cap.q < interval.left_cap.q;
     const double step = std::sqrt(interval.step_cap.q) * constraints_.period();
     return steps_bind ? std::min(longest_, step / kStepParts) : longest_;
   }
 
-  bool as_good_as_linear(const PathPoint& left, const PathPoint& mid,
-                         const PathPoint& right) const {
-    const double scale = std::max({left.ddq.lpNorm<Eigen::Infinity>(),
-                                   right.ddq.lpNorm<Eigen::Infinity>(), curvature_floor_});
-    const AxisVector bend = mid.ddq - 0.5 * (left.ddq + right.ddq);
-    const AxisVector turn = mid.dq - 0.5 * (left.dq + right.dq);
-    return bend.lpNorm<Eigen::Infinity>() <= kGridTolerance * scale &&
-           turn.lpNorm<Eigen::Infinity>() <= kGridTolerance;
+  /// What the middle asks for beyond the mean of the ends is a small part of each limit.
+  bool as_good_as_linear(const Interval& whole, const PathPoint& mid) const {
+    const Cap cap = cap_at(mid, move_, constraints_, false);
+    const double mean = 0.5 * (whole.left_cap.q + whole.right_cap.q);
+    if (mean > cap.q * (1 + kGridTolerance)) return false;
+    const AxisVector& a = constraints_.acceleration_limits();
+    const AxisVector bend = mid.ddq - 0.5 * (whole.left.ddq + whole.right.ddq);
+    const AxisVector turn = mid.dq - 0.5 * (whole.left.dq + whole.right.dq);
+    const double q = std::min(mean, std::max({centripetal_q(whole.left), centripetal_q(mid),
+                                              centripetal_q(whole.right)}));
+    const double u = product(mid.dq, a);
+    for (int i = 0; i < kAxes; ++i)
+      if (std::abs(bend[i]) * q + std::abs(turn[i]) * u > kGridTolerance * a[i]) return false;
+    return true;
+  }
+
+  /// No q is larger than what all axes together can turn: n . x'' q <= sum |n| A.
+  double centripetal_q(const PathPoint& point) const {
+    const double square = point.ddq.squaredNorm();
+    return square > 0 ? product(point.ddq, constraints_.acceleration_limits()) / square
+                      : kUnlimited;
+  }
+
+  /// Sum over the axes that move of |x| A.
+  static double product(const AxisVector& x, const AxisVector& a) {
+    double sum = 0;
+    for (int i = 0; i < kAxes; ++i)
+      if (x[i] != 0) sum += std::abs(x[i]) * a[i];
+    return sum;
   }
 
   const Move& move_;
   const Constraints& constraints_;
   std::vector<Interval>& out_;
-  double curvature_floor_ = 0, longest_ = 0;
+  double longest_ = 0;
 };
-
-std::vector<Interval> line_grid(const Move& move, const Constraints& constraints, double from) {
-  const double to = length(move.path);
-  const PathPoint point = at(move.path, from);
-  const double q = cap_at(point, move, constraints, false).q;
-  const double step = std::sqrt(q) * constraints.period();
-  std::vector<double> nodes{from};
-  if (to - from > 3 * step) nodes.insert(nodes.end(), {from + step, to - step});
-  nodes.push_back(to);
-  std::vector<Interval> grid;
-  for (std::size_t i = 1; i < nodes.size(); ++i)
-    grid.push_back(make_interval(nodes[i - 1], nodes[i], at(move.path, nodes[i - 1]),
-                                 at(move.path, nodes[i]), move, constraints));
-  return grid;
-}
 
 }  // namespace
 
-std::vector<Interval> make_grid(const Move& move, const Constraints& constraints, double from) {
-  if (length(move.path) - from < kShortest && from > 0) return {};
-  if (std::holds_alternative<Line>(move.path)) return line_grid(move, constraints, from);
+std::vector<Interval> make_grid(const Move& move, const Constraints& constraints) {
+  const double to = length(move.path);
   std::vector<Interval> grid;
-  Refiner refiner(move, constraints, grid);
-  double s = from;
-  for (const double node : breaks(move.path)) {
-    if (node <= s) continue;
-    refiner.refine(s, node);
-    s = node;
+  if (std::holds_alternative<Line>(move.path)) {
+    grid.push_back(make_interval(0, to, at(move.path, 0), at(move.path, to), move, constraints));
+  } else {
+    Refiner refiner(move, constraints, grid);
+    double s = 0;
+    for (const double node : breaks(move.path)) {
+      refiner.refine(s, node);
+      s = node;
+    }
+    refiner.refine(s, to);
   }
-  if (s < length(move.path)) refiner.refine(s, length(move.path));
+  grid.back().ends_move = true;
   return grid;
 }
 

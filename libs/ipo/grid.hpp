@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A move as a chain of short intervals on which its derivatives are as good as linear.
+// A move as a chain of short intervals on which what limits it is as good as linear.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "ipo/constraint.hpp"
@@ -26,16 +28,20 @@ struct Interval {
   PathPoint left, right;    // one-sided, from inside the interval
   Cap left_cap, right_cap;  // at its ends
   Cap step_cap;             // for every step that touches it
+  bool ends_move = false;
 
   double length() const noexcept { return s1 - s0; }
+  /// No motion crosses the interval faster, s.
+  double shortest_time() const noexcept {
+    return length() / std::sqrt(std::max(left_cap.q, right_cap.q));
+  }
   bool straight() const noexcept { return left.ddq.isZero(0) && right.ddq.isZero(0); }
 };
 
-/// The intervals of a move from `from` mm to its end. Between two nodes x' and x'' differ from
-/// their linear interpolation by less than kGridTolerance; every break of the path is a node; a
-/// straight line keeps a node one step (at its highest speed) away from either end, so that what a
-/// neighbour asks for need not slow the whole line.
-std::vector<Interval> make_grid(const Move& move, const Constraints& constraints, double from = 0);
+/// The intervals of a move. Between two nodes the caps and the accelerations that x' and x'' ask
+/// for exceed their linear interpolation by less than kGridTolerance of the limits; every break of
+/// the path is a node.
+std::vector<Interval> make_grid(const Move& move, const Constraints& constraints);
 
 inline constexpr double kGridTolerance = 3e-4;
 

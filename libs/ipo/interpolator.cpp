@@ -31,9 +31,10 @@ std::optional<Setpoint> Interpolator::step() noexcept {
 }
 
 double Interpolator::needs_until() const noexcept {
+  const double same = 2 * kSameInstant * control_.period;
   if (control_.interpolation == Method::arc_length || queue_.empty())
-    return static_cast<double>(periods_) * control_.period;
-  return queue_.front().t_start + t_ + control_.period;
+    return static_cast<double>(periods_) * control_.period + same;
+  return queue_.front().t_start + t_ + control_.period + same;
 }
 
 State Interpolator::state() const noexcept {
@@ -91,17 +92,18 @@ void Interpolator::follow_method(double left) noexcept {
     const Profile& profile = queue_.front().profile;
     const double s = state().s;
     const double to_end = profile.duration() - t_;
-    if (left >= to_end - same) {
-      planned_ += std::max(profile.at(profile.duration(), hint_).s - s, 0.0);
+    const bool ends = left >= to_end - same;
+    const double target = profile.at(ends ? profile.duration() : t_ + left, hint_).s;
+    if (ends && (!walk_ || walk_->takes(target - s))) {
+      planned_ += std::max(target - s, 0.0);
       left = std::max(left - to_end, 0.0);
       leave_block();
       continue;
     }
-    t_ += left;
-    const double ds = profile.at(t_, hint_).s - s;
-    planned_ += ds;
+    planned_ += target - s;
+    t_ = std::min(t_ + left, profile.duration());
     if (!walk_ || left == 0) return;
-    walk_->step(ds);
+    walk_->step(target - s);
     t_ = profile.time_at(walk_->s());
     hint_ = 0;
     return;

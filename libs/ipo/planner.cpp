@@ -9,9 +9,7 @@
 namespace softcnc::ipo {
 namespace {
 
-void add(Profile& profile, const SpeedPiece& piece) {
-  profile.add_piece(piece.s0, piece.s1, std::sqrt(piece.q0), std::sqrt(piece.q1), piece.limit);
-}
+constexpr std::size_t kFewIntervals = 64;
 
 /// The largest acceleration the axes together can give, mm/s^2.
 double acceleration_norm(const Constraints& constraints) {
@@ -30,68 +28,70 @@ Planner::Planner(const Machine& machine, double feed_override, Diagnostics& diag
       window_(constraints_) {}
 
 void Planner::push(Block block) {
-  std::size_t intervals = 0;
-  if (const Move* move = std::get_if<Move>(&block.what)) {
-    const std::size_t before = window_.size();
+  const Move* move = std::get_if<Move>(&block.what);
+  if (move) {
     window_.append(*move, rest_);
-    intervals = window_.size() - before;
-    counts_.nodes += intervals;
-    if (auto outside = check_travel(*move, window_.newest(intervals), machine_)) {
+    counts_.nodes += window_.last_move().size();
+    if (auto outside = check_travel(*move, window_.last_move(), machine_)) {
       outside->pos = block.source;
       diagnostics_.report(std::move(*outside));
     }
-    rest_ = move->join == Join::stop;
-  } else {
-    rest_ = true;
   }
-  pending_.push_back({{std::move(block), {}, 0, 0}, intervals});
+  rest_ = !move || move->join == Join::stop;
+  pending_.push_back({std::move(block), {}, 0, 0});
 }
 
 std::optional<TimedBlock> Planner::pop() {
   if (pending_.empty()) return std::nullopt;
-  Pending& next = pending_.front();
-  if (const Dwell* dwell = std::get_if<Dwell>(&next.timed.block.what))
-    next.timed.profile.add_rest(dwell->duration);
-  while (!run(next))
-    if (!settle()) return std::nullopt;
+  if (pending_.front().move()) {
+    if (!run_move()) return std::nullopt;
+  } else if (const Dwell* dwell = std::get_if<Dwell>(&pending_.front().block.what)) {
+    pending_.front().profile.add_rest(dwell->duration);
+  }
   return take();
 }
 
-/// Runs what is settled of a block; true when all of it is.
-bool Planner::run(Pending& pending) {
-  for (; pending.intervals > 0 && settled_ > 0; --pending.intervals, --settled_) {
+/// Runs what is settled of the first pending move; true when all of it is.
+bool Planner::run_move() {
+  Profile& profile = pending_.front().profile;
+  while (true) {
+    if (settled_ == 0 && !settle()) return false;
     pieces_.clear();
-    window_.run_front(pieces_);
-    for (const SpeedPiece& piece : pieces_) add(pending.timed.profile, piece);
-    if (window_.front_q() == 0) rest_at_turn(pending);
+    const bool ended = window_.run_front(pieces_);
+    --settled_;
+    for (const SpeedPiece& piece : pieces_)
+      profile.add_piece(piece.s0, piece.s1, std::sqrt(piece.q0), std::sqrt(piece.q1), piece.limit);
+    if (window_.front_q() == 0) rest_at_turn(profile);
+    if (ended) return true;
   }
-  return pending.intervals == 0;
 }
 
 /// Passes over the window are worth their while only when it has grown.
 bool Planner::settle() {
-  if (!finished_ && window_.size() < std::max<std::size_t>(64, 2 * last_size_)) return false;
+  if (!finished_ && window_.size() < std::max(kFewIntervals, 2 * last_size_)) return false;
   settled_ = window_.settle(finished_);
-  ++counts_.passes;
   last_size_ = window_.size() - settled_;
+  ++counts_.passes;
   return settled_ > 0;
 }
 
-/// Where the direction turns at a stop between two rows, the polyline through the rows would cut
-/// the corner; if by too much, the machine waits for the next row.
-void Planner::rest_at_turn(Pending& pending) {
-  if (window_.size() == 0 || !window_.turns_at_front()) return;
+/// Where the direction turns at a stop between two rows, the polyline through the rows cuts the
+/// corner; if by too much, the machine waits for the next row.
+void Planner::rest_at_turn(Profile& profile) {
+  const Window::Turn turn = window_.front_turn();
+  if (!turn.turns) return;
   const double period = constraints_.period();
-  const double t = t_ + pending.timed.profile.duration();
-  const double after_row = t - std::floor(t / period) * period;
-  const double nearest = std::min(after_row, period - after_row);
-  if (0.5 * acceleration_norm(constraints_) * nearest * nearest >
-      0.5 * constraints_.chord_tolerance())
-    pending.timed.profile.add_rest(period - after_row);
+  const double t = t_ + profile.duration();
+  const double row_before = std::floor(t / period) * period;
+  const double nearest = std::min(t - row_before, row_before + period - t);
+  const double cut = 0.5 * acceleration_norm(constraints_) * nearest * nearest;
+  const double allowed = constraints_.chord_tolerance() * (turn.shares_its_step ? kTurnShare : 1);
+  if (cut > allowed || last_rest_ > row_before) profile.add_rest(row_before + period - t);
+  last_rest_ = t;
 }
 
 TimedBlock Planner::take() {
-  TimedBlock timed = std::move(pending_.front().timed);
+  TimedBlock timed = std::move(pending_.front());
   pending_.pop_front();
   timed.t_start = t_;
   timed.s_start = s_;

@@ -34,27 +34,22 @@ class Planner {
   const PlannerCounts& counts() const noexcept { return counts_; }
 
  private:
-  struct Pending {
-    TimedBlock timed;
-    std::size_t intervals = 0;  // still to run
-  };
-
-  bool run(Pending& pending);
+  bool run_move();
   bool settle();
-  void add_pieces(Profile& profile);
-  void rest_at_turn(Pending& pending);
+  void rest_at_turn(Profile& profile);
   TimedBlock take();
 
   const Machine& machine_;
   Diagnostics& diagnostics_;
   Constraints constraints_;
   Window window_;
-  std::deque<Pending> pending_;
+  std::deque<TimedBlock> pending_;
   std::vector<SpeedPiece> pieces_;
   PlannerCounts counts_;
   std::size_t settled_ = 0;    // intervals at the front of the window whose speeds are final
-  std::size_t last_size_ = 0;  // of the window when it was last settled
-  double t_ = 0, s_ = 0;       // where the next pending block starts
+  std::size_t last_size_ = 0;  // unsettled intervals after the last passes
+  double t_ = 0, s_ = 0;       // where the first pending block starts
+  double last_rest_ = -1;      // when the machine last rested at a turn
   bool rest_ = true;           // before the next move
   bool finished_ = false;
 };

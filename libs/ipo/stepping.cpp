@@ -45,9 +45,19 @@ double ParameterWalk::from_standstill(double ds) const noexcept {
 }
 
 double ParameterWalk::chord_limited(double ds) const noexcept {
-  if (points_ < 3) return ds;
-  const double kappa = three_point_curvature(last_[2], last_[1], last_[0]);
+  const double kappa =
+      points_ < 3 ? exact_curvature() : three_point_curvature(last_[2], last_[1], last_[0]);
   return kappa > 0 ? std::min(ds, std::sqrt(8 * chord_tolerance_ / kappa)) : ds;
+}
+
+double ParameterWalk::exact_curvature() const noexcept {
+  const NurbsDerivatives d = nurbs_->derivatives(u_);
+  const double speed = d[1].norm();
+  return speed > 0 ? d[1].cross(d[2]).norm() / (speed * speed * speed) : 0;
+}
+
+bool ParameterWalk::takes(double ds) const noexcept {
+  return method_ != Method::curvature3p || chord_limited(ds) >= ds;
 }
 
 AxisVector ParameterWalk::position() const noexcept { return last_[0]; }

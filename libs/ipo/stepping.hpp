@@ -17,9 +17,13 @@ class ParameterWalk {
   /// Realtime. Steps ahead by about `ds` mm and stops at the end of the curve:
   ///   taylor1      du = ds / |P'|                                     (000 eq. 6, first order)
   ///   taylor2      du = ds / |P'| - ds^2 (P' . P'') / (2 |P'|^4)      (004 eq. 7)
-  ///   curvature3p  ds limited to sqrt(8 eps / kappa), kappa from the last three points, and
+  ///   curvature3p  ds limited to sqrt(8 eps / kappa), kappa from the last three points (the
+  ///               exact one until there are three), and
   ///                du = ds / |P'| with P' of the point before         (000 section 3.2)
   void step(double ds) noexcept;
+
+  /// Whether the method goes all of `ds` where its step is not too long for the chord tolerance.
+  bool takes(double ds) const noexcept;
 
   /// The curve has moved in memory; the walk stays where it is.
   void rebind(const Nurbs& nurbs) noexcept { nurbs_ = &nurbs; }
@@ -32,6 +36,7 @@ class ParameterWalk {
   double increment(double ds) const noexcept;
   double from_standstill(double ds) const noexcept;
   double chord_limited(double ds) const noexcept;
+  double exact_curvature() const noexcept;
 
   const Nurbs* nurbs_;
   Method method_;

@@ -11,75 +11,60 @@
 #include <span>
 #include <vector>
 
+#include "ipo/chain.hpp"
 #include "ipo/schedule.hpp"
 
 namespace softcnc::ipo {
 
 class Window {
  public:
-  explicit Window(const Constraints& constraints) : constraints_(constraints) {}
+  /// `acceleration_share`: of the axis accelerations, 1 for all.
+  explicit Window(const Constraints& constraints, double acceleration_share = 1)
+      : constraints_(constraints), acceleration_share_(acceleration_share) {}
 
-  /// Appends a move from `from` mm to its end. The machine rests at the joint if the tangent turns
-  /// there by more than kTangentTolerance, or if `rest` asks for it.
+  /// Appends a move from `from` mm to its end; `rest`: the machine rests where it begins.
   void append(const Move& move, bool rest, double from = 0);
 
-  /// Intervals from the front on; interval i lies between nodes i and i + 1.
-  std::size_t size() const noexcept { return intervals_.size() - front_; }
-
-  /// The last `count` intervals appended.
-  std::span<const Interval> newest(std::size_t count) const noexcept {
-    return std::span(intervals_).last(count);
-  }
+  /// Intervals from the front on.
+  std::size_t size() const noexcept { return chain_.intervals.size() - front_; }
+  /// Those of the move appended last.
+  std::span<const Interval> last_move() const noexcept;
 
   /// Finds the speeds and returns the number of intervals, from the front, whose speeds are final.
   /// `ended`: nothing follows the window, so all are, and the machine rests at its end.
   std::size_t settle(bool ended);
 
-  /// After settle(): the largest q at the front from which rest at node `end` can be reached.
-  double reachable_from_rest(std::size_t end);
+  /// After settle(true): plans rest at the nearest node, to within `resolution` mm, at which the
+  /// machine can stand, and returns the number of intervals up to it.
+  std::size_t rest_early(double resolution);
 
-  /// After settle(): runs interval 0 from its left speed, appends its pieces and drops it.
-  void run_front(std::vector<SpeedPiece>& out);
+  /// After settle(): runs the first interval, appends its pieces and drops it; true if its move
+  /// ends there.
+  bool run_front(std::vector<SpeedPiece>& out);
 
   /// q at the front.
   double front_q() const noexcept { return q_; }
   void set_front_q(double q) noexcept { q_ = q; }
-  /// Whether the direction of the path jumps at the front.
-  bool turns_at_front() const noexcept { return !nodes_[front_].kink.isZero(0); }
+
+  /// How the direction of the path jumps at the front.
+  struct Turn {
+    bool turns;
+    bool shares_its_step;  // with a curve or another turn
+  };
+  Turn front_turn() const noexcept;
 
  private:
-  struct Node {
-    Cap own;                               // of the joint and its two intervals
-    AxisVector kink = AxisVector::Zero();  // |jump of x'| by axis
-    double s = 0;                          // mm from the first node ever
-    Cap cap;                               // own, and what neighbours ask for
-    double k = 0;                          // the largest reachable q
-  };
-
-  void derive_caps();
-  void spread_step_caps();
-  void spread_step_cap(std::size_t interval);
-  void pass_kinks();
-  void pass_kink(std::size_t node);
-  double kink_load(std::size_t node, double v) const;
+  std::size_t last_final_cap() const noexcept;
+  double reachable_from_rest(std::size_t end);
   void back_from(std::size_t last, double k);
   Reach reach(std::size_t interval) const noexcept;
   void forget();
-  double step_reach() const noexcept;
 
   const Constraints& constraints_;
-  std::vector<Interval> intervals_;
-  std::vector<Cap> inside_;    // by interval: cap of a straight one between its nodes
-  std::vector<double> share_;  // by interval: of the axis accelerations
-  std::vector<Node> nodes_;    // one more than intervals
-  std::size_t front_ = 0;      // intervals left of it are kept for what they ask of neighbours
-  double top_ = 0;             // the highest q any interval in the window allows
-  double q_ = 0;               // at the front node
+  double acceleration_share_;
+  Chain chain_;
+  std::size_t front_ = 0;  // what lies left of it is kept for what it asks of its neighbours
+  double q_ = 0;           // at the front node
 };
-
-/// The tangent turns where its direction jumps by more than this (rad); below it the path is
-/// tangent but for the rounding of the program, and the machine passes with a bounded jump of
-/// velocity.
-inline constexpr double kTangentTolerance = 0.01;
 
 }  // namespace softcnc::ipo

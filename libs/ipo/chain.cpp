@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softcnc::ipo {
+namespace {
+
+/// Tangents closer than this (rad) count as one: rounding of the geometry.
+constexpr double kSameTangent = 1e-9;
+
+/// Derivatives inside an interval, on which they are as good as linear.
+PathPoint between(const Interval& interval, double s) {
+  const double w = (s - interval.s0) / interval.length();
+  const auto mix = [w](const AxisVector& a, const AxisVector& b) -> AxisVector {
+    return a + w * (b - a);
+  };
+  const PathPoint &a = interval.left, &b = interval.right;
+  return {mix(a.q, b.q), mix(a.dq, b.dq), mix(a.ddq, b.ddq), mix(a.dddq, b.dddq)};
+}
+
+struct Halves {
+  Interval left, right;
+};
+
+Halves cut(const Interval& interval, double s) {
+  Halves halves{interval, interval};
+  halves.left.s1 = halves.right.s0 = s;
+  halves.left.right = halves.right.left = between(interval, s);
+  halves.left.ends_move = false;
+  Cap lower = interval.left_cap;
+  lower.lower_to(interval.right_cap);
+  halves.left.right_cap = halves.right.left_cap = lower;
+  return halves;
+}
+
+Halves halve(const Interval& interval) { return cut(interval, 0.5 * (interval.s0 + interval.s1)); }
+
+/// The step that an interval, or the joint before it, asks of a neighbour that could be faster.
+double step_asked(const Cap& asked, const Cap& neighbour, double period) {
+  return asked.q < neighbour.q ? std::sqrt(asked.q) * period : kUnlimited;
+}
+
+}  // namespace
+
+void Chain::append(const Move& move, const Constraints& constraints, bool rest, double from) {
+  if (nodes.empty()) nodes.emplace_back();
+  for (const Interval& interval : make_grid(move, constraints)) {
+    if (interval.s1 <= from) continue;
+    add(interval.s0 < from ? cut(interval, from).right : interval, constraints, rest);
+    rest = false;
+  }
+}
+
+void Chain::add(const Interval& interval, const Constraints& constraints, bool rest) {
+  const double period = constraints.period();
+  double step = kUnlimited;
+  if (!intervals.empty()) {
+    Interval& before = intervals.back();
+    const AxisVector jump = interval.left.dq - before.right.dq;
+    const double turn = jump.norm();
+    double back = step_asked(interval.step_cap, before.right_cap, period);
+    step = step_asked(before.step_cap, interval.left_cap, period);
+    if (turn > kSameTangent) {
+      Node& joint = nodes.back();
+      joint.turn = turn;
+      joint.kink = jump.cwiseAbs();
+      if (turn > kTangentTolerance) rest = true;
+      const double kink_step =
+          std::min(4 * kTurnShare * constraints.chord_tolerance() / turn,
+                   std::sqrt(std::max(before.right_cap.q, interval.left_cap.q)) * period);
+      back = std::min(back, kink_step);
+      step = std::min(step, kink_step);
+    }
+    while (intervals.back().length() > back) split(intervals.size() - 1);
+  }
+  if (rest) nodes.back().own.lower_to({0, Limit::corner});
+  Interval rest_of_it = interval;
+  std::vector<Interval> later;
+  while (rest_of_it.length() > step) {
+    Halves halves = halve(rest_of_it);
+    later.push_back(halves.right);
+    rest_of_it = halves.left;
+  }
+  push(rest_of_it);
+  for (; !later.empty(); later.pop_back()) push(later.back());
+}
+
+void Chain::push(const Interval& interval) {
+  nodes.back().own.lower_to(interval.left_cap);
+  Node end;
+  end.own = interval.right_cap;
+  end.s = nodes.back().s + interval.length();
+  intervals.push_back(interval);
+  nodes.push_back(end);
+}
+
+void Chain::split(std::size_t i) {
+  const auto n = static_cast<std::ptrdiff_t>(i);
+  const Halves halves = halve(intervals[i]);
+  Node middle;
+  middle.own = halves.left.right_cap;
+  middle.s = nodes[i].s + halves.left.length();
+  intervals[i] = halves.left;
+  intervals.insert(intervals.begin() + n + 1, halves.right);
+  nodes.insert(nodes.begin() + n + 1, middle);
+}
+
+void Chain::drop_front(std::size_t count) {
+  const auto n = static_cast<std::ptrdiff_t>(count);
+  intervals.erase(intervals.begin(), intervals.begin() + n);
+  inside.erase(inside.begin(), inside.begin() + n);
+  nodes.erase(nodes.begin(), nodes.begin() + n);
+}
+
+}  // namespace softcnc::ipo

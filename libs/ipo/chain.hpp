@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Moves laid end to end: intervals, and between them nodes with what is allowed there.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "ipo/grid.hpp"
+
+namespace softcnc::ipo {
+
+/// The tangent turns where its direction jumps by more than this (rad), and the machine rests
+/// there; below it the path is tangent but for the rounding of the program, and the machine passes
+/// with a bounded jump of velocity.
+inline constexpr double kTangentTolerance = 0.01;
+
+/// A place between two intervals.
+struct Node {
+  Cap own;                               // of its two intervals and of the joint itself
+  double turn = 0;                       // rad; 0 where the path is tangent
+  AxisVector kink = AxisVector::Zero();  // |jump of x'| by axis
+  double s = 0;                          // mm from the first node ever
+  Cap cap;                               // own, and what neighbours ask for: derive_caps()
+  double k = 0;                          // the largest q from which all ahead can be kept
+
+  bool turns() const noexcept { return turn > 0; }
+  bool passes_kink() const noexcept { return turns() && own.q > 0; }
+};
+
+/// What an interval is allowed between its nodes: derive_caps().
+struct Inside {
+  Cap cap;           // of a straight interval
+  double share = 1;  // of the axis accelerations that the curve itself may use
+};
+
+/// Interval i lies between nodes i and i + 1.
+struct Chain {
+  std::vector<Interval> intervals;
+  std::vector<Inside> inside;
+  std::vector<Node> nodes;
+
+  /// Appends a move, or what is left of it `from` there; `rest`: the machine rests where it begins.
+  /// Intervals are split towards a joint until what is asked for across it need not slow long
+  /// stretches.
+  void append(const Move& move, const Constraints& constraints, bool rest, double from);
+
+  /// Splits interval i in the middle. Caps are to be derived anew.
+  void split(std::size_t i);
+
+  /// Forgets the first `count` intervals.
+  void drop_front(std::size_t count);
+
+  /// Calls visit(i) for the intervals left and right of a node that one step, however fast, can
+  /// touch together with it, nearest first on each side; on a side no further once visit returns
+  /// false.
+  template <typename Visit>
+  void for_intervals_in_step(std::size_t node, double period, Visit&& visit) const {
+    double time = 0;
+    for (std::size_t i = node; i-- > 0 && time < period && visit(i);)
+      time += intervals[i].shortest_time();
+    time = 0;
+    for (std::size_t i = node; i < intervals.size() && time < period && visit(i); ++i)
+      time += intervals[i].shortest_time();
+  }
+
+ private:
+  void add(const Interval& interval, const Constraints& constraints, bool rest);
+  void push(const Interval& interval);
+};
+
+/// Finds Node::cap and Inside: spreads what each interval asks of the steps that touch it, and what
+/// kinks ask of the speed and acceleration around them.
+void derive_caps(Chain& chain, const Constraints& constraints);
+
+/// Part of the chord tolerance that curves leave to corners and kinks within the same step.
+inline constexpr double kTurnShare = 0.5;
+
+/// Whether one step can touch the node together with a curve or with another stop where the path
+/// turns.
+bool shares_its_step(const Chain& chain, std::size_t node, double period) noexcept;
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/constraint.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace softcnc;
+using namespace softcnc::ipo;
+
+namespace {
+
+PathPoint on_circle(double radius) {
+  PathPoint point;
+  point.dq = {1, 0, 0};
+  point.ddq = {0, 1 / radius, 0};
+  return point;
+}
+
+Move cutting(double feed) { return {Line({0, 0, 0}, {1, 0, 0}), false, feed, Join::follow}; }
+
+}  // namespace
+
+TEST_CASE("a chord step is the chord of a circle whose sagitta is the tolerance", "[constraint]") {
+  for (const double radius : {0.0231, 0.5, 10.0, 4000.0})
+    for (const double tolerance : {5e-5, 1e-3, 2e-3}) {
+      const double chord = chord_step(1 / radius, tolerance);
+      const double sagitta = radius - std::sqrt(radius * radius - chord * chord / 4);
+      CHECK(sagitta == Approx(tolerance).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("no path strays further from its chord than half its length", "[constraint]") {
+  CHECK(chord_step(1 / 0.001, 0.002) == 0.004);
+  CHECK(chord_step(1 / 0.002, 0.002) == Approx(0.004));
+  CHECK(chord_step(0, 0.001) == kUnlimited);
+}
+
+TEST_CASE("the papers' small-error form of the chord feed is approached from below",
+          "[constraint]") {
+  // 000 eq. (5): F = (2 / T) sqrt(2 eps / kappa).
+  const double exact = chord_step(1 / 10.0, 0.001), small = 2 * std::sqrt(2 * 0.001 * 10.0);
+  CHECK(exact < small);
+  CHECK(exact == Approx(small).epsilon(1e-4));
+}
+
+TEST_CASE("feed is capped by the program, its override and the machine", "[constraint]") {
+  Machine machine;
+  machine.limits.feed = 250;
+  const PathPoint point = on_circle(10);
+  const auto cap = [&](double feed, double override_) {
+    return std::sqrt(make_feed_limit(machine, override_)->cap(point, cutting(feed)));
+  };
+  CHECK(cap(100, 1) == Approx(100));
+  CHECK(cap(100, 0.5) == Approx(50));
+  CHECK(cap(100, 2) == Approx(200));
+  CHECK(cap(200, 2) == Approx(250));  // an override never lifts a limit of the machine
+  Move rapid = cutting(1);
+  rapid.rapid = true;
+  CHECK(make_feed_limit(machine, 0.5)->cap(point, rapid) == kUnlimited);
+  CHECK(make_feed_limit(machine, 1)->limit(cutting(1)) == Limit::feed);
+  CHECK(make_feed_limit(machine, 0.5)->limit(cutting(1)) == Limit::override_);
+  CHECK(make_feed_limit(machine, 0.5)->limit(rapid) == Limit::rapid);
+}
+
+TEST_CASE("the path may be faster than an axis by its direction", "[constraint]") {
+  Machine machine;
+  for (Axis& axis : machine.axes) axis.velocity = 100;
+  machine.axes[1].velocity = 30;
+  PathPoint point;
+  point.dq = {0.8, 0.6, 0};
+  CHECK(std::sqrt(make_axis_velocity(machine)->cap(point, cutting(1))) == Approx(50));
+}
+
+TEST_CASE("the three-point method is left to limit the chord error itself", "[constraint]") {
+  Machine machine;
+  CHECK(Constraints(machine, 1).caps().size() == 3);
+  machine.control.interpolation = Method::curvature3p;
+  CHECK(Constraints(machine, 1).caps().size() == 2);
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/grid.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "support/curves.hpp"
+
+using namespace softcnc;
+using namespace softcnc::ipo;
+
+namespace {
+
+std::vector<Interval> grid_of(const Machine& machine, const Path& path, double feed) {
+  return make_grid({path, false, feed, Join::follow}, Constraints(machine, 1));
+}
+
+}  // namespace
+
+TEST_CASE("derivatives between two nodes are as good as linear", "[grid]") {
+  const Machine machine;
+  const Path path = test::curve("butterfly");
+  const double feed = 100, acceleration = 1000;
+  double worst = 0;
+  for (const Interval& interval : grid_of(machine, path, feed)) {
+    const double scale = std::max(
+        {interval.left.ddq.norm(), interval.right.ddq.norm(), acceleration / (feed * feed)});
+    for (const double w : {0.25, 0.5, 0.75}) {
+      const PathPoint exact = at(path, interval.s0 + w * interval.length());
+      const AxisVector linear = interval.left.ddq + w * (interval.right.ddq - interval.left.ddq);
+      worst = std::max(worst, (exact.ddq - linear).norm() / scale);
+    }
+  }
+  CHECK(worst < 2 * kGridTolerance);  // checked by the grid at the middle, here between
+  CHECK(worst > 0);
+}
+
+TEST_CASE("a grid covers its move without a gap, and every knot is a node", "[grid]") {
+  const Machine machine;
+  const Path path = test::curve("butterfly");
+  const auto grid = grid_of(machine, path, 100);
+  CHECK(grid.front().s0 == 0);
+  CHECK(grid.back().s1 == length(path));
+  std::vector<double> nodes;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    CHECK(grid[i].s1 > grid[i].s0);
+    if (i > 0) CHECK(grid[i].s0 == grid[i - 1].s1);
+    nodes.push_back(grid[i].s0);
+  }
+  CHECK(breaks(path).size() == 47);
+  for (const double knot : breaks(path))
+    CHECK(std::binary_search(nodes.begin(), nodes.end(), knot));
+}
+
+TEST_CASE("a jump of curvature keeps both of its sides", "[grid]") {
+  const Machine machine;
+  // Degree 2 with simple inner knots: the curvature jumps at them.
+  const Path path = test::curve("infinity8");
+  const auto grid = grid_of(machine, path, 100);
+  double jump = 0;
+  for (std::size_t i = 1; i < grid.size(); ++i)
+    jump = std::max(jump, (grid[i].left.ddq - grid[i - 1].right.ddq).norm());
+  CHECK(jump > 5e-5);
+}
+
+TEST_CASE("a line is one interval", "[grid]") {
+  const Machine machine;
+  const auto grid = grid_of(machine, Line({0, 0, 0}, {100, 0, 0}), 100);
+  REQUIRE(grid.size() == 1);
+  CHECK(grid[0].length() == 100);
+  CHECK(grid[0].straight());
+  CHECK(grid[0].ends_move);
+}

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/planner.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "support/curves.hpp"
+#include "support/run.hpp"
+
+using namespace softcnc;
+using test::exceeded;
+using test::number_blocks;
+using test::polyline;
+using test::run;
+
+namespace {
+
+Machine machine_with(double acceleration, double period = 1e-3, double tolerance = 1e-3) {
+  Machine machine;
+  machine.limits.feed = 0;
+  machine.control.period = period;
+  machine.control.chord_tolerance = tolerance;
+  for (Axis& axis : machine.axes) {
+    axis.velocity = 1000;
+    axis.acceleration = acceleration;
+  }
+  return machine;
+}
+
+std::vector<Block> one(Path path, double feed) {
+  return number_blocks({Move{std::move(path), false, feed, Join::follow}});
+}
+
+Arc arc(const AxisVector& from, const AxisVector& to, const AxisVector& center, bool ccw) {
+  return Arc::make({from, to, center, Plane::xy, ccw, 0}).value();
+}
+
+}  // namespace
+
+TEST_CASE("a line from rest to rest takes the trapezoid's time", "[planner]") {
+  const Machine machine = machine_with(1000);
+  // v / a + L / v, and 2 sqrt(L / a) where the feed is not reached.
+  CHECK(run(machine, polyline({{0, 0, 0}, {100, 0, 0}}, 100)).time == Approx(1.1).epsilon(1e-12));
+  CHECK(run(machine, polyline({{0, 0, 0}, {4, 0, 0}}, 100)).time ==
+        Approx(2 * std::sqrt(4e-3)).epsilon(1e-12));
+  // Diagonally both axes accelerate at their limit: sqrt(2) along the path.
+  CHECK(run(machine, polyline({{0, 0, 0}, {100, 100, 0}}, 100)).time ==
+        Approx(100 / (1000 * std::sqrt(2.0)) + std::sqrt(2.0)).epsilon(1e-12));
+}
+
+TEST_CASE("a rapid is bound by the axes alone", "[planner]") {
+  Machine machine = machine_with(1000);
+  machine.limits.feed = 10;
+  for (Axis& axis : machine.axes) axis.velocity = 50;
+  const auto result = run(machine, polyline({{0, 0, 0}, {100, 100, 0}}, 1, true));
+  CHECK(result.time == Approx(100.0 / 50 + 50.0 / 1000).epsilon(1e-12));
+  CHECK(result.time_by_limit.at(Limit::rapid) == Approx(100.0 / 50 - 50.0 / 1000));
+}
+
+TEST_CASE("a circle takes the time of the closed form under axis limits", "[planner]") {
+  // Radius 10 mm, 100 mm/s, 1000 mm/s^2 per axis: at 100 mm/s one axis is just at its limit at the
+  // quadrants. Ramps obey |cos| v'^ + |sin| v^2/r <= A on both axes; the reference is a fine
+  // numeric integration of the ramp, up and down being mirror images.
+  const Machine machine = machine_with(1000);
+  const auto result = run(machine, one(arc({10, 0, 0}, {10, 0, 0}, {0, 0, 0}, true), 100));
+  double t = 0, s = 0, v = 0;
+  const double r = 10, dt = 1e-7;
+  while (v < 100) {
+    const double angle = s / r, c = std::abs(std::cos(angle)), n = std::abs(std::sin(angle));
+    const double sign_x = std::cos(angle) * std::sin(angle) < 0 ? -1 : 1;
+    // x'' = -sin a - cos v^2/r; y'' = cos a - sin v^2/r with a, v along the path.
+    const double x = (1000 - sign_x * c * v * v / r) / std::max(n, 1e-12);
+    const double y = (1000 + sign_x * n * v * v / r) / std::max(c, 1e-12);
+    v += std::min(x, y) * dt;
+    s += v * dt;
+    t += dt;
+  }
+  const double reference = 2 * t + (2 * std::numbers::pi * r - 2 * s) / 100;
+  CHECK(result.time == Approx(reference).epsilon(2e-3));
+  CHECK(exceeded(machine, result) == "");
+}
+
+TEST_CASE("the benchmark curves take the optimum's time within 1 %, inside every limit",
+          "[planner]") {
+  // References: the exact acceleration-limited optimum (reachability analysis, an independent
+  // program in Python with numpy), refined until the fourth figure stands.
+  struct Case {
+    const char* curve;
+    double feed, period, tolerance, reference, within;
+  };
+  for (const Case& c : {Case{"butterfly", 100, 1e-3, 1e-3, 5.027, 0.01},
+                        Case{"circle_deg2", 100, 1e-3, 1e-3, 0.7282, 0.01},
+                        Case{"infinity8", 100, 1e-3, 1e-3, 12.773, 0.01},
+                        Case{"butterfly", 2000.0 / 60, 8e-3, 5e-5, 41.56, 0.05},
+                        Case{"butterfly", 2000.0 / 60, 8e-3, 2e-3, 12.159, 0.05},
+                        Case{"butterfly", 100, 4e-3, 1e-3, 5.742, 0.05}}) {
+    CAPTURE(c.curve, c.feed, c.period, c.tolerance);
+    const Machine machine = machine_with(1000, c.period, c.tolerance);
+    const auto result = run(machine, one(test::curve(c.curve), c.feed));
+    CHECK(result.time < c.reference * (1 + c.within));
+    CHECK(result.time > c.reference * 0.995);
+    CHECK(exceeded(machine, result) == "");
+    CHECK(result.measured.feed_fluctuation < 1e-6);
+    CHECK(result.rows.back().position ==
+          position(test::curve(c.curve), test::curve(c.curve).length()));
+  }
+}
+
+TEST_CASE("the machine rests where the tangent turns, and only there", "[planner]") {
+  const Machine machine = machine_with(1000);
+  const auto square =
+      run(machine, polyline({{0, 0, 0}, {50, 0, 0}, {50, 50, 0}, {0, 50, 0}, {0, 0, 0}}, 100));
+  CHECK(square.time == Approx(4 * (0.5 + 0.1)).epsilon(1e-12));
+  CHECK(exceeded(machine, square) == "");
+  const auto straight = run(machine, polyline({{0, 0, 0}, {50, 0, 0}, {100, 0, 0}}, 100));
+  CHECK(straight.time == Approx(1.1).epsilon(1e-12));
+}
+
+TEST_CASE("an exact stop rests at the end of its block", "[planner]") {
+  const Machine machine = machine_with(1000);
+  auto blocks = polyline({{0, 0, 0}, {50, 0, 0}, {100, 0, 0}}, 100);
+  std::get<Move>(blocks[0].what).join = Join::stop;
+  CHECK(run(machine, blocks).time == Approx(2 * (0.5 + 0.1)).epsilon(1e-12));
+}
+
+TEST_CASE("a corner has a row of its own where the polyline would cut it", "[planner]") {
+  const Machine machine = machine_with(1000, 8e-3, 5e-5);
+  const auto result = run(machine, polyline({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, 100));
+  CHECK(exceeded(machine, result) == "");
+  const bool row_in_corner =
+      std::any_of(result.rows.begin(), result.rows.end(),
+                  [](const Setpoint& row) { return row.position == AxisVector(10, 0, 0); });
+  CHECK(row_in_corner);
+  CHECK(result.time < 2 * (0.1 + 0.1) + 8e-3);
+}
+
+TEST_CASE("a tangent that is off by rounding does not stop the machine", "[planner]") {
+  const Machine machine = machine_with(1000);
+  // A line into an arc whose center was rounded: the tangent turns by 1 mrad.
+  const auto blocks = number_blocks(
+      {Move{Line({0, 0, 0}, {50, 0, 0}), false, 100, Join::follow},
+       Move{arc({50, 0, 0}, {60, 10, 0}, {50, 10, 0}, true), false, 100, Join::follow},
+       Move{Line({60, 10, 0}, {60.05, 60, 0}), false, 100, Join::follow}});
+  const auto result = run(machine, blocks);
+  CHECK(exceeded(machine, result) == "");
+  double slowest = 1e9;
+  for (const Setpoint& row : result.rows)
+    if (row.s > 20 && row.s < 90) slowest = std::min(slowest, row.v);
+  CHECK(slowest > 50);
+}
+
+TEST_CASE("dwell is rest, actions happen at rest and take no time", "[planner]") {
+  const Machine machine = machine_with(1000);
+  const Move first{Line({0, 0, 0}, {50, 0, 0}), false, 100, Join::follow};
+  const Move second{Line({50, 0, 0}, {100, 0, 0}), false, 100, Join::follow};
+  const auto result =
+      run(machine, number_blocks({first, Dwell{0.25}, second, Action{Action::Kind::end, 30, 0}}));
+  CHECK(result.time == Approx(2 * 0.6 + 0.25).epsilon(1e-12));
+  CHECK(result.time_by_limit.at(Limit::stop) == Approx(0.25));
+  int at_rest = 0;
+  for (const Setpoint& row : result.rows)
+    if (row.block == 2) {
+      CHECK(row.v == 0);
+      CHECK(row.limit == Limit::stop);
+      CHECK(row.position == AxisVector(50, 0, 0));
+      ++at_rest;
+    }
+  CHECK(at_rest == 250);
+}
+
+TEST_CASE("a move beyond the travel of an axis is reported with its block's place", "[planner]") {
+  Machine machine = machine_with(1000);
+  for (Axis& axis : machine.axes) {
+    axis.min = -12;
+    axis.max = 12;
+  }
+  const auto at_end = run(machine, polyline({{0, 0, 0}, {5, 0, 0}, {5, -13, 0}}, 100));
+  REQUIRE(at_end.diagnostics.size() == 1);
+  CHECK(at_end.diagnostics[0].code == Code::SC4001);
+  CHECK(at_end.diagnostics[0].pos.line == 2);
+  CHECK(at_end.diagnostics[0].pos.column == 1);
+  CHECK(at_end.diagnostics[0].message == "Y reaches -13 mm, beyond its travel from -12 to 12 mm");
+  // Inside at both ends, outside between: the extremum counts. A half circle to Y 15.
+  const auto between = run(machine, one(arc({10, 5, 0}, {-10, 5, 0}, {0, 5, 0}, true), 100));
+  REQUIRE(between.diagnostics.size() == 1);
+  CHECK(between.diagnostics[0].message == "Y reaches 15 mm, beyond its travel from -12 to 12 mm");
+  // No false alarm: the same arc the other way stays inside, however far its circle reaches.
+  CHECK(run(machine, one(arc({10, 5, 0}, {-10, 5, 0}, {0, 5, 0}, false), 100)).diagnostics.empty());
+}
+
+TEST_CASE("an override below 100 % names itself where it binds", "[planner]") {
+  const Machine machine = machine_with(1000);
+  const auto result = run(machine, polyline({{0, 0, 0}, {100, 0, 0}}, 100), -1, 1, 0.5);
+  CHECK(result.time == Approx(100.0 / 50 + 50.0 / 1000));
+  CHECK(result.time_by_limit.count(Limit::override_) == 1);
+  CHECK(result.time_by_limit.count(Limit::feed) == 0);
+}
+
+TEST_CASE("rows count time from zero, one a period, the last at rest", "[planner]") {
+  const Machine machine = machine_with(1000);
+  const auto result = run(machine, polyline({{0, 0, 0}, {4.1, 0, 0}}, 100));
+  for (std::size_t i = 0; i < result.rows.size(); ++i)
+    CHECK(result.rows[i].period == static_cast<std::int64_t>(i));
+  CHECK(result.rows.front().position == AxisVector(0, 0, 0));
+  CHECK(result.rows.back().position == AxisVector(4.1, 0, 0));
+  CHECK(result.rows.back().v == 0);
+  CHECK(static_cast<double>(result.rows.size() - 1) == std::ceil(result.time / 1e-3));
+}
+
+TEST_CASE("a program without motion is one row", "[planner]") {
+  const Machine machine = machine_with(1000);
+  CHECK(run(machine, number_blocks({Action{Action::Kind::end, 30, 0}})).rows.size() == 1);
+  CHECK(run(machine, {}).rows.size() == 1);
+}
+
+namespace {
+
+/// A random chain of lines, arcs and cubic splines, tangent or not.
+std::vector<Block> random_program(std::mt19937& random, int count) {
+  const auto uniform = [&](double a, double b) {
+    return a + (b - a) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+  };
+  std::vector<std::variant<Move, Dwell, Action>> moves;
+  AxisVector here(0, 0, 0);
+  for (int i = 0; i < count; ++i) {
+    const double size = std::pow(10.0, uniform(-2, 1.5));
+    const double feed = std::pow(10.0, uniform(0.5, 2.4));
+    const Join join = random() % 8 == 0 ? Join::stop : Join::follow;
+    const AxisVector to = here + size * AxisVector(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+    const auto kind = random() % 4;
+    if (kind == 0) {
+      moves.emplace_back(Move{Line(here, to), random() % 3 == 0, feed, join});
+      here = to;
+    } else if (kind == 1) {
+      const double start = uniform(0, 6.28), sweep = uniform(0.2, 6.0), radius = size;
+      const AxisVector center = here - radius * AxisVector(std::cos(start), std::sin(start), 0);
+      AxisVector end =
+          center + radius * AxisVector(std::cos(start + sweep), std::sin(start + sweep), 0);
+      end[2] += uniform(-0.5, 0.5) * size;
+      moves.emplace_back(Move{arc(here, end, center, true), false, feed, join});
+      here = end;
+    } else if (kind == 2) {
+      NurbsSpec spec;
+      spec.degree = 3;
+      AxisVector p = here;
+      for (int k = 0; k < 8; ++k) {
+        spec.control.push_back(p);
+        spec.weights.push_back(std::pow(10.0, uniform(-0.5, 0.5)));
+        p += size * AxisVector(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+      }
+      spec.knots = {0, 0, 0, 0, 1, 2, 3, 4, 5, 5, 5, 5};
+      here = spec.control.back();
+      moves.emplace_back(Move{Nurbs::make(spec).value(), false, feed, join});
+    } else {
+      // Short chords with small turns, as CAM systems chop curves.
+      double heading = uniform(0, 6.28);
+      for (int k = 0; k < 20; ++k) {
+        const AxisVector next =
+            here + 0.02 * size * AxisVector(std::cos(heading), std::sin(heading), 0);
+        moves.emplace_back(Move{Line(here, next), false, feed, Join::follow});
+        here = next;
+        heading += uniform(0, 0.012);
+      }
+    }
+  }
+  return number_blocks(std::move(moves));
+}
+
+}  // namespace
+
+TEST_CASE("random programs keep every limit in every row", "[planner][property]") {
+  for (unsigned seed = 1; seed <= 150; ++seed) {
+    std::mt19937 random(seed);
+    const double period = std::array{1e-3, 4e-3, 8e-3}[seed % 3];
+    const double tolerance = std::array{1e-3, 5e-5, 5e-3}[seed / 3 % 3];
+    Machine machine = machine_with(seed % 2 ? 1000 : 5000, period, tolerance);
+    machine.axes[2].acceleration = 300;
+    machine.axes[1].velocity = 60;
+    const auto blocks = random_program(random, 12);
+    const auto result = run(machine, blocks);
+    CAPTURE(seed);
+    CHECK(exceeded(machine, result) == "");
+    const Path& last = std::get<Move>(blocks.back().what).path;
+    CHECK(result.rows.back().position == end(last));
+  }
+}
+
+TEST_CASE("the plan does not depend on how the blocks arrive", "[planner][property]") {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 random(seed);
+    const Machine machine = machine_with(1000);
+    const auto blocks = random_program(random, 40);
+    const auto whole = run(machine, blocks, -1, 0);
+    for (const std::size_t chunk : {1U, 7U}) {
+      const auto pieces = run(machine, blocks, -1, chunk);
+      REQUIRE(pieces.rows.size() == whole.rows.size());
+      for (std::size_t i = 0; i < whole.rows.size(); ++i) {
+        REQUIRE(pieces.rows[i].position == whole.rows[i].position);
+        REQUIRE(pieces.rows[i].v == whole.rows[i].v);
+        REQUIRE(pieces.rows[i].limit == whole.rows[i].limit);
+      }
+    }
+  }
+}
+
+TEST_CASE("a stop at any moment ends at rest on the path, within the limits", "[planner][stop]") {
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    std::mt19937 random(seed);
+    const Machine machine = machine_with(1000);
+    const auto blocks = random_program(random, 10);
+    const auto whole = run(machine, blocks);
+    const int after = static_cast<int>(random() % whole.rows.size());
+    const auto stopped = run(machine, blocks, after);
+    CAPTURE(seed, after);
+    CHECK(exceeded(machine, stopped) == "");
+    CHECK(stopped.rows.back().v == 0);
+    CHECK(stopped.rows.size() <= whole.rows.size() + 1);
+    for (int i = 0; i <= after; ++i)
+      REQUIRE(stopped.rows[static_cast<std::size_t>(i)].position ==
+              whole.rows[static_cast<std::size_t>(i)].position);
+  }
+}
+
+TEST_CASE("a stop on a line takes v^2 / 2a", "[planner][stop]") {
+  const Machine machine = machine_with(1000);
+  const auto stopped = run(machine, polyline({{0, 0, 0}, {500, 0, 0}}, 100), 999);
+  // At row 999 the machine runs at 100 mm/s; it could stand 5 mm later.
+  const double distance = stopped.rows.back().s - stopped.rows[999].s;
+  CHECK(distance >= 5.0 - 1e-9);
+  CHECK(distance < 5.2);
+  CHECK(stopped.rows.back().v == 0);
+}

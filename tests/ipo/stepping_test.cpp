@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/stepping.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "support/curves.hpp"
+#include "support/run.hpp"
+
+using namespace softcnc;
+using namespace softcnc::ipo;
+
+namespace {
+
+test::Run butterfly(Method method, double feed, double period, double tolerance,
+                    double acceleration = 1000) {
+  Machine machine;
+  machine.limits.feed = 0;
+  machine.control.interpolation = method;
+  machine.control.period = period;
+  machine.control.chord_tolerance = tolerance;
+  for (Axis& axis : machine.axes) {
+    axis.velocity = 1e6;
+    axis.acceleration = acceleration;
+  }
+  return test::run(
+      machine, test::number_blocks({Move{test::curve("butterfly"), false, feed, Join::follow}}));
+}
+
+}  // namespace
+
+TEST_CASE("three points on a circle give its curvature", "[stepping]") {
+  const auto on = [](double angle) {
+    return AxisVector(3 + 2.5 * std::cos(angle), 2.5 * std::sin(angle), 1);
+  };
+  CHECK(three_point_curvature(on(0.1), on(0.2), on(0.5)) == Approx(1 / 2.5));
+  CHECK(three_point_curvature({0, 0, 0}, {1, 1, 1}, {2, 2, 2}) == Approx(0).margin(1e-12));
+  CHECK(three_point_curvature({0, 0, 0}, {0, 0, 0}, {2, 2, 2}) == 0);
+}
+
+TEST_CASE("the orders of the methods show in their error", "[stepping]") {
+  // Halving the step divides the error of one Taylor step by 4 (first order) and 8 (second order).
+  const Nurbs nurbs = test::curve("butterfly");
+  const auto error = [&](Method method, double ds) {
+    ParameterWalk walk(nurbs, method, 1e-3);
+    walk.step(ds);
+    return std::abs(walk.s() - ds);
+  };
+  CHECK(error(Method::taylor1, 0.02) / error(Method::taylor1, 0.01) == Approx(4).epsilon(0.05));
+  CHECK(error(Method::taylor2, 0.02) / error(Method::taylor2, 0.01) == Approx(8).epsilon(0.1));
+}
+
+TEST_CASE("every method lands on the end point", "[stepping]") {
+  for (const Method method : {Method::taylor1, Method::taylor2, Method::curvature3p}) {
+    const auto result = butterfly(method, 100, 1e-3, 1e-3);
+    CHECK(result.rows.back().position == AxisVector(54.492, 52.139, 0));
+    CHECK(result.rows.back().v == 0);
+    CHECK(result.measured.path_deviation < 1e-9);
+  }
+}
+
+TEST_CASE("feed fluctuates by about 10 % at first order, 2 % at second, not at all by arc length",
+          "[stepping]") {
+  const double first = butterfly(Method::taylor1, 100, 1e-3, 1e-3).measured.feed_fluctuation;
+  const double second = butterfly(Method::taylor2, 100, 1e-3, 1e-3).measured.feed_fluctuation;
+  const double exact = butterfly(Method::arc_length, 100, 1e-3, 1e-3).measured.feed_fluctuation;
+  CHECK(first == Approx(0.096).epsilon(0.3));
+  CHECK(second == Approx(0.017).epsilon(0.5));
+  CHECK(exact < 1e-9);
+  WARN("feed fluctuation: taylor1 " << first << ", taylor2 " << second << ", arc-length " << exact);
+}
+
+TEST_CASE("the three-point scheme of paper 000 does not hold its own bound", "[stepping]") {
+  // 8 ms, 2000 mm/min, no acceleration limit: up to 8.3 times the tolerance at 0.05 um and 3.3
+  // times at 2 um on the butterfly (computed independently).
+  const double fine =
+      butterfly(Method::curvature3p, 2000.0 / 60, 8e-3, 5e-5, 1e9).measured.chord_error;
+  const double coarse =
+      butterfly(Method::curvature3p, 2000.0 / 60, 8e-3, 2e-3, 1e9).measured.chord_error;
+  WARN("three-point chord error: " << fine / 5e-5 << " and " << coarse / 2e-3 << " tolerances");
+  CHECK(fine / 5e-5 == Approx(8.3).epsilon(0.15));
+  CHECK(coarse / 2e-3 == Approx(3.3).epsilon(0.15));
+}
