@@ -8,7 +8,7 @@ G00 X40 Y40
 N10 G02 X60 Y20 I0 J-20 F1200    (a quarter of radius 20 about X40 Y20)
 
 (A line that leaves an arc in its direction is passed without a stop.)
-N20 G01 X60 Y0
+N20 G01 X60 Y0 F3000
 
 (End and start may be the same point: that is one full circle.)
 N30 G03 X60 Y0 I-15 J0
@@ -20,6 +20,6 @@ N50 G02 X20 Y20 R20              (the short way: a quarter)
 N60 G03 X0 Y0 R-20               (the long way back: three quarters)
 
 (An arc needs acceleration even at constant speed: v2 / r towards its centre. At)
-(F1200, 20 mm/s, on r = 20 mm that is 20 mm/s2, and the feed binds. At F15000 it)
+(F3000, 50 mm/s, on r = 20 mm that is 125 mm/s2, and the feed binds. At F15000 it)
 (would be 3125 mm/s2, more than the axes have: softcnc then slows down by itself.)
 M30

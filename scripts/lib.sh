@@ -70,13 +70,15 @@ configure() {
   return 1
 }
 
-# build PRESET TARGET...: a line that counts on a terminal, nothing but errors elsewhere.
+# build PRESET TARGET...: with its progress on a terminal, otherwise with nothing but errors.
 build() {
-  local preset=$1 quiet=(--quiet)
-  shift
-  say "building $* in build/$preset"
-  [[ -t 2 ]] && quiet=()
-  ninja -C "$root/build/$preset" -j"$(nproc)" "${quiet[@]}" "$@" >&2
+  local make=(ninja -C "$root/build/$1" -j"$(nproc)")
+  say "building ${*:2} in build/$1"
+  if [[ -t 2 ]]; then
+    "${make[@]}" "${@:2}" >&2
+  else
+    "${make[@]}" --quiet "${@:2}" | sed '/^ninja: no work to do/d' >&2
+  fi
 }
 
 # sidecar PART: the machine file beside a part program, PART with the suffix .toml, where it stands.
