@@ -80,6 +80,7 @@ Channel::Channel(ipr::Reader& reader, const Machine& machine, const ChannelOptio
     : machine_(machine),
       feed_override_(options.feed_override),
       feeder_(reader, machine, options, diagnostics),
+      queue_(10 * machine.control.period),
       interpolator_(queue_, machine.control) {}
 
 std::optional<Setpoint> Channel::step(const Panel& panel) noexcept {

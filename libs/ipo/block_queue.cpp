@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/block_queue.hpp"
 
-#include <iterator>
+#include <utility>
 
 namespace softcnc::ipo {
 
@@ -11,12 +11,22 @@ void BlockQueue::push(TimedBlock block) {
 }
 
 void BlockQueue::trim() {
-  for (; current_ > 0; --current_) blocks_.pop_front();
+  for (; current_ > 0; --current_) {
+    remembered_.push_back(std::move(blocks_.front()));
+    blocks_.pop_front();
+  }
+  const double now = blocks_.empty() ? t_end_ : blocks_.front().t_start;
+  while (!remembered_.empty() && remembered_.front().t_end() < now - memory_)
+    remembered_.pop_front();
 }
 
-std::deque<TimedBlock> BlockQueue::take_rest() {
+PartlyPassed BlockQueue::take_rest() {
   trim();
-  return std::exchange(blocks_, {});
+  PartlyPassed rest{std::exchange(remembered_, {}), 0};
+  rest.passed = rest.blocks.size();
+  for (TimedBlock& block : blocks_) rest.blocks.push_back(std::move(block));
+  blocks_.clear();
+  return rest;
 }
 
 }  // namespace softcnc::ipo

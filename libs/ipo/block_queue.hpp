@@ -20,13 +20,23 @@ struct TimedBlock {
   const Move* move() const noexcept { return std::get_if<Move>(&block.what); }
 };
 
+/// Blocks of which the first `passed` lie behind the machine.
+struct PartlyPassed {
+  std::deque<TimedBlock> blocks;
+  std::size_t passed = 0;
+};
+
 /// The reader advances and frees nothing; the writer frees what the reader has left behind.
 class BlockQueue {
  public:
+  /// Blocks are remembered for `memory` s after they have been trimmed.
+  explicit BlockQueue(double memory) : memory_(memory) {}
+
   void push(TimedBlock block);
   void trim();  // planning side
-  /// Takes out everything from the present block on, to be planned anew. Planning side.
-  std::deque<TimedBlock> take_rest();
+  /// Takes out everything from the present block on, to be planned anew, and before it what can
+  /// still be felt. Planning side.
+  PartlyPassed take_rest();
 
   /// Realtime.
   bool empty() const noexcept { return current_ == blocks_.size(); }
@@ -43,7 +53,8 @@ class BlockQueue {
   double t_end() const noexcept { return t_end_; }
 
  private:
-  std::deque<TimedBlock> blocks_;
+  double memory_;
+  std::deque<TimedBlock> blocks_, remembered_;
   std::size_t current_ = 0;
   double t_end_ = 0;
 };

@@ -11,7 +11,7 @@ namespace {
 constexpr double kSameTangent = 1e-9;
 
 /// Derivatives inside an interval, on which they are as good as linear.
-PathPoint between(const Interval& interval, double s) {
+PathPoint point_inside(const Interval& interval, double s) {
   const double w = (s - interval.s0) / interval.length();
   const auto mix = [w](const AxisVector& a, const AxisVector& b) -> AxisVector {
     return a + w * (b - a);
@@ -27,7 +27,7 @@ struct Halves {
 Halves cut(const Interval& interval, double s) {
   Halves halves{interval, interval};
   halves.left.s1 = halves.right.s0 = s;
-  halves.left.right = halves.right.left = between(interval, s);
+  halves.left.right = halves.right.left = point_inside(interval, s);
   halves.left.ends_move = false;
   Cap lower = interval.left_cap;
   lower.lower_to(interval.right_cap);
@@ -35,7 +35,7 @@ Halves cut(const Interval& interval, double s) {
   return halves;
 }
 
-Halves halve(const Interval& interval) { return cut(interval, 0.5 * (interval.s0 + interval.s1)); }
+double middle(const Interval& interval) { return 0.5 * (interval.s0 + interval.s1); }
 
 /// The step that an interval, or the joint before it, asks of a neighbour that could be faster.
 double step_asked(const Cap& asked, const Cap& neighbour, double period) {
@@ -44,11 +44,10 @@ double step_asked(const Cap& asked, const Cap& neighbour, double period) {
 
 }  // namespace
 
-void Chain::append(const Move& move, const Constraints& constraints, bool rest, double from) {
+void Chain::append(const Move& move, const Constraints& constraints, bool rest) {
   if (nodes.empty()) nodes.emplace_back();
   for (const Interval& interval : make_grid(move, constraints)) {
-    if (interval.s1 <= from) continue;
-    add(interval.s0 < from ? cut(interval, from).right : interval, constraints, rest);
+    add(interval, constraints, rest);
     rest = false;
   }
 }
@@ -73,13 +72,13 @@ void Chain::add(const Interval& interval, const Constraints& constraints, bool r
       back = std::min(back, kink_step);
       step = std::min(step, kink_step);
     }
-    while (intervals.back().length() > back) split(intervals.size() - 1);
+    while (intervals.back().length() > back) split(intervals.size() - 1, middle(intervals.back()));
   }
   if (rest) nodes.back().own.lower_to({0, Limit::corner});
   Interval rest_of_it = interval;
   std::vector<Interval> later;
   while (rest_of_it.length() > step) {
-    Halves halves = halve(rest_of_it);
+    Halves halves = cut(rest_of_it, middle(rest_of_it));
     later.push_back(halves.right);
     rest_of_it = halves.left;
   }
@@ -96,15 +95,15 @@ void Chain::push(const Interval& interval) {
   nodes.push_back(end);
 }
 
-void Chain::split(std::size_t i) {
+void Chain::split(std::size_t i, double s) {
   const auto n = static_cast<std::ptrdiff_t>(i);
-  const Halves halves = halve(intervals[i]);
-  Node middle;
-  middle.own = halves.left.right_cap;
-  middle.s = nodes[i].s + halves.left.length();
+  const Halves halves = cut(intervals[i], s);
+  Node between;
+  between.own = halves.left.right_cap;
+  between.s = nodes[i].s + halves.left.length();
   intervals[i] = halves.left;
   intervals.insert(intervals.begin() + n + 1, halves.right);
-  nodes.insert(nodes.begin() + n + 1, middle);
+  nodes.insert(nodes.begin() + n + 1, between);
 }
 
 void Chain::drop_front(std::size_t count) {

@@ -39,13 +39,12 @@ struct Chain {
   std::vector<Inside> inside;
   std::vector<Node> nodes;
 
-  /// Appends a move, or what is left of it `from` there; `rest`: the machine rests where it begins.
-  /// Intervals are split towards a joint until what is asked for across it need not slow long
-  /// stretches.
-  void append(const Move& move, const Constraints& constraints, bool rest, double from);
+  /// Appends a move; `rest`: the machine rests where it begins. Intervals are split towards a joint
+  /// until what is asked for across it need not slow long stretches.
+  void append(const Move& move, const Constraints& constraints, bool rest);
 
-  /// Splits interval i in the middle. Caps are to be derived anew.
-  void split(std::size_t i);
+  /// Splits interval i at `s` mm of its move. Caps are to be derived anew.
+  void split(std::size_t i, double s);
 
   /// Forgets the first `count` intervals.
   void drop_front(std::size_t count);

@@ -13,15 +13,17 @@ namespace {
 constexpr double kAccelerationShare = 1 + 4e-4;
 constexpr double kResolution = 1e-3;  // mm
 
-/// Appends the moves of `blocks`, the first from `from` mm on.
-void append_moves(Window& window, const std::deque<TimedBlock>& blocks, double from) {
-  bool rest = false;
-  for (const TimedBlock& timed : blocks) {
-    const Move* move = timed.move();
-    if (move) window.append(*move, rest, from);
-    rest = !move || move->join == Join::stop;
-    from = 0;
+/// Fills the window with the moves of all blocks; its front is `s` mm inside the first not passed.
+void append_moves(Window& window, const PartlyPassed& rest, double s) {
+  std::size_t passed = 0;
+  bool at_rest = false;
+  for (std::size_t i = 0; i < rest.blocks.size(); ++i) {
+    const Move* move = rest.blocks[i].move();
+    if (move) window.append(*move, at_rest);
+    if (move && i < rest.passed) ++passed;
+    at_rest = !move || move->join == Join::stop;
   }
+  window.skip(passed, s);
 }
 
 /// Runs the first `intervals` of the window, or up to the end of its first move.
@@ -38,22 +40,21 @@ std::size_t run_move(Window& window, std::size_t intervals, Profile& profile) {
 
 }  // namespace
 
-std::deque<TimedBlock> plan_stop(const Constraints& constraints, std::deque<TimedBlock> blocks,
+std::deque<TimedBlock> plan_stop(const Constraints& constraints, PartlyPassed rest,
                                  const State& now, double t) {
   std::deque<TimedBlock> stopped;
-  if (blocks.empty()) return stopped;
   Window window(constraints, kAccelerationShare);
-  append_moves(window, blocks, now.s);
+  append_moves(window, rest, now.s);
   const double q = now.v * now.v;
   window.set_front_q(q);
   window.settle(true);
   std::size_t intervals = q > 0 && window.size() > 0 ? window.rest_early(kResolution) : 0;
-  for (TimedBlock& block : blocks) {
-    const bool first = stopped.empty();
-    if (!first && intervals == 0) break;
-    TimedBlock timed{std::move(block.block), {}, t, block.s_start};
-    if (first) timed.profile.rest_at(now.s);
-    const bool moves = timed.move() && (!first || length(timed.move()->path) > now.s);
+  for (std::size_t i = rest.passed; i < rest.blocks.size(); ++i) {
+    const bool present = stopped.empty();
+    if (!present && intervals == 0) break;
+    TimedBlock timed{std::move(rest.blocks[i].block), {}, t, rest.blocks[i].s_start};
+    if (present) timed.profile.rest_at(now.s);
+    const bool moves = timed.move() && (!present || length(timed.move()->path) > now.s);
     if (moves) intervals = run_move(window, intervals, timed.profile);
     t = timed.t_end();
     stopped.push_back(std::move(timed));

@@ -10,8 +10,9 @@
 namespace softcnc::ipo {
 
 /// The shortest stop on the path, under the same constraints, from the state `now` inside the first
-/// of `blocks` at program time `t`; the blocks end at rest. What would follow the stop is dropped.
-std::deque<TimedBlock> plan_stop(const Constraints& constraints, std::deque<TimedBlock> blocks,
+/// block not passed, at program time `t`; the blocks end at rest. Returns the blocks from the
+/// present one to that of the stop.
+std::deque<TimedBlock> plan_stop(const Constraints& constraints, PartlyPassed rest,
                                  const State& now, double t);
 
 }  // namespace softcnc::ipo

@@ -12,8 +12,15 @@ constexpr double kFeltPeriods = 5;
 
 }  // namespace
 
-void Window::append(const Move& move, bool rest, double from) {
-  chain_.append(move, constraints_, rest, from);
+void Window::append(const Move& move, bool rest) { chain_.append(move, constraints_, rest); }
+
+void Window::skip(std::size_t moves, double s) {
+  for (; moves > 0 && front_ < chain_.intervals.size(); ++front_)
+    if (chain_.intervals[front_].ends_move) --moves;
+  while (front_ < chain_.intervals.size() && chain_.intervals[front_].s1 <= s) ++front_;
+  if (front_ == chain_.intervals.size() || chain_.intervals[front_].s0 >= s) return;
+  chain_.split(front_, s);
+  ++front_;
 }
 
 std::size_t Window::settle(bool ended) {
@@ -52,7 +59,8 @@ std::size_t Window::rest_early(double resolution) {
   };
   while (yes - no > 1) halve_to(no + (yes - no) / 2);
   while (chain_.intervals[front_ + no].length() > resolution) {
-    chain_.split(front_ + no);
+    const Interval& last = chain_.intervals[front_ + no];
+    chain_.split(front_ + no, 0.5 * (last.s0 + last.s1));
     derive_caps(chain_, constraints_);
     yes = no + 2;
     halve_to(no + 1);

@@ -22,8 +22,11 @@ class Window {
   explicit Window(const Constraints& constraints, double acceleration_share = 1)
       : constraints_(constraints), acceleration_share_(acceleration_share) {}
 
-  /// Appends a move from `from` mm to its end; `rest`: the machine rests where it begins.
-  void append(const Move& move, bool rest, double from = 0);
+  /// Appends a move; `rest`: the machine rests where it begins.
+  void append(const Move& move, bool rest);
+
+  /// Moves the front past `moves` moves and `s` mm into the next one.
+  void skip(std::size_t moves, double s);
 
   /// Intervals from the front on.
   std::size_t size() const noexcept { return chain_.intervals.size() - front_; }

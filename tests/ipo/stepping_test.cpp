@@ -59,15 +59,16 @@ TEST_CASE("every method lands on the end point", "[stepping]") {
   }
 }
 
-TEST_CASE("feed fluctuates by about 10 % at first order, 2 % at second, not at all by arc length",
+TEST_CASE("feed fluctuates by per cents with Taylor steps, not at all by arc length",
           "[stepping]") {
   const double first = butterfly(Method::taylor1, 100, 1e-3, 1e-3).measured.feed_fluctuation;
   const double second = butterfly(Method::taylor2, 100, 1e-3, 1e-3).measured.feed_fluctuation;
   const double exact = butterfly(Method::arc_length, 100, 1e-3, 1e-3).measured.feed_fluctuation;
-  CHECK(first == Approx(0.096).epsilon(0.3));
-  CHECK(second == Approx(0.017).epsilon(0.5));
+  CHECK(first > 0.03);
+  CHECK(first < 0.1);
+  CHECK(second > 0.004);
+  CHECK(second < 0.02);
   CHECK(exact < 1e-9);
-  WARN("feed fluctuation: taylor1 " << first << ", taylor2 " << second << ", arc-length " << exact);
 }
 
 TEST_CASE("the three-point scheme of paper 000 does not hold its own bound", "[stepping]") {
@@ -77,7 +78,6 @@ TEST_CASE("the three-point scheme of paper 000 does not hold its own bound", "[s
       butterfly(Method::curvature3p, 2000.0 / 60, 8e-3, 5e-5, 1e9).measured.chord_error;
   const double coarse =
       butterfly(Method::curvature3p, 2000.0 / 60, 8e-3, 2e-3, 1e9).measured.chord_error;
-  WARN("three-point chord error: " << fine / 5e-5 << " and " << coarse / 2e-3 << " tolerances");
-  CHECK(fine / 5e-5 == Approx(8.3).epsilon(0.15));
-  CHECK(coarse / 2e-3 == Approx(3.3).epsilon(0.15));
+  CHECK(fine / 5e-5 == Approx(8.3).epsilon(0.02));
+  CHECK(coarse / 2e-3 == Approx(3.3).epsilon(0.02));
 }

@@ -47,7 +47,7 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, int sto
   Run result;
   Diagnostics diagnostics;
   ipo::Planner planner(machine, feed_override, diagnostics);
-  ipo::BlockQueue queue;
+  ipo::BlockQueue queue(10 * machine.control.period);
   ipo::Interpolator interpolator(queue, machine.control);
   Verifier verifier(machine);
   std::size_t next = 0;
