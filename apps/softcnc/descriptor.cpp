@@ -13,13 +13,13 @@
 namespace softcnc::app {
 namespace {
 
+tl::unexpected<Diagnostic> no_temporary_file(const std::error_code& error) {
+  return tl::make_unexpected(Diagnostic{
+      Code::SC6003, {}, "cannot be kept in a temporary file: " + error.message(), {}, {}});
+}
+
 tl::unexpected<Diagnostic> no_temporary_file() {
-  return tl::make_unexpected(
-      Diagnostic{Code::SC6003,
-                 {},
-                 "cannot keep it in a temporary file: " + std::generic_category().message(errno),
-                 {},
-                 {}});
+  return no_temporary_file({errno, std::generic_category()});
 }
 
 }  // namespace
@@ -35,14 +35,19 @@ Descriptor::~Descriptor() {
   if (number_ >= 0) ::close(number_);
 }
 
-Result<Descriptor> unlinked_file() {
+Result<std::string> temporary_name() {
   std::error_code error;
-  auto directory = std::filesystem::temp_directory_path(error);
-  if (error) directory = "/tmp";
-  std::string name = directory / "softcnc-XXXXXX";
-  Descriptor file(::mkstemp(name.data()));
+  const auto directory = std::filesystem::temp_directory_path(error);
+  if (error) return no_temporary_file(error);
+  return directory / "softcnc-XXXXXX";
+}
+
+Result<Descriptor> unlinked_file() {
+  auto name = temporary_name();
+  if (!name) return tl::make_unexpected(std::move(name.error()));
+  Descriptor file(::mkstemp(name->data()));
   if (*file < 0) return no_temporary_file();
-  ::unlink(name.c_str());
+  ::unlink(name->c_str());
   return file;
 }
 

@@ -2,6 +2,7 @@
 // A file descriptor with an owner, and files without a name.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "motion/result.hpp"
@@ -20,6 +21,9 @@ class Descriptor {
  private:
   int number_;
 };
+
+/// A name for mkstemp() or mkdtemp() in the folder for temporary files. Errors: SC6003.
+Result<std::string> temporary_name();
 
 /// An empty file that vanishes with its descriptor. Errors: SC6003.
 Result<Descriptor> unlinked_file();

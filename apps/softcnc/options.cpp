@@ -180,6 +180,8 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
   }
   for (const CommandRow& row : kCommands)
     if (app.got_subcommand(row.name)) options.command = row.command;
+  if (options.quiet && options.progress == ProgressMode::automatic)
+    options.progress = ProgressMode::none;
   return options;
 }
 

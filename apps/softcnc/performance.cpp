@@ -156,6 +156,21 @@ void Performer::close(TraceRows& rows) {
   performance_.status = worse_status(performance_.status, messages_.fail(finished.error()));
 }
 
+/// The pre-flight; `total` becomes the time that the program takes.
+Performance check_first(Job& job, Messages& messages, Terminal& terminal, double& total) {
+  terminal.begin("checking", 0);
+  const Preflight checked = preflight(job.program, job.machine, job.options, messages, &terminal);
+  terminal.end();
+  total = checked.outcome.time;
+  Performance performance;
+  performance.status = checked.status;
+  if (checked.outcome.end == Outcome::End::stopped) {
+    performance.status = worse_status(checked.status, kSignalled + terminal.signal());
+    if (checked.status == 0) performance.ending = Ending::stopped;
+  }
+  return performance;
+}
+
 }  // namespace
 
 Result<Job> open_job(const Options& options) {
@@ -173,23 +188,12 @@ std::string_view name(Ending ending) noexcept {
 
 Performance perform(Job& job, const Options& options, const std::string& trace) {
   Messages messages;
-  Terminal terminal(options.quiet && options.progress == ProgressMode::automatic
-                        ? ProgressMode::none
-                        : options.progress,
-                    on_terminal(trace), job.machine.control.period, false);
-  Performance performance;
+  Terminal terminal(options.progress, on_terminal(trace), job.machine.control.period);
   double total = 0;
-  if (!options.dry_run) {
-    terminal.begin("checking", 0);
-    const Preflight checked = preflight(job.program, job.machine, job.options, messages, &terminal);
-    terminal.end();
-    performance.status = checked.status;
-    if (checked.outcome.end == Outcome::End::stopped)
-      performance.status = worse_status(checked.status, kSignalled + terminal.signal());
-    total = checked.outcome.time;
-  }
+  Performance performance;
+  if (!options.dry_run) performance = check_first(job, messages, terminal, total);
   if (performance.status == 0) {
-    terminal.set_waits(may_ask(options));
+    if (may_ask(options)) terminal.wait_at_stops();
     performance = Performer(job, options, messages, terminal).move(trace, total);
   }
   performance.diagnostics.assign(messages.kept().begin(), messages.kept().end());
@@ -199,6 +203,8 @@ Performance perform(Job& job, const Options& options, const std::string& trace) 
 int conclude(Job& job, const Options& options, const Performance& performance) {
   if (performance.moved && performance.ending != Ending::error)
     spdlog::info("{}", summary(job, performance));
+  if (!performance.moved && performance.ending == Ending::stopped)
+    spdlog::info("stopped before anything moved");
   if (options.report.empty()) return performance.status;
   const auto written = hal::write_file(options.report, report_json(job, performance));
   if (written) return performance.status;

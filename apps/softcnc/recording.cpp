@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "descriptor.hpp"
 #include "hal/hash.hpp"
 #include "hal/machine_file.hpp"
 #include "hal/output_file.hpp"
@@ -16,12 +17,12 @@ namespace softcnc::app {
 namespace {
 
 tl::unexpected<Diagnostic> no_temporary(int error) {
-  return tl::make_unexpected(Diagnostic{
-      Code::SC6003,
-      {},
-      "cannot be kept in the temporary folder: " + std::generic_category().message(error),
-      {},
-      {}});
+  return tl::make_unexpected(
+      Diagnostic{Code::SC6003,
+                 {},
+                 "cannot be kept in a temporary file: " + std::generic_category().message(error),
+                 {},
+                 {}});
 }
 
 /// Calls take(bytes) for a file, piece by piece.
@@ -70,12 +71,10 @@ Status copy_to_output(const std::string& from, const std::string& file) {
 }  // namespace
 
 Result<TemporaryFolder> TemporaryFolder::make() {
-  std::error_code error;
-  auto directory = std::filesystem::temp_directory_path(error);
-  if (error) directory = "/tmp";
-  std::string name = directory / "softcnc-XXXXXX";
-  if (::mkdtemp(name.data()) == nullptr) return no_temporary(errno);
-  return TemporaryFolder(name);
+  auto name = temporary_name();
+  if (!name) return tl::make_unexpected(std::move(name.error()));
+  if (::mkdtemp(name->data()) == nullptr) return no_temporary(errno);
+  return TemporaryFolder(*name);
 }
 
 TemporaryFolder::~TemporaryFolder() {

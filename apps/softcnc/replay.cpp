@@ -103,7 +103,7 @@ int replay_one(const std::string& name, const Options& options, StandardOutput& 
   auto material = open_material(name, options);
   if (!material) return failed(material.error());
   const double period = material->machine.control.period;
-  Terminal terminal(options.progress, false, period, false);
+  Terminal terminal(options.progress, false, period);
   terminal.begin(name, static_cast<double>(material->recording.meta().rows) * period);
   const int status = run_again(*material, terminal);
   if (status >= kSignalled) return status;

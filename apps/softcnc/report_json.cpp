@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cpu_clock.hpp"
+#include "hal/axis_name.hpp"
 #include "hal/hash.hpp"
 #include "hal/machine_file.hpp"
 #include "motion/counts.hpp"
@@ -24,7 +25,7 @@ Json by_axis(const Machine& machine, Of&& of) {
   for (int i = 0; i < kAxes; ++i) {
     if (!machine.axes[static_cast<std::size_t>(i)].present) continue;
     const auto value = of(i);
-    if (!std::isnan(static_cast<double>(value))) object[std::string(1, "xyz"[i])] = value;
+    if (!std::isnan(static_cast<double>(value))) object[hal::axis_name(i)] = value;
   }
   return object;
 }

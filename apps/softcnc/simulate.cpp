@@ -123,7 +123,7 @@ void Simulation::tell(Watcher* watcher) const {
 }
 
 Outcome Simulation::finish() {
-  verification_.finish();
+  if (outcome_.end == Outcome::End::done) verification_.finish();  // otherwise it is not at rest
   if (outcome_.end == Outcome::End::done && panel_.stop) outcome_.end = Outcome::End::stopped;
   outcome_.time = channel_.time();
   outcome_.time_by_limit = channel_.time_by_limit();

@@ -9,8 +9,8 @@
 
 namespace softcnc::app {
 
-Terminal::Terminal(ProgressMode progress, bool data_on_terminal, double period, bool waits)
-    : progress_(progress, data_on_terminal), period_(period), waits_(waits) {}
+Terminal::Terminal(ProgressMode progress, bool data_on_terminal, double period)
+    : progress_(progress, data_on_terminal), period_(period) {}
 
 void Terminal::begin(std::string label, double total) { progress_.begin(std::move(label), total); }
 

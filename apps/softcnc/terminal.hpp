@@ -12,13 +12,13 @@ namespace softcnc::app {
 
 class Terminal final : public Watcher {
  public:
-  /// `waits`: M00, M01 and M06 wait for Enter, if there is a terminal to ask on.
-  Terminal(ProgressMode progress, bool data_on_terminal, double period, bool waits);
+  /// `data_on_terminal`: rows appear on the same screen. `period` in s.
+  Terminal(ProgressMode progress, bool data_on_terminal, double period);
 
   /// Begins a part of the work; `total` in s of machine time, 0: unknown.
   void begin(std::string label, double total);
-  /// From here on nothing waits any more, or it does.
-  void set_waits(bool waits) noexcept { waits_ = waits; }
+  /// From here on M00, M01 and M06 wait for Enter.
+  void wait_at_stops() noexcept { waits_ = true; }
 
   bool wants_stop() override { return signals_.poll() != 0; }
   void sees(const Setpoint& latest) override;
@@ -34,7 +34,7 @@ class Terminal final : public Watcher {
   Progress progress_;
   StopSignals signals_;
   double period_;
-  bool waits_;
+  bool waits_ = false;
 };
 
 /// What a person has to do at an action before the program goes on; empty: nothing.

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// What the program understands, and how it tells what it does not.
+#include <catch2/catch.hpp>
+
+#include "apps/shell.hpp"
+
+using namespace softcnc::app::test;
+
+TEST_CASE("without a command there is a hint, and exit status 2", "[apps][cli]") {
+  const Ended ended = call("");
+  CHECK(ended.status == 2);
+  CHECK(ended.out.empty());
+  CHECK(ended.err == "A subcommand is required\nRun with --help for more information.\n");
+}
+
+TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
+  CHECK(call("--version").out == "softcnc " SOFTCNC_VERSION "\n");
+  for (const char* command : {"", "run", "check", "blocks", "record", "replay", "machine"}) {
+    CAPTURE(command);
+    const Ended ended = call(std::string(command) + " --help");
+    CHECK(ended.status == 0);
+    CHECK(ended.err.empty());
+    CHECK(ended.out.find("Usage: softcnc") != std::string::npos);
+  }
+}
+
+TEST_CASE("what does not exist is refused as wrong usage", "[apps][cli]") {
+  for (const char* option :
+       {"--realtime", "--from-line 3", "--dialect fanuc", "--diagnostics json", "--watch",
+        "--backend stepdir", "--progress maybe", "--quiet --verbose", "--set"}) {
+    CAPTURE(option);
+    const Ended ended = call(std::string("run $data/square.nc ") + option);
+    CHECK(ended.status == 2);
+    CHECK(ended.out.empty());
+    CHECK(ended.err.find("Run with --help for more information.") != std::string::npos);
+  }
+  for (const char* command : {"report x", "surface x", "latency", "run", "check", "replay",
+                              "record $data/square.nc", "run a.nc b.nc", "machine x"}) {
+    CAPTURE(command);
+    CHECK(call(command).status == 2);
+  }
+}
+
+TEST_CASE("a feed override outside 0 to 200 percent is refused", "[apps][cli]") {
+  for (const char* percent : {"0", "-5", "201", "nan", "abc"}) {
+    CAPTURE(percent);
+    CHECK(call(std::string("run -q $data/square.nc --feed-override ") + percent).status == 2);
+  }
+  CHECK(call("run $data/square.nc --feed-override 0").err ==
+        "--feed-override: takes a percentage above 0, at most 200\n"
+        "Run with --help for more information.\n");
+}
+
+TEST_CASE("a missing part program ends with 5, a missing machine file with 2", "[apps][cli]") {
+  for (const char* command : {"run", "run --dry-run", "blocks", "record -o x.rec"}) {
+    CAPTURE(command);
+    const Ended ended = call(std::string(command) + " missing.nc");
+    CHECK(ended.status == 5);
+    CHECK(ended.out.empty());
+    CHECK(ended.err == "missing.nc: error SC6001: cannot be read: No such file or directory\n");
+  }
+  for (const char* command : {"run", "blocks", "record -o x.rec"}) {
+    CAPTURE(command);
+    const Ended ended = call(std::string(command) + " missing.nc --machine missing.toml");
+    CHECK(ended.status == 2);
+    CHECK(ended.err.starts_with("missing.toml: error SC7003: "));
+  }
+  CHECK(call("machine --machine missing.toml").status == 2);
+}
+
+TEST_CASE("a folder is no part program", "[apps][cli]") {
+  const Ended ended = call("run $data");
+  CHECK(ended.status == 5);
+  CHECK(ended.err.find("error SC6001: cannot be read: Is a directory") != std::string::npos);
+}
+
+TEST_CASE("full disks and closed pipes are told apart", "[apps][cli]") {
+  for (const char* command : {"run -q --dry-run $data/square.nc", "blocks $data/square.nc",
+                              "machine", "check $data/two_errors.nc"}) {
+    CAPTURE(command);
+    const Ended full = call(std::string(command) + " >/dev/full");
+    CHECK(full.status == 5);
+    CHECK(full.err == "<stdout>: error SC6012: writing failed: No space left on device\n");
+    const Ended closed =
+        shell(std::string("{ $softcnc ") + command + "; echo $? >&2; } | head -c 0");
+    CHECK(closed.err == "141\n");
+  }
+}
+
+TEST_CASE("a trace on a full disk ends with 5, and no file is left", "[apps][cli]") {
+  const Folder folder;
+  const Ended ended = call("run -q $data/square.nc --trace /dev/full");
+  CHECK(ended.status == 5);
+  CHECK(ended.err == "/dev/full: error SC6012: writing failed: No space left on device\n");
+  CHECK(call("run -q $data/square.nc --report /dev/full").status == 5);
+  CHECK(call("run -q $data/square.nc --trace " + (folder / "no/folder.csv")).status == 5);
+  CHECK(call("run -q $data/square.nc --trace " + (folder / "trace.xyz")).err.find("SC6014") !=
+        std::string::npos);
+  CHECK(folder.files().empty());
+}

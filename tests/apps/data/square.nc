@@ -1,0 +1,13 @@
+(a square of 20 mm, with a rounded corner and a dwell)
+G90 G21
+T1 M06
+S2000 M03
+N10 G00 X10 Y10
+N20 G01 X30 F1200
+N30 Y25
+N40 G03 X25 Y30 I-5 J0
+N50 G01 X10
+N60 Y10
+N70 G04 P0.05
+M05
+M30

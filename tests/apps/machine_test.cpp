@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// machine: each value with unit and origin, in columns.
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "apps/shell.hpp"
+
+using namespace softcnc::app::test;
+
+TEST_CASE("machine shows each value with its unit and where it comes from", "[apps][machine]") {
+  const Folder folder;
+  write(folder / "mill.toml", "[axis.x]\nvelocity_mm_min = 6000\n[axis.y]\n");
+  const Ended ended = shell("cd " + (folder / "") +
+                            "; $softcnc machine --machine mill.toml --set "
+                            "control.period_ms=2 --backend none");
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  const auto words_of = [&](const std::string& key) {
+    std::istringstream lines(ended.out);
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with(key + ' ')) continue;
+      std::istringstream words(line);
+      std::string joined;
+      for (std::string word; words >> word;) joined += (joined.empty() ? "" : " ") + word;
+      return joined;
+    }
+    return std::string();
+  };
+  CHECK(words_of("axis.x.velocity_mm_min") == "axis.x.velocity_mm_min = 6000 mm/min mill.toml:2");
+  CHECK(words_of("axis.y.velocity_mm_min") == "axis.y.velocity_mm_min = 15000 mm/min default");
+  CHECK(words_of("control.period_ms") == "control.period_ms = 2 ms --set");
+  CHECK(words_of("control.backend") == "control.backend = \"none\" --set");
+  CHECK(words_of("axis.z.velocity_mm_min").empty());
+}
+
+TEST_CASE("the values of machine stand below each other", "[apps][machine]") {
+  std::istringstream lines(call("machine").out);
+  std::size_t column = 0;
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    if (column == 0) column = line.find(" = ");
+    CHECK(line.find(" = ") == column);
+    CHECK(line.back() != ' ');
+  }
+  CHECK(count > 50);
+}

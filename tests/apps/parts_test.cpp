@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Parts of the program that are easier asked directly.
+#include <catch2/catch.hpp>
+
+#include "messages.hpp"
+#include "progress.hpp"
+#include "row_comparison.hpp"
+#include "terminal.hpp"
+#include "verification.hpp"
+
+using namespace softcnc;
+using namespace softcnc::app;
+
+TEST_CASE("durations read as a person says them", "[apps][parts]") {
+  CHECK(duration_text(0) == "0.00 s");
+  CHECK(duration_text(4.364) == "4.36 s");
+  CHECK(duration_text(59.994) == "59.99 s");
+  CHECK(duration_text(59.996) == "1 m 00.0 s");
+  CHECK(duration_text(65.34) == "1 m 05.3 s");
+  CHECK(duration_text(119.96) == "2 m 00.0 s");
+  CHECK(duration_text(3599.94) == "59 m 59.9 s");
+  CHECK(duration_text(3599.96) == "1 h 00 m 00 s");
+  CHECK(duration_text(7390) == "2 h 03 m 10 s");
+}
+
+TEST_CASE("rows above a limit are an error that names axis, value and limit", "[apps][parts]") {
+  const Machine machine;
+  Measured measured;
+  measured.acceleration = {1000.9, 1001.1, 0};
+  measured.velocity = {250.2, 250.3, 0};
+  measured.chord_error = 0.0011;
+  Diagnostics diagnostics;
+  diagnostics.set_file("part.nc");
+  report_excess(measured, machine, diagnostics);
+  REQUIRE(diagnostics.all().size() == 3);
+  CHECK(diagnostics.status() == 3);
+  CHECK(render(diagnostics.all()[0]) ==
+        "part.nc: error SC4002: the velocity of Y reaches 250.3 mm/s, 0.12 % above its limit of "
+        "250 mm/s\n");
+  CHECK(render(diagnostics.all()[1]) ==
+        "part.nc: error SC4002: the acceleration of Y reaches 1001.1 mm/s2, 0.11 % above its limit "
+        "of 1000 mm/s2\n");
+  CHECK(render(diagnostics.all()[2]) ==
+        "part.nc: error SC4002: the chord error reaches 1.1 um, 10 % above its limit of 1 um\n");
+}
+
+TEST_CASE("the same excess by a method of the literature is a note", "[apps][parts]") {
+  Machine machine;
+  machine.control.interpolation = Method::curvature3p;
+  Measured measured;
+  measured.chord_error = 0.0011;
+  Diagnostics diagnostics;
+  report_excess(measured, machine, diagnostics);
+  REQUIRE(diagnostics.all().size() == 1);
+  CHECK(diagnostics.status() == 0);
+  CHECK(render(diagnostics.all()[0]) ==
+        "softcnc: note SC4003: curvature3p: the chord error reaches 1.1 um, 10 % above its limit "
+        "of 1 um\n");
+}
+
+TEST_CASE("a defect of softcnc ends with 70", "[apps][parts]") {
+  std::string shown;
+  Messages messages([&](std::string_view text) { shown += text; }, false);
+  CHECK(messages.fail({Code::SC9001, {}, "an axis is nowhere", {}, {}}) == 70);
+  CHECK(shown == "softcnc: error SC9001: an axis is nowhere\n");
+}
+
+TEST_CASE("in colour a diagnostic says the same", "[apps][parts]") {
+  std::string shown;
+  Messages messages([&](std::string_view text) { shown += text; }, true);
+  messages.show({Code::SC4001, {3, 1, 1}, "X is away", "a.nc", "X1"});
+  CHECK(shown == "a.nc:3:1: \033[1;31merror SC4001\033[0m: X is away\n    3 | X1\n      | ^\n");
+}
+
+TEST_CASE("values of a trace are the same within what builds may differ by", "[apps][parts]") {
+  CHECK(same_value("x_mm", "1", "1.0000009"));
+  CHECK_FALSE(same_value("x_mm", "1", "1.0000011"));
+  CHECK(same_value("x_err_um", "1", "1.0009"));
+  CHECK_FALSE(same_value("x_err_um", "1", "1.0011"));
+  CHECK(same_value("a_mm_s2", "1000", "1000.0009"));
+  CHECK_FALSE(same_value("a_mm_s2", "1000", "1000.0011"));
+  CHECK_FALSE(same_value("line", "12", "13"));
+  CHECK_FALSE(same_value("limit", "feed", "chord"));
+  CHECK_FALSE(same_value("x_mm", "1", ""));
+}
+
+TEST_CASE("only what a person has to do is asked for", "[apps][parts]") {
+  using Kind = Action::Kind;
+  CHECK(instruction({Action{Kind::tool, 6, 3}, {12, 1, 1}, 4}) == "line 12: M06 T3");
+  CHECK(instruction({Action{Kind::stop, 0, 0}, {7, 1, 1}, 4}) == "line 7: M00");
+  CHECK(instruction({Action{Kind::coolant, 8, 0}, {7, 1, 1}, 4}).empty());
+  CHECK(instruction({Dwell{1}, {7, 1, 1}, 4}).empty());
+}

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+// record and replay: the same run again, and the first row where it is not.
+#include <zstd.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "apps/shell.hpp"
+#include "hal/hash.hpp"
+#include "zip_file.hpp"
+
+using namespace softcnc::app::test;
+using nlohmann::json;
+using softcnc::app::Packing;
+using softcnc::app::ZipReader;
+using softcnc::app::ZipWriter;
+
+namespace {
+
+std::string entry(const std::string& file, const std::string& name) {
+  auto zip = ZipReader::open(file);
+  REQUIRE(zip);
+  auto found = zip->entry(name);
+  REQUIRE(found);
+  std::string text;
+  REQUIRE(for_each_piece(std::move(*found), [&](std::string_view piece) -> softcnc::Status {
+    text += piece;
+    return {};
+  }));
+  return text;
+}
+
+std::string unpacked(const std::string& packed) {
+  std::string text(std::size_t{1} << 24U, '\0');
+  const std::size_t n = ZSTD_decompress(text.data(), text.size(), packed.data(), packed.size());
+  REQUIRE(!ZSTD_isError(n));
+  text.resize(n);
+  return text;
+}
+
+std::string packed(const std::string& text) {
+  std::string bytes(ZSTD_compressBound(text.size()), '\0');
+  bytes.resize(ZSTD_compress(bytes.data(), bytes.size(), text.data(), text.size(), 3));
+  return bytes;
+}
+
+struct Content {
+  std::string meta, program, machine, trace;
+};
+
+Content content(const std::string& file) {
+  return {entry(file, "meta.json"), entry(file, "program"), entry(file, "machine.toml"),
+          unpacked(entry(file, "trace.csv.zst"))};
+}
+
+void pack(const std::string& file, const Content& content) {
+  ZipWriter zip(file);
+  zip.add_text("meta.json", content.meta);
+  zip.add_text("program", content.program);
+  zip.add_text("machine.toml", content.machine);
+  zip.add_text("trace.csv.zst", packed(content.trace));
+  REQUIRE(zip.finish());
+}
+
+/// One value of a trace, replaced by what change() makes of it.
+template <typename Change>
+std::string changed(const std::string& trace, std::size_t row, std::size_t column,
+                    Change&& change) {
+  std::istringstream lines(trace);
+  std::string text, line;
+  for (std::size_t number = 0; std::getline(lines, line);) {
+    const bool is_row = !line.starts_with('#') && !line.starts_with("t_s");
+    if (is_row && ++number == row) {
+      std::size_t begin = 0;
+      for (std::size_t i = 0; i < column; ++i) begin = line.find(',', begin) + 1;
+      const std::size_t end = std::min(line.find(',', begin), line.size());
+      line.replace(begin, end - begin, change(line.substr(begin, end - begin)));
+    }
+    text += line + '\n';
+  }
+  return text;
+}
+
+std::string recorded(const Folder& folder, const std::string& part = "$data/square.nc") {
+  const std::string file = folder / "run.rec";
+  const Ended ended = call("record -q " + part + " -o " + file);
+  CAPTURE(ended.err);
+  REQUIRE(ended.status == 0);
+  return file;
+}
+
+constexpr std::size_t kS = 3, kLimit = 6, kX = 7;
+
+}  // namespace
+
+TEST_CASE("a recording holds all that a replay needs, and agrees with it", "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  const Content held = content(file);
+  CHECK(held.program == read(data("square.nc")));
+  CHECK(held.machine.find("[axis.x]") != std::string::npos);
+  const json meta = json::parse(held.meta);
+  CHECK(meta["schema"] == 1);
+  CHECK(meta["softcnc"] == SOFTCNC_VERSION);
+  CHECK(meta["program"]["hash"] == softcnc::hal::hash_hex(held.program));
+  CHECK(meta["machine"]["hash"] == softcnc::hal::hash_hex(held.machine));
+  CHECK(meta["trace"]["hash"] == softcnc::hal::hash_hex(entry(file, "trace.csv.zst")));
+  const Trace trace = parse_trace(held.trace);
+  CHECK(meta["trace"]["rows"] == trace.rows.size());
+  CHECK(trace.columns[10] == "x_act_mm");
+
+  const Ended ended = call("replay " + file);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.empty());
+  CHECK(ended.err == file + ": " + std::to_string(trace.rows.size()) + " rows agree\n");
+}
+
+TEST_CASE("two recordings of one run are the same bytes", "[apps][recording]") {
+  const Folder one, two;
+  CHECK(read(recorded(one)) == read(recorded(two)));
+  CHECK(one.files() == std::vector<std::string>{"run.rec"});
+}
+
+TEST_CASE("options count in a replay as they did in the run", "[apps][recording]") {
+  const Folder folder;
+  write(folder / "p.nc", "G01 X10 F600\n/X20\nM30\n");
+  const std::string file = recorded(folder, (folder / "p.nc") + " --block-skip --feed-override 30");
+  CHECK(json::parse(content(file).meta)["options"]["feed_override"] == 0.3);
+  CHECK(call("replay -q " + file).status == 0);
+}
+
+TEST_CASE("one BLU in one row is a difference: the row is shown, exit status 1",
+          "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  Content held = content(file);
+  const Trace trace = parse_trace(held.trace);
+  held.trace = changed(held.trace, 321, kX,
+                       [](const std::string& x) { return std::to_string(std::stod(x) + 0.0025); });
+  pack(file, held);
+  const Ended ended = call("replay " + file);
+  CHECK(ended.status == 1);
+  CHECK(ended.out.starts_with(file + ": row 321 differs\n"));
+  CHECK(ended.out.find("\n! x_mm ") != std::string::npos);
+  CHECK(ended.out.find("\n  y_mm ") != std::string::npos);
+  CHECK(ended.out.find(trace.word(320, "x_mm") + "  -0.0025\n") != std::string::npos);
+}
+
+TEST_CASE("lengths may differ by 1e-6 mm, names not at all", "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  const Content held = content(file);
+  const auto status_with = [&](std::size_t column, auto change) {
+    Content other = held;
+    other.trace = changed(held.trace, 200, column, change);
+    json meta = json::parse(held.meta);
+    meta["trace"]["hash"] = softcnc::hal::hash_hex(packed(other.trace));
+    other.meta = meta.dump();
+    pack(file, other);
+    return call("replay -q " + file).status;
+  };
+  const auto add = [](double more) {
+    return [more](const std::string& text) {
+      std::ostringstream sum;
+      sum.precision(17);
+      sum << std::stod(text) + more;
+      return sum.str();
+    };
+  };
+  CHECK(status_with(kX, add(0.9e-6)) == 0);
+  CHECK(status_with(kX, add(1.1e-6)) == 1);
+  CHECK(status_with(kS, add(-0.9e-6)) == 0);
+  CHECK(status_with(kS, add(-1.1e-6)) == 1);
+  CHECK(status_with(kLimit, [](const std::string&) { return "chord"; }) == 1);
+  CHECK(status_with(1, [](const std::string& line) { return line + "0"; }) == 1);
+}
+
+TEST_CASE("rows that only one of the two has are a difference", "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  const Content held = content(file);
+  const std::size_t rows = parse_trace(held.trace).rows.size();
+
+  Content shorter = held;
+  shorter.trace.pop_back();
+  shorter.trace.erase(shorter.trace.rfind('\n') + 1);
+  pack(file, shorter);
+  Ended ended = call("replay " + file);
+  CHECK(ended.status == 1);
+  CHECK(ended.out.starts_with(file + ": row " + std::to_string(rows) +
+                              " is not in the recording, which ends before\n"));
+
+  Content longer = held;
+  longer.trace += longer.trace.substr(longer.trace.rfind('\n', longer.trace.size() - 2) + 1);
+  pack(file, longer);
+  ended = call("replay " + file);
+  CHECK(ended.status == 1);
+  CHECK(ended.out.starts_with(file + ": row " + std::to_string(rows + 1) +
+                              " is recorded, but the replay ends before\n"));
+}
+
+TEST_CASE("another machine shows where it first differs", "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  CHECK(call("replay -q " + file + " --set axis.x.acceleration_mm_s2=900").status == 1);
+  write(folder / "two.toml", "[axis.x]\n[axis.y]\n");
+  const Ended ended = call("replay " + file + " --machine " + (folder / "two.toml"));
+  CHECK(ended.status == 1);
+  CHECK(ended.out.find("the columns differ\n") != std::string::npos);
+}
+
+TEST_CASE("a damaged recording is refused with SC6021, exit status 5", "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  const std::string bytes = read(file);
+  const auto refused = [&](const std::string& with) {
+    const Ended ended = call("replay " + file);
+    CAPTURE(ended.err, with);
+    CHECK(ended.status == 5);
+    CHECK(ended.out.empty());
+    CHECK(ended.err.starts_with(file + ": error SC6021: "));
+    CHECK(ended.err.find(with) != std::string::npos);
+  };
+  write(file, "no recording");
+  refused("cannot be read as a recording: Not a zip archive");
+  write(file, bytes.substr(0, bytes.size() / 2));
+  refused("cannot be read as a recording: ");
+  std::string flipped = bytes;
+  flipped[bytes.size() / 2] ^= 1;
+  write(file, flipped);
+  refused("");
+
+  write(file, bytes);
+  const Content held = content(file);
+  Content other = held;
+  other.program += "\n";
+  pack(file, other);
+  refused("program in it is not what was recorded: its hash differs");
+  other = held;
+  other.meta = "{";
+  pack(file, other);
+  refused("has a meta.json that says: ");
+  other = held;
+  other.trace.insert(0, "# more\n");
+  pack(file, other);
+  refused("trace.csv.zst in it is not what was recorded: its hash differs");
+}
+
+TEST_CASE("a recording of a later form is refused with SC6022", "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  Content held = content(file);
+  json meta = json::parse(held.meta);
+  meta["schema"] = 2;
+  held.meta = meta.dump();
+  pack(file, held);
+  const Ended ended = call("replay " + file);
+  CHECK(ended.status == 5);
+  CHECK(ended.err == file +
+                         ": error SC6022: is a recording of schema 2; this version replays "
+                         "schema 1\n");
+}
+
+TEST_CASE("a recording that cannot be made leaves no file", "[apps][recording]") {
+  const Folder folder;
+  CHECK(call("record -q $data/two_errors.nc -o " + (folder / "x.rec")).status == 1);
+  CHECK(folder.files().empty());
+  CHECK(call("record -q $data/square.nc -o /dev/full").status == 5);
+  CHECK(shell("TMPDIR=/no/folder $softcnc record -q $data/square.nc -o " + (folder / "x.rec"))
+            .err.find("error SC6003: ") != std::string::npos);
+  CHECK(folder.files().empty());
+}
+
+TEST_CASE("several recordings are replayed though one differs", "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  write(folder / "bad.rec", "no recording");
+  const Ended ended = call("replay " + (folder / "bad.rec") + " " + file);
+  CHECK(ended.status == 5);
+  CHECK(ended.err.find("rows agree") != std::string::npos);
+}

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+// A run from outside: trace, report, summary; and the same pipeline behind every command.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "apps/shell.hpp"
+
+using namespace softcnc::app::test;
+using nlohmann::json;
+
+namespace {
+
+/// The report of a run, without what depends on the computer.
+json report_of(const std::string& arguments, int status = 0) {
+  const Folder folder;
+  const Ended ended = call("run -q " + arguments + " --report " + (folder / "r.json"));
+  CAPTURE(ended.err);
+  CHECK(ended.status == status);
+  return json::parse(read(folder / "r.json"));
+}
+
+double sum(const json& object) {
+  double total = 0;
+  for (const auto& value : object) total += value.get<double>();
+  return total;
+}
+
+}  // namespace
+
+TEST_CASE("a run writes nothing to stdout and a summary to stderr", "[apps][run]") {
+  const Ended ended = call("run $data/square.nc");
+  CHECK(ended.status == 0);
+  CHECK(ended.out.empty());
+  for (const char* words :
+       {"square.nc on retrofitted mill (built-in)\n", "  held by  ", "  feed  ", "  acceleration  ",
+        "  chord error  ", " times faster than real time\n", "following", "counts"}) {
+    CAPTURE(words, ended.err);
+    CHECK(ended.err.find(words) != std::string::npos);
+  }
+  CHECK(ended.err.find('\033') == std::string::npos);  // no terminal: no colour, no bar
+  CHECK(ended.err.find('\r') == std::string::npos);
+  CHECK(call("run --quiet $data/square.nc").err.empty());
+}
+
+TEST_CASE("the report tells the figures of the run", "[apps][run]") {
+  const json report = report_of("$data/square.nc");
+  CHECK(report["status"] == "done");
+  CHECK(report["machine"] == "retrofitted mill (built-in)");
+  CHECK(report["blocks"] == 11);
+  // 10 sqrt 2 to the first corner, 20 + 15 + 15 + 20 of lines, a quarter of a circle of 5 mm.
+  CHECK(report["length_mm"].get<double>() ==
+        Approx(10 * std::sqrt(2.0) + 70 + 5 * std::acos(0.0)).epsilon(1e-12));
+  CHECK(report["counts"] == json({{"x", 4000}, {"y", 4000}, {"z", 0}}));
+  CHECK(report["settled_counts"] == report["counts"]);
+  CHECK(report["setpoints"] == std::ceil(report["time_s"].get<double>() * 1000) + 1);
+  CHECK(sum(report["time_by_limit_s"]) == Approx(report["time_s"].get<double>()).epsilon(1e-12));
+  CHECK(report["time_by_limit_s"]["stop"].get<double>() == Approx(0.05).margin(0.004));
+  CHECK(report["diagnostics"] == json::array());
+  CHECK(report["chord_error_um_max"].get<double>() <= 1);
+  CHECK(report["path_deviation_um_max"].get<double>() < 1e-6);
+  CHECK(report["feed_fluctuation_max"].get<double>() < 1e-9);
+  for (const char* axis : {"x", "y"}) {
+    CHECK(report["velocity_max"][axis].get<double>() > 20);
+    CHECK(report["velocity_max"][axis].get<double>() <= 250);
+    CHECK(report["acceleration_max"][axis].get<double>() == Approx(1000).epsilon(1e-3));
+    CHECK(report["jerk_max"][axis].get<double>() > 0);
+    // A ramp lags v / Kv: 6.67 mm at 200 mm/s, less on the short rapid.
+    CHECK(report["following_error_um_max"][axis].get<double>() > 500);
+  }
+  CHECK(report["acceleration_max"]["z"] == 0);
+  for (const char* cpu : {"cpu_s", "cpu_planning_s", "cpu_interpolation_s", "cpu_verification_s"})
+    CHECK(report[cpu].get<double>() > 0);
+}
+
+TEST_CASE("a straight line takes the time that the trapezium of its speed takes", "[apps][run]") {
+  const Folder folder;
+  write(folder / "line.nc", "G01 X100 F6000\nM30\n");
+  const json report = report_of(folder / "line.nc");
+  CHECK(report["time_s"].get<double>() == Approx(100.0 / 100 + 100.0 / 1000).epsilon(1e-12));
+  CHECK(report["time_by_limit_s"]["feed"].get<double>() == Approx(0.9).epsilon(1e-9));
+  CHECK(report["time_by_limit_s"]["acceleration"].get<double>() == Approx(0.2).epsilon(1e-9));
+  CHECK(report["time_by_limit_s"].size() == 2);
+  CHECK(report["velocity_max"]["x"].get<double>() == Approx(100).epsilon(1e-9));
+}
+
+TEST_CASE("an override multiplies the feed and no machine limit", "[apps][run]") {
+  const Folder folder;
+  write(folder / "line.nc", "G01 X100 F6000\nG00 X0\nM30\n");
+  const json half = report_of((folder / "line.nc") + " --feed-override 50");
+  const double rapid = 100.0 / 250 + 250.0 / 1000;
+  CHECK(half["time_s"].get<double>() == Approx(100.0 / 50 + 0.05 + rapid).epsilon(1e-9));
+  CHECK(half["velocity_max"]["x"].get<double>() == Approx(250).epsilon(1e-9));
+}
+
+TEST_CASE("the report of one run is that of the next, but for CPU times", "[apps][run]") {
+  json reports[2];
+  for (json& report : reports) {
+    report = report_of("$programs/08_butterfly.nc");
+    for (const char* cpu :
+         {"cpu_s", "cpu_planning_s", "cpu_interpolation_s", "cpu_verification_s", "cpu_output_s"})
+      report.erase(cpu);
+  }
+  CHECK(reports[0] == reports[1]);
+}
+
+TEST_CASE("a dry run, a run and their repetition give the same rows", "[apps][run]") {
+  const Folder folder;
+  const std::string part = "$programs/08_butterfly.nc";
+  const Ended dry = call("run -q --dry-run " + part);
+  CHECK(dry.status == 0);
+  CHECK(dry.err.empty());
+  CHECK(call("run -q --dry-run " + part).out == dry.out);
+  CHECK(call("run -q --dry-run " + part + " --trace " + (folder / "dry.csv")).out.empty());
+  CHECK(read(folder / "dry.csv") == dry.out);
+
+  call("run -q " + part + " --trace " + (folder / "sim.csv"));
+  const Trace planned = parse_trace(dry.out), simulated = parse_trace(read(folder / "sim.csv"));
+  REQUIRE(planned.rows.size() == simulated.rows.size());
+  REQUIRE(planned.columns.size() == 10);
+  for (std::size_t i = 0; i < planned.rows.size(); ++i)
+    for (std::size_t column = 0; column < planned.columns.size(); ++column)
+      if (planned.rows[i][column] != simulated.rows[i][column]) FAIL_CHECK("row " << i);
+  CHECK(simulated.columns[10] == "x_act_mm");
+}
+
+TEST_CASE("a program through a pipe runs like a file", "[apps][run]") {
+  const Ended file = call("run -q --dry-run $data/square.nc");
+  CHECK(shell("cat $data/square.nc | $softcnc run -q --dry-run -").out == file.out);
+  CHECK(shell("$softcnc run -q --dry-run - <$data/square.nc").out == file.out);
+  CHECK(shell("cat $data/square.nc | $softcnc run -q - --trace -").out.size() > file.out.size());
+}
+
+TEST_CASE("standard input that is a file is read from where it stands", "[apps][run]") {
+  const Ended ended = shell("{ head -c 0; read first; $softcnc blocks -; } <$data/square.nc");
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("\"line\":2,\"block\":1,\"kind\":\"tool\"") != std::string::npos);
+}
+
+TEST_CASE("a pipe that cannot be kept for its second reading is refused", "[apps][run]") {
+  const Ended ended = shell("cat $data/square.nc | TMPDIR=/no/folder $softcnc run -");
+  CHECK(ended.status == 5);
+  CHECK(ended.err.starts_with("<stdin>: error SC6003: cannot be kept in a temporary file: "));
+}
+
+TEST_CASE("a program with errors moves nothing: no trace, exit status 1", "[apps][run]") {
+  const Folder folder;
+  const Ended ended = call("run $data/two_errors.nc --trace " + (folder / "t.csv"));
+  CHECK(ended.status == 1);
+  CHECK(ended.out.empty());
+  CHECK(ended.err.find(":3:6: error SC1004: ") != std::string::npos);
+  CHECK(ended.err.find(":5:5: error SC2001: ") != std::string::npos);
+  CHECK(folder.files().empty());
+  const json report = report_of("$data/two_errors.nc 2>/dev/null", 1);
+  CHECK(report["status"] == "error");
+  REQUIRE(report["diagnostics"].size() == 2);
+  CHECK(report["diagnostics"][1]["line"] == 5);
+  CHECK(report["diagnostics"][1]["column"] == 5);
+  CHECK(report["diagnostics"][1]["code"] == "SC2001");
+  CHECK(report["diagnostics"][1]["severity"] == "error");
+}
+
+TEST_CASE("a dry run ends at rest behind the last good block and tells all errors", "[apps][run]") {
+  const Ended ended = call("run --dry-run $data/two_errors.nc");
+  CHECK(ended.status == 1);
+  CHECK(ended.err.find(":3:6: error SC1004: ") != std::string::npos);
+  CHECK(ended.err.find(":5:5: error SC2001: ") != std::string::npos);
+  const Trace trace = parse_trace(ended.out);
+  const std::size_t last = trace.rows.size() - 1;
+  CHECK(trace.number(last, "x_mm") == 10);
+  CHECK(trace.number(last, "v_mm_s") == 0);
+  CHECK(trace.word(last, "limit") == "stop");
+}
+
+TEST_CASE("a move beyond the travel of an axis is refused with its line, exit status 3",
+          "[apps][run]") {
+  const Ended ended = call("run $data/beyond.nc");
+  CHECK(ended.status == 3);
+  const std::string file = data("beyond.nc");
+  CHECK(ended.err.starts_with(file + ":4:2: error SC4001: X reaches 1010.5 mm, beyond its travel "
+                                     "from -1000 to 1000 mm\n"
+                                     "    4 |  X1010.5\n"
+                                     "      |  ^~~~~~~\n"));
+  CHECK(ended.err.ends_with(file + ":6:1: error SC4001: Y reaches -1200 mm, beyond its travel "
+                                   "from -1000 to 1000 mm\n"
+                                   "    6 | Y-1200\n"
+                                   "      | ^~~~~~\n"));
+}
+
+TEST_CASE("an axis that lags too far stops the run with 4 and a whole trace", "[apps][run]") {
+  const Folder folder;
+  const Ended ended =
+      call("run $data/zigzag.nc --set axis.x.drive.following_error_um=500 --trace " +
+           (folder / "t.csv") + " --report " + (folder / "r.json"));
+  CHECK(ended.status == 4);
+  CHECK(ended.err.find("zigzag.nc:3:1: error SC5001: following error of X: it is 0.51") !=
+        std::string::npos);
+  const json report = json::parse(read(folder / "r.json"));
+  CHECK(report["status"] == "alarm");
+  CHECK(report["diagnostics"][0]["code"] == "SC5001");
+  CHECK(sum(report["time_by_limit_s"]) == Approx(report["time_s"].get<double>()).epsilon(1e-9));
+  const Trace trace = parse_trace(read(folder / "t.csv"));
+  CHECK(trace.rows.size() == report["setpoints"]);
+  CHECK(std::abs(trace.number(trace.rows.size() - 1, "x_err_um")) > 500);
+}
+
+TEST_CASE("an up/down counter that overflows stops the run with 4", "[apps][run]") {
+  const Ended ended = call(
+      "run $data/zigzag.nc --set axis.x.drive.counter_bits=8 "
+      "--set axis.x.drive.following_error_um=50000");
+  CHECK(ended.status == 4);
+  CHECK(ended.err.find("zigzag.nc:3:1: error SC5002: counter overflow of X: it is ") !=
+        std::string::npos);
+}
+
+TEST_CASE("a method that exceeds a limit says by how much and exits with 0", "[apps][run]") {
+  const Ended ended = call("run $programs/08_butterfly.nc --set control.interpolation=taylor1");
+  CHECK(ended.status == 0);
+  CHECK(ended.err.find("note SC4003: taylor1: the acceleration of X reaches ") !=
+        std::string::npos);
+}
+
+TEST_CASE("progress as JSON lines can be read by a program", "[apps][run]") {
+  const Folder folder;
+  std::string part = "G90 G01 F600\n";
+  for (int i = 0; i < 60; ++i) part += i % 2 == 0 ? "X100\n" : "X0\n";
+  write(folder / "long.nc", part + "M30\n");
+  const Ended ended = call("run --quiet --progress json " + (folder / "long.nc"));
+  CHECK(ended.status == 0);
+  std::istringstream lines(ended.err);
+  double percent = 0;
+  int running = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const json row = json::parse(line);
+    if (row["doing"] != "running") continue;
+    ++running;
+    CHECK(row["percent"].get<double>() > percent);
+    percent = row["percent"];
+    CHECK(row["time_s"].get<double>() < row["total_s"].get<double>());
+  }
+  CHECK(running > 0);
+}

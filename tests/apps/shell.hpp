@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The program from outside: what it is given, and what comes back.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace softcnc::app::test {
+
+struct Ended {
+  int status = 0;  // as a shell tells it: 128 + n for signal n
+  std::string out, err;
+};
+
+/// Runs a shell command in which $softcnc, $data and $programs stand for the program, for
+/// tests/apps/data and for programs/; what it reads from standard input is `input`.
+Ended shell(const std::string& command, const std::string& input = {});
+
+/// The same for one call of softcnc with these arguments.
+inline Ended call(const std::string& arguments, const std::string& input = {}) {
+  return shell("$softcnc " + arguments, input);
+}
+
+/// A new empty folder, removed with all it holds.
+class Folder {
+ public:
+  Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder();
+
+  std::string operator/(const std::string& name) const { return path_ + '/' + name; }
+  std::vector<std::string> files() const;
+
+ private:
+  std::string path_;
+};
+
+std::string read(const std::string& file);
+void write(const std::string& file, const std::string& text);
+std::string data(const std::string& name);
+
+/// A trace as it stands in a CSV file.
+struct Trace {
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+
+  double number(std::size_t row, const std::string& column) const;
+  std::string word(std::size_t row, const std::string& column) const;
+};
+Trace parse_trace(const std::string& text);
+
+}  // namespace softcnc::app::test

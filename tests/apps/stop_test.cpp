@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Ctrl-C: a stop on the path within the limits, whole files, and the exit status of the signal.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "apps/shell.hpp"
+
+using namespace softcnc::app::test;
+using nlohmann::json;
+
+namespace {
+
+/// Interrupts a long run as soon as its trace grows.
+Ended interrupted(const std::string& signal, const Folder& folder) {
+  std::string part = "G90 G01 F6000\n";
+  for (int i = 0; i < 1500; ++i) part += "X100 Y" + std::to_string(i % 50) + "\nX0\n";
+  write(folder / "long.nc", part + "M30\n");
+  return shell("$softcnc run " + (folder / "long.nc") + " --trace " + (folder / "t.csv") +
+               " --report " + (folder / "r.json") + " & pid=$!; until [ -s " +
+               (folder / "t.csv.part") + " ]; do sleep 0.02; done; kill -" + signal +
+               " $pid; wait $pid");
+}
+
+double second_difference(const Trace& trace, std::size_t i, const char* column) {
+  const auto at = [&](std::size_t row) {
+    return trace.number(std::min(row, trace.rows.size() - 1), column);
+  };
+  return (at(i + 2) - 2 * at(i + 1) + at(i)) / 1e-6;
+}
+
+}  // namespace
+
+TEST_CASE("an interrupted run stops within its limits and leaves whole files", "[apps][stop]") {
+  const Folder folder;
+  const Ended ended = interrupted("INT", folder);
+  CHECK(ended.status == 130);
+  CHECK(ended.err.find(", stopped at rest in line ") != std::string::npos);
+  CHECK(folder.files() == std::vector<std::string>{"long.nc", "r.json", "t.csv"});
+
+  const json report = json::parse(read(folder / "r.json"));
+  CHECK(report["status"] == "stopped");
+  double total = 0;
+  for (const auto& time : report["time_by_limit_s"]) total += time.get<double>();
+  CHECK(total == Approx(report["time_s"].get<double>()).epsilon(1e-9));
+
+  const Trace trace = parse_trace(read(folder / "t.csv"));
+  REQUIRE(trace.rows.size() == report["setpoints"]);
+  const std::size_t last = trace.rows.size() - 1;
+  CHECK(trace.number(last, "v_mm_s") == 0);
+  CHECK(trace.word(last, "limit") == "stop");
+  CHECK(trace.word(last - 1, "limit") == "stop");
+  // The row before the last is still moving, so the end is no end of a block.
+  CHECK(trace.number(last - 1, "v_mm_s") > 0);
+  for (std::size_t i = last > 500 ? last - 500 : 0; i <= last; ++i)
+    for (const char* column : {"x_mm", "y_mm"})
+      if (std::abs(second_difference(trace, i, column)) > 1001) FAIL_CHECK("row " << i);
+}
+
+TEST_CASE("SIGTERM stops a run as Ctrl-C does", "[apps][stop]") {
+  const Folder folder;
+  CHECK(interrupted("TERM", folder).status == 143);
+}
+
+TEST_CASE("a stop during the pre-flight moves nothing", "[apps][stop]") {
+  const Folder folder;
+  std::string part = "G90 G01 F60\n";
+  for (int i = 0; i < 20000; ++i) part += i % 2 == 0 ? "X100\n" : "X0\n";
+  write(folder / "long.nc", part + "M30\n");
+  const Ended ended = shell("$softcnc run " + (folder / "long.nc") + " --trace " +
+                            (folder / "t.csv") + " & pid=$!; sleep 0.3; kill -INT $pid; wait $pid");
+  CHECK(ended.status == 130);
+  CHECK(ended.err == "stopped before anything moved\n");
+  CHECK(folder.files() == std::vector<std::string>{"long.nc"});
+}
