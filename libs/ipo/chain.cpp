@@ -29,9 +29,10 @@ Halves cut(const Interval& interval, double s) {
   halves.left.s1 = halves.right.s0 = s;
   halves.left.right = halves.right.left = point_inside(interval, s);
   halves.left.ends_move = false;
-  Cap lower = interval.left_cap;
-  lower.lower_to(interval.right_cap);
-  halves.left.right_cap = halves.right.left_cap = lower;
+  Cap cap = interval.left_cap.q <= interval.right_cap.q ? interval.left_cap : interval.right_cap;
+  const double w = (s - interval.s0) / interval.length();
+  cap.q = interval.left_cap.q + w * (interval.right_cap.q - interval.left_cap.q);
+  halves.left.right_cap = halves.right.left_cap = cap;
   return halves;
 }
 

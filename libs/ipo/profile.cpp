@@ -21,6 +21,26 @@ void Profile::add_rest(double duration) {
 
 void Profile::rest_at(double s) { pieces_.push_back({duration_, 0, s, s, 0, 0, Limit::stop}); }
 
+Profile Profile::from(double t) const {
+  Profile rest;
+  for (const Piece& piece : pieces_) {
+    const double passed = std::max(t - piece.t0, 0.0);
+    if (passed >= piece.duration && &piece != &pieces_.back()) continue;
+    const double s = std::min(piece.s0 + passed * (piece.v0 + 0.5 * piece.a * passed), piece.s1);
+    const double left = std::max(piece.duration - passed, 0.0);
+    rest.pieces_.push_back(
+        {rest.duration_, left, s, piece.s1, piece.v0 + piece.a * passed, piece.a, piece.limit});
+    rest.duration_ += left;
+  }
+  return rest;
+}
+
+double Profile::end_speed() const noexcept {
+  if (pieces_.empty()) return 0;
+  const Piece& last = pieces_.back();
+  return std::max(last.v0 + last.a * last.duration, 0.0);
+}
+
 State Profile::at(double t, std::size_t& hint) const noexcept {
   if (pieces_.empty()) return {};
   while (hint + 1 < pieces_.size() && t >= pieces_[hint + 1].t0) ++hint;

@@ -27,7 +27,12 @@ class Profile {
   /// Rest at s, for no time.
   void rest_at(double s);
 
+  /// What is left of it at t; t = 0 is there.
+  Profile from(double t) const;
+
   double duration() const noexcept { return duration_; }
+  /// mm/s, where it ends.
+  double end_speed() const noexcept;
   bool empty() const noexcept { return pieces_.empty(); }
 
   /// Realtime. `hint` carries the piece from call to call while t grows; start it at 0.

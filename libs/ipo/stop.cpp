@@ -38,17 +38,37 @@ std::size_t run_move(Window& window, std::size_t intervals, Profile& profile) {
   return intervals;
 }
 
+/// The present plan up to the first block that ends at rest.
+std::deque<TimedBlock> up_to_rest(PartlyPassed rest, double t) {
+  std::deque<TimedBlock> going_on;
+  for (std::size_t i = rest.passed; i < rest.blocks.size(); ++i) {
+    TimedBlock& block = rest.blocks[i];
+    if (going_on.empty()) block.profile = block.profile.from(t - block.t_start);
+    block.t_start = t;
+    t = block.t_end();
+    const bool rests = block.profile.end_speed() == 0;
+    going_on.push_back(std::move(block));
+    if (rests) break;
+  }
+  return going_on;
+}
+
 }  // namespace
 
 std::deque<TimedBlock> plan_stop(const Constraints& constraints, PartlyPassed rest,
                                  const State& now, double t) {
-  std::deque<TimedBlock> stopped;
   Window window(constraints, kAccelerationShare);
   append_moves(window, rest, now.s);
   const double q = now.v * now.v;
   window.set_front_q(q);
   window.settle(true);
-  std::size_t intervals = q > 0 && window.size() > 0 ? window.rest_early(kResolution) : 0;
+  std::size_t intervals = 0;
+  if (q > 0 && window.size() > 0) {
+    const auto stop = window.rest_early(kResolution);
+    if (!stop) return up_to_rest(std::move(rest), t);
+    intervals = *stop;
+  }
+  std::deque<TimedBlock> stopped;
   for (std::size_t i = rest.passed; i < rest.blocks.size(); ++i) {
     const bool present = stopped.empty();
     if (!present && intervals == 0) break;

@@ -9,6 +9,7 @@ namespace {
 /// What a place asks of its neighbours is felt over a few steps: its own, those of the kinks around
 /// it, and those of theirs.
 constexpr double kFeltPeriods = 5;
+constexpr double kRounding = 1e-9;  // of q
 
 }  // namespace
 
@@ -51,12 +52,14 @@ std::size_t Window::last_final_cap() const noexcept {
   return node;
 }
 
-std::size_t Window::rest_early(double resolution) {
+std::optional<std::size_t> Window::rest_early(double resolution) {
   // A machine that can stop at a node can also stop at any later one.
   std::size_t no = 0, yes = size();
+  const double q = q_ * (1 - kRounding);
   const auto halve_to = [&](std::size_t middle) {
-    (reachable_from_rest(middle) >= q_ ? yes : no) = middle;
+    (reachable_from_rest(middle) >= q ? yes : no) = middle;
   };
+  if (reachable_from_rest(yes) < q) return std::nullopt;
   while (yes - no > 1) halve_to(no + (yes - no) / 2);
   while (chain_.intervals[front_ + no].length() > resolution) {
     const Interval& last = chain_.intervals[front_ + no];

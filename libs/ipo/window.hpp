@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,8 +39,9 @@ class Window {
   std::size_t settle(bool ended);
 
   /// After settle(true): plans rest at the nearest node, to within `resolution` mm, at which the
-  /// machine can stand, and returns the number of intervals up to it.
-  std::size_t rest_early(double resolution);
+  /// machine can stand, and returns the number of intervals up to it; nothing if it cannot stand
+  /// anywhere in the window.
+  std::optional<std::size_t> rest_early(double resolution);
 
   /// After settle(): runs the first interval, appends its pieces and drops it; true if its move
   /// ends there.

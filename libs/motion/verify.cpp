@@ -8,6 +8,8 @@ namespace softcnc {
 namespace {
 
 constexpr int kChordSamples = 8;
+constexpr double kIntegration = 1e-9;
+constexpr int kDepth = 20;
 constexpr double kSmallestAdvance = 1e-3;  // mm; interfaces: feed_fluctuation_max
 
 // Gauss-Legendre nodes and weights on [-1, 1], the positive half; they integrate polynomials of
@@ -26,16 +28,29 @@ double gauss(const Nurbs& nurbs, double u0, double u1) noexcept {
   return sum * half;
 }
 
+/// Halves until both halves agree with the whole.
+double gauss_adaptive(const Nurbs& nurbs, double u0, double u1, double whole, int depth) noexcept {
+  const double middle = 0.5 * (u0 + u1);
+  const double left = gauss(nurbs, u0, middle), right = gauss(nurbs, middle, u1);
+  if (depth == 0 || std::abs(left + right - whole) <= kIntegration * whole) return left + right;
+  return gauss_adaptive(nurbs, u0, middle, left, depth - 1) +
+         gauss_adaptive(nurbs, middle, u1, right, depth - 1);
+}
+
+double integrate_span(const Nurbs& nurbs, double u0, double u1) noexcept {
+  return gauss_adaptive(nurbs, u0, u1, gauss(nurbs, u0, u1), kDepth);
+}
+
 double integrate(const Nurbs& nurbs, double s0, double s1) noexcept {
   double sum = 0, u = nurbs.parameter(s0);
   const auto inner = nurbs.breaks();
   for (auto at = std::upper_bound(inner.begin(), inner.end(), s0); at != inner.end() && *at < s1;
        ++at) {
     const double u_break = nurbs.parameter(*at);
-    sum += gauss(nurbs, u, u_break);
+    sum += integrate_span(nurbs, u, u_break);
     u = u_break;
   }
-  return sum + gauss(nurbs, u, nurbs.parameter(s1));
+  return sum + integrate_span(nurbs, u, nurbs.parameter(s1));
 }
 
 double distance_to_chord(const AxisVector& p, const AxisVector& a, const AxisVector& b) noexcept {

@@ -56,3 +56,20 @@ TEST_CASE("speed changes inside a piece so that v squared is linear in s", "[pro
   const State middle = profile.at(profile.time_at(1.5), hint);
   CHECK(middle.v * middle.v == Approx((4.0 + 49.0) / 2));
 }
+
+TEST_CASE("what is left of a profile goes on where it is", "[profile]") {
+  const Profile whole = trapezoid();
+  for (const double t : {0.0, 0.05, 0.6, 1.2, 1.5, 1.8}) {
+    const Profile rest = whole.from(t);
+    CHECK(rest.duration() == Approx(whole.duration() - t).margin(1e-12));
+    std::size_t a = 0, b = 0;
+    for (double later = 0; later < rest.duration(); later += 0.07) {
+      CHECK(rest.at(later, a).s == Approx(whole.at(t + later, b).s).margin(1e-12));
+      CHECK(rest.at(later, a).v == Approx(whole.at(t + later, b).v).margin(1e-12));
+    }
+  }
+  CHECK(whole.end_speed() == 0);
+  Profile running;
+  running.add_piece(0, 1, 2, 3, Limit::acceleration);
+  CHECK(running.end_speed() == Approx(3));
+}
