@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "motion/diagnostic.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace softcnc;
+
+namespace {
+
+Diagnostic off_circle() {
+  return {Code::SC2103,
+          {12, 9, 14},
+          "G02 ends 0.35 mm off its circle (radius 10 mm at the start, 10.35 mm at the end)",
+          "part.nc",
+          "N40 G02 X10 Y0 I0 J-10"};
+}
+
+}  // namespace
+
+TEST_CASE("a diagnostic shows file, line, column, code, text, source and caret", "[diagnostic]") {
+  CHECK(render(off_circle()) ==
+        "part.nc:12:9: error SC2103: G02 ends 0.35 mm off its circle (radius 10 mm at the start, "
+        "10.35 mm at the end)\n"
+        "   12 | N40 G02 X10 Y0 I0 J-10\n"
+        "      |         ^~~~~~~~~~~~~~\n");
+}
+
+TEST_CASE("columns count characters, and tabs stay tabs", "[diagnostic]") {
+  Diagnostic d = off_circle();
+  d.source_line = "\t(\xc3\xa9t\xc3\xa9) X1.2.3";  // two characters of two bytes each
+  d.pos = {3, 10, 6};
+  d.message = "m";
+  CHECK(render(d) ==
+        "part.nc:3:8: error SC2103: m\n"
+        "    3 | \t(\xc3\xa9t\xc3\xa9) X1.2.3\n"
+        "      | \t      ^~~~~~\n");
+}
+
+TEST_CASE("a diagnostic without a place names only its file", "[diagnostic]") {
+  Diagnostic d = off_circle();
+  d.pos = {};
+  d.source_line.clear();
+  d.message = "m";
+  CHECK(render(d) == "part.nc: error SC2103: m\n");
+  d.file.clear();
+  CHECK(render(d) == "softcnc: error SC2103: m\n");
+}
+
+TEST_CASE("a caret never leaves its line", "[diagnostic]") {
+  Diagnostic d = off_circle();
+  d.source_line = "G1 X";
+  d.pos = {1, 4, 100};
+  d.message = "m";
+  CHECK(render(d) == "part.nc:1:4: error SC2103: m\n    1 | G1 X\n      |    ^\n");
+  d.pos = {1, 5, 1};  // behind the last character: something is missing there
+  CHECK(render(d) == "part.nc:1:5: error SC2103: m\n    1 | G1 X\n      |     ^\n");
+}
+
+TEST_CASE("exit statuses follow the family of the code and the order of the contract",
+          "[diagnostic]") {
+  CHECK(exit_status(off_circle()) == 1);
+  CHECK(exit_status({Code::SC4001, {}, "", "", ""}) == 3);
+  CHECK(exit_status({Code::SC9001, {}, "", "", ""}) == 70);
+  CHECK(worse_status(1, 3) == 1);
+  CHECK(worse_status(3, 5) == 5);
+  CHECK(worse_status(5, 2) == 2);
+  CHECK(worse_status(0, 3) == 3);
+  CHECK(worse_status(0, 0) == 0);
+  CHECK(worse_status(0, 4) == 4);
+}
+
+TEST_CASE("diagnostics are kept or passed on, and counted", "[diagnostic]") {
+  Diagnostics kept;
+  kept.set_file("a.nc");
+  kept.report(off_circle());
+  kept.report(Code::SC4001, {2, 1, 1}, "text", "line");
+  REQUIRE(kept.all().size() == 2);
+  CHECK(kept.all()[0].file == "part.nc");
+  CHECK(kept.all()[1].file == "a.nc");
+  CHECK(kept.errors() == 2);
+  CHECK(kept.status() == 1);
+
+  int seen = 0;
+  Diagnostics passed([&](const Diagnostic&) { ++seen; });
+  passed.report(off_circle());
+  CHECK(seen == 1);
+  CHECK(passed.all().empty());
+  CHECK(passed.errors() == 1);
+}
+
+TEST_CASE("every code has a title and a help that say something", "[diagnostic]") {
+  for (const CodeInfo& row : code_table()) {
+    CAPTURE(static_cast<int>(row.code));
+    CHECK(row.title.size() > 5);
+    CHECK(row.help.size() > 10);
+    CHECK(&code_info(row.code) == &row);
+  }
+}

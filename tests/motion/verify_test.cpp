@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "motion/verify.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "support/curves.hpp"
+
+using namespace softcnc;
+
+namespace {
+
+Machine machine_at(double period) {
+  Machine machine;
+  machine.control.period = period;
+  return machine;
+}
+
+Setpoint at_position(std::int64_t period, const AxisVector& position, double s, double advance) {
+  Setpoint setpoint;
+  setpoint.period = period;
+  setpoint.position = position;
+  setpoint.s = s;
+  setpoint.advance = advance;
+  return setpoint;
+}
+
+/// Rows along a path at equal steps of arc length.
+Measured measure(const Path& path, int steps, double period = 1e-3) {
+  Verifier verifier(machine_at(period));
+  const Stretch stretch{&path, 0};
+  const double step = length(path) / steps;
+  for (int i = 0; i <= steps; ++i) {
+    const double s = i == steps ? length(path) : i * step;
+    verifier.row(at_position(i, position(path, s), s, i > 0 ? step : 0), {&stretch, 1});
+  }
+  verifier.finish();
+  return verifier.measured();
+}
+
+Arc circle(double radius) {
+  return Arc::make({{radius, 0, 0}, {radius, 0, 0}, {0, 0, 0}, Plane::xy, true, 0}).value();
+}
+
+}  // namespace
+
+TEST_CASE("differences of rows are padded with rest at both ends", "[verify]") {
+  Verifier verifier(machine_at(0.01));
+  // One step of 0.1 mm from rest to rest: v = 10, a = 1000, j = 2e5 (1, -2, 1 over T^3).
+  verifier.row(at_position(0, {0, 0, 0}, 0, 0), {});
+  verifier.row(at_position(1, {0.1, 0, -0.05}, 0.1, 0.1), {});
+  verifier.finish();
+  const Measured& m = verifier.measured();
+  CHECK(m.velocity[0] == Approx(10));
+  CHECK(m.acceleration[0] == Approx(1000));
+  CHECK(m.jerk[0] == Approx(2e5));
+  CHECK(m.acceleration[1] == 0);
+  CHECK(m.acceleration[2] == Approx(500));
+  CHECK(m.rows == 2);
+}
+
+TEST_CASE("the chord error of a circle is its sagitta", "[verify]") {
+  for (const int steps : {40, 41, 400}) {
+    const double half = std::numbers::pi / steps;
+    CHECK(measure(circle(10), steps).chord_error ==
+          Approx(10 * (1 - std::cos(half))).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("a corner within a step is off the chord", "[verify]") {
+  const Path first = Line({0, 0, 0}, {1, 0, 0}), second = Line({1, 0, 0}, {1, 1, 0});
+  const std::vector<Stretch> stretches{{&first, 0}, {&second, 1}};
+  Verifier verifier(machine_at(1e-3));
+  verifier.row(at_position(0, {0.9, 0, 0}, 0.9, 0), stretches);
+  verifier.row(at_position(1, {1, 0.1, 0}, 1.1, 0.2), stretches);
+  CHECK(verifier.measured().chord_error == Approx(0.1 / std::sqrt(2.0)));
+}
+
+TEST_CASE("a row off its path is a deviation", "[verify]") {
+  const Path path = Line({0, 0, 0}, {10, 0, 0});
+  const Stretch stretch{&path, 0};
+  Verifier verifier(machine_at(1e-3));
+  verifier.row(at_position(0, {0, 0, 0}, 0, 0), {&stretch, 1});
+  verifier.row(at_position(1, {1, 0.0025, 0}, 1, 1), {&stretch, 1});
+  CHECK(verifier.measured().path_deviation == Approx(0.0025));
+}
+
+TEST_CASE("feed fluctuates where the advance is not the planned one", "[verify]") {
+  const Path path = test::curve("butterfly");
+  const Stretch stretch{&path, 0};
+  const auto fluctuation = [&](double travelled, double planned) {
+    Verifier verifier(machine_at(1e-3));
+    verifier.row(at_position(0, position(path, 20), 20, 0), {&stretch, 1});
+    verifier.row(at_position(1, position(path, 20 + travelled), 20 + travelled, planned),
+                 {&stretch, 1});
+    return verifier.measured().feed_fluctuation;
+  };
+  CHECK(fluctuation(0.1, 0.1) < 1e-9);
+  CHECK(fluctuation(0.101, 0.1) == Approx(0.01).epsilon(1e-6));
+  CHECK(fluctuation(0.099, 0.1) == Approx(0.01).epsilon(1e-6));
+  CHECK(fluctuation(0.0011, 0.0009) == 0);  // advances under 1 um do not count
+}
+
+TEST_CASE("integrated length agrees with the exact one", "[verify]") {
+  const Path round = test::curve("circle_deg2");
+  CHECK(integrated_length(round, 0, length(round)) == Approx(20 * std::numbers::pi).epsilon(1e-12));
+  const Path butterfly = test::curve("butterfly");
+  CHECK(integrated_length(butterfly, 0, length(butterfly)) == Approx(382.859558301).epsilon(1e-11));
+  CHECK(integrated_length(Line({0, 0, 0}, {3, 4, 0}), 1, 2.5) == 1.5);
+}
