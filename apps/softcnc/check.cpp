@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // `softcnc check`: the whole pipeline without motion; every diagnostic of every file on stdout.
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include "commands.hpp"
 #include "hal/machine_file.hpp"
 #include "messages.hpp"
 #include "preflight.hpp"
+#include "progress.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -14,7 +16,12 @@ int check_program(const std::string& name, const Machine& machine, const Options
                   Messages& messages) {
   auto program = Program::open(name);
   if (!program) return messages.fail(program.error());
-  return preflight(*program, machine, channel_options(options), messages).status;
+  const Preflight checked = preflight(*program, machine, channel_options(options), messages);
+  if (checked.status == 0)
+    spdlog::debug("{}: {}, {:.3f} mm in {} blocks", program->name(),
+                  duration_text(checked.outcome.time), checked.outcome.last.s,
+                  checked.outcome.last.block);
+  return checked.status;
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ void add_machine(CLI::App& command, Options& options) {
       ->type_name("FILE.toml");
   command
       .add_option("--set", options.settings,
-                  "Set one value of the machine, as in axis.x.jerk_mm_s3=0 (repeatable)")
+                  "Set one value of the machine, as in axis.x.acceleration_mm_s2=500 (repeatable)")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }
@@ -34,8 +34,8 @@ void add_backend(CLI::App& command, Options& options) {
             options.settings.push_back("control.backend=" + name);
           },
           "Where setpoints go")
-      ->check(CLI::IsMember(names))
-      ->type_name("");
+      ->check(CLI::IsMember(names).description(""))
+      ->type_name(CLI::detail::join(names, "|"));
 }
 
 void add_interpreter(CLI::App& command, Options& options) {
@@ -67,13 +67,16 @@ void add_progress(CLI::App& command, Options& options) {
                                                 : ProgressMode::automatic;
           },
           "Progress on stderr: a bar where it is a terminal (auto), nothing, or JSON lines")
-      ->check(CLI::IsMember({"auto", "none", "json"}))
-      ->type_name("");
+      ->check(CLI::IsMember({"auto", "none", "json"}).description(""))
+      ->type_name("auto|none|json");
 }
 
-void add_words(CLI::App& command, Options& options) {
-  auto* quiet = command.add_flag("-q,--quiet", options.quiet, "Say nothing but diagnostics");
-  command.add_flag("-v,--verbose", options.verbose, "Say more")->excludes(quiet);
+void add_quiet(CLI::App& command, Options& options) {
+  command.add_flag("-q,--quiet", options.quiet, "Say nothing but diagnostics");
+}
+
+void add_verbose(CLI::App& command, Options& options, const char* says) {
+  command.add_flag("-v,--verbose", options.verbose, says)->excludes(command.get_option("--quiet"));
 }
 
 void add_part(CLI::App& command, Options& options) {
@@ -93,7 +96,8 @@ void add_run(CLI::App& command, Options& options) {
   command.add_option("--report", options.report, "Write the figures of the run as JSON")
       ->type_name("FILE.json");
   add_progress(command, options);
-  add_words(command, options);
+  add_quiet(command, options);
+  add_verbose(command, options, "Say what pre-flight, planning and verification took");
 }
 
 void make_run(CLI::App& command, Options& options) {
@@ -113,14 +117,15 @@ void make_check(CLI::App& command, Options& options) {
   add_machine(command, options);
   add_feed_override(command, options);
   add_interpreter(command, options);
-  add_words(command, options);
+  add_quiet(command, options);
+  add_verbose(command, options, "Say time and length of each program on stderr");
 }
 
 void make_blocks(CLI::App& command, Options& options) {
   add_part(command, options);
   add_machine(command, options);
   add_interpreter(command, options);
-  add_words(command, options);
+  add_quiet(command, options);
 }
 
 void make_record(CLI::App& command, Options& options) {
@@ -134,13 +139,14 @@ void make_replay(CLI::App& command, Options& options) {
   command.add_option("FILE.rec", options.files, "Recordings")->required()->type_name("");
   add_machine(command, options);
   add_progress(command, options);
-  add_words(command, options);
+  add_quiet(command, options);
 }
 
 void make_machine(CLI::App& command, Options& options) {
   add_machine(command, options);
   add_backend(command, options);
-  add_words(command, options);
+  add_quiet(command, options);
+  add_verbose(command, options, "Say what each value means");
 }
 
 struct CommandRow {

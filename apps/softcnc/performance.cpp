@@ -8,12 +8,12 @@
 #include <cmath>
 
 #include "hal/machine_file.hpp"
-#include "hal/trace.hpp"
 #include "messages.hpp"
 #include "preflight.hpp"
 #include "report_json.hpp"
 #include "summary.hpp"
 #include "terminal.hpp"
+#include "trace_rows.hpp"
 #include "verification.hpp"
 
 namespace softcnc::app {
@@ -27,35 +27,6 @@ bool may_ask(const Options& options) {
   return !options.dry_run && options.files.front() != "-" && ::isatty(STDIN_FILENO) != 0 &&
          ::isatty(STDERR_FILENO) != 0;
 }
-
-Result<std::unique_ptr<hal::Backend>> open_backend(const Job& job, bool dry_run) {
-  Machine machine = job.machine;
-  if (dry_run) machine.control.backend = BackendKind::none;
-  return hal::open_backend(machine);
-}
-
-/// Rows into a trace file, or nowhere.
-class TraceRows final : public RowSink {
- public:
-  static Result<TraceRows> open(Job& job, const std::string& file, const hal::Backend& backend) {
-    if (file.empty()) return TraceRows(nullptr);
-    const hal::TraceHeader header{job.machine.control.period, job.program.hash(),
-                                  hal::hash_hex(hal::machine_toml(job.machine))};
-    auto writer = hal::TraceWriter::open(file, header, job.machine, backend.columns());
-    if (!writer) return tl::make_unexpected(std::move(writer.error()));
-    return TraceRows(std::move(*writer));
-  }
-
-  bool row(const Setpoint& setpoint, std::span<const double> backend_values) override {
-    if (writer_) writer_->row(setpoint, backend_values);
-    return !writer_ || writer_->ok();
-  }
-  Status finish() { return writer_ ? writer_->finish() : Status(); }
-
- private:
-  explicit TraceRows(std::unique_ptr<hal::TraceWriter> writer) : writer_(std::move(writer)) {}
-  std::unique_ptr<hal::TraceWriter> writer_;
-};
 
 Diagnostic alarm_diagnostic(const Outcome& outcome) {
   const int axis = outcome.feedback.alarm_axis;
@@ -98,9 +69,9 @@ Performance Performer::refused(const Diagnostic& diagnostic) const {
 }
 
 Performance Performer::move(const std::string& trace, double total) {
-  auto backend = open_backend(job_, options_.dry_run);
+  auto backend = hal::open_backend(options_.dry_run ? without_backend(job_.machine) : job_.machine);
   if (!backend) return refused(backend.error());
-  auto rows = TraceRows::open(job_, trace, **backend);
+  auto rows = open_trace(trace, job_.program, job_.machine, **backend);
   if (!rows) return refused(rows.error());
   terminal_.begin(options_.dry_run ? "planning" : "running", total);
   performance_.moved = true;
@@ -156,12 +127,21 @@ void Performer::close(TraceRows& rows) {
   performance_.status = worse_status(performance_.status, messages_.fail(finished.error()));
 }
 
+void explain(std::string_view what, const Outcome& outcome) {
+  spdlog::debug(
+      "{}: {} nodes planned in {} passes; CPU {:.3f} s planning, {:.3f} s cycle, {:.3f} s "
+      "verification, {:.3f} s output",
+      what, outcome.planner.nodes, outcome.planner.passes, outcome.cpu.planning, outcome.cpu.cycle,
+      outcome.cpu.verification, outcome.cpu.output);
+}
+
 /// The pre-flight; `total` becomes the time that the program takes.
 Performance check_first(Job& job, Messages& messages, Terminal& terminal, double& total) {
   terminal.begin("checking", 0);
   const Preflight checked = preflight(job.program, job.machine, job.options, messages, &terminal);
   terminal.end();
   total = checked.outcome.time;
+  explain("pre-flight", checked.outcome);
   Performance performance;
   performance.status = checked.status;
   if (checked.outcome.end == Outcome::End::stopped) {
@@ -195,6 +175,7 @@ Performance perform(Job& job, const Options& options, const std::string& trace) 
   if (performance.status == 0) {
     if (may_ask(options)) terminal.wait_at_stops();
     performance = Performer(job, options, messages, terminal).move(trace, total);
+    if (performance.moved) explain("run", performance.outcome);
   }
   performance.diagnostics.assign(messages.kept().begin(), messages.kept().end());
   return performance;

@@ -9,11 +9,14 @@ ChannelOptions channel_options(const Options& options) {
   return {options.feed_override, {options.block_skip, options.optional_stop}};
 }
 
+Machine without_backend(Machine machine) {
+  machine.control.backend = BackendKind::none;
+  return machine;
+}
+
 Preflight preflight(Program& program, const Machine& machine, const ChannelOptions& options,
                     Messages& messages, Watcher* watcher) {
-  Machine without_backend = machine;
-  without_backend.control.backend = BackendKind::none;
-  auto backend = hal::open_backend(without_backend);
+  auto backend = hal::open_backend(without_backend(machine));
   if (!backend) return {messages.fail(backend.error()), {}};
   Diagnostics diagnostics(messages.sink(program));
   diagnostics.set_file(program.name());

@@ -11,6 +11,9 @@ namespace softcnc::app {
 
 ChannelOptions channel_options(const Options& options);
 
+/// The machine with a backend that goes nowhere.
+Machine without_backend(Machine machine);
+
 struct Preflight {
   int status = 0;   // 0: it may run
   Outcome outcome;  // of the run without backend; of interest if status is 0

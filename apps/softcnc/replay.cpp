@@ -10,24 +10,13 @@
 #include "recording.hpp"
 #include "terminal.hpp"
 #include "trace_comparison.hpp"
+#include "trace_rows.hpp"
 
 namespace softcnc::app {
 namespace {
 
 constexpr int kDiffers = 1;
 constexpr int kSignalled = 128;
-
-class WriterRows final : public RowSink {
- public:
-  explicit WriterRows(hal::TraceWriter& writer) : writer_(writer) {}
-  bool row(const Setpoint& setpoint, std::span<const double> backend_values) override {
-    writer_.row(setpoint, backend_values);
-    return writer_.ok();
-  }
-
- private:
-  hal::TraceWriter& writer_;
-};
 
 /// The machine of the recording unless one is given.
 Result<Machine> machine_of(const Recording& recording, const std::string& name,
@@ -64,11 +53,9 @@ Result<Material> open_material(const std::string& name, const Options& options) 
 /// Runs the program; its rows go to the comparison. Returns the exit status of the run.
 int run_again(Material& material, Terminal& terminal) {
   const Machine& machine = material.machine;
-  const hal::TraceHeader header{machine.control.period, material.program.hash(),
-                                hal::hash_hex(hal::machine_toml(machine))};
-  const auto writer = hal::csv_trace(comparison_sink(material.comparison), header, machine,
-                                     material.backend->columns());
-  WriterRows rows(*writer);
+  TraceRows rows(hal::csv_trace(comparison_sink(material.comparison),
+                                trace_header(material.program, machine), machine,
+                                material.backend->columns()));
   Messages messages;
   Diagnostics diagnostics([&, show = messages.sink(material.program)](const Diagnostic& d) {
     if (d.severity() != Severity::error) return;  // the rest was told when it was recorded
@@ -81,7 +68,7 @@ int run_again(Material& material, Terminal& terminal) {
                                    *material.backend, diagnostics, &rows, &terminal);
   terminal.end();
   const bool stopped = outcome.end == Outcome::End::stopped;
-  if (!stopped && writer->finish()) material.comparison.finish();
+  if (!stopped && rows.finish()) material.comparison.finish();
   return worse_status(diagnostics.status(), stopped ? kSignalled + terminal.signal() : 0);
 }
 

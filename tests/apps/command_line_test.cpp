@@ -82,7 +82,7 @@ TEST_CASE("full disks and closed pipes are told apart", "[apps][cli]") {
     CHECK(full.status == 5);
     CHECK(full.err == "<stdout>: error SC6012: writing failed: No space left on device\n");
     const Ended closed =
-        shell(std::string("{ $softcnc ") + command + "; echo $? >&2; } | head -c 0");
+        shell(std::string("{ sleep 0.2; $softcnc ") + command + "; echo $? >&2; } | :");
     CHECK(closed.err == "141\n");
   }
 }

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "trace_rows.hpp"
+
+#include "hal/machine_file.hpp"
+
+namespace softcnc::app {
+
+hal::TraceHeader trace_header(Program& program, const Machine& machine) {
+  return {machine.control.period, program.hash(), hal::hash_hex(hal::machine_toml(machine))};
+}
+
+Result<TraceRows> open_trace(const std::string& file, Program& program, const Machine& machine,
+                             const hal::Backend& backend) {
+  if (file.empty()) return TraceRows(nullptr);
+  auto writer =
+      hal::TraceWriter::open(file, trace_header(program, machine), machine, backend.columns());
+  if (!writer) return tl::make_unexpected(std::move(writer.error()));
+  return TraceRows(std::move(*writer));
+}
+
+}  // namespace softcnc::app

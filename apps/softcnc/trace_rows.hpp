@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The rows of a run on their way into a trace.
+#pragma once
+
+#include <memory>
+
+#include "channel.hpp"
+#include "hal/trace.hpp"
+#include "program.hpp"
+
+namespace softcnc::app {
+
+/// Rows into a trace writer, or nowhere if it is null.
+class TraceRows final : public RowSink {
+ public:
+  explicit TraceRows(std::unique_ptr<hal::TraceWriter> writer) : writer_(std::move(writer)) {}
+
+  bool row(const Setpoint& setpoint, std::span<const double> backend_values) override {
+    if (writer_) writer_->row(setpoint, backend_values);
+    return !writer_ || writer_->ok();
+  }
+  Status finish() { return writer_ ? writer_->finish() : Status(); }
+
+ private:
+  std::unique_ptr<hal::TraceWriter> writer_;
+};
+
+hal::TraceHeader trace_header(Program& program, const Machine& machine);
+
+/// Into a file; nowhere if its name is empty. Errors: those of hal::TraceWriter::open().
+Result<TraceRows> open_trace(const std::string& file, Program& program, const Machine& machine,
+                             const hal::Backend& backend);
+
+}  // namespace softcnc::app
