@@ -1,55 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Evaluating a curve allocates nothing: counted at operator new itself.
-#include <atomic>
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <new>
+#include <vector>
 
 #include "motion/path.hpp"
+#include "support/allocations.hpp"
 #include "support/curves.hpp"
 
-namespace {
-
-std::atomic<long> allocations{0};
-
-}  // namespace
-
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t align) {
-  ++allocations;
-  const auto alignment = static_cast<std::size_t>(align);
-  if (void* memory = std::aligned_alloc(alignment, (size / alignment + 1) * alignment))
-    return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++allocations;
-  return std::malloc(size > 0 ? size : 1);
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
-
 namespace softcnc {
-namespace {
 
-template <typename Work>
-long allocations_during(Work&& work) {
-  const long before = allocations;
-  work();
-  return allocations - before;
-}
-
-}  // namespace
+using test::allocations_during;
 
 TEST_CASE("the counter counts", "[motion][allocation]") {
   CHECK(allocations_during([] { ::operator delete(::operator new(10)); }) == 1);
