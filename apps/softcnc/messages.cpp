@@ -35,7 +35,13 @@ bool colourful(int descriptor) {
   return ::isatty(descriptor) != 0 && (no_colour == nullptr || *no_colour == '\0');
 }
 
-Messages::Messages() : Messages(write_to_stderr, colourful(STDERR_FILENO)) {}
+Messages::Messages(const std::function<void()>& clear)
+    : Messages(
+          [clear](std::string_view text) {
+            clear();
+            write_to_stderr(text);
+          },
+          colourful(STDERR_FILENO)) {}
 
 void Messages::show(const Diagnostic& diagnostic) {
   write_(colour_ ? coloured(diagnostic) : render(diagnostic));

@@ -24,8 +24,8 @@ class Messages {
   using Write = std::function<void(std::string_view)>;
   static constexpr std::size_t kKept = 1000;
 
-  /// To standard error.
-  Messages();
+  /// To standard error; `clear` takes a progress bar off the screen before.
+  explicit Messages(const std::function<void()>& clear = [] {});
   Messages(Write write, bool colour) : write_(std::move(write)), colour_(colour) {}
 
   void show(const Diagnostic& diagnostic);

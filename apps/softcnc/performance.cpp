@@ -83,9 +83,7 @@ Performance Performer::move(const std::string& trace, double total) {
 /// After a pre-flight only errors are news.
 Diagnostics::Sink Performer::sink() {
   return [this, show = messages_.sink(job_.program)](const Diagnostic& diagnostic) {
-    if (!options_.dry_run && diagnostic.severity() != Severity::error) return;
-    terminal_.end();
-    show(diagnostic);
+    if (options_.dry_run || diagnostic.severity() == Severity::error) show(diagnostic);
   };
 }
 
@@ -167,8 +165,8 @@ std::string_view name(Ending ending) noexcept {
 }
 
 Performance perform(Job& job, const Options& options, const std::string& trace) {
-  Messages messages;
   Terminal terminal(options.progress, on_terminal(trace), job.machine.control.period);
+  Messages messages([&terminal] { terminal.end(); });
   double total = 0;
   Performance performance;
   if (!options.dry_run) performance = check_first(job, messages, terminal, total);

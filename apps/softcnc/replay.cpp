@@ -56,11 +56,9 @@ int run_again(Material& material, Terminal& terminal) {
   TraceRows rows(hal::csv_trace(comparison_sink(material.comparison),
                                 trace_header(material.program, machine), machine,
                                 material.backend->columns()));
-  Messages messages;
+  Messages messages([&terminal] { terminal.end(); });
   Diagnostics diagnostics([&, show = messages.sink(material.program)](const Diagnostic& d) {
-    if (d.severity() != Severity::error) return;  // the rest was told when it was recorded
-    terminal.end();
-    show(d);
+    if (d.severity() == Severity::error) show(d);  // the rest was told when it was recorded
   });
   diagnostics.set_file(material.program.name());
   ipr::Reader reader = material.program.reader();

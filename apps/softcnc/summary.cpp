@@ -39,6 +39,7 @@ std::string sizes(const Job& job, const Outcome& outcome) {
 
 /// The limits that held the feed down, longest first.
 std::string held_by(const Outcome& outcome) {
+  if (!(outcome.time > 0)) return {};
   std::vector<std::size_t> order(outcome.time_by_limit.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
