@@ -92,7 +92,7 @@ class CapDerivation {
   void pass_kink(std::size_t n) {
     const double tolerance = constraints_.chord_tolerance() * (1 - kMargin) *
                              (shares_its_step(chain_, n, period_) ? kTurnShare : 1.0);
-    const double planned = std::sqrt(chain_.nodes[n].cap.q);
+    const double planned = std::sqrt(chain_.nodes[n].own.q);
     double v = planned;
     Load load = kink_load(n, v);
     for (int i = 0; i < 60 && load.exceeds(tolerance); ++i) {
