@@ -46,8 +46,8 @@ State Profile::at(double t, std::size_t& hint) const noexcept {
   while (hint + 1 < pieces_.size() && t >= pieces_[hint + 1].t0) ++hint;
   const Piece& piece = pieces_[hint];
   const double tau = std::clamp(t - piece.t0, 0.0, piece.duration);
-  const double s = tau < piece.duration ? piece.s0 + tau * (piece.v0 + 0.5 * piece.a * tau)
-                                        : piece.s1;  // exactly
+  const bool ends = tau >= piece.duration || t >= duration_;  // exactly there
+  const double s = ends ? piece.s1 : piece.s0 + tau * (piece.v0 + 0.5 * piece.a * tau);
   const double v = std::max(piece.v0 + piece.a * tau, 0.0);
   return {std::clamp(s, piece.s0, piece.s1), v, piece.a, v > 0 ? piece.limit : Limit::stop};
 }
