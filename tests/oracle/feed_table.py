@@ -1,0 +1,300 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Measures how fast and how exactly softcnc runs the curves of tests/data, and writes it down.
+
+    scripts/feed_table                                  prints the tables as Markdown
+    scripts/feed_table --write                          puts them into docs/feed.md
+    scripts/feed_table --check                          compares with docs/feed.md, but for CPU times
+    tests/oracle/feed_table.py --softcnc FILE [...]     the same with this program
+
+Every trace is checked by check_trace.py, every time is held against time_optimal.py. Exit 1 if a promise is broken or
+the tables are not those of docs/feed.md.
+"""
+import argparse
+import json
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass, replace
+from itertools import zip_longest
+
+import check_trace
+import curves
+import time_optimal
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "scripts"))
+import make_programs  # noqa: E402
+
+DATA = ROOT / "tests/data"
+DOCS = ROOT / "docs/feed.md"
+CURVES = ("circle_deg2", "infinity8", "butterfly")
+METHODS = ("arc-length", "taylor1", "taylor2", "curvature3p")
+ACCELERATION = 1000.0  # mm/s^2, of every axis
+UNLIMITED = 1e7        # mm/s^2, the largest a machine file may name
+BLU_UM = 2.5
+FLUCTUATION = 1e-6
+MACHINE = {"velocity_mm_min": 15000.0, "min_mm": -1000.0, "max_mm": 1000.0, "blu_um": BLU_UM}
+
+
+@dataclass(frozen=True)
+class Setting:
+    feed: float       # mm/min
+    period_ms: float
+    chord_um: float
+    over: float       # part by which the time may exceed the optimum
+    method: str = "arc-length"
+    acceleration: float = ACCELERATION
+
+    def words(self):
+        return f"F{self.feed:.0f}, {self.period_ms:g} ms, {self.chord_um:g} µm"
+
+    def options(self):
+        values = {"control.period_ms": self.period_ms, "control.chord_tolerance_um": self.chord_um,
+                  "control.interpolation": self.method}
+        for axis in "xyz":
+            values[f"axis.{axis}.acceleration_mm_s2"] = self.acceleration
+            values |= {f"axis.{axis}.{key}": value for key, value in MACHINE.items()}
+        return [word for key, value in values.items() for word in ("--set", f"{key}={value}")]
+
+
+FEED_BINDS = Setting(6000, 1, 1, 0.01)
+COARSE, FINE = Setting(2000, 8, 2, 0.05), Setting(2000, 8, 0.05, 0.05)  # those of paper 000
+SETTINGS = (FEED_BINDS, Setting(6000, 4, 1, 0.05), COARSE, FINE)
+
+
+@dataclass(frozen=True)
+class Run:
+    """The report of a run, its trace as measured from outside, and the time of the curve alone."""
+    report: dict
+    measured: check_trace.Measured
+    verdicts: list
+    time: float
+
+
+@dataclass(frozen=True)
+class Optimum:
+    time: float         # s
+    chord_error: float  # mm, of a machine that is sent its points once per period
+
+
+def optimum(name, setting):
+    curve = curves.load_nurbs(DATA / f"{name}.json")
+    limits = time_optimal.Limits(setting.feed / 60, (setting.acceleration,) * 3,
+                                 chord=setting.chord_um / 1e3, period=setting.period_ms / 1e3)
+    profile = time_optimal.optimum(curve, limits)
+    s, v, parameter = profile.sampled(limits.period)
+    rows = check_trace.Trace(limits.period, s, v, curve.derivatives(parameter)[0])
+    return Optimum(profile.time, check_trace.measure(rows, curve).chord_error)
+
+
+class Bench:
+    """Runs softcnc, each case once, in a folder of its own."""
+
+    def __init__(self, softcnc, folder):
+        self.softcnc, self.folder = softcnc, folder
+        self.runs = {}
+        self.broken = []  # promises
+
+    def run(self, name, setting):
+        if (name, setting) not in self.runs:
+            self.runs[name, setting] = self._run(name, setting)
+        return self.runs[name, setting]
+
+    def promise(self, held, what):
+        if not held:
+            self.broken.append(what)
+
+    def _run(self, name, setting):
+        data = json.loads((DATA / f"{name}.json").read_text())
+        approach, curve = approach_to(data["control_points"][0]), nurbs_lines(data, setting.feed)
+        before = self._report(approach, setting)["time_s"] if approach else 0.0
+        report = self._report(approach + curve, setting)
+        trace = check_trace.read_trace(self.folder / "trace.csv")
+        measured = check_trace.measure(trace, curves.load_nurbs(DATA / f"{name}.json"))
+        limits = argparse.Namespace(chord_um=setting.chord_um, acceleration=setting.acceleration, velocity=15000.0,
+                                    fluctuation=FLUCTUATION, blu_um=BLU_UM)
+        return Run(report, measured, check_trace.judge(measured, trace, limits),
+                   report["time_s"] - waited(report) - before)
+
+    def _report(self, lines, setting):
+        program, report = self.folder / "program.nc", self.folder / "report.json"
+        program.write_text("\n".join(lines + ["M30"]) + "\n")
+        done = subprocess.run([self.softcnc, "run", "--backend", "none", "--quiet", "--report", report, "--trace",
+                               self.folder / "trace.csv", *setting.options(), program], capture_output=True, text=True,
+                              check=False)
+        if done.returncode != 0:
+            sys.exit(f"{done.stderr}feed_table: softcnc run ended with status {done.returncode}")
+        return json.loads(report.read_text())
+
+
+def approach_to(point):
+    """A straight line from the origin, where programs begin; none where the curve begins there too."""
+    words = " ".join(letter + make_programs.number(x) for letter, x in zip("XY", point))
+    return [f"G00 {words}"] if any(point) else []
+
+
+def nurbs_lines(data, feed):
+    points = [point + [weight] for point, weight in zip(data["control_points"], data["weights"])]
+    curve = {"points": points, "columns": ["X", "Y", "weight"], "knots": data["knots"], "degree": data["degree"]}
+    return make_programs.nurbs(curve, f"F{feed:.0f}")
+
+
+def waited(report):
+    """Where approach and curve meet the machine may wait for the next setpoint, s; that belongs to neither."""
+    return report["time_by_limit_s"].get("stop", 0.0)
+
+
+def seconds(time):
+    return f"{time:.{3 if time > 1 else 4}f}"
+
+
+def percent(part):
+    """Two figures, and as many digits as they need."""
+    digits = max(0, 1 - math.floor(math.log10(100 * part))) if part > 0 else 0
+    return f"{100 * part:.{digits}f} %"
+
+
+def fluctuation(part):
+    return "< 1e-9" if part < 1e-9 else percent(part)
+
+
+def times_table(bench):
+    rows = [("curve", "setting", "time, s", "optimum, s", "over it", "chord error / tolerance",
+             "the optimum's", "acceleration / limit", "end, counts")]
+    for name in CURVES:
+        for setting in SETTINGS:
+            run, best = bench.run(name, setting), optimum(name, setting)
+            over = round(run.time / best.time - 1, 4) + 0.0
+            hold_promises(bench, run, over, setting, f"{name}, {setting.words()}")
+            x, y, _ = counted(run.measured.end)
+            rows.append((name, setting.words(), seconds(run.time), seconds(best.time), f"{100 * over:.2f} %",
+                         f"{run.measured.chord_error * 1e3 / setting.chord_um:.3f}",
+                         f"{best.chord_error * 1e3 / setting.chord_um:.3f}",
+                         f"{run.measured.acceleration.max() / setting.acceleration:.4f}", f"x {x}, y {y}"))
+    return rows
+
+
+def hold_promises(bench, run, over, setting, case):
+    """What is promised for interpolation by arc length, and that the report tells what was measured from outside."""
+    for verdict in run.verdicts:
+        bench.promise(verdict.ok, f"{case}: {verdict.what} is {verdict.value}, allowed {verdict.allowed}")
+    bench.promise(0 <= over <= setting.over, f"{case}: {100 * over:.2f} % over the optimum")
+    report, measured = run.report, run.measured
+    bench.promise(list(report["counts"].values()) == counted(measured.curve_end),
+                  f"{case}: the counts of the report are not those of the end")
+    bench.promise(math.isclose(report["chord_error_um_max"], measured.chord_error * 1e3, rel_tol=0.01),
+                  f"{case}: the report's chord error is not what was measured")
+    bench.promise(math.isclose(max(report["acceleration_max"].values()), measured.acceleration.max(), rel_tol=1e-6),
+                  f"{case}: the report's acceleration is not what was measured")
+
+
+def counted(position):
+    return check_trace.counts(position, BLU_UM / 1e3)
+
+
+def methods_table(bench):
+    rows = [("setting", "method", "time, s", "feed fluctuation", "chord error / tolerance", "acceleration / limit")]
+    cases = [replace(setting, method=method) for setting in (FEED_BINDS, COARSE, FINE) for method in METHODS]
+    cases += [replace(setting, method="curvature3p", acceleration=UNLIMITED) for setting in (COARSE, FINE)]
+    for setting in cases:
+        run = bench.run("butterfly", setting)
+        limited = setting.acceleration < UNLIMITED
+        rows.append((setting.words() + ("" if limited else ", any acceleration"), setting.method, seconds(run.time),
+                     fluctuation(run.report["feed_fluctuation_max"]),
+                     f"{run.measured.chord_error * 1e3 / setting.chord_um:.2f}",
+                     f"{run.measured.acceleration.max() / setting.acceleration:.2f}" if limited else "–"))
+    return rows
+
+
+def costs_table(bench):
+    rows = [("curve", "setting", "nodes", "passes", "setpoints", "CPU planning, ms", "CPU planning / setpoint, µs",
+             "CPU interpolation / setpoint, µs")]
+    for name in CURVES:
+        for setting in SETTINGS:
+            report = bench.run(name, setting).report
+            per_setpoint = 1e6 / report["setpoints"]
+            rows.append((name, setting.words(), report["planner_nodes"], report["planner_passes"], report["setpoints"],
+                         f"{1e3 * report['cpu_planning_s']:.1f}", f"{per_setpoint * report['cpu_planning_s']:.2f}",
+                         f"{per_setpoint * report['cpu_interpolation_s']:.2f}"))
+    return rows
+
+
+TABLES = {"times": times_table, "methods": methods_table, "costs": costs_table}
+REGION = re.compile(r"(<!-- begin table (\w+) -->\n)(.*?)(\n<!-- end table -->\n)", re.DOTALL)
+
+
+def markdown(rows):
+    lines = ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
+    lines.insert(1, "|---" * len(rows[0]) + "|")
+    return "".join(line + "\n" for line in lines)
+
+
+def without_cpu(table):
+    """The cells of a Markdown table but for the columns of CPU times."""
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in table.strip().splitlines()]
+    if not rows:
+        return []
+    kept = [i for i, head in enumerate(rows[0]) if not head.startswith("CPU")]
+    return [[row[i] for i in kept] for row in rows]
+
+
+def same_cell(a, b):
+    """Equal, or numbers that differ by no more than one in the last digit."""
+    if a == b:
+        return True
+    try:
+        x, y = (float(cell.removesuffix(" %")) for cell in (a, b))
+    except (AttributeError, ValueError):
+        return False
+    digits = len(a.removesuffix(" %").partition(".")[2])
+    return abs(x - y) < 1.5 * 10.0**-digits
+
+
+def same_row(a, b):
+    return a is not None and b is not None and len(a) == len(b) and all(map(same_cell, a, b))
+
+
+def check(tables):
+    """True if docs/feed.md has these tables; names the rows that differ."""
+    written = {name: table for _, name, table, _ in REGION.findall(DOCS.read_text())}
+    same = True
+    for name, table in tables.items():
+        for measured, found in zip_longest(without_cpu(table), without_cpu(written.get(name, ""))):
+            if not same_row(measured, found):
+                same = False
+                print(f"table {name}: measured {measured}, docs/feed.md says {found}", file=sys.stderr)
+    return same
+
+
+def write(tables):
+    DOCS.write_text(REGION.sub(lambda region: f"{region[1]}\n{tables[region[2]]}{region[4]}", DOCS.read_text()))
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--softcnc", required=True, help="the program to measure")
+    action = parser.add_mutually_exclusive_group()
+    action.add_argument("--check", action="store_true")
+    action.add_argument("--write", action="store_true")
+    options = parser.parse_args(arguments)
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(options.softcnc, pathlib.Path(folder))
+        tables = {name: markdown(table(bench)) for name, table in TABLES.items()}
+    for broken in bench.broken:
+        print(f"BROKEN: {broken}", file=sys.stderr)
+    same = True
+    if options.write:
+        write(tables)
+    elif options.check:
+        same = check(tables)
+    else:
+        print("\n".join(tables.values()), end="")
+    return 0 if same and not bench.broken else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
