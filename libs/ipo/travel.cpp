@@ -44,8 +44,11 @@ std::optional<Diagnostic> check_travel(const Move& move, std::span<const Interva
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
     if (!axis.present) continue;
     const auto [min, max] = extent(move.path, grid, i);
-    if (min >= axis.min - kTolerance && max <= axis.max + kTolerance) continue;
-    const double reached = min < axis.min - kTolerance ? min : max;
+    const double start = grid.front().left.q[i];
+    const bool below = min < std::min(axis.min, start) - kTolerance;
+    const bool above = max > std::max(axis.max, start) + kTolerance;
+    if (!below && !above) continue;
+    const double reached = below ? min : max;
     return Diagnostic{
         Code::SC4001,
         {},

@@ -11,7 +11,8 @@
 namespace softcnc::ipo {
 
 /// SC4001 if the move leaves the travel of an axis anywhere along it: its true extrema count, not
-/// only its ends. The place of the diagnostic is left to the caller.
+/// only its ends. A move that starts outside and goes no further is no second error. The place of
+/// the diagnostic is left to the caller.
 std::optional<Diagnostic> check_travel(const Move& move, std::span<const Interval> grid,
                                        const Machine& machine);
 

@@ -182,6 +182,9 @@ TEST_CASE("a move beyond the travel of an axis is reported with its block's plac
   CHECK(at_end.diagnostics[0].pos.line == 2);
   CHECK(at_end.diagnostics[0].pos.column == 1);
   CHECK(at_end.diagnostics[0].message == "Y reaches -13 mm, beyond its travel from -12 to 12 mm");
+  // Coming back is not a second error, going further is.
+  CHECK(run(machine, polyline({{0, 0, 0}, {0, 20, 0}, {0, 0, 0}}, 100)).diagnostics.size() == 1);
+  CHECK(run(machine, polyline({{0, 0, 0}, {0, 20, 0}, {0, 30, 0}}, 100)).diagnostics.size() == 2);
   // Inside at both ends, outside between: the extremum counts. A half circle to Y 15.
   const auto between = run(machine, one(arc({10, 5, 0}, {-10, 5, 0}, {0, 5, 0}, true), 100));
   REQUIRE(between.diagnostics.size() == 1);
