@@ -96,7 +96,7 @@ void Interpolator::follow_method(double left) noexcept {
     const double target = profile.at(ends ? profile.duration() : t_ + left, hint_).s;
     if (ends && (!walk_ || walk_->takes(target - s))) {
       planned_ += std::max(target - s, 0.0);
-      left = std::max(left - to_end, 0.0);
+      left = left - to_end > same ? left - to_end : 0.0;
       leave_block();
       continue;
     }
