@@ -68,7 +68,9 @@ std::optional<std::size_t> Window::rest_early(double resolution) {
     yes = no + 2;
     halve_to(no + 1);
   }
-  reachable_from_rest(yes);
+  // Finer intervals may ask for a little more of their neighbours.
+  while (yes < size() && reachable_from_rest(yes) < q) ++yes;
+  if (reachable_from_rest(yes) < q) return std::nullopt;
   return yes;
 }
 
