@@ -10,7 +10,8 @@ namespace {
 constexpr int kMinDepth = 1;  // a stretch between two stops has a node where it runs
 constexpr int kMaxDepth = 40;
 constexpr double kStepParts = 8;
-constexpr double kShortest = 1e-7;  // mm; shorter than any machine resolves
+constexpr double kEvenSteps = 0.01;  // of their q
+constexpr double kShortest = 1e-7;   // mm; shorter than any machine resolves
 
 Cap cap_at(const PathPoint& point, const Move& move, const Constraints& constraints,
            bool over_steps) {
@@ -39,11 +40,14 @@ class Refiner {
     const double q = cap_at(at(move.path, 0), move, constraints, false).q;
     // A ramp from rest to the highest speed spans four intervals or more, unless it takes but a
     // few periods.
-    longest_ = std::max(0.25 * q / (2 * constraints.acceleration_limits().minCoeff()),
-                        0.25 * std::sqrt(q) * constraints.period());
+    ramp_part_ = std::max(0.25 * q / (2 * constraints.acceleration_limits().minCoeff()),
+                          0.25 * std::sqrt(q) * constraints.period());
   }
 
+  /// A stretch between two breaks of the path.
   void refine(double s0, double s1) {
+    start_ = s0;
+    end_ = s1;
     split(s0, s1, at(move_.path, s0, Side::after), at(move_.path, s1, Side::before), 0);
   }
 
@@ -51,9 +55,10 @@ class Refiner {
   void split(double s0, double s1, const PathPoint& left, const PathPoint& right, int depth) {
     const double middle = 0.5 * (s0 + s1);
     const PathPoint mid = at(move_.path, middle);
-    const Interval whole = make_interval(s0, s1, left, right, move_, constraints_);
-    const bool fine =
-        depth >= kMinDepth && s1 - s0 <= longest(whole) && as_good_as_linear(whole, mid);
+    Interval whole = make_interval(s0, s1, left, right, move_, constraints_);
+    whole.step_cap.lower_to(cap_at(mid, move_, constraints_, true));  // bends are sharpest inside
+    const bool fine = depth >= kMinDepth && follows_ramps(whole) && follows_steps(whole, mid) &&
+                      as_good_as_linear(whole, mid);
     if (fine || depth >= kMaxDepth || s1 - s0 < 2 * kShortest) {
       out_.push_back(whole);
       return;
@@ -62,11 +67,21 @@ class Refiner {
     split(middle, s1, mid, right, depth + 1);
   }
 
-  /// Ramps span four intervals or more; steps, where they are what binds, kStepParts.
-  double longest(const Interval& interval) const {
-    const bool steps_bind = interval.step_cap.q < interval.left_cap.q;
-    const double step = std::sqrt(interval.step_cap.q) * constraints_.period();
-    return steps_bind ? std::min(longest_, step / kStepParts) : longest_;
+  /// Ramps begin and end at the ends of a stretch, or where a cap changes.
+  bool follows_ramps(const Interval& whole) const {
+    const double to_end = std::min(whole.s0 - start_, end_ - whole.s1);
+    return whole.length() <= std::max(ramp_part_, to_end);
+  }
+
+  /// Where steps are what binds, either they hardly change or an interval is a part of them.
+  bool follows_steps(const Interval& whole, const PathPoint& mid) const {
+    const double lower = whole.step_cap.q;
+    if (lower >= whole.left_cap.q) return true;
+    double upper = cap_at(mid, move_, constraints_, true).q;
+    for (const PathPoint* end : {&whole.left, &whole.right})
+      upper = std::max(upper, cap_at(*end, move_, constraints_, true).q);
+    const double step = std::sqrt(lower) * constraints_.period();
+    return upper <= lower * (1 + kEvenSteps) || whole.length() <= step / kStepParts;
   }
 
   /// What the middle asks for beyond the mean of the ends is a small part of each limit.
@@ -103,7 +118,8 @@ class Refiner {
   const Move& move_;
   const Constraints& constraints_;
   std::vector<Interval>& out_;
-  double longest_ = 0;
+  double ramp_part_ = 0;
+  double start_ = 0, end_ = 0;  // of the stretch
 };
 
 }  // namespace
