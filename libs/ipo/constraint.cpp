@@ -2,7 +2,21 @@
 // The list of constraints. Whoever adds a reason to be slow adds a row.
 #include "ipo/constraint.hpp"
 
+#include <cmath>
+
 namespace softcnc::ipo {
+
+namespace {
+
+/// Sum over the axes that take part of |x| A.
+double all_axes(const AxisVector& x, const AxisVector& acceleration) noexcept {
+  double sum = 0;
+  for (int i = 0; i < kAxes; ++i)
+    if (x[i] != 0) sum += std::abs(x[i]) * acceleration[i];
+  return sum;
+}
+
+}  // namespace
 
 Constraints::Constraints(const Machine& machine, double feed_override)
     : period_(machine.control.period), chord_tolerance_(machine.control.chord_tolerance) {
@@ -15,6 +29,15 @@ Constraints::Constraints(const Machine& machine, double feed_override)
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
     acceleration_[i] = axis.present ? axis.acceleration : kUnlimited;
   }
+}
+
+double Constraints::centripetal_q(const PathPoint& point) const noexcept {
+  const double square = point.ddq.squaredNorm();
+  return square > 0 ? all_axes(point.ddq, acceleration_) / square : kUnlimited;
+}
+
+double Constraints::tangential_u(const PathPoint& point) const noexcept {
+  return all_axes(point.dq, acceleration_);
 }
 
 Strips Constraints::acceleration(const PathPoint& point) const noexcept {

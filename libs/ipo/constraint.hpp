@@ -52,6 +52,11 @@ class Constraints {
   /// Axis acceleration |x'' q + x' u| <= A.
   Strips acceleration(const PathPoint& point) const noexcept;
 
+  /// No q is larger than what all axes together can turn: n . x'' q <= sum |n| A.
+  double centripetal_q(const PathPoint& point) const noexcept;
+  /// No u is larger than what all axes together can push: u = x' . a <= sum |x'| A.
+  double tangential_u(const PathPoint& point) const noexcept;
+
   const AxisVector& acceleration_limits() const noexcept { return acceleration_; }
   double period() const noexcept { return period_; }
   double chord_tolerance() const noexcept { return chord_tolerance_; }

@@ -27,6 +27,8 @@ Interval make_interval(double s0, double s1, const PathPoint& left, const PathPo
   Interval interval{s0, s1, left, right, {}, {}, {}, false};
   interval.left_cap = cap_at(left, move, constraints, false);
   interval.right_cap = cap_at(right, move, constraints, false);
+  interval.left_cap.lower_to({constraints.centripetal_q(left), Limit::acceleration});
+  interval.right_cap.lower_to({constraints.centripetal_q(right), Limit::acceleration});
   interval.step_cap = cap_at(left, move, constraints, true);
   interval.step_cap.lower_to(cap_at(right, move, constraints, true));
   return interval;
@@ -59,12 +61,24 @@ class Refiner {
     whole.step_cap.lower_to(cap_at(mid, move_, constraints_, true));  // bends are sharpest inside
     const bool fine = depth >= kMinDepth && follows_ramps(whole) && follows_steps(whole, mid) &&
                       as_good_as_linear(whole, mid);
-    if (fine || depth >= kMaxDepth || s1 - s0 < 2 * kShortest) {
-      out_.push_back(whole);
+    const bool shortest = depth >= kMaxDepth || (depth >= kMinDepth && s1 - s0 < 2 * kShortest);
+    if (fine || shortest) {
+      out_.push_back(fine ? whole : straightened(whole));
       return;
     }
     split(s0, middle, left, mid, depth + 1);
     split(middle, s1, mid, right, depth + 1);
+  }
+
+  /// A bend too sharp for any machine to resolve: as a straight stretch it leaves its turn to the
+  /// joint behind it.
+  Interval straightened(Interval interval) const {
+    interval.right.dq = interval.left.dq;
+    interval.left.ddq.setZero();
+    interval.right.ddq.setZero();
+    interval.right_cap = interval.left_cap;
+    interval.step_cap = {};
+    return interval;
   }
 
   /// Ramps begin and end at the ends of a stretch, or where a cap changes.
@@ -92,27 +106,10 @@ class Refiner {
     const AxisVector& a = constraints_.acceleration_limits();
     const AxisVector bend = mid.ddq - 0.5 * (whole.left.ddq + whole.right.ddq);
     const AxisVector turn = mid.dq - 0.5 * (whole.left.dq + whole.right.dq);
-    const double q = std::min(mean, std::max({centripetal_q(whole.left), centripetal_q(mid),
-                                              centripetal_q(whole.right)}));
-    const double u = product(mid.dq, a);
+    const double u = constraints_.tangential_u(mid);
     for (int i = 0; i < kAxes; ++i)
-      if (std::abs(bend[i]) * q + std::abs(turn[i]) * u > kGridTolerance * a[i]) return false;
+      if (std::abs(bend[i]) * mean + std::abs(turn[i]) * u > kGridTolerance * a[i]) return false;
     return true;
-  }
-
-  /// No q is larger than what all axes together can turn: n . x'' q <= sum |n| A.
-  double centripetal_q(const PathPoint& point) const {
-    const double square = point.ddq.squaredNorm();
-    return square > 0 ? product(point.ddq, constraints_.acceleration_limits()) / square
-                      : kUnlimited;
-  }
-
-  /// Sum over the axes that move of |x| A.
-  static double product(const AxisVector& x, const AxisVector& a) {
-    double sum = 0;
-    for (int i = 0; i < kAxes; ++i)
-      if (x[i] != 0) sum += std::abs(x[i]) * a[i];
-    return sum;
   }
 
   const Move& move_;

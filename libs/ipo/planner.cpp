@@ -59,11 +59,20 @@ bool Planner::run_move() {
     pieces_.clear();
     const bool ended = window_.run_front(pieces_);
     --settled_;
-    for (const SpeedPiece& piece : pieces_)
-      profile.add_piece(piece.s0, piece.s1, std::sqrt(piece.q0), std::sqrt(piece.q1), piece.limit);
+    for (const SpeedPiece& piece : pieces_) add(profile, piece);
     if (window_.front_q() == 0) rest_at_turn(profile);
     if (ended) return true;
   }
+}
+
+void Planner::add(Profile& profile, const SpeedPiece& piece) {
+  const double v0 = std::sqrt(piece.q0), v1 = std::sqrt(piece.q1);
+  if (std::isfinite(v0 + v1) && v0 + v1 > 0) {
+    profile.add_piece(piece.s0, piece.s1, v0, v1, piece.limit);
+    return;
+  }
+  diagnostics_.report(Code::SC9001, pending_.front().block.source,
+                      "no speed could be found for this block");
 }
 
 /// Passes over the window are worth their while only when it has grown.

@@ -36,6 +36,7 @@ class Planner {
  private:
   bool run_move();
   bool settle();
+  void add(Profile& profile, const SpeedPiece& piece);
   void rest_at_turn(Profile& profile);
   TimedBlock take();
 

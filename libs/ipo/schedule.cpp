@@ -174,10 +174,15 @@ double run_forward(const Interval& interval, const Constraints& constraints, con
                         q, out);
   const IntervalRows rows(interval, constraints, reach.share);
   const double u = rows.largest_u(q);
-  const double ahead = reach.left_k + 2 * rows.largest_u(reach.left_k) * interval.length();
-  return follow({interval.s0, interval.s1, reach.left_k, std::min(reach.right_k, ahead),
-                 limit_along_k(reach)},
-                q, u, out);
+  const double h = interval.length();
+  // The line of K can be followed where K itself could; from below it, one slope is always left.
+  const double ahead = reach.left_k + 2 * rows.largest_u(reach.left_k) * h;
+  if (ahead >= reach.right_k * (1 - kRelative))
+    return follow({interval.s0, interval.s1, reach.left_k, reach.right_k, limit_along_k(reach)}, q,
+                  u, out);
+  const double end = std::clamp(q + 2 * u * h, 0.0, reach.right_k);
+  append(out, {interval.s0, interval.s1, q, end, Limit::acceleration});
+  return end;
 }
 
 }  // namespace softcnc::ipo

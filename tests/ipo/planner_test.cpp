@@ -218,6 +218,56 @@ TEST_CASE("a program without motion is one row", "[planner]") {
   CHECK(run(machine, {}).rows.size() == 1);
 }
 
+TEST_CASE("axes of very unequal acceleration are planned without a standstill", "[planner]") {
+  // On the arc the slow axis stands nearly across the tangent: it bounds q, not u.
+  Machine machine = machine_with(200);
+  machine.axes[1].acceleration = 6000;
+  const AxisVector a(-2.001312053, -3.120116379, 0),
+      b = a + AxisVector(-0.505348540, -3.279220161, 0);
+  const auto result = run(
+      machine, number_blocks({Move{Line({0, 0, 0}, a), false, 150, Join::follow},
+                              Move{arc(a, b, a + AxisVector(3.444477562, -2.209364531, 0), true),
+                                   false, 150, Join::follow},
+                              Move{Line(b, b + AxisVector(0.969108962, -3.577877020, 0)), false,
+                                   150, Join::follow}}));
+  CHECK(exceeded(machine, result) == "");
+  CHECK(result.diagnostics.empty());
+  for (const Setpoint& row : result.rows)
+    if (row.s > 1 && row.s < 9) REQUIRE(row.v > 5);
+}
+
+TEST_CASE("a bend too sharp to resolve is a corner", "[planner]") {
+  for (const double x : {10.001, 10.0001, 9.9999, 10.00001, 9.99999, 10.0})
+    for (const double period : {1e-3, 1e-4}) {
+      CAPTURE(x, period);
+      const Machine machine = machine_with(1000, period);
+      const auto nurbs = Nurbs::make({3,
+                                      {{0, 0, 0}, {x, 10, 0}, {0, 10, 0}, {10, 0, 0}},
+                                      {1, 1, 1, 1},
+                                      {0, 0, 0, 0, 1, 1, 1, 1}});
+      CHECK(exceeded(machine, run(machine, one(nurbs.value(), 100))) == "");
+    }
+}
+
+TEST_CASE("moves far shorter than any machine resolves take no time to speak of", "[planner]") {
+  const Machine machine = machine_with(1000);
+  for (const double size : {1e-6, 1e-7, 1e-8}) {
+    const auto tiny = one(arc({0, 0, 0}, {size, 0, 0}, {size / 2, 0, 0}, false), 100);
+    CHECK(run(machine, tiny).time < 1e-3);
+    CHECK(run(machine, polyline({{0, 0, 0}, {size, 0, 0}}, 100)).time < 1e-3);
+  }
+}
+
+TEST_CASE("a slow feed needs no more nodes than a fast one", "[planner]") {
+  const Machine machine = machine_with(1000);
+  for (const double feed : {100.0, 1.0, 0.1}) {
+    Diagnostics diagnostics;
+    ipo::Planner planner(machine, 1, diagnostics);
+    planner.push(one(arc({50, 0, 0}, {50, 0, 0}, {0, 0, 0}, true), feed)[0]);
+    CHECK(planner.counts().nodes < 1000);
+  }
+}
+
 namespace {
 
 /// A random chain of lines, arcs and cubic splines, tangent or not.
