@@ -16,7 +16,8 @@ using AxisVector = Eigen::Matrix<double, kAxes, 1>;
 
 /// Index of an axis letter in upper or lower case; -1 if it names no axis.
 constexpr int axis_index(char letter) noexcept {
-  const char upper = letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+  const char upper =
+      letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
   const std::size_t found = kAxisLetters.find(upper);
   return found == std::string_view::npos ? -1 : static_cast<int>(found);
 }

@@ -23,9 +23,12 @@ enum class Side : std::uint8_t { before, after };
 
 template <typename C>
 concept Curve = requires(const C& curve, double s, Side side) {
-  { curve.length() } noexcept -> std::same_as<double>;         // mm, > 0
-  { curve.at(s, side) } noexcept -> std::same_as<PathPoint>;   // 0 <= s <= length()
-  { curve.position(s) } noexcept -> std::same_as<AxisVector>;  // Realtime. Ends are exact.
+  { curve.length() }
+  noexcept->std::same_as<double>;  // mm, > 0
+  { curve.at(s, side) }
+  noexcept->std::same_as<PathPoint>;  // 0 <= s <= length()
+  { curve.position(s) }
+  noexcept->std::same_as<AxisVector>;  // Realtime. Ends are exact.
 };
 
 }  // namespace softcnc

@@ -19,17 +19,20 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 template <typename S>
 concept Source = requires(S& source, const Panel& panel) {
-  { source.step(panel) } noexcept -> std::same_as<std::optional<Setpoint>>;
+  { source.step(panel) }
+  noexcept->std::same_as<std::optional<Setpoint>>;
 };
 
 template <typename D>
 concept DriveSide = requires(D& drive, const Setpoint& setpoint) {
-  { drive.exchange(setpoint) } noexcept -> std::same_as<Feedback>;
+  { drive.exchange(setpoint) }
+  noexcept->std::same_as<Feedback>;
 };
 
 template <typename R>
 concept Recorder = requires(R& recorder, const Setpoint& setpoint, const Feedback& feedback) {
-  { recorder.record(setpoint, feedback) } noexcept;
+  { recorder.record(setpoint, feedback) }
+  noexcept;
 };
 
 struct CycleReport {

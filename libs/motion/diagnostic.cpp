@@ -38,8 +38,8 @@ int characters(std::string_view line, int bytes) {
 std::string caret_line(std::string_view line, const SourcePos& pos) {
   const int first = characters(line, pos.column - 1);
   const int rest = characters(line, static_cast<int>(line.size())) - first;
-  const int wide = std::clamp(characters(line, pos.column - 1 + pos.length) - first, 1,
-                              std::max(rest, 1));
+  const int wide =
+      std::clamp(characters(line, pos.column - 1 + pos.length) - first, 1, std::max(rest, 1));
   std::string indent;
   int seen = 0;
   for (char c : line) {
