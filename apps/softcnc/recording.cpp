@@ -116,6 +116,7 @@ Result<Recording> Recording::open(const std::string& file) {
 }
 
 Status Recording::read() {
+  if (Status whole = zip_.check(); !whole) return whole;
   const auto text = zip_.text("meta.json");
   if (!text) return tl::make_unexpected(text.error());
   auto meta = parse_meta(*text);

@@ -47,7 +47,8 @@ Status write_recording(const std::string& file, Program& program, const Machine&
 
 class Recording {
  public:
-  /// Reads meta.json and checks program and machine against their hashes. Errors: SC6021, SC6022.
+  /// Reads meta.json and checks all entries against their checksums, program and machine against
+  /// their hashes as well. Errors: SC6021, SC6022.
   static Result<Recording> open(const std::string& file);
 
   const RecordingMeta& meta() const noexcept { return meta_; }

@@ -105,6 +105,19 @@ Result<ZipEntry> ZipReader::entry(const std::string& name) const {
   return ZipEntry(entry, file_);
 }
 
+Status ZipReader::check() const {
+  const zip_int64_t entries = zip_get_num_entries(zip_.get(), 0);
+  for (zip_int64_t i = 0; i < entries; ++i) {
+    const char* name = zip_get_name(zip_.get(), static_cast<zip_uint64_t>(i), 0);
+    auto found = entry(name ? name : "");
+    if (!found) return tl::make_unexpected(std::move(found.error()));
+    const Status read =
+        for_each_piece(std::move(*found), [](std::string_view) -> Status { return {}; });
+    if (!read) return read;
+  }
+  return {};
+}
+
 Result<std::string> ZipReader::text(const std::string& name) const {
   auto found = entry(name);
   if (!found) return tl::make_unexpected(std::move(found.error()));

@@ -62,6 +62,9 @@ class ZipReader {
   /// Errors: SC6021.
   Result<ZipEntry> entry(const std::string& name) const;
 
+  /// Reads all entries against their checksums. Errors: SC6021.
+  Status check() const;
+
   /// All of an entry that is known to be short.
   Result<std::string> text(const std::string& name) const;
 

@@ -230,6 +230,16 @@ TEST_CASE("a damaged recording is refused with SC6021, exit status 5", "[apps][r
   flipped[bytes.size() / 2] ^= 1;
   write(file, flipped);
   refused("");
+  // One bit of the trace, in its first rows and its last ones: told before any row is compared.
+  const std::size_t trace = bytes.find("trace.csv.zst") + std::string("trace.csv.zst").size();
+  const std::size_t directory = bytes.find("PK\x01\x02", trace);
+  REQUIRE(directory != std::string::npos);
+  for (const std::size_t at : {trace + 300, (trace + directory) / 2, directory - 40}) {
+    flipped = bytes;
+    flipped[at] ^= 4;
+    write(file, flipped);
+    refused("CRC");
+  }
 
   write(file, bytes);
   const Content held = content(file);
