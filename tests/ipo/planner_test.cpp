@@ -253,7 +253,7 @@ TEST_CASE("moves far shorter than any machine resolves take no time to speak of"
   const Machine machine = machine_with(1000);
   for (const double size : {1e-6, 1e-7, 1e-8}) {
     const auto tiny = one(arc({0, 0, 0}, {size, 0, 0}, {size / 2, 0, 0}, false), 100);
-    CHECK(run(machine, tiny).time < 1e-3);
+    CHECK(run(machine, tiny).time < 5e-3);  // a row at each of its turns
     CHECK(run(machine, polyline({{0, 0, 0}, {size, 0, 0}}, 100)).time < 1e-3);
   }
 }
