@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The arc as a spiral of linearly changing radius, of which circle and helix are the even case.
 #include "motion/arc.hpp"
 
 #include <fmt/format.h>
@@ -8,12 +9,18 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string_view>
 
 namespace softcnc {
 namespace {
 
-/// Ends closer than this in the plane are one point: the arc is a full circle. mm.
+/// An end closer than this to the ray of the start, or to the center, is on it. mm.
 constexpr double kSamePoint = 1e-9;
+/// Radii that differ by less are equal but for rounding. mm.
+constexpr double kSameRadius = 1e-12;
+constexpr int kNewtonSteps = 8;
+constexpr double kLastStep = 1e-9;  // relative
 
 using PlaneVector = Eigen::Vector2d;
 
@@ -21,129 +28,165 @@ PlaneVector in_plane(const AxisVector& v, PlaneAxes axes) {
   return {v[axes.first], v[axes.second]};
 }
 
-PlaneVector left_of(const PlaneVector& v) { return {-v.y(), v.x()}; }
+double cross(const PlaneVector& a, const PlaneVector& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-double rounded_to_um(double mm) { return std::round(mm * 1000.0) / 1000.0; }
+/// The ends as seen from the programmed center. Differences are taken along the chord, so that a
+/// large radius costs no digits.
+struct Rays {
+  PlaneVector from, to, chord;
 
-/// The circle through both ends, as near to the programmed one as the chord lets it be.
-struct Circle {
-  PlaneVector center;
-  double radius;
-  double sweep;      // rad, without sign, 0 .. 2 pi
-  double deviation;  // mm: how far the arc strays from the programmed circle
+  double start_radius() const { return from.stableNorm(); }
+  double end_radius() const { return to.stableNorm(); }
+  double growth() const { return chord.dot(from + to) / (start_radius() + end_radius()); }
+
+  /// Rad, signed. The end on the ray of the start makes a full turn, not none.
+  double sweep(bool ccw, int turns) const {
+    const double direction = ccw ? 1.0 : -1.0;
+    const double aside = direction * cross(from, chord);
+    double angle = std::atan2(aside, from.dot(to));
+    const bool same_ray = from.dot(to) > 0 && std::abs(aside) <= kSamePoint * start_radius();
+    if (same_ray || angle < 0) angle += 2.0 * std::numbers::pi;
+    return direction * (angle + 2.0 * std::numbers::pi * turns);
+  }
 };
 
-Circle full_circle(const PlaneVector& center, double radius) {
-  return {center, radius, 2.0 * std::numbers::pi, 0.0};
+Rays rays_of(const ArcSpec& spec) {
+  const PlaneAxes axes = plane_axes(spec.plane);
+  const PlaneVector from = in_plane(spec.from, axes);
+  const PlaneVector to = in_plane(spec.to, axes);
+  const PlaneVector center = in_plane(spec.center, axes);
+  return {from - center, to - center, to - from};
 }
 
-/// `left` is where the arc turns to: left of the chord when counter-clockwise.
-Circle circle_through(const PlaneVector& from, const PlaneVector& to, const PlaneVector& center,
-                      bool ccw) {
-  const double chord = (to - from).stableNorm();
-  const PlaneVector along = (to - from) / chord;
-  const PlaneVector left = ccw ? left_of(along) : PlaneVector(-left_of(along));
-  const PlaneVector middle = from + 0.5 * (to - from);
-  const double height = (center - middle).dot(left);
-  const double shift = (middle - center).dot(along);
-  const double start_radius = (from - center).stableNorm();
-  const double end_radius = (to - center).stableNorm();
-  Circle circle;
-  circle.center = middle + height * left;
-  circle.radius = std::hypot(0.5 * chord, height);
-  circle.sweep = 2.0 * std::atan2(0.5 * chord, height);
-  circle.deviation = std::abs(end_radius - start_radius);
-  if (height < 0)  // more than half a turn: the arc shows the shift of its center in full
-    circle.deviation =
-        std::max(circle.deviation, std::abs(shift) + std::abs(circle.radius - start_radius));
-  return circle;
+std::string off_circle(const Rays& rays) {
+  const double off = std::abs(rays.growth());
+  const double digits = off < 0.1 ? 1e4 : 1e3;
+  const auto rounded = [=](double mm) { return std::round(mm * digits) / digits; };
+  return fmt::format("ends {} mm off its circle (radius {} mm at the start, {} mm at the end)",
+                     rounded(off), rounded(rays.start_radius()), rounded(rays.end_radius()));
 }
 
-tl::unexpected<Diagnostic> refusal(Code code, std::string message) {
-  return tl::unexpected(Diagnostic{code, {}, std::move(message), {}, {}});
+/// What forbids the arc, if anything does.
+std::optional<Diagnostic> fault(const Rays& rays, std::string_view name) {
+  const auto told = [&](Code code, std::string_view what) {
+    return Diagnostic{code, {}, fmt::format("{} {}", name, what), {}, {}};
+  };
+  if (rays.start_radius() <= kSamePoint)
+    return told(Code::SC2104, "has no radius: its centre is its start");
+  if (!(std::abs(rays.growth()) <= Arc::kRadiusTolerance))
+    return told(Code::SC2103, off_circle(rays));
+  if (rays.end_radius() <= kSamePoint)
+    return told(Code::SC2104, "has no radius: its centre is its end");
+  return std::nullopt;
 }
 
-std::string off_circle(const ArcSpec& spec, double deviation, double start_radius,
-                       double end_radius) {
-  const bool at_end = !(deviation > std::abs(end_radius - start_radius));
-  return fmt::format("{} {} {} mm {} its circle (radius {} mm at the start, {} mm at the end)",
-                     spec.ccw ? "G03" : "G02", at_end ? "ends" : "strays", rounded_to_um(deviation),
-                     at_end ? "off" : "from", rounded_to_um(start_radius),
-                     rounded_to_um(end_radius));
-}
+/// asinh(x) / x, even at 0.
+double asinh_ratio(double x) { return x == 0.0 ? 1.0 : std::asinh(x) / x; }
 
 }  // namespace
 
 Result<Arc> Arc::make(const ArcSpec& spec) {
   assert(spec.turns >= 0);
   const PlaneAxes axes = plane_axes(spec.plane);
-  const PlaneVector from = in_plane(spec.from, axes);
-  const PlaneVector to = in_plane(spec.to, axes);
-  const PlaneVector center = in_plane(spec.center, axes);
-  const double start_radius = (from - center).stableNorm();
-  if (start_radius <= kSamePoint)
-    return refusal(Code::SC2104, fmt::format("{} has no radius: its centre is its start",
-                                             spec.ccw ? "G03" : "G02"));
-  const Circle circle = (to - from).stableNorm() <= kSamePoint
-                            ? full_circle(center, start_radius)
-                            : circle_through(from, to, center, spec.ccw);
-  if (!(circle.deviation <= kRadiusTolerance))
-    return refusal(Code::SC2103,
-                   off_circle(spec, circle.deviation, start_radius, (to - center).stableNorm()));
+  const Rays rays = rays_of(spec);
+  if (auto found = fault(rays, spec.ccw ? "G03" : "G02")) return tl::unexpected(std::move(*found));
   Arc arc;
-  arc.from_ = spec.from;
-  arc.to_ = spec.to;
   arc.plane_ = spec.plane;
   arc.turns_ = spec.turns;
-  arc.center_ = spec.from;
-  arc.center_[axes.first] = circle.center.x();
-  arc.center_[axes.second] = circle.center.y();
+  arc.center_ = spec.center;
+  arc.center_[axes.across] = spec.from[axes.across];
   arc.across_ = AxisVector::Unit(axes.across);
-  arc.radius_ = circle.radius;
-  arc.sweep_ = (spec.ccw ? 1.0 : -1.0) * (circle.sweep + 2.0 * std::numbers::pi * spec.turns);
+  arc.sweep_ = rays.sweep(spec.ccw, spec.turns);
+  arc.growth_ = std::abs(rays.growth()) <= kSameRadius ? 0.0 : rays.growth();
   arc.pitch_ = spec.to[axes.across] - spec.from[axes.across];
-  arc.length_ = std::hypot(circle.radius * arc.sweep_, arc.pitch_);
-  arc.start_ = arc.frame_at(spec.from);
-  arc.end_ = arc.frame_at(spec.to);
+  arc.start_ = arc.end_at(spec.from);
+  arc.end_ = arc.end_at(spec.to);
+  arc.length_ =
+      arc.growth_ == 0.0 ? arc.speed(arc.radius()) : arc.mean_speed(arc.radius(), arc.end_.radius);
   return arc;
 }
 
-Arc::Frame Arc::frame_at(const AxisVector& on_circle) const noexcept {
-  AxisVector radial = on_circle - center_;
-  radial -= radial.dot(across_) * across_;
-  radial.normalize();
-  return {radial, across_.cross(radial)};
+Arc::End Arc::end_at(const AxisVector& point) const noexcept {
+  AxisVector arm = point - center_;
+  arm -= arm.dot(across_) * across_;
+  const AxisVector radial = arm.stableNormalized();
+  return {point, arm.stableNorm(), radial, across_.cross(radial)};
 }
 
-Arc::Frame Arc::frame_after(const Frame& start, double angle) const noexcept {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  return {c * start.radial + s * start.tangent, c * start.tangent - s * start.radial};
+/// |dC/du| where the radius is such, u running from 0 to 1 over the arc. mm.
+double Arc::speed(double radius) const noexcept {
+  return std::hypot(radius * sweep_, growth_, pitch_);
+}
+
+/// The mean of speed() over all radii between two: the integral of sqrt(w^2 + c^2), with the
+/// differences of its closed form (w sqrt(w^2 + c^2) + c^2 asinh(w / c)) / 2 brought into a shape
+/// that loses nothing where both radii are nearly equal. mm.
+double Arc::mean_speed(double radius, double other) const noexcept {
+  const double w0 = radius * std::abs(sweep_), w1 = other * std::abs(sweep_);
+  const double v0 = speed(radius), v1 = speed(other);
+  const double sum = w0 + w1;
+  const double slope = sum / (w1 * v0 + w0 * v1);
+  const double still = growth_ * growth_ + pitch_ * pitch_;
+  return 0.25 * (v0 + v1 + sum * sum / (v0 + v1)) +
+         0.5 * still * slope * asinh_ratio((w1 - w0) * slope);
+}
+
+/// The part of the arc that takes the arc length s from an end of such a radius; `growth` is what
+/// the radius would grow by over the whole arc. Newton's method from where a linear speed would be.
+double Arc::part_at(double s, double radius, double growth) const noexcept {
+  const double v0 = speed(radius);
+  const double v1 = speed(radius + growth);
+  double part = 2.0 * s / (v0 + std::sqrt(std::max(0.0, v0 * v0 + 2.0 * (v1 - v0) * s)));
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    const double there = radius + growth * part;
+    const double step = (s - part * mean_speed(radius, there)) / speed(there);
+    part = std::clamp(part + step, 0.0, 1.0);
+    if (std::abs(step) <= kLastStep * part) break;  // the next one would be rounding
+  }
+  return part;
 }
 
 // Points and angles are counted from the nearer end, so that both ends are met exactly and a large
 // radius costs no digits.
 
-AxisVector Arc::position(double s) const noexcept {
+Arc::Place Arc::place(double s) const noexcept {
   const bool near_start = 2.0 * s <= length_;
-  const double part = (near_start ? s : s - length_) / length_;
-  const Frame& frame = near_start ? start_ : end_;
-  const double half = 0.5 * part * sweep_;
-  const double sine = std::sin(half);
-  const AxisVector along = std::cos(half) * frame.tangent - sine * frame.radial;
-  return (near_start ? from_ : to_) + 2.0 * radius_ * sine * along + part * pitch_ * across_;
+  const End& end = near_start ? start_ : end_;
+  if (growth_ == 0.0) return {end, (near_start ? s : s - length_) / length_};
+  if (near_start) return {end, part_at(s, end.radius, growth_)};
+  return {end, -part_at(length_ - s, end.radius, -growth_)};
 }
 
+AxisVector Arc::point(const Place& place) const noexcept {
+  const auto& [end, part] = place;
+  const double half = 0.5 * part * sweep_;
+  const double sine = std::sin(half), cosine = std::cos(half);
+  const AxisVector along = cosine * end.tangent - sine * end.radial;
+  const AxisVector turned = end.radial + 2.0 * sine * along;
+  return end.point + 2.0 * end.radius * sine * along + part * growth_ * turned +
+         part * pitch_ * across_;
+}
+
+AxisVector Arc::position(double s) const noexcept { return point(place(s)); }
+
 PathPoint Arc::at(double s, Side) const noexcept {
-  const bool near_start = 2.0 * s <= length_;
-  const double part = (near_start ? s : s - length_) / length_;
-  const Frame frame = frame_after(near_start ? start_ : end_, part * sweep_);
-  const double turn = sweep_ / length_;  // rad per mm of path
+  const Place here = place(s);
+  const double radius = here.end.radius + growth_ * here.part;
+  const double c = std::cos(here.part * sweep_), n = std::sin(here.part * sweep_);
+  const AxisVector radial = c * here.end.radial + n * here.end.tangent;
+  const AxisVector tangent = c * here.end.tangent - n * here.end.radial;
+  // u(s) and its derivatives, then those of C(u(s)) by the chain rule, all per mm of path.
+  const double u1 = 1.0 / speed(radius);
+  const double turn = sweep_ * u1, growth = growth_ * u1;
+  const double slowing = radius * growth * turn * turn;  // -u'' / u'
   PathPoint point;
-  point.q = position(s);
-  point.dq = radius_ * turn * frame.tangent + pitch_ / length_ * across_;
-  point.ddq = -radius_ * turn * turn * frame.radial;
-  point.dddq = -radius_ * turn * turn * turn * frame.tangent;
+  point.q = this->point(here);
+  point.dq = growth * radial + radius * turn * tangent + pitch_ * u1 * across_;
+  const AxisVector bend = turn * (2.0 * growth * tangent - radius * turn * radial);
+  point.ddq = bend - slowing * point.dq;
+  point.dddq = -turn * turn * (3.0 * growth * radial + radius * turn * tangent) -
+               3.0 * slowing * bend +
+               (4.0 * slowing * slowing - growth * growth * turn * turn) * point.dq;
   return point;
 }
 

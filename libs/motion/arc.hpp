@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An arc or a helix in one of the three main planes, with any number of turns.
+// An arc or a helix in one of the three main planes, with any number of turns; a spiral where the
+// programmed end is not quite on the circle.
 #pragma once
 
 #include <cstdint>
@@ -33,14 +34,15 @@ struct ArcSpec {
   AxisVector center;  // mm; its coordinate across the plane is ignored
   Plane plane = Plane::xy;
   bool ccw = true;  // counter-clockwise, seen against the axis across the plane
-  int turns = 0;    // full turns beyond the first pass; from == to in the plane is one full circle
+  int turns = 0;    // full turns beyond the first pass; an end on the ray of the start is one more
 };
 
 class Arc {
  public:
-  /// Start and end must be equally far from the center, up to kRadiusTolerance; the center is then
-  /// moved along the chord so that both lie on the circle exactly. Errors: SC2103 (off the circle),
-  /// SC2104 (no radius). The place of the error is left to the caller.
+  /// Angles count about the programmed center. Start and end must be equally far from it, up to
+  /// kRadiusTolerance; the radius then changes evenly with the angle, so that the arc meets both
+  /// ends and strays from the programmed circle by no more than they do. Errors: SC2103 (off the
+  /// circle), SC2104 (no radius). The place of the error is left to the caller.
   static Result<Arc> make(const ArcSpec& spec);
   static constexpr double kRadiusTolerance = 0.01;  // mm
 
@@ -48,31 +50,45 @@ class Arc {
   PathPoint at(double s, Side side = Side::after) const noexcept;
   AxisVector position(double s) const noexcept;
 
-  const AxisVector& from() const noexcept { return from_; }
-  const AxisVector& to() const noexcept { return to_; }
+  const AxisVector& from() const noexcept { return start_.point; }
+  const AxisVector& to() const noexcept { return end_.point; }
   const AxisVector& center() const noexcept { return center_; }
   Plane plane() const noexcept { return plane_; }
   bool ccw() const noexcept { return sweep_ > 0; }
   int turns() const noexcept { return turns_; }
-  double radius() const noexcept { return radius_; }
-  double sweep() const noexcept { return sweep_; }  // rad, signed, all turns
+  double radius() const noexcept { return start_.radius; }  // mm, at the start
+  double sweep() const noexcept { return sweep_; }          // rad, signed, all turns
 
  private:
-  /// The radial and tangential unit vectors of a point of the circle.
-  struct Frame {
-    AxisVector radial, tangent;
+  /// An end, from which the half of the arc next to it is counted.
+  struct End {
+    AxisVector point;
+    double radius;
+    AxisVector radial, tangent;  // unit vectors
   };
 
   Arc() = default;
-  Frame frame_at(const AxisVector& on_circle) const noexcept;
-  Frame frame_after(const Frame& start, double angle) const noexcept;
+  End end_at(const AxisVector& point) const noexcept;
+  void measure() noexcept;
+  double speed(double radius) const noexcept;
+  double mean_speed(double radius, double other) const noexcept;
+  double part_at(double s, double radius, double growth) const noexcept;
 
-  AxisVector from_, to_, center_;
-  Frame start_, end_;
+  /// Where s is: the nearer end, and the part of the arc from there, negative before it.
+  struct Place {
+    const End& end;
+    double part;
+  };
+  Place place(double s) const noexcept;
+  AxisVector point(const Place& place) const noexcept;
+
+  End start_, end_;
+  AxisVector center_;
   AxisVector across_;  // unit vector across the plane
   Plane plane_ = Plane::xy;
   int turns_ = 0;
-  double radius_ = 0, sweep_ = 0, pitch_ = 0;  // pitch: mm across, in all
+  double sweep_ = 0;               // rad
+  double growth_ = 0, pitch_ = 0;  // mm in all: of the radius, and across the plane
   double length_ = 0;
 };
 
