@@ -22,6 +22,11 @@ void add_times(const ipo::Profile& profile, double until, std::array<double, kLi
   });
 }
 
+bool is_pause(const Block& block) {
+  const auto* action = std::get_if<Action>(&block.what);
+  return action && (action->kind == Action::Kind::tool || action->kind == Action::Kind::stop);
+}
+
 }  // namespace
 
 Feeder::Feeder(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
@@ -37,12 +42,14 @@ Feeder::Feeder(ipr::Reader& reader, const Machine& machine, const ChannelOptions
 void Feeder::fill(ipo::BlockQueue& queue, double until) {
   CpuLaps cpu;
   while (queue.t_end() <= until) {
-    if (auto timed = planner_.pop())
+    if (auto timed = planner_.pop()) {
+      if (is_pause(timed->block)) pauses_.push_back({timed->block, timed->t_end()});
       queue.push(std::move(*timed));
-    else if (ended_)
+    } else if (ended_) {
       break;
-    else
+    } else {
       read_block();
+    }
   }
   cpu_ += cpu.lap();
 }
@@ -83,10 +90,27 @@ Channel::Channel(ipr::Reader& reader, const Machine& machine, const ChannelOptio
       queue_(10 * machine.control.period),
       interpolator_(queue_, machine.control) {}
 
-std::optional<Setpoint> Channel::step(const Panel& panel) noexcept {
+/// Plans what the next step may reach. False where an exception has broken that off.
+bool Channel::plan_ahead() noexcept {
+  if (broken_) return false;
   try {
     const double needed = interpolator_.needs_until();
     if (queue_.t_end() <= needed) feeder_.fill(queue_, needed + kAhead * machine_.control.period);
+  } catch (...) {
+    broken_ = std::current_exception();
+  }
+  return !broken_;
+}
+
+const Pause* Channel::pause_ahead() noexcept {
+  if (!plan_ahead() || feeder_.pauses().empty()) return nullptr;
+  const Pause& next = feeder_.pauses().front();
+  return next.time <= interpolator_.needs_until() ? &next : nullptr;
+}
+
+std::optional<Setpoint> Channel::step(const Panel& panel) noexcept {
+  if (!plan_ahead()) return std::nullopt;
+  try {
     if (panel.stop && started_ && !std::exchange(stopping_, true)) replan_to_stop();
   } catch (...) {
     broken_ = std::current_exception();
@@ -98,6 +122,7 @@ std::optional<Setpoint> Channel::step(const Panel& panel) noexcept {
 
 void Channel::replan_to_stop() {
   feeder_.finish(queue_);
+  feeder_.pauses().clear();
   if (queue_.empty()) return;
   const double now = interpolator_.time();
   add_times(queue_.front().profile, now - queue_.front().t_start, time_by_limit_);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <exception>
 #include <optional>
 #include <span>
@@ -27,6 +28,12 @@ struct ChannelOptions {
   ipr::InterpreterOptions interpreter;
 };
 
+/// An action at which the program waits for a person, and when it is passed.
+struct Pause {
+  Block block;      // M00, M01 or M06
+  double time = 0;  // s of the plan
+};
+
 /// The planning side: reads, interprets and plans as far as the queue needs it.
 class Feeder {
  public:
@@ -41,6 +48,9 @@ class Feeder {
 
   /// Reads no further; the queue gets what has been read.
   void finish(ipo::BlockQueue& queue);
+
+  /// Pauses on the way to the end of the queue; whoever waits at one takes it out.
+  std::deque<Pause>& pauses() noexcept { return pauses_; }
 
   const ipo::PlannerCounts& counts() const noexcept { return planner_.counts(); }
   double cpu() const noexcept { return cpu_; }  // s
@@ -57,6 +67,7 @@ class Feeder {
   ipr::Parser parser_;
   ipr::Interpreter interpreter_;
   ipo::Planner planner_;
+  std::deque<Pause> pauses_;
   bool ended_ = false;
   double cpu_ = 0;
 };
@@ -71,6 +82,10 @@ class Channel {
   /// planned anew, to rest as soon as the limits allow; it must not ask between two calls of
   /// forget_passed().
   std::optional<Setpoint> step(const Panel& panel) noexcept;
+
+  /// The pause that the next step passes, if there is one; resume() lets it pass.
+  const Pause* pause_ahead() noexcept;
+  void resume() noexcept { feeder_.pauses().pop_front(); }
 
   /// Blocks from the one of the last forget_passed() to the present one.
   const ipo::BlockQueue& queue() const noexcept { return queue_; }
@@ -87,6 +102,7 @@ class Channel {
   const Feeder& feeder() const noexcept { return feeder_; }
 
  private:
+  bool plan_ahead() noexcept;
   void replan_to_stop();
 
   const Machine& machine_;
@@ -113,7 +129,8 @@ class Watcher {
   virtual ~Watcher() = default;
   virtual bool wants_stop() = 0;
   virtual void sees(const Setpoint& latest) = 0;
-  virtual void sees_action(const Block& block) = 0;  // tool, spindle, coolant, stop, end
+  /// Before M00, M01 and M06 are passed. Returns when the program may go on, or is to stop.
+  virtual void pause(const Block& block) = 0;
 };
 
 /// What a run leaves. CPU times are of this thread.

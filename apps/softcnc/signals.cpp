@@ -9,10 +9,21 @@
 
 namespace softcnc::app {
 
+namespace {
+
+bool is_ignored(int signal) {
+  struct sigaction present {};
+  return ::sigaction(signal, nullptr, &present) == 0 && present.sa_handler == SIG_IGN;
+}
+
+}  // namespace
+
 StopSignals::StopSignals() : descriptor_(-1) {
   sigemptyset(&signals_);
   sigaddset(&signals_, SIGINT);
   sigaddset(&signals_, SIGTERM);
+  sigaddset(&signals_, SIGQUIT);
+  if (!is_ignored(SIGHUP)) sigaddset(&signals_, SIGHUP);
   sigprocmask(SIG_BLOCK, &signals_, &before_);
   descriptor_ = Descriptor(::signalfd(-1, &signals_, SFD_NONBLOCK | SFD_CLOEXEC));
 }
@@ -26,9 +37,16 @@ int StopSignals::poll() noexcept {
   signalfd_siginfo info{};
   if (::read(*descriptor_, &info, sizeof info) == sizeof info) {
     received_ = static_cast<int>(info.ssi_signo);
+    if (received_ == SIGHUP) std::signal(SIGHUP, SIG_IGN);
     unblock();
   }
   return received_;
+}
+
+void StopSignals::interrupt() noexcept {
+  if (poll() != 0) return;
+  received_ = SIGINT;
+  unblock();
 }
 
 void StopSignals::wait_for_input(int descriptor) noexcept {

@@ -8,8 +8,9 @@
 
 namespace softcnc::app {
 
-/// While it lives, SIGINT and SIGTERM wait to be asked for. The first one ends the waiting: a
-/// second one has its usual effect.
+/// While it lives, SIGINT, SIGTERM, SIGQUIT and SIGHUP (unless it was ignored before, as by nohup)
+/// wait to be asked for. The first one ends the waiting: a second one has its usual effect. But a
+/// second SIGHUP is ignored: one hang-up may be told by shell and kernel both.
 class StopSignals {
  public:
   StopSignals();
@@ -19,6 +20,9 @@ class StopSignals {
 
   /// The signal that has come, 0 if none has.
   int poll() noexcept;
+
+  /// As if SIGINT had come, unless a signal has.
+  void interrupt() noexcept;
 
   /// Waits for input on a descriptor, or for a signal.
   void wait_for_input(int descriptor) noexcept;

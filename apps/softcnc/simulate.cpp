@@ -38,12 +38,14 @@ class RowBuffer {
   std::vector<double> values_;
 };
 
-/// A Source that ends with the batch.
+/// A Source that ends with the batch, or before the program waits.
 class Batch {
  public:
   explicit Batch(Channel& channel) noexcept : channel_(channel) {}
   std::optional<Setpoint> step(const Panel& panel) noexcept {
-    return left_-- == 0 ? std::nullopt : channel_.step(panel);
+    if (left_ == 0 || channel_.pause_ahead()) return std::nullopt;
+    --left_;
+    return channel_.step(panel);
   }
 
  private:
@@ -62,6 +64,7 @@ class Simulation {
 
   Outcome run(RowSink* rows, Watcher* watcher) {
     do {
+      wait(watcher);
       if (watcher && !panel_.stop) panel_.stop = watcher->wants_stop();
     } while (run_batch(rows, watcher));
     channel_.rethrow();
@@ -69,9 +72,9 @@ class Simulation {
   }
 
  private:
+  void wait(Watcher* watcher);
   bool run_batch(RowSink* rows, Watcher* watcher);
   bool write(RowSink* rows);
-  void tell(Watcher* watcher) const;
   Outcome finish();
 
   Panel panel_;
@@ -82,6 +85,14 @@ class Simulation {
   Outcome outcome_;
   CpuLaps cpu_;
 };
+
+/// All rows so far are out; the machine rests in the next one, whatever the answer.
+void Simulation::wait(Watcher* watcher) {
+  while (const Pause* pause = channel_.pause_ahead()) {
+    if (watcher) watcher->pause(pause->block);
+    channel_.resume();
+  }
+}
 
 /// True if more may follow.
 bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
@@ -97,29 +108,19 @@ bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
     outcome_.feedback = cycle.last;
     outcome_.last = buffer_.rows().back();
   }
-  tell(watcher);
+  if (watcher) watcher->sees(outcome_.last);
   channel_.forget_passed();
   outcome_.cpu.output += cpu_.lap();
   if (!wanted) outcome_.end = Outcome::End::broken_off;
   if (cycle.last.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
-  return outcome_.end == Outcome::End::done && cycle.setpoints == kBatch;
+  return outcome_.end == Outcome::End::done &&
+         (cycle.setpoints == kBatch || channel_.pause_ahead());
 }
 
 bool Simulation::write(RowSink* rows) {
   for (std::size_t i = 0; rows && i < buffer_.rows().size(); ++i)
     if (!rows->row(buffer_.rows()[i], buffer_.values(i))) return false;
   return true;
-}
-
-void Simulation::tell(Watcher* watcher) const {
-  if (!watcher) return;
-  const auto& queue = channel_.queue();
-  queue.for_each_recent([&](const ipo::TimedBlock& timed) {
-    const bool passed = queue.empty() || &timed != &queue.front();
-    if (passed && std::holds_alternative<Action>(timed.block.what))
-      watcher->sees_action(timed.block);
-  });
-  watcher->sees(outcome_.last);
 }
 
 Outcome Simulation::finish() {

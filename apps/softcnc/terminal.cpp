@@ -2,6 +2,7 @@
 #include "terminal.hpp"
 
 #include <fmt/format.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <array>
@@ -18,16 +19,18 @@ void Terminal::sees(const Setpoint& latest) {
   progress_.update(static_cast<double>(latest.period) * period_, latest.line);
 }
 
-void Terminal::sees_action(const Block& block) {
+/// What was typed before the question is no answer to it, and neither is the end of the input.
+void Terminal::pause(const Block& block) {
   const std::string text = instruction(block);
   if (!waits_ || text.empty() || signals_.poll() != 0) return;
   progress_.clear();
+  ::tcflush(STDIN_FILENO, TCIFLUSH);
   fmt::print(stderr, "{}: press Enter ", text);
   std::fflush(stderr);
   signals_.wait_for_input(STDIN_FILENO);
   if (signals_.poll() != 0) return;
   std::array<char, 256> ignored{};
-  if (::read(STDIN_FILENO, ignored.data(), ignored.size()) <= 0) waits_ = false;
+  if (::read(STDIN_FILENO, ignored.data(), ignored.size()) <= 0) signals_.interrupt();
 }
 
 std::string instruction(const Block& block) {

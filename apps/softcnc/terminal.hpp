@@ -22,7 +22,7 @@ class Terminal final : public Watcher {
 
   bool wants_stop() override { return signals_.poll() != 0; }
   void sees(const Setpoint& latest) override;
-  void sees_action(const Block& block) override;
+  void pause(const Block& block) override;
 
   /// Clears the screen for words.
   void end() { progress_.clear(); }

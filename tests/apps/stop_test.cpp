@@ -57,9 +57,24 @@ TEST_CASE("an interrupted run stops within its limits and leaves whole files", "
       if (std::abs(second_difference(trace, i, column)) > 1001) FAIL_CHECK("row " << i);
 }
 
-TEST_CASE("SIGTERM stops a run as Ctrl-C does", "[apps][stop]") {
+TEST_CASE("SIGTERM, SIGHUP and SIGQUIT stop a run as Ctrl-C does", "[apps][stop]") {
+  const auto [signal, status] =
+      GENERATE(table<std::string, int>({{"TERM", 143}, {"HUP", 129}, {"QUIT", 131}}));
   const Folder folder;
-  CHECK(interrupted("TERM", folder).status == 143);
+  CHECK(interrupted(signal, folder).status == status);
+  CHECK(folder.files() == std::vector<std::string>{"long.nc", "r.json", "t.csv"});
+  const Trace trace = parse_trace(read(folder / "t.csv"));
+  CHECK(trace.number(trace.rows.size() - 1, "v_mm_s") == 0);
+}
+
+TEST_CASE("a run under nohup survives a hang-up", "[apps][stop]") {
+  const Folder folder;
+  const Ended ended = shell(
+      "trap '' HUP; { sleep 0.2; cat $data/square.nc; } | { exec 3<&0; $softcnc run -q - <&3 "
+      "--trace " +
+      (folder / "t.csv") + " & pid=$!; sleep 0.1; kill -HUP $pid; wait $pid; }");
+  CHECK(ended.status == 0);
+  CHECK(folder.files() == std::vector<std::string>{"t.csv"});
 }
 
 TEST_CASE("a stop during the pre-flight moves nothing", "[apps][stop]") {

@@ -13,8 +13,10 @@ using namespace softcnc::app::test;
 
 namespace {
 
-/// Runs a shell command on a terminal of its own; answers each prompt with Enter.
-Ended on_terminal(const std::string& command) {
+const std::string kHangUp;
+
+/// Runs a shell command on a terminal of its own; answers each prompt.
+Ended on_terminal(const std::string& command, const std::string& answer = "\n") {
   int terminal = -1;
   const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
   REQUIRE(child >= 0);
@@ -27,11 +29,14 @@ Ended on_terminal(const std::string& command) {
   const std::string prompt = "press Enter ";
   for (ssize_t n = 0; (n = ::read(terminal, piece.data(), piece.size())) > 0;) {
     ended.out.append(piece.data(), static_cast<std::size_t>(n));
-    if (ended.out.ends_with(prompt)) CHECK(::write(terminal, "\n", 1) == 1);
+    if (!ended.out.ends_with(prompt)) continue;
+    if (answer == kHangUp) break;
+    CHECK(::write(terminal, answer.data(), answer.size()) == static_cast<ssize_t>(answer.size()));
   }
+  if (answer == kHangUp) ::close(terminal);
   int status = 0;
   ::waitpid(child, &status, 0);
-  ::close(terminal);
+  if (answer != kHangUp) ::close(terminal);
   ended.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return ended;
 }
@@ -55,6 +60,52 @@ TEST_CASE("on a terminal M06 and M00 wait for Enter", "[apps][terminal]") {
   const Ended piped = on_terminal("cat " + (folder / "p.nc") + " | " + kSoftcnc + "run -");
   CHECK(piped.status == 0);
   CHECK_FALSE(contains(piped.out, "press Enter"));
+}
+
+TEST_CASE("what ends a run at a prompt leaves the machine where it rests", "[apps][terminal]") {
+  const auto [answer, status] = GENERATE(table<std::string, int>({
+      {"\x03", 130},  // Ctrl-C
+      {"\x04", 130},  // Ctrl-D
+      {"\x1c", 131},  // Ctrl-backslash
+      {kHangUp, 129},
+  }));
+  const std::string method = GENERATE("arc-length", "taylor1");
+  CAPTURE(status, method);
+  const Folder folder;
+  write(folder / "p.nc", "G00 X10\nM00\nG00 X100\nT1 M06\nX0\nM30\n");
+  const Ended ended = on_terminal("exec " + kSoftcnc + "run " + (folder / "p.nc") + " --trace " +
+                                      (folder / "t.csv") + " --set control.interpolation=" + method,
+                                  answer);
+  CHECK(ended.status == status);
+  CHECK(contains(ended.out, "line 2: M00: press Enter "));
+  CHECK_FALSE(contains(ended.out, "M06"));
+  CHECK(folder.files() == std::vector<std::string>{"p.nc", "t.csv"});
+  const Trace trace = parse_trace(read(folder / "t.csv"));
+  REQUIRE(trace.rows.size() > 100);
+  for (std::size_t i = 0; i < trace.rows.size(); ++i)
+    if (trace.number(i, "x_mm") > 10 + 1e-9) FAIL_CHECK("row " << i);
+  CHECK(trace.number(trace.rows.size() - 1, "x_mm") == Approx(10).margin(1e-3));
+  CHECK(trace.number(trace.rows.size() - 1, "v_mm_s") == 0);
+}
+
+TEST_CASE("a prompt comes before anything behind it moves", "[apps][terminal]") {
+  const Folder folder;
+  write(folder / "p.nc", "M00\nG00 X100\nM30\n");
+  const Ended ended =
+      on_terminal(kSoftcnc + "run " + (folder / "p.nc") + " --trace " + (folder / "t.csv"), "\x03");
+  CHECK(ended.status == 130);
+  const Trace trace = parse_trace(read(folder / "t.csv"));
+  REQUIRE(!trace.rows.empty());
+  for (std::size_t i = 0; i < trace.rows.size(); ++i) CHECK(trace.number(i, "x_mm") == 0);
+}
+
+TEST_CASE("each prompt wants an answer of its own", "[apps][terminal]") {
+  const Folder folder;
+  write(folder / "p.nc", "M00\nM00\nG01 X1 F600\nM00\nM30\n");
+  const Ended ended = on_terminal(kSoftcnc + "run " + (folder / "p.nc"));
+  CHECK(ended.status == 0);
+  for (const char* line : {"line 1: M00: ", "line 2: M00: ", "line 4: M00: "})
+    CHECK(contains(ended.out, line));
 }
 
 TEST_CASE("on a terminal a long run shows a bar with what is left", "[apps][terminal]") {
