@@ -16,12 +16,12 @@ bool worth_keeping(const Performance& performance) {
          (performance.ending == Ending::done || performance.ending == Ending::alarm);
 }
 
-int keep(Job& job, const Options& options, const Performance& performance,
+int keep(Job& job, hal::OutputFile& file, const Performance& performance,
          const TemporaryFolder& folder) {
   RecordingMeta meta;
   meta.rows = performance.outcome.setpoints;
   meta.options = job.options;
-  const Status written = write_recording(options.output, job.program, job.machine, meta, folder);
+  const Status written = write_recording(file, job.program, job.machine, meta, folder);
   return written ? 0 : failed(written.error());
 }
 
@@ -30,12 +30,14 @@ int keep(Job& job, const Options& options, const Performance& performance,
 int record(const Options& options) {
   auto job = open_job(options);
   if (!job) return failed(job.error());
+  const auto file = hal::OutputFile::open(options.output);  // before anything moves
+  if (!file) return failed(file.error());
   const auto folder = TemporaryFolder::make();
   if (!folder) return failed(folder.error());
   const Performance performance = perform(*job, options, folder->file("trace.csv.zst"));
   const int status = conclude(*job, options, performance);
   if (worth_keeping(performance))
-    return worse_status(status, keep(*job, options, performance, *folder));
+    return worse_status(status, keep(*job, **file, performance, *folder));
   if (performance.moved) spdlog::warn("no recording is kept of a run that did not come to its end");
   return status;
 }

@@ -10,7 +10,6 @@
 #include "descriptor.hpp"
 #include "hal/hash.hpp"
 #include "hal/machine_file.hpp"
-#include "hal/output_file.hpp"
 #include "recording_meta.hpp"
 
 namespace softcnc::app {
@@ -60,12 +59,10 @@ Status copy_program(Program& program, const std::string& to) {
 }
 
 /// By the rules of all output files: whole under its name, or not at all.
-Status copy_to_output(const std::string& from, const std::string& file) {
-  auto output = hal::OutputFile::open(file);
-  if (!output) return tl::make_unexpected(std::move(output.error()));
+Status copy_to_output(const std::string& from, hal::OutputFile& output) {
   const Status copied =
-      for_each_piece_of(from, [&](std::string_view piece) { return (*output)->write(piece); });
-  return copied ? (*output)->finish() : copied;
+      for_each_piece_of(from, [&](std::string_view piece) { return output.write(piece); });
+  return copied ? output.finish() : copied;
 }
 
 }  // namespace
@@ -82,7 +79,7 @@ TemporaryFolder::~TemporaryFolder() {
   if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
 }
 
-Status write_recording(const std::string& file, Program& program, const Machine& machine,
+Status write_recording(hal::OutputFile& file, Program& program, const Machine& machine,
                        RecordingMeta meta, const TemporaryFolder& folder) {
   const std::string trace = folder.file("trace.csv.zst");
   const std::string copy = folder.file("program"), packed = folder.file("recording");

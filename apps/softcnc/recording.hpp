@@ -9,6 +9,7 @@
 #include <string>
 
 #include "channel.hpp"
+#include "hal/output_file.hpp"
 #include "program.hpp"
 #include "zip_file.hpp"
 
@@ -41,8 +42,8 @@ class TemporaryFolder {
 };
 
 /// Writes a recording of a run whose trace lies in `folder` as trace.csv.zst. The hashes of `meta`
-/// are filled in. Errors: SC6003, SC6011, SC6012, SC6013.
-Status write_recording(const std::string& file, Program& program, const Machine& machine,
+/// are filled in. Errors: SC6003, SC6012, SC6013.
+Status write_recording(hal::OutputFile& file, Program& program, const Machine& machine,
                        RecordingMeta meta, const TemporaryFolder& folder);
 
 class Recording {

@@ -100,6 +100,9 @@ int replay_one(const std::string& name, const Options& options, StandardOutput& 
 }  // namespace
 
 int replay(const Options& options) {
+  if (!options.machine_file.empty())
+    if (const auto given = hal::load_machine(options.machine_file, options.settings); !given)
+      return failed(given.error());
   StandardOutput out;
   int status = 0;
   for (const std::string& name : options.files) {

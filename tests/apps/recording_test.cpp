@@ -277,6 +277,10 @@ TEST_CASE("a recording that cannot be made leaves no file", "[apps][recording]")
   CHECK(call("record -q $data/two_errors.nc -o " + (folder / "x.rec")).status == 1);
   CHECK(folder.files().empty());
   CHECK(call("record -q $data/square.nc -o /dev/full").status == 5);
+  const Ended nowhere = call("record $data/square.nc -o " + (folder / "no/x.rec"));
+  CHECK(nowhere.status == 5);  // and no summary: nothing has moved
+  CHECK(nowhere.err ==
+        (folder / "no/x.rec") + ": error SC6011: cannot be created: No such file or directory\n");
   CHECK(shell("TMPDIR=/no/folder $softcnc record -q $data/square.nc -o " + (folder / "x.rec"))
             .err.find("error SC6003: ") != std::string::npos);
   CHECK(folder.files().empty());
