@@ -2,10 +2,18 @@
 // The command line by CLI11: a function per group of options, and which command takes which group.
 #include "options.hpp"
 
-#include <CLI/CLI.hpp>
-#include <iterator>
+#include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <iterator>
+#include <span>
+#include <sstream>
+#include <utility>
+
+#include "file_clash.hpp"
 #include "hal/trace.hpp"
+#include "messages.hpp"
 #include "motion/machine.hpp"
 
 namespace softcnc::app {
@@ -167,6 +175,41 @@ constexpr CommandRow kCommands[] = {
      make_machine},
 };
 
+int refuse(const std::string& reason) {
+  fmt::print(stderr, "{}\nRun with --help for more information.\n", reason);
+  return kWrongUsage;
+}
+
+/// The first word that looks like an option of the command but is none; empty: there is none.
+std::string unknown_option(const CLI::App& command, std::span<const char* const> words) {
+  bool is_value = false;
+  for (std::string word : words) {
+    const bool looks = word.size() > 1 && word.starts_with('-') && word != "--";
+    if (std::exchange(is_value, false) || !looks) continue;
+    const std::string name = word.substr(0, word.starts_with("--") ? word.find('=') : 2);
+    const CLI::Option* option = command.get_option_no_throw(name);
+    if (!option) return name;
+    is_value = name == word && option->get_items_expected_min() > 0;
+  }
+  return {};
+}
+
+/// Help and version are data. An unknown option is named, whatever else its value upsets.
+int tell(const CLI::App& app, const CLI::ParseError& error, std::span<const char* const> words) {
+  std::ostringstream out;
+  if (error.get_exit_code() == 0) {
+    app.exit(error, out, out);
+    StandardOutput output;
+    output.write(out.str());
+    return output.finish();
+  }
+  for (const CLI::App* command : app.get_subcommands())
+    if (const auto name = unknown_option(*command, words.subspan(1)); !name.empty())
+      return refuse(name + ": no such option of " + command->get_name());
+  app.exit(error, out, std::cerr);
+  return kWrongUsage;
+}
+
 }  // namespace
 
 std::variant<Options, int> parse_command_line(int argc, const char* const* argv) {
@@ -182,8 +225,9 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kWrongUsage;
+    return tell(app, error, std::span(argv, static_cast<std::size_t>(argc)));
   }
+  if (const std::string clash = file_clash(options); !clash.empty()) return refuse(clash);
   for (const CommandRow& row : kCommands)
     if (app.got_subcommand(row.name)) options.command = row.command;
   if (options.quiet && options.progress == ProgressMode::automatic)

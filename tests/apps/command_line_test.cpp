@@ -41,6 +41,47 @@ TEST_CASE("what does not exist is refused as wrong usage", "[apps][cli]") {
   }
 }
 
+TEST_CASE("an unknown option is named, whatever follows it", "[apps][cli]") {
+  for (const char* words : {"--realtime", "--from-line 3", "--dialect fanuc", "--diagnostics json",
+                            "--dialect=fanuc", "--set control.backend=sim --watch", "-x"}) {
+    CAPTURE(words);
+    const std::string all = words;
+    const std::size_t begin = all.starts_with("--set") ? all.rfind("--") : 0;
+    const std::string name = all.substr(begin, all.find_first_of(" =", begin) - begin);
+    const std::string says =
+        name + ": no such option of run\nRun with --help for more information.\n";
+    const Ended behind = call("run $data/square.nc " + all);
+    CHECK(behind.status == 2);
+    CHECK(behind.err == says);
+    CHECK(call("run " + all + " $data/square.nc").err == says);
+  }
+  CHECK(call("run $data/square.nc x.nc --feed-override -5").err.find("no such option") ==
+        std::string::npos);
+}
+
+TEST_CASE("a file is not named twice where it would be overwritten", "[apps][cli]") {
+  const Folder folder;
+  const std::string part = folder / "p.csv", link = folder / "link.csv", fresh = folder / "new.csv";
+  write(part, "G01 X1 F600\nM30\n");
+  CHECK(shell("ln " + part + " " + link).status == 0);
+  const auto refused = [&](const std::string& arguments) {
+    CAPTURE(arguments);
+    const Ended ended = call(arguments);
+    CHECK(ended.status == 2);
+    CHECK(ended.err.find(" name the same file: ") != std::string::npos);
+    CHECK(read(part) == "G01 X1 F600\nM30\n");
+    CHECK(folder.files() == std::vector<std::string>{"link.csv", "p.csv"});
+  };
+  refused("run " + part + " --trace " + part);
+  refused("run " + part + " --trace " + link);
+  refused("run " + part + " --report " + part);
+  refused("run $data/square.nc --machine " + part + " --trace " + part);
+  refused("run " + part + " --trace " + fresh + " --report " + (folder / "./new.csv"));
+  refused("record " + part + " -o " + part);
+  refused("record " + part + " -o " + fresh + " --report " + fresh);
+  CHECK(call("run -q " + part + " --trace /dev/null --report /dev/null").status == 0);
+}
+
 TEST_CASE("a feed override outside 0 to 200 percent is refused", "[apps][cli]") {
   for (const char* percent : {"0", "-5", "201", "nan", "abc"}) {
     CAPTURE(percent);
@@ -66,6 +107,7 @@ TEST_CASE("a missing part program ends with 5, a missing machine file with 2", "
     CHECK(ended.err.starts_with("missing.toml: error SC7003: "));
   }
   CHECK(call("machine --machine missing.toml").status == 2);
+  CHECK(call("replay missing.rec --machine missing.toml").status == 2);
 }
 
 TEST_CASE("a folder is no part program", "[apps][cli]") {
@@ -75,8 +117,9 @@ TEST_CASE("a folder is no part program", "[apps][cli]") {
 }
 
 TEST_CASE("full disks and closed pipes are told apart", "[apps][cli]") {
-  for (const char* command : {"run -q --dry-run $data/square.nc", "blocks $data/square.nc",
-                              "machine", "check $data/two_errors.nc"}) {
+  for (const char* command :
+       {"run -q --dry-run $data/square.nc", "blocks $data/square.nc", "machine", "--help",
+        "run --help", "--version", "check $data/two_errors.nc"}) {
     CAPTURE(command);
     const Ended full = call(std::string(command) + " >/dev/full");
     CHECK(full.status == 5);

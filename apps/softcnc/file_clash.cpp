@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "file_clash.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <vector>
+
+namespace softcnc::app {
+namespace {
+
+struct NamedFile {
+  const char* role;
+  std::string name;
+};
+
+std::filesystem::path absolute(const std::string& name) {
+  std::error_code error;
+  auto path = std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
+  return error ? std::filesystem::path(name) : path;
+}
+
+bool same(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  if (a == "-" || b == "-") return a == b;
+  struct stat info_a {
+  }, info_b{};
+  const bool a_exists = ::stat(a.c_str(), &info_a) == 0;
+  const bool b_exists = ::stat(b.c_str(), &info_b) == 0;
+  if (!a_exists && !b_exists) return absolute(a) == absolute(b);
+  return a_exists && b_exists && S_ISREG(info_a.st_mode) && info_a.st_dev == info_b.st_dev &&
+         info_a.st_ino == info_b.st_ino;
+}
+
+}  // namespace
+
+std::string file_clash(const Options& options) {
+  const NamedFile written[] = {
+      {"--trace", options.trace}, {"--report", options.report}, {"--output", options.output}};
+  std::vector<NamedFile> others{{"--machine", options.machine_file}};
+  for (const std::string& file : options.files)
+    if (file != "-") others.push_back({"PART", file});
+  for (const NamedFile& file : written) {
+    for (const NamedFile& other : others)
+      if (same(file.name, other.name))
+        return fmt::format("{} and {} name the same file: {}", other.role, file.role, file.name);
+    others.push_back(file);
+  }
+  return {};
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// One file named twice, where the second use would destroy the first.
+#pragma once
+
+#include <string>
+
+#include "options.hpp"
+
+namespace softcnc::app {
+
+/// What is wrong where a file to be written is also read, or written twice; empty: nothing. Files
+/// that exist are compared by device and inode, others by path; what is no regular file may serve
+/// any number of times.
+std::string file_clash(const Options& options);
+
+}  // namespace softcnc::app
