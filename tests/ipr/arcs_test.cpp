@@ -47,6 +47,16 @@ TEST_CASE("an arc without an end in its plane is a full circle", "[ipr][arcs]") 
   CHECK(helix.to().z() == -4);
 }
 
+TEST_CASE("an end rounded to 3 decimals leaves a nearly full circle what it is",
+          "[ipr][arcs]") {
+  const Arc on_ray = only_arc("F100 G00 X10\nG03 X9.999 Y0 I-10\nM30\n");
+  CHECK(on_ray.sweep() == Approx(2 * kPi).epsilon(1e-14));
+  CHECK(on_ray.length() == Approx(2 * kPi * 9.9995).epsilon(1e-8));
+  const Arc gap = only_arc("F100 G00 X10\nG03 X9.999 Y-0.1 I-10 J0\nM30\n");
+  CHECK(gap.sweep() == Approx(2 * kPi - std::atan2(0.1, 9.999)).epsilon(1e-14));
+  check_near(gap.center(), {0, 0, 0});
+}
+
 TEST_CASE("the planes have their own axes and their own sense", "[ipr][arcs]") {
   // Quarter circles counter-clockwise, seen against the axis across the plane.
   check_near(only_arc("G17 F100 G00 X10\nG03 X0 Y10 I-10\nM30\n").position(10 * kPi / 4),
