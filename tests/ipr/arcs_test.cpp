@@ -47,8 +47,7 @@ TEST_CASE("an arc without an end in its plane is a full circle", "[ipr][arcs]") 
   CHECK(helix.to().z() == -4);
 }
 
-TEST_CASE("an end rounded to 3 decimals leaves a nearly full circle what it is",
-          "[ipr][arcs]") {
+TEST_CASE("an end rounded to 3 decimals leaves a nearly full circle what it is", "[ipr][arcs]") {
   const Arc on_ray = only_arc("F100 G00 X10\nG03 X9.999 Y0 I-10\nM30\n");
   CHECK(on_ray.sweep() == Approx(2 * kPi).epsilon(1e-14));
   CHECK(on_ray.length() == Approx(2 * kPi * 9.9995).epsilon(1e-8));
