@@ -35,6 +35,58 @@ int characters(std::string_view line, int bytes) {
          std::max(0, bytes - static_cast<int>(line.size()));
 }
 
+/// Bytes of the well-formed UTF-8 character that a text begins with; 0 if there is none.
+std::size_t character_length(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text.front());
+  const std::size_t length = lead < 0x80   ? 1
+                             : lead < 0xC2 ? 0
+                             : lead < 0xE0 ? 2
+                             : lead < 0xF0 ? 3
+                             : lead < 0xF5 ? 4
+                                           : 0;
+  const auto rest = text.substr(std::min<std::size_t>(1, length), length > 1 ? length - 1 : 0);
+  const bool whole =
+      text.size() >= length && std::all_of(rest.begin(), rest.end(), continues_character);
+  return whole ? length : 0;
+}
+
+bool is_control(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character[0]);
+  if (character.size() == 1) return (first < 0x20 && first != '\t') || first == 0x7F;
+  return first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
+}
+
+/// The text with U+FFFD for each control character but the tab and for each byte that is no UTF-8:
+/// what a program holds must not command a terminal.
+std::string harmless(std::string_view text) {
+  std::string clean;
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    const auto character = text.substr(0, std::max<std::size_t>(length, 1));
+    clean += length == 0 || is_control(character) ? std::string_view("\xEF\xBF\xBD") : character;
+    text.remove_prefix(character.size());
+  }
+  return clean;
+}
+
+/// Bytes of the harmless text for the first `bytes` of a line.
+int harmless_size(std::string_view line, int bytes) {
+  const auto head = line.substr(0, static_cast<std::size_t>(std::max(bytes, 0)));
+  return static_cast<int>(harmless(head).size()) +
+         std::max(0, bytes - static_cast<int>(line.size()));
+}
+
+/// The diagnostic with texts that may be shown, its place among them.
+Diagnostic harmless(const Diagnostic& d) {
+  SourcePos pos = d.pos;
+  if (pos.column > 0) {
+    const int begin = harmless_size(d.source_line, pos.column - 1);
+    pos.length = harmless_size(d.source_line, pos.column - 1 + pos.length) - begin;
+    pos.column = begin + 1;
+  }
+  return {d.code, pos, harmless(d.message), harmless(d.file), harmless(d.source_line)};
+}
+
 std::string caret_line(std::string_view line, const SourcePos& pos) {
   const int first = characters(line, pos.column - 1);
   const int rest = characters(line, static_cast<int>(line.size())) - first;
@@ -67,7 +119,8 @@ std::string_view name(Severity severity) noexcept {
   return names[static_cast<std::size_t>(severity)];
 }
 
-std::string render(const Diagnostic& d) {
+std::string render(const Diagnostic& diagnostic) {
+  const Diagnostic d = harmless(diagnostic);
   std::string text = d.file.empty() ? "softcnc" : d.file;
   const int column = d.pos.column > 0 ? characters(d.source_line, d.pos.column - 1) + 1 : 0;
   if (d.pos.line > 0) text += fmt::format(":{}:{}", d.pos.line, std::max(column, 1));

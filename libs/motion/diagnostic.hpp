@@ -50,7 +50,8 @@ struct Diagnostic {
 };
 
 /// file:line:column: severity SCnnnn: message, then the source line and a caret below its columns.
-/// The column shown counts characters (UTF-8 code points), as editors do. Ends with a newline.
+/// The column shown counts characters (UTF-8 code points), as editors do; control
+/// characters are shown as U+FFFD. Ends with a newline.
 std::string render(const Diagnostic& diagnostic);
 
 /// The exit status a diagnostic asks for: 1 program, 3 machine limit, 4 runtime, 5 input or output,

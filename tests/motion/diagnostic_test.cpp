@@ -36,6 +36,21 @@ TEST_CASE("columns count characters, and tabs stay tabs", "[diagnostic]") {
         "      | \t      ^~~~~~\n");
 }
 
+TEST_CASE("control characters are shown, not obeyed, and the caret stays in its place",
+          "[diagnostic]") {
+  Diagnostic d = off_circle();
+  // ESC, C1 as UTF-8, C1 as a raw byte, DEL; then a character that is fine
+  d.source_line = "G1\x1b[2J \xc2\x9b \x9b \x7f \xc3\xa9 X1.2.3";
+  d.pos = {3, 18, 6};
+  d.message = "'\x07' here";
+  d.file = "a\nb";
+  CHECK(render(d) ==
+        "a\xef\xbf\xbd"
+        "b:3:16: error SC2103: '\xef\xbf\xbd' here\n"
+        "    3 | G1\xef\xbf\xbd[2J \xef\xbf\xbd \xef\xbf\xbd \xef\xbf\xbd \xc3\xa9 X1.2.3\n"
+        "      |                ^~~~~~\n");
+}
+
 TEST_CASE("a diagnostic without a place names only its file", "[diagnostic]") {
   Diagnostic d = off_circle();
   d.pos = {};
