@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `softcnc blocks`: the blocks as the interpreter leaves them.
+#include <poll.h>
 #include <unistd.h>
 
 #include "block_json.hpp"
@@ -10,6 +11,12 @@
 
 namespace softcnc::app {
 namespace {
+
+/// True if reading would have to wait for whoever writes.
+bool waits_for_more() {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  return ::poll(&input, 1, 0) == 0;
+}
 
 /// Streams: reads no further than it writes, and shows errors as it meets them.
 int write_blocks(ipr::Reader& reader, const std::string& file, const Machine& machine,
@@ -26,6 +33,7 @@ int write_blocks(ipr::Reader& reader, const std::string& file, const Machine& ma
     const auto block = interpreter.next();
     if (!block) break;
     out.write(json(*block));
+    if (options.files.front() == "-" && waits_for_more()) out.flush();
   }
   if (reader.failure()) diagnostics.report(*reader.failure());
   return worse_status(diagnostics.status(), out.finish());

@@ -53,12 +53,13 @@ class StandardOutput {
   void write(std::string_view text);
   bool ok() const noexcept { return status_.has_value(); }
 
+  /// Writes what there is.
+  void flush();
+
   /// Writes what is left. Exit status: 0, 5 or 141; an error is shown.
   int finish();
 
  private:
-  void flush();
-
   std::unique_ptr<hal::OutputFile> file_;
   std::string buffer_;
   Status status_;

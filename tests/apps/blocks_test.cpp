@@ -46,6 +46,18 @@ TEST_CASE("blocks shows a NURBS with all that makes it", "[apps][blocks]") {
     "knots":[0,0,0,1,1,1]})"));
 }
 
+TEST_CASE("blocks shows what it has while its input pipe is open", "[apps][blocks]") {
+  const Folder folder;
+  const std::string out = folder / "out";
+  const Ended ended = shell(
+      "{ printf 'G00 X1\nX2\nX3\n'; for i in $(seq 100); do sleep 0.05; "
+      "[ $(wc -l <" +
+      out + ") -ge 2 ] && break; done; wc -l <" + out +
+      " >&2; echo M30; } | $softcnc blocks -q - >" + out);
+  CHECK(std::stoi(ended.err) >= 2);
+  CHECK(read(out).find("\"kind\":\"end\"") != std::string::npos);
+}
+
 TEST_CASE("blocks tells errors on stderr and goes on", "[apps][blocks]") {
   const Ended ended = call("blocks $data/two_errors.nc");
   CHECK(ended.status == 1);
