@@ -35,17 +35,26 @@ Progress::Progress(ProgressMode mode, bool data_on_terminal)
     : bar_(mode == ProgressMode::automatic && ::isatty(STDERR_FILENO) != 0 && !data_on_terminal),
       json_(mode == ProgressMode::json) {}
 
+Progress::~Progress() {
+  clear();
+  if (json_ && !label_.empty()) write_json(true);
+}
+
 void Progress::begin(std::string label, double total) {
+  time_ = 0;
+  line_ = 0;
   label_ = std::move(label);
   total_ = total;
   next_ = Clock::now() + kBetweenDrawings;
 }
 
 void Progress::update(double time, int line) {
+  time_ = time;
+  line_ = line;
   if ((!bar_ && !json_) || Clock::now() < next_) return;
   next_ = Clock::now() + kBetweenDrawings;
   if (bar_) draw(time, line);
-  if (json_) write_json(time, line);
+  if (json_) write_json(false);
 }
 
 void Progress::draw(double time, int line) {
@@ -65,12 +74,13 @@ void Progress::draw(double time, int line) {
   drawn_ = true;
 }
 
-void Progress::write_json(double time, int line) const {
-  nlohmann::ordered_json row{{"doing", label_}, {"time_s", time}, {"line", line}};
+void Progress::write_json(bool done) const {
+  nlohmann::ordered_json row{{"doing", label_}, {"time_s", time_}, {"line", line_}};
   if (total_ > 0) {
     row["total_s"] = total_;
-    row["percent"] = std::clamp(100 * time / total_, 0.0, 100.0);
+    row["percent"] = std::clamp(100 * time_ / total_, 0.0, 100.0);
   }
+  if (done) row["done"] = true;
   fmt::print(stderr, "{}\n", row.dump());
 }
 

@@ -9,12 +9,13 @@
 
 namespace softcnc::app {
 
-/// Redraws at most ten times a second. The clock drives the display and nothing else.
+/// Redraws at most ten times a second; JSON ends with one more object. The clock drives the display
+/// and nothing else.
 class Progress {
  public:
   /// `data_on_terminal`: rows appear on the same screen, so there is no room for a bar.
   Progress(ProgressMode mode, bool data_on_terminal);
-  ~Progress() { clear(); }
+  ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
@@ -29,13 +30,14 @@ class Progress {
 
  private:
   void draw(double time, int line);
-  void write_json(double time, int line) const;
+  void write_json(bool done) const;
 
   using Clock = std::chrono::steady_clock;
   bool bar_, json_;
   bool drawn_ = false;
   std::string label_;
-  double total_ = 0;
+  double total_ = 0, time_ = 0;
+  int line_ = 0;
   Clock::time_point next_{};
 };
 

@@ -89,7 +89,7 @@ int replay_one(const std::string& name, const Options& options, StandardOutput& 
   if (!material) return failed(material.error());
   const double period = material->machine.control.period;
   Terminal terminal(options.progress, false, period);
-  terminal.begin(name, static_cast<double>(material->recording.meta().rows) * period);
+  terminal.begin(name, static_cast<double>(material->recording.meta().rows - 1) * period);
   const int status = run_again(*material, terminal);
   if (status >= kSignalled) return status;
   auto result = verdict(name, *material, out);

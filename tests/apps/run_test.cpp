@@ -230,13 +230,27 @@ TEST_CASE("progress as JSON lines can be read by a program", "[apps][run]") {
   std::istringstream lines(ended.err);
   double percent = 0;
   int running = 0;
+  json last;
   for (std::string line; std::getline(lines, line);) {
     const json row = json::parse(line);
-    if (row["doing"] != "running") continue;
+    last = row;
+    if (row["doing"] != "running" || row.contains("done")) continue;
     ++running;
     CHECK(row["percent"].get<double>() > percent);
     percent = row["percent"];
     CHECK(row["time_s"].get<double>() < row["total_s"].get<double>());
   }
   CHECK(running > 0);
+  CHECK(last["done"] == true);
+  CHECK(last["percent"] == 100);
+}
+
+TEST_CASE("JSON progress of a short run is one object, the last", "[apps][run]") {
+  const Folder folder;
+  write(folder / "p.nc", "G01 X1 F600\nM30\n");
+  const json row = json::parse(call("run -q --progress json " + (folder / "p.nc")).err);
+  CHECK(row["doing"] == "running");
+  CHECK(row["done"] == true);
+  CHECK(row["percent"] == 100);
+  CHECK(row["line"] == 2);
 }
