@@ -13,6 +13,11 @@ constexpr double kAxisTolerance = 1e-3;
 /// What rounding may add to a chord error.
 constexpr double kChordTolerance = 1e-6;
 
+/// Three digits, but never an exponent.
+std::string percent_text(double percent) {
+  return percent < 100 ? fmt::format("{:.3g}", percent) : fmt::format("{:.0f}", percent);
+}
+
 class Judge {
  public:
   Judge(const Machine& machine, Diagnostics& diagnostics)
@@ -24,8 +29,8 @@ class Judge {
                   std::string_view unit) {
     if (!(value > limit * (1 + tolerance))) return;
     const std::string text =
-        fmt::format("{} reaches {:.6g} {}, {:.3g} % above its limit of {:.6g} {}", what, value,
-                    unit, 100 * (value / limit - 1), limit, unit);
+        fmt::format("{} reaches {:.6g} {}, {} % above its limit of {:.6g} {}", what, value, unit,
+                    percent_text(100 * (value / limit - 1)), limit, unit);
     diagnostics_.report(promised_ ? Code::SC4002 : Code::SC4003, {},
                         promised_ ? text : fmt::format("{}: {}", method_, text));
   }

@@ -58,6 +58,18 @@ TEST_CASE("the same excess by a method of the literature is a note", "[apps][par
         "of 1 um\n");
 }
 
+TEST_CASE("a large excess is told in plain digits", "[apps][parts]") {
+  Machine machine;
+  machine.control.interpolation = Method::taylor1;
+  Measured measured;
+  measured.chord_error = 0.0156;
+  Diagnostics diagnostics;
+  report_excess(measured, machine, diagnostics);
+  REQUIRE(diagnostics.all().size() == 1);
+  CHECK(diagnostics.all()[0].message ==
+        "taylor1: the chord error reaches 15.6 um, 1460 % above its limit of 1 um");
+}
+
 TEST_CASE("a defect of softcnc ends with 70", "[apps][parts]") {
   std::string shown;
   Messages messages([&](std::string_view text) { shown += text; }, false);
