@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ipr/command.hpp"
+#include "ipr/dialect.hpp"
 #include "ipr/modal.hpp"
 #include "ipr/output.hpp"
 #include "ipr/parser.hpp"
@@ -15,6 +16,7 @@ namespace softcnc::ipr {
 struct InterpreterOptions {
   bool block_skip = false;     // leave out lines that begin with '/'
   bool optional_stop = false;  // M01 stops
+  Dialect dialect = Dialect::linuxcnc;
 };
 
 class Interpreter {
