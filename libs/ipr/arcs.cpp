@@ -53,10 +53,10 @@ bool is_well_given(Task& task, const PlaneAxes& axes) {
 }
 
 AxisVector center_by_offsets(const Task& task, const PlaneAxes& axes) {
-  AxisVector center = task.modal.position;
+  AxisVector offset = AxisVector::Zero();
   for (const int axis : {axes.first, axes.second})
-    center[axis] += task.values.value_or(offset_letter(axis), 0) * task.modal.mm_per_unit;
-  return center;
+    offset[axis] = task.values.value_or(offset_letter(axis), 0) * task.modal.mm_per_unit;
+  return task.modal.position + task.modal.coordinates.direction(offset);
 }
 
 /// The centre left of the chord for a short arc counter-clockwise, right of it for a long one; for
@@ -92,10 +92,7 @@ std::optional<AxisVector> center_by_radius(Task& task, const PlaneAxes& axes, co
 
 void emit_arc(Task& task, const ArcSpec& spec, const PlaneAxes& axes) {
   Result<Arc> made = Arc::make(spec);
-  if (made) {
-    task.out.emit(Move{std::move(*made), false, task.modal.feed, task.modal.join});
-    return;
-  }
+  if (made) return emit_move(task, std::move(*made));
   const bool by_radius = task.values.has('R');
   report_if_certain(task, position_letters(axes), made.error().code,
                     by_radius ? task.values.word('R').pos : span_of(task.values, "XYZIJK"),

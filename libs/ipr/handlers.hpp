@@ -63,8 +63,10 @@ void stop_optionally(Task& task);
 void end_program(Task& task);
 
 // words.cpp: what several handlers need
-/// Where the axis words lead, in mm, from the position in force.
+/// Where the axis words lead, in mm and machine coordinates, from the position in force.
 AxisVector end_point(const Task& task);
+/// Moves along the path from the position, at the feed in force or as a rapid.
+void emit_move(Task& task, Path path, bool rapid = false);
 /// False, and told or muted, if there is no feed.
 bool has_feed(Task& task);
 /// Makes the code the motion in force.

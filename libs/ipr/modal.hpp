@@ -5,9 +5,11 @@
 #include <optional>
 #include <string>
 
+#include "ipr/coordinates.hpp"
 #include "ipr/letters.hpp"
 #include "motion/arc.hpp"
 #include "motion/block.hpp"
+#include "motion/machine_state.hpp"
 #include "motion/nurbs.hpp"
 
 namespace softcnc::ipr {
@@ -30,13 +32,17 @@ struct PendingCurve {
 
 /// The start state is that of a new Modal.
 struct Modal {
-  AxisVector position = AxisVector::Zero();  // mm: the end of the last move
-  const GCode* motion = nullptr;             // the motion code in force
+  AxisVector position = AxisVector::Zero();     // mm, machine coordinates: the end of the last move
+  MachineState state;                           // offsets and what else outlives the program
+  AxisVector tool_offset = AxisVector::Zero();  // mm: of G43, in force
+  Coordinates coordinates;                      // made of the two by update_coordinates()
+  const GCode* motion = nullptr;                // the motion code in force
   Plane plane = Plane::xy;
   double mm_per_unit = 1;  // of programmed lengths
   bool incremental = false;
   Join join = Join::follow;
-  double feed = 0;                      // mm/s; 0: not set
+  double corner_tolerance = 0, chord_tolerance = 0;  // mm: of G64
+  double feed = 0;                                   // mm/s; 0: not set
   std::optional<double> spindle_speed;  // rpm, as programmed by S, within the machine's range
   int spindle_direction = 0;            // 1: M03, -1: M04, 0: at rest
   std::optional<int> tool;              // as selected by T
@@ -48,6 +54,13 @@ struct Modal {
 
   bool feed_warned = false, spindle_warned = false;  // once a file
   bool ended = false;                                // M02 or M30 was read
+
+  /// After a change of an offset. The position of the machine stays.
+  void update_coordinates() noexcept {
+    const AxisVector shift = state.shift_on ? state.shift : AxisVector::Zero();
+    coordinates =
+        Coordinates(state.work[static_cast<std::size_t>(state.active)], shift, tool_offset);
+  }
 };
 
 }  // namespace softcnc::ipr

@@ -18,7 +18,7 @@ void line(Task& task, bool rapid) {
   }
   if ((to - from).lpNorm<Eigen::Infinity>() < kShortest) return;
   task.modal.position = to;
-  task.out.emit(Move{softcnc::Line(from, to), rapid, rapid ? 0 : task.modal.feed, task.modal.join});
+  emit_move(task, softcnc::Line(from, to), rapid);
 }
 
 }  // namespace

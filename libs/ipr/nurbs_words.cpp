@@ -157,7 +157,10 @@ void finish_curve(Task& task, PendingCurve& curve) {
   if (!made)
     return task.out.report(made.error().code, curve.head, std::move(made.error().message),
                            curve.head_line);
-  task.out.emit(Move{std::move(*made), false, curve.feed, task.modal.join}, curve.source);
+  const Modal& modal = task.modal;
+  task.out.emit(Move{std::move(*made), false, curve.feed, modal.join, modal.corner_tolerance,
+                     modal.chord_tolerance},
+                curve.source);
 }
 
 void read_block(Task& task, PendingCurve& curve) {

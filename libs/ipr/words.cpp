@@ -11,15 +11,27 @@
 namespace softcnc::ipr {
 
 AxisVector end_point(const Task& task) {
-  AxisVector end = task.modal.position;
+  const Coordinates& coordinates = task.modal.coordinates;
+  const AxisVector& position = task.modal.position;
+  AxisVector end = coordinates.rotated() ? coordinates.to_program(position) : position;
+  const AxisVector zero = coordinates.rotated() ? AxisVector::Zero() : coordinates.sum();
+  bool named = false;
   for (int i = 0; i < kAxes; ++i) {
     const char letter = kAxisLetters[static_cast<std::size_t>(i)];
     if (!task.values.has(letter)) continue;
     const double value = task.values[letter] * task.modal.mm_per_unit;
-    end[i] = task.modal.incremental ? end[i] + value : value;
+    end[i] = task.modal.incremental ? end[i] + value : zero[i] + value;
     if (!task.modal.incremental) task.modal.uncertain.remove(letter);
+    named = true;
   }
-  return end;
+  if (!coordinates.rotated()) return end;
+  return named ? coordinates.to_machine(end) : position;
+}
+
+void emit_move(Task& task, Path path, bool rapid) {
+  const Modal& modal = task.modal;
+  task.out.emit(Move{std::move(path), rapid, rapid ? 0 : modal.feed, modal.join,
+                     modal.corner_tolerance, modal.chord_tolerance});
 }
 
 bool has_feed(Task& task) {

@@ -21,6 +21,8 @@ struct Move {
   bool rapid = false;  // G00: only axis limits bind
   double feed = 0;     // mm/s along the path, as programmed; unused for rapids
   Join join = Join::follow;
+  double corner_tolerance = 0;  // mm: how far the next joint may be rounded (G64 P)
+  double chord_tolerance = 0;   // mm: how far joined chords may stray (G64 Q)
 };
 
 struct Dwell {
