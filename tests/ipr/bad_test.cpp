@@ -148,6 +148,7 @@ const std::multimap<Code, std::string> kTexts{
 /// Codes of the interpreter's own: characters and words, modes and motion, blocks of a NURBS.
 bool is_own(Code code) {
   const int number = static_cast<int>(code);
+  if (number == 2350 || number == 2351) return false;  // of motion: no word asks for it yet
   return number < 3000 || (number >= 3100 && number < 3200);
 }
 
