@@ -8,6 +8,7 @@
 #include "hal/machine_file.hpp"
 #include "ipr/interpreter.hpp"
 #include "messages.hpp"
+#include "preflight.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -25,8 +26,7 @@ int write_blocks(ipr::Reader& reader, const std::string& file, const Machine& ma
   Diagnostics diagnostics([&](const Diagnostic& d) { messages.show(d); });
   diagnostics.set_file(file);
   ipr::Parser parser(reader, diagnostics);
-  ipr::Interpreter interpreter(parser, machine, diagnostics,
-                               {options.block_skip, options.optional_stop});
+  ipr::Interpreter interpreter(parser, machine, diagnostics, interpreter_options(options));
   StandardOutput out;
   BlockJson json;
   while (out.ok()) {

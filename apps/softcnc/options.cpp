@@ -49,6 +49,16 @@ void add_backend(CLI::App& command, Options& options) {
 void add_interpreter(CLI::App& command, Options& options) {
   command.add_flag("--block-skip", options.block_skip, "Leave out lines that begin with '/'");
   command.add_flag("--optional-stop", options.optional_stop, "Stop at M01");
+  command
+      .add_option_function<std::string>(
+          "--dialect",
+          [&options](const std::string& word) {
+            options.dialect =
+                word == name(ipr::Dialect::fanuc) ? ipr::Dialect::fanuc : ipr::Dialect::linuxcnc;
+          },
+          "Whose reading counts where controllers contradict each other (default linuxcnc)")
+      ->check(CLI::IsMember({"fanuc", "linuxcnc"}).description(""))
+      ->type_name("fanuc|linuxcnc");
 }
 
 void add_feed_override(CLI::App& command, Options& options) {

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "ipr/dialect.hpp"
+
 namespace softcnc::app {
 
 enum class Command : std::uint8_t { run, check, blocks, record, replay, machine };
@@ -21,6 +23,7 @@ struct Options {
 
   double feed_override = 1;  // of the programmed feed
   bool block_skip = false, optional_stop = false;
+  ipr::Dialect dialect = ipr::Dialect::linuxcnc;
 
   bool dry_run = false;
   std::string trace, report;  // files; empty: none

@@ -5,8 +5,16 @@
 
 namespace softcnc::app {
 
+ipr::InterpreterOptions interpreter_options(const Options& options) {
+  ipr::InterpreterOptions interpreter;
+  interpreter.block_skip = options.block_skip;
+  interpreter.optional_stop = options.optional_stop;
+  interpreter.dialect = options.dialect;
+  return interpreter;
+}
+
 ChannelOptions channel_options(const Options& options) {
-  return {options.feed_override, {options.block_skip, options.optional_stop}};
+  return {options.feed_override, interpreter_options(options)};
 }
 
 Machine without_backend(Machine machine) {

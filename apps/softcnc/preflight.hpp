@@ -9,6 +9,7 @@
 
 namespace softcnc::app {
 
+ipr::InterpreterOptions interpreter_options(const Options& options);
 ChannelOptions channel_options(const Options& options);
 
 /// The machine with a backend that goes nowhere.

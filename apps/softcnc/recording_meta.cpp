@@ -8,14 +8,30 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-RecordingMeta read(const Json& json) {
+tl::unexpected<Diagnostic> error(Code code, std::string message) {
+  return tl::make_unexpected(Diagnostic{code, {}, std::move(message), {}, {}});
+}
+
+/// Recordings made before there were dialects name none.
+Result<ipr::Dialect> read_dialect(const Json& options) {
+  const std::string word = options.value("dialect", std::string(name(ipr::Dialect::linuxcnc)));
+  for (const ipr::Dialect dialect : {ipr::Dialect::linuxcnc, ipr::Dialect::fanuc})
+    if (word == name(dialect)) return dialect;
+  return error(Code::SC6022, "was made in a dialect this version does not know: '" + word + "'");
+}
+
+Result<RecordingMeta> read(const Json& json) {
   const Json& options = json.at("options");
-  return {json.at("program").at("name"),
-          json.at("program").at("hash"),
-          json.at("machine").at("hash"),
-          json.at("trace").at("hash"),
-          json.at("trace").at("rows"),
-          {options.at("feed_override"), {options.at("block_skip"), options.at("optional_stop")}}};
+  const auto dialect = read_dialect(options);
+  if (!dialect) return tl::make_unexpected(dialect.error());
+  RecordingMeta meta{json.at("program").at("name"), json.at("program").at("hash"),
+                     json.at("machine").at("hash"), json.at("trace").at("hash"),
+                     json.at("trace").at("rows"),   {}};
+  meta.options.feed_override = options.at("feed_override");
+  meta.options.interpreter.block_skip = options.at("block_skip");
+  meta.options.interpreter.optional_stop = options.at("optional_stop");
+  meta.options.interpreter.dialect = *dialect;
+  return meta;
 }
 
 }  // namespace
@@ -30,7 +46,8 @@ std::string meta_json(const RecordingMeta& meta) {
       {"options",
        {{"feed_override", meta.options.feed_override},
         {"block_skip", meta.options.interpreter.block_skip},
-        {"optional_stop", meta.options.interpreter.optional_stop}}},
+        {"optional_stop", meta.options.interpreter.optional_stop},
+        {"dialect", name(meta.options.interpreter.dialect)}}},
       {"start", {{"position_mm", {0, 0, 0}}, {"tool", nullptr}, {"offsets_mm", {0, 0, 0}}}}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
@@ -39,17 +56,12 @@ Result<RecordingMeta> parse_meta(const std::string& text) {
   try {
     const Json json = Json::parse(text);
     if (const int schema = json.at("schema"); schema != kRecordingSchema)
-      return tl::make_unexpected(Diagnostic{Code::SC6022,
-                                            {},
-                                            "is a recording of schema " + std::to_string(schema) +
-                                                "; this version replays schema " +
-                                                std::to_string(kRecordingSchema),
-                                            {},
-                                            {}});
+      return error(Code::SC6022, "is a recording of schema " + std::to_string(schema) +
+                                     "; this version replays schema " +
+                                     std::to_string(kRecordingSchema));
     return read(json);
-  } catch (const Json::exception& error) {
-    return tl::make_unexpected(Diagnostic{
-        Code::SC6021, {}, std::string("has a meta.json that says: ") + error.what(), {}, {}});
+  } catch (const Json::exception& broken) {
+    return error(Code::SC6021, std::string("has a meta.json that says: ") + broken.what());
   }
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ipr/handlers.hpp"
+#include "motion/units.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -18,14 +19,17 @@ void emit_action(Task& task, Action::Kind kind, double value = 0) {
 
 }  // namespace
 
-/// G04 P: seconds.
+/// G04 P: seconds; FANUC: milliseconds.
 void dwell(Task& task) {
+  const bool fanuc = task.options.dialect == Dialect::fanuc;
   if (!task.values.has('P'))
-    return task.out.report(Code::SC2005, task.word.pos, "G04 needs P, the time in seconds");
+    return task.out.report(
+        Code::SC2005, task.word.pos,
+        fanuc ? "G04 needs P, the time in milliseconds" : "G04 needs P, the time in seconds");
   const Word& time = task.values.word('P');
   if (time.value < 0)
     return task.out.report(Code::SC2007, time.pos, "P, the time of G04, must not be negative");
-  if (time.value > 0) task.out.emit(Dwell{time.value});
+  if (time.value > 0) task.out.emit(Dwell{fanuc ? s_from_ms(time.value) : time.value});
 }
 
 void set_speed(Task& task) {

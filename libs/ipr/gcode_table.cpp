@@ -44,7 +44,7 @@ constexpr GCode kTable[] = {
      "way)."},
     {'G', 30, Group::motion, order::motion, "XYZIJKR", arc_counterclockwise,
      "Arc or helix counter-clockwise, by centre or radius as G02."},
-    {'G', 40, Group::non_modal, order::dwell, "P", dwell, "Dwell of P seconds."},
+    {'G', 40, Group::non_modal, order::dwell, "P", dwell, "Dwell of P seconds (fanuc: milliseconds)."},
     {'G', 62, Group::motion, order::motion, "XYZKRP", nurbs,
      "NURBS of order P (4): one block a control point with knot K and weight R (1), then P blocks "
      "of K."},

@@ -88,6 +88,10 @@ struct Spindle {
   double max_rpm = 24000;
 };
 
+struct ProgramLimits {
+  int block_limit = 10'000'000;  // blocks that loops and calls may run in all
+};
+
 struct Tool {
   double radius = 0;  // mm
   int teeth = 0;
@@ -99,6 +103,7 @@ struct Machine {
   PathLimits limits;
   std::array<Axis, kAxes> axes;
   Spindle spindle;
+  ProgramLimits program;
   std::map<int, Tool> tools;
 };
 

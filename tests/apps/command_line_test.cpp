@@ -26,7 +26,7 @@ TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
 
 TEST_CASE("what does not exist is refused as wrong usage", "[apps][cli]") {
   for (const char* option :
-       {"--realtime", "--from-line 3", "--dialect fanuc", "--diagnostics json", "--watch",
+       {"--realtime", "--from-line 3", "--dialect siemens", "--diagnostics json", "--watch",
         "--backend stepdir", "--progress maybe", "--quiet --verbose", "--set"}) {
     CAPTURE(option);
     const Ended ended = call(std::string("run $data/square.nc ") + option);
@@ -41,9 +41,22 @@ TEST_CASE("what does not exist is refused as wrong usage", "[apps][cli]") {
   }
 }
 
+TEST_CASE("--dialect says whose reading counts", "[apps][cli]") {
+  const std::string part = "G04 P250\nM30\n";
+  CHECK(call("blocks -", part).out.find("\"duration_s\":250}") != std::string::npos);
+  CHECK(call("blocks --dialect linuxcnc -", part).out == call("blocks -", part).out);
+  CHECK(call("blocks --dialect=fanuc -", part).out.find("\"duration_s\":0.25}") !=
+        std::string::npos);
+  CHECK(parse_trace(call("run -q --dry-run --dialect fanuc -", part).out).rows.size() == 251);
+  const std::string missing = "G04\nM30\n";
+  CHECK(call("check --dialect fanuc -", missing).out.find("the time in milliseconds\n") !=
+        std::string::npos);
+  CHECK(call("check -", missing).out.find("the time in seconds\n") != std::string::npos);
+}
+
 TEST_CASE("an unknown option is named, whatever follows it", "[apps][cli]") {
-  for (const char* words : {"--realtime", "--from-line 3", "--dialect fanuc", "--diagnostics json",
-                            "--dialect=fanuc", "--set control.backend=sim --watch", "-x"}) {
+  for (const char* words : {"--realtime", "--from-line 3", "--diagnostics json", "--from-line=3",
+                            "--set control.backend=sim --watch", "-x"}) {
     CAPTURE(words);
     const std::string all = words;
     const std::size_t begin = all.starts_with("--set") ? all.rfind("--") : 0;

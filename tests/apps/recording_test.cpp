@@ -130,6 +130,27 @@ TEST_CASE("options count in a replay as they did in the run", "[apps][recording]
   CHECK(call("replay -q " + file).status == 0);
 }
 
+TEST_CASE("a program is replayed in the dialect it was recorded in", "[apps][recording]") {
+  const Folder folder;
+  write(folder / "p.nc", "G04 P250\nM30\n");
+  const std::string file = recorded(folder, (folder / "p.nc") + " --dialect fanuc");
+  Content held = content(file);
+  json meta = json::parse(held.meta);
+  CHECK(meta["options"]["dialect"] == "fanuc");
+  CHECK(call("replay -q " + file).status == 0);
+
+  meta["options"]["dialect"] = "linuxcnc";
+  held.meta = meta.dump();
+  pack(file, held);
+  CHECK(call("replay -q " + file).status == 1);
+
+  meta["options"]["dialect"] = "siemens";
+  held.meta = meta.dump();
+  pack(file, held);
+  CHECK(call("replay -q " + file).err ==
+        file + ": error SC6022: was made in a dialect this version does not know: 'siemens'\n");
+}
+
 TEST_CASE("one BLU in one row is a difference: the row is shown, exit status 1",
           "[apps][recording]") {
   const Folder folder;

@@ -120,6 +120,8 @@ following_error_um = 7500
 [spindle]
 min_rpm = 100
 max_rpm = 12500
+[program]
+block_limit = 250
 [tool.7]
 radius_mm = 2.5
 teeth = 4
@@ -161,6 +163,7 @@ teeth = 4
   CHECK(y.drive.following_error == 7.5);
   CHECK(m.spindle.min_rpm == 100);
   CHECK(m.spindle.max_rpm == 12500);
+  CHECK(m.program.block_limit == 250);
   REQUIRE(m.tools.size() == 1);
   CHECK(m.tools.at(7).radius == 2.5);
   CHECK(m.tools.at(7).teeth == 4);
