@@ -3,6 +3,7 @@
 #include "ipr/interpreter.hpp"
 
 #include <string>
+#include <utility>
 
 #include "ipr/handlers.hpp"
 
@@ -23,8 +24,11 @@ const Word* first_of(const Values& values, Letters letters) noexcept {
 }  // namespace
 
 Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& diagnostics,
-                         InterpreterOptions options)
-    : parser_(parser), machine_(machine), options_(options), out_(diagnostics) {}
+                         InterpreterOptions options, MachineState state)
+    : parser_(parser), machine_(machine), options_(options), out_(diagnostics) {
+  modal_.state = std::move(state);
+  modal_.update_coordinates();
+}
 
 std::optional<Block> Interpreter::next() {
   for (;;) {

@@ -21,14 +21,17 @@ struct InterpreterOptions {
 
 class Interpreter {
  public:
-  /// What is referred to must outlive the interpreter.
+  /// What is referred to must outlive the interpreter. `state`: what earlier programs left behind.
   Interpreter(Parser& parser, const Machine& machine, Diagnostics& diagnostics,
-              InterpreterOptions options = {});
+              InterpreterOptions options = {}, MachineState state = {});
 
   /// The next block of the program, the last being Action::Kind::end. Lines with an error are
   /// reported and give no block; reading goes on behind them, and what is wrong only as a
   /// consequence is not reported.
   std::optional<Block> next();
+
+  /// Offsets and the like as the lines read so far leave them; at the end, what is to be kept.
+  const MachineState& state() const noexcept { return modal_.state; }
 
  private:
   void interpret(const Line& line);

@@ -18,10 +18,13 @@ struct WorkOffset {
   friend bool operator==(const WorkOffset&, const WorkOffset&) = default;
 };
 
-/// What G10 L1, L10 and L11 keep of a tool.
+/// What G10 L1, L10 and L11 keep of a tool. Wear is what a FANUC control keeps beside, by G10 L11
+/// and L13, and adds.
 struct ToolOffset {
   AxisVector length = AxisVector::Zero();  // mm, from the control point to the tip
   double radius = 0;                       // mm
+  double length_wear = 0;                  // mm, along Z
+  double radius_wear = 0;                  // mm
 
   friend bool operator==(const ToolOffset&, const ToolOffset&) = default;
 };

@@ -123,6 +123,22 @@ TEST_CASE("what is certain again is held against later lines", "[ipr]") {
   CHECK(places(interpret("G01 F1.2.3 X1\nF0\nX2\nM30\n")) == Places{"SC1004 1:6", "SC2102 3:1"});
 }
 
+TEST_CASE("a program begins with the offsets that it is given, and gives them back", "[ipr]") {
+  MachineState state;
+  state.work[0].origin = {100, 20, 3};
+  Diagnostics diagnostics;
+  const Machine machine;
+  Reader reader = Reader::from_text("G00 X1 Y1 Z1\nM30\n");
+  Parser parser(reader, diagnostics);
+  Interpreter interpreter(parser, machine, diagnostics, {}, state);
+  const auto block = interpreter.next();
+  REQUIRE(block);
+  CHECK(end(std::get<Move>(block->what).path) == AxisVector(101, 21, 4));
+  while (interpreter.next()) {
+  }
+  CHECK(interpreter.state() == state);
+}
+
 TEST_CASE("a reading failure is told once, and not as a program without end", "[ipr]") {
   const Interpreted result = interpret(Reader(-2));
   CHECK(places(result).empty() == false);
