@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+"""softcnc: runs a program and turns what `softcnc blocks` says into moves."""
+import json
+import pathlib
+import re
+import subprocess
+
+import numpy as np
+
+from moves import Error, Move, Outcome
+
+HERE = pathlib.Path(__file__).resolve().parent
+DIAGNOSTIC = re.compile(r"^(?:.*?):(\d+):(?:\d+:)? (error|warning|note) (SC\d+): (.*)$")
+TIMEOUT = 20  # s
+
+
+def move(block):
+    """None for blocks that neither move nor wait."""
+    kind = block["kind"]
+    if kind == "dwell":
+        return Move(kind, duration=block["duration_s"], line=block["line"])
+    if "to" not in block:
+        return None
+    made = Move(kind, np.array(block["from"], float), np.array(block["to"], float), block.get("feed_mm_s"),
+                line=block["line"])
+    if kind == "arc":
+        made.plane, made.center = block["plane"], np.array(block["center"], float)
+        made.ccw, made.turns = block["ccw"], int(block["turns"])
+    if kind == "nurbs":
+        made.curve = {name: block[name] for name in ("degree", "control", "weights", "knots")}
+    return made
+
+
+class Softcnc:
+    def __init__(self, binary):
+        self.command = [str(binary), "blocks", "--dialect", "linuxcnc", "--machine", str(HERE / "machine.toml")]
+
+    def run(self, program):
+        try:
+            done = subprocess.run([*self.command, str(program)], capture_output=True, timeout=TIMEOUT,
+                                  cwd=pathlib.Path(program).resolve().parent)
+        except subprocess.TimeoutExpired:
+            return Outcome(False, [], [Error("timeout", "endless", "")])
+        lines = pathlib.Path(program).read_bytes().decode("latin-1").splitlines()
+        errors = []
+        for text in done.stderr.decode("latin-1").splitlines():
+            found = DIAGNOSTIC.match(text)
+            if found and found[2] == "error":
+                number = int(found[1])
+                errors.append(Error(found[3], found[4], lines[number - 1] if 0 < number <= len(lines) else ""))
+        if done.returncode not in (0, 1) or (done.returncode == 1) != bool(errors):
+            errors.append(Error("status", f"exit status {done.returncode}", ""))
+        moves = [move(json.loads(line)) for line in done.stdout.splitlines()]
+        return Outcome(not errors, [m for m in moves if m is not None], errors)

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: MIT
+"""LinuxCNC's rs274: runs a program and turns its canonical calls into moves."""
+import json
+import math
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+
+from moves import PLANE_AXES, Error, Move, Outcome
+
+HERE = pathlib.Path(__file__).resolve().parent
+INCH = 25.4  # mm
+CALL = re.compile(r"^\s*\d+ N\S*\s+(\w+)\((.*)\)$")
+PLANES = {"CANON_PLANE_XY": "XY", "CANON_PLANE_XZ": "ZX", "CANON_PLANE_YZ": "YZ"}
+TIMEOUT = 10  # s; a loop without end
+
+
+def numbers(text):
+    return [float(word) for word in re.split(r"[ ,]+", text.strip())]
+
+
+class Canon:
+    """The state that canonical calls are meant in. Lengths are kept in mm."""
+
+    def __init__(self):
+        self.scale = 1.0
+        self.origin, self.shift, self.tool = np.zeros(3), np.zeros(3), np.zeros(3)
+        self.rotation = 0.0
+        self.plane = "XY"
+        self.rate, self.per_turn, self.speed = 0.0, False, 0.0
+        self.position = np.zeros(3)
+        self.moves = []
+        self.splines = 0
+
+    def machine(self, program, scale=None):
+        """machine = tool + origin + R (program + shift)."""
+        x, y, z = np.asarray(program, float) * (scale or self.scale) + self.shift
+        c, s = math.cos(self.rotation), math.sin(self.rotation)
+        return np.array([c * x - s * y, s * x + c * y, z]) + self.origin + self.tool
+
+    def feed(self):
+        return self.rate * self.scale / 60 * (self.speed if self.per_turn else 1)
+
+    def add(self, kind, end, call, **more):
+        self.moves.append(Move(kind, self.position, end, call=call, **more))
+        self.position = end
+
+    def take(self, name, text):
+        """False at the end of the program."""
+        act = getattr(self, "on_" + name, None)
+        if act:
+            act(text)
+        return name != "PROGRAM_END"
+
+    def on_USE_LENGTH_UNITS(self, text):
+        self.scale = INCH if "INCH" in text else 1.0
+
+    def on_SET_G5X_OFFSET(self, text):
+        self.origin = np.array(numbers(text)[1:4]) * self.scale
+
+    def on_SET_G92_OFFSET(self, text):
+        self.shift = np.array(numbers(text)[:3]) * self.scale
+
+    def on_SET_XY_ROTATION(self, text):
+        self.rotation = math.radians(float(text))
+
+    def on_USE_TOOL_LENGTH_OFFSET(self, text):
+        self.tool = np.array(numbers(text)[:3]) * self.scale
+
+    def on_SELECT_PLANE(self, text):
+        self.plane = PLANES[text]
+
+    def on_SET_FEED_RATE(self, text):
+        self.rate = float(text)
+
+    def on_SET_FEED_MODE(self, text):
+        self.per_turn = numbers(text)[1] != 0
+
+    def on_SET_SPINDLE_SPEED(self, text):
+        self.speed = numbers(text)[1]
+
+    def on_STRAIGHT_TRAVERSE(self, text):
+        self.add("rapid", self.machine(numbers(text)[:3]), "STRAIGHT_TRAVERSE" + text)
+
+    def on_STRAIGHT_FEED(self, text):
+        self.add("feed", self.machine(numbers(text)[:3]), "STRAIGHT_FEED" + text, feed=self.feed())
+
+    def on_ARC_FEED(self, text):
+        a, b, ca, cb, turns, across = numbers(text)[:6]
+        i, j = PLANE_AXES[self.plane]
+        end, center = np.zeros(3), np.zeros(3)
+        end[i], end[j], end[3 - i - j] = a, b, across
+        center[i], center[j], center[3 - i - j] = ca, cb, across
+        self.add("arc", self.machine(end), "ARC_FEED" + text, feed=self.feed(), plane=self.plane,
+                 center=self.machine(center), ccw=turns > 0, turns=abs(int(turns)) - 1)
+
+    def on_NURBS_FEED(self, text):
+        points = self.points_of[self.splines]
+        self.splines += 1
+        points = [self.machine(point, INCH) for point in points]
+        self.add("nurbs", points[-1], "NURBS_FEED" + text, feed=self.feed(), points=points)
+
+    def on_DWELL(self, text):
+        self.moves.append(Move("dwell", self.position, self.position, duration=float(text), call="DWELL" + text))
+
+    def on_CHANGE_TOOL(self, text):
+        pass
+
+
+class Rs274:
+    """The program of Debian's linuxcnc-uspace. `preload` is exact_printf.c, compiled."""
+
+    def __init__(self, preload, folder):
+        self.folder = pathlib.Path(folder)
+        self.environment = dict(os.environ, LD_PRELOAD=str(preload), LC_ALL="C")
+
+    def run(self, program):
+        """`program` is a path; subprograms are looked for beside it."""
+        variables = self.folder / "rs274.var"
+        variables.write_text("")
+        (self.folder / "rs274.var.bak").unlink(missing_ok=True)
+        tools = shutil.copy(HERE / "tools.tbl", self.folder)  # G10 may write to it
+        command = ["rs274", "-t", tools, "-v", variables, "-g", pathlib.Path(program).resolve()]
+        try:
+            done = subprocess.run(command, env=self.environment, capture_output=True, timeout=TIMEOUT,
+                                  cwd=pathlib.Path(program).resolve().parent)
+        except subprocess.TimeoutExpired:
+            return Outcome(False, [], [Error("", "endless", "")])
+        errors = self.errors(done)
+        canon = Canon()
+        lines = done.stdout.decode("latin-1").splitlines()
+        if any("NURBS_FEED" in line for line in lines):
+            canon.points_of = self.spline_points(program)
+        for line in lines:
+            call = CALL.match(line)
+            if call and not canon.take(*call.groups()):
+                break
+        return Outcome(done.returncode == 0, canon.moves, errors)
+
+    @staticmethod
+    def errors(done):
+        """A text and the line it is about, as rs274 tells them."""
+        if done.returncode == 0:
+            return []
+        lines = [line for line in done.stderr.decode("latin-1").splitlines() if line != "executing"]
+        if done.returncode < 0:
+            return [Error("", f"ended by signal {-done.returncode}", "")]
+        return [Error("", lines[-2] if len(lines) > 1 else "", lines[-1] if lines else "")]
+
+    def spline_points(self, program):
+        """rs274 does not print the points of splines; the preview of the same library tells them."""
+        done = subprocess.run(["/usr/bin/python3", HERE / "spline_points.py", program, self.folder],
+                              capture_output=True, text=True, timeout=TIMEOUT)
+        if done.returncode:
+            sys.exit(f"spline_points.py: {done.stderr}")
+        return json.loads(done.stdout)

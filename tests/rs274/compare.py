@@ -1,0 +1,176 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Compares softcnc with LinuxCNC's rs274, program by program.
+
+    compare.py --softcnc BINARY [--valid N] [--broken N] [--seed N] [--keep FOLDER] [PROGRAM...]
+
+Without PROGRAM: those of this folder, and generated ones. Both must accept or both refuse; what both accept must
+lead to the same moves: kind, end, centre, plane, turns, feed, dwell. What differs must stand in docs/differences.md, and
+what stands there must differ. Exit 1 otherwise.
+"""
+import argparse
+import collections
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+sys.path.insert(0, str(ROOT / "tests/oracle"))
+
+import curves  # noqa: E402
+import differences  # noqa: E402
+import generate  # noqa: E402
+from blocks import Softcnc  # noqa: E402
+from canon import Rs274  # noqa: E402
+from differences import Finding  # noqa: E402
+
+TOLERANCE = 1e-4  # mm, and mm/min
+SAMPLES = 2000    # of a spline, from which the nearest point is searched
+
+
+def off(a, b):
+    return float(np.max(np.abs(np.asarray(a) - np.asarray(b))))
+
+
+def distance(curve, points):
+    """The largest distance of `points` from a NURBS as softcnc gives it, mm."""
+    nurbs = curves.Nurbs(curve["degree"], curve["control"], curve["weights"], curve["knots"])
+    first, last = nurbs.breaks[0], nurbs.breaks[-1]
+    sampled = np.linspace(first, last, SAMPLES)
+    at = nurbs.derivatives(sampled)[0]
+    worst = 0.0
+    for point in points:
+        u = sampled[np.argmin(np.sum((at - point) ** 2, axis=1))]
+        for _ in range(20):
+            p, p1, p2 = (d[0] for d in nurbs.derivatives([u]))
+            slope = p1 @ p1 + (p - point) @ p2
+            if slope <= 0:
+                break
+            u = float(np.clip(u - (p - point) @ p1 / slope, first, last))
+        worst = max(worst, float(np.linalg.norm(nurbs.derivatives([u])[0][0] - point)))
+    return worst
+
+
+def unlike(ours, theirs):
+    """In what a move differs; empty: in nothing."""
+    if ours.kind != theirs.kind:
+        return f"{ours.kind} instead of {theirs.kind}"
+    if ours.kind == "dwell":
+        return "" if abs(ours.duration - theirs.duration) < 1e-6 else f"{ours.duration} s, not {theirs.duration}"
+    if off(ours.end, theirs.end) > TOLERANCE:
+        return f"to {ours.end}, not {theirs.end}"
+    if ours.feed is not None and abs(ours.feed - theirs.feed) * 60 > TOLERANCE:
+        return f"feed {ours.feed * 60:.6g}, not {theirs.feed * 60:.6g} mm/min"
+    if ours.kind == "arc":
+        return unlike_arc(ours, theirs)
+    if ours.kind == "nurbs" and (far := distance(ours.curve, theirs.points)) > TOLERANCE:
+        return f"points of rs274 lie {far:.6g} mm off the curve"
+    return ""
+
+
+def unlike_arc(ours, theirs):
+    if (ours.plane, ours.ccw, ours.turns) != (theirs.plane, theirs.ccw, theirs.turns):
+        return (f"plane {ours.plane} ccw {ours.ccw} turns {ours.turns}, not "
+                f"{theirs.plane} {theirs.ccw} {theirs.turns}")
+    across = {"XY": 2, "ZX": 1, "YZ": 0}[ours.plane]
+    centers = (np.delete(m.center, across) for m in (ours, theirs))
+    if off(*centers) > TOLERANCE:
+        return f"around {ours.center}, not {theirs.center}"
+    return ""
+
+
+def compare_moves(name, ours, theirs, lines):
+    """The first difference, in a list."""
+    ours, theirs = ([m for m in moves if m.moves()] for moves in (ours, theirs))
+    for a, b in zip(ours, theirs):
+        if what := unlike(a, b):
+            return [Finding("moves", name, "", f"{what} ({b.call})", lines[a.line - 1])]
+    if len(ours) > len(theirs):
+        extra = ours[len(theirs)]
+        return [Finding("moves", name, "", f"one more: {extra.kind} to {extra.end}", lines[extra.line - 1])]
+    if len(theirs) > len(ours):
+        line = lines[ours[-1].line - 1] if ours else ""
+        return [Finding("moves", name, "", f"missing behind this line: {theirs[len(ours)].call}", line)]
+    return []
+
+
+def compare(program, softcnc, rs274):
+    """What differs, and what both made of it."""
+    ours, theirs = softcnc.run(program), rs274.run(program)
+    name = program.name
+    if ours.accepted and theirs.accepted:
+        lines = program.read_bytes().decode("latin-1").splitlines() + [""]
+        return compare_moves(name, ours.moves, theirs.moves, lines), "accepted by both"
+    if theirs.accepted:
+        return [Finding("refused", name, e.code, e.text, e.line) for e in ours.errors], "refused by softcnc alone"
+    if ours.accepted:
+        return [Finding("accepted", name, "", e.text, e.line) for e in theirs.errors], "refused by rs274 alone"
+    return [], "refused by both"
+
+
+def compile_preload(folder):
+    library = folder / "exact_printf.so"
+    subprocess.run(["cc", "-O1", "-shared", "-fPIC", "-o", library, HERE / "exact_printf.c"], check=True)
+    return library
+
+
+def programs_for(arguments, folder):
+    if arguments.program:
+        return arguments.program
+    programs = sorted(HERE.glob("*.nc"))
+    for kind, count in (("valid", arguments.valid), ("broken", arguments.broken)):
+        for number in range(count):
+            path = folder / f"{kind}_{number:04}.nc"
+            path.write_bytes(getattr(generate, kind)(arguments.seed * 100000 + number))
+            programs.append(path)
+    return programs
+
+
+def report(findings, rows, verdicts, complete):
+    unlisted = 0
+    for finding in findings:
+        row = differences.explanation(finding, rows)
+        if row:
+            row.seen += 1
+            continue
+        unlisted += 1
+        print(f"UNLISTED {finding}")
+    stale = [row for row in rows if complete and not row.seen]
+    for row in stale:
+        print(f"NO LONGER SEEN {row.what}: {row.kind} {row.code} {row.text} {row.pattern}")
+    told = ", ".join(f"{count} {verdict}" for verdict, count in sorted(verdicts.items()))
+    print(f"{sum(verdicts.values())} programs: {told}; {unlisted} differences not listed, "
+          f"{sum(1 for row in rows if row.seen)} of {len(rows)} listed ones seen")
+    return 1 if unlisted or stale else 0
+
+
+def main(words):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--softcnc", required=True)
+    parser.add_argument("--valid", type=int, default=400)
+    parser.add_argument("--broken", type=int, default=200)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--keep", type=pathlib.Path, help="keep the generated programs here")
+    parser.add_argument("program", nargs="*", type=pathlib.Path)
+    arguments = parser.parse_args(words)
+    rows = differences.read(ROOT / "docs/differences.md")
+    verdicts, findings = collections.Counter(), []
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = pathlib.Path(temporary)
+        softcnc, rs274 = Softcnc(pathlib.Path(arguments.softcnc).resolve()), Rs274(compile_preload(folder), folder)
+        for program in map(pathlib.Path.resolve, programs_for(arguments, folder)):
+            found, verdict = compare(program, softcnc, rs274)
+            findings += found
+            verdicts[verdict] += 1
+        if arguments.keep:
+            shutil.copytree(folder, arguments.keep, dirs_exist_ok=True)
+    return report(findings, rows, verdicts, complete=not arguments.program)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
