@@ -26,7 +26,11 @@ Diagnostic cannot_read(Code code, const std::string& what, int error) {
 }  // namespace
 
 Reader::Reader(int descriptor, bool owned)
-    : descriptor_(descriptor), owned_(owned), buffer_(kBufferSize, '\0') {}
+    : descriptor_(descriptor), owned_(owned), buffer_(kBufferSize, '\0') {
+  struct stat status {};
+  if (::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode))
+    origin_ = ::lseek(descriptor, 0, SEEK_CUR);
+}
 
 Reader::Reader(Reader&& other) noexcept { *this = std::move(other); }
 
@@ -35,13 +39,19 @@ Reader& Reader::operator=(Reader&& other) noexcept {
   close();
   descriptor_ = std::exchange(other.descriptor_, -1);
   owned_ = other.owned_;
+  origin_ = other.origin_;
+  spool_ = std::move(other.spool_);
+  pipe_ended_ = other.pipe_ended_;
   buffer_ = std::move(other.buffer_);
   begin_ = std::exchange(other.begin_, 0);
   end_ = std::exchange(other.end_, 0);
+  intact_ = other.intact_;
+  end_offset_ = other.end_offset_;
   line_feed_ = other.line_feed_;
   line_feed_belongs_to_cr_ = other.line_feed_belongs_to_cr_;
   line_was_cut_ = other.line_was_cut_;
   line_ = other.line_;
+  seek_error_ = other.seek_error_;
   failure_ = std::move(other.failure_);
   return *this;
 }
@@ -68,6 +78,7 @@ Reader Reader::from_text(std::string text) {
   Reader reader;
   reader.buffer_ = std::move(text);
   reader.end_ = reader.buffer_.size();
+  reader.end_offset_ = reader.end_;
   return reader;
 }
 
@@ -107,22 +118,66 @@ std::size_t Reader::find_line_end(std::size_t from) noexcept {
 
 /// Reads more behind what is there. False at the end of the text.
 bool Reader::fill() {
-  if (descriptor_ < 0) return false;
+  if (descriptor_ < 0 || failure_) return false;
   std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+  intact_ -= std::min(intact_, begin_);
   end_ -= std::exchange(begin_, 0);
-  if (end_ == buffer_.size()) end_ = kLongestLine + 1;  // the rest of such a line is not kept
+  if (end_ == buffer_.size()) intact_ = end_ = kLongestLine + 1;  // the rest of it is not kept
   line_feed_ = kUnknown;
-  ssize_t got = 0;
-  do {
-    got = ::read(descriptor_, buffer_.data() + end_, buffer_.size() - end_);
-  } while (got < 0 && errno == EINTR);
+  const std::ptrdiff_t got = read_more(buffer_.data() + end_, buffer_.size() - end_);
   if (got < 0) failure_ = cannot_read(Code::SC6002, "on", errno);
-  if (got <= 0) {
-    close();
-    return false;
-  }
+  if (got <= 0) return false;
   end_ += static_cast<std::size_t>(got);
+  end_offset_ += static_cast<std::uint64_t>(got);
   return true;
+}
+
+/// What lies at end_offset_: once more out of the spool, or new.
+std::ptrdiff_t Reader::read_more(char* to, std::size_t size) {
+  std::ptrdiff_t got = 0;
+  const bool again = is_pipe() && end_offset_ < spool_.size();
+  if (is_pipe() && !again && pipe_ended_) return 0;
+  do {
+    got = again ? spool_.read(end_offset_, to, size) : ::read(descriptor_, to, size);
+  } while (got < 0 && errno == EINTR);
+  if (is_pipe() && !again && got > 0) spool_.add(to, static_cast<std::size_t>(got));
+  if (!again && got == 0) pipe_ended_ = true;
+  return got;
+}
+
+Reader::Place Reader::place() const noexcept {
+  return {end_offset_ - (end_ - begin_), line_, line_feed_belongs_to_cr_};
+}
+
+Reader::Place Reader::place_before(std::string_view last) const noexcept {
+  const char* const end = buffer_.data() + end_;
+  return {end_offset_ - static_cast<std::uint64_t>(end - last.data()), line_ - 1, false};
+}
+
+bool Reader::seek(const Place& place) {
+  const bool in_buffer =
+      place.offset <= end_offset_ && end_offset_ - place.offset <= end_ - intact_;
+  if (!in_buffer) {
+    if (is_pipe() && spool_.failure()) return false;
+    const auto target = static_cast<off_t>(place.offset) + origin_;
+    if (!is_pipe() && ::lseek(descriptor_, target, SEEK_SET) < 0) {
+      seek_error_ = errno;
+      return false;
+    }
+    begin_ = end_ = intact_ = 0;
+    end_offset_ = place.offset;
+  } else {
+    begin_ = end_ - static_cast<std::size_t>(end_offset_ - place.offset);
+  }
+  line_feed_ = kUnknown;
+  line_ = place.line;
+  line_feed_belongs_to_cr_ = place.behind_cr;
+  return true;
+}
+
+Diagnostic Reader::seek_failure() const {
+  if (spool_.failure()) return *spool_.failure();
+  return cannot_read(Code::SC6002, "it again", seek_error_);
 }
 
 std::string_view Reader::take(std::size_t line_end) noexcept {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "ipr/spool.hpp"
 #include "motion/result.hpp"
 
 namespace softcnc::ipr {
@@ -16,6 +18,13 @@ namespace softcnc::ipr {
 class Reader {
  public:
   static constexpr std::size_t kLongestLine = 16384;  // bytes
+
+  /// Between two lines.
+  struct Place {
+    std::uint64_t offset = 0;  // bytes from where reading began
+    int line = 0;              // number of the line before
+    bool behind_cr = false;    // an LF that follows belongs to the line before
+  };
 
   /// "-" is standard input. Errors: SC6001 with the reason.
   static Result<Reader> open(const std::string& file);
@@ -30,6 +39,15 @@ class Reader {
   /// The next line without its end, valid until the next call; nothing at the end of the text or
   /// after failure().
   std::optional<std::string_view> next();
+
+  /// Behind the line last read.
+  Place place() const noexcept;
+  /// Before it, given what next() has returned.
+  Place place_before(std::string_view last) const noexcept;
+  /// Goes back, or on, to a place of this text. False where that cannot be: seek_failure().
+  bool seek(const Place& place);
+  /// Why the last seek() failed: SC6002, or SC6032 where a pipe could not be kept.
+  Diagnostic seek_failure() const;
 
   /// Number of the line last read, from 1; 0 before the first.
   int line() const noexcept { return line_; }
@@ -46,19 +64,27 @@ class Reader {
   std::size_t find_line_end(std::size_t from) noexcept;
   std::size_t find(char wanted, std::size_t from, std::size_t to) const noexcept;
   bool fill();
+  std::ptrdiff_t read_more(char* to, std::size_t size);
+  bool is_pipe() const noexcept { return origin_ < 0; }
   std::string_view take(std::size_t line_end) noexcept;
   void close() noexcept;
 
   static constexpr std::size_t kUnknown = std::string::npos;
 
-  int descriptor_ = -1;  // -1: nothing more to come
+  int descriptor_ = -1;  // -1: all there is lies in the buffer
   bool owned_ = false;
+  std::int64_t origin_ = -1;  // where in the file reading began; -1: a pipe
+  Spool spool_;               // what a pipe has given so far
+  bool pipe_ended_ = false;
   std::string buffer_;
   std::size_t begin_ = 0, end_ = 0;   // what is not yet read lies in [begin_, end_)
+  std::size_t intact_ = 0;            // the buffer is as the text from here on
+  std::uint64_t end_offset_ = 0;      // of the end of the buffer, in the text
   std::size_t line_feed_ = kUnknown;  // the next LF, or end_ if there is none
   bool line_feed_belongs_to_cr_ = false;
   bool line_was_cut_ = false;
   int line_ = 0;
+  int seek_error_ = 0;
   std::optional<Diagnostic> failure_;
 };
 

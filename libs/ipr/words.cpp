@@ -68,6 +68,7 @@ SourcePos span_of(const Values& values, std::string_view letters) noexcept {
     const SourcePos& pos = values.word(letter).pos;
     span.column = span.line == 0 ? pos.column : std::min(span.column, pos.column);
     span.line = pos.line;
+    span.file = pos.file;
     end = std::max(end, pos.column + pos.length);
   }
   span.length = std::max(1, end - span.column);

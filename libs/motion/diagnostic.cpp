@@ -103,6 +103,14 @@ std::string caret_line(std::string_view line, const SourcePos& pos) {
   return indent + '^' + std::string(static_cast<std::size_t>(wide - 1), '~');
 }
 
+/// A number in which every bit depends on every bit given (the finalizer of SplitMix64).
+constexpr std::uint64_t mixed(std::uint64_t x) noexcept {
+  x += 0x9E3779B97F4A7C15U;
+  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
+  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
+  return x ^ (x >> 31U);
+}
+
 }  // namespace
 
 std::span<const CodeInfo> code_table() noexcept { return kTable; }
@@ -144,8 +152,26 @@ int worse_status(int a, int b) noexcept {
   return std::max(a, b);
 }
 
+int Diagnostics::add_file(std::string file) {
+  files_.push_back(std::move(file));
+  return static_cast<int>(files_.size()) - 1;
+}
+
+/// Remembers the place, and says whether it was known.
+bool Diagnostics::is_repeated(const Diagnostic& d) {
+  if (d.pos.line == 0) return false;
+  std::uint64_t place = 0;
+  for (const int part : {d.pos.file, d.pos.line, d.pos.column, static_cast<int>(d.code)})
+    place = mixed(place ^ static_cast<std::uint32_t>(part));
+  if (told_.count(place) > 0) return lines_repeat_;
+  if (told_.size() < kRemembered) told_.insert(place);
+  return false;
+}
+
 void Diagnostics::report(Diagnostic diagnostic) {
-  if (diagnostic.file.empty()) diagnostic.file = file_;
+  if (is_repeated(diagnostic)) return;
+  if (diagnostic.file.empty())
+    diagnostic.file = files_[static_cast<std::size_t>(diagnostic.pos.file)];
   if (diagnostic.severity() == Severity::error) ++errors_;
   status_ = worse_status(status_, exit_status(diagnostic));
   if (sink_)

@@ -2,10 +2,13 @@
 // What goes wrong, where, and how it is told.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 namespace softcnc {
@@ -18,6 +21,7 @@ struct SourcePos {
   int line = 0;
   int column = 0;
   int length = 1;
+  int file = 0;  // 0: the program itself; others: Diagnostics::add_file()
 };
 
 /// The codes of diagnostic_table.inc: Code::SC2103 and so on.
@@ -70,8 +74,13 @@ class Diagnostics {
   Diagnostics() = default;
   explicit Diagnostics(Sink sink) : sink_(std::move(sink)) {}
 
-  void set_file(std::string file) { file_ = std::move(file); }
-  const std::string& file() const noexcept { return file_; }
+  void set_file(std::string file) { files_.front() = std::move(file); }
+  const std::string& file() const noexcept { return files_.front(); }
+  /// A further file that the program calls; returns its SourcePos::file.
+  int add_file(std::string file);
+
+  /// From here on lines may be read again: what has been told of a place is not told again.
+  void lines_repeat() noexcept { lines_repeat_ = true; }
 
   void report(Diagnostic diagnostic);
   void report(Code code, SourcePos pos, std::string message, std::string_view source_line = {});
@@ -81,8 +90,14 @@ class Diagnostics {
   int status() const noexcept { return status_; }  // worst exit status so far
 
  private:
+  static constexpr std::size_t kRemembered = 100000;  // places; those after them are told again
+
+  bool is_repeated(const Diagnostic& diagnostic);
+
   Sink sink_;
-  std::string file_;
+  std::vector<std::string> files_{std::string()};
+  std::unordered_set<std::uint64_t> told_;
+  bool lines_repeat_ = false;
   std::vector<Diagnostic> kept_;
   int errors_ = 0;
   int status_ = 0;

@@ -5,8 +5,11 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <vector>
@@ -138,6 +141,127 @@ TEST_CASE("a reader keeps its place when it is moved", "[ipr][reader]") {
   CHECK(second.line() == 2);
   first = std::move(second);
   CHECK(first.next() == "c");
+}
+
+namespace {
+
+/// Goes through the text by `steps` lines forward and then back to each place in turn.
+void check_places(Reader reader, const Lines& expected) {
+  std::vector<Reader::Place> before;
+  for (;;) {
+    before.push_back(reader.place());
+    if (!reader.next()) break;
+  }
+  REQUIRE(before.size() == expected.size() + 1);
+  for (std::size_t i = expected.size(); i-- > 0;) {
+    INFO("line " << i + 1);
+    for (const std::size_t from : {i, i * 7 % expected.size()}) {
+      REQUIRE(reader.seek(before[from]));
+      REQUIRE(reader.line() == static_cast<int>(from));
+      REQUIRE(reader.next() == expected[from]);
+    }
+  }
+  REQUIRE(reader.seek(before.front()));
+  REQUIRE(lines_of(std::move(reader)) == expected);
+}
+
+/// Lines of many lengths, one of them longer than the buffer, with ends of all kinds.
+std::string long_text(Lines& lines) {
+  const std::string ends[] = {"\n", "\r\n", "\r"};
+  std::string text;
+  for (unsigned i = 0; i < 9000; ++i) {
+    const std::string line(i == 4000 ? 200000 : i * 31 % 61, static_cast<char>('a' + i % 26));
+    lines.push_back(line.substr(0, Reader::kLongestLine));
+    text += line + ends[i % 5 % 3];
+    if (line.empty() && ends[i % 5 % 3] == "\n" && text.size() > 1 && text[text.size() - 2] == '\r')
+      lines.pop_back();  // the LF of a CRLF
+  }
+  return text;
+}
+
+std::string file_with(const std::string& text) {
+  const std::string name = std::filesystem::temp_directory_path() / "softcnc_reader_test.nc";
+  std::ofstream(name, std::ios::binary) << text;
+  return name;
+}
+
+/// A pipe into which another process writes the text.
+Reader pipe_of(const std::string& text) {
+  std::array<int, 2> ends{};
+  REQUIRE(::pipe(ends.data()) == 0);
+  if (::fork() == 0) {
+    for (std::size_t at = 0; at < text.size();) {
+      const ssize_t n =
+          ::write(ends[1], text.data() + at, std::min<std::size_t>(5000, text.size() - at));
+      if (n < 0) ::_exit(1);
+      at += static_cast<std::size_t>(n);
+    }
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  return Reader(ends[0]);
+}
+
+}  // namespace
+
+TEST_CASE("a text, a file and a pipe can be read again from any line", "[ipr][reader]") {
+  Lines expected;
+  const std::string text = long_text(expected);
+  SECTION("text") { check_places(Reader::from_text(text), expected); }
+  SECTION("file") {
+    auto reader = Reader::open(file_with(text));
+    REQUIRE(reader);
+    check_places(std::move(*reader), expected);
+  }
+  SECTION("pipe") { check_places(pipe_of(text), expected); }
+}
+
+TEST_CASE("the line last read can be read once more", "[ipr][reader]") {
+  Reader reader = Reader::from_text(
+      "\xEF\xBB\xBF"
+      "a\r\nbc\r\nd");
+  for (const char* expected : {"a", "bc", "d"}) {
+    const auto line = reader.next();
+    REQUIRE(line == expected);
+    const int number = reader.line();
+    REQUIRE(reader.seek(reader.place_before(*line)));
+    CHECK(reader.next() == expected);
+    CHECK(reader.line() == number);
+  }
+  CHECK_FALSE(reader.next());
+}
+
+TEST_CASE("a file that is read from its middle on goes back to there", "[ipr][reader]") {
+  const std::string name = file_with("a\nb\nc\nd\n");
+  const int file = ::open(name.c_str(), O_RDONLY);
+  REQUIRE(::lseek(file, 4, SEEK_SET) == 4);
+  Reader reader(file);
+  const Reader::Place begin = reader.place();
+  CHECK(reader.next() == "c");
+  CHECK(reader.next() == "d");
+  CHECK_FALSE(reader.next());
+  REQUIRE(reader.seek(begin));
+  CHECK(reader.next() == "c");
+  ::close(file);
+}
+
+TEST_CASE("without a temporary file a pipe is read, but not twice: SC6032", "[ipr][reader]") {
+  const char* before = std::getenv("TMPDIR");
+  const std::string kept = before ? before : "";
+  ::setenv("TMPDIR", "/proc/self/task", 1);  // a folder in which no file can be made
+  std::string text = "first\n";
+  for (int i = 0; i < 50000; ++i) text += "a line of it\n";
+  Reader reader = pipe_of(text);
+  const Reader::Place begin = reader.place();
+  int lines = 0;
+  while (reader.next()) ++lines;
+  CHECK(lines == 50001);
+  CHECK_FALSE(reader.failure());
+  CHECK_FALSE(reader.seek(begin));
+  CHECK(reader.seek_failure().code == Code::SC6032);
+  CHECK(reader.seek_failure().message.starts_with(
+      "what came through the pipe could not be kept in a temporary file: "));
+  kept.empty() ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", kept.c_str(), 1);
 }
 
 }  // namespace softcnc::ipr

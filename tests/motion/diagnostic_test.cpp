@@ -111,3 +111,33 @@ TEST_CASE("every code has a title and a help that say something", "[diagnostic]"
     CHECK(&code_info(row.code) == &row);
   }
 }
+
+TEST_CASE("a place in a called file is told with that file", "[diagnostic]") {
+  Diagnostics diagnostics;
+  diagnostics.set_file("main.nc");
+  const int sub = diagnostics.add_file("sub.ngc");
+  diagnostics.report(Code::SC2101, {3, 1, 1}, "here");
+  diagnostics.report(Code::SC2101, {3, 1, 1, sub}, "there");
+  REQUIRE(diagnostics.all().size() == 2);
+  CHECK(diagnostics.all()[0].file == "main.nc");
+  CHECK(diagnostics.all()[1].file == "sub.ngc");
+}
+
+TEST_CASE("where lines repeat, a place is told once", "[diagnostic]") {
+  Diagnostics diagnostics;
+  const auto tell = [&](SourcePos pos) { diagnostics.report(Code::SC2101, pos, "wrong"); };
+  tell({3, 1, 1});
+  tell({3, 1, 1});  // by two causes on one line, for all that is known
+  CHECK(diagnostics.errors() == 2);
+  diagnostics.lines_repeat();
+  tell({3, 1, 1});
+  CHECK(diagnostics.errors() == 2);
+  tell({3, 2, 1});
+  tell({4, 1, 1});
+  tell({3, 1, 1, diagnostics.add_file("sub.ngc")});
+  diagnostics.report(Code::SC2102, {3, 1, 1}, "another");
+  CHECK(diagnostics.errors() == 6);
+  tell({});
+  tell({});  // no place: two of them are two
+  CHECK(diagnostics.errors() == 8);
+}
