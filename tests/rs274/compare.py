@@ -119,10 +119,20 @@ def compile_preload(folder):
     return library
 
 
+def short_programs(folder):
+    """Those of short_programs.txt, a file each."""
+    programs = []
+    for line in (HERE / "short_programs.txt").read_text(encoding="utf-8").splitlines()[1:]:
+        name, text = line.split(": ", 1)
+        programs.append(folder / f"{name}.nc")
+        programs[-1].write_text(text.replace("\\n", "\n").replace("\\t", "\t") + "\nM2\n")
+    return programs
+
+
 def programs_for(arguments, folder):
     if arguments.program:
         return arguments.program
-    programs = sorted(HERE.glob("*.nc"))
+    programs = sorted(HERE.glob("*.nc")) + short_programs(folder)
     for kind, count in (("valid", arguments.valid), ("broken", arguments.broken)):
         for number in range(count):
             path = folder / f"{kind}_{number:04}.nc"
