@@ -25,9 +25,15 @@ const Word* first_of(const Values& values, Letters letters) noexcept {
 
 Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& diagnostics,
                          InterpreterOptions options, MachineState state)
-    : parser_(parser), machine_(machine), options_(options), out_(diagnostics) {
+    : parser_(parser),
+      machine_(machine),
+      options_(options),
+      out_(diagnostics),
+      variables_(modal_, options.dialect) {
   modal_.state = std::move(state);
   modal_.update_coordinates();
+  parser_.configure({options.dialect, options.block_skip});
+  parser_.parameters().set_system(&variables_);
 }
 
 std::optional<Block> Interpreter::next() {
@@ -47,6 +53,11 @@ std::optional<Block> Interpreter::next() {
 void Interpreter::interpret(const Line& line) {
   if (line.skip && options_.block_skip) return;
   out_.begin(line);
+  if (line.statement != nullptr && line.statement->kind != Statement::Kind::program) {
+    if (!line.broken)
+      out_.report(Code::SC1029, line.statement->pos, "statements are not carried out yet");
+    return out_.end();
+  }
   command_.read(line, out_);
   if (modal_.curve) check_pending_curve(command_, modal_, out_);
   if (!command_.has(Group::motion)) find_motion();

@@ -7,6 +7,7 @@
 #include "ipr/command.hpp"
 #include "ipr/dialect.hpp"
 #include "ipr/modal.hpp"
+#include "ipr/modal_variables.hpp"
 #include "ipr/output.hpp"
 #include "ipr/parser.hpp"
 #include "motion/machine.hpp"
@@ -24,6 +25,8 @@ class Interpreter {
   /// What is referred to must outlive the interpreter. `state`: what earlier programs left behind.
   Interpreter(Parser& parser, const Machine& machine, Diagnostics& diagnostics,
               InterpreterOptions options = {}, MachineState state = {});
+  Interpreter(const Interpreter&) = delete;
+  Interpreter& operator=(const Interpreter&) = delete;
 
   /// The next block of the program, the last being Action::Kind::end. Lines with an error are
   /// reported and give no block; reading goes on behind them, and what is wrong only as a
@@ -47,6 +50,7 @@ class Interpreter {
   InterpreterOptions options_;
   Output out_;
   Modal modal_;
+  ModalVariables variables_;
   Command command_;
   int blocks_ = 0;
 };

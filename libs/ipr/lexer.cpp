@@ -9,6 +9,8 @@ constexpr std::string_view kMacroCharacters = "#[]=<>*";
 
 constexpr bool is_upper(char c) noexcept { return c >= 'A' && c <= 'Z'; }
 constexpr bool is_lower(char c) noexcept { return c >= 'a' && c <= 'z'; }
+constexpr char upper(char c) noexcept { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
+constexpr char kNul = '\x7F';  // what peek() shows for a byte 0, which is no end
 
 }  // namespace
 
@@ -18,7 +20,7 @@ Token Lexer::next() {
     if (is_blank(c)) continue;
     if (is_upper(c) || is_lower(c)) {
       Token letter = token(Token::Kind::letter, 1);
-      letter.letter = is_upper(c) ? c : static_cast<char>(c - 'a' + 'A');
+      letter.letter = upper(c);
       return letter;
     }
     if (is_number_part(c)) return read_number_token();
@@ -28,6 +30,76 @@ Token Lexer::next() {
   }
   at_ = line_.size();
   return token(Token::Kind::end, 0);
+}
+
+char Lexer::peek() noexcept {
+  for (; at_ < line_.size(); ++at_) {
+    const char c = line_[at_];
+    if (is_blank(c)) continue;
+    if (c == ';') break;
+    if (c == '\0') return kNul;
+    if (c != '(') return upper(c);
+    const std::size_t before = at_;
+    if (Token broken; !pass_comment(broken)) {
+      at_ = before;
+      return c;
+    }
+  }
+  at_ = line_.size();
+  return 0;
+}
+
+int Lexer::column() noexcept {
+  peek();
+  return static_cast<int>(at_) + 1;
+}
+
+bool Lexer::take(char wanted) noexcept {
+  if (peek() != wanted) return false;
+  ++at_;
+  return true;
+}
+
+bool Lexer::take(std::string_view wanted) noexcept {
+  const std::size_t before = at_;
+  for (const char c : wanted) {
+    if (take(c)) continue;
+    at_ = before;
+    return false;
+  }
+  return true;
+}
+
+std::string_view Lexer::take_letters() noexcept {
+  peek();
+  const std::size_t begin = at_;
+  while (at_letter()) ++at_;
+  return line_.substr(begin, at_ - begin);
+}
+
+bool Lexer::at_letter() const noexcept { return at_ < line_.size() && is_upper(upper(line_[at_])); }
+
+int Lexer::last_column() const noexcept {
+  const std::size_t last = line_.substr(0, at_).find_last_not_of(" \t");
+  return last == std::string_view::npos ? 1 : static_cast<int>(last) + 1;
+}
+
+Token Lexer::take_number() {
+  peek();
+  const std::string_view rest = line_.substr(at_);
+  const Number number = read_number(rest.substr(0, rest.find_first_not_of("0123456789. \t")));
+  Token read = token(Token::Kind::number, number.length);
+  read.value = number.value;
+  read.fault = number.fault;
+  return read;
+}
+
+std::optional<std::string_view> Lexer::take_name() noexcept {
+  const std::size_t end = line_.find('>', at_);
+  if (end == std::string_view::npos) return std::nullopt;
+  const std::string_view name = line_.substr(at_, end - at_);
+  at_ = end + 1;
+  return name;
 }
 
 Token Lexer::token(Token::Kind kind, std::size_t length) noexcept {

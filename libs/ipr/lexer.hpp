@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "ipr/number.hpp"
@@ -38,6 +39,32 @@ class Lexer {
 
   /// After the last token: Kind::end, again and again.
   Token next();
+
+  // The same text by characters, for expressions and statements.
+  /// The next character in upper case, blanks and comments passed over; 0 at the end.
+  char peek() noexcept;
+  /// Column of what peek() shows.
+  int column() noexcept;
+  /// Column behind what was passed last.
+  int end() const noexcept { return static_cast<int>(at_) + 1; }
+  /// The very next character, no blank before it, is a letter.
+  bool at_letter() const noexcept;
+  /// Column of the last character passed that is no blank.
+  int last_column() const noexcept;
+  /// Goes back to before a token.
+  void back_to(const Token& token) noexcept { at_ = static_cast<std::size_t>(token.column) - 1; }
+  /// Passes the character that peek() has shown.
+  void pass() noexcept { ++at_; }
+  /// Passes the character, or the letters (upper case, blanks between them allowed), if they are
+  /// next.
+  bool take(char wanted) noexcept;
+  bool take(std::string_view wanted) noexcept;
+  /// Passes the letters that are next and returns them.
+  std::string_view take_letters() noexcept;
+  /// Passes a number without a sign: what looks like one, from the next character on.
+  Token take_number();
+  /// Passes what stands before '>', and the '>'; nothing if there is none.
+  std::optional<std::string_view> take_name() noexcept;
 
  private:
   Token token(Token::Kind kind, std::size_t length) noexcept;

@@ -61,17 +61,48 @@ bool is_name(std::string_view line, const Token& letter, std::string_view letter
   return behind != std::string_view::npos && line[behind] == '[';
 }
 
+/// A function's name, followed by its bracket.
+bool is_function(Lexer lexer) {
+  for (const Function& function : functions()) {
+    const Lexer before = lexer;
+    if (lexer.take(function.name) && lexer.peek() == '[') return true;
+    lexer = before;
+  }
+  return false;
+}
+
 }  // namespace
 
+void Parser::configure(const ParserOptions& options) {
+  options_ = options;
+  parameters_ = Parameters(options.dialect);
+}
+
 std::optional<Line> Parser::next() {
+  return next_line([this] { read_line(Depth::usual); });
+}
+
+std::optional<Line> Parser::next_statement() {
+  return next_line([this] { read_outline(); });
+}
+
+Line Parser::evaluate() {
+  begin_line(line_.text);
+  read_line(Depth::whole);
+  return line_;
+}
+
+/// Reads lines until one has something to say.
+template <typename Read>
+std::optional<Line> Parser::next_line(Read read) {
   while (!ended_) {
     const auto text = reader_.next();
     if (!text) break;
-    read_line(*text);
+    begin_line(*text);
+    read();
     if (ended_) break;
-    if (words_.empty() && !line_.broken) continue;
+    if (words_.empty() && line_.statement == nullptr && !line_.broken) continue;
     started_ = true;
-    line_.words = words_;
     return line_;
   }
   if (!ended_ && reader_.failure()) {
@@ -82,13 +113,21 @@ std::optional<Line> Parser::next() {
   return std::nullopt;
 }
 
-void Parser::read_line(std::string_view text) {
+void Parser::begin_line(std::string_view text) {
   words_.clear();
+  assignments_.clear();
   line_ = Line{};
   line_.number = reader_.line();
   line_.text = text;
   given_up_ = false;
-  if (is_readable()) read_words();
+}
+
+void Parser::read_line(Depth depth) {
+  depth_ = depth;
+  if (!is_readable()) return;
+  read_words();
+  if (!assignments_.empty()) apply_assignments();
+  line_.words = words_;
 }
 
 bool Parser::is_readable() {
@@ -116,11 +155,10 @@ Token Parser::read_word(Lexer& lexer, const Token& letter) {
     const SourcePos& before = words_.back().pos;
     if (before.column + before.length == letter.column) return read_exponent(lexer, letter);
   }
+  if (letter.letter == 'O' && read_o_word(lexer, letter)) return {};
   const Token number = lexer.next();
-  if (number.kind != Token::Kind::number) {
-    report_missing_number(letter, number);
-    return number;
-  }
+  if (number.kind != Token::Kind::number || number.fault == NumberFault::no_digits)
+    return read_value(lexer, letter, number);
   if (number.fault == NumberFault::none) {
     const int length = number.end_column() - letter.column;
     words_.push_back({letter.letter, number.value, {line_.number, letter.column, length}});
@@ -130,23 +168,42 @@ Token Parser::read_word(Lexer& lexer, const Token& letter) {
   return lexer.next();
 }
 
-void Parser::report_missing_number(const Token& letter, const Token& instead) {
-  using Kind = Token::Kind;
-  const bool excused = instead.kind != Kind::letter && instead.kind != Kind::end &&
-                       instead.kind != Kind::slash;  // what stands there is told instead
-  const std::string_view letters = letters_at(line_.text, letter);
-  if (is_name(line_.text, letter, letters)) {
-    Token whole = letter;
-    whole.length = static_cast<int>(letters.size());
-    give_up(Code::SC1008, whole,
-            quoted(letters) + " is not understood: softcnc has no variables and no subprograms");
-    return;
+/// A word whose value begins with no digit: `first` is the token behind its letter.
+Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) {
+  const bool sign = first.kind == Token::Kind::number && first.length == 1;
+  Lexer at_value = lexer;
+  if (!sign) at_value.back_to(first);
+  const char begin = at_value.peek();
+  if (begin == '#' || begin == '[' || is_function(at_value)) {
+    lexer.back_to(first);
+    return read_expression(lexer, letter);
   }
-  line_.lost.add(letter.letter);
-  if (!excused)
-    report(Code::SC1002, letter.column, 1, std::string("no number after ") + letter.letter);
+  if (first.kind == Token::Kind::letter)
+    if (const auto behind = read_keyword(lexer, letter)) return *behind;
+  if (first.kind != Token::Kind::number) {
+    report_missing_number(letter, first);
+    return first;
+  }
+  report_number(letter, first);
+  return lexer.next();
 }
 
+Token Parser::read_expression(Lexer& lexer, const Token& letter) {
+  Expression expression(lexer, parameters_);
+  const double value = expression.value();
+  const int length = lexer.end() - letter.column;
+  if (is_uncertain(value)) line_.lost.add(letter.letter);
+  if (expression.broke_off()) {
+    give_up(expression.fault(), lexer);
+    return {};
+  }
+  report(expression.fault());
+  if (is_uncertain(value))
+    line_.broken = true;
+  else if (!is_vacant(value))
+    words_.push_back({letter.letter, value, {line_.number, letter.column, length}});
+  return lexer.next();
+}
 /// `X1E5`: an E right behind a number was meant as its exponent.
 Token Parser::read_exponent(Lexer& lexer, const Token& letter) {
   const Word word = words_.back();
@@ -160,6 +217,21 @@ Token Parser::read_exponent(Lexer& lexer, const Token& letter) {
   report(Code::SC1006, word.pos.column, end - word.pos.column,
          quoted(written) + " has an exponent; write the number out");
   return exponent ? lexer.next() : after;
+}
+
+void Parser::report_missing_number(const Token& letter, const Token& instead) {
+  using Kind = Token::Kind;
+  const bool excused = instead.kind != Kind::letter && instead.kind != Kind::end &&
+                       instead.kind != Kind::slash;  // what stands there is told instead
+  const std::string_view letters = letters_at(line_.text, letter);
+  if (is_name(line_.text, letter, letters)) {
+    Token whole = letter;
+    whole.length = static_cast<int>(letters.size());
+    return give_up(Code::SC1020, whole, quoted(letters) + " is no keyword and no function");
+  }
+  line_.lost.add(letter.letter);
+  if (!excused)
+    report(Code::SC1002, letter.column, 1, std::string("no number after ") + letter.letter);
 }
 
 void Parser::report_number(const Token& letter, const Token& number) {
@@ -196,9 +268,7 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
       give_up(Code::SC1007, mark, "the number " + quoted(text) + " has no letter before it");
       break;
     case Token::Kind::macro:
-      give_up(Code::SC1008, mark,
-              quoted(text) + " is not understood: softcnc has no variables and no expressions");
-      break;
+      return read_macro(lexer, mark);
     case Token::Kind::open_comment:
       report(Code::SC1009, mark.column, mark.length, "the comment has no ')'");
       break;
@@ -212,6 +282,18 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
       give_up(Code::SC1001, mark, "unknown character " + character_name(text));
       break;
   }
+  return {};
+}
+
+Token Parser::read_macro(Lexer& lexer, const Token& mark) {
+  const std::string_view text = text_of(line_.text, mark);
+  if (text == "#") return read_assignment(lexer, mark);
+  if (text == "[")
+    give_up(Code::SC1007, mark, "'[' has no letter before it");
+  else if (text == "]")
+    give_up(Code::SC1017, mark, "this ']' has no '['");
+  else
+    give_up(Code::SC1001, mark, quoted(text) + " has no place here");
   return {};
 }
 
@@ -240,6 +322,10 @@ Token Parser::read_slash(Lexer& lexer, const Token& slash) {
     return after;
   }
   line_.skip = true;
+  if (options_.block_skip) {
+    words_.clear();
+    return {};
+  }
   const bool level = after.kind == Token::Kind::number && after.length == 1 && after.value >= 1;
   return level ? lexer.next() : after;
 }
@@ -256,8 +342,26 @@ void Parser::report(Code code, int column, int length, std::string message) {
 /// For a fault behind which nothing can be trusted: the rest of the line is lost.
 void Parser::give_up(Code code, const Token& token, std::string message) {
   report(code, token.column, token.length, std::move(message));
+  lose_rest();
+}
+
+void Parser::report(const std::optional<Fault>& fault) {
+  if (fault) report(fault->code, fault->column, fault->length, fault->message);
+}
+
+/// The same for a fault in an expression; without one the next token tells what is wrong.
+void Parser::give_up(const std::optional<Fault>& fault, Lexer& lexer) {
+  if (fault)
+    report(fault);
+  else
+    read_mark(lexer, lexer.next());
+  lose_rest();
+}
+
+void Parser::lose_rest() noexcept {
+  line_.broken = given_up_ = true;
   line_.lost = kAllLetters;
-  given_up_ = true;
+  if (line_.text.find('=') != std::string_view::npos) parameters_.doubt();
 }
 
 }  // namespace softcnc::ipr

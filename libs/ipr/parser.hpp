@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines as words: a letter and a number each.
+// Lines as words, a letter and a number each, and as statements; assignments are done on the way.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,9 @@
 
 #include "ipr/letters.hpp"
 #include "ipr/lexer.hpp"
+#include "ipr/parameters.hpp"
 #include "ipr/reader.hpp"
+#include "ipr/statement_reader.hpp"
 #include "motion/diagnostic.hpp"
 
 namespace softcnc::ipr {
@@ -25,18 +27,36 @@ struct Line {
   int number = 0;
   std::string_view text;
   std::span<const Word> words;
-  bool skip = false;    // begins with '/'
-  bool broken = false;  // reported already; `words` are those that could be read
-  Letters lost;         // of a broken line: words that could not be read
+  const Statement* statement = nullptr;  // what it says about the order of lines, if anything
+  bool skip = false;                     // begins with '/'
+  bool broken = false;                   // reported already; `words` are those that could be read
+  Letters lost;                          // of a broken line: words that could not be read
+};
+
+struct ParserOptions {
+  Dialect dialect = Dialect::linuxcnc;
+  bool block_skip = false;  // lines that begin with '/' are passed over unread
 };
 
 class Parser {
  public:
   Parser(Reader& reader, Diagnostics& diagnostics) : reader_(reader), diagnostics_(diagnostics) {}
 
-  /// The next line that has words or is broken; nothing at the end of the program, which is the end
-  /// of the text or a second '%'.
+  /// Expects that no line has been read. Variables begin anew.
+  void configure(const ParserOptions& options);
+
+  /// The next line that has words or a statement or is broken; nothing at the end of the program,
+  /// which is the end of the text or a second '%'. Assignments take effect, conditions are
+  /// evaluated; the condition of an elseif is not.
   std::optional<Line> next();
+  /// The next line that has a line number or a statement, of which only kind and label are read:
+  /// for lines that are passed over. Nothing is evaluated, assigned or reported.
+  std::optional<Line> next_statement();
+  /// The line last read once more, as by next(), the condition of an elseif included. Expects that
+  /// the Reader has not gone on.
+  Line evaluate();
+
+  Parameters& parameters() noexcept { return parameters_; }
 
   /// Number of the line last read.
   int line() const noexcept { return reader_.line(); }
@@ -44,11 +64,28 @@ class Parser {
   bool broke_off() const noexcept { return broke_off_; }
 
  private:
-  void read_line(std::string_view text);
+  using Depth = StatementReader::Depth;
+  using Found = StatementReader::Found;
+  template <typename Read>
+  std::optional<Line> next_line(Read read);
+  void begin_line(std::string_view text);
+  void read_line(Depth depth);
+  void read_outline();
+  Token pass_slash(Lexer& lexer, const Token& token);
   bool is_readable();
   void read_words();
   Token read_word(Lexer& lexer, const Token& letter);
+  Token read_value(Lexer& lexer, const Token& letter, const Token& first);
+  Token read_expression(Lexer& lexer, const Token& letter);
+  bool read_o_word(Lexer& lexer, const Token& letter);
+  std::optional<Token> read_keyword(Lexer& lexer, const Token& letter);
+  void settle(const StatementReader& reader, Lexer& lexer);
+  Token read_assignment(Lexer& lexer, const Token& sign);
+  bool may_assign(const Variable& variable, SourcePos at);
+  void assign(Variable variable, double value);
+  void apply_assignments();
   Token read_mark(Lexer& lexer, const Token& mark);
+  Token read_macro(Lexer& lexer, const Token& mark);
   Token read_percent(Lexer& lexer, const Token& percent);
   Token read_slash(Lexer& lexer, const Token& slash);
   void report_missing_number(const Token& letter, const Token& instead);
@@ -56,12 +93,24 @@ class Parser {
   void report_number(const Token& letter, const Token& number);
   bool only_line_number() const noexcept;
   void report(Code code, int column, int length, std::string message);
+  void report(const std::optional<Fault>& fault);
   void give_up(Code code, const Token& token, std::string message);
+  void give_up(const std::optional<Fault>& fault, Lexer& lexer);
+  void lose_rest() noexcept;
 
   Reader& reader_;
   Diagnostics& diagnostics_;
   Line line_;
   std::vector<Word> words_;
+  ParserOptions options_;
+  Parameters parameters_;
+  struct Assignment {
+    Variable variable;
+    double value;
+  };
+  std::vector<Assignment> assignments_;  // of the line; all is read before one takes effect
+  Statement statement_;
+  Depth depth_ = Depth::usual;
   bool started_ = false, given_up_ = false, ended_ = false, broke_off_ = false;
 };
 

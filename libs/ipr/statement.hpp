@@ -42,8 +42,9 @@ struct Statement {
   double value = 0;        // condition, number of rounds, line number, or what return gives back
   bool has_value = false;  // return and endsub may go without
   bool condition = true;   // of IF [..] GOTO and WHILE [..] DO
+  bool uncertain = false;  // value, condition or an argument is unknown after an error
   std::vector<double> arguments;  // of call
-  SourcePos pos;
+  SourcePos pos;                  // from O or the keyword to its end
 };
 
 }  // namespace softcnc::ipr

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// A table of names; numbers by their ranges.
+#include "ipr/modal_variables.hpp"
+
+#include "ipr/gcode_table.hpp"
+#include "motion/units.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+// RS274: ranges of one number per axis (X Y Z, then six axes that softcnc lacks).
+constexpr int kHome = 5161, kSecondHome = 5181, kShiftOn = 5210, kShift = 5211, kActive = 5220;
+constexpr int kWork = 5221, kWorkStep = 20, kRotation = 9;
+constexpr int kToolOffset = 5401;
+constexpr int kPosition = 5420, kPositionEnd = 5429;
+// FANUC: the end of the last block, and the same in machine coordinates; where the tool is.
+constexpr int kBlockEnd = 5001, kMachine = 5021, kCurrent = 5041;
+
+/// Index of an axis if `number` is that of the range that begins at `first`; otherwise -1.
+constexpr int axis_in(int number, int first) noexcept {
+  return number >= first && number < first + kAxes ? number - first : -1;
+}
+
+double program_position(const Modal& modal, int axis) {
+  if (modal.uncertain.has(kAxisLetters[static_cast<std::size_t>(axis)])) return kUncertain;
+  return modal.coordinates.to_program(modal.position)[axis] / modal.mm_per_unit;
+}
+
+double machine_position(const Modal& modal, int axis) {
+  if (modal.uncertain.has(kAxisLetters[static_cast<std::size_t>(axis)])) return kUncertain;
+  return modal.position[axis] / modal.mm_per_unit;
+}
+
+double motion_mode(const Modal& modal) {
+  constexpr double kNone = 800;
+  if (modal.uncertain.has('G')) return kUncertain;
+  return modal.motion != nullptr ? modal.motion->number : kNone;
+}
+
+double coordinate_system(const Modal& modal) {
+  constexpr int kFirst = 540, kLastWhole = 5;  // G54 to G59, then G59.1 to G59.3
+  const int active = modal.state.active;
+  return active <= kLastWhole ? kFirst + 10 * active
+                              : kFirst + 10 * kLastWhole + active - kLastWhole;
+}
+
+double plane(const Modal& modal) {
+  constexpr double kXy = 170, kZx = 180, kYz = 190;
+  return modal.plane == Plane::xy ? kXy : modal.plane == Plane::zx ? kZx : kYz;
+}
+
+double feed(const Modal& modal) {
+  return modal.uncertain.has('F') ? kUncertain : mm_min_from_mm_s(modal.feed) / modal.mm_per_unit;
+}
+
+double spindle_speed(const Modal& modal) {
+  return modal.uncertain.has('S') ? kUncertain : modal.spindle_speed.value_or(0);
+}
+
+template <int axis>
+double at(const Modal& modal) {
+  return program_position(modal, axis);
+}
+
+template <int axis>
+double machine_at(const Modal& modal) {
+  return machine_position(modal, axis);
+}
+
+struct Named {
+  std::string_view name;
+  double (*read)(const Modal&);
+};
+
+constexpr Named kNames[] = {
+    {"_abs_x", machine_at<0>},
+    {"_abs_y", machine_at<1>},
+    {"_abs_z", machine_at<2>},
+    {"_absolute", [](const Modal& m) { return m.incremental ? 0.0 : 1.0; }},
+    {"_coord_system", coordinate_system},
+    {"_feed", feed},
+    {"_imperial", [](const Modal& m) { return m.mm_per_unit == 1 ? 0.0 : 1.0; }},
+    {"_incremental", [](const Modal& m) { return m.incremental ? 1.0 : 0.0; }},
+    {"_metric", [](const Modal& m) { return m.mm_per_unit == 1 ? 1.0 : 0.0; }},
+    {"_motion_mode", motion_mode},
+    {"_plane", plane},
+    {"_rpm", spindle_speed},
+    {"_spindle_cw", [](const Modal& m) { return m.spindle_direction > 0 ? 1.0 : 0.0; }},
+    {"_spindle_on", [](const Modal& m) { return m.spindle_direction != 0 ? 1.0 : 0.0; }},
+    {"_x", at<0>},
+    {"_y", at<1>},
+    {"_z", at<2>},
+};
+
+}  // namespace
+
+std::optional<double> ModalVariables::read(std::string_view name) const {
+  for (const Named& row : kNames)
+    if (row.name == name) return row.read(modal_);
+  return std::nullopt;
+}
+
+/// The offset of this number, in mm.
+double* ModalVariables::offset(int number) const noexcept {
+  MachineState& state = modal_.state;
+  if (const int axis = axis_in(number, kHome); axis >= 0) return &state.home[axis];
+  if (const int axis = axis_in(number, kSecondHome); axis >= 0) return &state.second_home[axis];
+  if (const int axis = axis_in(number, kShift); axis >= 0) return &state.shift[axis];
+  if (number < kWork || number >= kWork + kWorkSystems * kWorkStep) return nullptr;
+  WorkOffset& work = state.work[static_cast<std::size_t>((number - kWork) / kWorkStep)];
+  const int axis = axis_in((number - kWork) % kWorkStep, 0);
+  return axis >= 0 ? &work.origin[axis] : nullptr;
+}
+
+std::optional<double> ModalVariables::read(int number) const {
+  if (const double* value = offset(number)) return *value;
+  if (dialect_ == Dialect::fanuc) return read_fanuc(number);
+  if (number == kShiftOn) return modal_.state.shift_on ? 1 : 0;
+  if (number == kActive) return modal_.state.active + 1;
+  if (const int axis = axis_in(number, kPosition); axis >= 0) return program_position(modal_, axis);
+  if (const int axis = axis_in(number, kToolOffset); axis >= 0)
+    return modal_.tool_offset[axis] / modal_.mm_per_unit;
+  if (number >= kPosition && number < kPositionEnd) return 0;  // of axes that softcnc lacks
+  return std::nullopt;
+}
+
+std::optional<double> ModalVariables::read_fanuc(int number) const {
+  for (const int first : {kBlockEnd, kCurrent})
+    if (const int axis = axis_in(number, first); axis >= 0) return program_position(modal_, axis);
+  if (const int axis = axis_in(number, kMachine); axis >= 0) return machine_position(modal_, axis);
+  return std::nullopt;
+}
+
+bool ModalVariables::is_read_only(int number) const { return offset(number) == nullptr; }
+
+bool ModalVariables::write(int number, double value) {
+  double* const target = offset(number);
+  if (target == nullptr) return false;
+  *target = value;
+  return true;
+}
+
+}  // namespace softcnc::ipr

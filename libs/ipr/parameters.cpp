@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Variables in one array, locals on a stack of levels, names in maps.
+#include "ipr/parameters.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace softcnc::ipr {
+namespace {
+
+// LinuxCNC: #1 to #30 local, up to #5601; from #5061 on the system has its own among them.
+constexpr int kLocals = 30, kFirstSystem = 5000, kEnd = 5602;
+// FANUC: #1 to #33 local, #100 to #199 and #500 to #999 common, from #1000 on the system's.
+constexpr int kFanucLocals = 33, kFanucFirstCommon = 100, kFanucEndVolatile = 200;
+constexpr int kFanucFirstKept = 500, kFanucFirstSystem = 1000;
+
+}  // namespace
+
+Parameters::Parameters(Dialect dialect)
+    : dialect_(dialect),
+      locals_(dialect == Dialect::fanuc ? kFanucLocals : kLocals),
+      first_system_(dialect == Dialect::fanuc ? kFanucFirstSystem : kFirstSystem),
+      blank_(dialect == Dialect::fanuc ? kVacant : 0),
+      numbered_(dialect == Dialect::fanuc ? kFanucFirstSystem : kEnd, blank_) {
+  push({});
+}
+
+/// Whether the number is that of a variable that only programs use.
+bool Parameters::is_ordinary(int number) const noexcept {
+  if (number < 1 || number >= static_cast<int>(numbered_.size())) return false;
+  if (dialect_ == Dialect::linuxcnc || number <= kFanucLocals) return true;
+  return number >= kFanucFirstKept || (number >= kFanucFirstCommon && number < kFanucEndVolatile);
+}
+
+std::optional<double> Parameters::read(int number) const {
+  if (number >= 1 && number <= locals_)
+    return levels_.back().numbered[static_cast<std::size_t>(number)];
+  if (number == 0 && dialect_ == Dialect::fanuc) return kVacant;
+  if (is_system(number) && system_ != nullptr)
+    if (const auto value = system_->read(number)) return value;
+  if (!is_ordinary(number)) return std::nullopt;
+  return numbered_[static_cast<std::size_t>(number)];
+}
+
+const Parameters::Names& Parameters::names_of(std::string_view name) const noexcept {
+  return name.starts_with('_') ? global_ : levels_.back().named;
+}
+
+std::optional<double> Parameters::read(std::string_view name) const {
+  const Names& names = names_of(name);
+  if (const auto found = names.find(name); found != names.end()) return found->second;
+  if (system_ != nullptr)
+    if (const auto value = system_->read(name)) return value;
+  if (doubtful_) return kUncertain;
+  return std::nullopt;
+}
+
+Parameters::Access Parameters::access(int number) const {
+  if (number == 0 && dialect_ == Dialect::fanuc) return Access::read_only;
+  if (is_system(number) && system_ != nullptr && system_->read(number))
+    return system_->is_read_only(number) ? Access::read_only : Access::granted;
+  return is_ordinary(number) ? Access::granted : Access::no_such;
+}
+
+Parameters::Access Parameters::access(std::string_view name) const {
+  return system_ != nullptr && system_->read(name) ? Access::read_only : Access::granted;
+}
+
+void Parameters::write(int number, double value) {
+  assert(access(number) == Access::granted);
+  if (number <= locals_)
+    levels_.back().numbered[static_cast<std::size_t>(number)] = value;
+  else if (!is_system(number) || system_ == nullptr || !system_->write(number, value))
+    numbered_[static_cast<std::size_t>(number)] = value;
+}
+
+void Parameters::write(std::string_view name, double value) {
+  Names& names = name.starts_with('_') ? global_ : levels_.back().named;
+  if (const auto found = names.find(name); found != names.end())
+    found->second = value;
+  else
+    names.emplace(name, value);
+}
+
+void Parameters::push(std::span<const double> arguments) {
+  Level& level = levels_.emplace_back();
+  level.numbered.fill(blank_);
+  assert(arguments.size() <= static_cast<std::size_t>(locals_));
+  std::copy(arguments.begin(), arguments.end(), level.numbered.begin() + 1);
+}
+
+void Parameters::pop() {
+  assert(level() > 0);
+  levels_.pop_back();
+}
+
+}  // namespace softcnc::ipr

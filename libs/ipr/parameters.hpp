@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The '#' variables of a program: numbered, named, local to a call, and those of the system.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ipr/dialect.hpp"
+
+namespace softcnc::ipr {
+
+/// What a variable holds that has no value: #0 of FANUC. A word with it counts as not written.
+inline constexpr double kVacant = std::numeric_limits<double>::quiet_NaN();
+/// What a variable holds whose value an error has made unknown: what rests on it is not reported.
+inline constexpr double kUncertain = std::numeric_limits<double>::infinity();
+inline bool is_vacant(double value) noexcept { return std::isnan(value); }
+inline bool is_uncertain(double value) noexcept { return std::isinf(value); }
+
+/// The variables that stand for the state of the machine. Lengths are in the units of the program.
+class SystemVariables {
+ public:
+  virtual ~SystemVariables() = default;
+
+  /// Nothing: no variable of the system has this number or name (lower case, without blanks).
+  virtual std::optional<double> read(int number) const = 0;
+  virtual std::optional<double> read(std::string_view name) const = 0;
+  virtual bool is_read_only(int number) const = 0;
+  /// False: no variable of the system has this number. Expects one that may be written.
+  virtual bool write(int number, double value) = 0;
+};
+
+class Parameters {
+ public:
+  enum class Access : std::uint8_t { granted, no_such, read_only };
+
+  explicit Parameters(Dialect dialect = Dialect::linuxcnc);
+
+  Dialect dialect() const noexcept { return dialect_; }
+  /// Must outlive its use here; nullptr: the system has no variables.
+  void set_system(SystemVariables* system) noexcept { system_ = system; }
+
+  /// Nothing: there is no such variable, or, of a name, none has been assigned.
+  std::optional<double> read(int number) const;
+  /// Names are in lower case and without blanks; those that begin with '_' are global.
+  std::optional<double> read(std::string_view name) const;
+  bool exists(int number) const { return read(number).has_value(); }
+  bool exists(std::string_view name) const { return read(name).has_value(); }
+
+  /// Whether an assignment is possible.
+  Access access(int number) const;
+  Access access(std::string_view name) const;
+  /// Expects that access is granted.
+  void write(int number, double value);
+  void write(std::string_view name, double value);
+
+  /// An assignment has been lost by an error, and with it, whose it was.
+  void doubt() noexcept { doubtful_ = true; }
+
+  /// Begins a level of calls: local variables of its own, the arguments in #1 and up.
+  void push(std::span<const double> arguments);
+  /// Ends it. Expects a level above 0.
+  void pop();
+  int level() const noexcept { return static_cast<int>(levels_.size()) - 1; }
+  /// How many numbered variables are local to a level: #1 and up.
+  int locals() const noexcept { return locals_; }
+
+ private:
+  using Names = std::map<std::string, double, std::less<>>;
+  struct Level {
+    std::array<double, 34> numbered{};
+    Names named;
+  };
+
+  bool is_system(int number) const noexcept { return number >= first_system_; }
+  bool is_ordinary(int number) const noexcept;
+  const Names& names_of(std::string_view name) const noexcept;
+
+  Dialect dialect_;
+  int locals_, first_system_;
+  double blank_;  // what a variable holds at the start
+  SystemVariables* system_ = nullptr;
+  std::vector<double> numbered_;  // by number; local ones lie in levels_
+  std::vector<Level> levels_;
+  Names global_;
+  bool doubtful_ = false;
+};
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// The lines of a program that are no words: assignments and statements.
+#include <utility>
+
+#include "ipr/parser.hpp"
+
+namespace softcnc::ipr {
+
+/// Kind and label of a statement, and the line number before it.
+void Parser::read_outline() {
+  depth_ = Depth::outline;
+  if (reader_.line_was_cut()) return;
+  Lexer lexer(line_.text);
+  Token token = lexer.next();
+  if (token.kind == Token::Kind::percent) {
+    ended_ = started_ && lexer.peek() == 0;
+    return;
+  }
+  token = pass_slash(lexer, token);
+  if (token.kind == Token::Kind::letter && token.letter == 'N') {
+    const Token number = lexer.next();
+    if (number.kind != Token::Kind::number || number.fault != NumberFault::none) return;
+    const int length = number.end_column() - token.column;
+    words_.push_back({'N', number.value, {line_.number, token.column, length}});
+    token = pass_slash(lexer, lexer.next());
+  }
+  if (line_.skip && options_.block_skip) words_.clear();
+  line_.words = words_;
+  if (token.kind != Token::Kind::letter || (line_.skip && options_.block_skip)) return;
+  if (token.letter == 'O')
+    read_o_word(lexer, token);
+  else
+    read_keyword(lexer, token);
+}
+
+Token Parser::pass_slash(Lexer& lexer, const Token& token) {
+  if (token.kind != Token::Kind::slash) return token;
+  line_.skip = true;
+  const Token after = lexer.next();
+  return after.kind == Token::Kind::number ? lexer.next() : after;
+}
+
+/// False: what follows the O is not a statement, or one that is a word too.
+bool Parser::read_o_word(Lexer& lexer, const Token& letter) {
+  if (!only_line_number()) return false;
+  StatementReader reader(lexer, parameters_, statement_, depth_);
+  const Found found = reader.read_o_word({line_.number, letter.column, letter.length});
+  if (found == Found::program) line_.statement = &statement_;
+  if (found != Found::statement) return false;
+  settle(reader, lexer);
+  return true;
+}
+
+/// IF, WHILE and the like: returns what is to be read behind it. Nothing: there is no such keyword.
+std::optional<Token> Parser::read_keyword(Lexer& lexer, const Token& letter) {
+  if (!only_line_number()) return std::nullopt;
+  Lexer ahead = lexer;
+  ahead.back_to(letter);
+  StatementReader reader(ahead, parameters_, statement_, depth_);
+  const Found found = reader.read_keyword({line_.number, letter.column, letter.length});
+  if (found == Found::nothing) return std::nullopt;
+  lexer = ahead;
+  if (found == Found::statement || reader.fault() || statement_.uncertain)
+    settle(reader, lexer);
+  else if (found == Found::then_true && depth_ != Depth::outline)
+    return lexer.next();
+  return Token{};
+}
+
+/// Hands over what has been read of a statement.
+void Parser::settle(const StatementReader& reader, Lexer& lexer) {
+  if (statement_.kind != Statement::Kind::none) line_.statement = &statement_;
+  if (depth_ == Depth::outline) return;
+  const bool then = line_.statement == nullptr;
+  if (reader.broke_off() || (then && reader.fault())) return give_up(reader.fault(), lexer);
+  report(reader.fault());
+  if (!statement_.uncertain) return;
+  line_.broken = true;
+  if (then) lose_rest();
+}
+
+/// `sign` is the '#' of a variable that a line assigns to.
+Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
+  Expression expression(lexer, parameters_);
+  auto variable = expression.variable();
+  const bool assignable =
+      variable && may_assign(*variable, {line_.number, sign.column, lexer.end() - sign.column});
+  if (!expression.broke_off() && !lexer.take('='))
+    expression.refuse_next(Code::SC1028, "'=' and a value");
+  const double value = expression.broke_off() ? kUncertain : expression.value();
+  if (expression.broke_off()) {
+    give_up(expression.fault(), lexer);
+    return {};
+  }
+  report(expression.fault());
+  if (is_uncertain(value) || !variable) line_.broken = true;
+  if (assignable) assign(std::move(*variable), value);
+  if (!variable) parameters_.doubt();
+  return lexer.next();
+}
+
+/// Tells if not.
+bool Parser::may_assign(const Variable& variable, SourcePos at) {
+  using Access = Parameters::Access;
+  const Access access = variable.name.empty() ? parameters_.access(variable.number)
+                                              : parameters_.access(variable.name);
+  if (access == Access::read_only)
+    report(Code::SC1026, at.column, at.length, name_of(variable) + " cannot be assigned to");
+  else if (access == Access::no_such)
+    report(Code::SC1025, at.column, at.length, "there is no variable " + name_of(variable));
+  return access == Access::granted;
+}
+
+/// FANUC: an assignment takes effect at once; RS274: when all of the line has been read.
+void Parser::assign(Variable variable, double value) {
+  assignments_.push_back({std::move(variable), value});
+  if (options_.dialect == Dialect::fanuc) apply_assignments();
+}
+
+void Parser::apply_assignments() {
+  for (const auto& [variable, value] : assignments_) {
+    if (variable.name.empty())
+      parameters_.write(variable.number, value);
+    else
+      parameters_.write(variable.name, value);
+  }
+  assignments_.clear();
+}
+
+}  // namespace softcnc::ipr

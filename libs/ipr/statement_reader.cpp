@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+// A table of the keywords behind O, and a function per statement of FANUC macros.
+#include "ipr/statement_reader.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace softcnc::ipr {
+namespace {
+
+using Kind = Statement::Kind;
+
+enum class Takes : std::uint8_t { nothing, value, optional_value, arguments };
+
+struct Keyword {
+  std::string_view name;
+  Kind kind;
+  Takes takes;
+};
+
+constexpr Keyword kKeywords[] = {
+    {"SUB", Kind::sub, Takes::nothing},
+    {"ENDSUB", Kind::end_sub, Takes::optional_value},
+    {"CALL", Kind::call, Takes::arguments},
+    {"RETURN", Kind::leave_sub, Takes::optional_value},
+    {"IF", Kind::if_begin, Takes::value},
+    {"ELSEIF", Kind::else_if, Takes::value},
+    {"ELSE", Kind::else_begin, Takes::nothing},
+    {"ENDIF", Kind::if_end, Takes::nothing},
+    {"WHILE", Kind::while_begin, Takes::value},
+    {"ENDWHILE", Kind::while_end, Takes::nothing},
+    {"DO", Kind::do_begin, Takes::nothing},
+    {"REPEAT", Kind::repeat_begin, Takes::value},
+    {"ENDREPEAT", Kind::repeat_end, Takes::nothing},
+    {"CONTINUE", Kind::next_round, Takes::nothing},
+    {"BREAK", Kind::leave_loop, Takes::nothing},
+};
+
+constexpr double kWhole = 1e-4;  // how far from a whole number a label may be
+constexpr double kLargestLabel = 1e9;
+
+constexpr bool is_letter(char upper) noexcept { return upper >= 'A' && upper <= 'Z'; }
+
+const Keyword* take_keyword(Lexer& lexer) {
+  for (const Keyword& keyword : kKeywords) {
+    const Lexer before = lexer;
+    if (lexer.take(keyword.name) && !lexer.at_letter()) return &keyword;
+    lexer = before;
+  }
+  return nullptr;
+}
+
+/// What begins with two letters is no word.
+bool is_word(Lexer lexer) {
+  lexer.pass();
+  return !is_letter(lexer.peek());
+}
+
+std::optional<std::string> whole_text(double value) {
+  const double whole = std::round(value);
+  if (!(std::abs(value - whole) <= kWhole) || whole < 0 || whole > kLargestLabel)
+    return std::nullopt;
+  return std::to_string(static_cast<long>(whole));
+}
+
+}  // namespace
+
+StatementReader::Found StatementReader::read_o_word(SourcePos at) {
+  const Lexer before = lexer_;
+  const bool by_number = is_digit(lexer_.peek());
+  statement_ = Statement{};
+  statement_.pos = at;
+  const bool labelled = read_label();
+  const Found found = labelled ? read_behind_label(by_number) : Found::nothing;
+  if (found == Found::program || (found == Found::nothing && !broke_off_)) lexer_ = before;
+  return broke_off_ ? Found::statement : found;
+}
+
+/// False: what stands there is no label.
+bool StatementReader::read_label() {
+  const int begin = lexer_.column();
+  const char first = lexer_.peek();
+  if (first == '<') {
+    Expression name(lexer_, parameters_);
+    const auto variable = name.variable();
+    if (variable) statement_.label = variable->name;
+    keep(name, 0);
+    return variable.has_value();
+  }
+  if (is_digit(first)) {
+    const Token number = lexer_.take_number();
+    if (number.fault != NumberFault::none) return false;
+    set_label(number.value, begin);
+    return true;
+  }
+  if (first != '#' && first != '[') return false;
+  Expression expression(lexer_, parameters_);
+  const double value = keep(expression, expression.value());
+  if (!broke_off_ && !is_uncertain(value)) set_label(value, begin);
+  return !broke_off_;
+}
+
+void StatementReader::set_label(double value, int begin) {
+  if (auto text = whole_text(value))
+    statement_.label = std::move(*text);
+  else
+    stop(Code::SC1029, begin, lexer_.end(), "a label is a whole number from 0");
+}
+
+StatementReader::Found StatementReader::read_behind_label(bool by_number) {
+  if (broke_off_) return Found::statement;
+  const char next = lexer_.peek();
+  if (next == 0 && by_number) {
+    statement_.kind = Kind::program;
+    return Found::program;
+  }
+  const Keyword* keyword = take_keyword(lexer_);
+  if (keyword == nullptr) {
+    if (by_number && (!is_letter(next) || is_word(lexer_))) return Found::nothing;
+    stop_at_next(Code::SC1020, "a keyword like 'call'");
+    return Found::statement;
+  }
+  statement_.kind = keyword->kind;
+  end_keyword();
+  if (depth_ == Depth::outline) return Found::statement;
+  if (depth_ == Depth::usual && keyword->kind == Kind::else_if) return Found::statement;
+  if (keyword->takes == Takes::arguments) read_arguments();
+  const bool may_take = keyword->takes == Takes::optional_value && lexer_.peek() == '[';
+  if (keyword->takes == Takes::value || may_take) read_value();
+  return finish();
+}
+
+void StatementReader::read_value() {
+  Expression expression(lexer_, parameters_);
+  const double value = keep(expression, expression.bracketed());
+  statement_.value = is_vacant(value) || is_uncertain(value) ? 0 : value;
+  statement_.has_value = true;
+}
+
+void StatementReader::read_arguments() {
+  while (!broke_off_ && lexer_.peek() == '[') {
+    const int begin = lexer_.column();
+    Expression expression(lexer_, parameters_);
+    const double value = keep(expression, expression.bracketed());
+    if (broke_off_) return;
+    if (statement_.arguments.size() == static_cast<std::size_t>(parameters_.locals()))
+      return stop(Code::SC1029, begin, lexer_.end(),
+                  "a call takes at most " + std::to_string(parameters_.locals()) + " arguments");
+    statement_.arguments.push_back(value);
+  }
+}
+
+StatementReader::Found StatementReader::read_keyword(SourcePos at) {
+  const Lexer before = lexer_;
+  statement_ = Statement{};
+  statement_.pos = at;
+  if (lexer_.take("IF") && lexer_.peek() == '[') return read_if();
+  lexer_ = before;
+  if (lexer_.take("WHILE") && lexer_.peek() == '[') return read_while();
+  lexer_ = before;
+  if (lexer_.take("GOTO")) return read_jump();
+  if (lexer_.take("DO") && is_digit(lexer_.peek())) return read_loop(Kind::loop_begin);
+  lexer_ = before;
+  if (lexer_.take("END") && is_digit(lexer_.peek())) return read_loop(Kind::loop_end);
+  lexer_ = before;
+  return Found::nothing;
+}
+
+StatementReader::Found StatementReader::read_if() {
+  const bool holds = condition();
+  if (broke_off_) return Found::statement;
+  if (lexer_.take("THEN")) return holds ? Found::then_true : Found::then_false;
+  if (!lexer_.take("GOTO")) {
+    stop_at_next(Code::SC1029, "GOTO or THEN");
+    return Found::statement;
+  }
+  statement_.condition = holds;
+  return read_jump();
+}
+
+StatementReader::Found StatementReader::read_while() {
+  statement_.condition = condition();
+  if (broke_off_) return Found::statement;
+  if (lexer_.take("DO") && is_digit(lexer_.peek())) return read_loop(Kind::loop_begin);
+  stop_at_next(Code::SC1029, "DO and a number");
+  return Found::statement;
+}
+
+/// What follows GOTO.
+StatementReader::Found StatementReader::read_jump() {
+  end_keyword();
+  statement_.kind = Kind::go_to;
+  if (depth_ == Depth::outline) return Found::statement;
+  const int begin = lexer_.column();
+  Expression expression(lexer_, parameters_);
+  const double value = keep(expression, expression.value());
+  if (broke_off_ || is_uncertain(value)) return finish();
+  if (!whole_text(value))
+    stop(Code::SC1029, begin, lexer_.end(), "GOTO takes a whole number from 0");
+  statement_.value = std::round(value);
+  statement_.has_value = true;
+  return finish();
+}
+
+/// What follows DO or END.
+StatementReader::Found StatementReader::read_loop(Kind kind) {
+  statement_.kind = kind;
+  const Token number = lexer_.take_number();
+  if (number.fault == NumberFault::none)
+    set_label(number.value, number.column);
+  else
+    stop(Code::SC1029, number.column, number.end_column(), "a label is a whole number from 0");
+  end_keyword();
+  return depth_ == Depth::outline ? Found::statement : finish();
+}
+
+/// '[..]' as true or false. In an outline it is passed over.
+bool StatementReader::condition() {
+  if (depth_ == Depth::outline) {
+    pass_brackets();
+    return true;
+  }
+  Expression expression(lexer_, parameters_);
+  const double value = keep(expression, expression.bracketed());
+  return !is_vacant(value) && value != 0;
+}
+
+void StatementReader::pass_brackets() {
+  int depth = 0;
+  for (char c = lexer_.peek(); c != 0; c = lexer_.peek()) {
+    lexer_.pass();
+    if (c == '[') ++depth;
+    if (c == ']' && --depth == 0) return;
+  }
+}
+
+/// The value of an expression, after what is to be known about it.
+double StatementReader::keep(const Expression& expression, double value) {
+  if (!fault_) fault_ = expression.fault();
+  broke_off_ = broke_off_ || expression.broke_off();
+  statement_.uncertain = statement_.uncertain || is_uncertain(value);
+  return value;
+}
+
+void StatementReader::end_keyword() noexcept {
+  statement_.pos.length = lexer_.end() - statement_.pos.column;
+}
+
+/// Nothing may follow.
+StatementReader::Found StatementReader::finish() {
+  if (!broke_off_ && lexer_.peek() != 0) stop_at_next(Code::SC1029, "the end of the line");
+  return Found::statement;
+}
+
+void StatementReader::stop(Code code, int begin, int end, std::string message) {
+  if (!fault_) fault_ = Fault{code, begin, end - begin, std::move(message)};
+  broke_off_ = true;
+}
+
+void StatementReader::stop_at_next(Code code, std::string_view expected) {
+  Expression unexpected(lexer_, parameters_);
+  unexpected.refuse_next(code, expected);
+  keep(unexpected, 0);
+}
+
+}  // namespace softcnc::ipr

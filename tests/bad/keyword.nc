@@ -1,0 +1,5 @@
+(expect SC1020 2:1, SC1020 3:6, SC1020 4:5)
+WHLE [#1 LT 2] DO1
+o100 subb
+G00 XSINUS[2]
+M30
