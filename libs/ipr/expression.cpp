@@ -244,7 +244,8 @@ double Expression::given(const Function& function, std::span<const double> argum
   const std::string name(computed.trouble == Trouble::none ? "" : function.name);
   switch (computed.trouble) {
     case Trouble::none:
-      return computed.value;
+      if (function.kind != FunctionKind::round || is_vacant(arguments[0])) return computed.value;
+      return std::round(arguments[0] * rounding_) / rounding_;
     case Trouble::zero_divisor:
       return note(Code::SC1021, begin, end(), "0 takes no negative exponent");
     case Trouble::not_taken:

@@ -38,6 +38,8 @@ class Expression {
   /// A number, '#' and what follows, '[...]' or a function, each with signs before it.
   /// kUncertain: see fault(), or it rests on an earlier error.
   double value() { return operand().value; }
+  /// ROUND gives multiples of 1 / `per_unit` instead of whole numbers.
+  void round_to(double per_unit) noexcept { rounding_ = per_unit; }
   /// '[...]'
   double bracketed();
   /// What stands behind '#'. Nothing: see fault(), or its number rests on an earlier error.
@@ -81,6 +83,7 @@ class Expression {
   const Operator* operator_ = nullptr;  // read, but not yet used
   std::optional<Fault> fault_;
   int depth_ = 0;
+  double rounding_ = 1;
   bool broke_off_ = false;
 };
 

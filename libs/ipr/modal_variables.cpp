@@ -15,6 +15,9 @@ constexpr int kToolOffset = 5401;
 constexpr int kPosition = 5420, kPositionEnd = 5429;
 // FANUC: the end of the last block, and the same in machine coordinates; where the tool is.
 constexpr int kBlockEnd = 5001, kMachine = 5021, kCurrent = 5041;
+// FANUC: what outlives a program; switches of the control that change nothing here; codes in force.
+constexpr int kKept = 500, kKeptEnd = 1000, kNoSingleBlock = 3003, kNoHold = 3004;
+constexpr int kCodes = 4000;
 
 /// Index of an axis if `number` is that of the range that begins at `first`; otherwise -1.
 constexpr int axis_in(int number, int first) noexcept {
@@ -92,6 +95,25 @@ constexpr Named kNames[] = {
     {"_z", at<2>},
 };
 
+/// #4001 to #4120 of FANUC: by the number of the group of codes, or that of the letter.
+struct Coded {
+  int number;
+  double (*read)(const Modal&);
+};
+
+constexpr double kTenths = 10;  // G54.1 is 541 to LinuxCNC and 54.1 to FANUC
+
+constexpr Coded kFanucCodes[] = {
+    {1, [](const Modal& m) { return motion_mode(m) / kTenths; }},
+    {2, [](const Modal& m) { return plane(m) / kTenths; }},
+    {3, [](const Modal& m) { return m.incremental ? 91.0 : 90.0; }},
+    {6, [](const Modal& m) { return m.mm_per_unit == 1 ? 21.0 : 20.0; }},
+    {14, [](const Modal& m) { return coordinate_system(m) / kTenths; }},
+    {109, feed},
+    {119, spindle_speed},
+    {120, [](const Modal& m) { return static_cast<double>(m.tool.value_or(0)); }},
+};
+
 }  // namespace
 
 std::optional<double> ModalVariables::read(std::string_view name) const {
@@ -113,6 +135,7 @@ double* ModalVariables::offset(int number) const noexcept {
 }
 
 std::optional<double> ModalVariables::read(int number) const {
+  if (uncertain_.count(number) > 0) return kUncertain;
   if (const double* value = offset(number)) return *value;
   if (dialect_ == Dialect::fanuc) return read_fanuc(number);
   if (number == kShiftOn) return modal_.state.shift_on ? 1 : 0;
@@ -128,15 +151,43 @@ std::optional<double> ModalVariables::read_fanuc(int number) const {
   for (const int first : {kBlockEnd, kCurrent})
     if (const int axis = axis_in(number, first); axis >= 0) return program_position(modal_, axis);
   if (const int axis = axis_in(number, kMachine); axis >= 0) return machine_position(modal_, axis);
+  if (number >= kKept && number < kKeptEnd) {
+    const auto kept = modal_.state.parameters.find(number);
+    return kept != modal_.state.parameters.end() ? kept->second : kVacant;
+  }
+  if (number == kNoSingleBlock || number == kNoHold) return 0;
+  for (const Coded& row : kFanucCodes)
+    if (kCodes + row.number == number) return row.read(modal_);
   return std::nullopt;
 }
 
-bool ModalVariables::is_read_only(int number) const { return offset(number) == nullptr; }
+bool ModalVariables::is_read_only(int number) const {
+  if (offset(number) != nullptr) return false;
+  return dialect_ != Dialect::fanuc ||
+         !((number >= kKept && number < kKeptEnd) || number == kNoSingleBlock || number == kNoHold);
+}
 
+/// A vacant offset is 0. One that is not known leaves the position of its axis unknown.
 bool ModalVariables::write(int number, double value) {
+  uncertain_.erase(number);
+  if (is_uncertain(value)) {
+    uncertain_.insert(number);
+    if (offset(number) != nullptr) modal_.uncertain |= kAxisWords;
+    return true;
+  }
   double* const target = offset(number);
-  if (target == nullptr) return false;
-  *target = value;
+  if (target == nullptr) return dialect_ == Dialect::fanuc && write_fanuc(number, value);
+  *target = is_vacant(value) ? 0 : value;
+  if (dialect_ == Dialect::fanuc) modal_.update_coordinates();
+  return true;
+}
+
+bool ModalVariables::write_fanuc(int number, double value) {
+  if (number >= kKeptEnd) return true;  // a switch
+  if (is_vacant(value))
+    modal_.state.parameters.erase(number);
+  else
+    modal_.state.parameters[number] = value;
   return true;
 }
 

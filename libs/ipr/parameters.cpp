@@ -10,18 +10,19 @@ namespace {
 
 // LinuxCNC: #1 to #30 local, up to #5601; from #5061 on the system has its own among them.
 constexpr int kLocals = 30, kFirstSystem = 5000, kEnd = 5602;
-// FANUC: #1 to #33 local, #100 to #199 and #500 to #999 common, from #1000 on the system's.
+// FANUC: #1 to #33 local, #100 to #199 common; from #500 on those that the system keeps, and its
+// own.
 constexpr int kFanucLocals = 33, kFanucFirstCommon = 100, kFanucEndVolatile = 200;
-constexpr int kFanucFirstKept = 500, kFanucFirstSystem = 1000;
+constexpr int kFanucFirstKept = 500, kFanucEnd = 1000;
 
 }  // namespace
 
 Parameters::Parameters(Dialect dialect)
     : dialect_(dialect),
       locals_(dialect == Dialect::fanuc ? kFanucLocals : kLocals),
-      first_system_(dialect == Dialect::fanuc ? kFanucFirstSystem : kFirstSystem),
+      first_system_(dialect == Dialect::fanuc ? kFanucFirstKept : kFirstSystem),
       blank_(dialect == Dialect::fanuc ? kVacant : 0),
-      numbered_(dialect == Dialect::fanuc ? kFanucFirstSystem : kEnd, blank_) {
+      numbered_(dialect == Dialect::fanuc ? kFanucEnd : kEnd, blank_) {
   push({});
 }
 

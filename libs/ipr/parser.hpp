@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -81,6 +82,9 @@ class Parser {
   std::optional<Token> read_keyword(Lexer& lexer, const Token& letter);
   void settle(const StatementReader& reader, Lexer& lexer);
   Token read_assignment(Lexer& lexer, const Token& sign);
+  bool is_order(const Variable& variable) const noexcept;
+  Token read_order(Lexer& lexer, const Token& sign, int number);
+  std::string comment_behind(const Lexer& lexer) const;
   bool may_assign(const Variable& variable, SourcePos at);
   void assign(Variable variable, double value);
   void apply_assignments();

@@ -5,6 +5,11 @@
 #include "ipr/parser.hpp"
 
 namespace softcnc::ipr {
+namespace {
+
+constexpr int kAlarm = 3000, kMessage = 3006;  // FANUC
+
+}  // namespace
 
 /// Kind and label of a statement, and the line number before it.
 void Parser::read_outline() {
@@ -83,6 +88,7 @@ void Parser::settle(const StatementReader& reader, Lexer& lexer) {
 Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
   Expression expression(lexer, parameters_);
   auto variable = expression.variable();
+  if (variable && is_order(*variable)) return read_order(lexer, sign, variable->number);
   const bool assignable =
       variable && may_assign(*variable, {line_.number, sign.column, lexer.end() - sign.column});
   if (!expression.broke_off() && !lexer.take('='))
@@ -97,6 +103,40 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
   if (assignable) assign(std::move(*variable), value);
   if (!variable) parameters_.doubt();
   return lexer.next();
+}
+
+/// #3000 and #3006 of FANUC: to assign to them ends or stops the program.
+bool Parser::is_order(const Variable& variable) const noexcept {
+  return options_.dialect == Dialect::fanuc &&
+         (variable.number == kAlarm || variable.number == kMessage);
+}
+
+/// What follows '#3000': '=', a number, and a comment for the operator.
+Token Parser::read_order(Lexer& lexer, const Token& sign, int number) {
+  Expression expression(lexer, parameters_);
+  if (!lexer.take('=')) expression.refuse_next(Code::SC1028, "'=' and a value");
+  const double value = expression.broke_off() ? kUncertain : expression.value();
+  if (expression.broke_off()) {
+    give_up(expression.fault(), lexer);
+    return {};
+  }
+  report(expression.fault());
+  const int length = lexer.end() - sign.column;
+  if (is_uncertain(value))
+    line_.broken = true;
+  else if (number == kAlarm)
+    report(Code::SC1031, sign.column, length, "alarm of the program" + comment_behind(lexer));
+  else
+    words_.push_back({'M', 0, {line_.number, sign.column, length}});
+  return lexer.next();
+}
+
+/// ": text" of the comment that follows, if there is one.
+std::string Parser::comment_behind(const Lexer& lexer) const {
+  const std::size_t open = line_.text.find('(', static_cast<std::size_t>(lexer.end()) - 1);
+  if (open == std::string_view::npos) return {};
+  const std::size_t close = line_.text.find(')', open);
+  return ": " + std::string(line_.text.substr(open + 1, close - open - 1));
 }
 
 /// Tells if not.
@@ -118,6 +158,7 @@ void Parser::assign(Variable variable, double value) {
 }
 
 void Parser::apply_assignments() {
+  started_ = true;
   for (const auto& [variable, value] : assignments_) {
     if (variable.name.empty())
       parameters_.write(variable.number, value);

@@ -59,6 +59,13 @@ Machine machine_for(const std::string& expectation) {
   return machine;
 }
 
+/// "; fanuc": read in this dialect.
+InterpreterOptions options_for(const std::string& expectation) {
+  InterpreterOptions options;
+  if (expectation.find("; fanuc") != std::string::npos) options.dialect = Dialect::fanuc;
+  return options;
+}
+
 struct Told {
   Places places;
   std::multimap<Code, std::string> texts;
@@ -66,7 +73,8 @@ struct Told {
 
 Told told_by(const std::filesystem::path& file) {
   const std::string bytes = bytes_of(file);
-  const Interpreted result = interpret(bytes, machine_for(expectation(bytes)));
+  const Interpreted result =
+      interpret(bytes, machine_for(expectation(bytes)), options_for(expectation(bytes)));
   Told told{places(result), {}};
   for (const Diagnostic& diagnostic : result.diagnostics)
     told.texts.emplace(diagnostic.code, diagnostic.message);
@@ -123,6 +131,7 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC1029, "statements are not carried out yet"},
     {Code::SC1030, "this '<' has no '>'"},
     {Code::SC1030, "the name of a variable is empty"},
+    {Code::SC1031, "alarm of the program: NO TOOL"},
     {Code::SC2001, "G41 is not supported"},
     {Code::SC2001, "G05.1 is not supported"},
     {Code::SC2002, "G01 beside another code of the same group"},

@@ -3,8 +3,12 @@
 #include "ipr/expression.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "support/property.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -36,7 +40,77 @@ std::string fault_of(std::string_view text, Dialect dialect = Dialect::linuxcnc)
          "+" + std::to_string(fault.length);
 }
 
+/// An expression as a tree, whose value is worked out at its joints and not from its text.
+struct Tree {
+  int level = 9;     // precedence of what joins it: 9 is a number
+  std::string text;  // with no more brackets than it needs
+  double value = 0;
+};
+
+struct Joint {
+  const char* name;
+  int linuxcnc, fanuc;
+  double (*give)(double, double);
+};
+
+constexpr Joint kJoints[] = {
+    {"+", 3, 2, [](double a, double b) { return a + b; }},
+    {"-", 3, 2, [](double a, double b) { return a - b; }},
+    {"*", 4, 3, [](double a, double b) { return a * b; }},
+    {"LT", 2, 1, [](double a, double b) { return a < b ? 1.0 : 0.0; }},
+    {"GE", 2, 1, [](double a, double b) { return a < b ? 0.0 : 1.0; }},
+    {"NE", 2, 1, [](double a, double b) { return a == b ? 0.0 : 1.0; }},
+};
+constexpr Joint kLogic[] = {
+    {"AND", 1, 3, [](double a, double b) { return a != 0 && b != 0 ? 1.0 : 0.0; }},
+    {"OR", 1, 2, [](double a, double b) { return a != 0 || b != 0 ? 1.0 : 0.0; }},
+    {"XOR", 1, 2, [](double a, double b) { return (a != 0) != (b != 0) ? 1.0 : 0.0; }},
+};
+
+/// In brackets if it binds weaker than what it stands in.
+std::string within(const Tree& tree, int level) {
+  return tree.level < level ? "[" + tree.text + "]" : tree.text;
+}
+
+Tree joined(const Joint& joint, const Tree& left, const Tree& right, Dialect dialect) {
+  const int level = dialect == Dialect::fanuc ? joint.fanuc : joint.linuxcnc;
+  const bool compares = dialect == Dialect::fanuc && level == 1;
+  return {level,
+          within(left, compares ? level + 1 : level) + " " + joint.name + " " +
+              within(right, level + 1),
+          joint.give(left.value, right.value)};
+}
+
+Tree random_tree(int depth, Dialect dialect) {
+  const int choice = *rc::gen::inRange(0, depth > 0 ? 10 : 2);
+  if (choice < 2) {
+    const int number = *rc::gen::inRange(0, 9);
+    return choice == 0 ? Tree{9, std::to_string(number), double(number)}
+                       : Tree{9, "-" + std::to_string(number), -double(number)};
+  }
+  const Tree left = random_tree(depth - 1, dialect);
+  if (choice == 2) return {9, "ABS[" + left.text + "]", std::abs(left.value)};
+  const Tree right = random_tree(depth - 1, dialect);
+  if (choice > 7 && dialect == Dialect::linuxcnc)
+    return joined(kLogic[*rc::gen::inRange(0, 3)], left, right, dialect);
+  return joined(kJoints[*rc::gen::inRange(0, 6)], left, right, dialect);
+}
+
 }  // namespace
+
+TEST_CASE("an expression has the value of its tree", "[ipr][expression]") {
+  for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc})
+    test::holds([dialect] {
+      const Tree tree = random_tree(6, dialect);
+      const std::string text = "[" + tree.text + "]";
+      const Parameters parameters(dialect);
+      Lexer lexer(text);
+      Expression expression(lexer, parameters);
+      RC_LOG() << text;
+      RC_ASSERT(expression.value() == tree.value);
+      RC_ASSERT(!expression.fault());
+    });
+}
 
 // The values of this table are those that rs274 of LinuxCNC 2.9 gives, but for its rounding.
 TEST_CASE("operators have the precedence of LinuxCNC and group from the left",

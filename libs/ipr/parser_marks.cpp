@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// What stands on a line and begins no word, and how a wrong line is told.
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "ipr/parser.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr int kLongestShown = 24;  // bytes of a bad word repeated in a message
+
+std::string quoted(std::string_view text) {
+  return "'" + std::string(text.substr(0, kLongestShown)) + "'";
+}
+
+std::string_view text_of(std::string_view line, const Token& token) {
+  return line.substr(static_cast<std::size_t>(token.column) - 1,
+                     static_cast<std::size_t>(token.length));
+}
+
+/// A character by its looks, its code point or its byte.
+std::string character_name(std::string_view character) {
+  const auto byte = static_cast<unsigned char>(character.front());
+  std::array<char, 16> text{};
+  if (character.size() == 1) {
+    if (byte > 0x20U && byte < 0x7FU) return quoted(character);
+    std::snprintf(text.data(), text.size(), "byte 0x%02X", byte);
+    return text.data();
+  }
+  unsigned point = byte & (0xFFU >> (character.size() + 1));
+  for (const char c : character.substr(1))
+    point = (point << 6U) | (static_cast<unsigned char>(c) & 0x3FU);
+  std::snprintf(text.data(), text.size(), " (U+%04X)", point);
+  return quoted(character) + text.data();
+}
+
+constexpr bool is_letter(char c) noexcept {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+std::string_view letters_at(std::string_view line, const Token& letter) {
+  const std::string_view rest = line.substr(static_cast<std::size_t>(letter.column) - 1);
+  std::size_t count = 0;
+  while (count < rest.size() && is_letter(rest[count])) ++count;
+  return rest.substr(0, count);
+}
+
+/// WHILE, sub and the like: three letters in a row, or two before a bracket.
+bool is_name(std::string_view line, const Token& letter, std::string_view letters) {
+  if (letters.size() != 2) return letters.size() > 2;
+  const std::size_t behind =
+      line.find_first_not_of(" \t", static_cast<std::size_t>(letter.column) + 1);
+  return behind != std::string_view::npos && line[behind] == '[';
+}
+
+}  // namespace
+
+/// `X1E5`: an E right behind a number was meant as its exponent.
+Token Parser::read_exponent(Lexer& lexer, const Token& letter) {
+  const Word word = words_.back();
+  words_.pop_back();
+  line_.lost.add(word.letter);
+  Token after = lexer.next();
+  const bool exponent = after.kind == Token::Kind::number;
+  const int end = exponent ? after.end_column() : letter.end_column();
+  const auto written = line_.text.substr(static_cast<std::size_t>(word.pos.column) - 1,
+                                         static_cast<std::size_t>(end - word.pos.column));
+  report(Code::SC1006, word.pos.column, end - word.pos.column,
+         quoted(written) + " has an exponent; write the number out");
+  return exponent ? lexer.next() : after;
+}
+
+void Parser::report_missing_number(const Token& letter, const Token& instead) {
+  using Kind = Token::Kind;
+  const bool excused = instead.kind != Kind::letter && instead.kind != Kind::end &&
+                       instead.kind != Kind::slash;  // what stands there is told instead
+  const std::string_view letters = letters_at(line_.text, letter);
+  if (is_name(line_.text, letter, letters)) {
+    Token whole = letter;
+    whole.length = static_cast<int>(letters.size());
+    return give_up(Code::SC1020, whole, quoted(letters) + " is no keyword and no function");
+  }
+  line_.lost.add(letter.letter);
+  if (!excused)
+    report(Code::SC1002, letter.column, 1, std::string("no number after ") + letter.letter);
+}
+
+void Parser::report_number(const Token& letter, const Token& number) {
+  line_.lost.add(letter.letter);
+  const std::string written = quoted(text_of(line_.text, number));
+  const auto say = [&](Code code, std::string message) {
+    report(code, number.column, number.length, std::move(message));
+  };
+  switch (number.fault) {
+    case NumberFault::no_digits:
+      return say(Code::SC1002,
+                 std::string("no number after ") + letter.letter + ", only " + written);
+    case NumberFault::sign_inside:
+      return say(Code::SC1003, "a sign inside the number " + written);
+    case NumberFault::two_points:
+      return say(Code::SC1004, "two decimal points in " + written);
+    case NumberFault::too_large:
+      return say(Code::SC1005, written + " has more than " + std::to_string(kIntegerDigits) +
+                                   " digits before the decimal point");
+    case NumberFault::none:
+      break;
+  }
+}
+
+/// Whatever does not begin a word.
+Token Parser::read_mark(Lexer& lexer, const Token& mark) {
+  const std::string_view text = text_of(line_.text, mark);
+  switch (mark.kind) {
+    case Token::Kind::percent:
+      return read_percent(lexer, mark);
+    case Token::Kind::slash:
+      return read_slash(lexer, mark);
+    case Token::Kind::number:
+      give_up(Code::SC1007, mark, "the number " + quoted(text) + " has no letter before it");
+      break;
+    case Token::Kind::macro:
+      return read_macro(lexer, mark);
+    case Token::Kind::open_comment:
+      report(Code::SC1009, mark.column, mark.length, "the comment has no ')'");
+      break;
+    case Token::Kind::nested_comment:
+      give_up(Code::SC1010, mark, "a comment inside a comment");
+      break;
+    case Token::Kind::nul:
+      give_up(Code::SC1014, mark, "a byte 0; the file is damaged or no text");
+      break;
+    default:
+      give_up(Code::SC1001, mark, "unknown character " + character_name(text));
+      break;
+  }
+  return {};
+}
+
+Token Parser::read_macro(Lexer& lexer, const Token& mark) {
+  const std::string_view text = text_of(line_.text, mark);
+  if (text == "#") return read_assignment(lexer, mark);
+  if (text == "[")
+    give_up(Code::SC1007, mark, "'[' has no letter before it");
+  else if (text == "]")
+    give_up(Code::SC1017, mark, "this ']' has no '['");
+  else
+    give_up(Code::SC1001, mark, quoted(text) + " has no place here");
+  return {};
+}
+
+/// The first '%' begins the program, the next one ends it; whatever follows that is no program.
+Token Parser::read_percent(Lexer& lexer, const Token& percent) {
+  if (!words_.empty() || line_.skip) {
+    give_up(Code::SC1012, percent, "'%' within a line; it stands on a line of its own");
+    return {};
+  }
+  if (started_) {
+    ended_ = true;
+    return {};
+  }
+  started_ = true;
+  const Token after = lexer.next();
+  if (after.kind != Token::Kind::end)
+    give_up(Code::SC1012, percent, "'%' with more behind it; it stands on a line of its own");
+  return after;
+}
+
+/// '/' or '/2', before or behind the line number.
+Token Parser::read_slash(Lexer& lexer, const Token& slash) {
+  const Token after = lexer.next();
+  if (line_.skip || !only_line_number()) {
+    give_up(Code::SC1011, slash, "'/' (block skip) within a line; it stands at its beginning");
+    return after;
+  }
+  line_.skip = true;
+  if (options_.block_skip) {
+    words_.clear();
+    return {};
+  }
+  const bool level = after.kind == Token::Kind::number && after.length == 1 && after.value >= 1;
+  return level ? lexer.next() : after;
+}
+
+bool Parser::only_line_number() const noexcept {
+  return words_.empty() || (words_.size() == 1 && words_.front().letter == 'N');
+}
+
+void Parser::report(Code code, int column, int length, std::string message) {
+  line_.broken = true;
+  diagnostics_.report(code, {line_.number, column, length}, std::move(message), line_.text);
+}
+
+/// For a fault behind which nothing can be trusted: the rest of the line is lost.
+void Parser::give_up(Code code, const Token& token, std::string message) {
+  report(code, token.column, token.length, std::move(message));
+  lose_rest();
+}
+
+void Parser::report(const std::optional<Fault>& fault) {
+  if (fault) report(fault->code, fault->column, fault->length, fault->message);
+}
+
+/// The same for a fault in an expression; without one the next token tells what is wrong.
+void Parser::give_up(const std::optional<Fault>& fault, Lexer& lexer) {
+  if (fault)
+    report(fault);
+  else
+    read_mark(lexer, lexer.next());
+  lose_rest();
+}
+
+void Parser::lose_rest() noexcept {
+  line_.broken = given_up_ = true;
+  line_.lost = kAllLetters;
+  if (line_.text.find('=') != std::string_view::npos) parameters_.doubt();
+}
+
+}  // namespace softcnc::ipr

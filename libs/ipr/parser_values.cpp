@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Words whose value is computed.
+#include "ipr/parser.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+// FANUC: in a length ROUND keeps the digits of its least increment.
+constexpr Letters kLengths{"ABCIJKQRUVWXYZ"};
+constexpr double kPerMm = 1000, kPerInch = 10000;
+
+/// A function's name, followed by its bracket.
+bool is_function(Lexer lexer) {
+  for (const Function& function : functions()) {
+    const Lexer before = lexer;
+    if (lexer.take(function.name) && lexer.peek() == '[') return true;
+    lexer = before;
+  }
+  return false;
+}
+
+}  // namespace
+
+/// A word whose value begins with no digit: `first` is the token behind its letter.
+Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) {
+  const bool sign = first.kind == Token::Kind::number && first.length == 1;
+  Lexer at_value = lexer;
+  if (!sign) at_value.back_to(first);
+  const char begin = at_value.peek();
+  if (begin == '#' || begin == '[' || is_function(at_value)) {
+    lexer.back_to(first);
+    return read_expression(lexer, letter);
+  }
+  if (first.kind == Token::Kind::letter)
+    if (const auto behind = read_keyword(lexer, letter)) return *behind;
+  if (first.kind != Token::Kind::number) {
+    report_missing_number(letter, first);
+    return first;
+  }
+  report_number(letter, first);
+  return lexer.next();
+}
+
+Token Parser::read_expression(Lexer& lexer, const Token& letter) {
+  Expression expression(lexer, parameters_);
+  if (options_.dialect == Dialect::fanuc && kLengths.has(letter.letter))
+    expression.round_to(parameters_.read("_metric") == 0.0 ? kPerInch : kPerMm);
+  const double value = expression.value();
+  const int length = lexer.end() - letter.column;
+  if (is_uncertain(value)) line_.lost.add(letter.letter);
+  if (expression.broke_off()) {
+    give_up(expression.fault(), lexer);
+    return {};
+  }
+  report(expression.fault());
+  if (is_uncertain(value))
+    line_.broken = true;
+  else if (!is_vacant(value))
+    words_.push_back({letter.letter, value, {line_.number, letter.column, length}});
+  return lexer.next();
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,4 @@
+(expect SC1031 3:1; fanuc)
+IF [#100 NE #0] THEN #3000=2 (NOT REACHED)
+#3000=1 (NO TOOL)
+M30

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What programs read of position, offsets and modes.
+#include "ipr/modal_variables.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "ipr/interpret.hpp"
+#include "motion/line.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr InterpreterOptions kFanuc{false, false, Dialect::fanuc};
+
+/// Where the last move of a program ends, mm.
+AxisVector end_of(const std::string& text, InterpreterOptions options = {}) {
+  AxisVector end = AxisVector::Zero();
+  for (const Block& block : blocks_of(text + "\nM30\n", {}, options))
+    if (const auto* move = std::get_if<Move>(&block.what))
+      end = std::visit([](const auto& path) { return path.position(path.length()); }, move->path);
+  return end;
+}
+
+}  // namespace
+
+TEST_CASE("the position is read in the units of the program", "[ipr][variables]") {
+  CHECK(end_of("G0 X10 Y20 Z5\nX[#5420+1] Y#<_y> Z-#5422").isApprox(AxisVector(11, 20, -5)));
+  CHECK(end_of("G20 G0 X1 Y2\nX[#5420+1] Y#<_x>").isApprox(AxisVector(50.8, 25.4, 0)));
+  CHECK(end_of("G0 X10 Y20\nX[#5001+1] Y#5041 Z#5022", kFanuc).isApprox(AxisVector(11, 10, 20)));
+}
+
+TEST_CASE("modes are read by name and by number", "[ipr][variables]") {
+  CHECK(end_of("G1 F300 X1\nX#<_feed> Y#<_motion_mode> Z#<_plane>")
+            .isApprox(AxisVector(300, 10, 170)));
+  CHECK(end_of("G20 G18 G91 S500 M3\nG21 G90 G0 X#<_rpm> Y#<_plane> Z#<_spindle_on>")
+            .isApprox(AxisVector(500, 180, 1)));
+  CHECK(end_of("G0 X#<_absolute> Y[2 + #<_incremental>] Z#<_coord_system>")
+            .isApprox(AxisVector(1, 2, 540)));
+  CHECK(end_of("G18\nG0 X#4002 Y#4003 Z#4014", kFanuc).isApprox(AxisVector(18, 90, 54)));
+}
+
+TEST_CASE("offsets can be read and written", "[ipr][variables]") {
+  CHECK(end_of("#5161=7\nG0 X#5161 Y#5220 Z#5221").isApprox(AxisVector(7, 1, 0)));
+  CHECK(end_of("#5221=5\nG0 X1", kFanuc).isApprox(AxisVector(6, 0, 0)));
+}
+
+TEST_CASE("common variables of FANUC from #500 on outlive the program", "[ipr][variables]") {
+  Reader reader = Reader::from_text("#501=[#500+1]\n#500=#0\n#100=3\n#502=#503\nM30\n");
+  Diagnostics diagnostics;
+  Parser parser(reader, diagnostics);
+  const Machine machine;
+  MachineState before;
+  before.parameters[500] = 6;
+  Interpreter interpreter(parser, machine, diagnostics, kFanuc, before);
+  while (interpreter.next()) continue;
+  CHECK(diagnostics.all().empty());
+  CHECK(interpreter.state().parameters == std::map<int, double>{{501, 7}});
+}
+
+TEST_CASE("what an error has made unknown is not read as if it were known", "[ipr][variables]") {
+  CHECK(places(interpret("G0 X1.2.3\nX[1/#5420]\nG1 Y#<_x> F100\nM30\n")) == Places{"SC1004 1:5"});
+  CHECK(places(interpret("#5221=[1/0]\nG0 X[1/#5221]\nM30\n")) == Places{"SC1021 1:10"});
+  CHECK(places(interpret("#500=[1/0]\nG0 X[1/#500]\nM30\n", {}, kFanuc)) == Places{"SC1021 1:9"});
+}
+
+TEST_CASE("#3000 of FANUC is an alarm, #3006 a stop", "[ipr][variables]") {
+  const Interpreted alarm = interpret("#3000=1 (NO TOOL)\nM30\n", {}, kFanuc);
+  CHECK(places(alarm) == Places{"SC1031 1:1"});
+  CHECK(alarm.diagnostics.front().message == "alarm of the program: NO TOOL");
+  const auto blocks = blocks_of("#3006=1 (TURN THE PART)\nM30\n", {}, kFanuc);
+  REQUIRE(blocks.size() == 2);
+  CHECK(std::get<Action>(blocks[0].what).kind == Action::Kind::stop);
+}
+
+TEST_CASE("in a length of FANUC ROUND keeps the least increment", "[ipr][variables]") {
+  CHECK(end_of("#1=2.34567\n#2=ROUND[#1]\nG0 XROUND[#1] Y#2", kFanuc)
+            .isApprox(AxisVector(2.346, 2, 0)));
+  CHECK(end_of("G20\nG0 X[ROUND[1.23456]]", kFanuc).isApprox(AxisVector(25.4 * 1.2346, 0, 0)));
+  CHECK(end_of("G0 X[ROUND[1.23456]]").isApprox(AxisVector(1, 0, 0)));
+}
+
+}  // namespace softcnc::ipr
