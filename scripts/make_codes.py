@@ -39,7 +39,7 @@ SECTIONS = {
     4: "Limits and planning",
     5: "At run time",
     6: "Files",
-    7: "Machine file",
+    7: "Machine and state file",
     9: "Defects in softcnc",
 }
 

@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "hal/machine_file.hpp"
 #include "ipr/interpreter.hpp"
+#include "machine_memory.hpp"
 #include "messages.hpp"
 #include "preflight.hpp"
 
@@ -23,10 +24,13 @@ bool waits_for_more() {
 int write_blocks(ipr::Reader& reader, const std::string& file, const Machine& machine,
                  const Options& options) {
   Messages messages;
+  auto state = open_state(options.state, messages);
+  if (!state) return messages.fail(state.error());
   Diagnostics diagnostics([&](const Diagnostic& d) { messages.show(d); });
   diagnostics.set_file(file);
   ipr::Parser parser(reader, diagnostics);
-  ipr::Interpreter interpreter(parser, machine, diagnostics, interpreter_options(options));
+  ipr::Interpreter interpreter(parser, machine, diagnostics, interpreter_options(options),
+                               std::move(*state));
   StandardOutput out;
   BlockJson json;
   while (out.ok()) {

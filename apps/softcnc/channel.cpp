@@ -36,8 +36,9 @@ Feeder::Feeder(ipr::Reader& reader, const Machine& machine, const ChannelOptions
       options_(options),
       diagnostics_(diagnostics),
       parser_(reader, diagnostics),
-      interpreter_(parser_, machine, diagnostics, options.interpreter),
-      planner_(machine, options.feed_override, diagnostics) {}
+      interpreter_(parser_, machine, diagnostics, options.interpreter, options.state),
+      planner_(machine, options.feed_override, diagnostics),
+      states_(options.state) {}
 
 void Feeder::fill(ipo::BlockQueue& queue, double until) {
   CpuLaps cpu;
@@ -61,6 +62,7 @@ void Feeder::finish(ipo::BlockQueue& queue) {
 
 void Feeder::read_block() {
   auto block = interpreter_.next();
+  if (block && options_.keeps_state) states_.add(block->number, interpreter_.state());
   const bool good = block && diagnostics_.errors() == 0;
   if (good) planner_.push(*std::exchange(block, std::nullopt));
   if (good && diagnostics_.errors() == 0) return;

@@ -19,6 +19,7 @@
 #include "ipr/interpreter.hpp"
 #include "motion/cycle.hpp"
 #include "motion/verify.hpp"
+#include "state_history.hpp"
 
 namespace softcnc::app {
 
@@ -26,6 +27,8 @@ namespace softcnc::app {
 struct ChannelOptions {
   double feed_override = 1;  // of the programmed feed
   ipr::InterpreterOptions interpreter;
+  MachineState state;        // with which the program begins
+  bool keeps_state = false;  // Outcome::state is asked for
 };
 
 /// An action at which the program waits for a person, and when it is passed.
@@ -52,6 +55,9 @@ class Feeder {
   /// Pauses on the way to the end of the queue; whoever waits at one takes it out.
   std::deque<Pause>& pauses() noexcept { return pauses_; }
 
+  /// As far as has been read.
+  StateHistory& states() noexcept { return states_; }
+
   const ipo::PlannerCounts& counts() const noexcept { return planner_.counts(); }
   double cpu() const noexcept { return cpu_; }  // s
 
@@ -68,6 +74,7 @@ class Feeder {
   ipr::Interpreter interpreter_;
   ipo::Planner planner_;
   std::deque<Pause> pauses_;
+  StateHistory states_;
   bool ended_ = false;
   double cpu_ = 0;
 };
@@ -99,7 +106,7 @@ class Channel {
   /// How long of it each limit has held the feed down, s.
   std::array<double, kLimits> time_by_limit() const;
 
-  const Feeder& feeder() const noexcept { return feeder_; }
+  Feeder& feeder() noexcept { return feeder_; }
 
  private:
   bool plan_ahead() noexcept;
@@ -147,6 +154,7 @@ struct Outcome {
   double time = 0;  // s of the plan
   std::array<double, kLimits> time_by_limit{};
   Measured measured;
+  MachineState state;  // where the machine rests, if ChannelOptions::keeps_state
   ipo::PlannerCounts planner;
   Cpu cpu;
 };

@@ -12,5 +12,6 @@ int blocks(const Options& options);
 int record(const Options& options);
 int replay(const Options& options);
 int machine(const Options& options);
+int codes(const Options& options);
 
 }  // namespace softcnc::app

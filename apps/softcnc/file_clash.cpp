@@ -36,8 +36,10 @@ bool same(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string file_clash(const Options& options) {
-  const NamedFile written[] = {
-      {"--trace", options.trace}, {"--report", options.report}, {"--output", options.output}};
+  const NamedFile written[] = {{"--state", options.state},
+                               {"--trace", options.trace},
+                               {"--report", options.report},
+                               {"--output", options.output}};
   std::vector<NamedFile> others{{"--machine", options.machine_file}};
   for (const std::string& file : options.files)
     if (file != "-") others.push_back({"PART", file});

@@ -13,12 +13,22 @@
 namespace softcnc::app {
 namespace {
 
+/// Whether standard error is one document, with no words beside it.
+bool owns_stderr(const Options& options) {
+  return options.diagnostics != DiagnosticsFormat::text && options.command != Command::check;
+}
+
 /// Words for a person go to stderr as they are.
 void set_up_words(const Options& options) {
   spdlog::set_default_logger(spdlog::stderr_logger_st("softcnc"));
   spdlog::set_pattern("%v");
   if (options.quiet) spdlog::set_level(spdlog::level::warn);
   if (options.verbose) spdlog::set_level(spdlog::level::debug);
+  if (owns_stderr(options)) spdlog::set_level(spdlog::level::off);
+}
+
+int report_defect(const std::exception& error) {
+  return failed({softcnc::Code::SC9001, {}, error.what(), {}, {}});
 }
 
 int dispatch(const Options& options) {
@@ -35,6 +45,8 @@ int dispatch(const Options& options) {
       return replay(options);
     case Command::machine:
       return machine(options);
+    case Command::codes:
+      return codes(options);
   }
   return 0;
 }
@@ -45,17 +57,24 @@ int main(int argc, char** argv) {
   if (const int* status = std::get_if<int>(&parsed)) return *status;
   const auto& options = std::get<Options>(parsed);
   set_up_words(options);
-  return dispatch(options);
+  if (owns_stderr(options)) begin_document(options.diagnostics);
+  int status = 0;
+  try {
+    status = dispatch(options);
+  } catch (const std::exception& error) {
+    status = report_defect(error);
+  }
+  end_document(status);
+  return status;
 }
 
 }  // namespace
 }  // namespace softcnc::app
 
 int main(int argc, char** argv) {
-  using softcnc::Code;
   try {
     return softcnc::app::main(argc, argv);
-  } catch (const std::exception& error) {
-    return softcnc::app::failed({Code::SC9001, {}, error.what(), {}, {}});
+  } catch (const std::exception& error) {  // of the command line
+    return softcnc::app::report_defect(error);
   }
 }

@@ -28,6 +28,12 @@ std::string coloured(const Diagnostic& diagnostic) {
   return text.replace(at, plain.size(), fmt::format("{}{}\033[0m", on, plain));
 }
 
+/// Of this process; null where diagnostics are text.
+std::unique_ptr<DiagnosticDocument>& document_on_stderr() {
+  static std::unique_ptr<DiagnosticDocument> document;
+  return document;
+}
+
 }  // namespace
 
 bool colourful(int descriptor) {
@@ -41,10 +47,15 @@ Messages::Messages(const std::function<void()>& clear)
             clear();
             write_to_stderr(text);
           },
-          colourful(STDERR_FILENO)) {}
+          colourful(STDERR_FILENO)) {
+  document_ = document_on_stderr().get();
+}
 
 void Messages::show(const Diagnostic& diagnostic) {
-  write_(colour_ ? coloured(diagnostic) : render(diagnostic));
+  if (document_)
+    document_->add(diagnostic);
+  else
+    write_(colour_ ? coloured(diagnostic) : render(diagnostic));
   if (kept_.size() < kKept) kept_.push_back(diagnostic);
 }
 
@@ -66,6 +77,15 @@ int Messages::fail(Diagnostic diagnostic) {
 }
 
 int failed(const Diagnostic& diagnostic) { return Messages().fail(diagnostic); }
+
+void begin_document(DiagnosticsFormat format) {
+  document_on_stderr() = make_document(format, write_to_stderr);
+}
+
+void end_document(int status) {
+  const auto document = std::move(document_on_stderr());
+  if (document) document->finish(status);
+}
 
 void StandardOutput::write(std::string_view text) {
   buffer_ += text;

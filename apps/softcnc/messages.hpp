@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "diagnostic_document.hpp"
 #include "hal/output_file.hpp"
 #include "motion/diagnostic.hpp"
 #include "program.hpp"
@@ -27,6 +28,8 @@ class Messages {
   /// To standard error; `clear` takes a progress bar off the screen before.
   explicit Messages(const std::function<void()>& clear = [] {});
   Messages(Write write, bool colour) : write_(std::move(write)), colour_(colour) {}
+  /// Into a document, which must outlive it.
+  explicit Messages(DiagnosticDocument& document) : document_(&document) {}
 
   void show(const Diagnostic& diagnostic);
 
@@ -40,12 +43,18 @@ class Messages {
 
  private:
   Write write_;
-  bool colour_;
+  DiagnosticDocument* document_ = nullptr;
+  bool colour_ = false;
   std::vector<Diagnostic> kept_;
 };
 
 /// The same on standard error.
 int failed(const Diagnostic& diagnostic);
+
+/// From here on standard error is one document: whatever would be shown there is added to it.
+void begin_document(DiagnosticsFormat format);
+/// Completes it, if there is one; `status` is the exit status of the command.
+void end_document(int status);
 
 /// Data for standard output, in a buffer. After an error what follows is dropped.
 class StandardOutput {

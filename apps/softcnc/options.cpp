@@ -21,6 +21,7 @@ namespace {
 
 constexpr int kWrongUsage = 2;
 constexpr double kLargestOverride = 200;  // percent
+constexpr const char* kReadsState = "Begin with these work offsets, tool table and parameters";
 
 void add_machine(CLI::App& command, Options& options) {
   command
@@ -44,6 +45,10 @@ void add_backend(CLI::App& command, Options& options) {
           "Where setpoints go")
       ->check(CLI::IsMember(names).description(""))
       ->type_name(CLI::detail::join(names, "|"));
+}
+
+void add_state(CLI::App& command, Options& options, const char* says) {
+  command.add_option("--state", options.state, says)->type_name("FILE.toml");
 }
 
 void add_interpreter(CLI::App& command, Options& options) {
@@ -89,6 +94,20 @@ void add_progress(CLI::App& command, Options& options) {
       ->type_name("auto|none|json");
 }
 
+void add_diagnostics(CLI::App& command, Options& options) {
+  command
+      .add_option_function<std::string>(
+          "--diagnostics",
+          [&options](const std::string& word) {
+            options.diagnostics = word == "json"    ? DiagnosticsFormat::json
+                                  : word == "sarif" ? DiagnosticsFormat::sarif
+                                                    : DiagnosticsFormat::text;
+          },
+          "How what is wrong is told: as text, or as one document for programs to read")
+      ->check(CLI::IsMember({"text", "json", "sarif"}).description(""))
+      ->type_name("text|json|sarif");
+}
+
 void add_quiet(CLI::App& command, Options& options) {
   command.add_flag("-q,--quiet", options.quiet, "Say nothing but diagnostics");
 }
@@ -105,21 +124,23 @@ void add_part(CLI::App& command, Options& options) {
 }
 
 /// What `run` and `record` share.
-void add_run(CLI::App& command, Options& options) {
+void add_run(CLI::App& command, Options& options, const char* state) {
   add_part(command, options);
   add_machine(command, options);
+  add_state(command, options, state);
   add_backend(command, options);
   add_feed_override(command, options);
   add_interpreter(command, options);
   command.add_option("--report", options.report, "Write the figures of the run as JSON")
       ->type_name("FILE.json");
+  add_diagnostics(command, options);
   add_progress(command, options);
   add_quiet(command, options);
   add_verbose(command, options, "Say what pre-flight, planning and verification took");
 }
 
 void make_run(CLI::App& command, Options& options) {
-  add_run(command, options);
+  add_run(command, options, "Work offsets, tool table and parameters, read before and kept after");
   command.add_flag("--dry-run", options.dry_run,
                    "No backend and no pre-flight; the trace goes to stdout as CSV");
   command
@@ -133,8 +154,10 @@ void make_check(CLI::App& command, Options& options) {
       ->required()
       ->type_name("");
   add_machine(command, options);
+  add_state(command, options, kReadsState);
   add_feed_override(command, options);
   add_interpreter(command, options);
+  add_diagnostics(command, options);
   add_quiet(command, options);
   add_verbose(command, options, "Say time and length of each program on stderr");
 }
@@ -142,12 +165,14 @@ void make_check(CLI::App& command, Options& options) {
 void make_blocks(CLI::App& command, Options& options) {
   add_part(command, options);
   add_machine(command, options);
+  add_state(command, options, kReadsState);
   add_interpreter(command, options);
+  add_diagnostics(command, options);
   add_quiet(command, options);
 }
 
 void make_record(CLI::App& command, Options& options) {
-  add_run(command, options);
+  add_run(command, options, kReadsState);
   command.add_option("-o,--output", options.output, "The recording to write")
       ->required()
       ->type_name("FILE.rec");
@@ -157,14 +182,23 @@ void make_replay(CLI::App& command, Options& options) {
   command.add_option("FILE.rec", options.files, "Recordings")->required()->type_name("");
   add_machine(command, options);
   add_progress(command, options);
+  add_diagnostics(command, options);
   add_quiet(command, options);
 }
 
 void make_machine(CLI::App& command, Options& options) {
   add_machine(command, options);
   add_backend(command, options);
+  add_diagnostics(command, options);
   add_quiet(command, options);
   add_verbose(command, options, "Say what each value means");
+}
+
+void make_codes(CLI::App& command, Options& options) {
+  command
+      .add_option("CODE", options.files,
+                  "G02, SC2103, or how a code begins: SC21 (default: all codes of programs)")
+      ->type_name("");
 }
 
 struct CommandRow {
@@ -183,6 +217,7 @@ constexpr CommandRow kCommands[] = {
     {Command::replay, "replay", "Run recordings again and compare row by row", make_replay},
     {Command::machine, "machine", "Show the machine, each value with where it came from",
      make_machine},
+    {Command::codes, "codes", "Say what codes of programs and of diagnostics mean", make_codes},
 };
 
 int refuse(const std::string& reason) {
@@ -220,6 +255,14 @@ int tell(const CLI::App& app, const CLI::ParseError& error, std::span<const char
   return kWrongUsage;
 }
 
+/// What cannot be together; empty: nothing.
+std::string contradiction(const Options& options) {
+  if (options.command == Command::codes) return {};
+  if (options.progress == ProgressMode::json && options.diagnostics != DiagnosticsFormat::text)
+    return "--progress json and --diagnostics both want standard error";
+  return file_clash(options);
+}
+
 }  // namespace
 
 std::variant<Options, int> parse_command_line(int argc, const char* const* argv) {
@@ -237,11 +280,11 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
   } catch (const CLI::ParseError& error) {
     return tell(app, error, std::span(argv, static_cast<std::size_t>(argc)));
   }
-  if (const std::string clash = file_clash(options); !clash.empty()) return refuse(clash);
   for (const CommandRow& row : kCommands)
     if (app.got_subcommand(row.name)) options.command = row.command;
-  if (options.quiet && options.progress == ProgressMode::automatic)
-    options.progress = ProgressMode::none;
+  if (const std::string clash = contradiction(options); !clash.empty()) return refuse(clash);
+  const bool silent = options.quiet || options.diagnostics != DiagnosticsFormat::text;
+  if (silent && options.progress == ProgressMode::automatic) options.progress = ProgressMode::none;
   return options;
 }
 

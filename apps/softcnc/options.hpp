@@ -11,7 +11,8 @@
 
 namespace softcnc::app {
 
-enum class Command : std::uint8_t { run, check, blocks, record, replay, machine };
+enum class Command : std::uint8_t { run, check, blocks, record, replay, machine, codes };
+enum class DiagnosticsFormat : std::uint8_t { text, json, sarif };
 enum class ProgressMode : std::uint8_t { automatic, none, json };
 
 struct Options {
@@ -20,6 +21,7 @@ struct Options {
 
   std::string machine_file;           // empty: the built-in machine
   std::vector<std::string> settings;  // KEY=VALUE, on top of it
+  std::string state;                  // file; empty: none
 
   double feed_override = 1;  // of the programmed feed
   bool block_skip = false, optional_stop = false;
@@ -29,6 +31,7 @@ struct Options {
   std::string trace, report;  // files; empty: none
   std::string output;         // of record
 
+  DiagnosticsFormat diagnostics = DiagnosticsFormat::text;
   ProgressMode progress = ProgressMode::automatic;
   bool quiet = false, verbose = false;
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "hal/machine_file.hpp"
+#include "machine_memory.hpp"
 #include "messages.hpp"
 #include "preflight.hpp"
 #include "report_json.hpp"
@@ -156,7 +157,12 @@ Result<Job> open_job(const Options& options) {
   if (!machine) return tl::make_unexpected(std::move(machine.error()));
   auto program = Program::open(options.files.front());
   if (!program) return tl::make_unexpected(std::move(program.error()));
-  return Job{std::move(*program), std::move(*machine), channel_options(options)};
+  Messages messages;
+  auto state = open_state(options.state, messages);
+  if (!state) return tl::make_unexpected(std::move(state.error()));
+  Job job{std::move(*program), std::move(*machine), channel_options(options)};
+  job.options.state = std::move(*state);
+  return job;
 }
 
 std::string_view name(Ending ending) noexcept {

@@ -14,7 +14,7 @@ ipr::InterpreterOptions interpreter_options(const Options& options) {
 }
 
 ChannelOptions channel_options(const Options& options) {
-  return {options.feed_override, interpreter_options(options)};
+  return {options.feed_override, interpreter_options(options), {}};
 }
 
 Machine without_backend(Machine machine) {

@@ -10,6 +10,7 @@
 #include "descriptor.hpp"
 #include "hal/hash.hpp"
 #include "hal/machine_file.hpp"
+#include "hal/state_file.hpp"
 #include "recording_meta.hpp"
 
 namespace softcnc::app {
@@ -91,11 +92,14 @@ Status write_recording(hal::OutputFile& file, Program& program, const Machine& m
   meta.program_hash = program.hash();
   meta.machine_hash = hal::hash_hex(machine_text);
   meta.trace_hash = *trace_hash;
+  const std::string state_text = hal::state_toml(meta.options.state);
+  meta.state_hash = hal::hash_hex(state_text);
 
   ZipWriter zip(packed);
   zip.add_text("meta.json", meta_json(meta));
   zip.add_file("program", copy, Packing::deflate);
   zip.add_text("machine.toml", machine_text);
+  zip.add_text("state.toml", state_text);
   zip.add_file("trace.csv.zst", trace, Packing::store);
   if (Status written = zip.finish(); !written) return written;
   return copy_to_output(packed, file);
@@ -123,7 +127,18 @@ Status Recording::read() {
   if (!machine) return tl::make_unexpected(std::move(machine.error()));
   machine_ = std::move(*machine);
   if (Status good = check_hash("program", meta_.program_hash); !good) return good;
-  return check_hash("machine.toml", meta_.machine_hash);
+  if (Status good = check_hash("machine.toml", meta_.machine_hash); !good) return good;
+  return meta_.state_hash.empty() ? Status() : read_state();
+}
+
+Status Recording::read_state() {
+  if (Status good = check_hash("state.toml", meta_.state_hash); !good) return good;
+  const auto text = zip_.text("state.toml");
+  if (!text) return tl::make_unexpected(text.error());
+  auto state = hal::parse_state(*text, file_ + ":state.toml");
+  if (!state) return tl::make_unexpected(std::move(state.error()));
+  meta_.options.state = std::move(*state);
+  return {};
 }
 
 Status Recording::check_hash(const std::string& name, const std::string& expected) const {

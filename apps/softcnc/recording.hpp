@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Recordings: program, machine and trace in one file, so that a run can be run again.
 //
-// A zip of meta.json, program, machine.toml and trace.csv.zst, in this order.
+// A zip of meta.json, program, machine.toml, state.toml and trace.csv.zst, in this order.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,9 @@ inline constexpr int kRecordingSchema = 1;
 /// meta.json. Hashes are hash_hex() of the entries' bytes.
 struct RecordingMeta {
   std::string program_name, program_hash, machine_hash, trace_hash;
+  std::string state_hash;  // empty: the start state, and there is no such entry
   std::int64_t rows = 0;
-  ChannelOptions options;
+  ChannelOptions options;  // the state in it is that of state.toml
 };
 
 /// A folder that vanishes with all that is in it.
@@ -48,8 +49,8 @@ Status write_recording(hal::OutputFile& file, Program& program, const Machine& m
 
 class Recording {
  public:
-  /// Reads meta.json and checks all entries against their checksums, program and machine against
-  /// their hashes as well. Errors: SC6021, SC6022.
+  /// Reads meta.json and checks all entries against their checksums, program, machine and state
+  /// against their hashes as well. Errors: SC6021, SC6022.
   static Result<Recording> open(const std::string& file);
 
   const RecordingMeta& meta() const noexcept { return meta_; }
@@ -65,6 +66,7 @@ class Recording {
  private:
   Recording(std::string file, ZipReader zip) : file_(std::move(file)), zip_(std::move(zip)) {}
   Status read();
+  Status read_state();
   Status check_hash(const std::string& entry, const std::string& expected) const;
 
   std::string file_;

@@ -24,9 +24,13 @@ Result<RecordingMeta> read(const Json& json) {
   const Json& options = json.at("options");
   const auto dialect = read_dialect(options);
   if (!dialect) return tl::make_unexpected(dialect.error());
-  RecordingMeta meta{json.at("program").at("name"), json.at("program").at("hash"),
-                     json.at("machine").at("hash"), json.at("trace").at("hash"),
-                     json.at("trace").at("rows"),   {}};
+  RecordingMeta meta{json.at("program").at("name"),
+                     json.at("program").at("hash"),
+                     json.at("machine").at("hash"),
+                     json.at("trace").at("hash"),
+                     json.contains("state") ? json.at("state").at("hash") : Json(""),
+                     json.at("trace").at("rows"),
+                     {}};
   meta.options.feed_override = options.at("feed_override");
   meta.options.interpreter.block_skip = options.at("block_skip");
   meta.options.interpreter.optional_stop = options.at("optional_stop");
@@ -37,18 +41,18 @@ Result<RecordingMeta> read(const Json& json) {
 }  // namespace
 
 std::string meta_json(const RecordingMeta& meta) {
-  const Json json{
-      {"schema", kRecordingSchema},
-      {"softcnc", SOFTCNC_VERSION},
-      {"program", {{"name", meta.program_name}, {"hash", meta.program_hash}}},
-      {"machine", {{"hash", meta.machine_hash}}},
-      {"trace", {{"hash", meta.trace_hash}, {"rows", meta.rows}}},
-      {"options",
-       {{"feed_override", meta.options.feed_override},
-        {"block_skip", meta.options.interpreter.block_skip},
-        {"optional_stop", meta.options.interpreter.optional_stop},
-        {"dialect", name(meta.options.interpreter.dialect)}}},
-      {"start", {{"position_mm", {0, 0, 0}}, {"tool", nullptr}, {"offsets_mm", {0, 0, 0}}}}};
+  const Json json{{"schema", kRecordingSchema},
+                  {"softcnc", SOFTCNC_VERSION},
+                  {"program", {{"name", meta.program_name}, {"hash", meta.program_hash}}},
+                  {"machine", {{"hash", meta.machine_hash}}},
+                  {"state", {{"hash", meta.state_hash}}},
+                  {"trace", {{"hash", meta.trace_hash}, {"rows", meta.rows}}},
+                  {"options",
+                   {{"feed_override", meta.options.feed_override},
+                    {"block_skip", meta.options.interpreter.block_skip},
+                    {"optional_stop", meta.options.interpreter.optional_stop},
+                    {"dialect", name(meta.options.interpreter.dialect)}}},
+                  {"start", {{"position_mm", {0, 0, 0}}, {"tool", nullptr}}}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

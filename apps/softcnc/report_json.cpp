@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "report_json.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -51,7 +49,7 @@ Json diagnostics(const Performance& performance) {
                     {"line", d.pos.line},
                     {"column", d.pos.column},
                     {"severity", name(d.severity())},
-                    {"code", fmt::format("SC{}", static_cast<int>(d.code))},
+                    {"code", code_name(d.code)},
                     {"message", d.message}});
   return list;
 }

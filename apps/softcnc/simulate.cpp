@@ -109,6 +109,7 @@ bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
     outcome_.last = buffer_.rows().back();
   }
   if (watcher) watcher->sees(outcome_.last);
+  channel_.feeder().states().pass(outcome_.last.block);
   channel_.forget_passed();
   outcome_.cpu.output += cpu_.lap();
   if (!wanted) outcome_.end = Outcome::End::broken_off;
@@ -126,6 +127,8 @@ bool Simulation::write(RowSink* rows) {
 Outcome Simulation::finish() {
   if (outcome_.end == Outcome::End::done) verification_.finish();  // otherwise it is not at rest
   if (outcome_.end == Outcome::End::done && panel_.stop) outcome_.end = Outcome::End::stopped;
+  const StateHistory& states = channel_.feeder().states();
+  outcome_.state = outcome_.end == Outcome::End::done ? states.last() : states.present();
   outcome_.time = channel_.time();
   outcome_.time_by_limit = channel_.time_by_limit();
   outcome_.measured = verification_.measured();

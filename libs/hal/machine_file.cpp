@@ -3,36 +3,15 @@
 #include "hal/machine_file.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <tuple>
 
 #include "hal/machine_keys.hpp"
 #include "hal/machine_loader.hpp"
 #include "hal/machine_value.hpp"
+#include "hal/text_file.hpp"
 
 namespace softcnc::hal {
 namespace {
-
-tl::unexpected<Diagnostic> unreadable(const std::string& file) {
-  return tl::make_unexpected(Diagnostic{
-      Code::SC7003, {}, std::string("cannot be read: ") + std::strerror(errno), file, {}});
-}
-
-Result<std::string> read_text(const std::string& file) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
-                                                               std::fclose);
-  if (!stream) return unreadable(file);
-  std::string text;
-  std::array<char, 4096> part{};
-  while (const auto n = std::fread(part.data(), 1, part.size(), stream.get()))
-    text.append(part.data(), n);
-  if (std::ferror(stream.get())) return unreadable(file);
-  return text;
-}
 
 Result<LoadedMachine> load_text(const std::string* text, const std::string& name,
                                 std::span<const std::string> settings) {
@@ -44,7 +23,7 @@ Result<LoadedMachine> load_text(const std::string* text, const std::string& name
 
 Result<LoadedMachine> load_file(const std::string& file, std::span<const std::string> settings) {
   if (file.empty()) return load_text(nullptr, {}, settings);
-  const auto text = read_text(file);
+  const auto text = read_text(file, Code::SC7003);
   if (!text) return tl::make_unexpected(text.error());
   return load_text(&*text, file, settings);
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hal/number.hpp"
 
@@ -95,26 +94,6 @@ Status store(const Text& text, const KeyRef& ref, const FileValue& value, Machin
   return {};
 }
 
-/// The shortest number that is scaled to exactly the house value. Scaling rounds, so it lies within
-/// a few units in the last place of the value scaled back.
-std::string file_number(const Number& number, double house) {
-  constexpr int kNeighbours = 4;
-  const double infinity = std::numeric_limits<double>::infinity();
-  double candidate = number.to_file(house);
-  std::string shortest = number_text(candidate);
-  bool exact = number.to_house(candidate) == house;
-  for (int i = 0; i < kNeighbours; ++i) candidate = std::nextafter(candidate, -infinity);
-  for (int i = -kNeighbours; i <= kNeighbours; ++i) {
-    const std::string text = number_text(candidate);
-    if (number.to_house(candidate) == house && (!exact || text.size() < shortest.size())) {
-      shortest = text;
-      exact = true;
-    }
-    candidate = std::nextafter(candidate, infinity);
-  }
-  return shortest;
-}
-
 /// A TOML basic string.
 std::string toml_string(std::string_view text) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
@@ -144,7 +123,7 @@ struct Spell {
   Machine& machine;
 
   std::string operator()(const Number& number) const {
-    return file_number(number, number.place(machine, ref.index));
+    return scaled_text(number.place(machine, ref.index), number.to_house, number.to_file);
   }
   std::string operator()(const Whole& whole) const {
     return std::to_string(whole.place(machine, ref.index));

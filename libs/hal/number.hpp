@@ -3,6 +3,8 @@
 #pragma once
 
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <string>
 
 namespace softcnc::hal {
@@ -19,6 +21,27 @@ inline char* write_number(char* out, double value) noexcept {
 inline std::string number_text(double value) {
   char text[kNumberLength];
   return {text, write_number(text, value)};
+}
+
+/// The shortest number that to_house() turns into exactly `house`. Scaling rounds, so it lies
+/// within a few units in the last place of to_file(house); if none is exact, it is that.
+inline std::string scaled_text(double house, double (*to_house)(double),
+                               double (*to_file)(double)) {
+  constexpr int kNeighbours = 4;
+  const double infinity = std::numeric_limits<double>::infinity();
+  double candidate = to_file(house);
+  std::string shortest = number_text(candidate);
+  bool exact = to_house(candidate) == house;
+  for (int i = 0; i < kNeighbours; ++i) candidate = std::nextafter(candidate, -infinity);
+  for (int i = -kNeighbours; i <= kNeighbours; ++i) {
+    const std::string text = number_text(candidate);
+    if (to_house(candidate) == house && (!exact || text.size() < shortest.size())) {
+      shortest = text;
+      exact = true;
+    }
+    candidate = std::nextafter(candidate, infinity);
+  }
+  return shortest;
 }
 
 }  // namespace softcnc::hal

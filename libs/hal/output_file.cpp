@@ -33,6 +33,18 @@ bool written_directly(const std::string& file) {
   return ::stat(file.c_str(), &info) == 0 && !S_ISREG(info.st_mode);
 }
 
+/// A rename that must survive a power cut. Not every kind of file system knows how to sync a
+/// folder.
+bool sync_folder_of(const std::string& file) {
+  const auto folder = std::filesystem::path(file).parent_path();
+  const int descriptor =
+      ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return errno == EACCES;  // it may be written to, but not read
+  const bool synced = ::fsync(descriptor) == 0 || errno == EINVAL;
+  ::close(descriptor);
+  return synced;
+}
+
 int open_for_writing(const std::string& file, int flags) {
   return ::open(file.c_str(), O_WRONLY | O_CLOEXEC | flags, kMode);
 }
@@ -82,6 +94,7 @@ Status OutputFile::finish() {
   if (part_.empty()) return {};
   if (std::rename(part_.c_str(), target_.c_str()) != 0) return failed();
   part_.clear();
+  if (!sync_folder_of(target_)) return failed();
   return {};
 }
 

@@ -32,7 +32,7 @@ void Planner::push(Block block) {
   if (move) {
     window_.append(*move, rest_);
     counts_.nodes += window_.last_move().size();
-    if (auto outside = check_travel(*move, window_.last_move(), machine_)) {
+    if (auto outside = check_travel(*move, machine_)) {
       outside->pos = block.source;
       diagnostics_.report(std::move(*outside));
     }

@@ -4,60 +4,61 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "motion/extent.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
 constexpr double kTolerance = 1e-6;  // mm
 
-struct Extent {
-  double min, max;
-};
-
-/// Position of one axis where its derivative changes sign inside an interval, by bisection.
-double extremum(const Path& path, const Interval& interval, int axis) {
-  double lo = interval.s0, hi = interval.s1;
-  const bool rising = interval.left.dq[axis] > 0;
-  for (int i = 0; i < 60 && hi - lo > 1e-12 * hi; ++i) {
-    const double mid = 0.5 * (lo + hi);
-    ((at(path, mid).dq[axis] > 0) == rising ? lo : hi) = mid;
-  }
-  return position(path, 0.5 * (lo + hi))[axis];
+/// By how much the box lies below (negative) or above the travel of an axis, mm; 0: within. What
+/// the move starts outside counts as within.
+double excess(const Extent& box, const Axis& axis, const AxisVector& start, int i) {
+  const double below = box.min[i] - std::min(axis.min, start[i]);
+  const double above = box.max[i] - std::max(axis.max, start[i]);
+  if (below < -kTolerance && -below >= above) return box.min[i] - axis.min;
+  return above > kTolerance ? box.max[i] - axis.max : 0;
 }
 
-Extent extent(const Path& path, std::span<const Interval> grid, int axis) {
-  Extent e{grid.front().left.q[axis], grid.front().left.q[axis]};
-  const auto include = [&e](double x) { e = {std::min(e.min, x), std::max(e.max, x)}; };
-  for (const Interval& interval : grid) {
-    include(interval.right.q[axis]);
-    if (interval.left.dq[axis] * interval.right.dq[axis] < 0)
-      include(extremum(path, interval, axis));
-  }
-  return e;
+/// So many decimals that two digits of the excess show; without zeros at the end.
+std::string length_text(double mm, double excess_mm) {
+  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(excess_mm))), 3, 9);
+  std::string text = fmt::format("{:.{}f}", mm, decimals);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+std::string reach_text(const Axis& axis, char letter, double excess) {
+  const double size = std::abs(excess);
+  const double reached = excess < 0 ? axis.min + excess : axis.max + excess;
+  return fmt::format("{} reaches {} mm, {} mm beyond its travel from {:.6g} to {:.6g} mm", letter,
+                     length_text(reached, size), length_text(size, size), axis.min, axis.max);
 }
 
 }  // namespace
 
-std::optional<Diagnostic> check_travel(const Move& move, std::span<const Interval> grid,
-                                       const Machine& machine) {
-  for (int i = 0; i < kAxes; ++i) {
+std::optional<Diagnostic> check_travel(const Move& move, const Machine& machine) {
+  const AxisVector begin = start(move.path);
+  const auto excess_in = [&](const Extent& box, int i) {
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
-    if (!axis.present) continue;
-    const auto [min, max] = extent(move.path, grid, i);
-    const double start = grid.front().left.q[i];
-    const bool below = min < std::min(axis.min, start) - kTolerance;
-    const bool above = max > std::max(axis.max, start) + kTolerance;
-    if (!below && !above) continue;
-    const double reached = below ? min : max;
-    return Diagnostic{
-        Code::SC4001,
-        {},
-        fmt::format("{} reaches {:.6g} mm, beyond its travel from {:.6g} to {:.6g} mm",
-                    kAxisLetters[static_cast<std::size_t>(i)], reached, axis.min, axis.max),
-        {},
-        {}};
-  }
-  return std::nullopt;
+    return axis.present ? excess(box, axis, begin, i) : 0;
+  };
+  const Extent rough = bounds(move.path);
+  bool within = true;
+  for (int i = 0; i < kAxes; ++i) within = within && excess_in(rough, i) == 0;
+  if (within) return std::nullopt;
+  const Extent box = extent(move.path);
+  std::string text;
+  for (int i = 0; i < kAxes; ++i)
+    if (const double by = excess_in(box, i); by != 0)
+      text +=
+          (text.empty() ? "" : "; ") + reach_text(machine.axes[static_cast<std::size_t>(i)],
+                                                  kAxisLetters[static_cast<std::size_t>(i)], by);
+  if (text.empty()) return std::nullopt;
+  return Diagnostic{Code::SC4001, {}, std::move(text), {}, {}};
 }
 
 }  // namespace softcnc::ipo

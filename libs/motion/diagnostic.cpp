@@ -127,6 +127,18 @@ std::string_view name(Severity severity) noexcept {
   return names[static_cast<std::size_t>(severity)];
 }
 
+std::string code_name(Code code) { return fmt::format("SC{}", static_cast<int>(code)); }
+
+Diagnostic shown(const Diagnostic& diagnostic) {
+  Diagnostic d = harmless(diagnostic);
+  if (d.pos.column <= 0) return d;
+  const int begin = characters(d.source_line, d.pos.column - 1);
+  const int end = characters(d.source_line, d.pos.column - 1 + d.pos.length);
+  d.pos.column = begin + 1;
+  d.pos.length = std::max(end - begin, 1);
+  return d;
+}
+
 std::string render(const Diagnostic& diagnostic) {
   const Diagnostic d = harmless(diagnostic);
   std::string text = d.file.empty() ? "softcnc" : d.file;

@@ -42,6 +42,8 @@ struct CodeInfo {
 std::span<const CodeInfo> code_table() noexcept;
 const CodeInfo& code_info(Code code) noexcept;
 std::string_view name(Severity severity) noexcept;
+/// "SC2103"
+std::string code_name(Code code);
 
 struct Diagnostic {
   Code code;
@@ -57,6 +59,9 @@ struct Diagnostic {
 /// The column shown counts characters (UTF-8 code points), as editors do; control
 /// characters are shown as U+FFFD. Ends with a newline.
 std::string render(const Diagnostic& diagnostic);
+
+/// The same as values: column and length count characters, and texts are such as may be shown.
+Diagnostic shown(const Diagnostic& diagnostic);
 
 /// The exit status a diagnostic asks for: 1 program, 3 machine limit, 4 runtime, 5 input or output,
 /// 2 machine file, 70 a defect in softcnc; 0 for notes and warnings.

@@ -16,5 +16,6 @@ constexpr double mm_min_from_mm_s(double mm_s) noexcept { return mm_s * 60.0; }
 constexpr double s_from_ms(double ms) noexcept { return ms / 1000.0; }
 constexpr double ms_from_s(double s) noexcept { return s * 1000.0; }
 constexpr double rad_from_deg(double deg) noexcept { return deg * std::numbers::pi / 180.0; }
+constexpr double deg_from_rad(double rad) noexcept { return rad * 180.0 / std::numbers::pi; }
 
 }  // namespace softcnc

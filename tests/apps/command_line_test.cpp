@@ -15,7 +15,8 @@ TEST_CASE("without a command there is a hint, and exit status 2", "[apps][cli]")
 
 TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
   CHECK(call("--version").out == "softcnc " SOFTCNC_VERSION "\n");
-  for (const char* command : {"", "run", "check", "blocks", "record", "replay", "machine"}) {
+  for (const char* command :
+       {"", "run", "check", "blocks", "record", "replay", "machine", "codes"}) {
     CAPTURE(command);
     const Ended ended = call(std::string(command) + " --help");
     CHECK(ended.status == 0);
@@ -26,7 +27,7 @@ TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
 
 TEST_CASE("what does not exist is refused as wrong usage", "[apps][cli]") {
   for (const char* option :
-       {"--realtime", "--from-line 3", "--dialect siemens", "--diagnostics json", "--watch",
+       {"--realtime", "--from-line 3", "--dialect siemens", "--diagnostics xml", "--watch",
         "--backend stepdir", "--progress maybe", "--quiet --verbose", "--set"}) {
     CAPTURE(option);
     const Ended ended = call(std::string("run $data/square.nc ") + option);
@@ -55,7 +56,7 @@ TEST_CASE("--dialect says whose reading counts", "[apps][cli]") {
 }
 
 TEST_CASE("an unknown option is named, whatever follows it", "[apps][cli]") {
-  for (const char* words : {"--realtime", "--from-line 3", "--diagnostics json", "--from-line=3",
+  for (const char* words : {"--realtime", "--from-line 3", "--from-line=3",
                             "--set control.backend=sim --watch", "-x"}) {
     CAPTURE(words);
     const std::string all = words;

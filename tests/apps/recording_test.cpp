@@ -46,12 +46,12 @@ std::string packed(const std::string& text) {
 }
 
 struct Content {
-  std::string meta, program, machine, trace;
+  std::string meta, program, machine, state, trace;
 };
 
 Content content(const std::string& file) {
   return {entry(file, "meta.json"), entry(file, "program"), entry(file, "machine.toml"),
-          unpacked(entry(file, "trace.csv.zst"))};
+          entry(file, "state.toml"), unpacked(entry(file, "trace.csv.zst"))};
 }
 
 void pack(const std::string& file, const Content& content) {
@@ -59,6 +59,7 @@ void pack(const std::string& file, const Content& content) {
   zip.add_text("meta.json", content.meta);
   zip.add_text("program", content.program);
   zip.add_text("machine.toml", content.machine);
+  zip.add_text("state.toml", content.state);
   zip.add_text("trace.csv.zst", packed(content.trace));
   REQUIRE(zip.finish());
 }

@@ -177,14 +177,16 @@ TEST_CASE("a move beyond the travel of an axis is refused with its line, exit st
   const Ended ended = call("run $data/beyond.nc");
   CHECK(ended.status == 3);
   const std::string file = data("beyond.nc");
-  CHECK(ended.err.starts_with(file + ":4:2: error SC4001: X reaches 1010.5 mm, beyond its travel "
-                                     "from -1000 to 1000 mm\n"
-                                     "    4 |  X1010.5\n"
-                                     "      |  ^~~~~~~\n"));
-  CHECK(ended.err.ends_with(file + ":6:1: error SC4001: Y reaches -1200 mm, beyond its travel "
-                                   "from -1000 to 1000 mm\n"
-                                   "    6 | Y-1200\n"
-                                   "      | ^~~~~~\n"));
+  CHECK(ended.err.starts_with(file +
+                              ":4:2: error SC4001: X reaches 1010.5 mm, 10.5 mm beyond its travel "
+                              "from -1000 to 1000 mm\n"
+                              "    4 |  X1010.5\n"
+                              "      |  ^~~~~~~\n"));
+  CHECK(ended.err.ends_with(file +
+                            ":6:1: error SC4001: Y reaches -1200 mm, 200 mm beyond its travel "
+                            "from -1000 to 1000 mm\n"
+                            "    6 | Y-1200\n"
+                            "      | ^~~~~~\n"));
 }
 
 TEST_CASE("an axis that lags too far stops the run with 4 and a whole trace", "[apps][run]") {

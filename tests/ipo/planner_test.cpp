@@ -181,16 +181,36 @@ TEST_CASE("a move beyond the travel of an axis is reported with its block's plac
   CHECK(at_end.diagnostics[0].code == Code::SC4001);
   CHECK(at_end.diagnostics[0].pos.line == 2);
   CHECK(at_end.diagnostics[0].pos.column == 1);
-  CHECK(at_end.diagnostics[0].message == "Y reaches -13 mm, beyond its travel from -12 to 12 mm");
+  CHECK(at_end.diagnostics[0].message ==
+        "Y reaches -13 mm, 1 mm beyond its travel from -12 to 12 mm");
   // Coming back is not a second error, going further is.
   CHECK(run(machine, polyline({{0, 0, 0}, {0, 20, 0}, {0, 0, 0}}, 100)).diagnostics.size() == 1);
   CHECK(run(machine, polyline({{0, 0, 0}, {0, 20, 0}, {0, 30, 0}}, 100)).diagnostics.size() == 2);
   // Inside at both ends, outside between: the extremum counts. A half circle to Y 15.
   const auto between = run(machine, one(arc({10, 5, 0}, {-10, 5, 0}, {0, 5, 0}, true), 100));
   REQUIRE(between.diagnostics.size() == 1);
-  CHECK(between.diagnostics[0].message == "Y reaches 15 mm, beyond its travel from -12 to 12 mm");
+  CHECK(between.diagnostics[0].message ==
+        "Y reaches 15 mm, 3 mm beyond its travel from -12 to 12 mm");
   // No false alarm: the same arc the other way stays inside, however far its circle reaches.
   CHECK(run(machine, one(arc({10, 5, 0}, {-10, 5, 0}, {0, 5, 0}, false), 100)).diagnostics.empty());
+}
+
+TEST_CASE("an excess shows, however small, and every axis with it", "[planner]") {
+  Machine machine = machine_with(1000);
+  machine.axes[0].max = 12;
+  machine.axes[1].min = -12;
+  const auto told = [&](const AxisVector& to) {
+    const auto result = run(machine, polyline({{0, 0, 0}, to}, 100));
+    REQUIRE(result.diagnostics.size() <= 1);
+    return result.diagnostics.empty() ? std::string() : result.diagnostics[0].message;
+  };
+  CHECK(told({12, -12, 0}).empty());
+  CHECK(told({12.0000005, 0, 0}).empty());
+  CHECK(told({12.0000021, 0, 0}) ==
+        "X reaches 12.0000021 mm, 0.0000021 mm beyond its travel from -1000 to 12 mm");
+  CHECK(told({12.125, -1012, 0}) ==
+        "X reaches 12.125 mm, 0.125 mm beyond its travel from -1000 to 12 mm; "
+        "Y reaches -1012 mm, 1000 mm beyond its travel from -12 to 1000 mm");
 }
 
 TEST_CASE("an override below 100 % names itself where it binds", "[planner]") {

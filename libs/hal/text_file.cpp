@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "hal/text_file.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+namespace softcnc::hal {
+namespace {
+
+tl::unexpected<Diagnostic> unreadable(const std::string& file, Code code) {
+  return tl::make_unexpected(
+      Diagnostic{code, {}, std::string("cannot be read: ") + std::strerror(errno), file, {}});
+}
+
+}  // namespace
+
+Result<std::string> read_text(const std::string& file, Code code) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
+                                                               std::fclose);
+  if (!stream) return unreadable(file, code);
+  std::string text;
+  std::array<char, 4096> part{};
+  while (const auto n = std::fread(part.data(), 1, part.size(), stream.get()))
+    text.append(part.data(), n);
+  if (std::ferror(stream.get())) return unreadable(file, code);
+  return text;
+}
+
+}  // namespace softcnc::hal

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// --state: what a machine remembers from one program to the next.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "apps/shell.hpp"
+#include "hal/state_file.hpp"
+#include "machine_memory.hpp"
+#include "state_history.hpp"
+
+using namespace softcnc;
+using namespace softcnc::app;
+using namespace softcnc::app::test;
+
+namespace {
+
+MachineState at_x(double x) {
+  MachineState state;
+  state.work[0].origin[0] = x;
+  return state;
+}
+
+/// A state file whose G54 lies at X10.
+std::string shifted(const Folder& folder) {
+  write(folder / "mill.state", hal::state_toml(at_x(10)));
+  return " --state " + (folder / "mill.state");
+}
+
+}  // namespace
+
+TEST_CASE("a program begins with the state of its file", "[apps][state]") {
+  const Folder folder;
+  const std::string state = shifted(folder), part = "G00 X1\nM30\n";
+  CHECK(call("blocks -", part).out.find("\"to\":[1,0,0]") != std::string::npos);
+  CHECK(call("blocks -" + state, part).out.find("\"to\":[11,0,0]") != std::string::npos);
+  CHECK(call("check -" + state + " --set axis.x.max_mm=10.5", part).status == 3);
+  const Trace trace = parse_trace(call("run -q --dry-run -" + state, part).out);
+  CHECK(trace.number(trace.rows.size() - 1, "x_mm") == 11);
+}
+
+TEST_CASE("a run that changes nothing leaves the state file alone", "[apps][state]") {
+  const Folder folder;
+  const std::string state = shifted(folder), file = folder / "mill.state";
+  write(file, read(file) + "# by hand\n");
+  const std::string before = read(file);
+  CHECK(call("run -q $data/square.nc" + state).status == 0);
+  CHECK(read(file) == before);
+  CHECK(folder.files() == std::vector<std::string>{"mill.state"});
+}
+
+TEST_CASE("a state file that is not there yet is noted and begins at 0", "[apps][state]") {
+  const Folder folder;
+  const std::string file = folder / "mill.state";
+  const Ended ended = call("check $data/square.nc --state " + file);
+  CHECK(ended.status == 0);
+  CHECK(ended.out == file +
+                         ": note SC7017: is not there yet: work offsets, tool table and parameters "
+                         "begin at 0\n");
+  CHECK(folder.files().empty());
+}
+
+TEST_CASE("a wrong state file is told, and nothing moves, exit status 2", "[apps][state]") {
+  const Folder folder;
+  write(folder / "mill.state", "schema = 1\n[work.G54]\nx = 3\n");
+  for (const char* command : {"run", "run --dry-run", "check", "blocks", "record -o x.rec"}) {
+    CAPTURE(command);
+    const Ended ended =
+        call(std::string(command) + " $data/square.nc --state " + (folder / "mill.state"));
+    CHECK(ended.status == 2);
+    CHECK((ended.out + ended.err).find("mill.state:3:1: error SC7015: ") != std::string::npos);
+  }
+  const Ended nowhere = call("run $data/square.nc --state " + (folder / "no/mill.state"));
+  CHECK(nowhere.status == 5);
+  CHECK(nowhere.err.find("error SC6011: cannot be created: ") != std::string::npos);
+  CHECK(call("run " + (folder / "mill.state") + " --state " + (folder / "mill.state")).status == 2);
+}
+
+TEST_CASE("a recording holds the state that its program began with", "[apps][state]") {
+  const Folder folder;
+  const std::string file = folder / "run.rec";
+  write(folder / "p.nc", "G00 X1\nM30\n");
+  CHECK(call("record -q " + (folder / "p.nc") + shifted(folder) + " -o " + file).status == 0);
+  write(folder / "mill.state", hal::state_toml({}));
+  CHECK(call("replay -q " + file).status == 0);
+}
+
+TEST_CASE("only a state that has changed is written", "[apps][state]") {
+  const Folder folder;
+  const std::string file = folder / "mill.state";
+  auto memory = MachineMemory::open(file, at_x(10));
+  REQUIRE(memory);
+  REQUIRE(memory->keep(at_x(10)));
+  CHECK(folder.files() == std::vector<std::string>{"mill.state.part"});
+  REQUIRE(memory->keep(at_x(11)));
+  CHECK(folder.files() == std::vector<std::string>{"mill.state"});
+  CHECK(*hal::load_state(file) == at_x(11));
+}
+
+TEST_CASE("after a stop the state is that of the block where it rests", "[apps][state]") {
+  StateHistory states(at_x(0));
+  states.add(1, at_x(0));
+  states.add(2, at_x(2));
+  states.add(3, at_x(2));
+  states.add(5, at_x(5));
+  CHECK(states.last() == at_x(5));
+  CHECK(states.present() == at_x(0));
+  states.pass(1);
+  CHECK(states.present() == at_x(0));
+  states.pass(2);
+  CHECK(states.present() == at_x(2));
+  states.pass(4);
+  CHECK(states.present() == at_x(2));
+  states.pass(9);
+  CHECK(states.present() == at_x(5));
+}

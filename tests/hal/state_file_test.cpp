@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// States into text and back; what is wrong with a file; and that no crash leaves half of one.
+#include "hal/state_file.hpp"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <random>
+
+#include "hal/output_file.hpp"
+#include "motion/units.hpp"
+#include "support_hal.hpp"
+
+namespace softcnc::hal {
+namespace {
+
+MachineState full_state(std::mt19937& random) {
+  std::uniform_real_distribution<double> any(-1000, 1000);
+  const auto vector = [&] { return AxisVector(any(random), any(random), any(random)); };
+  MachineState state;
+  for (WorkOffset& work : state.work) work = {vector(), rad_from_deg(any(random))};
+  state.active = static_cast<int>(random() % kWorkSystems);
+  state.shift = vector();
+  state.shift_on = random() % 2 == 0;
+  state.home = vector();
+  state.second_home = vector();
+  for (int i = 0; i < 20; ++i) {
+    state.tools[1 + static_cast<int>(random() % 500)] = {vector(), any(random), any(random),
+                                                         any(random)};
+    state.parameters[31 + static_cast<int>(random() % 5000)] = any(random) * 1e-12;
+  }
+  return state;
+}
+
+std::string refused(const std::string& text) {
+  const auto state = parse_state("schema = 1\n" + text, "mill.state");
+  REQUIRE_FALSE(state);
+  return render(state.error());
+}
+
+}  // namespace
+
+TEST_CASE("the start state is written out in full", "[hal][state]") {
+  const std::string text = state_toml({});
+  CHECK(text.starts_with(
+      "# What programs have left behind on the machine. softcnc run --state writes it.\n"
+      "schema = 1\nactive = \"G54\"\ng92_in_force = \"no\"\n\n"
+      "[g92]\nx_mm = 0\ny_mm = 0\nz_mm = 0\n\n[g28]\n"));
+  CHECK(text.find("\n[work.\"G59.3\"]\nx_mm = 0\ny_mm = 0\nz_mm = 0\nrotation_deg = 0\n") !=
+        std::string::npos);
+  const auto state = parse_state(text, "mill.state");
+  REQUIRE(state);
+  CHECK(*state == MachineState());
+}
+
+TEST_CASE("every number of a state file reaches its place in house units", "[hal][state]") {
+  const auto state = parse_state(R"(schema = 1
+active = "G59.1"
+g92_in_force = "yes"
+g92.x_mm = 1
+g28 = { y_mm = 2.5 }
+[g30]
+z_mm = -3
+[work.G55]
+x_mm = 4
+rotation_deg = 90
+[work."G59.3"]
+z_mm = 5
+[tool.12]
+z_mm = 61.5
+radius_mm = 3
+length_wear_mm = -0.1
+radius_wear_mm = -0.02
+[parameter]
+500 = 1e-3
+5399 = -7
+)",
+                                 "mill.state");
+  REQUIRE(state);
+  MachineState expected;
+  expected.active = 6;
+  expected.shift_on = true;
+  expected.shift[0] = 1;
+  expected.home[1] = 2.5;
+  expected.second_home[2] = -3;
+  expected.work[1] = {{4, 0, 0}, rad_from_deg(90)};
+  expected.work[8].origin[2] = 5;
+  expected.tools[12] = {{0, 0, 61.5}, 3, -0.1, -0.02};
+  expected.parameters = {{500, 1e-3}, {5399, -7}};
+  CHECK(*state == expected);
+}
+
+TEST_CASE("any state reads back bit for bit, and is the same text again", "[hal][state]") {
+  std::mt19937 random(20260101);
+  for (int i = 0; i < 200; ++i) {
+    const MachineState state = full_state(random);
+    const std::string text = state_toml(state);
+    const auto back = parse_state(text, "mill.state");
+    REQUIRE(back);
+    CHECK(*back == state);
+    CHECK(state_toml(*back) == text);
+  }
+}
+
+TEST_CASE("parameters that are 0 need not be told", "[hal][state]") {
+  MachineState state;
+  state.parameters[100] = 0;
+  CHECK(state_toml(state) == state_toml({}));
+}
+
+TEST_CASE("what is wrong with a state file is told with its place", "[hal][state]") {
+  CHECK(refused("[work.G54]\nx = 3\n") ==
+        "mill.state:3:1: error SC7015: unknown key 'work.G54.x'\n"
+        "    3 | x = 3\n      | ^\n");
+  CHECK(refused("[parameter]\n30 = 3\n")
+            .starts_with("mill.state:3:1: error SC7015: unknown key 'parameter.30'\n"));
+  CHECK(refused("[work.G60]\n")
+            .starts_with("mill.state:2:7: error SC7015: unknown key 'work.G60'\n"));
+  CHECK(refused("[g28]\nx_mm = \"a\"\n")
+            .starts_with("mill.state:3:8: error SC7004: g28.x_mm takes a number\n"));
+  CHECK(
+      refused("tool = 3\n").starts_with("mill.state:2:8: error SC7004: tool is a table of keys\n"));
+  CHECK(
+      refused("[g28]\nx_mm = 1e7\n")
+          .starts_with(
+              "mill.state:3:8: error SC7005: g28.x_mm must be from -1e+06 to 1e+06, not 1e+07\n"));
+  CHECK(refused("[parameter]\n31 = nan\n").starts_with("mill.state:3:6: error SC7005: "));
+  CHECK(refused("active = \"G60\"\n")
+            .starts_with("mill.state:2:10: error SC7006: active takes one of 'G54', 'G55', "));
+  CHECK(refused("g92_in_force = 1\n")
+            .starts_with("mill.state:2:16: error SC7004: g92_in_force takes one of 'no', 'yes'\n"));
+  CHECK(refused("[g28\n").starts_with("mill.state:2:5: error SC7013: not TOML: "));
+  CHECK(refused("[g28]\nx_mm = 1\nx_mm = 2\n").find("error SC7012: ") != std::string::npos);
+  CHECK(render(parse_state("", "mill.state").error()) ==
+        "mill.state: error SC7016: is no state file of softcnc: it names no schema\n");
+  CHECK(render(parse_state("schema = 2\n", "mill.state").error())
+            .starts_with("mill.state:1:10: error SC7016: is a state of schema 2; this version "
+                         "reads schema 1\n"));
+  CHECK(render(load_state("no/such.state").error()) ==
+        "no/such.state: error SC7014: cannot be read: No such file or directory\n");
+}
+
+TEST_CASE("of several errors the first of the file is told", "[hal][state]") {
+  CHECK(refused("[work.G54]\ny = 3\n[g28]\nb = 1\n").find("'work.G54.y'") != std::string::npos);
+}
+
+TEST_CASE("a crash in the middle of writing leaves a whole state", "[hal][state]") {
+  const test::Folder folder;
+  const std::string file = folder / "mill.state";
+  std::mt19937 random(7);
+  const MachineState one = full_state(random), other = full_state(random);
+  const std::string texts[] = {state_toml(one), state_toml(other)};
+  REQUIRE(write_file(file, texts[0]));
+  for (int round = 0; round < 40; ++round) {
+    const pid_t writer = ::fork();
+    REQUIRE(writer >= 0);
+    if (writer == 0)
+      for (std::size_t i = 0;; ++i) static_cast<void>(write_file(file, texts[i % 2]));
+    ::usleep(static_cast<useconds_t>(random() % 5000));
+    ::kill(writer, SIGKILL);
+    ::waitpid(writer, nullptr, 0);
+    const auto left = load_state(file);
+    REQUIRE(left);
+    CHECK((*left == one || *left == other));
+  }
+}
+
+TEST_CASE("a full disk leaves the old state", "[hal][state]") {
+  const test::Folder folder;
+  const std::string file = folder / "mill.state";
+  std::mt19937 random(8);
+  const std::string old = state_toml({}), fresh = state_toml(full_state(random));
+  REQUIRE(write_file(file, old));
+  for (const rlim_t room : {rlim_t{0}, rlim_t{1}, static_cast<rlim_t>(fresh.size() - 1)}) {
+    const pid_t writer = ::fork();
+    REQUIRE(writer >= 0);
+    if (writer == 0) {
+      std::signal(SIGXFSZ, SIG_IGN);
+      const rlimit limit{room, room};
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      const auto written = write_file(file, fresh);
+      ::_exit(written ? 0 : written.error().code == Code::SC6012 ? 5 : 1);
+    }
+    int status = 0;
+    ::waitpid(writer, &status, 0);
+    CHECK(WEXITSTATUS(status) == 5);
+    CHECK(test::read(file) == old);
+  }
+}
+
+}  // namespace softcnc::hal
