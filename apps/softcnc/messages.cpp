@@ -62,7 +62,7 @@ void Messages::show(const Diagnostic& diagnostic) {
 Diagnostics::Sink Messages::sink(Program& program) {
   return [this, &program](const Diagnostic& diagnostic) {
     Diagnostic full = diagnostic;
-    if (full.source_line.empty() && full.pos.line > 0)
+    if (full.source_line.empty() && full.pos.line > 0 && full.pos.file == 0)
       full.source_line = program.line(full.pos.line);
     show(full);
   };
