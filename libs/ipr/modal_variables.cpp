@@ -60,6 +60,10 @@ double spindle_speed(const Modal& modal) {
   return modal.uncertain.has('S') ? kUncertain : modal.spindle_speed.value_or(0);
 }
 
+double selected_tool(const Modal& modal) {
+  return modal.uncertain.has('T') ? kUncertain : modal.tool.value_or(0);
+}
+
 template <int axis>
 double at(const Modal& modal) {
   return program_position(modal, axis);
@@ -75,21 +79,50 @@ struct Named {
   double (*read)(const Modal&);
 };
 
+double zero(const Modal&) { return 0; }
+double one(const Modal&) { return 1; }
+
+/// Those of LinuxCNC 2.9. What nothing can change yet is constant.
 constexpr Named kNames[] = {
+    {"_a", zero},
+    {"_abs_a", zero},
+    {"_abs_b", zero},
+    {"_abs_c", zero},
+    {"_abs_u", zero},
+    {"_abs_v", zero},
+    {"_abs_w", zero},
     {"_abs_x", machine_at<0>},
     {"_abs_y", machine_at<1>},
     {"_abs_z", machine_at<2>},
     {"_absolute", [](const Modal& m) { return m.incremental ? 0.0 : 1.0; }},
+    {"_adaptive_feed", zero},
+    {"_b", zero},
+    {"_c", zero},
     {"_coord_system", coordinate_system},
     {"_feed", feed},
+    {"_feed_hold", one},
+    {"_feed_override", one},
     {"_imperial", [](const Modal& m) { return m.mm_per_unit == 1 ? 0.0 : 1.0; }},
     {"_incremental", [](const Modal& m) { return m.incremental ? 1.0 : 0.0; }},
+    {"_lathe_diameter_mode", zero},
+    {"_lathe_radius_mode", one},
     {"_metric", [](const Modal& m) { return m.mm_per_unit == 1 ? 1.0 : 0.0; }},
+    {"_metric_machine", one},
     {"_motion_mode", motion_mode},
     {"_plane", plane},
+    {"_remap_level", zero},
     {"_rpm", spindle_speed},
+    {"_selected_tool", selected_tool},
+    {"_speed_override", one},
     {"_spindle_cw", [](const Modal& m) { return m.spindle_direction > 0 ? 1.0 : 0.0; }},
     {"_spindle_on", [](const Modal& m) { return m.spindle_direction != 0 ? 1.0 : 0.0; }},
+    {"_task", zero},
+    {"_tool_offset", [](const Modal& m) { return m.tool_offset.isZero(0) ? 0.0 : 1.0; }},
+    {"_u", zero},
+    {"_v", zero},
+    {"_vmajor", [](const Modal&) { return 2.9; }},
+    {"_vminor", zero},
+    {"_w", zero},
     {"_x", at<0>},
     {"_y", at<1>},
     {"_z", at<2>},
@@ -111,7 +144,7 @@ constexpr Coded kFanucCodes[] = {
     {14, [](const Modal& m) { return coordinate_system(m) / kTenths; }},
     {109, feed},
     {119, spindle_speed},
-    {120, [](const Modal& m) { return static_cast<double>(m.tool.value_or(0)); }},
+    {120, selected_tool},
 };
 
 }  // namespace
@@ -141,8 +174,7 @@ std::optional<double> ModalVariables::read(int number) const {
   if (number == kShiftOn) return modal_.state.shift_on ? 1 : 0;
   if (number == kActive) return modal_.state.active + 1;
   if (const int axis = axis_in(number, kPosition); axis >= 0) return program_position(modal_, axis);
-  if (const int axis = axis_in(number, kToolOffset); axis >= 0)
-    return modal_.tool_offset[axis] / modal_.mm_per_unit;
+  if (const int axis = axis_in(number, kToolOffset); axis >= 0) return modal_.tool_offset[axis];
   if (number >= kPosition && number < kPositionEnd) return 0;  // of axes that softcnc lacks
   return std::nullopt;
 }

@@ -9,7 +9,7 @@
 
 namespace softcnc::ipr {
 
-/// What an error has made unknown is kUncertain. Offsets (#5161 to #5390) are
+/// What an error has made unknown is kUncertain. Offsets (#5161 to #5403) are
 /// in mm, as a machine keeps them; the rest is in the units of the program.
 class ModalVariables final : public SystemVariables {
  public:

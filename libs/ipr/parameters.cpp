@@ -47,7 +47,17 @@ const Parameters::Names& Parameters::names_of(std::string_view name) const noexc
   return name.starts_with('_') ? global_ : levels_.back().named;
 }
 
+/// The variables that tell of calls and lines.
+std::optional<double> Parameters::own(std::string_view name) const noexcept {
+  if (name == "_line") return line_;
+  if (name == "_call_level") return level();
+  if (name == "_value") return given_back_.value_or(0);
+  if (name == "_value_returned") return given_back_ ? 1 : 0;
+  return std::nullopt;
+}
+
 std::optional<double> Parameters::read(std::string_view name) const {
+  if (const auto value = own(name)) return value;
   const Names& names = names_of(name);
   if (const auto found = names.find(name); found != names.end()) return found->second;
   if (system_ != nullptr)
@@ -64,7 +74,8 @@ Parameters::Access Parameters::access(int number) const {
 }
 
 Parameters::Access Parameters::access(std::string_view name) const {
-  return system_ != nullptr && system_->read(name) ? Access::read_only : Access::granted;
+  const bool taken = own(name) || (system_ != nullptr && system_->read(name));
+  return taken ? Access::read_only : Access::granted;
 }
 
 void Parameters::write(int number, double value) {

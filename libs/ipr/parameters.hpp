@@ -69,6 +69,10 @@ class Parameters {
   /// Ends it. Expects a level above 0.
   void pop();
   int level() const noexcept { return static_cast<int>(levels_.size()) - 1; }
+  /// What the last subprogram has given back, for #<_value> and #<_value_returned>.
+  void give_back(std::optional<double> value) noexcept { given_back_ = value; }
+  /// Number of the line that is read, for #<_line>.
+  void set_line(int line) noexcept { line_ = line; }
   /// How many numbered variables are local to a level: #1 and up.
   int locals() const noexcept { return locals_; }
 
@@ -79,6 +83,7 @@ class Parameters {
     Names named;
   };
 
+  std::optional<double> own(std::string_view name) const noexcept;
   bool is_system(int number) const noexcept { return number >= first_system_; }
   bool is_ordinary(int number) const noexcept;
   const Names& names_of(std::string_view name) const noexcept;
@@ -90,6 +95,8 @@ class Parameters {
   std::vector<double> numbered_;  // by number; local ones lie in levels_
   std::vector<Level> levels_;
   Names global_;
+  std::optional<double> given_back_;
+  int line_ = 0;
   bool doubtful_ = false;
 };
 

@@ -66,6 +66,7 @@ void Parser::begin_line(std::string_view text) {
 
 void Parser::read_line(Depth depth) {
   depth_ = depth;
+  parameters_.set_line(line_.number);
   if (!is_readable()) return;
   read_words();
   if (!assignments_.empty()) apply_assignments();

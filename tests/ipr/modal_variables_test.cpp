@@ -39,6 +39,19 @@ TEST_CASE("modes are read by name and by number", "[ipr][variables]") {
   CHECK(end_of("G18\nG0 X#4002 Y#4003 Z#4014", kFanuc).isApprox(AxisVector(18, 90, 54)));
 }
 
+// As rs274 of LinuxCNC 2.9 gives them before the first motion, metric_machine apart: its machine is
+// in inches.
+TEST_CASE("the names of LinuxCNC are there from the start and only to be read",
+          "[ipr][variables]") {
+  CHECK(end_of("G0 X[#<_vmajor>*10] Y#<_lathe_radius_mode> Z#<_feed_hold>")
+            .isApprox(AxisVector(29, 1, 1)));
+  CHECK(end_of("G0 X#<_speed_override> Y[#<_a>+#<_abs_w>+1] Z#<_metric_machine>")
+            .isApprox(AxisVector(1, 1, 1)));
+  CHECK(end_of("T7\nG0 X#<_selected_tool> Y#<_line> Z[#<_task>+#<_tool_offset>]")
+            .isApprox(AxisVector(7, 2, 0)));
+  CHECK(places(interpret("#<_b>=1\n#<_line>=1\nM30\n")) == Places{"SC1026 1:1", "SC1026 2:1"});
+}
+
 TEST_CASE("offsets can be read and written", "[ipr][variables]") {
   CHECK(end_of("#5161=7\nG0 X#5161 Y#5220 Z#5221").isApprox(AxisVector(7, 1, 0)));
   CHECK(end_of("#5221=5\nG0 X1", kFanuc).isApprox(AxisVector(6, 0, 0)));

@@ -116,6 +116,20 @@ TEST_CASE("the system's variables come before those of the program", "[ipr][para
   CHECK(parameters.read(5599) == 1.0);
 }
 
+TEST_CASE("calls and lines can be read by name, and only read", "[ipr][parameters]") {
+  Parameters parameters;
+  CHECK(parameters.read("_value_returned") == 0.0);
+  CHECK(parameters.read("_value") == 0.0);
+  parameters.give_back(2.5);
+  parameters.push({});
+  parameters.set_line(17);
+  CHECK(parameters.read("_value") == 2.5);
+  CHECK(parameters.read("_value_returned") == 1.0);
+  CHECK(parameters.read("_call_level") == 1.0);
+  CHECK(parameters.read("_line") == 17.0);
+  CHECK(parameters.access("_call_level") == Access::read_only);
+}
+
 TEST_CASE("after a lost assignment no name is known to be without a value", "[ipr][parameters]") {
   Parameters parameters;
   CHECK_FALSE(parameters.exists("a"));
