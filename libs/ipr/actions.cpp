@@ -62,7 +62,10 @@ void select_tool(Task& task) {
 }
 
 void change_tool(Task& task) {
-  if (task.modal.tool) return emit_action(task, Action::Kind::tool, *task.modal.tool);
+  if (task.modal.tool) {
+    task.modal.loaded_tool = task.modal.tool;
+    return emit_action(task, Action::Kind::tool, *task.modal.tool);
+  }
   report_if_certain(task, "T", Code::SC2204, task.word.pos, "M06 without a tool: T is not set");
   task.modal.uncertain.add('T');
 }
@@ -87,6 +90,7 @@ void stop_optionally(Task& task) {
 }
 
 void end_program(Task& task) {
+  task.out.stop_compensation();
   emit_action(task, Action::Kind::end);
   task.modal.ended = true;
 }

@@ -62,6 +62,13 @@ void stop_program(Task& task);
 void stop_optionally(Task& task);
 void end_program(Task& task);
 
+// compensation_words.cpp
+void compensate(Task& task);
+void end_compensation(Task& task);
+/// Refuses codes that would move the contour or the tool while G41 or G42 is in force, or that
+/// cannot lead away behind G40. Motion acts all the same, so that it is known where it leads.
+bool may_act(Task& task);
+
 // words.cpp: what several handlers need
 /// Where the axis words lead, in mm and machine coordinates, from the position in force.
 AxisVector end_point(const Task& task);

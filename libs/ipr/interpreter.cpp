@@ -116,9 +116,9 @@ void Interpreter::check_unused() {
 
 void Interpreter::execute() {
   for (const auto& [code, word] : command_.codes()) {
-    if (code->act == nullptr) continue;
     Task task{*code, *word, command_, command_.values(), machine_, options_, modal_, out_};
-    code->act(task);
+    if ((out_.compensating() || modal_.beside) && !may_act(task)) continue;
+    if (code->act != nullptr) code->act(task);
   }
 }
 
@@ -132,6 +132,7 @@ void Interpreter::finish() {
     out_.report(Code::SC2205, {line.number, 0, 1}, "the program ends without M02 or M30");
   out_.end();
   out_.begin(line);
+  out_.stop_compensation();
   out_.emit(Action{Action::Kind::end, 30, 0});
   modal_.ended = true;
 }

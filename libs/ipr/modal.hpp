@@ -30,6 +30,12 @@ struct PendingCurve {
   std::string head_line;         // its text
 };
 
+/// Where G40 has left the tool: beside the programmed position, until a move leads away.
+struct Beside {
+  AxisVector tool;  // mm, machine coordinates
+  Plane plane;      // of the contour
+};
+
 /// The start state is that of a new Modal.
 struct Modal {
   AxisVector position = AxisVector::Zero();     // mm, machine coordinates: the end of the last move
@@ -46,6 +52,8 @@ struct Modal {
   std::optional<double> spindle_speed;  // rpm, as programmed by S, within the machine's range
   int spindle_direction = 0;            // 1: M03, -1: M04, 0: at rest
   std::optional<int> tool;              // as selected by T
+  std::optional<int> loaded_tool;       // in the spindle
+  std::optional<Beside> beside;
   std::optional<PendingCurve> curve;
 
   /// Words whose value an error has made uncertain (G: the motion code). What would be wrong only

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Straight moves: G00, G01, and G80, which ends motion.
+#include <cmath>
+
 #include "ipr/handlers.hpp"
 
 namespace softcnc::ipr {
@@ -7,12 +9,38 @@ namespace {
 
 constexpr double kShortest = 1e-9;  // mm: a shorter way is none
 
+/// Behind G40, a move across the plane alone: the tool stays beside the contour.
+bool stays_beside(const Task& task) {
+  if (!task.modal.beside) return false;
+  const PlaneAxes axes = plane_axes(task.modal.beside->plane);
+  Letters plane;
+  plane.add(kAxisLetters[static_cast<std::size_t>(axes.first)]);
+  plane.add(kAxisLetters[static_cast<std::size_t>(axes.second)]);
+  return !task.values.letters().has_any(plane);
+}
+
+void move_beside(Task& task, const AxisVector& programmed, bool rapid) {
+  Beside beside = *task.modal.beside;
+  const int across = plane_axes(beside.plane).across;
+  AxisVector to = beside.tool;
+  to[across] = programmed[across];
+  if (std::abs(to[across] - beside.tool[across]) >= kShortest)
+    emit_move(task, softcnc::Line(beside.tool, to), rapid);
+  beside.tool = to;
+  task.modal.beside = beside;
+}
+
 void line(Task& task, bool rapid) {
   begin_motion(task);
   if (!task.values.letters().has_any(kAxisWords)) return;
-  const AxisVector from = task.modal.position;
+  const AxisVector from = task.modal.beside ? task.modal.beside->tool : task.modal.position;
   const AxisVector to = end_point(task);
   if (!rapid && !has_feed(task)) {
+    task.modal.position = to;
+    return;
+  }
+  if (stays_beside(task)) {
+    move_beside(task, to, rapid);
     task.modal.position = to;
     return;
   }

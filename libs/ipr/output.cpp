@@ -10,11 +10,31 @@ void Output::begin(const Line& line) {
   text_ = line.text;
   source_ = line.words.empty() ? SourcePos{line.number, 1, 1} : line.words.front().pos;
   failed_ = muted_ = false;
+  certain_ = true;
   kept_ = blocks_.size();
 }
 
 void Output::end() {
-  if (failed()) blocks_.erase(blocks_.begin() + static_cast<std::ptrdiff_t>(kept_), blocks_.end());
+  if (failed()) drop();
+  if (compensation_.on()) compensate();
+}
+
+/// Hands over the blocks of the line.
+void Output::compensate() {
+  for (std::size_t i = kept_; i < blocks_.size(); ++i)
+    compensation_.follow(std::move(blocks_[i]), text_, certain_);
+  drop();
+}
+
+void Output::drop() {
+  blocks_.erase(blocks_.begin() + static_cast<std::ptrdiff_t>(kept_), blocks_.end());
+}
+
+std::optional<AxisVector> Output::stop_compensation() {
+  if (!compensation_.on()) return std::nullopt;
+  if (failed()) drop();
+  compensate();
+  return compensation_.stop();
 }
 
 void Output::report(Code code, SourcePos pos, std::string message) {
@@ -28,6 +48,7 @@ void Output::report(Code code, SourcePos pos, std::string message, std::string_v
 }
 
 std::optional<Block> Output::pop() {
+  if (std::optional<Block> block = compensation_.pop()) return block;
   if (next_ == blocks_.size()) return std::nullopt;
   std::optional<Block> block(std::move(blocks_[next_++]));
   if (next_ == blocks_.size()) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ipr/compensation.hpp"
 #include "ipr/parser.hpp"
 #include "motion/block.hpp"
 
@@ -15,7 +16,8 @@ namespace softcnc::ipr {
 /// Keeps the blocks of good lines until they are asked for. A line with an error gives none.
 class Output {
  public:
-  explicit Output(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+  explicit Output(Diagnostics& diagnostics)
+      : diagnostics_(diagnostics), compensation_(diagnostics) {}
 
   void begin(const Line& line);
   void end();
@@ -41,16 +43,28 @@ class Output {
 
   std::optional<Block> pop();
 
+  /// The line's position follows from an error: nothing is to be concluded from where it leads.
+  void mark_uncertain() noexcept { certain_ = false; }
+
+  bool compensating() const noexcept { return compensation_.on(); }
+  void start_compensation(const CutterSide& mode) { compensation_.start(mode); }
+  /// Where the tool is, if cutter compensation has led it beside the programmed position.
+  std::optional<AxisVector> stop_compensation();
+
   SourcePos source() const noexcept { return source_; }
   std::string_view text() const noexcept { return text_; }
 
  private:
+  void compensate();
+  void drop();  // the blocks of the line
+
   Diagnostics& diagnostics_;
   std::vector<Block> blocks_;  // those before next_ are gone
   std::size_t next_ = 0, kept_ = 0;
   SourcePos source_;
   std::string_view text_;
-  bool failed_ = false, muted_ = false;
+  bool failed_ = false, muted_ = false, certain_ = true;
+  Compensation compensation_;
 };
 
 }  // namespace softcnc::ipr

@@ -29,7 +29,12 @@ AxisVector end_point(const Task& task) {
 }
 
 void emit_move(Task& task, Path path, bool rapid) {
-  const Modal& modal = task.modal;
+  Modal& modal = task.modal;
+  if (modal.uncertain.has_any(kAxisWords)) task.out.mark_uncertain();
+  if (modal.beside) {
+    path = softcnc::Line(modal.beside->tool, end(path));
+    modal.beside.reset();
+  }
   task.out.emit(Move{std::move(path), rapid, rapid ? 0 : modal.feed, modal.join,
                      modal.corner_tolerance, modal.chord_tolerance});
 }

@@ -38,7 +38,7 @@ TEST_CASE("every code stands in the table once", "[ipr][table]") {
 TEST_CASE("a code is found by its letter and number", "[ipr][table]") {
   for (const GCode& code : gcode_table())
     CHECK(find_gcode(code.letter, code.number / 10.0) == &code);
-  CHECK(find_gcode('G', 41) == nullptr);
+  CHECK(find_gcode('G', 48) == nullptr);
   CHECK(find_gcode('G', 1.05) == nullptr);
   CHECK(find_gcode('G', -1) == nullptr);
   CHECK(find_gcode('G', 100) == nullptr);

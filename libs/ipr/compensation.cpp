@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+// Moves along the contour come in, moves of the tool beside it go out, one move late.
+#include "ipr/compensation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "ipr/corner.hpp"
+#include "ipr/entry.hpp"
+#include "ipr/handlers.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr double kSamePoint = 1e-9;  // mm
+constexpr double kShortest = 1e-6;   // mm: less of a move is none
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+bool stays_in_plane(const Path& path, const PlaneAxes& axes) {
+  if (!std::holds_alternative<softcnc::Line>(path)) return false;
+  return (in_plane(end(path), axes) - in_plane(start(path), axes)).norm() < kSamePoint;
+}
+
+const Path& path_of(const Block& block) { return std::get<Move>(block.what).path; }
+
+/// The whole line, from its first word on.
+SourcePos place_of(const Block& block, std::string_view text) {
+  SourcePos place = block.source;
+  const std::size_t last = text.find_last_not_of(" \t\r");
+  const int end = last == std::string_view::npos ? 0 : static_cast<int>(last) + 1;
+  place.length = std::max(1, end - place.column + 1);
+  return place;
+}
+
+std::string tool_text(double radius) { return "the tool, radius " + number_text(radius) + " mm, "; }
+
+}  // namespace
+
+void Compensation::start(const CutterSide& mode) {
+  mode_ = mode;
+  axes_ = plane_axes(mode.plane);
+  entered_ = false;
+}
+
+std::optional<AxisVector> Compensation::stop() {
+  if (held_) let_out_whole();
+  const bool beside = on() && entered_;
+  mode_.reset();
+  return beside ? std::optional(tool_) : std::nullopt;
+}
+
+void Compensation::follow(Block block, std::string_view text, bool certain) {
+  const bool move = std::holds_alternative<Move>(block.what);
+  if (move && on() && mode_->radius > 0) return follow_move(std::move(block), text, certain);
+  if (held_)
+    waiting_.push_back(std::move(block));
+  else
+    ready_.push_back(std::move(block));
+}
+
+std::optional<Block> Compensation::pop() {
+  if (ready_.empty()) return std::nullopt;
+  std::optional<Block> block(std::move(ready_.front()));
+  ready_.pop_front();
+  return block;
+}
+
+void Compensation::follow_move(Block block, std::string_view text, bool certain) {
+  const AxisVector from = softcnc::start(path_of(block)), to = softcnc::end(path_of(block));
+  const bool broken = !certain || (from - programmed_).norm() > kShortest;
+  programmed_ = to;
+  if (stays_in_plane(path_of(block), axes_)) {
+    if (held_) return waiting_.push_back(std::move(block));
+    if (!entered_) return ready_.push_back(std::move(block));
+    return move_to(block, in_plane(tool_, axes_), to[axes_.across]);
+  }
+  const bool first = !std::exchange(entered_, true);
+  if (held_ && broken) let_out_whole();
+  if (first || !held_) tool_ = from;
+  if (!certain) return;
+  if (first) return enter(std::move(block), text);
+  go_on(std::move(block), text);
+}
+
+/// The first move leads from wherever the tool is to the side of its end.
+void Compensation::enter(Block block, std::string_view text) {
+  const PlaneCurve contour = plane_curve(path_of(block), axes_);
+  const double across = programmed_[axes_.across];
+  if ((contour.to() - contour.from()).norm() <= mode_->radius) {
+    return report(Code::SC2143, block, text,
+                  "the first move of cutter compensation must be longer than the tool's radius, " +
+                      number_text(mode_->radius) + " mm");
+  }
+  const auto parallel = entry_beside(contour, offset());
+  if (!parallel)
+    return report(Code::SC2144, block, text,
+                  "no arc leads from here to the side of the end of this arc");
+  held_.emplace(Along{std::move(block), std::string(text), contour, *parallel, across});
+}
+
+void Compensation::go_on(Block block, std::string_view text) {
+  const PlaneCurve contour = plane_curve(path_of(block), axes_);
+  const auto parallel = contour.parallel(offset());
+  if (!parallel) {
+    if (held_) let_out_whole();
+    return report(Code::SC2145, block, text,
+                  tool_text(mode_->radius) + "does not fit into an arc of radius " +
+                      number_text(contour.start_radius()) + " mm");
+  }
+  const double across = programmed_[axes_.across];
+  Along next{std::move(block), std::string(text), contour, *parallel, across};
+  if (held_)
+    join(next);
+  else
+    begin_at(*parallel);
+  held_.emplace(std::move(next));
+}
+
+void Compensation::join(Along& next) {
+  switch (corner_between(held_->contour, next.contour, mode_->side, mode_->radius)) {
+    case Corner::none:
+      return let_out_whole();
+    case Corner::outside:
+      let_out_whole();
+      return turn_around(next);
+    case Corner::inside:
+      return cut_corner(next);
+  }
+}
+
+void Compensation::cut_corner(Along& next) {
+  const auto corner = meeting(held_->parallel, next.parallel);
+  if (!corner) {
+    report(Code::SC2146, next.block, next.text,
+           tool_text(mode_->radius) + "does not fit into the inside corner before this move");
+    let_out_whole();
+    return begin_at(next.parallel);
+  }
+  if (held_->cut + corner->cut_before > held_->parallel.length() + kShortest) {
+    report(Code::SC2147, held_->block, held_->text,
+           tool_text(mode_->radius) + "does not fit between the inside corners of this move");
+    let_out_whole();
+    return begin_at(next.parallel);
+  }
+  next.cut = corner->cut_behind;
+  let_out(corner->at, corner->cut_before);
+}
+
+/// Behind an error: what comes next is judged by itself.
+void Compensation::begin_at(const PlaneCurve& parallel) {
+  tool_[axes_.first] = parallel.from().x();
+  tool_[axes_.second] = parallel.from().y();
+}
+
+void Compensation::turn_around(const Along& next) {
+  turn_to(next.block, next.parallel.from(), tool_[axes_.across], next.contour.from(),
+          -mode_->side * std::numbers::pi);
+}
+
+void Compensation::let_out_whole() { let_out(held_->parallel.to(), 0); }
+
+/// The held move as far as this point, and what has waited behind it.
+void Compensation::let_out(const PlaneVector& to, double cut) {
+  const PlaneCurve& beside = held_->parallel;
+  const double left = 1 - (held_->cut + cut) / beside.length();
+  if (beside.is_arc())
+    turn_to(held_->block, to, held_->across, beside.center(), left * beside.sweep());
+  else
+    move_to(held_->block, to, held_->across);
+  for (Block& block : waiting_) {
+    if (std::holds_alternative<Move>(block.what))
+      move_to(block, in_plane(tool_, axes_), softcnc::end(path_of(block))[axes_.across]);
+    else
+      ready_.push_back(std::move(block));
+  }
+  waiting_.clear();
+  held_.reset();
+}
+
+void Compensation::move_to(const Block& like, const PlaneVector& to, double across) {
+  AxisVector end = tool_;
+  end[axes_.first] = to.x();
+  end[axes_.second] = to.y();
+  end[axes_.across] = across;
+  if ((end - tool_).norm() < kShortest) return;
+  ready_.push_back(like);
+  std::get<Move>(ready_.back().what).path = softcnc::Line(tool_, end);
+  tool_ = end;
+}
+
+/// On an arc about the centre; `sweep` tells its direction and how often it goes round, rad.
+void Compensation::turn_to(const Block& like, const PlaneVector& to, double across,
+                           const PlaneVector& center, double sweep) {
+  const bool closed = (to - in_plane(tool_, axes_)).norm() < kShortest;
+  if (closed && std::abs(sweep) < std::numbers::pi) return move_to(like, to, across);
+  ArcSpec spec{tool_, tool_, tool_, mode_->plane, sweep > 0, 0};
+  spec.center[axes_.first] = center.x();
+  spec.center[axes_.second] = center.y();
+  spec.to[axes_.across] = across;
+  const double turns = std::abs(sweep) / kTurn;
+  spec.turns = static_cast<int>(closed ? std::round(turns) : std::ceil(turns)) - 1;
+  if (!closed) {
+    spec.to[axes_.first] = to.x();
+    spec.to[axes_.second] = to.y();
+  }
+  Result<Arc> arc = Arc::make(spec);
+  if (!arc)
+    return report(Code::SC9001, like, {}, "an arc beside the contour: " + arc.error().message);
+  ready_.push_back(like);
+  std::get<Move>(ready_.back().what).path = std::move(*arc);
+  tool_ = spec.to;
+}
+
+void Compensation::report(Code code, const Block& block, std::string_view text,
+                          std::string message) {
+  diagnostics_.report(code, place_of(block, text), std::move(message), text);
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Cutter compensation: moves along a contour become moves of the tool beside it.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ipr/plane_curve.hpp"
+#include "motion/block.hpp"
+
+namespace softcnc::ipr {
+
+/// What G41 and G42 ask for.
+struct CutterSide {
+  int side = 1;       // 1: the tool runs left of the contour, -1: right of it
+  double radius = 0;  // mm, from 0; at 0 moves stay as they are
+  Plane plane = Plane::xy;
+};
+
+/// Between what handlers emit and what the interpreter gives out. It holds the last move of the
+/// contour, and what stands behind it, until the next one tells where the move ends.
+class Compensation {
+ public:
+  explicit Compensation(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  bool on() const noexcept { return mode_.has_value(); }
+  void start(const CutterSide& mode);
+  /// Lets everything out. Where the tool then is, mm, if that is beside the programmed position.
+  std::optional<AxisVector> stop();
+
+  /// The next block of the program, from a line of this text. What is wrong is reported if it is
+  /// certain that no earlier error is its cause.
+  void follow(Block block, std::string_view text, bool certain);
+  std::optional<Block> pop();
+
+ private:
+  /// A move along the contour, and beside it.
+  struct Along {
+    Block block;
+    std::string text;  // of its line
+    PlaneCurve contour, parallel;
+    double across;   // mm: where it ends across the plane
+    double cut = 0;  // mm: what the corner before takes off the parallel
+  };
+
+  void follow_move(Block block, std::string_view text, bool certain);
+  void enter(Block block, std::string_view text);
+  void go_on(Block block, std::string_view text);
+  void join(Along& next);
+  void cut_corner(Along& next);
+  void begin_at(const PlaneCurve& parallel);
+  void turn_around(const Along& next);
+  void let_out(const PlaneVector& to, double cut);
+  void let_out_whole();
+  void move_to(const Block& like, const PlaneVector& to, double across);
+  void turn_to(const Block& like, const PlaneVector& to, double across, const PlaneVector& center,
+               double sweep);
+  double offset() const noexcept { return mode_->side * mode_->radius; }
+  void report(Code code, const Block& block, std::string_view text, std::string message);
+
+  Diagnostics& diagnostics_;
+  std::optional<CutterSide> mode_;
+  PlaneAxes axes_{};
+  bool entered_ = false;                        // the first move in the plane has been seen
+  AxisVector programmed_ = AxisVector::Zero();  // mm: the end of the last move that came in
+  AxisVector tool_ = AxisVector::Zero();        // mm: the end of the last move let out
+  std::optional<Along> held_;
+  std::vector<Block> waiting_;  // behind the held move
+  std::deque<Block> ready_;
+};
+
+}  // namespace softcnc::ipr

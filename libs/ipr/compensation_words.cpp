@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// G40, G41 and G42: whose radius counts, and what cannot be done meanwhile.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "ipr/handlers.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr int kG41Dynamic = 411, kG42 = 420, kG42Dynamic = 421;
+
+bool is_dynamic(const GCode& code) {
+  return code.number == kG41Dynamic || code.number == kG42Dynamic;
+}
+
+/// As G10 has set it, or else as the machine file says.
+std::optional<double> radius_of(const Task& task, int tool) {
+  const auto kept = task.modal.state.tools.find(tool);
+  if (kept != task.modal.state.tools.end() && kept->second.radius != 0) return kept->second.radius;
+  const auto known = task.machine.tools.find(tool);
+  if (known != task.machine.tools.end()) return known->second.radius;
+  if (kept != task.modal.state.tools.end()) return 0;
+  return std::nullopt;
+}
+
+std::optional<double> radius_of_loaded_tool(Task& task) {
+  const std::optional<int>& tool = task.modal.loaded_tool;
+  const std::optional<double> radius = tool ? radius_of(task, *tool) : std::nullopt;
+  if (!radius && !task.modal.uncertain.has('T'))
+    task.out.report(Code::SC2148, task.word.pos,
+                    code_name(task.code) + " without D: " +
+                        (tool ? "tool " + std::to_string(*tool) + " has no radius"
+                              : std::string("no tool is in the spindle")) +
+                        "; moves stay as they are");
+  return radius.value_or(0);
+}
+
+/// G41 D: the number of a tool.
+std::optional<double> radius_by_number(Task& task) {
+  const Word& word = task.values.word('D');
+  const auto tool = whole_number(task, word);
+  if (!tool) return std::nullopt;
+  if (*tool == 0) return task.options.dialect == Dialect::fanuc ? 0 : radius_of_loaded_tool(task);
+  if (const auto radius = radius_of(task, *tool)) return radius;
+  task.out.report(Code::SC2142, word.pos,
+                  "the radius of tool " + std::to_string(*tool) + " is not known");
+  return std::nullopt;
+}
+
+std::optional<double> tool_radius(Task& task) {
+  if (!is_dynamic(task.code))
+    return task.values.has('D') ? radius_by_number(task) : radius_of_loaded_tool(task);
+  if (task.values.has('D')) return task.values['D'] * task.modal.mm_per_unit / 2;
+  task.out.report(Code::SC2005, task.word.pos,
+                  code_name(task.code) + " needs D, the diameter of the tool");
+  return std::nullopt;
+}
+
+bool may_start(Task& task) {
+  const Modal& modal = task.modal;
+  if (task.values.has('L') && task.values['L'] != 0) {
+    task.out.report(Code::SC2007, task.values.word('L').pos,
+                    "L, the orientation of a lathe tool, can be 0 only");
+  } else if (modal.plane != Plane::xy && modal.coordinates.rotated()) {
+    task.out.report(
+        Code::SC2140, task.word.pos,
+        code_name(task.code) + " in a plane that the rotation of the work system tilts");
+  } else {
+    return true;
+  }
+  return false;
+}
+
+/// Codes that would move the contour or the tool under it.
+constexpr std::array kNever{50,  51,  52,  60,  61,  62,  73,  280, 281, 300,
+                            301, 430, 431, 432, 490, 520, 530, 730, 740, 760,
+                            810, 820, 830, 840, 850, 860, 870, 880, 890, 920};
+/// LinuxCNC refuses these too, though the contour stays what it is.
+constexpr std::array kNotInLinuxcnc{610, 611, 640, 980, 990};
+constexpr int kG54 = 540, kG59_3 = 593, kG10 = 100, kG17 = 170, kG19 = 190;
+
+template <typename Numbers>
+bool among(int number, const Numbers& numbers) {
+  return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+}
+
+bool changes_plane(const Task& task) {
+  constexpr std::array kPlanes{Plane::xy, Plane::zx, Plane::yz};
+  const int number = task.code.number;
+  if (number < kG17 || number > kG19) return false;
+  return kPlanes[static_cast<std::size_t>((number - kG17) / 10)] != task.modal.plane;
+}
+
+/// G10 of the work system in force.
+bool moves_work_system(const Task& task) {
+  if (task.code.number != kG10) return false;
+  const double what = task.values.value_or('L', 0), which = task.values.value_or('P', 0);
+  return (what == 2 || what == 20) && (which == 0 || which == task.modal.state.active + 1);
+}
+
+bool is_refused(const Task& task) {
+  const int number = task.code.number;
+  if (task.code.letter != 'G') return task.code.group == Group::tool_change;
+  if (number >= kG54 && number <= kG59_3) return true;
+  if (among(number, kNever) || changes_plane(task) || moves_work_system(task)) return true;
+  return task.options.dialect == Dialect::linuxcnc && among(number, kNotInLinuxcnc);
+}
+
+/// The move behind G40 begins beside the contour, where no arc or curve was meant to begin.
+void check_beside(Task& task) {
+  constexpr std::array kCurves{20, 30, 50, 51, 52, 61, 62};
+  if (task.code.letter != 'G' || !among(task.code.number, kCurves)) return;
+  if (!task.values.letters().has_any(task.code.words)) return;
+  task.out.report(Code::SC2149, task.word.pos,
+                  code_name(task.code) + " behind G40; the first move leads away on a line");
+  task.modal.beside.reset();
+}
+
+}  // namespace
+
+void compensate(Task& task) {
+  if (task.out.compensating())
+    return task.out.report(Code::SC2141, task.word.pos,
+                           code_name(task.code) + ", and cutter compensation is on already");
+  if (!may_start(task)) return;
+  const std::optional<double> radius = tool_radius(task);
+  if (!radius) return;
+  const bool right = task.code.number == kG42 || task.code.number == kG42Dynamic;
+  const int side = right == (*radius < 0) ? 1 : -1;
+  task.out.start_compensation({side, std::abs(*radius), task.modal.plane});
+}
+
+void end_compensation(Task& task) {
+  const auto tool = task.out.stop_compensation();
+  if (tool) task.modal.beside = Beside{*tool, task.modal.plane};
+}
+
+bool may_act(Task& task) {
+  if (!task.out.compensating()) {
+    check_beside(task);
+    return true;
+  }
+  if (!is_refused(task) || task.modal.curve) return true;
+  task.out.report(Code::SC2140, task.word.pos,
+                  code_name(task.code) + " while cutter compensation is on");
+  if (task.code.group == Group::motion) return true;
+  if (task.values.letters().has_any(kAxisWords)) task.modal.uncertain |= kAxisWords;
+  return false;
+}
+
+}  // namespace softcnc::ipr

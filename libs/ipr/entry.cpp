@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// How the tool comes beside the contour.
+#include "ipr/entry.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kFlat = 1e-9;  // mm: an arc that rises less from its chord's line has no centre
+
+/// Rad, of an arc in the direction of `like`.
+double sweep_of(const PlaneVector& from, const PlaneVector& to, double like) {
+  const double direction = std::copysign(1.0, like);
+  const double angle = std::atan2(direction * cross(from, to), from.dot(to));
+  return direction * (angle < 0 ? angle + kTurn : angle);
+}
+
+}  // namespace
+
+std::optional<PlaneCurve> entry_beside(const PlaneCurve& move, double left) {
+  if (!move.is_arc()) return move.parallel(left);
+  const PlaneVector to = move.to() + left * left_of(move.end_direction());
+  const PlaneVector inward = (move.center() - move.to()).normalized();
+  const PlaneVector chord = move.from() - to;
+  const double rise = chord.dot(inward);
+  if (rise < kFlat) return std::nullopt;  // the centre would lie on the other side
+  const PlaneVector center = to + inward * (chord.squaredNorm() / (2 * rise));
+  return PlaneCurve::arc(move.from(), to, center,
+                         sweep_of(move.from() - center, to - center, move.sweep()));
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,8 @@
+(expect SC2147 5:3)
+F100 G41.1 D10
+G01 X20
+X60
+  Y9 (narrow)  
+X20
+G40 Y30
+M30
