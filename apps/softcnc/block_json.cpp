@@ -4,8 +4,6 @@
 
 #include <array>
 
-#include "hal/number.hpp"
-
 namespace softcnc::app {
 namespace {
 
@@ -28,93 +26,98 @@ std::string_view name(Action::Kind kind) {
 }  // namespace
 
 std::string_view BlockJson::operator()(const Block& block) {
-  text_ = "{";
-  number("line", block.source.line);
-  number("block", block.number);
+  text_.clear();
+  text_.add('{');
+  value("\"line\":", block.source.line);
+  value("\"block\":", block.number);
   std::visit([this](const auto& what) { write(what); }, block.what);
   text_.back() = '}';
-  text_ += '\n';
-  return text_;
+  text_.add('\n');
+  return text_.text();
 }
 
 void BlockJson::write(const Move& move) {
-  word("kind", kind_of(move));
-  vector("from", start(move.path));
-  vector("to", end(move.path));
-  if (!move.rapid) number("feed_mm_s", move.feed);
+  word("\"kind\":", kind_of(move));
+  place("\"from\":", start(move.path));
+  place("\"to\":", end(move.path));
+  if (!move.rapid) value("\"feed_mm_s\":", move.feed);
   std::visit([this](const auto& curve) { details(curve); }, move.path);
 }
 
 void BlockJson::write(const Dwell& dwell) {
-  word("kind", "dwell");
-  number("duration_s", dwell.duration);
+  word("\"kind\":", "dwell");
+  value("\"duration_s\":", dwell.duration);
 }
 
 void BlockJson::write(const Action& action) {
-  word("kind", name(action.kind));
-  if (action.code > 0) number("code", action.code);
-  if (action.kind == Action::Kind::tool) number("tool", action.value);
-  if (action.kind == Action::Kind::spindle) number("rpm", action.value);
+  word("\"kind\":", name(action.kind));
+  if (action.code > 0) value("\"code\":", action.code);
+  if (action.kind == Action::Kind::tool) value("\"tool\":", action.value);
+  if (action.kind == Action::Kind::spindle) value("\"rpm\":", action.value);
 }
 
 void BlockJson::details(const Arc& arc) {
-  word("plane", name(arc.plane()));
-  vector("center", arc.center());
-  key("ccw");
-  text_ += arc.ccw() ? "true," : "false,";
-  number("turns", arc.turns());
-  number("radius", arc.radius());
+  word("\"plane\":", name(arc.plane()));
+  value("\"center\":", arc.center());
+  text_.add("\"ccw\":");
+  text_.add(arc.ccw() ? "true," : "false,");
+  value("\"turns\":", arc.turns());
+  value("\"radius\":", arc.radius());
 }
 
 void BlockJson::details(const Nurbs& nurbs) {
   const NurbsSpec& spec = nurbs.spec();
-  number("degree", spec.degree);
-  list("control", spec.control, [this](const AxisVector& point) { append(point); });
-  list("weights", spec.weights, [this](double weight) { append(weight); });
-  list("knots", spec.knots, [this](double knot) { append(knot); });
+  value("\"degree\":", spec.degree);
+  list("\"control\":", spec.control);
+  list("\"weights\":", spec.weights);
+  list("\"knots\":", spec.knots);
 }
 
-void BlockJson::key(std::string_view name) { (((text_ += '"') += name) += '"') += ':'; }
-
-void BlockJson::number(std::string_view name, double value) {
-  key(name);
-  append(value);
-  text_ += ',';
+template <typename Value>
+void BlockJson::value(std::string_view key, const Value& value) {
+  text_.add(key);
+  add(value);
+  text_.add(',');
 }
 
-void BlockJson::vector(std::string_view name, const AxisVector& value) {
-  key(name);
-  append(value);
-  text_ += ',';
+void BlockJson::word(std::string_view key, std::string_view value) {
+  text_.add(key);
+  text_.add('"');
+  text_.add(value);
+  text_.add("\",");
 }
 
-void BlockJson::word(std::string_view name, std::string_view value) {
-  key(name);
-  ((text_ += '"') += value) += "\",";
+/// Most moves begin in the place where the one before has ended: its text stands ready.
+void BlockJson::place(std::string_view key, const AxisVector& value) {
+  text_.add(key);
+  if (value == last_) {
+    text_.add(last_text_);
+  } else {
+    const std::size_t begin = text_.size();
+    add(value);
+    last_text_ = text_.text().substr(begin);
+    last_ = value;
+  }
+  text_.add(',');
 }
 
-template <typename Range, typename Append>
-void BlockJson::list(std::string_view name, const Range& range, Append&& append_one) {
-  key(name);
-  text_ += '[';
+template <typename Range>
+void BlockJson::list(std::string_view key, const Range& range) {
+  text_.add(key);
+  text_.add('[');
   for (const auto& value : range) {
-    append_one(value);
-    text_ += ',';
+    add(value);
+    text_.add(',');
   }
   text_.back() = ']';
-  text_ += ',';
+  text_.add(',');
 }
 
-void BlockJson::append(double value) {
-  char text[hal::kNumberLength];
-  text_.append(text, hal::write_number(text, value));
-}
-
-void BlockJson::append(const AxisVector& value) {
-  text_ += '[';
+void BlockJson::add(const AxisVector& value) {
+  text_.add('[');
   for (const double component : value) {
-    append(component);
-    text_ += ',';
+    text_.add(component);
+    text_.add(',');
   }
   text_.back() = ']';
 }

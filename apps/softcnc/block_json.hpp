@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "motion/block.hpp"
+#include "text_buffer.hpp"
 
 namespace softcnc::app {
 
@@ -17,14 +18,16 @@ class BlockJson {
   std::string_view operator()(const Block& block);
 
  private:
-  void key(std::string_view name);
-  void number(std::string_view name, double value);
-  void vector(std::string_view name, const AxisVector& value);
-  void word(std::string_view name, std::string_view value);
-  template <typename Range, typename Append>
-  void list(std::string_view name, const Range& range, Append&& append);
-  void append(double value);
-  void append(const AxisVector& value);
+  // A key is given as it stands in the text, with quotation marks and colon.
+  template <typename Value>
+  void value(std::string_view key, const Value& value);
+  void word(std::string_view key, std::string_view value);
+  void place(std::string_view key, const AxisVector& value);
+  template <typename Range>
+  void list(std::string_view key, const Range& range);
+  void add(int value) { text_.add(value); }
+  void add(double value) { text_.add(value); }
+  void add(const AxisVector& value);
 
   void write(const Move& move);
   void write(const Dwell& dwell);
@@ -33,7 +36,9 @@ class BlockJson {
   void details(const Arc& arc);
   void details(const Nurbs& nurbs);
 
-  std::string text_;
+  TextBuffer text_;
+  AxisVector last_ = AxisVector::Zero();  // the place written last, most often the next `from`
+  std::string last_text_ = "[0,0,0]";
 };
 
 }  // namespace softcnc::app

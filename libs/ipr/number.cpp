@@ -51,11 +51,39 @@ double value_of(const Scan& scan, std::string_view text) {
   return scan.negative ? -magnitude : magnitude;
 }
 
+/// Whether a number that seems to end here goes on, behind blanks or as what is none.
+bool goes_on(std::string_view text, std::size_t i) noexcept {
+  while (i < text.size() && is_blank(text[i])) ++i;
+  return i < text.size() && is_number_part(text[i]);
+}
+
+/// A number as most are, of few digits in a row. False: it is another.
+bool read_plain(std::string_view text, Number& number) noexcept {
+  constexpr std::size_t kFew = 15;
+  std::size_t i = !text.empty() && text[0] == '-' ? 1 : 0;
+  const std::size_t begin = i;
+  std::uint64_t digits = 0;
+  for (; i < text.size() && is_digit(text[i]); ++i)
+    digits = digits * 10 + static_cast<std::uint64_t>(text[i] - '0');
+  const std::size_t point = i;
+  if (point == begin || point - begin > kIntegerDigits) return false;
+  if (i < text.size() && text[i] == '.')
+    for (++i; i < text.size() && is_digit(text[i]); ++i)
+      digits = digits * 10 + static_cast<std::uint64_t>(text[i] - '0');
+  if (i - begin > kFew || goes_on(text, i)) return false;
+  const std::size_t decimals = i > point ? i - point - 1 : 0;
+  const double magnitude = static_cast<double>(digits) / kPowersOfTen[decimals];
+  number.value = text[0] == '-' ? -magnitude : magnitude;
+  number.length = i;
+  return true;
+}
+
 }  // namespace
 
 Number read_number(std::string_view text) {
-  Scan scan;
   Number number;
+  if (read_plain(text, number)) return number;
+  Scan scan;
   std::size_t i = 0;
   for (; i < text.size(); ++i) {
     const char c = text[i];
