@@ -47,7 +47,8 @@ class Softcnc:
             found = DIAGNOSTIC.match(text)
             if found and found[2] == "error":
                 number = int(found[1])
-                errors.append(Error(found[3], found[4], lines[number - 1] if 0 < number <= len(lines) else ""))
+                errors.append(Error(found[3], found[4], lines[number - 1] if 0 < number <= len(lines) else "",
+                                    number))
         if done.returncode not in (0, 1) or (done.returncode == 1) != bool(errors):
             errors.append(Error("status", f"exit status {done.returncode}", ""))
         moves = [move(json.loads(line)) for line in done.stdout.splitlines()]

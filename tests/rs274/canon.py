@@ -15,7 +15,7 @@ from moves import PLANE_AXES, Error, Move, Outcome
 
 HERE = pathlib.Path(__file__).resolve().parent
 INCH = 25.4  # mm
-CALL = re.compile(r"^\s*\d+ N\S*\s+(\w+)\((.*)\)$")
+CALL = re.compile(r"^\s*\d+ N[\d.]*\s*([A-Z]\w+)\((.*)\)$")
 PLANES = {"CANON_PLANE_XY": "XY", "CANON_PLANE_XZ": "ZX", "CANON_PLANE_YZ": "YZ"}
 TIMEOUT = 10  # s; a loop without end
 
@@ -32,7 +32,7 @@ class Canon:
         self.origin, self.shift, self.tool = np.zeros(3), np.zeros(3), np.zeros(3)
         self.rotation = 0.0
         self.plane = "XY"
-        self.rate, self.per_turn, self.speed = 0.0, False, 0.0
+        self.rate, self.per_turn, self.speed = 0.0, False, 0.0  # mm/min or mm, whether per turn, turns/min
         self.position = np.zeros(3)
         self.moves = []
         self.splines = 0
@@ -44,7 +44,7 @@ class Canon:
         return np.array([c * x - s * y, s * x + c * y, z]) + self.origin + self.tool
 
     def feed(self):
-        return self.rate * self.scale / 60 * (self.speed if self.per_turn else 1)
+        return self.rate / 60 * (self.speed if self.per_turn else 1)
 
     def add(self, kind, end, call, **more):
         self.moves.append(Move(kind, self.position, end, call=call, **more))
@@ -76,7 +76,7 @@ class Canon:
         self.plane = PLANES[text]
 
     def on_SET_FEED_RATE(self, text):
-        self.rate = float(text)
+        self.rate = float(text) * self.scale
 
     def on_SET_FEED_MODE(self, text):
         self.per_turn = numbers(text)[1] != 0
@@ -117,7 +117,8 @@ class Rs274:
 
     def __init__(self, preload, folder):
         self.folder = pathlib.Path(folder)
-        self.environment = dict(os.environ, LD_PRELOAD=str(preload), LC_ALL="C")
+        # Its tools lie in a file of the home directory, which another run must not touch.
+        self.environment = dict(os.environ, LD_PRELOAD=str(preload), HOME=str(folder), LC_ALL="C")
 
     def run(self, program):
         """`program` is a path; subprograms are looked for beside it."""

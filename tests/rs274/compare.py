@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Compares softcnc with LinuxCNC's rs274, program by program.
 
-    compare.py --softcnc BINARY [--valid N] [--broken N] [--seed N] [--keep FOLDER] [PROGRAM...]
+    compare.py --softcnc BINARY [--valid N] [--broken N] [--seed N] [--subject NAME] [--keep FOLDER] [PROGRAM...]
 
 Without PROGRAM: those of this folder, and generated ones. Both must accept or both refuse; what both accept must
 lead to the same moves: kind, end, centre, plane, turns, feed, dwell. What differs must stand in docs/differences.md, and
@@ -11,6 +11,7 @@ what stands there must differ. Exit 1 otherwise.
 import argparse
 import collections
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -30,6 +31,7 @@ from canon import Rs274  # noqa: E402
 from differences import Finding  # noqa: E402
 
 TOLERANCE = 1e-4  # mm, and mm/min
+OUT_OF_ORDER = re.compile(r"^\s*o|M9[89]", re.IGNORECASE)
 SAMPLES = 2000    # of a spline, from which the nearest point is searched
 
 
@@ -63,7 +65,7 @@ def unlike(ours, theirs):
     if ours.kind == "dwell":
         return "" if abs(ours.duration - theirs.duration) < 1e-6 else f"{ours.duration} s, not {theirs.duration}"
     if off(ours.end, theirs.end) > TOLERANCE:
-        return f"to {ours.end}, not {theirs.end}"
+        return f"{np.linalg.norm(ours.end - theirs.end):.4f} mm off: to {ours.end}, not {theirs.end}"
     if ours.feed is not None and abs(ours.feed - theirs.feed) * 60 > TOLERANCE:
         return f"feed {ours.feed * 60:.6g}, not {theirs.feed * 60:.6g} mm/min"
     if ours.kind == "arc":
@@ -87,16 +89,23 @@ def unlike_arc(ours, theirs):
 def compare_moves(name, ours, theirs, lines):
     """The first difference, in a list."""
     ours, theirs = ([m for m in moves if m.moves()] for moves in (ours, theirs))
+
+    def finding(what, number):
+        return [Finding("moves", name, "", what, lines[number - 1], "\n".join(lines[:number]))]
+
     for a, b in zip(ours, theirs):
         if what := unlike(a, b):
-            return [Finding("moves", name, "", f"{what} ({b.call})", lines[a.line - 1])]
+            return finding(f"{what} ({b.call})", a.line)
     if len(ours) > len(theirs):
         extra = ours[len(theirs)]
-        return [Finding("moves", name, "", f"one more: {extra.kind} to {extra.end}", lines[extra.line - 1])]
+        return finding(f"one more: {extra.kind} to {extra.end}", extra.line)
     if len(theirs) > len(ours):
-        line = lines[ours[-1].line - 1] if ours else ""
-        return [Finding("moves", name, "", f"missing behind this line: {theirs[len(ours)].call}", line)]
+        return finding(f"missing behind this line: {theirs[len(ours)].call}", ours[-1].line if ours else 1)
     return []
+
+
+def program_lines(program):
+    return program.read_bytes().decode("latin-1").splitlines() + [""]
 
 
 def compare(program, softcnc, rs274):
@@ -104,13 +113,83 @@ def compare(program, softcnc, rs274):
     ours, theirs = softcnc.run(program), rs274.run(program)
     name = program.name
     if ours.accepted and theirs.accepted:
-        lines = program.read_bytes().decode("latin-1").splitlines() + [""]
-        return compare_moves(name, ours.moves, theirs.moves, lines), "accepted by both"
+        return compare_moves(name, ours.moves, theirs.moves, program_lines(program)), "accepted by both"
     if theirs.accepted:
         return [Finding("refused", name, e.code, e.text, e.line) for e in ours.errors], "refused by softcnc alone"
     if ours.accepted:
         return [Finding("accepted", name, "", e.text, e.line) for e in theirs.errors], "refused by rs274 alone"
-    return [], "refused by both"
+    return compare_refusals(name, ours, theirs, program_lines(program)), "refused by both"
+
+
+def compare_refusals(name, ours, theirs, lines):
+    """Both refuse a program: for its same line? Up to there they must move alike. rs274 tells the text of a line, not its
+    number; where lines are not done in their order, the first one is not to be told."""
+    if any(OUT_OF_ORDER.search(line) for line in lines):
+        return []
+    ours_error, theirs_error = ours.errors[0], theirs.errors[0]
+    there = [i for i, line in enumerate(lines, 1) if line.strip() == theirs_error.line.strip()]
+    if not there:
+        return []
+    if ours_error.number < min(there):
+        return [Finding("refused", name, ours_error.code, ours_error.text, ours_error.line)]
+    if ours_error.number > max(there):
+        return [Finding("accepted", name, "", theirs_error.text, theirs_error.line)]
+    before = [m for m in ours.moves if m.moves() and m.line < ours_error.number]
+    moved = [m for m in theirs.moves if m.moves()]
+    both = min(len(before), len(moved))
+    return compare_moves(name, before[:both], moved[:both], lines)
+
+
+def compare_moves(name, ours, theirs, lines):
+    """The first difference, in a list."""
+    ours, theirs = ([m for m in moves if m.moves()] for moves in (ours, theirs))
+
+    def finding(what, number):
+        return [Finding("moves", name, "", what, lines[number - 1], "\n".join(lines[:number]))]
+
+    for a, b in zip(ours, theirs):
+        if what := unlike(a, b):
+            return finding(f"{what} ({b.call})", a.line)
+    if len(ours) > len(theirs):
+        extra = ours[len(theirs)]
+        return finding(f"one more: {extra.kind} to {extra.end}", extra.line)
+    if len(theirs) > len(ours):
+        return finding(f"missing behind this line: {theirs[len(ours)].call}", ours[-1].line if ours else 1)
+    return []
+
+
+def program_lines(program):
+    return program.read_bytes().decode("latin-1").splitlines() + [""]
+
+
+def compare(program, softcnc, rs274):
+    """What differs, and what both made of it."""
+    ours, theirs = softcnc.run(program), rs274.run(program)
+    name = program.name
+    if ours.accepted and theirs.accepted:
+        return compare_moves(name, ours.moves, theirs.moves, program_lines(program)), "accepted by both"
+    if theirs.accepted:
+        return [Finding("refused", name, e.code, e.text, e.line) for e in ours.errors], "refused by softcnc alone"
+    if ours.accepted:
+        return [Finding("accepted", name, "", e.text, e.line) for e in theirs.errors], "refused by rs274 alone"
+    return compare_refusals(name, ours, theirs, program_lines(program)), "refused by both"
+
+
+def compare_refusals(name, ours, theirs, lines):
+    """Both refuse a program: for its same line? Up to there they must move alike. rs274 tells the text of a line, not its
+    number; where lines are not done in their order, the first one is not to be told."""
+    if any(OUT_OF_ORDER.search(line) for line in lines):
+        return []
+    ours_error, theirs_error = ours.errors[0], theirs.errors[0]
+    there = [i for i, line in enumerate(lines, 1) if line.strip() == theirs_error.line.strip()]
+    if not there:
+        return []
+    if ours_error.number < min(there):
+        return [Finding("refused", name, ours_error.code, ours_error.text, ours_error.line)]
+    if ours_error.number > max(there):
+        return [Finding("accepted", name, "", theirs_error.text, theirs_error.line)]
+    before = [m for m in ours.moves if m.moves() and m.line < ours_error.number]
+    return compare_moves(name, before, [m for m in theirs.moves if m.moves()][:len(before)], lines)
 
 
 def compile_preload(folder):
@@ -136,7 +215,7 @@ def programs_for(arguments, folder):
     for kind, count in (("valid", arguments.valid), ("broken", arguments.broken)):
         for number in range(count):
             path = folder / f"{kind}_{number:04}.nc"
-            path.write_bytes(getattr(generate, kind)(arguments.seed * 100000 + number))
+            path.write_bytes(getattr(generate, kind)(arguments.seed * 100000 + number, arguments.subject))
             programs.append(path)
     return programs
 
@@ -165,6 +244,7 @@ def main(words):
     parser.add_argument("--valid", type=int, default=400)
     parser.add_argument("--broken", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--subject", choices=generate.SUBJECTS, help="what the generated programs are about")
     parser.add_argument("--keep", type=pathlib.Path, help="keep the generated programs here")
     parser.add_argument("program", nargs="*", type=pathlib.Path)
     arguments = parser.parse_args(words)
@@ -179,7 +259,7 @@ def main(words):
             verdicts[verdict] += 1
         if arguments.keep:
             shutil.copytree(folder, arguments.keep, dirs_exist_ok=True)
-    return report(findings, rows, verdicts, complete=not arguments.program)
+    return report(findings, rows, verdicts, complete=not (arguments.program or arguments.subject))
 
 
 if __name__ == "__main__":

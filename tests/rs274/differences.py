@@ -3,9 +3,9 @@
 
     refused SC1001 /X1E5/     LinuxCNC accepts the program, softcnc reports this code on a line that holds the pattern
     accepted "Nested" /\\(/    LinuxCNC refuses the program with this text, the line that holds the pattern; softcnc does not
-    moves /G18.*G2/           both accept; the first move that differs comes from a line that holds the pattern
+    moves "feed" /G18.*G2/    they move otherwise, in what the text says; the program holds the pattern in a line up to there
 
-The pattern may be left out, but for moves.
+Text and pattern may be left out.
 """
 import re
 from dataclasses import dataclass
@@ -20,6 +20,7 @@ class Finding:
     code: str     # softcnc's
     text: str     # of the error, or in what the moves differ
     line: str     # of the program
+    before: str = ""  # the program up to that line, where the pattern may lie in any line of it
 
     def __str__(self):
         return f"{self.program}: {self.kind} {self.code} {self.text}\n    {self.line}"
@@ -37,7 +38,7 @@ class Difference:
     def explains(self, finding):
         return (self.kind == finding.kind and (not self.code or self.code == finding.code)
                 and (not self.text or self.text in finding.text)
-                and bool(re.search(self.pattern, finding.line, re.IGNORECASE)))
+                and bool(re.search(self.pattern, finding.before or finding.line, re.IGNORECASE)))
 
 
 def read(path):

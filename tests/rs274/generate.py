@@ -378,9 +378,9 @@ SUBJECTS = {  # what a program is about: its statements, each as often as it sta
 }
 
 
-def write(seed):
+def write(seed, subject=None):
     program = Program(seed)
-    subject = program.rng.choice(list(SUBJECTS))
+    subject = subject or program.rng.choice(list(SUBJECTS))
     statements = SUBJECTS[subject].split()
     if subject == "splines":
         program.tool_changes = False
@@ -390,8 +390,8 @@ def write(seed):
     return program
 
 
-def valid(seed):
-    return write(seed).text().encode()
+def valid(seed, subject=None):
+    return write(seed, subject).text().encode()
 
 
 # Ways to break a line
@@ -429,8 +429,8 @@ def spoil_number(rng, words):
                                         "[SIN 3]", "[SQRT[-1]]", "[LN[0]]", "#0", "#9999", "#-1", "#[1/0]", "[ACOS[2]]"))
 
 
-def broken(seed):
-    program = write(seed)
+def broken(seed, subject=None):
+    program = write(seed, subject)
     rng = program.rng
     breaks = (drop_word, double_word, foreign_word, foreign_code, spoil_character, spoil_number)
     for _ in range(rng.choice((1, 1, 1, 2))):

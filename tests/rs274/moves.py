@@ -43,3 +43,4 @@ class Error:
     code: str     # softcnc's code; empty: rs274's
     text: str
     line: str     # of the program
+    number: int = 0  # of that line, where it is known
