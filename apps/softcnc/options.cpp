@@ -64,6 +64,18 @@ void add_interpreter(CLI::App& command, Options& options) {
           "Whose reading counts where controllers contradict each other (default linuxcnc)")
       ->check(CLI::IsMember({"fanuc", "linuxcnc"}).description(""))
       ->type_name("fanuc|linuxcnc");
+  command
+      .add_option_function<std::string>(
+          "--format",
+          [&options](const std::string& word) {
+            options.format = word == name(ipr::Format::gcode)      ? ipr::Format::gcode
+                             : word == name(ipr::Format::commands) ? ipr::Format::commands
+                                                                   : ipr::Format::automatic;
+          },
+          "G-code, the commands of paper 003 (l, pcw, s ...), or whichever the first line is "
+          "(auto)")
+      ->check(CLI::IsMember({"auto", "gcode", "commands"}).description(""))
+      ->type_name("auto|gcode|commands");
 }
 
 void add_feed_override(CLI::App& command, Options& options) {

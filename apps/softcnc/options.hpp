@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ipr/dialect.hpp"
+#include "ipr/format.hpp"
 
 namespace softcnc::app {
 
@@ -26,6 +27,7 @@ struct Options {
   double feed_override = 1;  // of the programmed feed
   bool block_skip = false, optional_stop = false;
   ipr::Dialect dialect = ipr::Dialect::linuxcnc;
+  ipr::Format format = ipr::Format::automatic;
 
   bool dry_run = false;
   std::string trace, report;  // files; empty: none

@@ -10,6 +10,7 @@ ipr::InterpreterOptions interpreter_options(const Options& options) {
   interpreter.block_skip = options.block_skip;
   interpreter.optional_stop = options.optional_stop;
   interpreter.dialect = options.dialect;
+  interpreter.format = options.format;
   return interpreter;
 }
 

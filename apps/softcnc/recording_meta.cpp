@@ -20,10 +20,21 @@ Result<ipr::Dialect> read_dialect(const Json& options) {
   return error(Code::SC6022, "was made in a dialect this version does not know: '" + word + "'");
 }
 
+/// The same for formats.
+Result<ipr::Format> read_format(const Json& options) {
+  using ipr::Format;
+  const std::string word = options.value("format", std::string(name(Format::automatic)));
+  for (const Format format : {Format::automatic, Format::gcode, Format::commands})
+    if (word == name(format)) return format;
+  return error(Code::SC6022, "was made of a format this version does not know: '" + word + "'");
+}
+
 Result<RecordingMeta> read(const Json& json) {
   const Json& options = json.at("options");
   const auto dialect = read_dialect(options);
   if (!dialect) return tl::make_unexpected(dialect.error());
+  const auto format = read_format(options);
+  if (!format) return tl::make_unexpected(format.error());
   RecordingMeta meta{json.at("program").at("name"),
                      json.at("program").at("hash"),
                      json.at("machine").at("hash"),
@@ -35,6 +46,7 @@ Result<RecordingMeta> read(const Json& json) {
   meta.options.interpreter.block_skip = options.at("block_skip");
   meta.options.interpreter.optional_stop = options.at("optional_stop");
   meta.options.interpreter.dialect = *dialect;
+  meta.options.interpreter.format = *format;
   return meta;
 }
 
@@ -51,7 +63,8 @@ std::string meta_json(const RecordingMeta& meta) {
                    {{"feed_override", meta.options.feed_override},
                     {"block_skip", meta.options.interpreter.block_skip},
                     {"optional_stop", meta.options.interpreter.optional_stop},
-                    {"dialect", name(meta.options.interpreter.dialect)}}},
+                    {"dialect", name(meta.options.interpreter.dialect)},
+                    {"format", name(meta.options.interpreter.format)}}},
                   {"start", {{"position_mm", {0, 0, 0}}, {"tool", nullptr}}}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

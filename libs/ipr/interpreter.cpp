@@ -27,6 +27,7 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
                          InterpreterOptions options, MachineState state)
     : parser_(parser),
       machine_(machine),
+      diagnostics_(diagnostics),
       options_(options),
       out_(diagnostics),
       variables_(modal_, options.dialect) {
@@ -36,7 +37,16 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
   parser_.parameters().set_system(&variables_);
 }
 
+/// Before the first line: G-code is read here, commands by their own reader.
+void Interpreter::choose_format() {
+  if (options_.format == Format::automatic) options_.format = detect_format(parser_.reader());
+  if (options_.format == Format::commands)
+    commands_.emplace(parser_.reader(), machine_, diagnostics_);
+}
+
 std::optional<Block> Interpreter::next() {
+  if (!commands_ && parser_.line() == 0) choose_format();
+  if (commands_) return commands_->next();
   for (;;) {
     if (std::optional<Block> block = out_.pop()) {
       block->number = ++blocks_;

@@ -5,7 +5,9 @@
 #include <optional>
 
 #include "ipr/command.hpp"
+#include "ipr/command_file.hpp"
 #include "ipr/dialect.hpp"
+#include "ipr/format.hpp"
 #include "ipr/modal.hpp"
 #include "ipr/modal_variables.hpp"
 #include "ipr/output.hpp"
@@ -18,6 +20,7 @@ struct InterpreterOptions {
   bool block_skip = false;     // leave out lines that begin with '/'
   bool optional_stop = false;  // M01 stops
   Dialect dialect = Dialect::linuxcnc;
+  Format format = Format::automatic;
 };
 
 class Interpreter {
@@ -37,6 +40,7 @@ class Interpreter {
   const MachineState& state() const noexcept { return modal_.state; }
 
  private:
+  void choose_format();
   void interpret(const Line& line);
   void find_motion();
   void check_axes();
@@ -47,11 +51,13 @@ class Interpreter {
 
   Parser& parser_;
   const Machine& machine_;
+  Diagnostics& diagnostics_;
   InterpreterOptions options_;
   Output out_;
   Modal modal_;
   ModalVariables variables_;
   Command command_;
+  std::optional<CommandFile> commands_;  // where the text is not G-code
   int blocks_ = 0;
 };
 

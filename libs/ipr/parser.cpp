@@ -4,16 +4,9 @@
 
 #include <string>
 
+#include "ipr/faults.hpp"
+
 namespace softcnc::ipr {
-namespace {
-
-/// Text in UTF-16 shows its byte order mark, or a zero byte beside its first character.
-bool looks_like_utf16(std::string_view first_line) {
-  if (first_line.starts_with("\xFF\xFE") || first_line.starts_with("\xFE\xFF")) return true;
-  return first_line.size() > 1 && (first_line[0] == '\0') != (first_line[1] == '\0');
-}
-
-}  // namespace
 
 void Parser::configure(const ParserOptions& options) {
   options_ = options;

@@ -61,6 +61,7 @@ class Parser {
 
   /// Number of the line last read.
   int line() const noexcept { return reader_.line(); }
+  Reader& reader() noexcept { return reader_; }
   /// The text could not be read to its end: that has been reported.
   bool broke_off() const noexcept { return broke_off_; }
 

@@ -1,39 +1,17 @@
 // SPDX-License-Identifier: MIT
 // What stands on a line and begins no word, and how a wrong line is told.
-#include <array>
-#include <cstdio>
 #include <string>
+#include <utility>
 
+#include "ipr/faults.hpp"
 #include "ipr/parser.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr int kLongestShown = 24;  // bytes of a bad word repeated in a message
-
-std::string quoted(std::string_view text) {
-  return "'" + std::string(text.substr(0, kLongestShown)) + "'";
-}
-
 std::string_view text_of(std::string_view line, const Token& token) {
   return line.substr(static_cast<std::size_t>(token.column) - 1,
                      static_cast<std::size_t>(token.length));
-}
-
-/// A character by its looks, its code point or its byte.
-std::string character_name(std::string_view character) {
-  const auto byte = static_cast<unsigned char>(character.front());
-  std::array<char, 16> text{};
-  if (character.size() == 1) {
-    if (byte > 0x20U && byte < 0x7FU) return quoted(character);
-    std::snprintf(text.data(), text.size(), "byte 0x%02X", byte);
-    return text.data();
-  }
-  unsigned point = byte & (0xFFU >> (character.size() + 1));
-  for (const char c : character.substr(1))
-    point = (point << 6U) | (static_cast<unsigned char>(c) & 0x3FU);
-  std::snprintf(text.data(), text.size(), " (U+%04X)", point);
-  return quoted(character) + text.data();
 }
 
 constexpr bool is_letter(char c) noexcept {
@@ -89,24 +67,8 @@ void Parser::report_missing_number(const Token& letter, const Token& instead) {
 
 void Parser::report_number(const Token& letter, const Token& number) {
   line_.lost.add(letter.letter);
-  const std::string written = quoted(text_of(line_.text, number));
-  const auto say = [&](Code code, std::string message) {
-    report(code, number.column, number.length, std::move(message));
-  };
-  switch (number.fault) {
-    case NumberFault::no_digits:
-      return say(Code::SC1002,
-                 std::string("no number after ") + letter.letter + ", only " + written);
-    case NumberFault::sign_inside:
-      return say(Code::SC1003, "a sign inside the number " + written);
-    case NumberFault::two_points:
-      return say(Code::SC1004, "two decimal points in " + written);
-    case NumberFault::too_large:
-      return say(Code::SC1005, written + " has more than " + std::to_string(kIntegerDigits) +
-                                   " digits before the decimal point");
-    case NumberFault::none:
-      break;
-  }
+  TextFault fault = number_fault(number.fault, text_of(line_.text, number), {&letter.letter, 1});
+  report(fault.code, number.column, number.length, std::move(fault.message));
 }
 
 /// Whatever does not begin a word.

@@ -49,6 +49,11 @@ class Reader {
   /// Why the last seek() failed: SC6002, or SC6032 where a pipe could not be kept.
   Diagnostic seek_failure() const;
 
+  /// What comes next and is in memory, as it is written; read_ahead() adds to it. False: no more,
+  /// or no more fits.
+  std::string_view unread() const noexcept { return {buffer_.data() + begin_, end_ - begin_}; }
+  bool read_ahead() { return end_ - begin_ < buffer_.size() / 2 && fill(); }
+
   /// Number of the line last read, from 1; 0 before the first.
   int line() const noexcept { return line_; }
   /// The line last read was longer than kLongestLine and has been cut there.

@@ -55,6 +55,25 @@ TEST_CASE("--dialect says whose reading counts", "[apps][cli]") {
   CHECK(call("check -", missing).out.find("the time in seconds\n") != std::string::npos);
 }
 
+TEST_CASE("the input of paper 003 is known by its first line, or by --format", "[apps][cli]") {
+  const std::string part = "f 600\nl 10 0\npccw 0 4 0 2\n";
+  const std::string blocks = call("blocks -", part).out;
+  CHECK(blocks.find("{\"line\":2,\"block\":1,\"kind\":\"feed\",\"from\":[0,0,0],\"to\":[10,0,0],"
+                    "\"feed_mm_s\":10}\n") == 0);
+  CHECK(call("blocks --format commands -", part).out == blocks);
+  CHECK(call("check -", part).out.empty());
+  const Trace trace = parse_trace(call("run -q --dry-run -", part).out);
+  CHECK(trace.rows.back()[9] == "0");
+  CHECK(trace.rows.back()[7] == "10");
+  CHECK(trace.rows.back()[8] == "4");
+  CHECK(call("check --format commands -", "f 600\nl 10\n").out ==
+        "<stdin>:2:1: error SC1052: l takes 2 to 3 numbers, dx dy [dz]; here is 1\n"
+        "    2 | l 10\n"
+        "      | ^~~~\n");
+  CHECK(call("check --format gcode -", part).status == 1);
+  CHECK(call("check --format paper -", part).status == 2);
+}
+
 TEST_CASE("an unknown option is named, whatever follows it", "[apps][cli]") {
   for (const char* words : {"--realtime", "--from-line 3", "--from-line=3",
                             "--set control.backend=sim --watch", "-x"}) {

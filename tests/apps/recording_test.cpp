@@ -152,6 +152,22 @@ TEST_CASE("a program is replayed in the dialect it was recorded in", "[apps][rec
         file + ": error SC6022: was made in a dialect this version does not know: 'siemens'\n");
 }
 
+TEST_CASE("a recording keeps the format that was asked for", "[apps][recording]") {
+  const Folder folder;
+  write(folder / "p.txt", "f 600\ns 1\n3 4\n");
+  const std::string file = recorded(folder, (folder / "p.txt") + " --format commands");
+  Content held = content(file);
+  json meta = json::parse(held.meta);
+  CHECK(meta["options"]["format"] == "commands");
+  CHECK(call("replay -q " + file).status == 0);
+
+  meta["options"]["format"] = "step";
+  held.meta = meta.dump();
+  pack(file, held);
+  CHECK(call("replay -q " + file).err ==
+        file + ": error SC6022: was made of a format this version does not know: 'step'\n");
+}
+
 TEST_CASE("one BLU in one row is a difference: the row is shown, exit status 1",
           "[apps][recording]") {
   const Folder folder;

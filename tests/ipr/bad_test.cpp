@@ -133,6 +133,13 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC1030, "the name of a variable is empty"},
     {Code::SC1031, "alarm of the program: NO TOOL"},
     {Code::SC2001, "G48 is not supported"},
+    {Code::SC1050, "'line' is no command; there are l, pcw, pccw, dcw, dccw, s and f"},
+    {Code::SC1051, "numbers without a command before them"},
+    {Code::SC1052, "pcw takes 4 numbers, dx dy cx cy; here are 3"},
+    {Code::SC1052, "l takes 2 to 3 numbers, dx dy [dz]; here is 1"},
+    {Code::SC1052, "f takes 1 number, mm/min; here are 2"},
+    {Code::SC1052, "s takes a number and points, n dx dy ...; here are 0"},
+    {Code::SC1053, "'l' within a line; a command begins one"},
     {Code::SC2001, "G05.1 is not supported"},
     {Code::SC2002, "G01 beside another code of the same group"},
     {Code::SC2003, "X is given twice"},
@@ -178,6 +185,12 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC2203, "M03 without S: the spindle does not turn"},
     {Code::SC2204, "M06 without a tool: T is not set"},
     {Code::SC2205, "the program ends without M02 or M30"},
+    {Code::SC2350, "a spline through 1 point"},
+    {Code::SC2351, "a point of the spline is the same as the point before it"},
+    {Code::SC2352, "no f before it: the machine's 15000 mm/min are used here and below"},
+    {Code::SC2353, "the file ends: the spline has 1 of its 3 points"},
+    {Code::SC2353, "'l' too early: the spline has 1 of its 2 points"},
+    {Code::SC2353, "a number behind the last point of the spline"},
     {Code::SC3001, "P, the order of the curve, is a whole number from 2 to 10"},
     {Code::SC3002, "the curve ends after 3 control points; its order asks for 4"},
     {Code::SC3004, "knot 1 after 2; knots must not decrease"},
@@ -201,7 +214,6 @@ const std::multimap<Code, std::string> kTexts{
 /// Codes of the interpreter's own: characters and words, modes and motion, blocks of a NURBS.
 bool is_own(Code code) {
   const int number = static_cast<int>(code);
-  if (number == 2350 || number == 2351) return false;  // of motion: no word asks for it yet
   return number < 3000 || (number >= 3100 && number < 3200);
 }
 

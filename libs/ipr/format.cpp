@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "ipr/format.hpp"
+
+#include <string>
+
+#include "ipr/command_line.hpp"
+#include "ipr/reader.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// What a line may be, by the name it begins with and how many numbers follow.
+struct Shape {
+  std::string name;
+  int numbers = 0;
+  bool other = false;  // something else is on it
+};
+
+Shape shape_of(std::string_view line) {
+  Shape shape;
+  CommandLine fields(line);
+  for (auto field = fields.next(); field.kind != CommandField::Kind::end; field = fields.next()) {
+    if (field.kind == CommandField::Kind::number)
+      ++shape.numbers;
+    else if (field.kind == CommandField::Kind::name && shape.name.empty() && shape.numbers == 0)
+      shape.name = field.name;
+    else
+      shape.other = true;
+    if (shape.other) break;
+  }
+  return shape;
+}
+
+/// Looks at lines until one decides.
+class Detector {
+ public:
+  /// `text` begins with what has been looked at before; its last line may go on behind it.
+  void look(std::string_view text) {
+    for (std::size_t end = text.find_first_of("\r\n", at_);
+         end != std::string_view::npos && format_ == Format::automatic;
+         end = text.find_first_of("\r\n", at_)) {
+      decide(shape_of(line(text, end)));
+      at_ = end + 1;
+    }
+  }
+  void look_at_last(std::string_view text) {
+    if (format_ == Format::automatic) decide(shape_of(line(text, text.size())));
+  }
+  Format format() const noexcept { return format_; }
+
+ private:
+  std::string_view line(std::string_view text, std::size_t end) const {
+    if (at_ == 0 && text.starts_with(kByteOrderMark))
+      return text.substr(kByteOrderMark.size(), end - kByteOrderMark.size());
+    return text.substr(at_, end - at_);
+  }
+
+  void decide(const Shape& line) {
+    const std::string& name = line.name;
+    const bool alone = line.numbers == 1 && !line.other;
+    if (name == "pcw" || name == "pccw" || name == "dcw" || name == "dccw") {
+      format_ = Format::commands;
+    } else if (name.empty() && line.numbers == 0 && !line.other) {
+      return;
+    } else if (name.empty() && spline_) {
+      format_ = Format::commands;
+    } else if ((name == "l" || name == "s") && line.numbers > 1 && !line.other) {
+      format_ = Format::commands;
+    } else if (alone && (name == "s" || name == "f")) {
+      spline_ = name == "s";
+    } else {
+      format_ = Format::gcode;
+    }
+  }
+
+  Format format_ = Format::automatic;
+  std::size_t at_ = 0;   // of the line to be looked at next
+  bool spline_ = false;  // the line before may begin a spline
+};
+
+}  // namespace
+
+Format detect_format(Reader& reader) {
+  Detector detector;
+  do {
+    detector.look(reader.unread());
+  } while (detector.format() == Format::automatic && reader.read_ahead());
+  detector.look_at_last(reader.unread());
+  return detector.format() == Format::commands ? Format::commands : Format::gcode;
+}
+
+}  // namespace softcnc::ipr
