@@ -1,3 +1,4 @@
+(expect 7 blocks, 204.203 mm, to 0 0 0)
 F600
 G00 X0 Y0
 G02 X10 Y0 R5

@@ -1,4 +1,5 @@
 %
+(expect 2 blocks, 1 mm, to 1 0 0)
 G21
 G00 X1
 M30

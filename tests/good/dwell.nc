@@ -1,3 +1,4 @@
+(expect 7 blocks, 2 mm, to 2 0 0)
 G04 P0.5
 G04 P0
 G4 P1.25

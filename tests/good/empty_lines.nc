@@ -5,6 +5,4 @@
 G00 X1
 
 
-M30
-
-
+M30 (expect 2 blocks, 1 mm, to 1 0 0)

@@ -1,3 +1,4 @@
+(expect 32 blocks, 834.874 mm, to -30 30 10)
 G21 G90 G94
 T4 M6
 S3000 M3

@@ -1,4 +1,5 @@
 %
+(expect 10 blocks, 123.116 mm, to 0 0 10)
 O0002
 G21G90G94G17
 T3M6

@@ -1,3 +1,4 @@
+(expect 9 blocks, 99.51 mm, to 10 10 6)
 (Exported by FreeCAD)
 (Post Processor: grbl_post)
 (Begin preamble)

@@ -1,3 +1,4 @@
+(expect 18 blocks, 148.208 mm, to -2.5 0 16)
 (Exported by FreeCAD)
 (Post Processor: linuxcnc_post)
 (Output Time:2024-03-01 10:12:13.123456)

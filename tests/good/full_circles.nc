@@ -1,3 +1,4 @@
+(expect 7 blocks, 286.659 mm, to 10 0 -5)
 F800
 G00 X10 Y0
 G02 I-10

@@ -1,3 +1,4 @@
+(expect 14 blocks, 53.37 mm, to -6.911 1.424 15)
 (1001)
 (T2  D=6. CR=3. - ZMIN=-3.2 - ball end mill)
 G90 G94

@@ -1,3 +1,4 @@
+(expect 11 blocks, 525.792 mm, to 10 0 5)
 G21 G90 F400
 G00 X10 Y0 Z1
 G03 X10 Y0 Z-1 I-10 J0

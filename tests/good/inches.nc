@@ -1,4 +1,5 @@
 %
+(expect 8 blocks, 124.583 mm, to 0 0 -1.27)
 G20 G17 G90
 T1 M6
 S3000 M3

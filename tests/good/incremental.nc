@@ -1,3 +1,4 @@
+(expect 7 blocks, 14.933 mm, to 0 0 0)
 G91 F300
 G01 X1 Y1
 X1

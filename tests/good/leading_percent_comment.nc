@@ -1,3 +1,4 @@
+(expect 2 blocks, 1 mm, to 1 0 0)
 (saved by hand)
 
 %

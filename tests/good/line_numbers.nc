@@ -1,3 +1,4 @@
+(expect 5 blocks, 4 mm, to 2 2 0)
 N0001 G21
 N2G00X1
 N 3 X2

@@ -1,3 +1,4 @@
+(expect 8 blocks, 217 mm, to 0 0 5)
 ; a square, by hand
 g21 g90 g64
 f600

@@ -1,1 +1,1 @@
-%G21G00 X1G01 X2 F100M30%
+%(expect 3 blocks, 2 mm, to 2 0 0)G21G00 X1G01 X2 F100M30%

@@ -1,1 +1,2 @@
+(expect 2 blocks, 1 mm, to 1 0 0)
 G00 X1 M02

@@ -1,3 +1,4 @@
+(expect 9 blocks, 14.839 mm, to 11 1 0)
 G00 X1
 X2
 G01 F100 X3

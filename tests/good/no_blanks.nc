@@ -1,3 +1,4 @@
+(expect 3 blocks, 10.304 mm, to -4.5 0.5 -0.25)
 N1G21G90G17
 N2G0X1Y2Z3
 N3G1X-4.5Y.5Z-.25F120

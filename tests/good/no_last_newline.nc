@@ -1,2 +1,3 @@
+(expect 2 blocks, 1 mm, to 1 0 0)
 G00 X1
 M30

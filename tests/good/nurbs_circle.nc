@@ -1,3 +1,4 @@
+(expect 3 blocks, 72.832 mm, to 10 0 0)
 F600 G00 X0 Y0 Z0
 G00 X10 Y0
 G06.2 P3 K0 X10 Y0 R1

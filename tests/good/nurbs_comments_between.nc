@@ -1,3 +1,4 @@
+(expect 3 blocks, 32.468 mm, to 20 0 10)
 F600 G00 X0 Y0 Z0
 N10 G06.2 K0. X0. Y0. (first)
 N20 K0. X5. Y5.

@@ -1,3 +1,4 @@
+(expect 3 blocks, 64.955 mm, to 50 0 0)
 F600 G00 X0 Y0 Z0
 G06.2 P4 K0 X0 Y0 Z0 R1
 K0 X10 Y20 R1

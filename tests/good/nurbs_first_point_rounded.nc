@@ -1,3 +1,4 @@
+(expect 3 blocks, 20 mm, to 20 0 0)
 F600 G00 X0 Y0 Z0
 G01 X10.0004 Y0
 G06.2 P2 K0 X10. Y0

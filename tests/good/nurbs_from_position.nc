@@ -1,3 +1,4 @@
+(expect 4 blocks, 34.36 mm, to 0 0 0)
 F600 G00 X0 Y0 Z0
 G00 X5 Y5
 G06.2 P3 K0

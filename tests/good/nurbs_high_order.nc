@@ -1,3 +1,4 @@
+(expect 2 blocks, 27.656 mm, to 27 3 0)
 F600 G00 X0 Y0 Z0
 G06.2 P10 K0 X0 Y0
 K0 X3 Y2

@@ -1,3 +1,4 @@
+(expect 2 blocks, 27.661 mm, to 25 5 -1)
 F600 G00 X0 Y0 Z0
 G06.2 P4 K0 X0 Y0 Z0
 K0 X5 Y5 Z1

@@ -1,3 +1,4 @@
+(expect 2 blocks, 25.903 mm, to 25.4 0 0)
 G20 F20 G00 X0 Y0
 G06.2 P2 K0 X0 Y0
 K0 X.5 Y.1

@@ -1,3 +1,4 @@
+(expect 3 blocks, 20.198 mm, to 0 0 0)
 F600 G00 X0 Y0 Z0
 G91
 G06.2 P2 K0 X0 Y0

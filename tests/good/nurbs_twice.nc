@@ -1,3 +1,4 @@
+(expect 3 blocks, 2 mm, to 2 0 0)
 F600 G00 X0 Y0 Z0
 G06.2 P2 K-1 X0
 K-1 X1

@@ -1,3 +1,4 @@
+(expect 7 blocks, 83.97 mm, to 0 0 0)
 F500
 G17 G02 X10 Y0 I5 J0
 G18 G03 X0 Z0 I-5 K0

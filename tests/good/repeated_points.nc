@@ -1,3 +1,4 @@
+(expect 3 blocks, 2.414 mm, to 2 1 0)
 F100
 G00 X1 Y1
 G00 X1 Y1

@@ -1,3 +1,4 @@
+(expect 10 blocks, 0 mm, to 0 0 0)
 S1000
 M03
 S2000

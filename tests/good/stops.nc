@@ -1,3 +1,4 @@
+(expect 6 blocks, 3 mm, to 3 0 0)
 G00 X1
 M00
 G00 X2

@@ -1,3 +1,4 @@
+(expect 5 blocks, 0 mm, to 0 0 0)
 T1 M06
 T2
 M06

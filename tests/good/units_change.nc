@@ -1,3 +1,4 @@
+(expect 4 blocks, 86.721 mm, to 0 0 0)
 G21 F600
 G01 X25.4
 G20 X1 Y1 F30

@@ -1,0 +1,7 @@
+(expect 4 blocks, 78.54 mm, to 30 0 10)
+G21 G90 G18 F600
+G0 X0 Z0
+G3 X10 Z10 R10
+G2 X20 Z0 R10
+G3 X30 Z10 I0 K10
+M2

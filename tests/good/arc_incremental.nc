@@ -1,0 +1,8 @@
+(expect 4 blocks, 62.832 mm, to 0 0 0)
+G21 G91 F700
+G2 X10 Y0 I5 J0
+X10 Y0 I5 J0
+G3 X-20 Y0 I-10 J0
+G90
+G0 X0 Y0
+M2

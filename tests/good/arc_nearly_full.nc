@@ -1,0 +1,6 @@
+(expect 4 blocks, 82.787 mm, to 0 0 0)
+G21 G90 F300
+G0 X10 Y0
+G3 X9.9999 Y-.04472 I-10 J0
+G0 X0 Y0
+M2

@@ -1,0 +1,8 @@
+(expect 6 blocks, 69.903 mm, to 5 5 0)
+G21 G90 F500
+G0 X5 Y5
+G2 X15 I5
+G2 Y5 X5 I-5
+G3 Y15 J5
+G3 X5 Y5 J-5
+M2

@@ -1,0 +1,8 @@
+(expect 5 blocks, 77.124 mm, to 0 0 0)
+G21 G90 F500
+G0 X0 Y0
+G2 X10 Y0 R5
+G3 X20 Y0 R5.0
+G2 X30 Y0 R-5
+G0 X0
+M2

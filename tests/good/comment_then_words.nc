@@ -1,0 +1,5 @@
+(expect 2 blocks, 1.414 mm, to 1 1 0)
+(first)G21(second)G90(third)
+(only)
+(a)G0(b)X1(c)Y1(d)
+M2(e)

@@ -1,0 +1,1 @@
+%(expect 4 blocks, 27.779 mm, to 0 15 0)O78G21 G90G00 X5. Y5.(COMMENT)G01 X0. F100.G02 X0. Y15. I0. J5.M30%

@@ -1,0 +1,13 @@
+%
+(expect 9 blocks, 2037.084 mm, to 5 5 5)
+O0815 (BLOCK DELETE)
+/N1 G00 X999.
+N2 G00 X0 Y0 Z5.
+N3 M03 S900
+N4 G01 Z-1. F60.
+/N5 X10.
+/2 N6 Y10.
+N7 X5. Y5. F120.
+N8 G00 Z5.
+N9 M30
+%

@@ -1,0 +1,9 @@
+(expect 6 blocks, 4 mm, to 4 0 0)
+G21 G90
+G1 X1 F60
+X2 F120
+F240
+X3
+F.5 X3.01
+X4 F15000
+M2

@@ -1,0 +1,33 @@
+(expect 24 blocks, 255.356 mm, to 40.952 20.317 15)
+(2D Contour)
+(T1 D=3.175 CR=0 - ZMIN=-3 - flat end mill)
+G90 G94
+G17
+G21
+(When using Fusion 360 for Personal Use, rapids are limited)
+(Contour1)
+M9
+T1 M6
+S10000 M3
+G54
+G0 X41.588 Y19.683
+Z15
+G0 Z5
+G1 Z1 F400
+Z-3 F200
+X41.27 Y20 F800
+G2 X40.952 Y20.317 I0 J0.318
+G1 Y35
+G3 X35 Y40.952 I-5.952 J0
+G1 X5
+G3 X-0.952 Y35 I0 J-5.952
+G1 Y5
+G3 X5 Y-0.952 I5.952 J0
+G1 X35
+G3 X40.952 Y5 I0 J5.952
+G1 Y20.317
+Z5 F400
+G0 Z15
+M9
+M5
+M30

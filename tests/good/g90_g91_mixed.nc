@@ -1,0 +1,13 @@
+(expect 9 blocks, 58.284 mm, to 0 0 0)
+G21 G90 F500
+G0 X10 Y10
+G91
+G1 X5
+Y5
+X-5
+Y-5
+G90
+G1 X0 Y0
+G91 G0 Z5
+G90 Z0
+M2

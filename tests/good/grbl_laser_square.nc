@@ -1,0 +1,12 @@
+(expect 7 blocks, 100 mm, to 0 0 0)
+G21 ; mm
+G90
+G0 X0 Y0 F3000
+M3 S800
+G1 X25 F1500
+G1 Y25
+G1 X0
+G1 Y0
+M5
+G0 X0 Y0
+M2

@@ -1,0 +1,7 @@
+(expect 5 blocks, 4 mm, to 3 1 0)
+N100 G21 G90
+N20 G0 X1
+N20 G0 X2
+N3 G1 X3 F60
+N99999 G1 Y1
+N0 M2

@@ -1,0 +1,10 @@
+(expect 5 blocks, 114.643 mm, to 5 20 20)
+G21 G90 G19
+G0 X0 Y0 Z0
+F400
+G2 Y10 Z10 J10 K0
+G3 Y20 Z0 J0 K-10
+G3 X5 Y20 Z0 J0 K5 (helix along x)
+G17
+G0 Z20
+M2

@@ -1,0 +1,15 @@
+(expect 2 blocks, 13.688 mm, to 10 0 0)
+G21 G90 F600
+G0 X0 Y0
+G6.2 P4 K0 X0 Y0
+K0 X1 Y3
+K0 X4 Y4
+K0 X5 Y2
+K1 X8 Y5
+K1 X9 Y1
+K1 X10 Y0
+K2
+K2
+K2
+K2
+M2

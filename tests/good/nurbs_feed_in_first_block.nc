@@ -1,0 +1,9 @@
+(expect 2 blocks, 22.361 mm, to 20 0 0)
+G21 G90
+G0 X0 Y0
+G6.2 P2 F500 K0 X0 Y0
+K0 X10 Y5
+K1 X20 Y0
+K2
+K2
+M2

@@ -1,0 +1,11 @@
+(expect 2 blocks, 11.478 mm, to 10 0 0)
+G21 G90 G18 F600
+G0 X0 Z0
+G6.2 P3 K0 X0 Z0
+K0 X5 Z5
+K0 X10 Z0
+K1
+K1
+K1
+G17
+M2

@@ -1,0 +1,12 @@
+(expect 4 blocks, 35.708 mm, to 0 0 0)
+(a quarter circle, exactly)
+G21 G90 F1200
+G0 X10 Y0
+G6.2 P3 K0 X10 Y0 R1
+K0 X10 Y10 R.707106781186547524
+K0 X0 Y10 R1
+K1
+K1
+K1
+G1 X0 Y0
+M2

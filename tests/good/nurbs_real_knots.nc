@@ -1,0 +1,12 @@
+(expect 2 blocks, 14.752 mm, to 10 0 0)
+G21 G90 F600
+G0 X0 Y0
+G6.2 P3 K0 X0 Y0
+K0 X2 Y4
+K0 X5 Y5
+K.25 X8 Y4
+K0.75 X10 Y0
+K1.
+K1.
+K1.
+M2

@@ -1,0 +1,16 @@
+(expect 3 blocks, 22.956 mm, to 20 0 0)
+G21 G90 F600
+G0 X0 Y0
+G6.2 P3 K0 X0 Y0
+K0 X5 Y5
+K0 X10 Y0
+K1
+K1
+K1
+G6.2 P3 K0 X10 Y0
+K0 X15 Y-5
+K0 X20 Y0
+K1
+K1
+K1
+M2

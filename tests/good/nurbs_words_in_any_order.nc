@@ -1,0 +1,12 @@
+(expect 2 blocks, 13.294 mm, to 10 0 0)
+G21 G90 F600
+G0 X0 Y0
+X0 K0 G6.2 Y0 P4
+Y5 K0 X2
+K0 Y5 X8
+X10 Y0 K0
+K1
+K1
+K1
+K1
+M2

@@ -1,0 +1,26 @@
+(expect 16 blocks, 214.762 mm, to 10 10 20)
+(Filename: bracket.tap)
+(Post processor: plasma)
+(Date: 01.01.2022)
+G21 (Units: Metric)
+G40 G90
+F1
+(Part: Part 1)
+(Operation: Outside Offset)
+M06 T1 (Plasma)
+G00 X10.0000 Y9.0000
+G00 Z3.8000
+M03 S100
+G04 P0.5
+G00 Z1.5000
+F2000.0
+G01 X10.0000 Y10.0000
+G01 X60.0000 Y10.0000
+G03 X70.0000 Y20.0000 I0.0000 J10.0000
+G01 X70.0000 Y40.0000
+G01 X10.0000 Y40.0000
+G01 X10.0000 Y10.0000
+M05
+G04 P0.2
+G00 Z20.0000
+M30

@@ -1,0 +1,12 @@
+(expect 10 blocks, 0 mm, to 0 0 0)
+G21
+S1000 M3
+G4 P0.1
+S2000
+G4 P0.1
+M4
+G4 P0.1
+M5
+M3 S500
+M5
+M2

@@ -1,0 +1,28 @@
+(expect 26 blocks, 31.416 mm, to 0 0 0)
+G21 G91 F600
+G1 X1
+G1 Z-.5
+G1 X1
+G1 Z-.5
+G1 X1
+G1 Z-.5
+G1 X1
+G1 Z-.5
+G1 X1
+G1 Z-.5
+G1 X1
+G1 Z-.5
+G1 X1
+G1 Z-.5
+G1 X1
+G1 Z-.5
+G1 X1
+G1 Z-.5
+G1 X1
+G1 Z-.5
+G1 X1
+G1 Z-.5
+G1 X1
+G1 Z-.5
+G90 G0 X0 Z0
+M2

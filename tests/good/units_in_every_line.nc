@@ -1,0 +1,6 @@
+(expect 5 blocks, 101.6 mm, to 0 0 0)
+G20 G90 F10 G1 X1
+G21 G1 X0 F254
+G20 G1 Y1 F10
+G21 G1 Y0 F254
+M2
