@@ -65,7 +65,8 @@ def unlike(ours, theirs):
     if ours.kind == "dwell":
         return "" if abs(ours.duration - theirs.duration) < 1e-6 else f"{ours.duration} s, not {theirs.duration}"
     if off(ours.end, theirs.end) > TOLERANCE:
-        return f"{np.linalg.norm(ours.end - theirs.end):.4f} mm off: to {ours.end}, not {theirs.end}"
+        far = np.linalg.norm(ours.end - theirs.end)
+        return f"{far:.4f} mm{', less than 0.1 mm,' if far < 0.1 else ''} off: to {ours.end}, not {theirs.end}"
     if ours.feed is not None and abs(ours.feed - theirs.feed) * 60 > TOLERANCE:
         return f"feed {ours.feed * 60:.6g}, not {theirs.feed * 60:.6g} mm/min"
     if ours.kind == "arc":
@@ -86,6 +87,14 @@ def unlike_arc(ours, theirs):
     return ""
 
 
+def is_small_corner(move):
+    """An arc of less than some 3 degrees."""
+    if move.kind != "arc":
+        return False
+    chord, radius = (np.linalg.norm(move.end - p) for p in (move.start, move.center))
+    return chord < 0.06 * radius
+
+
 def compare_moves(name, ours, theirs, lines):
     """The first difference, in a list."""
     ours, theirs = ([m for m in moves if m.moves()] for moves in (ours, theirs))
@@ -93,8 +102,10 @@ def compare_moves(name, ours, theirs, lines):
     def finding(what, number):
         return [Finding("moves", name, "", what, lines[number - 1], "\n".join(lines[:number]))]
 
-    for a, b in zip(ours, theirs):
+    for i, (a, b) in enumerate(zip(ours, theirs)):
         if what := unlike(a, b):
+            if is_small_corner(a) and i + 1 < len(ours) and not unlike(ours[i + 1], b):
+                what = "a small corner arc more: " + what
             return finding(f"{what} ({b.call})", a.line)
     if len(ours) > len(theirs):
         extra = ours[len(theirs)]
@@ -138,58 +149,6 @@ def compare_refusals(name, ours, theirs, lines):
     moved = [m for m in theirs.moves if m.moves()]
     both = min(len(before), len(moved))
     return compare_moves(name, before[:both], moved[:both], lines)
-
-
-def compare_moves(name, ours, theirs, lines):
-    """The first difference, in a list."""
-    ours, theirs = ([m for m in moves if m.moves()] for moves in (ours, theirs))
-
-    def finding(what, number):
-        return [Finding("moves", name, "", what, lines[number - 1], "\n".join(lines[:number]))]
-
-    for a, b in zip(ours, theirs):
-        if what := unlike(a, b):
-            return finding(f"{what} ({b.call})", a.line)
-    if len(ours) > len(theirs):
-        extra = ours[len(theirs)]
-        return finding(f"one more: {extra.kind} to {extra.end}", extra.line)
-    if len(theirs) > len(ours):
-        return finding(f"missing behind this line: {theirs[len(ours)].call}", ours[-1].line if ours else 1)
-    return []
-
-
-def program_lines(program):
-    return program.read_bytes().decode("latin-1").splitlines() + [""]
-
-
-def compare(program, softcnc, rs274):
-    """What differs, and what both made of it."""
-    ours, theirs = softcnc.run(program), rs274.run(program)
-    name = program.name
-    if ours.accepted and theirs.accepted:
-        return compare_moves(name, ours.moves, theirs.moves, program_lines(program)), "accepted by both"
-    if theirs.accepted:
-        return [Finding("refused", name, e.code, e.text, e.line) for e in ours.errors], "refused by softcnc alone"
-    if ours.accepted:
-        return [Finding("accepted", name, "", e.text, e.line) for e in theirs.errors], "refused by rs274 alone"
-    return compare_refusals(name, ours, theirs, program_lines(program)), "refused by both"
-
-
-def compare_refusals(name, ours, theirs, lines):
-    """Both refuse a program: for its same line? Up to there they must move alike. rs274 tells the text of a line, not its
-    number; where lines are not done in their order, the first one is not to be told."""
-    if any(OUT_OF_ORDER.search(line) for line in lines):
-        return []
-    ours_error, theirs_error = ours.errors[0], theirs.errors[0]
-    there = [i for i, line in enumerate(lines, 1) if line.strip() == theirs_error.line.strip()]
-    if not there:
-        return []
-    if ours_error.number < min(there):
-        return [Finding("refused", name, ours_error.code, ours_error.text, ours_error.line)]
-    if ours_error.number > max(there):
-        return [Finding("accepted", name, "", theirs_error.text, theirs_error.line)]
-    before = [m for m in ours.moves if m.moves() and m.line < ours_error.number]
-    return compare_moves(name, before, [m for m in theirs.moves if m.moves()][:len(before)], lines)
 
 
 def compile_preload(folder):
