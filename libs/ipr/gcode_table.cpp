@@ -139,10 +139,11 @@ const GCode* find_gcode(char letter, double value) noexcept {
   if (letter != 'G' && letter != 'M') return find_word(letter);
   constexpr double kRounding = 1e-6;
   const double tenths = value * 10;
-  const double nearest = std::round(tenths);
-  if (nearest < 0 || nearest >= kNumbers || std::abs(tenths - nearest) > kRounding) return nullptr;
+  if (!(tenths > -kRounding && tenths + kRounding < kNumbers)) return nullptr;
+  const auto nearest = static_cast<std::uint32_t>(tenths + 0.5);
+  if (nearest >= kNumbers || std::abs(tenths - nearest) > kRounding) return nullptr;
   const Index& index = letter == 'G' ? kGIndex : kMIndex;
-  const std::uint8_t row = index[static_cast<std::size_t>(nearest)];
+  const std::uint8_t row = index[nearest];
   return row == kNone ? nullptr : &kTable[row];
 }
 
