@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// libFuzzer on the way from bytes to blocks: what holds for every program holds for these bytes.
+// libFuzzer on the way from bytes to blocks: what holds for every program holds for these bytes,
+// whichever way they are to be read. Which way goes by their number, so that every file is a seed.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -8,8 +9,13 @@
 #include "ipr/invariants.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace softcnc::ipr;
   const std::string text(reinterpret_cast<const char*>(data), size);
-  const std::string broken = softcnc::ipr::broken_invariant(text);
+  InterpreterOptions options;
+  options.dialect = size % 2 == 0 ? Dialect::linuxcnc : Dialect::fanuc;
+  options.block_skip = size % 3 == 0;
+  options.optional_stop = options.block_skip;
+  const std::string broken = broken_invariant(text, options);
   if (broken.empty()) return 0;
   std::fprintf(stderr, "%s\n", broken.c_str());
   std::abort();
