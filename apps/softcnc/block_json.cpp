@@ -41,6 +41,7 @@ void BlockJson::write(const Move& move) {
   place("\"from\":", start(move.path));
   place("\"to\":", end(move.path));
   if (!move.rapid) value("\"feed_mm_s\":", move.feed);
+  if (!move.rapid && !move.feed_override) text_.add("\"feed_override\":false,");
   std::visit([this](const auto& curve) { details(curve); }, move.path);
 }
 

@@ -24,7 +24,10 @@ void add_times(const ipo::Profile& profile, double until, std::array<double, kLi
 
 bool is_pause(const Block& block) {
   const auto* action = std::get_if<Action>(&block.what);
-  return action && (action->kind == Action::Kind::tool || action->kind == Action::Kind::stop);
+  if (action == nullptr) return false;
+  constexpr int kM06 = 6;
+  return action->kind == Action::Kind::stop ||
+         (action->kind == Action::Kind::tool && action->code == kM06);
 }
 
 }  // namespace

@@ -12,16 +12,18 @@ class FeedLimit final : public Constraint {
 
   Limit limit(const Move& move) const noexcept override {
     if (move.rapid) return Limit::rapid;
-    return override_ < 1 ? Limit::override_ : Limit::feed;
+    return override_of(move) < 1 ? Limit::override_ : Limit::feed;
   }
 
   double cap(const PathPoint&, const Move& move) const noexcept override {
     if (move.rapid) return kUnlimited;
-    const double v = std::min(move.feed * override_, machine_feed_);
+    const double v = std::min(move.feed * override_of(move), machine_feed_);
     return v * v;
   }
 
  private:
+  double override_of(const Move& move) const noexcept { return move.feed_override ? override_ : 1; }
+
   double machine_feed_, override_;
 };
 

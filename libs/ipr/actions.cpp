@@ -17,19 +17,63 @@ void emit_action(Task& task, Action::Kind kind, double value = 0) {
   task.out.emit(Action{kind, m_number(task), value});
 }
 
+std::optional<int> known_tool(Task& task, const Word& word) {
+  const auto number = whole_number(task, word);
+  if (!number || find_tool(task, *number)) return number;
+  report_unknown_tool(task, *number, word.pos);
+  return std::nullopt;
+}
+
+/// The time of G04 in seconds. The fanuc dialect: X or U in seconds, or P in milliseconds.
+double dwell_time(const Task& task, const Word& word) {
+  const bool milliseconds = task.options.dialect == Dialect::fanuc && word.letter == 'P';
+  return milliseconds ? s_from_ms(word.value) : word.value;
+}
+
+const Word* dwell_word(const Task& task) {
+  for (const char letter : {'P', 'X', 'U'}) {
+    const bool taken = letter == 'P' || task.options.dialect == Dialect::fanuc;
+    if (taken && task.values.has(letter)) return &task.values.word(letter);
+  }
+  return nullptr;
+}
+
+/// Warns of seconds where milliseconds count, and the other way round.
+void check_dwell_unit(Task& task, const Word& word) {
+  constexpr double kLongSeconds = 200, kShortMilliseconds = 10;
+  if (word.letter != 'P' || task.modal.dwell_warned) return;
+  const auto written = task.out.text().substr(static_cast<std::size_t>(word.pos.column) - 1,
+                                              static_cast<std::size_t>(word.pos.length));
+  const bool point = written.find('.') != std::string_view::npos;
+  const bool fanuc = task.options.dialect == Dialect::fanuc;
+  const bool odd =
+      fanuc ? point && word.value < kShortMilliseconds : !point && word.value >= kLongSeconds;
+  if (!odd) return;
+  const std::string number = number_text(word.value);
+  task.out.report(Code::SC2210, word.pos,
+                  fanuc ? "G04 P counts milliseconds here: " + number + " ms; " + number +
+                              " s are P" + number_text(word.value * 1000)
+                        : "G04 P counts seconds here: " + number + " s; " + number + " ms are P" +
+                              number_text(s_from_ms(word.value)));
+  task.modal.dwell_warned = true;
+}
+
 }  // namespace
 
-/// G04 P: seconds; FANUC: milliseconds.
 void dwell(Task& task) {
   const bool fanuc = task.options.dialect == Dialect::fanuc;
-  if (!task.values.has('P'))
+  const Word* time = dwell_word(task);
+  if (time == nullptr)
     return task.out.report(
         Code::SC2005, task.word.pos,
-        fanuc ? "G04 needs P, the time in milliseconds" : "G04 needs P, the time in seconds");
-  const Word& time = task.values.word('P');
-  if (time.value < 0)
-    return task.out.report(Code::SC2007, time.pos, "P, the time of G04, must not be negative");
-  if (time.value > 0) task.out.emit(Dwell{fanuc ? s_from_ms(time.value) : time.value});
+        fanuc ? "G04 needs P, the time in milliseconds, or X or U, the time in seconds"
+              : "G04 needs P, the time in seconds");
+  if (time->value < 0)
+    return task.out.report(
+        Code::SC2007, time->pos,
+        std::string(1, time->letter) + ", the time of G04, must not be negative");
+  check_dwell_unit(task, *time);
+  if (time->value > 0) task.out.emit(Dwell{dwell_time(task, *time)});
 }
 
 void set_speed(Task& task) {
@@ -55,7 +99,7 @@ void set_speed(Task& task) {
 
 void select_tool(Task& task) {
   task.modal.uncertain.remove('T');
-  if (const auto number = whole_number(task, task.word))
+  if (const auto number = known_tool(task, task.word))
     task.modal.tool = number;
   else
     task.modal.uncertain.add('T');
@@ -68,6 +112,17 @@ void change_tool(Task& task) {
   }
   report_if_certain(task, "T", Code::SC2204, task.word.pos, "M06 without a tool: T is not set");
   task.modal.uncertain.add('T');
+}
+
+/// M61 Q: the tool that is in the spindle.
+void name_tool(Task& task) {
+  if (!task.values.has('Q'))
+    return task.out.report(Code::SC2005, task.word.pos, "M61 needs Q, the tool in the spindle");
+  const auto number = known_tool(task, task.values.word('Q'));
+  if (!number) return task.modal.uncertain.add('T');
+  task.modal.loaded_tool = *number;
+  task.modal.tool = number;
+  emit_action(task, Action::Kind::tool, *number);
 }
 
 void turn_spindle(Task& task) {
@@ -92,6 +147,7 @@ void stop_optionally(Task& task) {
 void end_program(Task& task) {
   task.out.stop_compensation();
   emit_action(task, Action::Kind::end);
+  task.modal.state.active = 0;
   task.modal.ended = true;
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::string_view kOffsetLetters = "IJK";  // of X, Y, Z
 constexpr double kSamePoint = 1e-9;                 // mm
+constexpr int kMostTurns = 10'000;
 constexpr double kReach = 0.00127;  // mm (0.00005 inch): how much R may fall short, as in RS274
 
 char axis_letter(int axis) { return kAxisLetters[static_cast<std::size_t>(axis)]; }
@@ -52,7 +53,25 @@ bool is_well_given(Task& task, const PlaneAxes& axes) {
   return false;
 }
 
-AxisVector center_by_offsets(const Task& task, const PlaneAxes& axes) {
+/// G90.1: the centre as a place, which takes both its letters.
+std::optional<AxisVector> center_by_place(Task& task, const PlaneAxes& axes) {
+  const Coordinates& coordinates = task.modal.coordinates;
+  AxisVector center = coordinates.to_program(task.modal.position);
+  for (const int axis : {axes.first, axes.second}) {
+    const char letter = offset_letter(axis);
+    if (!task.values.has(letter)) {
+      if (!task.command.uncertain().has(letter))
+        task.out.report(Code::SC2005, task.word.pos,
+                        std::string("a centre in G90.1 needs ") + letter);
+      return std::nullopt;
+    }
+    center[axis] = task.values[letter] * task.modal.mm_per_unit;
+  }
+  return coordinates.to_machine(center);
+}
+
+std::optional<AxisVector> center_by_offsets(Task& task, const PlaneAxes& axes) {
+  if (task.modal.absolute_centres) return center_by_place(task, axes);
   AxisVector offset = AxisVector::Zero();
   for (const int axis : {axes.first, axes.second})
     offset[axis] = task.values.value_or(offset_letter(axis), 0) * task.modal.mm_per_unit;
@@ -99,16 +118,43 @@ void emit_arc(Task& task, const ArcSpec& spec, const PlaneAxes& axes) {
                     std::move(made.error().message));
 }
 
+/// P, less the first pass; 0, and told, if it is none.
+int further_turns(Task& task) {
+  if (!task.values.has('P')) return 0;
+  const Word& word = task.values.word('P');
+  if (word.value >= 1 && word.value <= kMostTurns && word.value == std::floor(word.value))
+    return static_cast<int>(word.value) - 1;
+  task.out.report(
+      Code::SC2007, word.pos,
+      "P, the turns of an arc, is a whole number from 1 to " + std::to_string(kMostTurns));
+  return 0;
+}
+
+/// A work system that is rotated about Z tilts the planes that hold Z.
+bool lies_in_plane(Task& task) {
+  if (task.modal.plane == Plane::xy || !task.modal.coordinates.rotated()) return true;
+  task.out.report(Code::SC2113, task.word.pos,
+                  code_name(task.code) + " in a plane that the rotation of the work system tilts");
+  return false;
+}
+
 void arc(Task& task, bool ccw) {
   begin_motion(task);
   if (!task.values.letters().has_any(task.code.words)) return;
   const PlaneAxes axes = plane_axes(task.modal.plane);
+  const Letters at_start = task.modal.uncertain;
   const AxisVector to = end_point(task);
-  if (has_plane_axes(task, axes) && is_well_given(task, axes) && has_feed(task)) {
+  const Letters found = at_start.without(task.modal.uncertain);
+  task.modal.uncertain = at_start;
+  const int turns = further_turns(task);
+  if (has_plane_axes(task, axes) && is_well_given(task, axes) && lies_in_plane(task) &&
+      has_feed(task)) {
     const auto center = task.values.has('R') ? center_by_radius(task, axes, to, ccw)
                                              : center_by_offsets(task, axes);
-    if (center) emit_arc(task, {task.modal.position, to, *center, task.modal.plane, ccw, 0}, axes);
+    if (center)
+      emit_arc(task, {task.modal.position, to, *center, task.modal.plane, ccw, turns}, axes);
   }
+  task.modal.uncertain = task.modal.uncertain.without(found);
   task.modal.position = to;
 }
 

@@ -62,9 +62,19 @@ void Command::add(const GCode& code, const Word& word) {
   groups_ |= bit(code.group);
 }
 
-Letters Command::unused() const noexcept {
+const GCode* Command::find(Group group) const noexcept {
+  if (!has(group)) return nullptr;
+  for (const CodeWord& code : codes())
+    if (code.code->group == group) return code.code;
+  return nullptr;
+}
+
+Letters Command::unused(Dialect dialect) const noexcept {
   Letters used;
-  for (const CodeWord& code : codes()) used |= Letters(code.code->words);
+  for (const CodeWord& code : codes()) {
+    used |= Letters(code.code->words);
+    if (dialect == Dialect::fanuc) used |= Letters(code.code->fanuc_words);
+  }
   return values_.letters().without(used);
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "ipr/dialect.hpp"
 #include "ipr/gcode_table.hpp"
 #include "ipr/letters.hpp"
 #include "ipr/output.hpp"
@@ -50,8 +51,10 @@ class Command {
   /// In the order in which they act.
   std::span<const CodeWord> codes() const noexcept { return {codes_.data(), count_}; }
   bool has(Group group) const noexcept { return (groups_ & bit(group)) != 0; }
+  /// The code of a group; nullptr if the line has none.
+  const GCode* find(Group group) const noexcept;
   /// Values that no code of the line takes.
-  Letters unused() const noexcept;
+  Letters unused(Dialect dialect) const noexcept;
   /// What the line's own errors have made uncertain.
   Letters uncertain() const noexcept { return uncertain_; }
 

@@ -32,13 +32,16 @@ enum class Group : std::uint8_t {
   tool_change,
   spindle,
   coolant,
+  override_,
+  signal,
+  arc_distance,
   feed,
   speed,
   tool,
   line_number,
   program_number,
 };
-inline constexpr int kGroups = 20;
+inline constexpr int kGroups = 23;
 
 inline constexpr int kAnyNumber = -1;
 
@@ -46,10 +49,11 @@ struct GCode {
   char letter;
   int number;  // G and M: ten times the number, G06.2 is 62; others: kAnyNumber
   Group group;
-  int order;               // codes of a line act in ascending order
-  std::string_view words;  // letters it takes
-  void (*act)(Task&);      // nullptr: nothing is to be done
-  std::string_view says;   // one sentence for the user
+  int order;                          // codes of a line act in ascending order
+  std::string_view words;             // letters it takes
+  void (*act)(Task&);                 // nullptr: nothing is to be done
+  std::string_view says;              // one sentence for the user
+  std::string_view fanuc_words = {};  // letters that it takes in the fanuc dialect beside
 };
 
 /// In the order of G, M, and the other letters; within a letter by number.

@@ -28,6 +28,8 @@ struct Task {
 void rapid(Task& task);
 void feed_line(Task& task);
 void cancel_motion(Task& task);
+/// Along a line to a place in machine coordinates; a way of no length gives no block.
+void move_straight(Task& task, const AxisVector& to, bool rapid);
 
 // arcs.cpp
 void arc_clockwise(Task& task);
@@ -40,12 +42,46 @@ void check_pending_curve(const Command& command, Modal& modal, Output& out);
 /// Ends a pending curve at the end of the program.
 void end_pending_curve(Modal& modal, Output& out);
 
+// work_offsets.cpp
+void select_work_system(Task& task);
+void use_machine_coordinates(Task& task);
+void set_local_shift(Task& task);
+void name_position(Task& task);
+void clear_shift(Task& task);
+void suspend_shift(Task& task);
+void resume_shift(Task& task);
+
+// offset_table.cpp
+void set_offsets(Task& task);
+
+// tool_length.cpp
+inline constexpr int kLastTool = 999'999'999;
+/// What is known of a tool; nothing if there is a tool table without it.
+std::optional<ToolOffset> find_tool(const Task& task, int number);
+void report_unknown_tool(Task& task, int number, SourcePos pos);
+void use_tool_length(Task& task);
+void use_given_length(Task& task);
+void add_tool_length(Task& task);
+void use_no_tool_length(Task& task);
+
+// reference_points.cpp
+void go_home(Task& task);
+void keep_home(Task& task);
+
+// refused.cpp
+void refuse_thread(Task& task);
+void refuse_signal(Task& task);
+void switch_input(Task& task);
+
 // modes.cpp
 void select_plane(Task& task);
 void use_inches(Task& task);
 void use_millimetres(Task& task);
 void use_absolute(Task& task);
 void use_incremental(Task& task);
+void use_absolute_centres(Task& task);
+void use_incremental_centres(Task& task);
+void switch_feed_override(Task& task);
 void follow_path(Task& task);
 void follow_path_within(Task& task);
 void stop_exactly(Task& task);
@@ -56,6 +92,7 @@ void dwell(Task& task);
 void set_speed(Task& task);
 void select_tool(Task& task);
 void change_tool(Task& task);
+void name_tool(Task& task);
 void turn_spindle(Task& task);
 void switch_coolant(Task& task);
 void stop_program(Task& task);
@@ -72,6 +109,14 @@ bool may_act(Task& task);
 // words.cpp: what several handlers need
 /// Where the axis words lead, in mm and machine coordinates, from the position in force.
 AxisVector end_point(const Task& task);
+/// Calls use(axis, mm) for every axis word of the line.
+template <typename Use>
+void for_named_axes(const Task& task, Use&& use) {
+  for (int i = 0; i < kAxes; ++i) {
+    const char letter = kAxisLetters[static_cast<std::size_t>(i)];
+    if (task.values.has(letter)) use(i, task.values[letter] * task.modal.mm_per_unit);
+  }
+}
 /// Moves along the path from the position, at the feed in force or as a rapid.
 void emit_move(Task& task, Path path, bool rapid = false);
 /// False, and told or muted, if there is no feed.

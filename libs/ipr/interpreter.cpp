@@ -33,6 +33,7 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       variables_(modal_, options.dialect) {
   modal_.state = std::move(state);
   modal_.update_coordinates();
+  modal_.corner_tolerance = machine.control.corner_tolerance;
   parser_.configure({options.dialect, options.block_skip});
   parser_.parameters().set_system(&variables_);
 }
@@ -72,6 +73,7 @@ void Interpreter::interpret(const Line& line) {
   if (modal_.curve) check_pending_curve(command_, modal_, out_);
   if (!command_.has(Group::motion)) find_motion();
   check_axes();
+  if (command_.has(Group::non_modal) || command_.has(Group::tool_length)) check_axis_codes();
   if (!line.broken && !out_.failed()) check_unused();
   if (line.broken || out_.failed()) out_.mute();
   execute();
@@ -85,14 +87,24 @@ void Interpreter::remember_uncertain() {
   if (command_.has(Group::motion)) uncertain.remove('G');
   if (uncertain.has('G')) modal_.motion = nullptr;
   modal_.uncertain |= uncertain;
+  const bool offsets = command_.has(Group::non_modal) && modal_.offsets_uncertain;
+  if (offsets && out_.failed()) modal_.doubt_offsets();
+}
+
+/// There G53 is a rapid, whatever motion is in force.
+bool Interpreter::fanuc_goes_to_machine_point() const noexcept {
+  constexpr int kG53 = 530;
+  const GCode* code = command_.find(Group::non_modal);
+  return options_.dialect == Dialect::fanuc && code != nullptr && code->number == kG53;
 }
 
 /// Words that no code of the line takes may be meant for the motion in force.
 void Interpreter::find_motion() {
-  const Letters unused = command_.unused();
+  const Letters unused = command_.unused(options_.dialect);
   if (unused.empty()) return;
   if (command_.uncertain().has('G')) return out_.mute();
   const GCode* motion = command_.has(Group::cycle) ? nullptr : modal_.motion;
+  if (motion == nullptr && fanuc_goes_to_machine_point()) motion = find_gcode('G', 0);
   if (motion != nullptr && unused.has_any(motion->words))
     return command_.add_modal_motion(*motion, *first_of(command_.values(), motion->words));
   if (motion != nullptr || !unused.has_any(kAxisWords)) return;
@@ -113,8 +125,22 @@ void Interpreter::check_axes() {
   }
 }
 
+/// A coordinate is a place to go to, or the value of an offset.
+void Interpreter::check_axis_codes() {
+  const GCode* user = nullptr;
+  for (const auto& [code, word] : command_.codes()) {
+    if (!Letters(code->words).has_any(kAxisWords)) continue;
+    if (user != nullptr) {
+      out_.report(Code::SC2110, word->pos,
+                  code_name(*code) + " beside " + code_name(*user) + ": both take the axes");
+      modal_.doubt_offsets();
+    }
+    user = code;
+  }
+}
+
 void Interpreter::check_unused() {
-  const Letters unused = command_.unused();
+  const Letters unused = command_.unused(options_.dialect);
   if (unused.empty()) return;
   if (modal_.uncertain.has('G') && !command_.has(Group::motion)) return out_.mute();
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
@@ -130,6 +156,7 @@ void Interpreter::execute() {
     if ((out_.compensating() || modal_.beside) && !may_act(task)) continue;
     if (code->act != nullptr) code->act(task);
   }
+  modal_.machine_coordinates = false;
 }
 
 /// The text has ended without M02 or M30.

@@ -44,6 +44,8 @@ class Interpreter {
   void interpret(const Line& line);
   void find_motion();
   void check_axes();
+  void check_axis_codes();
+  bool fanuc_goes_to_machine_point() const noexcept;
   void check_unused();
   void execute();
   void remember_uncertain();

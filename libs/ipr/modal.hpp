@@ -41,18 +41,23 @@ struct Modal {
   AxisVector position = AxisVector::Zero();     // mm, machine coordinates: the end of the last move
   MachineState state;                           // offsets and what else outlives the program
   AxisVector tool_offset = AxisVector::Zero();  // mm: of G43, in force
-  Coordinates coordinates;                      // made of the two by update_coordinates()
+  AxisVector local_shift = AxisVector::Zero();  // mm: of G52 in the fanuc dialect
+  Coordinates coordinates;                      // made of these by update_coordinates()
+  bool machine_coordinates = false;             // on this line: G53
   const GCode* motion = nullptr;                // the motion code in force
   Plane plane = Plane::xy;
   double mm_per_unit = 1;  // of programmed lengths
   bool incremental = false;
+  bool absolute_centres = false;  // G90.1
   Join join = Join::follow;
   double corner_tolerance = 0, chord_tolerance = 0;  // mm: of G64
   double feed = 0;                                   // mm/s; 0: not set
+  bool feed_override = true;                         // off: M49, M50 P0
   std::optional<double> spindle_speed;  // rpm, as programmed by S, within the machine's range
   int spindle_direction = 0;            // 1: M03, -1: M04, 0: at rest
   std::optional<int> tool;              // as selected by T
   std::optional<int> loaded_tool;       // in the spindle
+  int length_number = 0;                // H last used
   std::optional<Beside> beside;
   std::optional<PendingCurve> curve;
 
@@ -60,14 +65,25 @@ struct Modal {
   /// because of them is not reported.
   Letters uncertain;
 
-  bool feed_warned = false, spindle_warned = false;  // once a file
-  bool ended = false;                                // M02 or M30 was read
+  /// An offset is wrong by an error: where the machine is in its own coordinates does not tell
+  /// where it is in those of the program.
+  bool offsets_uncertain = false;
 
+  bool feed_warned = false, spindle_warned = false, dwell_warned = false;  // once a file
+  bool ended = false;                                                      // M02 or M30 was read
+
+  const WorkOffset& work() const noexcept {
+    return state.work[static_cast<std::size_t>(state.active)];
+  }
+  AxisVector shift() const noexcept {
+    return state.shift_on ? AxisVector(state.shift + local_shift) : local_shift;
+  }
   /// After a change of an offset. The position of the machine stays.
-  void update_coordinates() noexcept {
-    const AxisVector shift = state.shift_on ? state.shift : AxisVector::Zero();
-    coordinates =
-        Coordinates(state.work[static_cast<std::size_t>(state.active)], shift, tool_offset);
+  void update_coordinates() noexcept { coordinates = Coordinates(work(), shift(), tool_offset); }
+
+  void doubt_offsets() noexcept {
+    offsets_uncertain = true;
+    uncertain |= kAxisWords;
   }
 };
 

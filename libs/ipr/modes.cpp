@@ -6,6 +6,25 @@
 #include "motion/units.hpp"
 
 namespace softcnc::ipr {
+namespace {
+
+void join_within(Modal& modal, Join join, double corner, double chord) {
+  modal.join = join;
+  modal.corner_tolerance = corner;
+  modal.chord_tolerance = chord;
+}
+
+/// A tolerance of G64 in mm.
+double tolerance(Task& task, char letter, double otherwise) {
+  if (!task.values.has(letter)) return otherwise;
+  const Word& word = task.values.word(letter);
+  if (word.value >= 0) return word.value * task.modal.mm_per_unit;
+  task.out.report(Code::SC2007, word.pos,
+                  std::string(1, letter) + ", a tolerance of G64, must not be negative");
+  return otherwise;
+}
+
+}  // namespace
 
 void select_plane(Task& task) {
   constexpr int kG17 = 170, kG18 = 180;
@@ -20,16 +39,25 @@ void use_millimetres(Task& task) { task.modal.mm_per_unit = 1; }
 void use_absolute(Task& task) { task.modal.incremental = false; }
 void use_incremental(Task& task) { task.modal.incremental = true; }
 
-void follow_path(Task& task) { task.modal.join = Join::follow; }
-void stop_exactly(Task& task) { task.modal.join = Join::stop; }
+void use_absolute_centres(Task& task) { task.modal.absolute_centres = true; }
+void use_incremental_centres(Task& task) { task.modal.absolute_centres = false; }
 
-/// G64, with a tolerance of 0 at most.
+void follow_path(Task& task) { join_within(task.modal, Join::follow, 0, 0); }
+void stop_exactly(Task& task) { join_within(task.modal, Join::stop, 0, 0); }
+
+/// G64 P Q; Q is P where it is missing.
 void follow_path_within(Task& task) {
-  if (task.values.value_or('P', 0) != 0)
-    task.out.report(
-        Code::SC2007, task.values.word('P').pos,
-        "G64 with a tolerance is not supported; without P the path is followed exactly");
-  follow_path(task);
+  const double corner = tolerance(task, 'P', task.machine.control.corner_tolerance);
+  const double chord = tolerance(task, 'Q', task.values.has('P') ? corner : 0);
+  join_within(task.modal, Join::follow, corner, chord);
+}
+
+/// M48 on, M49 off, M50 P.
+void switch_feed_override(Task& task) {
+  constexpr int kM48 = 480, kM49 = 490;
+  const int number = task.code.number;
+  task.modal.feed_override =
+      number == kM48 || (number != kM49 && task.values.value_or('P', 1) != 0);
 }
 
 void set_feed(Task& task) {

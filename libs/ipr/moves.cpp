@@ -33,23 +33,28 @@ void move_beside(Task& task, const AxisVector& programmed, bool rapid) {
 void line(Task& task, bool rapid) {
   begin_motion(task);
   if (!task.values.letters().has_any(kAxisWords)) return;
-  const AxisVector from = task.modal.beside ? task.modal.beside->tool : task.modal.position;
   const AxisVector to = end_point(task);
+  if (task.modal.machine_coordinates && task.options.dialect == Dialect::fanuc) rapid = true;
   if (!rapid && !has_feed(task)) {
     task.modal.position = to;
     return;
   }
+  move_straight(task, to, rapid);
+}
+
+}  // namespace
+
+void move_straight(Task& task, const AxisVector& to, bool rapid) {
   if (stays_beside(task)) {
     move_beside(task, to, rapid);
     task.modal.position = to;
     return;
   }
+  const AxisVector from = task.modal.beside ? task.modal.beside->tool : task.modal.position;
   if ((to - from).lpNorm<Eigen::Infinity>() < kShortest) return;
   task.modal.position = to;
   emit_move(task, softcnc::Line(from, to), rapid);
 }
-
-}  // namespace
 
 void rapid(Task& task) { line(task, true); }
 void feed_line(Task& task) { line(task, false); }

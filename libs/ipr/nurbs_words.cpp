@@ -159,7 +159,7 @@ void finish_curve(Task& task, PendingCurve& curve) {
                            curve.head_line);
   const Modal& modal = task.modal;
   task.out.emit(Move{std::move(*made), false, curve.feed, modal.join, modal.corner_tolerance,
-                     modal.chord_tolerance},
+                     modal.chord_tolerance, modal.feed_override},
                 curve.source);
 }
 

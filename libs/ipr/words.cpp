@@ -10,7 +10,24 @@
 
 namespace softcnc::ipr {
 
+namespace {
+
+AxisVector end_in_machine(const Task& task) {
+  AxisVector end = task.modal.position;
+  for (int i = 0; i < kAxes; ++i) {
+    const char letter = kAxisLetters[static_cast<std::size_t>(i)];
+    if (!task.values.has(letter)) continue;
+    end[i] = task.values[letter] * task.modal.mm_per_unit;
+    task.modal.offsets_uncertain ? task.modal.uncertain.add(letter)
+                                 : task.modal.uncertain.remove(letter);
+  }
+  return end;
+}
+
+}  // namespace
+
 AxisVector end_point(const Task& task) {
+  if (task.modal.machine_coordinates) return end_in_machine(task);
   const Coordinates& coordinates = task.modal.coordinates;
   const AxisVector& position = task.modal.position;
   AxisVector end = coordinates.rotated() ? coordinates.to_program(position) : position;
@@ -36,7 +53,7 @@ void emit_move(Task& task, Path path, bool rapid) {
     modal.beside.reset();
   }
   task.out.emit(Move{std::move(path), rapid, rapid ? 0 : modal.feed, modal.join,
-                     modal.corner_tolerance, modal.chord_tolerance});
+                     modal.corner_tolerance, modal.chord_tolerance, modal.feed_override});
 }
 
 bool has_feed(Task& task) {

@@ -23,6 +23,7 @@ struct Move {
   Join join = Join::follow;
   double corner_tolerance = 0;  // mm: how far the next joint may be rounded (G64 P)
   double chord_tolerance = 0;   // mm: how far joined chords may stray (G64 Q)
+  bool feed_override = true;    // false: the feed is as programmed, whatever the override (M49)
 };
 
 struct Dwell {

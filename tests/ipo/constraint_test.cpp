@@ -59,6 +59,10 @@ TEST_CASE("feed is capped by the program, its override and the machine", "[const
   CHECK(make_feed_limit(machine, 0.5)->cap(point, rapid) == kUnlimited);
   CHECK(make_feed_limit(machine, 1)->limit(cutting(1)) == Limit::feed);
   CHECK(make_feed_limit(machine, 0.5)->limit(cutting(1)) == Limit::override_);
+  Move fixed = cutting(100);
+  fixed.feed_override = false;
+  CHECK(std::sqrt(make_feed_limit(machine, 0.5)->cap(point, fixed)) == Approx(100));
+  CHECK(make_feed_limit(machine, 0.5)->limit(fixed) == Limit::feed);
   CHECK(make_feed_limit(machine, 0.5)->limit(rapid) == Limit::rapid);
 }
 

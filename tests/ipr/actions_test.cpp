@@ -7,6 +7,8 @@
 namespace softcnc::ipr {
 namespace {
 
+constexpr InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
+
 std::vector<Action> actions_of(const std::string& program, InterpreterOptions options = {}) {
   std::vector<Action> actions;
   for (const Block& block : blocks_of(program, {}, options))
@@ -70,6 +72,30 @@ TEST_CASE("M01 stops only when optional stops are switched on", "[ipr][actions]"
   const auto actions = actions_of("M01\nM30\n", {.optional_stop = true});
   REQUIRE(actions.size() == 2);
   check(actions[0], Action::Kind::stop, 1, 0);
+}
+
+TEST_CASE("in the fanuc dialect P is in milliseconds, X and U in seconds",
+          "[ipr][actions][fanuc]") {
+  const auto blocks = blocks_of("G04 P1500\nG01 F60 X1\nG04 X1.5\nG04 U2\nM30\n", {}, kFanuc);
+  REQUIRE(blocks.size() == 5);
+  CHECK(std::get<Dwell>(blocks[0].what).duration == 1.5);
+  CHECK(std::get<Dwell>(blocks[2].what).duration == 1.5);
+  CHECK(std::get<Dwell>(blocks[3].what).duration == 2);
+}
+
+TEST_CASE("X beside G04 P is for the motion in force", "[ipr][actions]") {
+  const auto blocks = blocks_of("G01 F100 X1\nG04 P1 X5\nM30\n");
+  REQUIRE(blocks.size() == 4);
+  CHECK(std::holds_alternative<Dwell>(blocks[1].what));
+  CHECK(end(std::get<Move>(blocks[2].what).path).x() == 5);
+}
+
+TEST_CASE("M60 stops, M61 names the tool in the spindle", "[ipr][actions]") {
+  const auto actions = actions_of("M60\nM61 Q7\nM06\nM30\n");
+  REQUIRE(actions.size() == 4);
+  check(actions[0], Action::Kind::stop, 60, 0);
+  check(actions[1], Action::Kind::tool, 61, 7);
+  check(actions[2], Action::Kind::tool, 6, 7);
 }
 
 }  // namespace softcnc::ipr

@@ -105,4 +105,26 @@ TEST_CASE("centre and radius tell the same arc", "[ipr][arcs][property]") {
   });
 }
 
+TEST_CASE("P counts the turns of an arc", "[ipr][arcs]") {
+  const auto sweep = [](const std::string& program) {
+    return std::get<Arc>(moves_of("F100\n" + program + "\nM30\n").back().path).sweep();
+  };
+  constexpr double kTurn = 2 * std::numbers::pi;
+  CHECK(sweep("G02 X0 Y0 I5 P3") == Approx(-3 * kTurn));
+  CHECK(sweep("G03 X10 Y0 I5 P2 Z3") == Approx(1.5 * kTurn));
+  CHECK(sweep("G02 X10 R5 P3") == Approx(-2.5 * kTurn));
+  CHECK(sweep("G02 X10 I5 P1") == Approx(-0.5 * kTurn));
+}
+
+TEST_CASE("in G90.1 the centre is a place", "[ipr][arcs]") {
+  const auto center = [](const std::string& program) {
+    return std::get<Arc>(moves_of("F100\n" + program + "\nM30\n").back().path).center();
+  };
+  CHECK(center("G00 X1 Y1\nG90.1 G02 X9 I5 J1") == AxisVector(5, 1, 0));
+  CHECK(center("G91 G90.1 G03 X10 I5 J0") == AxisVector(5, 0, 0));
+  CHECK(center("G90.1 G10 L2 P1 X100 Y50\nG00 X0 Y0\nG03 X10 I5 J0") == AxisVector(105, 50, 0));
+  CHECK(center("G90.1\nG91.1 G00 X1\nG02 X11 I5") == AxisVector(6, 0, 0));
+  CHECK(center("G18 G90.1 G02 X10 I5 K0").x() == 5);
+}
+
 }  // namespace softcnc::ipr

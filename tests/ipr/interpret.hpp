@@ -13,6 +13,7 @@ namespace softcnc::ipr {
 struct Interpreted {
   std::vector<Block> blocks;
   std::vector<Diagnostic> diagnostics;
+  MachineState state;  // at the end
 };
 
 inline Interpreted interpret(Reader reader, const Machine& machine = {},
@@ -22,6 +23,7 @@ inline Interpreted interpret(Reader reader, const Machine& machine = {},
   Interpreter interpreter(parser, machine, diagnostics, options);
   Interpreted result;
   while (auto block = interpreter.next()) result.blocks.push_back(std::move(*block));
+  result.state = interpreter.state();
   result.diagnostics.assign(diagnostics.all().begin(), diagnostics.all().end());
   return result;
 }
@@ -40,9 +42,10 @@ inline std::vector<Block> blocks_of(std::string text, const Machine& machine = {
 }
 
 /// Only the moves among them.
-inline std::vector<Move> moves_of(std::string text, const Machine& machine = {}) {
+inline std::vector<Move> moves_of(std::string text, const Machine& machine = {},
+                                  InterpreterOptions options = {}) {
   std::vector<Move> moves;
-  for (Block& block : blocks_of(std::move(text), machine))
+  for (Block& block : blocks_of(std::move(text), machine, options))
     if (auto* move = std::get_if<Move>(&block.what)) moves.push_back(std::move(*move));
   return moves;
 }
@@ -54,6 +57,16 @@ inline std::vector<std::string> places(const Interpreted& result) {
     all.push_back("SC" + std::to_string(static_cast<int>(d.code)) + " " +
                   std::to_string(d.pos.line) + ":" + std::to_string(d.pos.column));
   return all;
+}
+
+/// Where the last move of a faultless program ends, mm.
+inline AxisVector last_place(std::string text, InterpreterOptions options = {},
+                             const Machine& machine = {}) {
+  return end(moves_of(std::move(text), machine, options).back().path);
+}
+
+inline bool near(const AxisVector& a, const AxisVector& b, double tolerance = 1e-9) {
+  return (a - b).lpNorm<Eigen::Infinity>() < tolerance;
 }
 
 using Places = std::vector<std::string>;

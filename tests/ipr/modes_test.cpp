@@ -52,4 +52,36 @@ TEST_CASE("a feed above the limit is held at it, with one warning a file", "[ipr
   CHECK(places(interpret("F900000\nM30\n", machine)).empty());
 }
 
+TEST_CASE("G64 takes its tolerances in the units in force", "[ipr][modes]") {
+  Machine machine;
+  machine.control.corner_tolerance = 0.25;
+  const auto moves = moves_of(
+      "G00 X1\nG64 P0.5\nX2\nG64 P0.5 Q0.125\nX3\nG20 G64 P1\nX4\nG61\nX5\nG64 X6\nG64 Q1\nX7\n"
+      "G61.1\nX8\nM30\n",
+      machine);
+  const auto check = [&](std::size_t move, double corner, double chord) {
+    INFO("move " << move);
+    CHECK(moves[move].corner_tolerance == corner);
+    CHECK(moves[move].chord_tolerance == chord);
+  };
+  check(0, 0.25, 0);
+  check(1, 0.5, 0.5);
+  check(2, 0.5, 0.125);
+  check(3, 25.4, 25.4);
+  check(4, 0, 0);
+  check(5, 0.25, 0);
+  check(6, 0.25, 25.4);
+  check(7, 0, 0);
+  CHECK(moves[7].join == Join::stop);
+}
+
+TEST_CASE("M49 and M50 P0 take the feed override away, M48 and M50 give it back", "[ipr][modes]") {
+  const auto moves = moves_of(
+      "F100 G01 X1\nM49 X2\nM48 X3\nM50 P0 X4\nM50 X5\nM50 P0\nM50 P1 X6\nM51 P0 X7\nM52 P0\n"
+      "M53 P0 X8\nM30\n");
+  const std::vector<bool> expected{true, false, true, false, true, true, true, true};
+  REQUIRE(moves.size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) CHECK(moves[i].feed_override == expected[i]);
+}
+
 }  // namespace softcnc::ipr

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Codes that are known, and ask for what softcnc cannot do.
+#include <string>
+
+#include "ipr/handlers.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+void report(Task& task, const std::string& why) {
+  task.out.report(Code::SC2114, task.word.pos, code_name(task.code) + " is refused: " + why);
+}
+
+}  // namespace
+
+/// G33, G33.1, G76. Where they would have led is not known.
+void refuse_thread(Task& task) {
+  report(task, "threads need a spindle with an encoder, which the axes could follow");
+  task.modal.motion = nullptr;
+  task.modal.uncertain |= "GXYZ";
+}
+
+/// M62 to M68.
+void refuse_signal(Task& task) {
+  report(task, "softcnc has no inputs and outputs that a program could read or set");
+}
+
+/// M52 and M53: P0 asks for what is so anyway.
+void switch_input(Task& task) {
+  if (task.values.value_or('P', 1) != 0)
+    report(task, "softcnc has no input that could change or stop the feed; P0 is accepted");
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,5 @@
+(expect SC2210 2:5; fanuc)
+G04 P1.5
+G04 P1500
+G04 X1.5
+M30
