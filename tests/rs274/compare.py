@@ -87,12 +87,19 @@ def unlike_arc(ours, theirs):
     return ""
 
 
+def chord_in_radii(move):
+    chord, radius = (np.linalg.norm(move.end - p) for p in (move.start, move.center))
+    return chord / radius
+
+
 def is_small_corner(move):
     """An arc of less than some 3 degrees."""
-    if move.kind != "arc":
-        return False
-    chord, radius = (np.linalg.norm(move.end - p) for p in (move.start, move.center))
-    return chord < 0.06 * radius
+    return move.kind == "arc" and chord_in_radii(move) < 0.06
+
+
+def is_turn_back(move):
+    """An arc of almost half a turn."""
+    return move.kind == "arc" and chord_in_radii(move) > 1.99
 
 
 def compare_moves(name, ours, theirs, lines):
@@ -106,6 +113,8 @@ def compare_moves(name, ours, theirs, lines):
         if what := unlike(a, b):
             if is_small_corner(a) and i + 1 < len(ours) and not unlike(ours[i + 1], b):
                 what = "a small corner arc more: " + what
+            elif any(map(is_turn_back, ours[i:i + 2])):
+                what = "where the contour turns back: " + what
             return finding(f"{what} ({b.call})", a.line)
     if len(ours) > len(theirs):
         extra = ours[len(theirs)]
