@@ -3,6 +3,9 @@
 #include "block_json.hpp"
 
 #include <array>
+#include <cmath>
+
+#include "motion/units.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -21,6 +24,12 @@ std::string_view name(Plane plane) {
 std::string_view name(Action::Kind kind) {
   constexpr std::array<std::string_view, 5> names{"tool", "spindle", "coolant", "stop", "end"};
   return names[static_cast<std::size_t>(kind)];
+}
+
+/// Without what the way through mm has rounded.
+double as_written(double um) {
+  constexpr double kDigits = 1e9;
+  return std::round(um * kDigits) / kDigits;
 }
 
 }  // namespace
@@ -43,6 +52,7 @@ void BlockJson::write(const Move& move) {
   if (!move.rapid) value("\"feed_mm_s\":", move.feed);
   if (!move.rapid && !move.feed_override) text_.add("\"feed_override\":false,");
   std::visit([this](const auto& curve) { details(curve); }, move.path);
+  if (move.surface) write(*move.surface);
 }
 
 void BlockJson::write(const Dwell& dwell) {
@@ -78,6 +88,16 @@ template <typename Value>
 void BlockJson::value(std::string_view key, const Value& value) {
   text_.add(key);
   add(value);
+  text_.add(',');
+}
+
+void BlockJson::write(const Surface& surface) {
+  text_.add("\"surface\":{");
+  value("\"tool_radius_mm\":", surface.tool_radius);
+  value("\"pick_feed_mm\":", surface.pick_feed);
+  value("\"rmax_um\":", as_written(um_from_mm(surface.rmax)));
+  value("\"teeth\":", surface.teeth);
+  text_.back() = '}';
   text_.add(',');
 }
 

@@ -35,6 +35,7 @@ class BlockJson {
   void details(const Line&) {}
   void details(const Arc& arc);
   void details(const Nurbs& nurbs);
+  void write(const Surface& surface);
 
   TextBuffer text_;
   AxisVector last_ = AxisVector::Zero();  // the place written last, most often the next `from`

@@ -106,6 +106,7 @@ void select_tool(Task& task) {
 }
 
 void change_tool(Task& task) {
+  task.modal.surface.reset();
   if (task.modal.tool) {
     task.modal.loaded_tool = task.modal.tool;
     return emit_action(task, Action::Kind::tool, *task.modal.tool);

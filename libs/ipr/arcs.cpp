@@ -23,17 +23,6 @@ Letters position_letters(const PlaneAxes& axes) {
   return letters;
 }
 
-bool has_plane_axes(Task& task, const PlaneAxes& axes) {
-  for (const int axis : {axes.first, axes.second}) {
-    if (task.machine.axes[static_cast<std::size_t>(axis)].present) continue;
-    task.out.report(
-        Code::SC2008, task.word.pos,
-        code_name(task.code) + " needs axis " + axis_letter(axis) + ", which the machine lacks");
-    return false;
-  }
-  return true;
-}
-
 /// Told apart: centre and radius, neither, or a centre off the plane.
 bool is_well_given(Task& task, const PlaneAxes& axes) {
   const Values& values = task.values;

@@ -28,6 +28,7 @@ enum class Group : std::uint8_t {
   tool_length,
   work_offset,
   path_control,
+  surface,
   stopping,
   tool_change,
   spindle,
@@ -41,7 +42,7 @@ enum class Group : std::uint8_t {
   line_number,
   program_number,
 };
-inline constexpr int kGroups = 23;
+inline constexpr int kGroups = 24;
 
 inline constexpr int kAnyNumber = -1;
 

@@ -35,10 +35,14 @@ void move_straight(Task& task, const AxisVector& to, bool rapid);
 void arc_clockwise(Task& task);
 void arc_counterclockwise(Task& task);
 
+// bezier_words.cpp
+void cubic(Task& task);
+void quadratic(Task& task);
+
 // nurbs_words.cpp
 void nurbs(Task& task);
-/// Ends a pending curve at a line whose codes do not belong into it.
-void check_pending_curve(const Command& command, Modal& modal, Output& out);
+/// Tells codes of a line that do not belong into the pending curve, and ends it at some.
+void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, Output& out);
 /// Ends a pending curve at the end of the program.
 void end_pending_curve(Modal& modal, Output& out);
 
@@ -72,6 +76,20 @@ void keep_home(Task& task);
 void refuse_thread(Task& task);
 void refuse_signal(Task& task);
 void switch_input(Task& task);
+// point_words.cpp
+void control_points(Task& task);
+void end_control_points(Task& task);
+void spline(Task& task);
+/// Tells codes of a line that do not belong among the pending points, and ends them at others.
+void check_pending_points(const Command& command, Modal& modal, Output& out);
+/// Ends pending points at the end of the program.
+void end_pending_points(Modal& modal, Output& out);
+
+// surface_words.cpp
+void ask_for_surface(Task& task);
+void cancel_surface(Task& task);
+/// The words of G06.4 in the first block of G06.2.
+void ask_for_surface_of_curve(Task& task);
 
 // modes.cpp
 void select_plane(Task& task);
@@ -119,8 +137,18 @@ void for_named_axes(const Task& task, Use&& use) {
 }
 /// Moves along the path from the position, at the feed in force or as a rapid.
 void emit_move(Task& task, Path path, bool rapid = false);
+/// A cutting move by the modes in force.
+Move cutting_move(const Modal& modal, Path path, double feed);
 /// False, and told or muted, if there is no feed.
 bool has_feed(Task& task);
+/// False, and told, if the machine lacks an axis of the plane.
+bool has_plane_axes(Task& task, const PlaneAxes& axes);
+/// What a curve over several lines keeps of its first one.
+CurveHead curve_head(Task& task);
+/// How far the first point of a curve may lie off the position, mm.
+double start_tolerance(const Machine& machine);
+/// Whether the line has another motion code, or one that stops or ends the program.
+bool ends_curve(const Command& command, const GCode& curve) noexcept;
 /// Makes the code the motion in force.
 void begin_motion(Task& task);
 /// Reports, or only mutes the line if the error may come from an earlier one.

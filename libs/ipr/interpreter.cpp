@@ -70,7 +70,8 @@ void Interpreter::interpret(const Line& line) {
     return out_.end();
   }
   command_.read(line, out_);
-  if (modal_.curve) check_pending_curve(command_, modal_, out_);
+  if (modal_.curve) check_pending_curve(command_, options_.dialect, modal_, out_);
+  if (modal_.points) check_pending_points(command_, modal_, out_);
   if (!command_.has(Group::motion)) find_motion();
   check_axes();
   if (command_.has(Group::non_modal) || command_.has(Group::tool_length)) check_axis_codes();
@@ -78,7 +79,14 @@ void Interpreter::interpret(const Line& line) {
   if (line.broken || out_.failed()) out_.mute();
   execute();
   remember_uncertain();
+  if (out_.failed()) break_curves();
   out_.end();
+}
+
+/// A curve with a bad line in it is none.
+void Interpreter::break_curves() {
+  if (modal_.curve) modal_.curve->broken = true;
+  if (modal_.points) modal_.points->broken = true;
 }
 
 /// What an error leaves unknown. A motion code that could be read is known all the same.
@@ -165,6 +173,7 @@ void Interpreter::finish() {
   line.number = parser_.line();
   out_.begin(line);
   if (modal_.curve) end_pending_curve(modal_, out_);
+  if (modal_.points) end_pending_points(modal_, out_);
   if (!parser_.broke_off())
     out_.report(Code::SC2205, {line.number, 0, 1}, "the program ends without M02 or M30");
   out_.end();

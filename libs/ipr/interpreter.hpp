@@ -49,6 +49,7 @@ class Interpreter {
   void check_unused();
   void execute();
   void remember_uncertain();
+  void break_curves();
   void finish();
 
   Parser& parser_;

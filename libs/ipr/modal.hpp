@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ipr/coordinates.hpp"
 #include "ipr/letters.hpp"
@@ -16,6 +17,14 @@ namespace softcnc::ipr {
 
 struct GCode;
 
+/// Where a curve over several lines began.
+struct CurveHead {
+  double feed = 0;   // mm/s
+  SourcePos source;  // of its first line
+  SourcePos word;    // its code
+  std::string line;  // its text
+};
+
 /// A curve of G06.2 between its first block and its last closing knot.
 struct PendingCurve {
   NurbsSpec spec;                // what has been read so far
@@ -24,10 +33,26 @@ struct PendingCurve {
   Letters axes;                  // of the curve; empty until a block names one
   bool broken = false;           // something in it was reported: no block is made
   bool knots_uncertain = false;  // the same for its knots: no more is said about them
-  double feed = 0;               // mm/s
-  SourcePos source;              // of the line of G06.2
-  SourcePos head;                // of the word G06.2
-  std::string head_line;         // its text
+  bool repeats = false;          // LinuxCNC's form: G06.2 in its second block too
+  double order_word = 0;         // P as written; 0: left out
+  CurveHead head;
+};
+
+/// A curve of G05.2 or G06.1, whose points are still coming.
+struct PendingPoints {
+  const GCode* code = nullptr;
+  int order = 0;                   // of G05.2; 0: L was bad
+  std::vector<AxisVector> points;  // mm, machine coordinates; the first is where it begins
+  std::vector<double> weights;     // of G05.2
+  int blocks = 0;                  // that named a point
+  bool broken = false;             // something in it was reported: no block is made
+  CurveHead head;
+};
+
+/// The end of a curve of G05: the next one may go on from it without a bend.
+struct CurveEnd {
+  AxisVector position;  // mm, machine coordinates
+  AxisVector handle;    // mm: from there to the first control point of the curve that goes on
 };
 
 /// Where G40 has left the tool: beside the programmed position, until a move leads away.
@@ -60,6 +85,9 @@ struct Modal {
   int length_number = 0;                // H last used
   std::optional<Beside> beside;
   std::optional<PendingCurve> curve;
+  std::optional<PendingPoints> points;
+  std::optional<CurveEnd> curve_end;
+  std::optional<Surface> surface;  // of G06.4
 
   /// Words whose value an error has made uncertain (G: the motion code). What would be wrong only
   /// because of them is not reported.
@@ -69,8 +97,10 @@ struct Modal {
   /// where it is in those of the program.
   bool offsets_uncertain = false;
 
-  bool feed_warned = false, spindle_warned = false, dwell_warned = false;  // once a file
-  bool ended = false;                                                      // M02 or M30 was read
+  // Told once a file.
+  bool feed_warned = false, spindle_warned = false, dwell_warned = false;
+  bool look_ahead_told = false, chopping_told = false, order_told = false, surface_told = false;
+  bool ended = false;  // M02 or M30 was read
 
   const WorkOffset& work() const noexcept {
     return state.work[static_cast<std::size_t>(state.active)];

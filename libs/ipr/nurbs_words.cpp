@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // G06.2, a NURBS over several lines: one block per control point, then as many blocks of K alone as
-// the order. It ends by that count.
+// the order. It ends by that count. FANUC writes G06.2 once; LinuxCNC may write it in every block.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -12,16 +12,29 @@ namespace {
 
 constexpr int kDefaultOrder = 4;
 constexpr int kLeastOrder = 2;
-constexpr double kSameStart = 0.001;  // mm: how far the first control point may lie off
+constexpr int kFanucOrder = 4;  // the largest of a FANUC control
+constexpr std::string_view kSurfaceWords = "DJHL";
 
 bool is_first(const PendingCurve& curve) { return curve.spec.control.empty(); }
+
+void note_order(Task& task, const Word& word) {
+  if (task.options.dialect != Dialect::fanuc || word.value <= kFanucOrder) return;
+  if (task.modal.order_told) return;
+  task.modal.order_told = true;
+  task.out.report(Code::SC3113, word.pos,
+                  "FANUC controls take orders up to " + std::to_string(kFanucOrder) +
+                      "; softcnc runs this one of " + number_text(word.value) + " all the same");
+}
 
 std::optional<int> read_order(Task& task) {
   if (!task.values.has('P')) return kDefaultOrder;
   const Word& word = task.values.word('P');
   const bool legal = word.value == std::floor(word.value) && word.value >= kLeastOrder &&
                      word.value <= Nurbs::kMaxDegree + 1;
-  if (legal) return static_cast<int>(word.value);
+  if (legal) {
+    note_order(task, word);
+    return static_cast<int>(word.value);
+  }
   task.out.report(Code::SC3001, word.pos,
                   "P, the order of the curve, is a whole number from 2 to " +
                       std::to_string(Nurbs::kMaxDegree + 1));
@@ -30,15 +43,13 @@ std::optional<int> read_order(Task& task) {
 
 void begin_curve(Task& task) {
   begin_motion(task);
+  ask_for_surface_of_curve(task);
   PendingCurve& curve = task.modal.curve.emplace();
   curve.order = read_order(task).value_or(0);
   curve.knots_uncertain = curve.order == 0;
   curve.spec.degree = curve.order - 1;
-  curve.source = task.out.source();
-  curve.head = task.word.pos;
-  curve.head_line = task.out.text();
-  has_feed(task);
-  curve.feed = task.modal.feed;
+  curve.order_word = task.values.value_or('P', 0);
+  curve.head = curve_head(task);
 }
 
 /// How often the last knot stands at the end of what was read.
@@ -107,13 +118,6 @@ void check_curve_axes(Task& task, PendingCurve& curve) {
   }
 }
 
-double start_tolerance(const Machine& machine) {
-  double tolerance = kSameStart;
-  for (const Axis& axis : machine.axes)
-    if (axis.present) tolerance = std::max(tolerance, axis.blu);
-  return tolerance;
-}
-
 /// The curve begins in the position exactly, wherever within the tolerance its first point lies.
 AxisVector first_point(Task& task) {
   const AxisVector point = end_point(task);
@@ -155,21 +159,44 @@ void read_closing_knot(Task& task, PendingCurve& curve) {
 void finish_curve(Task& task, PendingCurve& curve) {
   Result<Nurbs> made = Nurbs::make(std::move(curve.spec));
   if (!made)
-    return task.out.report(made.error().code, curve.head, std::move(made.error().message),
-                           curve.head_line);
-  const Modal& modal = task.modal;
-  task.out.emit(Move{std::move(*made), false, curve.feed, modal.join, modal.corner_tolerance,
-                     modal.chord_tolerance, modal.feed_override},
-                curve.source);
+    return task.out.report(made.error().code, curve.head.word, std::move(made.error().message),
+                           curve.head.line);
+  task.out.emit(cutting_move(task.modal, std::move(*made), curve.head.feed), curve.head.source);
+}
+
+/// LinuxCNC's Q chooses how the curve is chopped; here it is not.
+void read_chopping(Task& task) {
+  if (!task.values.has('Q')) return;
+  const Word& word = task.values.word('Q');
+  if (task.options.dialect == Dialect::fanuc)
+    return task.out.report(Code::SC2004, word.pos, "Q is used by no code of this line");
+  if (task.modal.chopping_told) return;
+  task.modal.chopping_told = true;
+  task.out.report(Code::SC3114, word.pos,
+                  "Q, the way of chopping the curve, has no effect: no curve is chopped");
+}
+
+/// True, and told, if the block has words that count for the whole curve.
+bool has_words_of_first(Task& task, const PendingCurve& curve) {
+  const Values& values = task.values;
+  Letters first = kSurfaceWords;
+  const bool again = curve.repeats && values.has('P') && values['P'] == curve.order_word;
+  if (!again) first.add('P');
+  for (const char letter : std::string_view("PDJHL")) {
+    if (!first.has(letter) || !values.has(letter)) continue;
+    task.out.report(Code::SC3110, values.word(letter).pos,
+                    std::string(1, letter) + " belongs to the first block of the curve");
+    return true;
+  }
+  return false;
 }
 
 void read_block(Task& task, PendingCurve& curve) {
-  const bool begins = task.word.letter == 'G';
-  if (!begins && task.values.has('P'))
-    task.out.report(Code::SC3110, task.values.word('P').pos,
-                    "P belongs to the first block of the curve");
+  const bool begins = is_first(curve);
   const bool has_axes =
       task.values.letters().has_any(kAxisWords) || task.command.uncertain().has_any(kAxisWords);
+  read_chopping(task);
+  if (!begins && has_words_of_first(task, curve) && !has_axes && !task.values.has('K')) return;
   if (begins || has_axes)
     read_control_point(task, curve);
   else
@@ -195,6 +222,14 @@ void report_left_early(const PendingCurve& curve, const GCode& code, const Word&
     out.report(Code::SC3105, word.pos, name + " within a curve of G06.2");
 }
 
+/// LinuxCNC's form: G06.2 stands in the second block too. With another P it begins a new curve.
+bool goes_on(const PendingCurve& curve, const Command& command, Dialect dialect) {
+  if (dialect == Dialect::fanuc) return false;
+  if (!curve.repeats && curve.spec.control.size() != 1) return false;
+  const Values& values = command.values();
+  return !values.has('P') || values['P'] == curve.order_word;
+}
+
 }  // namespace
 
 void nurbs(Task& task) {
@@ -207,16 +242,22 @@ void nurbs(Task& task) {
   forget_curve(task.modal);
 }
 
-void check_pending_curve(const Command& command, Modal& modal, Output& out) {
-  const PendingCurve& curve = *modal.curve;
+void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, Output& out) {
+  PendingCurve& curve = *modal.curve;
+  const bool left = ends_curve(command, *modal.motion);
   for (const auto& [code, word] : command.codes()) {
     if (code->group == Group::line_number) continue;
+    if (code == modal.motion && goes_on(curve, command, dialect)) {
+      curve.repeats = true;
+      continue;
+    }
     if (code->group == Group::feed) {
       out.report(Code::SC3110, word->pos, "F belongs to the first block of the curve");
       continue;
     }
     if (!curve.knots_uncertain) report_left_early(curve, *code, *word, out);
-    return forget_curve(modal);
+    if (left || code == modal.motion) return forget_curve(modal);
+    curve.knots_uncertain = true;
   }
   if (command.uncertain().has('G')) forget_curve(modal);
 }
@@ -224,8 +265,8 @@ void check_pending_curve(const Command& command, Modal& modal, Output& out) {
 void end_pending_curve(Modal& modal, Output& out) {
   const PendingCurve& curve = *modal.curve;
   if (!curve.knots_uncertain)
-    out.report(Code::SC3104, curve.head, "the program ends, and " + unfinished(curve),
-               curve.head_line);
+    out.report(Code::SC3104, curve.head.word, "the program ends, and " + unfinished(curve),
+               curve.head.line);
   forget_curve(modal);
 }
 

@@ -38,13 +38,13 @@ std::optional<AxisVector> Output::stop_compensation() {
 }
 
 void Output::report(Code code, SourcePos pos, std::string message) {
-  report(code, pos, std::move(message), text_);
+  if (muted_) return;
+  if (code_info(code).severity == Severity::error) failed_ = true;
+  diagnostics_.report(code, pos, std::move(message), text_);
 }
 
 void Output::report(Code code, SourcePos pos, std::string message, std::string_view source_line) {
-  if (muted_) return;
-  if (code_info(code).severity == Severity::error) failed_ = true;
-  diagnostics_.report(code, pos, std::move(message), source_line);
+  if (!muted_) diagnostics_.report(code, pos, std::move(message), source_line);
 }
 
 std::optional<Block> Output::pop() {

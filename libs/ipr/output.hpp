@@ -24,7 +24,7 @@ class Output {
 
   /// Reports with the text of the line, unless the line is muted. An error makes the line fail.
   void report(Code code, SourcePos pos, std::string message);
-  /// The same for a place on an earlier line.
+  /// For a place on an earlier line, on which this one does not depend: it does not fail.
   void report(Code code, SourcePos pos, std::string message, std::string_view source_line);
 
   /// From here to its end the line only changes modes and position: no word, no block.
@@ -39,6 +39,14 @@ class Output {
   template <typename What>
   void emit(What&& what, SourcePos source) {
     if (!failed()) blocks_.push_back({std::forward<What>(what), source, 0});
+  }
+
+  /// A block of the lines before, which stays whatever becomes of this one. Expects that this one
+  /// has emitted nothing yet.
+  template <typename What>
+  void emit_before(What&& what, SourcePos source) {
+    blocks_.push_back({std::forward<What>(what), source, 0});
+    kept_ = blocks_.size();
   }
 
   std::optional<Block> pop();

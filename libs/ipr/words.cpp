@@ -9,6 +9,11 @@
 #include "ipr/handlers.hpp"
 
 namespace softcnc::ipr {
+namespace {
+
+constexpr double kSameStart = 0.001;  // mm
+
+}  // namespace
 
 namespace {
 
@@ -52,8 +57,20 @@ void emit_move(Task& task, Path path, bool rapid) {
     path = softcnc::Line(modal.beside->tool, end(path));
     modal.beside.reset();
   }
-  task.out.emit(Move{std::move(path), rapid, rapid ? 0 : modal.feed, modal.join,
-                     modal.corner_tolerance, modal.chord_tolerance, modal.feed_override});
+  if (!rapid) return task.out.emit(cutting_move(modal, std::move(path), modal.feed));
+  task.out.emit(Move{std::move(path), true, 0, modal.join, modal.corner_tolerance,
+                     modal.chord_tolerance, modal.feed_override, std::nullopt});
+}
+
+Move cutting_move(const Modal& modal, Path path, double feed) {
+  return {std::move(path),
+          false,
+          feed,
+          modal.join,
+          modal.corner_tolerance,
+          modal.chord_tolerance,
+          modal.feed_override,
+          modal.surface};
 }
 
 bool has_feed(Task& task) {
@@ -62,6 +79,38 @@ bool has_feed(Task& task) {
                     code_name(task.code) + " needs a feed, and F is not set");
   task.modal.uncertain.add('F');
   return false;
+}
+
+bool has_plane_axes(Task& task, const PlaneAxes& axes) {
+  for (const int axis : {axes.first, axes.second}) {
+    const auto index = static_cast<std::size_t>(axis);
+    if (task.machine.axes[index].present) continue;
+    task.out.report(
+        Code::SC2008, task.word.pos,
+        code_name(task.code) + " needs axis " + kAxisLetters[index] + ", which the machine lacks");
+    return false;
+  }
+  return true;
+}
+
+CurveHead curve_head(Task& task) {
+  has_feed(task);
+  return {task.modal.feed, task.out.source(), task.word.pos, std::string(task.out.text())};
+}
+
+double start_tolerance(const Machine& machine) {
+  double tolerance = kSameStart;
+  for (const Axis& axis : machine.axes)
+    if (axis.present) tolerance = std::max(tolerance, axis.blu);
+  return tolerance;
+}
+
+bool ends_curve(const Command& command, const GCode& curve) noexcept {
+  if (command.has(Group::cycle) || command.has(Group::stopping)) return true;
+  const auto is_other = [&](const Command::CodeWord& code) {
+    return code.code->group == Group::motion && code.code != &curve;
+  };
+  return std::any_of(command.codes().begin(), command.codes().end(), is_other);
 }
 
 void begin_motion(Task& task) {

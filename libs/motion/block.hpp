@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <variant>
 
 #include "motion/diagnostic.hpp"
 #include "motion/path.hpp"
+#include "motion/surface.hpp"
 
 namespace softcnc {
 
@@ -24,6 +26,7 @@ struct Move {
   double corner_tolerance = 0;  // mm: how far the next joint may be rounded (G64 P)
   double chord_tolerance = 0;   // mm: how far joined chords may stray (G64 Q)
   bool feed_override = true;    // false: the feed is as programmed, whatever the override (M49)
+  std::optional<Surface> surface{};  // of G06.4, on cutting moves
 };
 
 struct Dwell {

@@ -89,10 +89,62 @@ TEST_CASE("a curve ends by count, and motion needs a code again", "[ipr][nurbs]"
 }
 
 TEST_CASE("a bad curve gives no block, and the position is its last point", "[ipr][nurbs]") {
-  const Interpreted result = interpret("F600\nG06.2 P2 K0 X0\nK0 X5 Q1\nK1\nK1\nG02 X9 I2\nM30\n");
+  const Interpreted result = interpret("F600\nG06.2 P2 K0 X0\nK0 X5 I1\nK1\nK1\nG02 X9 I2\nM30\n");
   CHECK(places(result) == Places{"SC2004 3:7"});
   REQUIRE(result.blocks.size() == 2);
   CHECK(end(std::get<Move>(result.blocks[0].what).path) == AxisVector(9, 0, 0));
+}
+
+TEST_CASE("LinuxCNC's form, with G06.2, P and Q in every block, is the same curve",
+          "[ipr][nurbs]") {
+  const std::string start = "F600\nG06.2 P4 K0 X0 Y0 Q1\n";
+  const Interpreted result =
+      interpret(start +
+                "G06.2 P4 K0 X5 Y5 R2 Q1\nG06.2 K0 X10 Y-5 R.5\nK0 X15 Y0\nG06.2 K1\nG6.2 K1\nK1\n"
+                "G06.2 P4 K1\nG01 X20\nM30\n");
+  CHECK(places(result) == Places{"SC3114 2:19"});
+  REQUIRE(result.blocks.size() == 3);
+  const auto& move = std::get<Move>(result.blocks[0].what);
+  CHECK(std::get<Nurbs>(move.path).spec().knots == kClampedCubic);
+  CHECK(std::get<Nurbs>(move.path).spec().weights == std::vector<double>{1, 2, 0.5, 1});
+}
+
+TEST_CASE("G06.2 with another P, or behind a block without it, begins another curve",
+          "[ipr][nurbs]") {
+  CHECK(places(interpret("F600\nG06.2 P3 K0 X0\nG06.2 P2 K0 X0\nK0 X1\nK1\nK1\nM30\n")) ==
+        Places{"SC3105 3:1"});
+  CHECK(places(interpret("F600\nG06.2 K0 X0\nK0 X1\nG06.2 K0 X1\nK0 X2\nK0 X3\nK0 X4\nK1\nK1\n"
+                         "K1\nK1\nM30\n")) == Places{"SC3105 4:1"});
+}
+
+TEST_CASE("to FANUC, G06.2 stands once, Q means nothing, and the order is 4 at most",
+          "[ipr][nurbs]") {
+  const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
+  CHECK(places(interpret("F600\nG06.2 P2 K0 X0\nG06.2 K0 X1\nM30\n", {}, fanuc)) ==
+        Places{"SC3105 3:1", "SC3105 4:1"});
+  CHECK(places(interpret("F600\nG06.2 P2 K0 X0 Q1\nK0 X1\nK1\nK1\nM30\n", {}, fanuc)) ==
+        Places{"SC2004 2:16"});
+  const std::string fifth =
+      "G06.2 P5 K0 X0 Y0\nK0 X1\nK0 X2 Y1\nK0 X1\nK0 X0 Y0\nK1\nK1\nK1\nK1\nK1\n";
+  CHECK(places(interpret("F600\n" + fifth + fifth + "M30\n", {}, fanuc)) == Places{"SC3113 2:7"});
+}
+
+TEST_CASE("a code that does not end motion spoils a curve once", "[ipr][nurbs]") {
+  CHECK(places(interpret("F600\nG06.2 P2 K0 X0\nM08\nK0 X1\nK1\nK1\nG01 X5\nM30\n")) ==
+        Places{"SC3105 3:1"});
+}
+
+TEST_CASE("control points count work offsets and rotation", "[ipr][nurbs]") {
+  Diagnostics diagnostics;
+  Reader reader = Reader::from_text("F600\nG06.2 P2 K0\nK0 X10 Y0\nK1\nK1\nM30\n");
+  Parser parser(reader, diagnostics);
+  MachineState state;
+  state.work[0] = {AxisVector(5, 7, 0), 1.5707963267948966};
+  const Machine machine;
+  Interpreter interpreter(parser, machine, diagnostics, {}, state);
+  const auto block = interpreter.next();
+  REQUIRE(block);
+  CHECK((end(std::get<Move>(block->what).path) - AxisVector(5, 17, 0)).norm() < 1e-12);
 }
 
 TEST_CASE("P, F and R in one first block", "[ipr][nurbs]") {

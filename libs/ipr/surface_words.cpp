@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// G06.4 and G06.5: the roughness a program asks for (paper 004), and what it depends on.
+#include <cmath>
+#include <string>
+
+#include "ipr/handlers.hpp"
+#include "motion/units.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr std::string_view kSurfaceWords = "DJHL";
+
+/// D, J, H and L are the surface's: no other code of the line may take them.
+bool is_alone(Task& task) {
+  for (const auto& [code, word] : task.command.codes()) {
+    if (code == &task.code || !Letters(code->words).has_any(kSurfaceWords)) continue;
+    task.out.report(
+        Code::SC3123, task.word.pos,
+        code_name(task.code) + " beside " + code_name(*code) + ", which takes D, J, H or L too");
+    task.out.mute();
+    return false;
+  }
+  return true;
+}
+
+/// What the machine file says of the tool in the spindle.
+Tool tool_in_use(const Task& task) {
+  const auto found = task.machine.tools.find(task.modal.loaded_tool.value_or(0));
+  return found == task.machine.tools.end() ? Tool{} : found->second;
+}
+
+/// A word left out, which the machine file does not know either.
+void report_unknown(Task& task, char letter, const char* what) {
+  const int tool = task.modal.loaded_tool.value_or(0);
+  const std::string where = tool == 0
+                                ? std::string("no tool is in the spindle")
+                                : "the machine file has none for tool " + std::to_string(tool);
+  report_if_certain(task, "T", Code::SC3125, task.word.pos,
+                    std::string(1, letter) + ", " + what + ", is missing, and " + where);
+}
+
+void report_missing(Task& task, char letter, const char* what) {
+  task.out.report(Code::SC3125, task.word.pos,
+                  std::string(1, letter) + ", " + what + ", is missing");
+}
+
+/// A length above 0 by its word, mm; 0, and told, if it is none.
+double read_length(Task& task, char letter, const char* what, double mm_per_unit) {
+  const Word& word = task.values.word(letter);
+  if (word.value > 0) return word.value * mm_per_unit;
+  task.out.report(Code::SC3124, word.pos,
+                  std::string(1, letter) + ", " + what + ", must be above 0");
+  return 0;
+}
+
+double read_radius(Task& task) {
+  if (task.values.has('D'))
+    return read_length(task, 'D', "the tool radius", task.modal.mm_per_unit);
+  const double radius = tool_in_use(task).radius;
+  if (radius <= 0) report_unknown(task, 'D', "the tool radius");
+  return radius;
+}
+
+int read_teeth(Task& task) {
+  if (!task.values.has('L')) {
+    const int teeth = tool_in_use(task).teeth;
+    if (teeth <= 0) report_unknown(task, 'L', "the number of teeth");
+    return teeth;
+  }
+  const Word& word = task.values.word('L');
+  if (word.value >= 1 && word.value == std::floor(word.value)) return static_cast<int>(word.value);
+  task.out.report(Code::SC3124, word.pos, "L, the number of teeth, is a whole number from 1");
+  return 0;
+}
+
+double read_pick_feed(Task& task) {
+  if (task.values.has('J')) return read_length(task, 'J', "the pick-feed", task.modal.mm_per_unit);
+  report_missing(task, 'J', "the pick-feed");
+  return 0;
+}
+
+double read_rmax(Task& task) {
+  if (task.values.has('H')) return read_length(task, 'H', "the target Rmax", mm_from_um(1));
+  report_missing(task, 'H', "the target Rmax in um");
+  return 0;
+}
+
+bool is_given(const Surface& surface) {
+  return surface.tool_radius > 0 && surface.pick_feed > 0 && surface.rmax > 0 && surface.teeth > 0;
+}
+
+/// What passes next to each other can leave at all.
+bool is_possible(Task& task, const Surface& surface) {
+  if (surface.pick_feed >= 2 * surface.tool_radius) {
+    task.out.report(Code::SC3124, task.values.word('J').pos,
+                    "J, the pick-feed, must be below twice the tool radius of " +
+                        number_text(surface.tool_radius) + " mm");
+    return false;
+  }
+  const double least = least_rmax(surface.tool_radius, surface.pick_feed);
+  if (surface.rmax > least) return true;
+  task.out.report(Code::SC3126, task.values.word('H').pos,
+                  "an Rmax of " + number_text(um_from_mm(surface.rmax)) +
+                      " um is out of reach: this pick-feed and radius leave " +
+                      number_text(um_from_mm(least)) + " um however slow the feed");
+  return false;
+}
+
+void note_surface(Task& task) {
+  if (task.modal.surface_told) return;
+  task.modal.surface_told = true;
+  task.out.report(Code::SC3127, task.word.pos,
+                  "the roughness asked for is kept in the blocks; it does not limit the feed yet");
+}
+
+void read_surface(Task& task) {
+  const Surface surface{read_radius(task), read_pick_feed(task), read_rmax(task), read_teeth(task)};
+  task.modal.surface.reset();
+  if (!is_given(surface) || !is_possible(task, surface)) return;
+  task.modal.surface = surface;
+  note_surface(task);
+}
+
+}  // namespace
+
+void ask_for_surface(Task& task) {
+  if (is_alone(task)) read_surface(task);
+}
+
+void cancel_surface(Task& task) {
+  if (is_alone(task)) task.modal.surface.reset();
+}
+
+void ask_for_surface_of_curve(Task& task) {
+  if (task.values.letters().has_any(kSurfaceWords)) read_surface(task);
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,13 @@
+(expect SC3113 3:7; fanuc)
+F600 G00 X0
+G06.2 P5 K0 X0 Y0
+K0 X1
+K0 X2 Y1
+K0 X1
+K0 X0
+K1
+K1
+K1
+K1
+K1
+M30

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// G06.4 and G06.5: the roughness asked for, and when it is not any more.
+#include <catch2/catch.hpp>
+
+#include "ipr/curves.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+std::vector<Move> moves_with_notes(const std::string& program, const Machine& machine = {}) {
+  Interpreted result = interpret(program, machine);
+  CHECK(places(result).size() == 1);
+  CHECK(result.diagnostics.front().code == Code::SC3127);
+  std::vector<Move> moves;
+  for (Block& block : result.blocks)
+    if (auto* move = std::get_if<Move>(&block.what)) moves.push_back(std::move(*move));
+  return moves;
+}
+
+Machine with_tool() {
+  Machine machine;
+  machine.tools[3] = {5, 2};
+  machine.tools[4] = {0, 3};
+  return machine;
+}
+
+}  // namespace
+
+TEST_CASE("G06.4 holds for cutting moves until G06.5", "[ipr][surface]") {
+  const auto moves = moves_with_notes(
+      "F600 G01 X1\nG06.4 D5 J.5 H10 L2\nX2\nG00 X3\nG02 X5 I1\nG06.4 D6 J.25 H7 L3\nG01 X6\n"
+      "G06.5 X7\nM30\n");
+  CHECK_FALSE(moves[0].surface);
+  REQUIRE(moves[1].surface);
+  CHECK(moves[1].surface->tool_radius == 5);
+  CHECK(moves[1].surface->pick_feed == 0.5);
+  CHECK(moves[1].surface->rmax == Approx(0.010));
+  CHECK(moves[1].surface->teeth == 2);
+  CHECK_FALSE(moves[2].surface);  // a rapid
+  CHECK(moves[3].surface);
+  REQUIRE(moves[4].surface);
+  CHECK(moves[4].surface->teeth == 3);
+  CHECK_FALSE(moves[5].surface);
+}
+
+TEST_CASE("D and J are in program units, H in um always", "[ipr][surface]") {
+  const auto moves = moves_with_notes("G20 F60 G06.4 D.25 J.02 H10 L2 G01 X1\nM30\n");
+  REQUIRE(moves[0].surface);
+  CHECK(moves[0].surface->tool_radius == Approx(6.35));
+  CHECK(moves[0].surface->pick_feed == Approx(0.508));
+  CHECK(moves[0].surface->rmax == Approx(0.010));
+}
+
+TEST_CASE("radius and teeth left out are those of the tool in the spindle", "[ipr][surface]") {
+  const auto moves = moves_with_notes("T3 M06\nT4 F600 G06.4 J.5 H10\nG01 X1\nM30\n", with_tool());
+  REQUIRE(moves[0].surface);
+  CHECK(moves[0].surface->tool_radius == 5);
+  CHECK(moves[0].surface->teeth == 2);
+  CHECK(places(interpret("T4 M06\nG06.4 J.5 H10\nM30\n", with_tool())) == Places{"SC3125 2:1"});
+  CHECK(places(interpret("G06.4 J.5 H10 L2\nM30\n", with_tool())) == Places{"SC3125 1:1"});
+}
+
+TEST_CASE("a tool change ends what was asked for", "[ipr][surface]") {
+  const auto moves =
+      moves_with_notes("F600 G06.4 D5 J.5 H10 L2\nG01 X1\nT1 M06\nX2\nM30\n", with_tool());
+  CHECK(moves[0].surface);
+  CHECK_FALSE(moves[1].surface);
+}
+
+TEST_CASE("the words in the first block of a G06.2 mean G06.4 before it", "[ipr][surface]") {
+  const auto moves =
+      moves_with_notes("F600 G06.2 P2 K0 X0 D5 J.5 H10 L2\nK0 X1\nK1\nK1\nG01 X2\nM30\n");
+  REQUIRE(moves[0].surface);
+  CHECK(moves[0].surface->pick_feed == 0.5);
+  CHECK(moves[1].surface);
+}
+
+TEST_CASE("curves over several lines carry the roughness in force", "[ipr][surface]") {
+  for (const char* curve : {"G06.1 X1\nX2 Y1\nG80\n", "G05.2 X1 Y0 P1\nX2 Y1 P1\nG05.3\n"}) {
+    const auto moves =
+        moves_with_notes(std::string("F600 G06.4 D5 J.5 H10 L2\n") + curve + "M30\n");
+    CHECK(moves[0].surface);
+  }
+}
+
+TEST_CASE("J0.5E10.7 is no number", "[ipr][surface]") {
+  CHECK(places(interpret("G06.4 D5 J0.5E10.7 L2\nM30\n")) == Places{"SC1006 1:10"});
+}
+
+TEST_CASE("what is refused leaves no roughness in force", "[ipr][surface]") {
+  const Interpreted result =
+      interpret("F600 G06.4 D5 J.5 H10 L2\nG06.4 D5 J.5 H6 L2\nG01 X1\nM30\n");
+  CHECK(places(result) == Places{"SC3127 1:6", "SC3126 2:14"});
+  CHECK_FALSE(std::get<Move>(result.blocks[0].what).surface);
+}
+
+}  // namespace softcnc::ipr
