@@ -1,3 +1,4 @@
+(expect 5 blocks, 13.43 mm, to 0 0 0)
 ; from the words of LinuxCNC: a cubic, one that goes on, a quadratic
 G21 G90 G17
 G0 X0 Y0

@@ -1,3 +1,4 @@
+(expect 3 blocks, 6.827 mm, to 0 1 0)
 G0 X0 Y0
 F100
 G5.2 P1 L3

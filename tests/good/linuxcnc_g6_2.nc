@@ -1,3 +1,4 @@
+(expect 3 blocks, 29.85 mm, to 0 0 0)
 G0 X0 Y0
 F100
 G6.2 P3 X0 Y0 R1 K0

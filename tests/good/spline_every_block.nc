@@ -1,3 +1,4 @@
+(expect 4 blocks, 92.83 mm, to 0 2 1)
 G91 F1200
 G06.1 X10 Y5
 G06.1 X10 Y3

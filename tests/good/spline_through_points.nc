@@ -1,3 +1,4 @@
+(expect 5 blocks, 60.416 mm, to 40 0 5)
 G00 X0 Y0 Z5
 G01 Z-1 F300
 G06.1 X10 Y5 F1200

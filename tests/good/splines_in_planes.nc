@@ -1,3 +1,4 @@
+(expect 5 blocks, 66.56 mm, to 5 5 50)
 F600
 G18 G05 Z10 X5 K2 I3 P-1 Q-2
 Z20 X0 P-1 Q2

@@ -26,7 +26,7 @@ C only(const std::string& text) {
   return std::get<C>(moves[0].path);
 }
 
-bool near(const AxisVector& a, const AxisVector& b) { return (a - b).norm() < 1e-12; }
+bool lies_at(const AxisVector& a, const AxisVector& b) { return (a - b).norm() < 1e-12; }
 
 /// The same places to the last bit.
 void check_same_moves(const std::vector<Move>& some, const std::vector<Move>& others) {
@@ -61,12 +61,12 @@ TEST_CASE("commands are the moves that incremental G-code gives", "[ipr][command
 TEST_CASE("dcw and dccw go from an angle to an angle about a centre found by the radius",
           "[ipr][commands]") {
   const Arc quarter = only<Arc>("dccw 0 90 10\n");
-  CHECK(near(quarter.center(), {-10, 0, 0}));
-  CHECK(near(quarter.to(), {-10, 10, 0}));
+  CHECK(lies_at(quarter.center(), {-10, 0, 0}));
+  CHECK(lies_at(quarter.to(), {-10, 10, 0}));
   CHECK(quarter.sweep() == Approx(pi / 2).epsilon(1e-15));
   const Arc back = only<Arc>("dcw 30 -60 2\n");
-  CHECK(near(back.center(), {-std::sqrt(3.0), -1, 0}));
-  CHECK(near(back.to(), {1 - std::sqrt(3.0), -1 - std::sqrt(3.0), 0}));
+  CHECK(lies_at(back.center(), {-std::sqrt(3.0), -1, 0}));
+  CHECK(lies_at(back.to(), {1 - std::sqrt(3.0), -1 - std::sqrt(3.0), 0}));
   CHECK(back.sweep() == Approx(-pi / 2).epsilon(1e-14));
   CHECK(only<Arc>("dcw 0 90 10\n").sweep() == Approx(-1.5 * pi).epsilon(1e-15));
   CHECK(only<Arc>("dccw 350 10 10\n").sweep() == Approx(pi / 9).epsilon(1e-13));

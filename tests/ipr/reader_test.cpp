@@ -102,7 +102,7 @@ TEST_CASE("a file is read by its name", "[ipr][reader]") {
   const auto file = std::filesystem::path(SOFTCNC_SOURCE_DIR) / "tests/good/only_end.nc";
   auto reader = Reader::open(file.string());
   REQUIRE(reader);
-  CHECK(lines_of(std::move(*reader)) == Lines{"M30"});
+  CHECK(lines_of(std::move(*reader)).back() == "M30");
 }
 
 TEST_CASE("a file that is not there is SC6001, with the reason", "[ipr][reader]") {

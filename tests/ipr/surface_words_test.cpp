@@ -62,7 +62,7 @@ TEST_CASE("radius and teeth left out are those of the tool in the spindle", "[ip
 
 TEST_CASE("a tool change ends what was asked for", "[ipr][surface]") {
   const auto moves =
-      moves_with_notes("F600 G06.4 D5 J.5 H10 L2\nG01 X1\nT1 M06\nX2\nM30\n", with_tool());
+      moves_with_notes("F600 G06.4 D5 J.5 H10 L2\nG01 X1\nT3 M06\nX2\nM30\n", with_tool());
   CHECK(moves[0].surface);
   CHECK_FALSE(moves[1].surface);
 }
