@@ -20,6 +20,8 @@ enum class Group : std::uint8_t {
   non_modal,
   motion,
   cycle,
+  retract,
+  spindle_mode,
   plane,
   distance,
   feed_mode,
@@ -42,7 +44,7 @@ enum class Group : std::uint8_t {
   line_number,
   program_number,
 };
-inline constexpr int kGroups = 24;
+inline constexpr int kGroups = 26;
 
 inline constexpr int kAnyNumber = -1;
 

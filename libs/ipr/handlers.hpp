@@ -38,6 +38,11 @@ void arc_counterclockwise(Task& task);
 // bezier_words.cpp
 void cubic(Task& task);
 void quadratic(Task& task);
+// cycles.cpp
+void canned_cycle(Task& task);
+void refuse_cycle(Task& task);
+void retract_to_start(Task& task);
+void retract_to_r(Task& task);
 
 // nurbs_words.cpp
 void nurbs(Task& task);
@@ -104,6 +109,8 @@ void follow_path(Task& task);
 void follow_path_within(Task& task);
 void stop_exactly(Task& task);
 void set_feed(Task& task);
+void select_feed_mode(Task& task);
+void refuse_surface_speed(Task& task);
 
 // actions.cpp
 void dwell(Task& task);
@@ -149,6 +156,10 @@ CurveHead curve_head(Task& task);
 double start_tolerance(const Machine& machine);
 /// Whether the line has another motion code, or one that stops or ends the program.
 bool ends_curve(const Command& command, const GCode& curve) noexcept;
+/// False, and told or muted, if there is no feed. In G95 sets that of the spindle's speed.
+bool has_feed(Task& task);
+/// mm/s, held at the machine's limit with one warning.
+double held_feed(Task& task, double feed);
 /// Makes the code the motion in force.
 void begin_motion(Task& task);
 /// Reports, or only mutes the line if the error may come from an earlier one.

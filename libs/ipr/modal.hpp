@@ -61,6 +61,15 @@ struct Beside {
   Plane plane;      // of the contour
 };
 
+/// Words of a canned cycle that stay in force with it: mm, s; as programmed.
+struct CycleWords {
+  std::optional<double> retract, bottom, dwell, peck;
+  double start = 0;  // mm, programmed: the height before the first cycle of a row
+};
+
+/// What F means: G94, G93, G95.
+enum class FeedMode : std::uint8_t { per_minute, inverse_time, per_turn };
+
 /// The start state is that of a new Modal.
 struct Modal {
   AxisVector position = AxisVector::Zero();     // mm, machine coordinates: the end of the last move
@@ -78,6 +87,8 @@ struct Modal {
   double corner_tolerance = 0, chord_tolerance = 0;  // mm: of G64
   double feed = 0;                                   // mm/s; 0: not set
   bool feed_override = true;                         // off: M49, M50 P0
+  FeedMode feed_mode = FeedMode::per_minute;
+  double feed_word = 0;                 // G93: 1/min; G95: mm per turn; 0: not set
   std::optional<double> spindle_speed;  // rpm, as programmed by S, within the machine's range
   int spindle_direction = 0;            // 1: M03, -1: M04, 0: at rest
   std::optional<int> tool;              // as selected by T
@@ -88,6 +99,8 @@ struct Modal {
   std::optional<PendingPoints> points;
   std::optional<CurveEnd> curve_end;
   std::optional<Surface> surface;  // of G06.4
+  CycleWords cycle;
+  std::optional<bool> retract_to_r;  // G99; G98: false; unset: as the dialect has it
 
   /// Words whose value an error has made uncertain (G: the motion code). What would be wrong only
   /// because of them is not reported.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Codes that change how later words are read: plane, units, distance, path control, feed.
 #include <string>
+#include <utility>
 
 #include "ipr/handlers.hpp"
 #include "motion/units.hpp"
@@ -60,23 +61,50 @@ void switch_feed_override(Task& task) {
       number == kM48 || (number != kM49 && task.values.value_or('P', 1) != 0);
 }
 
-void set_feed(Task& task) {
-  const double feed = mm_s_from_mm_min(task.word.value * task.modal.mm_per_unit);
+/// A change of mode leaves F unset.
+void select_feed_mode(Task& task) {
+  constexpr int kG93 = 930, kG95 = 950;
+  const FeedMode mode = task.code.number == kG93   ? FeedMode::inverse_time
+                        : task.code.number == kG95 ? FeedMode::per_turn
+                                                   : FeedMode::per_minute;
+  if (mode == std::exchange(task.modal.feed_mode, mode)) return;
+  task.modal.feed = task.modal.feed_word = 0;
   task.modal.uncertain.remove('F');
-  task.modal.feed = feed;
-  if (feed < 0) {
-    task.out.report(Code::SC2007, task.word.pos, "F must not be negative");
-    task.modal.uncertain.add('F');
-    return;
-  }
+}
+
+void refuse_surface_speed(Task& task) {
+  task.out.report(Code::SC2221, task.word.pos,
+                  "G96 needs work that turns: on a mill no radius is known");
+  task.out.mute();
+  task.modal.uncertain.add('S');
+}
+
+/// mm/s, held at the machine's limit.
+double held_feed(Task& task, double feed) {
   const double limit = task.machine.limits.feed;
-  if (limit <= 0 || feed <= limit) return;
-  task.modal.feed = limit;
+  if (limit <= 0 || feed <= limit) return feed;
   if (!task.modal.feed_warned)
     task.out.report(Code::SC2201, task.word.pos,
                     "F is above the machine's " + number_text(mm_min_from_mm_s(limit)) +
                         " mm/min, which are used here and below");
   task.modal.feed_warned = true;
+  return limit;
+}
+
+void set_feed(Task& task) {
+  Modal& modal = task.modal;
+  modal.uncertain.remove('F');
+  modal.feed = modal.feed_word = 0;
+  if (task.word.value < 0) {
+    task.out.report(Code::SC2007, task.word.pos, "F must not be negative");
+    modal.uncertain.add('F');
+    return;
+  }
+  const double length = task.word.value * modal.mm_per_unit;
+  if (modal.feed_mode == FeedMode::per_minute)
+    modal.feed = held_feed(task, mm_s_from_mm_min(length));
+  else
+    modal.feed_word = modal.feed_mode == FeedMode::per_turn ? length : task.word.value;
 }
 
 }  // namespace softcnc::ipr

@@ -15,6 +15,8 @@ void report(Task& task, const std::string& why) {
 
 /// G33, G33.1, G76. Where they would have led is not known.
 void refuse_thread(Task& task) {
+  constexpr int kG76 = 760;  // a thread of LinuxCNC's, fine boring of FANUC's
+  if (task.code.number == kG76 && task.options.dialect == Dialect::fanuc) return refuse_cycle(task);
   report(task, "threads need a spindle with an encoder, which the axes could follow");
   task.modal.motion = nullptr;
   task.modal.uncertain |= "GXYZ";

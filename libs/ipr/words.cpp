@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ipr/handlers.hpp"
+#include "motion/units.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -27,6 +28,36 @@ AxisVector end_in_machine(const Task& task) {
                                  : task.modal.uncertain.remove(letter);
   }
   return end;
+}
+
+}  // namespace
+
+namespace {
+
+constexpr int kG01 = 10, kG02 = 20, kG03 = 30;
+
+/// Only moves whose length is known on their line have a time of their own.
+bool has_inverse_time(Task& task) {
+  const int number = task.code.number;
+  if (number != kG01 && number != kG02 && number != kG03) {
+    task.out.report(Code::SC2220, task.word.pos,
+                    code_name(task.code) + " while G93 is in force: F cannot be its time");
+    return false;
+  }
+  if (task.command.has(Group::feed) && task.modal.feed_word > 0) return true;
+  report_if_certain(task, "F", Code::SC2102, task.word.pos,
+                    code_name(task.code) + " needs F on its own line while G93 is in force");
+  return false;
+}
+
+bool sets_feed_per_turn(Task& task) {
+  Modal& modal = task.modal;
+  const double speed = modal.spindle_direction == 0 ? 0 : modal.spindle_speed.value_or(0);
+  modal.feed = speed > 0 ? held_feed(task, mm_s_from_mm_min(modal.feed_word * speed)) : 0;
+  if (speed > 0) return true;
+  report_if_certain(task, "S", Code::SC2222, task.word.pos,
+                    code_name(task.code) + " by G95 needs a spindle that turns");
+  return false;
 }
 
 }  // namespace
@@ -57,6 +88,8 @@ void emit_move(Task& task, Path path, bool rapid) {
     path = softcnc::Line(modal.beside->tool, end(path));
     modal.beside.reset();
   }
+  if (!rapid && modal.feed_mode == FeedMode::inverse_time)
+    modal.feed = held_feed(task, mm_s_from_mm_min(length(path) * modal.feed_word));
   if (!rapid) return task.out.emit(cutting_move(modal, std::move(path), modal.feed));
   task.out.emit(Move{std::move(path), true, 0, modal.join, modal.corner_tolerance,
                      modal.chord_tolerance, modal.feed_override, std::nullopt});
@@ -74,10 +107,13 @@ Move cutting_move(const Modal& modal, Path path, double feed) {
 }
 
 bool has_feed(Task& task) {
-  if (task.modal.feed > 0) return true;
+  Modal& modal = task.modal;
+  if (modal.feed_mode == FeedMode::inverse_time) return has_inverse_time(task);
+  if (modal.feed_mode == FeedMode::per_turn && modal.feed_word > 0) return sets_feed_per_turn(task);
+  if (modal.feed > 0) return true;
   report_if_certain(task, "F", Code::SC2102, task.word.pos,
                     code_name(task.code) + " needs a feed, and F is not set");
-  task.modal.uncertain.add('F');
+  modal.uncertain.add('F');
   return false;
 }
 

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// Canned cycles: a hole, or a row of them, as moves, dwells and actions of the spindle.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ipr/handlers.hpp"
+#include "motion/units.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr int kG73 = 730, kG74 = 740, kG82 = 820, kG83 = 830, kG84 = 840, kG85 = 850, kG86 = 860,
+              kG89 = 890;
+constexpr double kChipClearance = 0.254;  // mm (0.01 inch): over the last peck, as in RS274
+constexpr double kMostPecks = 1e5;        // of one line
+
+bool is_cycle(const GCode& code) {
+  return code.letter == 'G' && code.number >= kG73 && code.number <= kG89 && code.number != 800;
+}
+bool pecks(const GCode& code) { return code.number == kG73 || code.number == kG83; }
+bool taps(const GCode& code) { return code.number == kG74 || code.number == kG84; }
+bool dwells(const GCode& code) {
+  return code.number == kG82 || code.number == kG86 || code.number == kG89;
+}
+
+/// What one line asks for, in mm and programmed coordinates.
+struct Holes {
+  PlaneAxes axes;
+  double retract, bottom, clear;  // across the plane; `clear` is where each hole is left
+  double dwell, peck;             // s, mm
+  int count;
+  AxisVector first, step;
+};
+
+char across_letter(const PlaneAxes& axes) {
+  return kAxisLetters[static_cast<std::size_t>(axes.across)];
+}
+
+void keep(Task& task, char letter, std::optional<double>& value, double scale) {
+  if (task.values.has(letter)) value = task.values[letter] * scale;
+}
+
+/// Words stay in force from hole to hole as long as the cycle does.
+void keep_words(Task& task, const PlaneAxes& axes, bool same_cycle) {
+  CycleWords& words = task.modal.cycle;
+  if (!same_cycle) words = {{}, {}, {}, {}, words.start};
+  keep(task, 'R', words.retract, task.modal.mm_per_unit);
+  keep(task, across_letter(axes), words.bottom, task.modal.mm_per_unit);
+  keep(task, 'Q', words.peck, task.modal.mm_per_unit);
+  keep(task, 'P', words.dwell, task.options.dialect == Dialect::fanuc ? s_from_ms(1) : 1);
+}
+
+bool has(Task& task, const std::optional<double>& value, char letter, std::string_view what) {
+  if (value) return true;
+  task.out.report(Code::SC2005, task.word.pos,
+                  code_name(task.code) + " needs " + letter + ", " + std::string(what));
+  return false;
+}
+
+bool has_words(Task& task, const PlaneAxes& axes) {
+  const CycleWords& words = task.modal.cycle;
+  const bool must_dwell = dwells(task.code) && task.options.dialect == Dialect::linuxcnc;
+  if (!task.values.letters().has_any(kAxisWords)) {
+    task.out.report(Code::SC2160, task.word.pos,
+                    code_name(task.code) + " without a position: X, Y or Z");
+    return false;
+  }
+  return has(task, words.retract, 'R', "the height to which it retracts") &&
+         has(task, words.bottom, across_letter(axes), "the bottom of the hole") &&
+         (!must_dwell || has(task, words.dwell, 'P', "the time at the bottom")) &&
+         (!pecks(task.code) || has(task, words.peck, 'Q', "the depth of a peck"));
+}
+
+bool refuse(Task& task, Code code, SourcePos pos, std::string message) {
+  task.out.report(code, pos, std::move(message));
+  return false;
+}
+
+SourcePos place_of(const Task& task, char letter) {
+  return task.values.has(letter) ? task.values.word(letter).pos : task.word.pos;
+}
+
+bool is_possible(Task& task, const Holes& holes) {
+  const std::string name = code_name(task.code);
+  if (holes.dwell < 0)
+    return refuse(task, Code::SC2007, place_of(task, 'P'),
+                  "P, the time at the bottom, must not be negative");
+  if (pecks(task.code) && holes.peck <= 0)
+    return refuse(task, Code::SC2007, place_of(task, 'Q'),
+                  "Q, the depth of a peck, must be above 0");
+  if (holes.retract < holes.bottom)
+    return refuse(task, Code::SC2162, place_of(task, 'R'),
+                  "R lies below the bottom of the hole, " + number_text(holes.retract) +
+                      " mm below " + number_text(holes.bottom) + " mm");
+  const double each = pecks(task.code) ? (holes.retract - holes.bottom) / holes.peck : 1;
+  if (each * holes.count > kMostPecks)
+    return refuse(task, Code::SC2007, task.word.pos,
+                  name + " on this line would take more than 100000 pecks");
+  return true;
+}
+
+/// G74 cuts left-hand threads, G84 right-hand ones; G86 stops a spindle that turns.
+bool spindle_turns(Task& task) {
+  const int wanted = task.code.number == kG84 ? 1 : task.code.number == kG74 ? -1 : 0;
+  const int turning = task.modal.spindle_direction;
+  if (wanted == 0 && task.code.number != kG86) return true;
+  if (wanted == 0 ? turning != 0 : turning == wanted) return true;
+  return refuse(task, Code::SC2163, task.word.pos,
+                code_name(task.code) + " needs a spindle that turns" +
+                    (wanted == 0   ? ""
+                     : wanted == 1 ? " clockwise (M03)"
+                                   : " counter-clockwise (M04)"));
+}
+
+/// How often; FANUC: K, and 0 only keeps the words.
+std::optional<int> repeats(Task& task) {
+  const bool fanuc = task.options.dialect == Dialect::fanuc;
+  if (task.values.has('K') && !fanuc) {
+    refuse(task, Code::SC2007, task.values.word('K').pos,
+           "K repeats a cycle in the fanuc dialect; here L does");
+    return std::nullopt;
+  }
+  const char letter = task.values.has('K') ? 'K' : 'L';
+  if (!task.values.has(letter)) return 1;
+  const Word& word = task.values.word(letter);
+  const auto count = whole_number(task, word);
+  if (!count || *count > 0 || fanuc) return count;
+  refuse(task, Code::SC2007, word.pos, "L, how often the cycle is repeated, is 1 at least");
+  return std::nullopt;
+}
+
+Holes holes_of(const Task& task, const PlaneAxes& axes, const AxisVector& from, int count) {
+  const CycleWords& words = task.modal.cycle;
+  const Modal& modal = task.modal;
+  Holes holes{
+      axes,  *words.retract, *words.bottom,     0, words.dwell.value_or(0), words.peck.value_or(0),
+      count, from,           AxisVector::Zero()};
+  if (modal.incremental) {
+    holes.retract += words.start;
+    holes.bottom += holes.retract;
+  }
+  const bool to_retract = modal.retract_to_r.value_or(task.options.dialect == Dialect::linuxcnc);
+  holes.clear = to_retract ? holes.retract : std::max(words.start, holes.retract);
+  for (const int axis : {axes.first, axes.second}) {
+    const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
+    if (!task.values.has(letter)) continue;
+    const double value = task.values[letter] * modal.mm_per_unit;
+    if (modal.incremental)
+      holes.step[axis] = value;
+    else
+      holes.first[axis] = value;
+  }
+  holes.first += holes.step;
+  return holes;
+}
+
+/// The tool on its way, in programmed coordinates.
+class Way {
+ public:
+  Way(Task& task, const Holes& holes, const AxisVector& at) : task_(task), holes_(holes), at_(at) {}
+
+  double height() const { return at_[holes_.axes.across]; }
+  void over(const AxisVector& hole) {
+    at_[holes_.axes.first] = hole[holes_.axes.first];
+    at_[holes_.axes.second] = hole[holes_.axes.second];
+    go(true);
+  }
+  void rapid_to(double height) { to(height, true); }
+  void feed_to(double height) { to(height, false); }
+  void rest() {
+    if (holes_.dwell > 0) task_.out.emit(Dwell{holes_.dwell});
+  }
+  /// 1: clockwise, -1: counter-clockwise, 0: stop.
+  void turn(int direction) {
+    const int code = direction == 0 ? 5 : direction > 0 ? 3 : 4;
+    task_.out.emit(
+        Action{Action::Kind::spindle, code, direction * task_.modal.spindle_speed.value_or(0)});
+  }
+
+ private:
+  void to(double height, bool rapid) {
+    at_[holes_.axes.across] = height;
+    go(rapid);
+  }
+  void go(bool rapid) {
+    constexpr double kShortest = 1e-9;  // mm
+    Modal& modal = task_.modal;
+    const AxisVector from = modal.beside ? modal.beside->tool : modal.position;
+    const AxisVector end = modal.coordinates.to_machine(at_);
+    if ((end - from).lpNorm<Eigen::Infinity>() < kShortest) return;
+    emit_move(task_, softcnc::Line(from, end), rapid);
+    modal.position = end;
+  }
+
+  Task& task_;
+  const Holes& holes_;
+  AxisVector at_;
+};
+
+/// G73 breaks the chip, G83 clears it out of the hole.
+void peck(Way& way, const Holes& holes, bool clears) {
+  for (double depth = holes.retract - holes.peck; depth > holes.bottom; depth -= holes.peck) {
+    way.feed_to(depth);
+    if (clears) way.rapid_to(holes.retract);
+    way.rapid_to(std::min(depth + kChipClearance, holes.retract));
+  }
+  way.feed_to(holes.bottom);
+  way.rapid_to(holes.clear);
+}
+
+void drill(Way& way, const Holes& holes, const GCode& code, int spindle) {
+  if (pecks(code)) return peck(way, holes, code.number == kG83);
+  way.feed_to(holes.bottom);
+  if (taps(code)) way.turn(-spindle);
+  if (dwells(code) || taps(code)) way.rest();
+  if (code.number == kG86) way.turn(0);
+  if (code.number == kG85) way.feed_to(holes.retract);
+  if (code.number == kG89 || taps(code))
+    way.feed_to(holes.clear);
+  else
+    way.rapid_to(holes.clear);
+  if (taps(code) || code.number == kG86) way.turn(spindle);
+}
+
+void drill_all(Task& task, const Holes& holes, const AxisVector& from) {
+  Way way(task, holes, from);
+  if (way.height() < holes.retract) way.rapid_to(holes.retract);
+  AxisVector hole = holes.first;
+  for (int i = 0; i < holes.count; ++i) {
+    way.over(hole);
+    way.rapid_to(holes.retract);
+    drill(way, holes, task.code, task.modal.spindle_direction);
+    hole += holes.step;
+  }
+}
+
+}  // namespace
+
+void canned_cycle(Task& task) {
+  Modal& modal = task.modal;
+  const PlaneAxes axes = plane_axes(modal.plane);
+  const AxisVector from = modal.coordinates.to_program(modal.position);
+  if (modal.motion == nullptr || !is_cycle(*modal.motion)) modal.cycle.start = from[axes.across];
+  keep_words(task, axes, modal.motion == &task.code);
+  begin_motion(task);
+  const auto count = repeats(task);
+  if (count && has_words(task, axes) && has_feed(task)) {
+    const Holes holes = holes_of(task, axes, from, *count);
+    if (is_possible(task, holes) && spindle_turns(task)) {
+      for (const char letter : kAxisLetters)
+        if (task.values.has(letter) && !modal.incremental) modal.uncertain.remove(letter);
+      return drill_all(task, holes, from);
+    }
+  }
+  modal.uncertain |= kAxisWords;
+}
+
+void refuse_cycle(Task& task) {
+  const std::string why = task.code.number == 880 ? "a hand that leads the tool out of the hole"
+                                                  : "a spindle that can be oriented";
+  task.out.report(Code::SC2161, task.word.pos, code_name(task.code) + " needs " + why);
+  task.modal.motion = nullptr;
+  task.modal.uncertain |= Letters("GXYZ");
+}
+
+void retract_to_start(Task& task) { task.modal.retract_to_r = false; }
+void retract_to_r(Task& task) { task.modal.retract_to_r = true; }
+
+}  // namespace softcnc::ipr

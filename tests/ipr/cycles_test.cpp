@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Canned cycles and feed modes, against what LinuxCNC's rs274 makes of the same lines.
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "ipr/handlers.hpp"
+#include "ipr/interpret.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+/// "R1,2,20 F1,2,-5 D1.5 S-500": rapids, feeds, dwells, turns of the spindle.
+std::string way(const std::string& text, Dialect dialect = Dialect::linuxcnc) {
+  InterpreterOptions options;
+  options.dialect = dialect;
+  std::string all;
+  for (const Block& block : blocks_of("F100 S500 M03 G00 Z20\n" + text + "\nM02\n", {}, options)) {
+    if (const auto* move = std::get_if<Move>(&block.what)) {
+      const AxisVector to = end(move->path);
+      all += (move->rapid ? "R" : "F") + number_text(to.x()) + "," + number_text(to.y()) + "," +
+             number_text(to.z()) + " ";
+    } else if (const auto* rest = std::get_if<Dwell>(&block.what)) {
+      all += "D" + number_text(rest->duration) + " ";
+    } else if (std::get<Action>(block.what).kind == Action::Kind::spindle) {
+      all += "S" + number_text(std::get<Action>(block.what).value) + " ";
+    }
+  }
+  const std::string head = "S500 R0,0,20 ";
+  REQUIRE(all.starts_with(head));
+  return all.substr(head.size());
+}
+
+Places told(const std::string& text) { return places(interpret(text + "\nM02\n")); }
+
+}  // namespace
+
+TEST_CASE("G81 drills, and G98 and G99 say how far out", "[ipr][cycles]") {
+  CHECK(way("G98 G81 X1 Y2 Z-5 R3\nX4") ==
+        "R1,2,20 R1,2,3 F1,2,-5 R1,2,20 R4,2,20 R4,2,3 F4,2,-5 R4,2,20 ");
+  CHECK(way("G81 X1 Z-5 R1\nX2") == "R1,0,20 R1,0,1 F1,0,-5 R1,0,1 R2,0,1 F2,0,-5 R2,0,1 ");
+  CHECK(way("G81 X1 Z-5 R1", Dialect::fanuc) == "R1,0,20 R1,0,1 F1,0,-5 R1,0,20 ");
+  CHECK(way("G00 Z2\nG98 G81 X1 Z-5 R8\nX3\nG99 X4") ==
+        "R0,0,2 R0,0,8 R1,0,8 F1,0,-5 R1,0,8 R3,0,8 F3,0,-5 R3,0,8 R4,0,8 F4,0,-5 R4,0,8 ");
+}
+
+TEST_CASE("a row of cycles begins anew behind another motion", "[ipr][cycles]") {
+  CHECK(way("G99 G81 X1 Z-5 R1\nG98 X2\nG00 Z10\nG81 X4 Z-5 R1\nG80\nG81 X5 Z-5 R1") ==
+        "R1,0,20 R1,0,1 F1,0,-5 R1,0,1 R2,0,1 F2,0,-5 R2,0,20 R2,0,10 "
+        "R4,0,10 R4,0,1 F4,0,-5 R4,0,10 R5,0,10 R5,0,1 F5,0,-5 R5,0,10 ");
+}
+
+TEST_CASE("words stay in force with their cycle", "[ipr][cycles]") {
+  CHECK(way("G82 X1 Z-5 R1 P1\nX2\nX3 P2") ==
+        "R1,0,20 R1,0,1 F1,0,-5 D1 R1,0,1 R2,0,1 F2,0,-5 D1 R2,0,1 R3,0,1 F3,0,-5 D2 R3,0,1 ");
+  CHECK(way("G81 X1 Z-5 R1\nG81 X2\nZ-6") ==
+        "R1,0,20 R1,0,1 F1,0,-5 R1,0,1 R2,0,1 F2,0,-5 R2,0,1 F2,0,-6 R2,0,1 ");
+  CHECK(told("F1 G81 X1 Z-5 R1\nG82 X6 P1") == Places{"SC2005 2:1"});
+}
+
+TEST_CASE("repeats step on in G91, whose R counts from the start and Z from R", "[ipr][cycles]") {
+  CHECK(way("G91 G99 G81 X1 Y2 Z-5 R-3 L3\nX4") ==
+        "R1,2,20 R1,2,17 F1,2,12 R1,2,17 R2,4,17 F2,4,12 R2,4,17 R3,6,17 F3,6,12 R3,6,17 "
+        "R7,6,17 F7,6,12 R7,6,17 ");
+  CHECK(way("G99 G82 X4 Y2 Z-5 R3 P1.5 L2") ==
+        "R4,2,20 R4,2,3 F4,2,-5 D1.5 R4,2,3 F4,2,-5 D1.5 R4,2,3 ");
+  CHECK(way("G91 G99 G81 X1 Z-5 R-3 K2", Dialect::fanuc) ==
+        "R1,0,20 R1,0,17 F1,0,12 R1,0,17 R2,0,17 F2,0,12 R2,0,17 ");
+  CHECK(way("G99 G81 X1 Z-5 R3 K0\nX2", Dialect::fanuc) == "R2,0,20 R2,0,3 F2,0,-5 R2,0,3 ");
+}
+
+TEST_CASE("G73 breaks chips, G83 clears them", "[ipr][cycles]") {
+  CHECK(way("G98 G73 X1 Z-7 R2 Q3") ==
+        "R1,0,20 R1,0,2 F1,0,-1 R1,0,-0.746 F1,0,-4 R1,0,-3.746 F1,0,-7 R1,0,20 ");
+  CHECK(way("G98 G83 X1 Z-7 R2 Q3") ==
+        "R1,0,20 R1,0,2 F1,0,-1 R1,0,2 R1,0,-0.746 F1,0,-4 R1,0,2 R1,0,-3.746 F1,0,-7 R1,0,20 ");
+  CHECK(way("G83 X1 Z-5 R1 Q20") == "R1,0,20 R1,0,1 F1,0,-5 R1,0,1 ");
+}
+
+TEST_CASE("bores and taps come out each in its own way", "[ipr][cycles]") {
+  CHECK(way("G98 G85 X1 Z-7 R2") == "R1,0,20 R1,0,2 F1,0,-7 F1,0,2 R1,0,20 ");
+  CHECK(way("G98 G86 X1 Z-5 R1 P1") == "R1,0,20 R1,0,1 F1,0,-5 D1 S0 R1,0,20 S500 ");
+  CHECK(way("G98 G89 X1 Z-5 R1 P1") == "R1,0,20 R1,0,1 F1,0,-5 D1 F1,0,20 ");
+  CHECK(way("G98 G84 X1 Z-7 R2 P1") == "R1,0,20 R1,0,2 F1,0,-7 S-500 D1 F1,0,20 S500 ");
+  CHECK(way("M04\nG98 G74 X1 Z-7 R2") == "S-500 R1,0,20 R1,0,2 F1,0,-7 S500 F1,0,20 S-500 ");
+  CHECK(way("G82 X1 Z-5 R1 P500", Dialect::fanuc) == "R1,0,20 R1,0,1 F1,0,-5 D0.5 R1,0,20 ");
+}
+
+TEST_CASE("cycles in the other planes, in inches and in a turned system", "[ipr][cycles]") {
+  CHECK(way("G18 G99 G81 X1 Y-5 Z4 R1\nZ6") ==
+        "R0,1,20 R1,1,4 F1,-5,4 R1,1,4 R1,1,6 F1,-5,6 R1,1,6 ");
+  CHECK(way("G20 F10 G99 G81 X1 Z-.5 R.1") ==
+        "R25.4,0,20 R25.4,0,2.54 F25.4,0,-12.7 R25.4,0,2.54 ");
+  MachineState state;
+  state.work[0].origin = {10, 0, 5};
+  state.work[0].rotation = std::numbers::pi / 2;
+  Diagnostics diagnostics;
+  Reader reader = Reader::from_text("F100 G81 X1 Y2 Z-5 R1\nM02\n");
+  Parser parser(reader, diagnostics);
+  const Machine machine;
+  Interpreter interpreter(parser, machine, diagnostics, {}, state);
+  interpreter.next();
+  interpreter.next();
+  const auto feed = interpreter.next();
+  CHECK((end(std::get<Move>(feed->what).path) - AxisVector(8, 1, 0)).norm() < 1e-9);
+}
+
+TEST_CASE("a cycle leads away from a contour", "[ipr][cycles]") {
+  CHECK(way("G41.1 D10 G01 X20\nX30\nG40\nG81 X40 Z-5 R10") ==
+        "F20,5,20 F30,5,20 R40,0,20 R40,0,10 F40,0,-5 R40,0,10 ");
+}
+
+TEST_CASE("a cycle that would never end is refused", "[ipr][cycles]") {
+  CHECK(told("F1 G83 X1 Z-100 R1 Q0.0001") == Places{"SC2007 1:4"});
+  CHECK(told("F1 G91 G81 X1 Z-1 R-1 L999999") == Places{"SC2007 1:8"});
+}
+
+TEST_CASE("in G93 a move takes one over F minutes", "[ipr][cycles]") {
+  const auto moves = moves_of("G93 G01 X10 F2\nG02 X30 I10 F0.5\nG94 F60\nG01 X0\nM02\n");
+  CHECK(moves[0].feed == Approx(10 * 2 / 60.0));
+  CHECK(moves[1].feed == Approx(10 * std::numbers::pi * 0.5 / 60));
+  CHECK(moves[2].feed == Approx(1));
+  CHECK(told("G93 G01 X10 F2\nX20") == Places{"SC2102 2:1"});
+  CHECK(told("F100 G93\nG00 X10\nG94 G01 X20") == Places{"SC2102 3:5"});
+}
+
+TEST_CASE("in G95 the feed is that of the spindle", "[ipr][cycles]") {
+  const auto moves = moves_of("S600 M03 G95 G01 X10 F0.1\nS1200\nX20\nG20 G01 X1 F0.01\nM02\n");
+  CHECK(moves[0].feed == Approx(1));
+  CHECK(moves[1].feed == Approx(2));
+  CHECK(moves[2].feed == Approx(0.254 * 20));
+  CHECK(told("G95 G01 X1 F1") == Places{"SC2222 1:5"});
+}
+
+}  // namespace softcnc::ipr
