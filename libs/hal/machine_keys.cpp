@@ -129,7 +129,7 @@ const MachineKey kKeys[] = {
     {"spindle.max_rpm", "rpm", "a larger S is clamped with a warning",
      Number{in_part<&Machine::spindle, &Spindle::max_rpm>, same, same, at_least_0(1e6)}},
 
-    {"program.block_limit", "", "blocks that loops and calls may run in all; one more is taken for an endless loop, an error",
+    {"program.block_limit", "", "lines that one loop, or one call with all it calls, may run; more count as an endless loop, an error",
      Whole{in_part<&Machine::program, &ProgramLimits::block_limit>, {1, 1e9}}},
 
     {"tool.*.radius_mm", "mm", "radius of the cutter",

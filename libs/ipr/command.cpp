@@ -16,8 +16,14 @@ void Command::read(const Line& line, Output& out) {
   count_ = 0;
   groups_ = 0;
   uncertain_ = line.lost;
-  for (const Word& word : line.words)
+  calls_macro_ = false;
+  for (const Word& word : line.words) {
     is_code_letter(word.letter) ? read_code(word, out) : read_value(word, out);
+    if (!calls_macro_) continue;
+    read_arguments(line.words.subspan(static_cast<std::size_t>(&word - line.words.data()) + 1),
+                   out);
+    break;
+  }
   if (has(Group::program_number)) check_program_number(line, out);
 }
 
@@ -28,12 +34,20 @@ void Command::read_code(const Word& word, Output& out) {
     uncertain_ |= kAfterUnknownCode;
     return;
   }
+  calls_macro_ = calls_macro(*code);
   if (!has(code->group)) return add(*code, word);
   uncertain_ |= kAfterUnknownCode;
   if (code->number == kAnyNumber)
     out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
   else
     out.report(Code::SC2002, word.pos, code_name(*code) + " beside another code of the same group");
+}
+
+/// Behind G65 and its like only P and L are words of the line's own.
+void Command::read_arguments(std::span<const Word> words, Output& out) {
+  arguments_ = words;
+  for (const Word& word : words)
+    if (word.letter == 'P' || word.letter == 'L') read_value(word, out);
 }
 
 void Command::read_value(const Word& word, Output& out) {

@@ -55,12 +55,15 @@ class Command {
   const GCode* find(Group group) const noexcept;
   /// Values that no code of the line takes.
   Letters unused(Dialect dialect) const noexcept;
+  /// The words behind G65.
+  std::span<const Word> arguments() const noexcept { return arguments_; }
   /// What the line's own errors have made uncertain.
   Letters uncertain() const noexcept { return uncertain_; }
 
  private:
   void read_code(const Word& word, Output& out);
   void read_value(const Word& word, Output& out);
+  void read_arguments(std::span<const Word> words, Output& out);
   void check_program_number(const Line& line, Output& out);
   void add(const GCode& code, const Word& word);
   static std::uint32_t bit(Group group) noexcept { return 1U << static_cast<unsigned>(group); }
@@ -69,6 +72,8 @@ class Command {
   std::array<CodeWord, kGroups> codes_{};  // no group twice
   std::size_t count_ = 0;
   std::uint32_t groups_ = 0;
+  bool calls_macro_ = false;
+  std::span<const Word> arguments_;
   Letters uncertain_;
 };
 

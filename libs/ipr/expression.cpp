@@ -56,6 +56,11 @@ double Expression::bracketed() {
   return bracket_rest(open);
 }
 
+double Expression::unbracketed() {
+  const double value = binary(kLowestLevel).value;
+  return broke_off_ ? kUncertain : value;
+}
+
 /// What follows the '[' at column `open`.
 double Expression::bracket_rest(int open) {
   const double value = binary(kLowestLevel).value;

@@ -42,6 +42,8 @@ class Expression {
   void round_to(double per_unit) noexcept { rounding_ = per_unit; }
   /// '[...]'
   double bracketed();
+  /// What may stand in brackets, without them.
+  double unbracketed();
   /// What stands behind '#'. Nothing: see fault(), or its number rests on an earlier error.
   std::optional<Variable> variable();
   /// The fault that something else is expected than what comes next; it is passed.

@@ -68,6 +68,11 @@ const GCode* find_gcode(char letter, double value) noexcept;
 /// Whether a word of this letter is a code, rather than a value for one.
 constexpr bool is_code_letter(char letter) noexcept { return Letters("GMFSTNO").has(letter); }
 
+/// G65, G66 and G66.1: what stands behind them on the line are arguments, no codes.
+constexpr bool calls_macro(const GCode& code) noexcept {
+  return code.letter == 'G' && (code.number == 650 || code.number == 660 || code.number == 661);
+}
+
 /// "G02", "G06.2", "M30", "F".
 std::string code_name(const GCode& code);
 std::string code_name(char letter, double value);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ipr/command.hpp"
+#include "ipr/flow.hpp"
 #include "ipr/gcode_table.hpp"
 #include "ipr/interpreter.hpp"
 #include "ipr/modal.hpp"
@@ -22,6 +23,7 @@ struct Task {
   const InterpreterOptions& options;
   Modal& modal;
   Output& out;
+  Flow& flow;
 };
 
 // moves.cpp
@@ -130,6 +132,12 @@ void end_compensation(Task& task);
 /// Refuses codes that would move the contour or the tool while G41 or G42 is in force, or that
 /// cannot lead away behind G40. Motion acts all the same, so that it is known where it leads.
 bool may_act(Task& task);
+
+// calls.cpp
+void call_program(Task& task);
+void call_macro(Task& task);
+void refuse_modal_macro(Task& task);
+void leave_program(Task& task);
 
 // words.cpp: what several handlers need
 /// Where the axis words lead, in mm and machine coordinates, from the position in force.

@@ -30,7 +30,8 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       diagnostics_(diagnostics),
       options_(options),
       out_(diagnostics),
-      variables_(modal_, options.dialect) {
+      variables_(modal_, options.dialect),
+      flow_(parser, diagnostics, {options_.folder, machine.program.block_limit}) {
   modal_.state = std::move(state);
   modal_.update_coordinates();
   modal_.corner_tolerance = machine.control.corner_tolerance;
@@ -54,7 +55,7 @@ std::optional<Block> Interpreter::next() {
       return block;
     }
     if (modal_.ended) return std::nullopt;
-    if (const auto line = parser_.next())
+    if (const auto line = flow_.next())
       interpret(*line);
     else
       finish();
@@ -62,13 +63,7 @@ std::optional<Block> Interpreter::next() {
 }
 
 void Interpreter::interpret(const Line& line) {
-  if (line.skip && options_.block_skip) return;
   out_.begin(line);
-  if (line.statement != nullptr && line.statement->kind != Statement::Kind::program) {
-    if (!line.broken)
-      out_.report(Code::SC1029, line.statement->pos, "statements are not carried out yet");
-    return out_.end();
-  }
   command_.read(line, out_);
   if (modal_.curve) check_pending_curve(command_, options_.dialect, modal_, out_);
   if (modal_.points) check_pending_points(command_, modal_, out_);
@@ -81,6 +76,7 @@ void Interpreter::interpret(const Line& line) {
   remember_uncertain();
   if (out_.failed()) break_curves();
   out_.end();
+  if (modal_.ended) flow_.finish();
 }
 
 /// A curve with a bad line in it is none.
@@ -160,7 +156,7 @@ void Interpreter::check_unused() {
 
 void Interpreter::execute() {
   for (const auto& [code, word] : command_.codes()) {
-    Task task{*code, *word, command_, command_.values(), machine_, options_, modal_, out_};
+    Task task{*code, *word, command_, command_.values(), machine_, options_, modal_, out_, flow_};
     if ((out_.compensating() || modal_.beside) && !may_act(task)) continue;
     if (code->act != nullptr) code->act(task);
   }
@@ -169,12 +165,13 @@ void Interpreter::execute() {
 
 /// The text has ended without M02 or M30.
 void Interpreter::finish() {
+  flow_.finish();
   Line line;
   line.number = parser_.line();
   out_.begin(line);
   if (modal_.curve) end_pending_curve(modal_, out_);
   if (modal_.points) end_pending_points(modal_, out_);
-  if (!parser_.broke_off())
+  if (!flow_.broke_off())
     out_.report(Code::SC2205, {line.number, 0, 1}, "the program ends without M02 or M30");
   out_.end();
   out_.begin(line);

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "ipr/command.hpp"
 #include "ipr/command_file.hpp"
 #include "ipr/dialect.hpp"
+#include "ipr/flow.hpp"
 #include "ipr/format.hpp"
 #include "ipr/modal.hpp"
 #include "ipr/modal_variables.hpp"
@@ -21,6 +24,7 @@ struct InterpreterOptions {
   bool optional_stop = false;  // M01 stops
   Dialect dialect = Dialect::linuxcnc;
   Format format = Format::automatic;
+  std::string folder = {};  // where files lie that the program calls; empty: it can call none
 };
 
 class Interpreter {
@@ -35,6 +39,9 @@ class Interpreter {
   /// reported and give no block; reading goes on behind them, and what is wrong only as a
   /// consequence is not reported.
   std::optional<Block> next();
+
+  /// Files that have been called so far: their names in the folder.
+  std::vector<std::string> called_files() const { return flow_.called_files(); }
 
   /// Offsets and the like as the lines read so far leave them; at the end, what is to be kept.
   const MachineState& state() const noexcept { return modal_.state; }
@@ -59,6 +66,7 @@ class Interpreter {
   Output out_;
   Modal modal_;
   ModalVariables variables_;
+  Flow flow_;
   Command command_;
   std::optional<CommandFile> commands_;  // where the text is not G-code
   int blocks_ = 0;

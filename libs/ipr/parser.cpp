@@ -24,24 +24,39 @@ std::optional<Line> Parser::next_statement() {
 Line Parser::evaluate() {
   begin_line(line_.text);
   read_line(Depth::whole);
+  if (file_ != 0) name_file();
   return line_;
+}
+
+void Parser::read_on(Reader& reader, int file, bool at_beginning) noexcept {
+  reader_ = &reader;
+  file_ = file;
+  started_ = !at_beginning;
+  ended_ = false;
+}
+
+/// Says in the places of the line which file it is of.
+void Parser::name_file() noexcept {
+  for (Word& word : words_) word.pos.file = file_;
+  statement_.pos.file = file_;
 }
 
 /// Reads lines until one has something to say.
 template <typename Read>
 std::optional<Line> Parser::next_line(Read read) {
   while (!ended_) {
-    const auto text = reader_.next();
+    const auto text = reader_->next();
     if (!text) break;
     begin_line(*text);
     read();
     if (ended_) break;
     if (words_.empty() && line_.statement == nullptr && !line_.broken) continue;
     started_ = true;
+    if (file_ != 0) name_file();
     return line_;
   }
-  if (!ended_ && reader_.failure()) {
-    diagnostics_.report(*reader_.failure());
+  if (!ended_ && reader_->failure()) {
+    diagnostics_.report(*reader_->failure());
     broke_off_ = true;
   }
   ended_ = true;
@@ -52,7 +67,7 @@ void Parser::begin_line(std::string_view text) {
   words_.clear();
   assignments_.clear();
   line_ = Line{};
-  line_.number = reader_.line();
+  line_.number = reader_->line();
   line_.text = text;
   given_up_ = false;
 }
@@ -71,7 +86,7 @@ bool Parser::is_readable() {
     line_.text = {};  // nothing that could be shown
     give_up(Code::SC1013, Token{}, "the file is in UTF-16; save it as UTF-8 or ASCII");
     ended_ = broke_off_ = true;
-  } else if (reader_.line_was_cut()) {
+  } else if (reader_->line_was_cut()) {
     give_up(Code::SC1015, Token{},
             "the line is longer than " + std::to_string(Reader::kLongestLine) + " bytes");
   }

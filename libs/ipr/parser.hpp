@@ -41,7 +41,7 @@ struct ParserOptions {
 
 class Parser {
  public:
-  Parser(Reader& reader, Diagnostics& diagnostics) : reader_(reader), diagnostics_(diagnostics) {}
+  Parser(Reader& reader, Diagnostics& diagnostics) : reader_(&reader), diagnostics_(diagnostics) {}
 
   /// Expects that no line has been read. Variables begin anew.
   void configure(const ParserOptions& options);
@@ -57,11 +57,16 @@ class Parser {
   /// the Reader has not gone on.
   Line evaluate();
 
+  /// Reads on from where this reader stands, as if the program went on there. `file` is the
+  /// SourcePos::file of its text; at its beginning a '%' does not end it.
+  void read_on(Reader& reader, int file, bool at_beginning) noexcept;
+  Reader& reader() const noexcept { return *reader_; }
+  int file() const noexcept { return file_; }
+
   Parameters& parameters() noexcept { return parameters_; }
 
   /// Number of the line last read.
-  int line() const noexcept { return reader_.line(); }
-  Reader& reader() noexcept { return reader_; }
+  int line() const noexcept { return reader_->line(); }
   /// The text could not be read to its end: that has been reported.
   bool broke_off() const noexcept { return broke_off_; }
 
@@ -103,7 +108,10 @@ class Parser {
   void give_up(const std::optional<Fault>& fault, Lexer& lexer);
   void lose_rest() noexcept;
 
-  Reader& reader_;
+  void name_file() noexcept;
+
+  Reader* reader_;
+  int file_ = 0;
   Diagnostics& diagnostics_;
   Line line_;
   std::vector<Word> words_;

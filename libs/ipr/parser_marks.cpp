@@ -151,7 +151,7 @@ bool Parser::only_line_number() const noexcept {
 
 void Parser::report(Code code, int column, int length, std::string message) {
   line_.broken = true;
-  diagnostics_.report(code, {line_.number, column, length}, std::move(message), line_.text);
+  diagnostics_.report(code, {line_.number, column, length, file_}, std::move(message), line_.text);
 }
 
 /// For a fault behind which nothing can be trusted: the rest of the line is lost.

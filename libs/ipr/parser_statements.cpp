@@ -14,11 +14,12 @@ constexpr int kAlarm = 3000, kMessage = 3006;  // FANUC
 /// Kind and label of a statement, and the line number before it.
 void Parser::read_outline() {
   depth_ = Depth::outline;
-  if (reader_.line_was_cut()) return;
+  if (reader_->line_was_cut()) return;
   Lexer lexer(line_.text);
   Token token = lexer.next();
   if (token.kind == Token::Kind::percent) {
     ended_ = started_ && lexer.peek() == 0;
+    started_ = true;
     return;
   }
   token = pass_slash(lexer, token);
@@ -93,7 +94,10 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
       variable && may_assign(*variable, {line_.number, sign.column, lexer.end() - sign.column});
   if (!expression.broke_off() && !lexer.take('='))
     expression.refuse_next(Code::SC1028, "'=' and a value");
-  const double value = expression.broke_off() ? kUncertain : expression.value();
+  const bool bare = options_.dialect == Dialect::fanuc;  // RS274 wants brackets around operators
+  const double value = expression.broke_off() ? kUncertain
+                       : bare                 ? expression.unbracketed()
+                                              : expression.value();
   if (expression.broke_off()) {
     give_up(expression.fault(), lexer);
     return {};

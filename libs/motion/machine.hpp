@@ -89,7 +89,7 @@ struct Spindle {
 };
 
 struct ProgramLimits {
-  int block_limit = 10'000'000;  // blocks that loops and calls may run in all
+  int block_limit = 10'000'000;  // lines that one loop, or one call with all it calls, may run
 };
 
 struct Tool {

@@ -69,7 +69,9 @@ TEST_CASE("coolant and stops are told by their code", "[ipr][actions]") {
 
 TEST_CASE("M01 stops only when optional stops are switched on", "[ipr][actions]") {
   CHECK(actions_of("M01\nM30\n").size() == 1);
-  const auto actions = actions_of("M01\nM30\n", {.optional_stop = true});
+  InterpreterOptions options;
+  options.optional_stop = true;
+  const auto actions = actions_of("M01\nM30\n", options);
   REQUIRE(actions.size() == 2);
   check(actions[0], Action::Kind::stop, 1, 0);
 }

@@ -47,9 +47,12 @@ Places expected_places(const std::string& expectation) {
   return all;
 }
 
-/// "; axes XZ": the machine has these only.
+/// "; axes XZ": the machine has these only. "; limit 1000": its loops run so many lines.
 Machine machine_for(const std::string& expectation) {
   Machine machine;
+  const std::string limit = "; limit ";
+  if (const std::size_t at = expectation.find(limit); at != std::string::npos)
+    machine.program.block_limit = std::stoi(expectation.substr(at + limit.size()));
   const std::string key = "; axes ";
   const std::size_t found = expectation.find(key);
   if (found == std::string::npos) return machine;
@@ -128,7 +131,6 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC1029, "the end of the line is expected instead of 'G'"},
     {Code::SC1029, "GOTO or THEN is expected instead of '#'"},
     {Code::SC1029, "GOTO takes a whole number from 0"},
-    {Code::SC1029, "statements are not carried out yet"},
     {Code::SC1030, "this '<' has no '>'"},
     {Code::SC1030, "the name of a variable is empty"},
     {Code::SC1031, "alarm of the program: NO TOOL"},
@@ -219,6 +221,39 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC2205, "the program ends without M02 or M30"},
     {Code::SC2210, "G04 P counts seconds here: 500 s; 500 ms are P0.5"},
     {Code::SC2210, "G04 P counts milliseconds here: 1.5 ms; 1.5 s are P1500"},
+    {Code::SC2301, "no subprogram o<poket> in this program; did you mean o<pocket>?"},
+    {Code::SC2301, "no subprogram o100 in this program"},
+    {Code::SC2301, "no subprogram O7 in this program"},
+    {Code::SC2302, "'o1 while' has no 'o1 endwhile'"},
+    {Code::SC2302, "'o2 do' has no 'o2 while'"},
+    {Code::SC2302, "'o1 if' has no 'o1 endif'"},
+    {Code::SC2302, "'DO 2' has no 'END 2'"},
+    {Code::SC2303, "'o1 sub' has no 'o1 endsub'"},
+    {Code::SC2303, "O2 ends without M99"},
+    {Code::SC2303, "O2 has no end before O3"},
+    {Code::SC2304, "'o1 endwhile' without 'o1 while'"},
+    {Code::SC2304, "'o1 else' without 'o1 if'"},
+    {Code::SC2304, "'o1 else' after 'o1 else'"},
+    {Code::SC2304, "'END 1' without 'DO 1'"},
+    {Code::SC2305, "'o2 break' outside of a loop o2"},
+    {Code::SC2306, "'o1 return' outside of 'o1 sub'"},
+    {Code::SC2307, "'o2 sub' within 'o1 sub'"},
+    {Code::SC2308, "no line N100 in the program"},
+    {Code::SC2308, "no line N7 in O2"},
+    {Code::SC2308, "no line N8 in the program"},
+    {Code::SC2309, "more than 64 calls within each other; 'o1 sub' is among them 64 times"},
+    {Code::SC2310, "'o1 while' has run more than 1000 lines"},
+    {Code::SC2310, "jumping back to line 2 has run more than 1000 lines"},
+    {Code::SC2311, "N is no argument of G65"},
+    {Code::SC2311, "one argument too many: there is no local #31"},
+    {Code::SC2312, "'END 1' before 'END 2': the loops cross"},
+    {Code::SC2312, "'DO 4': a loop is numbered 1, 2 or 3"},
+    {Code::SC2312, "'DO 1' within 'DO 1' of line 2"},
+    {Code::SC2313, "'o1 repeat' within 'o1 if' of line 2"},
+    {Code::SC2314, "o1 sub stands in this file before"},
+    {Code::SC2315,
+     "G66 is not supported: what it would call after every move cannot be seen in the lines "
+     "themselves"},
     {Code::SC2350, "a spline through 1 point"},
     {Code::SC2351, "a point of the spline is the same as the point before it"},
     {Code::SC2352, "no f before it: the machine's 15000 mm/min are used here and below"},

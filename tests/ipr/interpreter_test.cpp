@@ -159,8 +159,11 @@ TEST_CASE("no sequence of words breaks what holds for every program", "[ipr][pro
       "G00", "G01", "G02", "G03", "G4", "G06.2", "G17", "G18", "G19", "G20", "G21", "G80", "G90",
       "G91", "G61.1", "G64", "G43", "M03", "M06", "M08", "M01", "M30", "M99", "F100", "F0", "F-1",
       "S500", "T1", "X1", "X2", "X-3.5", "Y1", "Y0", "Z2", "I1", "J-1", "K0", "K1", "K2", "R1",
-      "R-2", "P2", "P3", "N7", "O1", "Q1", "/", "%", "(c)", "(c", ")", ";", "#", "$", "X1.2.3",
-      "X--1", "X1E5", "E", " ", "\n", "\n", "\n", "\n", "\r\n", "\r");
+      "R-2", "P2", "P3", "N7", "O1", "Q1", "o1 ", "o2 ", "sub\n", "endsub\n", "call\n", "return\n",
+      "if[1]\n", "if[0]\n", "else\n", "elseif[1]\n", "endif\n", "while[1]\n", "endwhile\n", "do\n",
+      "repeat[2]\n", "endrepeat\n", "break\n", "continue\n", "GOTO7\n", "DO1\n", "DO2\n", "END1\n",
+      "END2\n", "M98 P1\n", "G65 P1\n", "\nO1\n", "\nN7", "/", "%", "(c)", "(c", ")", ";", "#", "$",
+      "X1.2.3", "X--1", "X1E5", "E", " ", "\n", "\n", "\n", "\n", "\r\n", "\r");
   test::holds(
       [&] {
         const auto pieces = *rc::gen::container<std::vector<std::string>>(piece);

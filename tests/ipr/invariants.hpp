@@ -29,16 +29,15 @@ inline std::string broken_invariant(const std::string& text, InterpreterOptions 
   });
   Reader reader = Reader::from_text(text);
   Parser parser(reader, diagnostics);
-  const Machine machine;
+  Machine machine;
+  machine.program.block_limit = 500;  // of loops: random texts have them without end
   Interpreter interpreter(parser, machine, diagnostics, options);
 
   AxisVector position = AxisVector::Zero();
-  int number = 0, line = 0;
+  int number = 0;
   bool joined = true, ended = false;
   while (const auto block = interpreter.next()) {
     if (block->number != ++number) broken = "blocks are not numbered in order";
-    if (block->source.line < line) broken = "blocks go back to an earlier line";
-    line = block->source.line;
     if (ended) broken = "a block after the end";
     const auto* action = std::get_if<Action>(&block->what);
     ended = action != nullptr && action->kind == Action::Kind::end;

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// M98, M99 and G65: calls of programs by number, and the way back.
+#include <cmath>
+#include <string>
+
+#include "ipr/flow.hpp"
+#include "ipr/handlers.hpp"
+#include "ipr/macro_arguments.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr int kOldForm = 10000;  // M98 P51000: five times O1000
+
+/// The number after a letter; nothing if it is missing or bad, which is told.
+std::optional<int> program_number(Task& task) {
+  if (task.values.has('P')) return whole_number(task, task.values.word('P'));
+  task.out.report(Code::SC2005, task.word.pos,
+                  code_name(task.code) + " needs P, the number of the subprogram");
+  return std::nullopt;
+}
+
+std::optional<int> optional_number(Task& task, char letter) {
+  if (!task.values.has(letter)) return std::nullopt;
+  return whole_number(task, task.values.word(letter));
+}
+
+/// In FANUC's old form P holds the count as well.
+void split_old_form(const Task& task, Jump& jump) {
+  if (task.options.dialect != Dialect::fanuc || task.values.has('L') || jump.number < kOldForm)
+    return;
+  jump.times = jump.number / kOldForm;
+  jump.number %= kOldForm;
+}
+
+Jump call_of(Task& task, Jump::Kind kind, int number) {
+  Jump jump;
+  jump.kind = kind;
+  jump.number = number;
+  jump.times = optional_number(task, 'L').value_or(1);
+  jump.pos = task.word.pos;
+  return jump;
+}
+
+}  // namespace
+
+void call_program(Task& task) {
+  const auto number = program_number(task);
+  if (!number) return;
+  Jump jump = call_of(task, Jump::Kind::call, *number);
+  jump.line_number = optional_number(task, 'Q');
+  split_old_form(task, jump);
+  task.flow.jump(std::move(jump), task.out.text());
+}
+
+void call_macro(Task& task) {
+  const auto number = program_number(task);
+  auto arguments = macro_arguments(task);
+  if (!number || !arguments) return;
+  Jump jump = call_of(task, Jump::Kind::call_macro, *number);
+  jump.arguments = std::move(*arguments);
+  task.flow.jump(std::move(jump), task.out.text());
+}
+
+void refuse_modal_macro(Task& task) {
+  task.out.report(Code::SC2315, task.word.pos,
+                  code_name(task.code) +
+                      " is not supported: what it would call after every move "
+                      "cannot be seen in the lines themselves");
+}
+
+void leave_program(Task& task) {
+  Jump jump;
+  jump.kind = Jump::Kind::leave;
+  jump.line_number = optional_number(task, 'P');
+  jump.pos = task.word.pos;
+  task.flow.jump(std::move(jump), task.out.text());
+}
+
+}  // namespace softcnc::ipr

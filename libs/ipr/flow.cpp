@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// Hands out lines, and does itself what they say about their order.
+#include "ipr/flow.hpp"
+
+#include <utility>
+
+namespace softcnc::ipr {
+namespace {
+
+/// Behind '/' and a line number stands a letter with which statements begin.
+bool looks_like_statement(std::string_view line) {
+  const auto at = line.find_first_not_of(" \t/Nn0123456789");
+  return at != std::string_view::npos &&
+         std::string_view("OoIiWwDdEe").find(line[at]) != std::string_view::npos;
+}
+
+}  // namespace
+
+Flow::Flow(Parser& parser, Diagnostics& diagnostics, FlowOptions options)
+    : parser_(parser),
+      diagnostics_(diagnostics),
+      options_(std::move(options)),
+      library_(parser, diagnostics, options_.folder) {
+  Call main;
+  main.sub.kind = SubKind::program;
+  main.sub.begin = library_.here();
+  calls_.push_back(std::move(main));
+}
+
+std::optional<Line> Flow::next() {
+  if (jump_) perform_jump();
+  while (!ended_) {
+    auto line = parser_.next();
+    if (!line) {
+      if (!in_subprogram() || parser_.broke_off()) break;
+      end_text();
+      continue;
+    }
+    ++executed_;
+    if (line->broken) doubt(*line);
+    const bool plain = line->statement == nullptr && !new_round_;
+    if (plain || obey(*line)) return line;
+  }
+  return std::nullopt;
+}
+
+/// What cannot be read may have begun or ended something.
+void Flow::doubt(const Line& line) {
+  if (line.statement != nullptr || looks_like_statement(line.text)) uncertain_ = true;
+}
+
+/// True if the line has words as well.
+bool Flow::obey(const Line& line) {
+  if (line.statement == nullptr) {  // the head of a loop cannot be read any more
+    new_round_ = false;
+    go(*opens_.back().end);
+    opens_.pop_back();
+    return false;
+  }
+  take(line);
+  const bool has_words = statement_.kind == Kind::program;
+  obey();
+  return has_words && !ended_;
+}
+
+void Flow::take(const Line& line) {
+  statement_ = *line.statement;
+  statement_.uncertain = statement_.uncertain || line.broken;
+  text_ = line.text;
+  head_ = {parser_.file(), parser_.reader().place_before(line.text)};
+}
+
+void Flow::obey() {
+  switch (statement_.kind) {
+    case Kind::none:
+      return;
+    case Kind::program:
+      return begin_program();
+    case Kind::sub:
+      return pass_definition();
+    case Kind::end_sub:
+    case Kind::leave_sub:
+      return leave_by_statement();
+    case Kind::call:
+      return call();
+    case Kind::if_begin:
+      return begin_branch();
+    case Kind::else_if:
+    case Kind::else_begin:
+      return next_branch();
+    case Kind::if_end:
+      return end_branch();
+    case Kind::while_begin:
+    case Kind::loop_begin:
+      return begin_or_repeat();
+    case Kind::do_begin:
+    case Kind::repeat_begin:
+      return begin_loop();
+    case Kind::while_end:
+    case Kind::repeat_end:
+    case Kind::loop_end:
+      return end_loop();
+    case Kind::next_round:
+    case Kind::leave_loop:
+      return next_round_or_leave();
+    case Kind::go_to:
+      if (statement_.condition && !statement_.uncertain)
+        go_to_line(static_cast<int>(statement_.value), statement_.pos);
+  }
+}
+
+bool Flow::go(const Spot& spot) {
+  if (!library_.go(spot)) ended_ = broken_ = true;
+  return !ended_;
+}
+
+void Flow::jump(Jump jump, std::string_view text) {
+  jump_ = std::move(jump);
+  text_ = text;
+}
+
+/// The text has ended within a subprogram.
+void Flow::end_text() {
+  const auto& [kind, label, begin] = calls_.back().sub;
+  report_once(Code::SC2303, {parser_.line(), 0, 1, parser_.file()},
+              kind == SubKind::o_word
+                  ? "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'"
+                  : program_name(label) + " ends without M99",
+              {});
+  calls_.back().times = 1;
+  leave(std::nullopt);
+}
+
+void Flow::finish() {
+  if (broke_off()) return;
+  while (!uncertain_ && opens_.size() > calls_.back().opens) {
+    const Open& top = opens_.back();
+    if (!top.end && !pass_to_end(top)) tell_open(top);
+    opens_.pop_back();
+  }
+}
+
+void Flow::report(Code code, SourcePos pos, std::string message) {
+  diagnostics_.report(code, pos, std::move(message), text_);
+}
+
+/// For what may follow from an earlier error of its kind.
+void Flow::report_once(Code code, SourcePos pos, std::string message, std::string_view text) {
+  if (!std::exchange(uncertain_, true)) diagnostics_.report(code, pos, std::move(message), text);
+}
+
+void Flow::break_off(Code code, SourcePos pos, std::string message, std::string_view text) {
+  diagnostics_.report(code, pos, std::move(message), text);
+  ended_ = broken_ = true;
+}
+
+/// Tells, and ends the program, if more lines have run since then than may be.
+bool Flow::runs_too_long(std::int64_t lines, const std::string& what, SourcePos pos,
+                         std::string_view text) {
+  if (lines <= options_.block_limit) return false;
+  break_off(Code::SC2310, pos,
+            what + " has run more than " + std::to_string(options_.block_limit) + " lines", text);
+  return true;
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// The lines of a program in the order in which they are executed: loops, branches, jumps and calls.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "ipr/library.hpp"
+#include "ipr/parser.hpp"
+
+namespace softcnc::ipr {
+
+struct FlowOptions {
+  std::string folder;            // where called files lie; empty: nowhere
+  int block_limit = 10'000'000;  // lines that one loop, or one call with all it calls, may run
+};
+
+/// What a code asks for that leads to other lines; done when its line is.
+struct Jump {
+  enum class Kind : std::uint8_t { call, call_macro, leave };
+  Kind kind = Kind::call;
+  int number = 0;                  // of the program called
+  int times = 1;                   // how often it runs
+  std::optional<int> line_number;  // N at which to go on
+  std::vector<double> arguments;   // of a macro: #1 and up
+  SourcePos pos;
+};
+
+class Flow {
+ public:
+  /// Calls within each other, at most.
+  static constexpr std::size_t kDeepest = 64;
+
+  /// What is referred to must outlive the flow. Expects that the parser has not read a line.
+  Flow(Parser& parser, Diagnostics& diagnostics, FlowOptions options);
+
+  /// The next line that has words or is broken; nothing at the end of the program.
+  std::optional<Line> next();
+  /// Asks for a jump before the next line; `text` is that of the line that asks.
+  void jump(Jump jump, std::string_view text);
+  /// The program has ended: tells what is still open and has no end.
+  void finish();
+
+  /// True inside a subprogram.
+  bool in_subprogram() const noexcept { return calls_.size() > 1; }
+  /// An error that has been reported ends the program.
+  bool broke_off() const noexcept { return broken_ || parser_.broke_off(); }
+  const Parameters& parameters() const noexcept { return parser_.parameters(); }
+  /// Files that have been called: their names in the folder.
+  std::vector<std::string> called_files() const { return library_.files(); }
+
+ private:
+  using Kind = Statement::Kind;
+
+  /// A loop or a branch that has begun and not ended.
+  struct Open {
+    Kind kind = Kind::none;
+    std::string label;
+    SourcePos pos;
+    std::string text;         // of the line that began it
+    Spot round;               // where a round begins
+    std::optional<Spot> end;  // behind it, once that is known
+    std::int64_t rounds = 0;  // of a repeat: how many are left
+    std::int64_t since = 0;   // executed_ at its beginning
+    bool had_else = false;
+  };
+  /// The main program, or a call.
+  struct Call {
+    Subprogram sub;
+    Spot back;      // where to go on behind it
+    SourcePos pos;  // of the call
+    std::string text;
+    std::size_t opens = 0;   // those of its callers
+    int times = 1;           // how often it runs yet, this time included
+    bool has_level = false;  // of variables
+    std::vector<double> arguments;
+    std::int64_t since = 0;
+  };
+
+  // flow.cpp
+  void doubt(const Line& line);
+  bool obey(const Line& line);
+  void take(const Line& line);
+  void obey();
+  bool go(const Spot& spot);
+  void end_text();
+  void report(Code code, SourcePos pos, std::string message);
+  void report_once(Code code, SourcePos pos, std::string message, std::string_view text);
+  void break_off(Code code, SourcePos pos, std::string message, std::string_view text);
+  bool runs_too_long(std::int64_t lines, const std::string& what, SourcePos pos,
+                     std::string_view text);
+
+  // flow_calls.cpp
+  void pass_definition();
+  void begin_program();
+  void call();
+  std::optional<Subprogram> find(const std::string& label, bool program, const SourcePos& call);
+  void perform_jump();
+  void enter(Subprogram sub, Jump jump, bool has_level);
+  void start();
+  void leave_by_statement();
+  void leave_by_code(const Jump& jump);
+  void leave(std::optional<double> value);
+  void go_to_line(int number, const SourcePos& pos);
+  bool find_line(int number, int last);
+  void go_back(const Spot& from, const Spot& to);
+
+  // flow_loops.cpp
+  static bool ends(const Statement& statement, const Open& open);
+  void open(Kind kind, Spot round);
+  Open* opened(Kind begin);
+  void close_within(const Open& open, bool tell);
+  void tell_open(const Open& open);
+  void tell_not_begun();
+  bool is_open_already();
+  void pass_top();
+  bool pass_to_end(const Open& open);
+  void begin_branch();
+  void find_branch();
+  void next_branch();
+  void end_branch();
+  bool holds() const;
+  void begin_or_repeat();
+  bool has_loop_number();
+  void begin_loop();
+  void end_loop();
+  void begin_round();
+  void next_round_or_leave();
+
+  // flow_search.hpp
+  template <typename Wanted>
+  bool pass_to(Wanted wanted);
+
+  static constexpr std::size_t kMostTargets = 1000;
+
+  Parser& parser_;
+  Diagnostics& diagnostics_;
+  FlowOptions options_;
+  Library library_;
+  std::vector<Call> calls_;  // the main program first
+  std::vector<Open> opens_;  // of all calls
+  std::optional<Jump> jump_;
+  Statement statement_;     // in work
+  std::string text_;        // of its line, or of the one that asked for a jump
+  Spot head_;               // before it
+  bool uncertain_ = false;  // what is open is not known after an error
+  Spot before_;             // before the line that pass_to() has found
+  bool new_round_ = false;  // the next line is the head of the loop on top
+  bool ended_ = false, broken_ = false;
+  int program_line_ = 0;                                // of the main program's own O
+  std::int64_t executed_ = 0;                           // lines
+  std::int64_t jumped_back_ = 0;                        // lines, by GOTO
+  std::map<std::tuple<int, int, int>, Spot> backward_;  // targets of GOTO: by file, line and number
+};
+
+}  // namespace softcnc::ipr

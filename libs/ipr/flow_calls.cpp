@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+// Subprograms: their definitions are passed over, calls enter them, M99 and endsub leave them.
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "ipr/flow.hpp"
+#include "ipr/flow_search.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+std::string name_of(const Subprogram& sub) {
+  return sub.kind == SubKind::program ? program_name(sub.label)
+                                      : "'" + o_word(sub.label, "sub") + "'";
+}
+
+}  // namespace
+
+/// A definition is passed over where it stands.
+void Flow::pass_definition() {
+  const Spot here = library_.here();
+  SourcePos nested;
+  std::string nested_text, nested_name;
+  while (const auto line = parser_.next_statement()) {
+    const Statement* inner = line->statement;
+    if (inner == nullptr) continue;
+    if (inner->kind == Kind::program) break;
+    if (inner->kind == Kind::end_sub && inner->label == statement_.label) {
+      if (nested.line > 0)
+        report_once(Code::SC2307, nested,
+                    nested_name + " within '" + o_word(statement_.label, "sub") + "'", nested_text);
+      return;
+    }
+    if (inner->kind != Kind::sub || nested.line > 0) continue;
+    nested = inner->pos;
+    nested_name = "'" + o_word(inner->label, "sub") + "'";
+    nested_text = line->text;
+  }
+  const std::string& label = statement_.label;
+  report_once(Code::SC2303, statement_.pos,
+              "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'", text_);
+  go(here);
+}
+
+/// The O of the main program, or of the one behind it.
+void Flow::begin_program() {
+  if (in_subprogram()) {
+    const std::string name = name_of(calls_.back().sub);
+    report_once(Code::SC2303, statement_.pos,
+                name + " has no end before " + program_name(statement_.label), text_);
+    calls_.back().times = 1;
+    return leave(std::nullopt);
+  }
+  if (program_line_ == 0) {
+    program_line_ = statement_.pos.line;
+    calls_.back().sub.begin = library_.here();
+  }
+  if (statement_.pos.line != program_line_) ended_ = true;
+}
+
+void Flow::call() {
+  if (statement_.label.empty()) return;  // told already
+  Jump jump;
+  jump.arguments = std::move(statement_.arguments);
+  if (statement_.uncertain)
+    jump.arguments.resize(static_cast<std::size_t>(parameters().locals()), kUncertain);
+  jump.pos = statement_.pos;
+  if (const auto sub = find(statement_.label, false, jump.pos)) enter(*sub, std::move(jump), true);
+}
+
+/// Nothing: told.
+std::optional<Subprogram> Flow::find(const std::string& label, bool program,
+                                     const SourcePos& call) {
+  const int errors = diagnostics_.errors();
+  auto sub = library_.find(label, program, call, text_);
+  if (library_.is_lost()) ended_ = broken_ = true;
+  if (sub || diagnostics_.errors() > errors) return sub;
+  const std::string nearest = library_.nearest(label);
+  report(Code::SC2301, call,
+         "no subprogram " + (program ? program_name(label) : o_word(label)) + " in this program" +
+             (library_.folder().empty() ? "" : " or beside it") +
+             (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+  return sub;
+}
+
+void Flow::perform_jump() {
+  Jump jump = std::move(*jump_);
+  jump_.reset();
+  if (jump.kind == Jump::Kind::leave) return leave_by_code(jump);
+  const bool macro = jump.kind == Jump::Kind::call_macro;
+  if (jump.times <= 0) return;
+  if (auto sub = find(std::to_string(jump.number), true, jump.pos))
+    enter(std::move(*sub), std::move(jump), macro);
+}
+
+void Flow::enter(Subprogram sub, Jump jump, bool has_level) {
+  const auto by_itself = std::count_if(calls_.begin() + 1, calls_.end(), [&](const Call& call) {
+    return call.sub.label == sub.label && call.sub.begin.file == sub.begin.file;
+  });
+  if (calls_.size() > kDeepest)
+    return break_off(Code::SC2309, jump.pos,
+                     "more than " + std::to_string(kDeepest) + " calls within each other; " +
+                         name_of(sub) + " is among them " + std::to_string(by_itself) + " times",
+                     text_);
+  if (in_subprogram()) {
+    const Call& first = calls_[1];
+    if (runs_too_long(executed_ - first.since, "the call of " + name_of(first.sub), first.pos,
+                      first.text))
+      return;
+  }
+  diagnostics_.lines_repeat();
+  Call call;
+  call.sub = std::move(sub);
+  call.back = library_.here();
+  call.pos = jump.pos;
+  call.text = text_;
+  call.opens = opens_.size();
+  call.times = jump.times;
+  call.has_level = has_level;
+  call.arguments = std::move(jump.arguments);
+  call.since = executed_;
+  calls_.push_back(std::move(call));
+  start();
+  if (jump.line_number) go_to_line(*jump.line_number, jump.pos);
+}
+
+/// Begins the innermost call, once or again.
+void Flow::start() {
+  const Call& call = calls_.back();
+  if (call.has_level) parser_.parameters().push(call.arguments);
+  go(call.sub.begin);
+}
+
+void Flow::leave_by_statement() {
+  const Call& call = calls_.back();
+  const bool end = statement_.kind == Kind::end_sub;
+  const std::string& label = statement_.label;
+  if (!in_subprogram() || call.sub.kind != SubKind::o_word || call.sub.label != label)
+    return report_once(end ? Code::SC2304 : Code::SC2306, statement_.pos,
+                       "'" + o_word(label, end ? "endsub" : "return") +
+                           (end ? "' without '" : "' outside of '") + o_word(label, "sub") + "'",
+                       text_);
+  if (end && opens_.size() > call.opens) tell_open(opens_.back());
+  std::optional<double> value;
+  if (statement_.uncertain) value = kUncertain;
+  if (statement_.has_value) value = statement_.value;
+  leave(value);
+}
+
+void Flow::leave_by_code(const Jump& jump) {
+  if (in_subprogram()) {
+    if (jump.line_number) calls_.back().times = 1;
+    leave(std::nullopt);
+  } else if (!jump.line_number) {
+    if (runs_too_long(executed_, "the program, which M99 starts again,", jump.pos, text_)) return;
+    diagnostics_.lines_repeat();
+    opens_.clear();
+    go(calls_.front().sub.begin);
+  }
+  if (jump.line_number && !ended_) go_to_line(*jump.line_number, jump.pos);
+}
+
+/// Ends the innermost call, or runs it once more.
+void Flow::leave(std::optional<double> value) {
+  Call& call = calls_.back();
+  opens_.resize(call.opens);
+  if (call.has_level) parser_.parameters().pop();
+  if (call.sub.kind == SubKind::o_word) parser_.parameters().give_back(value);
+  if (--call.times > 0) {
+    const bool too_long = runs_too_long(executed_ - call.since, "the call of " + name_of(call.sub),
+                                        call.pos, call.text);
+    return too_long ? void() : start();
+  }
+  const Spot back = call.back;
+  calls_.pop_back();
+  go(back);
+}
+
+/// Looks from here to the end of the program, then from its beginning to here.
+void Flow::go_to_line(int number, const SourcePos& pos) {
+  const Spot here = library_.here();
+  const std::tuple key{here.file, here.place.line, number};
+  if (const auto known = backward_.find(key); known != backward_.end())
+    return go_back(here, known->second);
+  if (find_line(number, std::numeric_limits<int>::max())) {
+    go(before_);
+    return;
+  }
+  if (!go(calls_.back().sub.begin)) return;
+  if (find_line(number, here.place.line)) {
+    if (backward_.size() < kMostTargets) backward_.emplace(key, before_);
+    return go_back(here, before_);
+  }
+  report(Code::SC2308, pos,
+         "no line N" + std::to_string(number) + " in " +
+             (in_subprogram() ? name_of(calls_.back().sub) : "the program"));
+  go(here);
+}
+
+/// Passes to the line of this number; loops whose end is passed are no longer open.
+bool Flow::find_line(int number, int last) {
+  std::size_t open = opens_.size();
+  bool found = false;
+  pass_to([&](const Line& line) {
+    const bool begins = line.statement && line.statement->kind == Kind::program;
+    const bool numbered = !begins && !line.words.empty() && line.words.front().letter == 'N';
+    found = numbered && line.words.front().value == number && line.number <= last;
+    if (!found && line.statement && open > calls_.back().opens &&
+        ends(*line.statement, opens_[open - 1]))
+      --open;
+    return found || line.number >= last;
+  });
+  if (found) opens_.resize(open);
+  return found;
+}
+
+void Flow::go_back(const Spot& from, const Spot& to) {
+  const int line = to.place.line;
+  jumped_back_ += from.place.line - line;
+  if (runs_too_long(jumped_back_, "jumping back to line " + std::to_string(line + 1),
+                    statement_.pos, text_))
+    return;
+  diagnostics_.lines_repeat();
+  while (opens_.size() > calls_.back().opens && opens_.back().pos.line > line) opens_.pop_back();
+  go(to);
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,3 @@
+(expect SC2304 2:4)
+N5 o1 else
+M30

@@ -1,0 +1,4 @@
+(expect SC2302 2:1)
+WHILE [1 EQ 0] DO 2
+G0 X1
+M30

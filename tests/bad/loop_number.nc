@@ -1,0 +1,4 @@
+(expect SC2312 2:1)
+DO 4
+END 4
+M30

@@ -1,0 +1,6 @@
+(expect SC2312 3:1)
+DO 1
+DO 1
+END 1
+END 1
+M30

@@ -1,0 +1,6 @@
+(expect SC2312 4:1)
+DO 1
+DO 2
+END 1
+END 2
+M30

@@ -1,0 +1,3 @@
+(expect SC2306 2:1)
+o1 return
+M30

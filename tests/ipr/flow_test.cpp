@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+// Loops, branches, jumps and calls: in which order lines are executed.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "ipr/interpret.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+using Positions = std::vector<double>;
+
+InterpreterOptions in(Dialect dialect) {
+  InterpreterOptions options;
+  options.dialect = dialect;
+  return options;
+}
+
+/// The X of every move, of a program that must be without fault.
+Positions way(const std::string& text, Dialect dialect = Dialect::linuxcnc) {
+  Positions all;
+  for (const Block& block : blocks_of(text, {}, in(dialect)))
+    if (const auto* move = std::get_if<Move>(&block.what)) all.push_back(end(move->path)[0]);
+  return all;
+}
+
+Positions fanuc_way(const std::string& text) { return way(text, Dialect::fanuc); }
+
+/// A folder with files, gone at the end.
+class Folder {
+ public:
+  Folder() : path_(std::filesystem::temp_directory_path() / "softcnc_flow_test") {
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directory(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  Folder& with(const std::string& name, const std::string& text) {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return *this;
+  }
+  std::string operator/(const std::string& name) const { return path_ / name; }
+
+  Interpreted run(const std::string& text, Dialect dialect = Dialect::linuxcnc) const {
+    InterpreterOptions options = in(dialect);
+    options.folder = path_;
+    return interpret(text, {}, options);
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+Positions way_of(const Interpreted& result) {
+  for (const Diagnostic& diagnostic : result.diagnostics) FAIL_CHECK(render(diagnostic));
+  Positions all;
+  for (const Block& block : result.blocks)
+    if (const auto* move = std::get_if<Move>(&block.what)) all.push_back(end(move->path)[0]);
+  return all;
+}
+
+/// What is told, "4:1 SC2301 text"; runs lines as often as 1000 times.
+std::vector<std::string> told(const std::string& text, Dialect dialect = Dialect::linuxcnc) {
+  Machine machine;
+  machine.program.block_limit = 1000;
+  std::vector<std::string> all;
+  for (const Diagnostic& d : interpret(text, machine, in(dialect)).diagnostics)
+    all.push_back(std::to_string(d.pos.line) + ":" + std::to_string(d.pos.column) + " SC" +
+                  std::to_string(static_cast<int>(d.code)) + " " + d.message);
+  return all;
+}
+
+using Told = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("if runs the first branch whose condition holds", "[ipr][flow]") {
+  const auto branch = [](int n) {
+    return way("#1=" + std::to_string(n) +
+               "\no1 if [#1 EQ 1]\nG0 X1\no1 elseif [#1 EQ 2]\nX2\nG0 X2\no1 elseif [#1 LE 2]\n"
+               "G0 X9\no1 else\nG0 X3\no1 endif\nG0 X0\nM2\n");
+  };
+  CHECK(branch(1) == Positions{1, 0});
+  CHECK(branch(0) == Positions{9, 0});
+  CHECK(branch(3) == Positions{3, 0});
+  CHECK(way("o1 if [0]\nG0 X1\no1 endif\nG0 X2\nM2") == Positions{2});
+}
+
+TEST_CASE("a line that is passed over is not evaluated", "[ipr][flow]") {
+  CHECK(way("o1 if [0]\n#1=[1/0]\nG0 X#<nowhere>\no1 endif\nG0 X2\nM2") == Positions{2});
+  CHECK(way("o1 if [1]\nG0 X1\no1 elseif [1/0]\no1 endif\nM2") == Positions{1});
+}
+
+TEST_CASE("branches within branches belong to their labels", "[ipr][flow]") {
+  CHECK(way("o1 if [0]\no2 if [1]\nG0 X1\no2 else\nG0 X2\no2 endif\no1 else\no3 if [1]\nG0 X3\n"
+            "o3 endif\nG0 X4\no1 endif\nM2") == Positions{3, 4});
+}
+
+TEST_CASE("while asks before each round, do behind it, repeat counts", "[ipr][flow]") {
+  CHECK(way("#1=1\no1 while [#1 LT 4]\nG0 X#1\n#1=[#1+1]\no1 endwhile\nG0 X9\nM2") ==
+        Positions{1, 2, 3, 9});
+  CHECK(way("o1 while [0]\nG0 X1\no1 endwhile\nG0 X9\nM2") == Positions{9});
+  CHECK(way("#1=5\no1 do\nG0 X#1\n#1=[#1+1]\no1 while [#1 LT 5]\nG0 X9\nM2") == Positions{5, 9});
+  CHECK(way("#1=1\no1 do\nG0 X#1\n#1=[#1+1]\no1 while [#1 LT 4]\nM2") == Positions{1, 2, 3});
+  CHECK(way("G91 G0 X5\no1 repeat [3]\nX1\no1 endrepeat\nM2") == Positions{5, 6, 7, 8});
+  CHECK(way("o1 repeat [0]\nG0 X1\no1 endrepeat\no2 repeat [-2]\nG0 X1\no2 endrepeat\nG0 X9\nM2") ==
+        Positions{9});
+  CHECK(way("G91\no1 repeat [1.6]\nG0 X1\no1 endrepeat\nM2") == Positions{1, 2});
+}
+
+TEST_CASE("break leaves a loop, continue begins its next round", "[ipr][flow]") {
+  CHECK(way("#1=0\no1 while [1]\n#1=[#1+1]\no2 if [#1 EQ 2]\no1 continue\no2 endif\n"
+            "o3 if [#1 EQ 4]\no1 break\no3 endif\nG0 X#1\no1 endwhile\nG0 X9\nM2") ==
+        Positions{1, 3, 9});
+  CHECK(way("#1=0\no1 do\n#1=[#1+1]\no2 if [#1 EQ 2]\no1 continue\no2 endif\nG0 X#1\n"
+            "o1 while [#1 LT 3]\nM2") == Positions{1, 3});
+  CHECK(way("#1=0\no1 repeat [4]\n#1=[#1+1]\no2 if [#1 EQ 3]\no1 break\no2 endif\nG0 X#1\n"
+            "o1 endrepeat\nG0 X9\nM2") == Positions{1, 2, 9});
+  CHECK(way("o1 while [1]\no2 repeat [5]\nG0 X1\no1 break\no2 endrepeat\no1 endwhile\nG0 X2\nM2") ==
+        Positions{1, 2});
+}
+
+TEST_CASE("loops within loops run as often as their product says", "[ipr][flow]") {
+  CHECK(way("G91\no1 repeat [3]\no2 repeat [4]\no3 repeat [5]\nG0 X1\no3 endrepeat\no2 endrepeat\n"
+            "o1 endrepeat\nM2")
+            .back() == 60);
+}
+
+TEST_CASE("a subprogram is run where it is called, before or behind its definition",
+          "[ipr][flow]") {
+  CHECK(way("o100 sub\nG0 X#1 Y#2\no100 endsub\nG0 X5\no100 call [1] [2]\no100 call [3]\nM2") ==
+        Positions{5, 1, 3});
+  CHECK(way("o100 call [7]\nM2\no100 sub\nG0 X#1\no100 endsub") == Positions{7});
+  CHECK(way("o<Pocket> call [7]\nM2\no<pocket> sub\nG0 X#1\no<POCKET> endsub") == Positions{7});
+  CHECK(way("o100 sub\nG0 X1\no100 endsub\n#5=90\no[10+#5] call\nM2") == Positions{1});
+}
+
+TEST_CASE("each call has its own variables, and gives a value back", "[ipr][flow]") {
+  CHECK(way("o1 sub\n#1=[#1*2]\n#2=77\no1 return [#1+1]\no1 endsub\n#1=5 #2=6\no1 call [10]\n"
+            "G0 X#1\nX#2\nX#<_value>\nX#<_value_returned>\nM2") == Positions{5, 6, 21, 1});
+  CHECK(way("o1 sub\nG0 X[#3+7]\no1 endsub\n#3=5\no1 call [1]\nG0 X#<_value_returned>\nM2") ==
+        Positions{7, 0});
+  CHECK(way("o1 sub\no2 if [#1 LE 1]\no1 return [1]\no2 endif\no1 call [#1-1]\n"
+            "o1 endsub [#1*#<_value>]\no1 call [5]\nG0 X#<_value>\nM2") == Positions{120});
+}
+
+TEST_CASE("the end of the program is the end, wherever it stands", "[ipr][flow]") {
+  CHECK(way("o1 sub\nG0 X1\nM30\no1 endsub\no1 call\nG0 X2\nM2") == Positions{1});
+  CHECK(way("o1 while [1]\nG0 X1\nM2\no1 endwhile\nG0 X2") == Positions{1});
+  CHECK(way("G0 X1\nM30\no1 sub\nG0 X2\no1 endsub") == Positions{1});
+}
+
+TEST_CASE("a line that is left out has no statement either", "[ipr][flow]") {
+  InterpreterOptions skip;
+  skip.block_skip = true;
+  const std::string text = "/o1 if [0]\nG0 X1\n/o1 endif\nM2";
+  CHECK(way(text).empty());
+  CHECK(blocks_of(text, {}, skip).size() == 2);
+  CHECK(blocks_of("o1 if [0]\n/o1 else\nG0 X1\no1 endif\nM2", {}, skip).size() == 1);
+}
+
+TEST_CASE("statements stand between the blocks of a curve", "[ipr][flow]") {
+  const auto looped = moves_of(
+      "G6.2 P2 K0 X0 Y0 F100\n#1=0\no1 repeat [2]\nK#1 X[#1+1] Y#1\n"
+      "#1=[#1+1]\no1 endrepeat\nK2\nK2\nM2");
+  const auto plain = moves_of("G6.2 P2 K0 X0 Y0 F100\nK0 X1 Y0\nK1 X2 Y1\nK2\nK2\nM2");
+  REQUIRE(looped.size() == 1);
+  REQUIRE(plain.size() == 1);
+  CHECK(std::get<Nurbs>(looped[0].path).spec().control ==
+        std::get<Nurbs>(plain[0].path).spec().control);
+}
+
+TEST_CASE("FANUC: M98 calls a program behind the main one, M99 leads back", "[ipr][flow]") {
+  for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc}) {
+    CHECK(way("O1\nG0 X1\nM98 P1000\nG0 X2\nM30\nO1000\nG0 X7\nM99\nO2000\nG0 X8\nM99", dialect) ==
+          Positions{1, 7, 2});
+    CHECK(way("O1\nG91\nM98 P1000 L3\nM30\nO1000\nG0 X1\nM99", dialect) == Positions{1, 2, 3});
+    CHECK(way("O1\nM98 P1000 L0\nM30\nO1000\nG0 X1\nM99", dialect).empty());
+    CHECK(way("O1\nG0 X1 M98 P5\nX3\nM30\nO5\nX2\nM98 P6\nM99\nO6\nX4\nM99", dialect) ==
+          Positions{1, 2, 4, 3});
+  }
+}
+
+TEST_CASE("FANUC: P of M98 may hold the count, as in old programs", "[ipr][flow]") {
+  CHECK(fanuc_way("O1\nG91\nM98 P31000\nM30\nO1000\nG0 X1\nM99") == Positions{1, 2, 3});
+  CHECK(fanuc_way("O1\nM98 P31000 L1\nM30\nO31000\nG0 X1\nM99") == Positions{1});
+  CHECK(way("O1\nM98 P31000\nM30\nO31000\nG0 X1\nM99") == Positions{1});
+}
+
+TEST_CASE("FANUC: M98 shares the local variables, G65 has its own", "[ipr][flow]") {
+  CHECK(fanuc_way("O1\n#1=5\nM98 P2\nG0 X#1\nM30\nO2\n#1=#1+1\nM99") == Positions{6});
+  CHECK(fanuc_way("O1\n#1=5\nG65 P2 A1\nG0 X#1\nM30\nO2\n#1=#1+1\nG0 X#1\nM99") == Positions{2, 5});
+}
+
+TEST_CASE("FANUC: the words of G65 are variables", "[ipr][flow]") {
+  const auto taken = [](const std::string& words, int number) {
+    return fanuc_way("O1\nG65 P2 " + words + "\nM30\nO2\nG0 X#" + std::to_string(number) + "\nM99");
+  };
+  const std::string letters = "ABCIJKDEFHMQRSTUVWXYZ";
+  const int numbers[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+  std::string all;
+  for (std::size_t i = 0; i < letters.size(); ++i)
+    all += letters[i] + std::to_string(numbers[i] + 100) + " ";
+  for (const int number : numbers) CHECK(taken(all, number) == Positions{number + 100.0});
+  const std::string sets = "A1 B2 C3 I4 J5 K6 I7 J8 K9 I10 K12 J14 K15 I16";
+  for (const int number : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 15, 16})
+    CHECK(taken(sets, number) == Positions{static_cast<double>(number)});
+  CHECK(fanuc_way("O1\nG91\nG65 P2 A3 L2\nM30\nO2\nG0 X#1\n#1=7\nM99") == Positions{3, 6});
+  CHECK(taken("I1 I2 D9", 7) == Positions{9});
+}
+
+TEST_CASE("FANUC: GOTO looks ahead first, then from the beginning", "[ipr][flow]") {
+  CHECK(fanuc_way("N1 G0 X1\nGOTO 3\nN2 G0 X2\nN3 G0 X3\nM30") == Positions{1, 3});
+  CHECK(fanuc_way("#1=0\nN10 #1=#1+1\nG0 X#1\nIF [#1 LT 3] GOTO 10\nM30") == Positions{1, 2, 3});
+  CHECK(fanuc_way("#1=1\nN5 G0 X#1\n#1=#1+1\nIF [#1 GT 2] GOTO 9\nGOTO 5\nN5 G0 X7\nN9 M30") ==
+        Positions{1, 7});
+  CHECK(fanuc_way("#2=30\nGOTO #2\nG0 X1\nN30 G0 X2\nM30") == Positions{2});
+  CHECK(fanuc_way("O1\nM98 P2\nN1 G0 X1\nM30\nO2\nGOTO 1\nG0 X5\nN1 G0 X6\nM99") ==
+        Positions{6, 1});
+}
+
+TEST_CASE("FANUC: WHILE and DO run to their END", "[ipr][flow]") {
+  CHECK(fanuc_way("#1=1\nWHILE [#1 LT 4] DO 1\nG0 X#1\n#1=#1+1\nEND 1\nG0 X9\nM30") ==
+        Positions{1, 2, 3, 9});
+  CHECK(fanuc_way("WHILE [1 EQ 0] DO 1\nG0 X1\nEND 1\nG0 X9\nM30") == Positions{9});
+  CHECK(fanuc_way("G91\n#1=0\nWHILE [#1 LT 2] DO 1\n#2=0\nWHILE [#2 LT 3] DO 2\nG0 X1\n#2=#2+1\n"
+                  "END 2\n#1=#1+1\nEND 1\nM30")
+            .back() == 6);
+  CHECK(fanuc_way("#1=0\nDO 1\n#1=#1+1\nIF [#1 EQ 3] GOTO 7\nG0 X#1\nEND 1\nN7 G0 X9\nM30") ==
+        Positions{1, 2, 9});
+  CHECK(fanuc_way("#1=0\nWHILE [#1 LT 2] DO 1\n#1=#1+1\nDO 2\nGOTO 5\nEND 2\nN5 G0 X#1\nEND 1\n"
+                  "M30") == Positions{1, 2});
+}
+
+TEST_CASE("FANUC: M99 leads where P says, and starts the main program again", "[ipr][flow]") {
+  CHECK(fanuc_way("O1\nM98 P2\nG0 X1\nN50 G0 X2\nM30\nO2\nM99 P50") == Positions{2});
+  CHECK(fanuc_way("O1\n#500=#500+1\nIF [#500 GT 3] GOTO 90\nG0 X#500\nM99\nN90 M30") ==
+        Positions{1, 2, 3});
+  CHECK(fanuc_way("O1\nG0 X1\nM99 P9\nX2\nN9 X3\nM30") == Positions{1, 3});
+  CHECK(fanuc_way("O1\nM98 P2 Q5\nM30\nO2\nG0 X1\nN5 G0 X2\nM99") == Positions{2});
+}
+
+TEST_CASE("a called file is found beside the program", "[ipr][flow]") {
+  Folder folder;
+  folder
+      .with("pocket.ngc",
+            "(comment)\no<pocket> sub\nG0 X#1\no<inner> call\no<pocket> endsub\n"
+            "o<inner> sub\nG0 X8\no<inner> endsub\nM2\n")
+      .with("100.nc", "o100 sub\nG0 X4\no100 endsub\n")
+      .with("O0007.nc", "%\nO0007 (MACRO)\nG0 X#1\nM99\n%\n")
+      .with("O1234", "G0 X6\nM99\n");
+  CHECK(way_of(folder.run("o<Pocket> call [3]\no100 call\nG0 X0\nM2")) == Positions{3, 8, 4, 0});
+  CHECK(way_of(folder.run("%\nO1\n#1=2\nM98 P7\nG65 P7 A3 L2\nM98 P1234\nM30\n%",
+                          Dialect::fanuc)) == Positions{2, 3, 6});
+}
+
+TEST_CASE("a subprogram of the program itself comes before a file", "[ipr][flow]") {
+  Folder folder;
+  folder.with("a.ngc", "o<a> sub\nG0 X2\no<a> endsub\n");
+  CHECK(way_of(folder.run("o<a> sub\nG0 X1\no<a> endsub\no<a> call\nM2")) == Positions{1});
+}
+
+TEST_CASE("what is wrong in a called file is told with its name and line", "[ipr][flow]") {
+  Folder folder;
+  folder.with("bad.ngc", "o<bad> sub\nG0 X1\nG1 Y1\no<bad> endsub\n");
+  const Interpreted result = folder.run("o<bad> call\no<bad> call\nG1 X5\nM2\n");
+  REQUIRE(result.diagnostics.size() == 1);
+  CHECK(result.diagnostics.front().file == folder / "bad.ngc");
+  CHECK(places(result) == Places{"SC2102 3:1"});
+  REQUIRE(result.blocks.size() >= 2);
+  CHECK(result.blocks.front().source.line == 2);
+  CHECK(result.blocks.front().source.file == 1);
+  CHECK(result.blocks.back().source.file == 0);
+}
+
+TEST_CASE("a called file that cannot be read is SC6031, at the call", "[ipr][flow]") {
+  Folder folder;
+  std::filesystem::create_directory(folder / "dir.ngc");
+  const Interpreted result = folder.run("o<dir> call\nM2\n");
+  REQUIRE(places(result) == Places{"SC6031 1:1"});
+  CHECK(result.diagnostics.front().message ==
+        "cannot read '" + folder / "dir.ngc" + "': Is a directory");
+  CHECK(exit_status(result.diagnostics.front()) == 5);
+}
+
+TEST_CASE("a call does not lead out of the folder", "[ipr][flow]") {
+  Folder folder;
+  folder.with("a.ngc", "o<a> sub\nG0 X1\no<a> endsub\n");
+  CHECK(places(folder.run("o<../softcnc_flow_test/a> call\nM2\n")) == Places{"SC2301 1:1"});
+}
+
+TEST_CASE("an error in a loop is told once", "[ipr][flow]") {
+  CHECK(told("o1 repeat [100]\nG1 X1\nG0 X1 Q1\no1 endrepeat\nM2") ==
+        Told{"2:1 SC2102 G01 needs a feed, and F is not set",
+             "3:7 SC2004 Q is used by no code of this line"});
+  CHECK(told("N1 G0 X1 Q1\nGOTO 1\nM2").size() == 2);
+}
+
+TEST_CASE("a loop without end is told, and ends the program", "[ipr][flow]") {
+  CHECK(told("o1 while [1]\no1 endwhile\nG0 X1 Q1\nM2") ==
+        Told{"1:1 SC2310 'o1 while' has run more than 1000 lines"});
+  CHECK(told("o1 do\nG0 X1\no1 while [1]\nM2") ==
+        Told{"1:1 SC2310 'o1 do' has run more than 1000 lines"});
+  CHECK(told("o1 repeat [1000000]\no1 endrepeat\nM2") ==
+        Told{"1:1 SC2310 'o1 repeat' has run more than 1000 lines"});
+  CHECK(told("DO 1\nEND 1\nM30", Dialect::fanuc) ==
+        Told{"1:1 SC2310 'DO 1' has run more than 1000 lines"});
+  CHECK(told("G0 X1\nN5 G0 X2\nGOTO 5\nM30", Dialect::fanuc) ==
+        Told{"3:1 SC2310 jumping back to line 2 has run more than 1000 lines"});
+  CHECK(told("O1\nG0 X2\nM99", Dialect::fanuc) ==
+        Told{"3:1 SC2310 the program, which M99 starts again, has run more than 1000 lines"});
+  CHECK(told("O1\nM98 P2 L9999\nM30\nO2\nG0 X1\nM99", Dialect::fanuc) ==
+        Told{"2:1 SC2310 the call of O2 has run more than 1000 lines"});
+  CHECK(told("o1 sub\no2 if [#1 GT 0]\no1 call [#1-1]\no1 call [#1-1]\no2 endif\no1 endsub\n"
+             "o1 call [40]\nM2") ==
+        Told{"7:1 SC2310 the call of 'o1 sub' has run more than 1000 lines"});
+}
+
+TEST_CASE("a loop may run as many lines as the limit says", "[ipr][flow]") {
+  CHECK(told("o1 repeat [499]\nG0 X1\no1 endrepeat\no2 repeat [499]\nG0 X1\no2 endrepeat\nM2")
+            .empty());
+  std::string plain = "o1 sub\nG0 X1\no1 endsub\no1 call\n";
+  for (int i = 0; i < 5000; ++i) plain += "G0 X1\n";
+  CHECK(told(plain + "M2").empty());
+}
+
+TEST_CASE("calls may be 64 deep", "[ipr][flow]") {
+  const std::string sub = "o1 sub\no2 if [#1 GT 1]\no1 call [#1-1]\no2 endif\nG0 X#1\no1 endsub\n";
+  CHECK(way(sub + "o1 call [64]\nM2").size() == 64);
+  CHECK(told(sub + "o1 call [65]\nM2") ==
+        Told{"3:1 SC2309 more than 64 calls within each other; 'o1 sub' is among them 64 times"});
+}
+
+}  // namespace softcnc::ipr
