@@ -21,15 +21,15 @@ bool waits_for_more() {
 }
 
 /// Streams: reads no further than it writes, and shows errors as it meets them.
-int write_blocks(ipr::Reader& reader, const std::string& file, const Machine& machine,
-                 const Options& options) {
+int write_blocks(ipr::Reader& reader, const std::string& file, const std::string& folder,
+                 const Machine& machine, const Options& options) {
   Messages messages;
   auto state = open_state(options.state, messages);
   if (!state) return messages.fail(state.error());
   Diagnostics diagnostics([&](const Diagnostic& d) { messages.show(d); });
   diagnostics.set_file(file);
   ipr::Parser parser(reader, diagnostics);
-  ipr::Interpreter interpreter(parser, machine, diagnostics, interpreter_options(options),
+  ipr::Interpreter interpreter(parser, machine, diagnostics, interpreter_options(options, folder),
                                std::move(*state));
   StandardOutput out;
   BlockJson json;
@@ -50,12 +50,12 @@ int blocks(const Options& options) {
   if (!machine) return failed(machine.error());
   if (options.files.front() == "-") {
     ipr::Reader reader(STDIN_FILENO);  // not copied: a pipe need not end
-    return write_blocks(reader, "<stdin>", *machine, options);
+    return write_blocks(reader, "<stdin>", "", *machine, options);
   }
   auto program = Program::open(options.files.front());
   if (!program) return failed(program.error());
   ipr::Reader reader = program->reader();
-  return write_blocks(reader, program->name(), *machine, options);
+  return write_blocks(reader, program->name(), program->folder(), *machine, options);
 }
 
 }  // namespace softcnc::app

@@ -12,6 +12,8 @@
 #include <exception>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "hal/backend.hpp"
 #include "ipo/interpolator.hpp"
@@ -58,6 +60,7 @@ class Feeder {
   /// As far as has been read.
   StateHistory& states() noexcept { return states_; }
 
+  std::vector<std::string> called_files() const { return interpreter_.called_files(); }
   const ipo::PlannerCounts& counts() const noexcept { return planner_.counts(); }
   double cpu() const noexcept { return cpu_; }  // s
 
@@ -156,6 +159,7 @@ struct Outcome {
   Measured measured;
   MachineState state;  // where the machine rests, if ChannelOptions::keeps_state
   ipo::PlannerCounts planner;
+  std::vector<std::string> called_files;  // their names in the folder
   Cpu cpu;
 };
 

@@ -17,7 +17,9 @@ int check_program(const std::string& name, const Machine& machine, const Channel
                   Messages& messages) {
   auto program = Program::open(name);
   if (!program) return messages.fail(program.error());
-  const Preflight checked = preflight(*program, machine, options, messages);
+  ChannelOptions beside = options;
+  beside.interpreter.folder = program->folder();
+  const Preflight checked = preflight(*program, machine, beside, messages);
   if (checked.status == 0)
     spdlog::debug("{}: {}, {:.3f} mm in {} blocks", program->name(),
                   duration_text(checked.outcome.time), checked.outcome.last.s,
@@ -30,7 +32,7 @@ int check_all(const Options& options, const StandardOutput& out, Messages& messa
   if (!machine) return messages.fail(machine.error());
   auto state = open_state(options.state, messages);
   if (!state) return messages.fail(state.error());
-  ChannelOptions channel = channel_options(options);
+  ChannelOptions channel = channel_options(options, {});
   channel.state = std::move(*state);
   int status = 0;
   for (const std::string& name : options.files)

@@ -16,6 +16,18 @@ constexpr std::size_t kBuffer = 65536;
 
 void write_to_stderr(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
+/// The text of a line of a called file; empty if it cannot be read.
+std::string line_of(const Diagnostic& diagnostic) {
+  auto reader = ipr::Reader::open(diagnostic.file);
+  std::string text;
+  while (reader && reader->line() < diagnostic.pos.line) {
+    const auto line = reader->next();
+    if (!line) return {};
+    text = *line;
+  }
+  return text;
+}
+
 /// Severity and code in colour.
 std::string coloured(const Diagnostic& diagnostic) {
   std::string text = render(diagnostic);
@@ -62,8 +74,8 @@ void Messages::show(const Diagnostic& diagnostic) {
 Diagnostics::Sink Messages::sink(Program& program) {
   return [this, &program](const Diagnostic& diagnostic) {
     Diagnostic full = diagnostic;
-    if (full.source_line.empty() && full.pos.line > 0 && full.pos.file == 0)
-      full.source_line = program.line(full.pos.line);
+    if (full.source_line.empty() && full.pos.line > 0)
+      full.source_line = full.pos.file == 0 ? program.line(full.pos.line) : line_of(full);
     show(full);
   };
 }

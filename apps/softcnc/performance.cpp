@@ -160,7 +160,8 @@ Result<Job> open_job(const Options& options) {
   Messages messages;
   auto state = open_state(options.state, messages);
   if (!state) return tl::make_unexpected(std::move(state.error()));
-  Job job{std::move(*program), std::move(*machine), channel_options(options)};
+  const ChannelOptions channel = channel_options(options, program->folder());
+  Job job{std::move(*program), std::move(*machine), channel};
   job.options.state = std::move(*state);
   return job;
 }

@@ -5,17 +5,18 @@
 
 namespace softcnc::app {
 
-ipr::InterpreterOptions interpreter_options(const Options& options) {
+ipr::InterpreterOptions interpreter_options(const Options& options, const std::string& folder) {
   ipr::InterpreterOptions interpreter;
   interpreter.block_skip = options.block_skip;
   interpreter.optional_stop = options.optional_stop;
   interpreter.dialect = options.dialect;
   interpreter.format = options.format;
+  interpreter.folder = folder;
   return interpreter;
 }
 
-ChannelOptions channel_options(const Options& options) {
-  return {options.feed_override, interpreter_options(options), {}};
+ChannelOptions channel_options(const Options& options, const std::string& folder) {
+  return {options.feed_override, interpreter_options(options, folder), {}};
 }
 
 Machine without_backend(Machine machine) {

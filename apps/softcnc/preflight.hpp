@@ -9,8 +9,9 @@
 
 namespace softcnc::app {
 
-ipr::InterpreterOptions interpreter_options(const Options& options);
-ChannelOptions channel_options(const Options& options);
+/// `folder` is where the program finds the files that it calls.
+ipr::InterpreterOptions interpreter_options(const Options& options, const std::string& folder);
+ChannelOptions channel_options(const Options& options, const std::string& folder);
 
 /// The machine with a backend that goes nowhere.
 Machine without_backend(Machine machine);

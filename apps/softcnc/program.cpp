@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cerrno>
+#include <filesystem>
 #include <system_error>
 #include <utility>
 
@@ -36,6 +37,11 @@ Result<Descriptor> copied(const Descriptor& from, const std::string& name) {
   return to;
 }
 
+std::string folder_of(const std::string& name) {
+  const std::string folder = std::filesystem::path(name).parent_path();
+  return folder.empty() ? "." : folder;
+}
+
 }  // namespace
 
 Program::Program(std::string name, Descriptor file, off_t begin)
@@ -49,13 +55,18 @@ Result<Program> Program::open(const std::string& name) {
   struct stat info {};
   if (*file < 0 || ::fstat(*file, &info) != 0) return unreadable(Code::SC6001, shown, errno);
   if (S_ISDIR(info.st_mode)) return unreadable(Code::SC6001, shown, EISDIR);
+  const std::string folder = standard_input ? "" : folder_of(name);
   if (S_ISREG(info.st_mode)) {
     const off_t begin = ::lseek(*file, 0, SEEK_CUR);
-    return Program(shown, std::move(file), begin);
+    Program program(shown, std::move(file), begin);
+    program.set_folder(folder);
+    return program;
   }
   auto copy = copied(file, shown);
   if (!copy) return tl::make_unexpected(std::move(copy.error()));
-  return in_file(shown, std::move(*copy));
+  Program program = in_file(shown, std::move(*copy));
+  program.set_folder(folder);
+  return program;
 }
 
 Program Program::in_file(std::string name, Descriptor file) {

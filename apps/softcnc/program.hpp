@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "descriptor.hpp"
 #include "ipr/reader.hpp"
@@ -23,6 +24,10 @@ class Program {
 
   /// As the user named it; "<stdin>" for "-".
   const std::string& name() const noexcept { return name_; }
+
+  /// Where files lie that the program calls: beside it; empty if it comes from a pipe.
+  const std::string& folder() const noexcept { return folder_; }
+  void set_folder(std::string folder) { folder_ = std::move(folder); }
 
   /// Reads from the beginning. One reader at a time.
   ipr::Reader reader();
@@ -42,7 +47,7 @@ class Program {
   Program(std::string name, Descriptor file, off_t begin);
   std::size_t read(off_t from, char* to, std::size_t size) const;
 
-  std::string name_;
+  std::string name_, folder_;
   Descriptor file_;
   off_t begin_;
   std::string hash_;

@@ -21,6 +21,8 @@ int keep(Job& job, hal::OutputFile& file, const Performance& performance,
   RecordingMeta meta;
   meta.rows = performance.outcome.setpoints;
   meta.options = job.options;
+  for (const std::string& name : performance.outcome.called_files)
+    meta.called.push_back({name, {}});
   const Status written = write_recording(file, job.program, job.machine, meta, folder);
   return written ? 0 : failed(written.error());
 }

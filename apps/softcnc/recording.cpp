@@ -59,6 +59,21 @@ Status copy_program(Program& program, const std::string& to) {
   return {};
 }
 
+std::string entry_of(const CalledFile& called) { return "called/" + called.name; }
+
+std::string path_of(const Program& program, const CalledFile& called) {
+  return std::filesystem::path(program.folder()) / called.name;
+}
+
+Status hash_called(const Program& program, std::vector<CalledFile>& files) {
+  for (CalledFile& called : files) {
+    auto hash = hash_of_file(path_of(program, called));
+    if (!hash) return tl::make_unexpected(std::move(hash.error()));
+    called.hash = std::move(*hash);
+  }
+  return {};
+}
+
 /// By the rules of all output files: whole under its name, or not at all.
 Status copy_to_output(const std::string& from, hal::OutputFile& output) {
   const Status copied =
@@ -94,10 +109,13 @@ Status write_recording(hal::OutputFile& file, Program& program, const Machine& m
   meta.trace_hash = *trace_hash;
   const std::string state_text = hal::state_toml(meta.options.state);
   meta.state_hash = hal::hash_hex(state_text);
+  if (Status hashed = hash_called(program, meta.called); !hashed) return hashed;
 
   ZipWriter zip(packed);
   zip.add_text("meta.json", meta_json(meta));
   zip.add_file("program", copy, Packing::deflate);
+  for (const CalledFile& called : meta.called)
+    zip.add_file(entry_of(called), path_of(program, called), Packing::deflate);
   zip.add_text("machine.toml", machine_text);
   zip.add_text("state.toml", state_text);
   zip.add_file("trace.csv.zst", trace, Packing::store);
@@ -127,6 +145,8 @@ Status Recording::read() {
   if (!machine) return tl::make_unexpected(std::move(machine.error()));
   machine_ = std::move(*machine);
   if (Status good = check_hash("program", meta_.program_hash); !good) return good;
+  for (const CalledFile& called : meta_.called)
+    if (Status good = check_hash(entry_of(called), called.hash); !good) return good;
   if (Status good = check_hash("machine.toml", meta_.machine_hash); !good) return good;
   return meta_.state_hash.empty() ? Status() : read_state();
 }
@@ -163,6 +183,26 @@ Result<Program> Recording::program() const {
       std::move(*entry), [&](std::string_view piece) { return write_all(*file, piece); });
   if (!copied) return tl::make_unexpected(copied.error());
   return Program::in_file(meta_.program_name, std::move(*file));
+}
+
+Result<TemporaryFolder> Recording::called_files() const {
+  auto folder = TemporaryFolder::make();
+  for (const CalledFile& called : meta_.called) {
+    if (!folder) break;
+    if (called.name.find('/') != std::string::npos)  // nothing is written outside of the folder
+      return tl::make_unexpected(Diagnostic{
+          Code::SC6021, {}, "a called file in it is named '" + called.name + "'", file_, {}});
+    auto entry = zip_.entry(entry_of(called));
+    if (!entry) return tl::make_unexpected(std::move(entry.error()));
+    std::ofstream out(folder->file(called.name), std::ios::binary);
+    const Status copied = for_each_piece(std::move(*entry), [&](std::string_view piece) -> Status {
+      out.write(piece.data(), static_cast<std::streamsize>(piece.size()));
+      if (!out) return no_temporary(errno);
+      return {};
+    });
+    if (!copied) return tl::make_unexpected(copied.error());
+  }
+  return folder;
 }
 
 }  // namespace softcnc::app

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Recordings: program, machine and trace in one file, so that a run can be run again.
 //
-// A zip of meta.json, program, machine.toml, state.toml and trace.csv.zst, in this order.
+// A zip of meta.json, program, the files it called, machine.toml, state.toml and trace.csv.zst, in
+// this order.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "channel.hpp"
 #include "hal/output_file.hpp"
@@ -18,11 +20,17 @@ namespace softcnc::app {
 /// Raised when a recording changes its form.
 inline constexpr int kRecordingSchema = 1;
 
+/// A file that the program called: its name beside the program, and hash_hex() of it.
+struct CalledFile {
+  std::string name, hash;
+};
+
 /// meta.json. Hashes are hash_hex() of the entries' bytes.
 struct RecordingMeta {
   std::string program_name, program_hash, machine_hash, trace_hash;
   std::string state_hash;  // empty: the start state, and there is no such entry
   std::int64_t rows = 0;
+  std::vector<CalledFile> called;
   ChannelOptions options;  // the state in it is that of state.toml
 };
 
@@ -36,6 +44,7 @@ class TemporaryFolder {
   ~TemporaryFolder();
 
   std::string file(const std::string& name) const { return path_ / name; }
+  std::string name() const { return path_; }
 
  private:
   explicit TemporaryFolder(std::filesystem::path path) : path_(std::move(path)) {}
@@ -43,7 +52,7 @@ class TemporaryFolder {
 };
 
 /// Writes a recording of a run whose trace lies in `folder` as trace.csv.zst. The hashes of `meta`
-/// are filled in. Errors: SC6003, SC6012, SC6013.
+/// are filled in; the names of called files must be there. Errors: SC6003, SC6012, SC6013.
 Status write_recording(hal::OutputFile& file, Program& program, const Machine& machine,
                        RecordingMeta meta, const TemporaryFolder& folder);
 
@@ -58,6 +67,8 @@ class Recording {
   const std::string& machine() const noexcept { return machine_; }
   /// The program, in an unlinked file of its own.
   Result<Program> program() const;
+  /// The files that the program called, in a folder of their own. Errors: SC6003, SC6021.
+  Result<TemporaryFolder> called_files() const;
   /// trace.csv.zst
   Result<ZipEntry> trace() const { return zip_.entry("trace.csv.zst"); }
   /// Errors: SC6021, where the trace is not what was recorded.

@@ -41,7 +41,10 @@ Result<RecordingMeta> read(const Json& json) {
                      json.at("trace").at("hash"),
                      json.contains("state") ? json.at("state").at("hash") : Json(""),
                      json.at("trace").at("rows"),
+                     {},
                      {}};
+  for (const Json& file : json.value("called", Json::array()))
+    meta.called.push_back({file.at("name"), file.at("hash")});
   meta.options.feed_override = options.at("feed_override");
   meta.options.interpreter.block_skip = options.at("block_skip");
   meta.options.interpreter.optional_stop = options.at("optional_stop");
@@ -53,19 +56,21 @@ Result<RecordingMeta> read(const Json& json) {
 }  // namespace
 
 std::string meta_json(const RecordingMeta& meta) {
-  const Json json{{"schema", kRecordingSchema},
-                  {"softcnc", SOFTCNC_VERSION},
-                  {"program", {{"name", meta.program_name}, {"hash", meta.program_hash}}},
-                  {"machine", {{"hash", meta.machine_hash}}},
-                  {"state", {{"hash", meta.state_hash}}},
-                  {"trace", {{"hash", meta.trace_hash}, {"rows", meta.rows}}},
-                  {"options",
-                   {{"feed_override", meta.options.feed_override},
-                    {"block_skip", meta.options.interpreter.block_skip},
-                    {"optional_stop", meta.options.interpreter.optional_stop},
-                    {"dialect", name(meta.options.interpreter.dialect)},
-                    {"format", name(meta.options.interpreter.format)}}},
-                  {"start", {{"position_mm", {0, 0, 0}}, {"tool", nullptr}}}};
+  Json json{{"schema", kRecordingSchema},
+            {"softcnc", SOFTCNC_VERSION},
+            {"program", {{"name", meta.program_name}, {"hash", meta.program_hash}}},
+            {"machine", {{"hash", meta.machine_hash}}},
+            {"state", {{"hash", meta.state_hash}}},
+            {"trace", {{"hash", meta.trace_hash}, {"rows", meta.rows}}},
+            {"options",
+             {{"feed_override", meta.options.feed_override},
+              {"block_skip", meta.options.interpreter.block_skip},
+              {"optional_stop", meta.options.interpreter.optional_stop},
+              {"dialect", name(meta.options.interpreter.dialect)},
+              {"format", name(meta.options.interpreter.format)}}},
+            {"start", {{"position_mm", {0, 0, 0}}, {"tool", nullptr}}}};
+  for (const CalledFile& file : meta.called)
+    json["called"].push_back({{"name", file.name}, {"hash", file.hash}});
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -31,6 +31,7 @@ struct Material {
   Recording recording;
   Machine machine;
   Program program;
+  TemporaryFolder called;
   std::unique_ptr<hal::Backend> backend;
   TraceComparison comparison;
 };
@@ -42,12 +43,15 @@ Result<Material> open_material(const std::string& name, const Options& options) 
   if (!machine) return tl::make_unexpected(std::move(machine.error()));
   auto program = recording->program();
   if (!program) return tl::make_unexpected(std::move(program.error()));
+  auto called = recording->called_files();
+  if (!called) return tl::make_unexpected(std::move(called.error()));
   auto backend = hal::open_backend(*machine);
   if (!backend) return tl::make_unexpected(std::move(backend.error()));
   auto trace = recording->trace();
   if (!trace) return tl::make_unexpected(std::move(trace.error()));
-  return Material{std::move(*recording), std::move(*machine), std::move(*program),
-                  std::move(*backend), TraceComparison(TraceLines(std::move(*trace)))};
+  return Material{std::move(*recording), std::move(*machine),
+                  std::move(*program),   std::move(*called),
+                  std::move(*backend),   TraceComparison(TraceLines(std::move(*trace)))};
 }
 
 /// Runs the program; its rows go to the comparison. Returns the exit status of the run.
@@ -62,8 +66,10 @@ int run_again(Material& material, Terminal& terminal) {
   });
   diagnostics.set_file(material.program.name());
   ipr::Reader reader = material.program.reader();
-  const Outcome outcome = simulate(reader, machine, material.recording.meta().options,
-                                   *material.backend, diagnostics, &rows, &terminal);
+  ChannelOptions options = material.recording.meta().options;
+  options.interpreter.folder = material.called.name();
+  const Outcome outcome =
+      simulate(reader, machine, options, *material.backend, diagnostics, &rows, &terminal);
   terminal.end();
   const bool stopped = outcome.end == Outcome::End::stopped;
   if (!stopped && rows.finish()) material.comparison.finish();

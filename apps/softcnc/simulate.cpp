@@ -133,6 +133,7 @@ Outcome Simulation::finish() {
   outcome_.time_by_limit = channel_.time_by_limit();
   outcome_.measured = verification_.measured();
   outcome_.planner = channel_.feeder().counts();
+  outcome_.called_files = channel_.feeder().called_files();
   outcome_.cpu.planning = channel_.feeder().cpu();
   outcome_.cpu.cycle -= outcome_.cpu.planning;
   return outcome_;

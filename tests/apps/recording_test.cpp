@@ -332,3 +332,40 @@ TEST_CASE("several recordings are replayed though one differs", "[apps][recordin
   CHECK(ended.status == 5);
   CHECK(ended.err.find("rows agree") != std::string::npos);
 }
+
+TEST_CASE("a recording holds the files that its program called", "[apps][recording]") {
+  const Folder folder;
+  const std::string program = folder / "main.nc", file = folder / "main.rec";
+  write(program, "o<step> call [5]\no<step> call [8]\nM30\n");
+  write(folder / "step.ngc", "o<step> sub\nG0 X#1\no<step> endsub\n");
+  write(folder / "other.ngc", "o<other> sub\no<other> endsub\n");
+  REQUIRE(call("record -q " + program + " -o " + file).status == 0);
+  CHECK(entry(file, "called/step.ngc") == read(folder / "step.ngc"));
+  const json called = json::parse(entry(file, "meta.json"))["called"];
+  REQUIRE(called.size() == 1);
+  CHECK(called[0]["name"] == "step.ngc");
+  CHECK(called[0]["hash"] == softcnc::hal::hash_hex(read(folder / "step.ngc")));
+  write(folder / "step.ngc", "o<step> sub\nG0 X[#1+1]\no<step> endsub\n");
+  const Ended same = call("replay " + file);
+  CHECK(same.status == 0);
+}
+
+TEST_CASE("what happens in a called file is told with its name", "[apps][check]") {
+  const Folder folder;
+  write(folder / "main.nc", "o<far> call\nM30\n");
+  write(folder / "far.ngc", "(far away)\no<far> sub\nG0 X2000\no<far> endsub\n");
+  const Ended ended = call("check " + (folder / "main.nc"));
+  CHECK(ended.status == 3);
+  CHECK(ended.out.find(folder / "far.ngc:3:1: error SC4001: ") != std::string::npos);
+  CHECK(ended.out.find("    3 | G0 X2000\n") != std::string::npos);
+}
+
+TEST_CASE("a program that goes back comes through a pipe", "[apps][blocks]") {
+  std::string text = "o1 sub\nG0 X#1\no1 endsub\n";
+  for (int i = 0; i < 20000; ++i) text += "G0 X1 (a line that is read once)\n";
+  text += "#2=0\no2 repeat [3]\n#2=[#2+2]\no1 call [#2]\no2 endrepeat\nM30\n";
+  const Ended ended = call("blocks -", text);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.ends_with(
+      "\"to\":[6,0,0]}\n{\"line\":20009,\"block\":5,\"kind\":\"end\",\"code\":30}\n"));
+}
