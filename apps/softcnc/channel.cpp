@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cpu_clock.hpp"
+#include "descriptor.hpp"
 #include "ipo/stop.hpp"
 
 namespace softcnc::app {
@@ -32,9 +33,10 @@ bool is_pause(const Block& block) {
 
 }  // namespace
 
-Feeder::Feeder(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
-               Diagnostics& diagnostics)
+Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
+               const ChannelOptions& options, Diagnostics& diagnostics)
     : reader_(reader),
+      input_(input),
       machine_(machine),
       options_(options),
       diagnostics_(diagnostics),
@@ -45,53 +47,65 @@ Feeder::Feeder(ipr::Reader& reader, const Machine& machine, const ChannelOptions
 
 void Feeder::fill(ipo::BlockQueue& queue, double until) {
   CpuLaps cpu;
+  waiting_ = false;
   while (queue.t_end() <= until) {
-    if (auto timed = planner_.pop()) {
-      if (is_pause(timed->block)) pauses_.push_back({timed->block, timed->t_end()});
-      queue.push(std::move(*timed));
-    } else if (ended_) {
-      break;
-    } else {
-      read_block();
-    }
+    auto timed = planner_.pop();
+    if (!timed && ended_) break;
+    if (!timed && read_block()) continue;
+    if (!timed) timed = planner_.pop_now();
+    waiting_ = !timed;
+    if (waiting_) break;
+    if (is_pause(timed->block)) pauses_.push_back({timed->block, timed->t_end()});
+    queue.push(std::move(*timed));
   }
   cpu_ += cpu.lap();
 }
 
 void Feeder::finish(ipo::BlockQueue& queue) {
+  waiting_ = false;
   if (!std::exchange(ended_, true)) planner_.finish();
   while (auto timed = planner_.pop()) queue.push(std::move(*timed));
 }
 
-void Feeder::read_block() {
+/// False if that would have to wait.
+bool Feeder::read_block() {
   auto block = interpreter_.next();
+  if (!block && interpreter_.waiting()) return false;
   if (block && options_.keeps_state) states_.add(block->number, interpreter_.state());
   const bool good = block && diagnostics_.errors() == 0;
   if (good) planner_.push(*std::exchange(block, std::nullopt));
-  if (good && diagnostics_.errors() == 0) return;
+  if (good && diagnostics_.errors() == 0) return true;
   planner_.finish();
   ended_ = true;
   read_on(std::move(block));
   if (reader_.failure()) diagnostics_.report(*reader_.failure());
+  return true;
+}
+
+/// The next block, however long it takes to come.
+std::optional<Block> Feeder::wait_for_block() {
+  auto block = interpreter_.next();
+  for (; !block && interpreter_.waiting(); block = interpreter_.next()) wait_for_input(input_);
+  return block;
 }
 
 /// Reads to the end of the program only to find what else is wrong.
 void Feeder::read_on(std::optional<Block> block) {
   if (diagnostics_.errors() == 0) return;
   ipo::Planner rest(machine_, options_.feed_override, diagnostics_);
-  if (!block) block = interpreter_.next();
-  for (; block; block = interpreter_.next()) {
+  if (!block) block = wait_for_block();
+  for (; block; block = wait_for_block()) {
     rest.push(std::move(*block));
     while (rest.pop()) {
     }
   }
 }
 
-Channel::Channel(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
-                 Diagnostics& diagnostics)
+Channel::Channel(ipr::Reader& reader, int input, const Machine& machine,
+                 const ChannelOptions& options, Diagnostics& diagnostics)
     : machine_(machine),
       feed_override_(options.feed_override),
-      feeder_(reader, machine, options, diagnostics),
+      feeder_(reader, input, machine, options, diagnostics),
       queue_(10 * machine.control.period),
       interpolator_(queue_, machine.control) {}
 
@@ -121,6 +135,8 @@ std::optional<Setpoint> Channel::step(const Panel& panel) noexcept {
     broken_ = std::current_exception();
     return std::nullopt;
   }
+  if (panel.stop && waiting()) feeder_.finish(queue_);
+  if (waiting()) return std::nullopt;
   started_ = true;
   return interpolator_.step();
 }

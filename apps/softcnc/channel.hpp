@@ -43,13 +43,15 @@ struct Pause {
 class Feeder {
  public:
   /// What is referred to must outlive the feeder.
-  Feeder(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+  Feeder(ipr::Reader& reader, int input, const Machine& machine, const ChannelOptions& options,
          Diagnostics& diagnostics);
 
   /// Times blocks until the queue reaches beyond `until`, or holds all there are. After an error
   /// the motion ends with the last good block, and the rest is read only to tell what else is
   /// wrong.
   void fill(ipo::BlockQueue& queue, double until);
+  /// Whether fill() has ended because the program's pipe has nothing more yet.
+  bool waiting() const noexcept { return waiting_; }
 
   /// Reads no further; the queue gets what has been read.
   void finish(ipo::BlockQueue& queue);
@@ -65,11 +67,12 @@ class Feeder {
   double cpu() const noexcept { return cpu_; }  // s
 
  private:
-  void read_block();
-  void end();
+  bool read_block();
+  std::optional<Block> wait_for_block();
   void read_on(std::optional<Block> block);
 
   ipr::Reader& reader_;
+  int input_;  // where it reads
   const Machine& machine_;
   const ChannelOptions options_;
   Diagnostics& diagnostics_;
@@ -78,14 +81,14 @@ class Feeder {
   ipo::Planner planner_;
   std::deque<Pause> pauses_;
   StateHistory states_;
-  bool ended_ = false;
+  bool ended_ = false, waiting_ = false;
   double cpu_ = 0;
 };
 
 /// A Source of setpoints for one thread: it plans whenever the queue runs low.
 class Channel {
  public:
-  Channel(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+  Channel(ipr::Reader& reader, int input, const Machine& machine, const ChannelOptions& options,
           Diagnostics& diagnostics);
 
   /// The next setpoint; nothing at the end. When the panel asks for a stop the rest of the way is
@@ -96,6 +99,11 @@ class Channel {
   /// The pause that the next step passes, if there is one; resume() lets it pass.
   const Pause* pause_ahead() noexcept;
   void resume() noexcept { feeder_.pauses().pop_front(); }
+
+  /// Whether there is no next setpoint until more of the program comes.
+  bool waiting() const noexcept {
+    return feeder_.waiting() && queue_.t_end() <= interpolator_.needs_until();
+  }
 
   /// Blocks from the one of the last forget_passed() to the present one.
   const ipo::BlockQueue& queue() const noexcept { return queue_; }
@@ -131,6 +139,8 @@ class RowSink {
   virtual ~RowSink() = default;
   /// False: no more rows are wanted.
   virtual bool row(const Setpoint& setpoint, std::span<const double> backend_values) = 0;
+  /// Hands on what there is: the next row may take long.
+  virtual void flush() {}
 };
 
 /// Looks at a run from outside, every now and then.
@@ -141,6 +151,8 @@ class Watcher {
   virtual void sees(const Setpoint& latest) = 0;
   /// Before M00, M01 and M06 are passed. Returns when the program may go on, or is to stop.
   virtual void pause(const Block& block) = 0;
+  /// Returns when there is something to read, or the run is to stop.
+  virtual void wait_for_input(int descriptor) = 0;
 };
 
 /// What a run leaves. CPU times are of this thread.
@@ -164,7 +176,9 @@ struct Outcome {
 };
 
 /// A run as fast as the computer goes: the same rows every time. `rows` and `watcher` may be null.
-Outcome simulate(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
-                 hal::Backend& backend, Diagnostics& diagnostics, RowSink* rows, Watcher* watcher);
+/// `input` is where the reader reads.
+Outcome simulate(ipr::Reader& reader, int input, const Machine& machine,
+                 const ChannelOptions& options, hal::Backend& backend, Diagnostics& diagnostics,
+                 RowSink* rows, Watcher* watcher);
 
 }  // namespace softcnc::app

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 // `softcnc check`: the whole pipeline without motion; every diagnostic of every file on stdout.
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <string>
+#include <vector>
+
 #include "commands.hpp"
+#include "file_watch.hpp"
 #include "hal/machine_file.hpp"
 #include "machine_memory.hpp"
 #include "messages.hpp"
@@ -13,13 +18,28 @@
 namespace softcnc::app {
 namespace {
 
+constexpr int kSignalled = 128;
+
+/// Breaks a check off when a signal comes.
+class SignalWatcher final : public Watcher {
+ public:
+  explicit SignalWatcher(StopSignals& signals) : signals_(signals) {}
+  bool wants_stop() override { return signals_.poll() != 0; }
+  void sees(const Setpoint&) override {}
+  void pause(const Block&) override {}
+  void wait_for_input(int descriptor) override { signals_.wait_for_input(descriptor); }
+
+ private:
+  StopSignals& signals_;
+};
+
 int check_program(const std::string& name, const Machine& machine, const ChannelOptions& options,
-                  Messages& messages) {
-  auto program = Program::open(name);
+                  Messages& messages, Watcher* watcher) {
+  auto program = Program::open(name, Readings::one);
   if (!program) return messages.fail(program.error());
   ChannelOptions beside = options;
   beside.interpreter.folder = program->folder();
-  const Preflight checked = preflight(*program, machine, beside, messages);
+  const Preflight checked = preflight(*program, machine, beside, messages, watcher);
   if (checked.status == 0)
     spdlog::debug("{}: {}, {:.3f} mm in {} blocks", program->name(),
                   duration_text(checked.outcome.time), checked.outcome.last.s,
@@ -27,7 +47,8 @@ int check_program(const std::string& name, const Machine& machine, const Channel
   return checked.status;
 }
 
-int check_all(const Options& options, const StandardOutput& out, Messages& messages) {
+int check_all(const Options& options, const StandardOutput& out, Messages& messages,
+              Watcher* watcher) {
   const auto machine = hal::load_machine(options.machine_file, options.settings);
   if (!machine) return messages.fail(machine.error());
   auto state = open_state(options.state, messages);
@@ -36,24 +57,64 @@ int check_all(const Options& options, const StandardOutput& out, Messages& messa
   channel.state = std::move(*state);
   int status = 0;
   for (const std::string& name : options.files)
-    if (out.ok()) status = worse_status(status, check_program(name, *machine, channel, messages));
+    if (out.ok())
+      status = worse_status(status, check_program(name, *machine, channel, messages, watcher));
   return status;
 }
 
+struct Checked {
+  int status = 0;   // of what was found
+  int written = 0;  // 0: the output was written
+};
+
+std::string counts(const Messages& messages) {
+  const auto counted = [](int count, Severity severity) {
+    return fmt::format("{} {}{}", count, name(severity), count == 1 ? "" : "s");
+  };
+  return fmt::format("{}, {}, {}", counted(messages.count(Severity::error), Severity::error),
+                     counted(messages.count(Severity::warning), Severity::warning),
+                     counted(messages.count(Severity::note), Severity::note));
+}
+
 /// All files once, in the form asked for.
-int check_once(const Options& options) {
+Checked check_once(const Options& options, Watcher* watcher) {
   StandardOutput out;
   const auto write = [&out](std::string_view text) { out.write(text); };
   const auto document = make_document(options.diagnostics, write);
   Messages messages = document ? Messages(*document) : Messages(write, colourful(STDOUT_FILENO));
-  const int status = check_all(options, out, messages);
-  if (document) document->finish(status);
-  const int written = out.finish();
-  return written != 0 ? written : status;
+  const int status = check_all(options, out, messages, watcher);
+  if (document)
+    document->finish(status);
+  else if (options.watch)
+    out.write(fmt::format("--- {}; watching\n", counts(messages)));
+  return {status, out.finish()};
+}
+
+std::vector<std::string> files_of(const Options& options) {
+  std::vector<std::string> files = options.files;
+  for (const std::string& file : {options.machine_file, options.state})
+    if (!file.empty()) files.push_back(file);
+  return files;
+}
+
+int check_again_and_again(const Options& options) {
+  StopSignals signals;
+  SignalWatcher watcher(signals);
+  auto changes = FileWatch::open(files_of(options));
+  if (!changes) return failed(changes.error());
+  do {
+    if (const Checked checked = check_once(options, &watcher); checked.written != 0)
+      return checked.written;
+  } while (changes->wait(signals));
+  return kSignalled + signals.poll();
 }
 
 }  // namespace
 
-int check(const Options& options) { return check_once(options); }
+int check(const Options& options) {
+  if (options.watch) return check_again_and_again(options);
+  const Checked checked = check_once(options, nullptr);
+  return checked.written != 0 ? checked.written : checked.status;
+}
 
 }  // namespace softcnc::app

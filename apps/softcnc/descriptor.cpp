@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "descriptor.hpp"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -33,6 +34,11 @@ Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
 
 Descriptor::~Descriptor() {
   if (number_ >= 0) ::close(number_);
+}
+
+void wait_for_input(int descriptor) {
+  pollfd source{descriptor, POLLIN, 0};
+  ::poll(&source, 1, -1);
 }
 
 Result<std::string> temporary_name() {

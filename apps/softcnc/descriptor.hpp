@@ -22,6 +22,9 @@ class Descriptor {
   int number_;
 };
 
+/// Returns when there is something to read.
+void wait_for_input(int descriptor);
+
 /// A name for mkstemp() or mkdtemp() in the folder for temporary files. Errors: SC6003.
 Result<std::string> temporary_name();
 

@@ -64,6 +64,7 @@ Messages::Messages(const std::function<void()>& clear)
 }
 
 void Messages::show(const Diagnostic& diagnostic) {
+  ++counts_[static_cast<std::size_t>(diagnostic.severity())];
   if (document_)
     document_->add(diagnostic);
   else

@@ -2,6 +2,7 @@
 // Diagnostics on their way to a person, and data on its way to standard output.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <span>
@@ -39,6 +40,11 @@ class Messages {
   /// Where the stages report to. `program` supplies the text of lines and must outlive it.
   Diagnostics::Sink sink(Program& program);
 
+  /// How many have been shown.
+  int count(Severity severity) const noexcept {
+    return counts_[static_cast<std::size_t>(severity)];
+  }
+
   std::span<const Diagnostic> kept() const noexcept { return kept_; }
 
  private:
@@ -46,6 +52,7 @@ class Messages {
   DiagnosticDocument* document_ = nullptr;
   bool colour_ = false;
   std::vector<Diagnostic> kept_;
+  std::array<int, 3> counts_{};  // by severity
 };
 
 /// The same on standard error.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <iterator>
 #include <span>
@@ -165,6 +166,7 @@ void make_check(CLI::App& command, Options& options) {
   command.add_option("PART", options.files, "Part programs; - is standard input")
       ->required()
       ->type_name("");
+  command.add_flag("--watch", options.watch, "Check again whenever a file changes, until Ctrl-C");
   add_machine(command, options);
   add_state(command, options, kReadsState);
   add_feed_override(command, options);
@@ -272,6 +274,9 @@ std::string contradiction(const Options& options) {
   if (options.command == Command::codes) return {};
   if (options.progress == ProgressMode::json && options.diagnostics != DiagnosticsFormat::text)
     return "--progress json and --diagnostics both want standard error";
+  const auto& files = options.files;
+  if (options.watch && std::find(files.begin(), files.end(), "-") != files.end())
+    return "--watch cannot watch standard input";
   return file_clash(options);
 }
 

@@ -29,7 +29,7 @@ struct Options {
   ipr::Dialect dialect = ipr::Dialect::linuxcnc;
   ipr::Format format = ipr::Format::automatic;
 
-  bool dry_run = false;
+  bool dry_run = false, watch = false;
   std::string trace, report;  // files; empty: none
   std::string output;         // of record
 

@@ -92,8 +92,8 @@ void Performer::run(hal::Backend& backend, TraceRows& rows) {
   Diagnostics diagnostics(sink());
   diagnostics.set_file(job_.program.name());
   ipr::Reader reader = job_.program.reader();
-  performance_.outcome =
-      simulate(reader, job_.machine, job_.options, backend, diagnostics, &rows, &terminal_);
+  performance_.outcome = simulate(reader, job_.program.descriptor(), job_.machine, job_.options,
+                                  backend, diagnostics, &rows, &terminal_);
   terminal_.end();
   performance_.following_error = backend.following_error_max();
   performance_.settled = backend.settle();
@@ -120,6 +120,7 @@ void Performer::judge(Diagnostics& diagnostics) {
 }
 
 void Performer::close(TraceRows& rows) {
+  if (performance_.outcome.end == Outcome::End::done) rows.add_hash_of(job_.program);
   const auto finished = rows.finish();
   if (finished) return;
   performance_.ending = Ending::error;
@@ -155,7 +156,8 @@ Performance check_first(Job& job, Messages& messages, Terminal& terminal, double
 Result<Job> open_job(const Options& options) {
   auto machine = hal::load_machine(options.machine_file, options.settings);
   if (!machine) return tl::make_unexpected(std::move(machine.error()));
-  auto program = Program::open(options.files.front());
+  auto program =
+      Program::open(options.files.front(), options.dry_run ? Readings::one : Readings::any);
   if (!program) return tl::make_unexpected(std::move(program.error()));
   Messages messages;
   auto state = open_state(options.state, messages);

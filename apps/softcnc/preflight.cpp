@@ -32,7 +32,8 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
   diagnostics.set_file(program.name());
   ipr::Reader reader = program.reader();
   Preflight result;
-  result.outcome = simulate(reader, machine, options, **backend, diagnostics, nullptr, watcher);
+  result.outcome = simulate(reader, program.descriptor(), machine, options, **backend, diagnostics,
+                            nullptr, watcher);
   if (diagnostics.errors() == 0) report_excess(result.outcome.measured, machine, diagnostics);
   result.status = diagnostics.status();
   return result;

@@ -47,7 +47,7 @@ std::string folder_of(const std::string& name) {
 Program::Program(std::string name, Descriptor file, off_t begin)
     : name_(std::move(name)), file_(std::move(file)), begin_(begin), lines_offset_(begin) {}
 
-Result<Program> Program::open(const std::string& name) {
+Result<Program> Program::open(const std::string& name, Readings readings) {
   const bool standard_input = name == "-";
   const std::string shown = standard_input ? "<stdin>" : name;
   Descriptor file(standard_input ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
@@ -62,6 +62,11 @@ Result<Program> Program::open(const std::string& name) {
     program.set_folder(folder);
     return program;
   }
+  if (readings == Readings::one) {
+    Program program = in_file(shown, std::move(file));
+    program.stream_ = std::make_unique<StreamMemory>();
+    return program;
+  }
   auto copy = copied(file, shown);
   if (!copy) return tl::make_unexpected(std::move(copy.error()));
   Program program = in_file(shown, std::move(*copy));
@@ -74,8 +79,22 @@ Program Program::in_file(std::string name, Descriptor file) {
 }
 
 ipr::Reader Program::reader() {
-  ::lseek(*file_, begin_, SEEK_SET);
-  return ipr::Reader(*file_);
+  if (!streamed()) ::lseek(*file_, begin_, SEEK_SET);
+  ipr::Reader reader(*file_);
+  if (streamed())
+    reader.set_tap([memory = stream_.get()](std::string_view bytes) { memory->add(bytes); });
+  return reader;
+}
+
+/// What nobody has wanted to read.
+void Program::read_rest() {
+  std::array<char, 65536> piece{};
+  for (;;) {
+    const ssize_t n = ::read(*file_, piece.data(), piece.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return;
+    stream_->add({piece.data(), static_cast<std::size_t>(n)});
+  }
 }
 
 std::size_t Program::read(off_t from, char* to, std::size_t size) const {
@@ -88,12 +107,17 @@ std::size_t Program::read(off_t from, char* to, std::size_t size) const {
 
 const std::string& Program::hash() {
   if (!hash_.empty()) return hash_;
+  if (streamed()) {
+    read_rest();
+    return hash_ = stream_->hash();
+  }
   hal::Hasher hasher;
   for_each_piece([&](std::string_view piece) { hasher.add(piece); });
   return hash_ = hasher.hex();
 }
 
 std::string Program::line(int number) {
+  if (streamed()) return stream_->line(number);
   const off_t here = ::lseek(*file_, 0, SEEK_CUR);
   if (!lines_ || lines_->line() > number) {
     lines_.emplace(*file_);

@@ -4,6 +4,8 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,14 +13,18 @@
 #include "descriptor.hpp"
 #include "ipr/reader.hpp"
 #include "motion/result.hpp"
+#include "stream_memory.hpp"
 
 namespace softcnc::app {
 
+/// How often a program is read.
+enum class Readings : std::uint8_t { one, any };
+
 class Program {
  public:
-  /// "-" is standard input. What cannot be read twice is copied into an unlinked temporary file.
-  /// Errors: SC6001, SC6002, SC6003.
-  static Result<Program> open(const std::string& name);
+  /// "-" is standard input. What cannot be read twice is copied into an unlinked temporary file,
+  /// unless it is read but once: then it is streamed. Errors: SC6001, SC6002, SC6003.
+  static Result<Program> open(const std::string& name, Readings readings = Readings::any);
   /// A program that lies in `file` already.
   static Program in_file(std::string name, Descriptor file);
 
@@ -32,11 +38,15 @@ class Program {
   /// Reads from the beginning. One reader at a time.
   ipr::Reader reader();
 
-  /// hash_hex() of the text.
+  /// Whether the text passes but once.
+  bool streamed() const noexcept { return stream_ != nullptr; }
+  int descriptor() const noexcept { return *file_; }
+
+  /// hash_hex() of the text. Of a streamed one what has not been read yet is read first.
   const std::string& hash();
 
-  /// Text of a line, from 1; empty behind the end. A reader may be under way; cheap where lines are
-  /// asked for in their order.
+  /// Text of a line, from 1; empty behind the end, and where a stream has long passed it. A reader
+  /// may be under way; cheap where lines are asked for in their order.
   std::string line(int number);
 
   /// Calls take(bytes) for the text, piece by piece, from the beginning.
@@ -45,12 +55,14 @@ class Program {
 
  private:
   Program(std::string name, Descriptor file, off_t begin);
+  void read_rest();
   std::size_t read(off_t from, char* to, std::size_t size) const;
 
   std::string name_, folder_;
   Descriptor file_;
   off_t begin_;
   std::string hash_;
+  std::unique_ptr<StreamMemory> stream_;
 
   // Reads lines for diagnostics, with a place of its own in the file.
   std::optional<ipr::Reader> lines_;

@@ -68,8 +68,8 @@ int run_again(Material& material, Terminal& terminal) {
   ipr::Reader reader = material.program.reader();
   ChannelOptions options = material.recording.meta().options;
   options.interpreter.folder = material.called.name();
-  const Outcome outcome =
-      simulate(reader, machine, options, *material.backend, diagnostics, &rows, &terminal);
+  const Outcome outcome = simulate(reader, material.program.descriptor(), machine, options,
+                                   *material.backend, diagnostics, &rows, &terminal);
   terminal.end();
   const bool stopped = outcome.end == Outcome::End::stopped;
   if (!stopped && rows.finish()) material.comparison.finish();

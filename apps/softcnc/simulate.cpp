@@ -4,6 +4,7 @@
 
 #include "channel.hpp"
 #include "cpu_clock.hpp"
+#include "descriptor.hpp"
 #include "verification.hpp"
 
 namespace softcnc::app {
@@ -55,9 +56,10 @@ class Batch {
 
 class Simulation {
  public:
-  Simulation(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+  Simulation(ipr::Reader& reader, int input, const Machine& machine, const ChannelOptions& options,
              hal::Backend& backend, Diagnostics& diagnostics)
-      : channel_(reader, machine, options, diagnostics),
+      : input_(input),
+        channel_(reader, input, machine, options, diagnostics),
         backend_(backend),
         buffer_(backend),
         verification_(machine) {}
@@ -65,6 +67,7 @@ class Simulation {
   Outcome run(RowSink* rows, Watcher* watcher) {
     do {
       wait(watcher);
+      if (channel_.waiting()) wait_for_more(rows, watcher);
       if (watcher && !panel_.stop) panel_.stop = watcher->wants_stop();
     } while (run_batch(rows, watcher));
     channel_.rethrow();
@@ -73,10 +76,12 @@ class Simulation {
 
  private:
   void wait(Watcher* watcher);
+  void wait_for_more(RowSink* rows, Watcher* watcher) const;
   bool run_batch(RowSink* rows, Watcher* watcher);
   bool write(RowSink* rows);
   Outcome finish();
 
+  int input_;
   Panel panel_;
   Channel channel_;
   hal::Backend& backend_;
@@ -92,6 +97,15 @@ void Simulation::wait(Watcher* watcher) {
     if (watcher) watcher->pause(pause->block);
     channel_.resume();
   }
+}
+
+/// Whoever reads the rows sees what there is, however long the next line of the program takes.
+void Simulation::wait_for_more(RowSink* rows, Watcher* watcher) const {
+  if (rows) rows->flush();
+  if (watcher)
+    watcher->wait_for_input(input_);
+  else
+    wait_for_input(input_);
 }
 
 /// True if more may follow.
@@ -115,7 +129,7 @@ bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   if (!wanted) outcome_.end = Outcome::End::broken_off;
   if (cycle.last.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
   return outcome_.end == Outcome::End::done &&
-         (cycle.setpoints == kBatch || channel_.pause_ahead());
+         (cycle.setpoints == kBatch || channel_.pause_ahead() || channel_.waiting());
 }
 
 bool Simulation::write(RowSink* rows) {
@@ -141,9 +155,10 @@ Outcome Simulation::finish() {
 
 }  // namespace
 
-Outcome simulate(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
-                 hal::Backend& backend, Diagnostics& diagnostics, RowSink* rows, Watcher* watcher) {
-  return Simulation(reader, machine, options, backend, diagnostics).run(rows, watcher);
+Outcome simulate(ipr::Reader& reader, int input, const Machine& machine,
+                 const ChannelOptions& options, hal::Backend& backend, Diagnostics& diagnostics,
+                 RowSink* rows, Watcher* watcher) {
+  return Simulation(reader, input, machine, options, backend, diagnostics).run(rows, watcher);
 }
 
 }  // namespace softcnc::app

@@ -23,6 +23,7 @@ class Terminal final : public Watcher {
   bool wants_stop() override { return signals_.poll() != 0; }
   void sees(const Setpoint& latest) override;
   void pause(const Block& block) override;
+  void wait_for_input(int descriptor) override { signals_.wait_for_input(descriptor); }
 
   /// Clears the screen for words.
   void end() { progress_.clear(); }

@@ -6,7 +6,8 @@
 namespace softcnc::app {
 
 hal::TraceHeader trace_header(Program& program, const Machine& machine) {
-  return {machine.control.period, program.hash(), hal::hash_hex(hal::machine_toml(machine))};
+  return {machine.control.period, program.streamed() ? "-" : program.hash(),
+          hal::hash_hex(hal::machine_toml(machine))};
 }
 
 Result<TraceRows> open_trace(const std::string& file, Program& program, const Machine& machine,

@@ -19,6 +19,13 @@ class TraceRows final : public RowSink {
     if (writer_) writer_->row(setpoint, backend_values);
     return !writer_ || writer_->ok();
   }
+  void flush() override {
+    if (writer_) writer_->flush();
+  }
+  /// Behind the last row of a program whose hash the header could not tell.
+  void add_hash_of(Program& program) {
+    if (writer_ && program.streamed()) writer_->add_program_hash(program.hash());
+  }
   Status finish() { return writer_ ? writer_->finish() : Status(); }
 
  private:

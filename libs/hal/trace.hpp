@@ -19,7 +19,7 @@ inline constexpr int kTraceSchema = 1;
 
 struct TraceHeader {
   double period = 0.001;     // s
-  std::string program_hash;  // hash_hex() of the program's text
+  std::string program_hash;  // hash_hex() of the program's text; "-": not known yet
   std::string machine_hash;  // hash_hex() of machine_toml()
 };
 
@@ -36,6 +36,12 @@ class TraceWriter {
   /// Takes as many values as there are backend columns. Allocates nothing as long as writing
   /// succeeds. After an error rows are dropped and finish() tells it.
   virtual void row(const Setpoint& setpoint, std::span<const double> backend_values) noexcept = 0;
+
+  /// Hands on what there is, for a reader that waits.
+  virtual void flush() noexcept = 0;
+
+  /// A program's hash that the header could not tell, behind the last row.
+  virtual void add_program_hash(const std::string& hash) = 0;
 
   /// False once writing has failed: a caller may stop early.
   virtual bool ok() const noexcept = 0;

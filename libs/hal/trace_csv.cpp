@@ -39,12 +39,13 @@ class CsvTrace final : public TraceWriter {
            std::span<const std::string> backend_columns);
 
   void row(const Setpoint& setpoint, std::span<const double> backend_values) noexcept override;
+  void flush() noexcept override;
+  void add_program_hash(const std::string& hash) override;
   bool ok() const noexcept override { return !failure_; }
   Status finish() override;
 
  private:
   void names(std::span<const std::string> backend_columns);
-  void flush() noexcept;
 
   std::unique_ptr<ByteSink> out_;
   TraceTime time_;
@@ -102,7 +103,15 @@ void CsvTrace::row(const Setpoint& setpoint, std::span<const double> backend_val
 }
 
 void CsvTrace::flush() noexcept {
+  if (failure_ || used_ == 0) return;
   const auto written = out_->write({buffer_.data(), std::exchange(used_, 0)});
+  if (!written && !failure_) failure_ = written.error();
+}
+
+void CsvTrace::add_program_hash(const std::string& hash) {
+  if (failure_) return;
+  flush();
+  const auto written = out_->write("# program: " + hash + '\n');
   if (!written && !failure_) failure_ = written.error();
 }
 

@@ -51,6 +51,13 @@ std::optional<TimedBlock> Planner::pop() {
   return take();
 }
 
+std::optional<TimedBlock> Planner::pop_now() {
+  hurried_ = true;
+  auto timed = pop();
+  hurried_ = false;
+  return timed;
+}
+
 /// Runs what is settled of the first pending move; true when all of it is.
 bool Planner::run_move() {
   Profile& profile = pending_.front().profile;
@@ -77,7 +84,8 @@ void Planner::add(Profile& profile, const SpeedPiece& piece) {
 
 /// Passes over the window are worth their while only when it has grown.
 bool Planner::settle() {
-  if (!finished_ && window_.size() < std::max(kFewIntervals, 2 * last_size_)) return false;
+  if (!finished_ && !hurried_ && window_.size() < std::max(kFewIntervals, 2 * last_size_))
+    return false;
   settled_ = window_.settle(finished_);
   last_size_ = window_.size() - settled_;
   ++counts_.passes;

@@ -30,6 +30,8 @@ class Planner {
 
   /// The next block whose speeds no longer depend on blocks not yet pushed.
   std::optional<TimedBlock> pop();
+  /// The same where nothing more may be pushed for long: finds out what is settled by now.
+  std::optional<TimedBlock> pop_now();
 
   const PlannerCounts& counts() const noexcept { return counts_; }
 
@@ -53,6 +55,7 @@ class Planner {
   double last_rest_ = -1;      // when the machine last rested at a turn
   bool rest_ = true;           // before the next move
   bool finished_ = false;
+  bool hurried_ = false;  // settling is worth its while however little has come
 };
 
 }  // namespace softcnc::ipo

@@ -30,7 +30,8 @@ Flow::Flow(Parser& parser, Diagnostics& diagnostics, FlowOptions options)
 std::optional<Line> Flow::next() {
   if (jump_) perform_jump();
   while (!ended_) {
-    auto line = parser_.next();
+    auto line = parser_.next_if_there();
+    if (!line && parser_.waiting()) return std::nullopt;
     if (!line) {
       if (!in_subprogram() || parser_.broke_off()) break;
       end_text();

@@ -40,7 +40,8 @@ class Flow {
   /// What is referred to must outlive the flow. Expects that the parser has not read a line.
   Flow(Parser& parser, Diagnostics& diagnostics, FlowOptions options);
 
-  /// The next line that has words or is broken; nothing at the end of the program.
+  /// The next line that has words or is broken; nothing at the end of the program, and while the
+  /// parser waits for a pipe.
   std::optional<Line> next();
   /// Asks for a jump before the next line; `text` is that of the line that asks.
   void jump(Jump jump, std::string_view text);

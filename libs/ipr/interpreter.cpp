@@ -57,6 +57,8 @@ std::optional<Block> Interpreter::next() {
     if (modal_.ended) return std::nullopt;
     if (const auto line = flow_.next())
       interpret(*line);
+    else if (waiting())
+      return std::nullopt;
     else
       finish();
   }

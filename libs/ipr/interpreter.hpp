@@ -43,6 +43,9 @@ class Interpreter {
   /// Files that have been called so far: their names in the folder.
   std::vector<std::string> called_files() const { return flow_.called_files(); }
 
+  /// Whether next() has given nothing because a pipe has nothing more yet: ask again when it has.
+  bool waiting() const noexcept { return parser_.waiting(); }
+
   /// Offsets and the like as the lines read so far leave them; at the end, what is to be kept.
   const MachineState& state() const noexcept { return modal_.state; }
 

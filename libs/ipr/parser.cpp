@@ -14,10 +14,17 @@ void Parser::configure(const ParserOptions& options) {
 }
 
 std::optional<Line> Parser::next() {
+  reader_->wait();
+  return next_line([this] { read_line(Depth::usual); });
+}
+
+std::optional<Line> Parser::next_if_there() {
+  reader_->do_not_wait();
   return next_line([this] { read_line(Depth::usual); });
 }
 
 std::optional<Line> Parser::next_statement() {
+  reader_->wait();
   return next_line([this] { read_outline(); });
 }
 
@@ -46,6 +53,7 @@ template <typename Read>
 std::optional<Line> Parser::next_line(Read read) {
   while (!ended_) {
     const auto text = reader_->next();
+    if (!text && reader_->waiting()) return std::nullopt;
     if (!text) break;
     begin_line(*text);
     read();

@@ -50,6 +50,10 @@ class Parser {
   /// which is the end of the text or a second '%'. Assignments take effect, conditions are
   /// evaluated; the condition of an elseif is not.
   std::optional<Line> next();
+  /// The same, but that it does not wait for a pipe: then waiting() is true.
+  std::optional<Line> next_if_there();
+  bool waiting() const noexcept { return !ended_ && reader_->waiting(); }
+
   /// The next line that has a line number or a statement, of which only kind and label are read:
   /// for lines that are passed over. Nothing is evaluated, assigned or reported.
   std::optional<Line> next_statement();

@@ -3,6 +3,7 @@
 #include "ipr/reader.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -50,6 +51,9 @@ Reader& Reader::operator=(Reader&& other) noexcept {
   line_feed_ = other.line_feed_;
   line_feed_belongs_to_cr_ = other.line_feed_belongs_to_cr_;
   line_was_cut_ = other.line_was_cut_;
+  waits_ = other.waits_;
+  waiting_ = other.waiting_;
+  tap_ = std::move(other.tap_);
   line_ = other.line_;
   seek_error_ = other.seek_error_;
   failure_ = std::move(other.failure_);
@@ -83,6 +87,7 @@ Reader Reader::from_text(std::string text) {
 }
 
 std::optional<std::string_view> Reader::next() {
+  waiting_ = false;
   std::size_t searched = 0;  // bytes of the line that hold no line end
   for (;;) {
     skip_line_feed();
@@ -91,6 +96,7 @@ std::optional<std::string_view> Reader::next() {
     if (!fill()) break;
     searched = 0;
   }
+  if (waiting_) return std::nullopt;
   if (begin_ == end_) return std::nullopt;
   return take(end_);
 }
@@ -132,14 +138,22 @@ bool Reader::fill() {
   return true;
 }
 
+bool Reader::has_nothing_yet() const noexcept {
+  pollfd source{descriptor_, POLLIN, 0};
+  return ::poll(&source, 1, 0) == 0;
+}
+
 /// What lies at end_offset_: once more out of the spool, or new.
 std::ptrdiff_t Reader::read_more(char* to, std::size_t size) {
   std::ptrdiff_t got = 0;
   const bool again = is_pipe() && end_offset_ < spool_.size();
   if (is_pipe() && !again && pipe_ended_) return 0;
+  waiting_ = is_pipe() && !again && !waits_ && has_nothing_yet();
+  if (waiting_) return 0;
   do {
     got = again ? spool_.read(end_offset_, to, size) : ::read(descriptor_, to, size);
   } while (got < 0 && errno == EINTR);
+  if (!again && got > 0 && tap_) tap_({to, static_cast<std::size_t>(got)});
   if (is_pipe() && !again && got > 0) spool_.add(to, static_cast<std::size_t>(got));
   if (!again && got == 0) pipe_ended_ = true;
   return got;

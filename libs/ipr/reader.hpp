@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "ipr/spool.hpp"
 #include "motion/result.hpp"
@@ -53,6 +55,15 @@ class Reader {
   /// or no more fits.
   std::string_view unread() const noexcept { return {buffer_.data() + begin_, end_ - begin_}; }
   bool read_ahead() { return end_ - begin_ < buffer_.size() / 2 && fill(); }
+  /// From here on next() gives nothing, and waiting() is true, where a pipe has nothing more yet.
+  void do_not_wait() noexcept { waits_ = false; }
+  /// From here on next() waits for whoever writes; so it is at the beginning.
+  void wait() noexcept { waits_ = true; }
+  bool waiting() const noexcept { return waiting_; }
+
+  /// Takes what is read for the first time, piece by piece.
+  using Tap = std::function<void(std::string_view)>;
+  void set_tap(Tap tap) { tap_ = std::move(tap); }
 
   /// Number of the line last read, from 1; 0 before the first.
   int line() const noexcept { return line_; }
@@ -70,6 +81,7 @@ class Reader {
   std::size_t find(char wanted, std::size_t from, std::size_t to) const noexcept;
   bool fill();
   std::ptrdiff_t read_more(char* to, std::size_t size);
+  bool has_nothing_yet() const noexcept;
   bool is_pipe() const noexcept { return origin_ < 0; }
   std::string_view take(std::size_t line_end) noexcept;
   void close() noexcept;
@@ -88,6 +100,8 @@ class Reader {
   std::size_t line_feed_ = kUnknown;  // the next LF, or end_ if there is none
   bool line_feed_belongs_to_cr_ = false;
   bool line_was_cut_ = false;
+  bool waits_ = true, waiting_ = false;
+  Tap tap_;
   int line_ = 0;
   int seek_error_ = 0;
   std::optional<Diagnostic> failure_;

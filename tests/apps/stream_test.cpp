@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Programs that pass but once: output comes as soon as the input allows.
+#include <catch2/catch.hpp>
+#include <csignal>
+
+#include "apps/shell.hpp"
+#include "apps/talk.hpp"
+#include "hal/hash.hpp"
+#include "stream_memory.hpp"
+
+using namespace softcnc;
+using namespace softcnc::app;
+using namespace softcnc::app::test;
+
+TEST_CASE("blocks shows each block before the next line is written", "[apps][stream]") {
+  Talk talk({"blocks", "-"});
+  talk.say("G00 X1\n");
+  talk.hear("{\"line\":1,\"block\":1,");
+  talk.say("(nothing to do)\n\nX2\n");
+  talk.hear("{\"line\":4,\"block\":2,");
+  talk.say("X3");  // not yet a line
+  talk.say("0\n");
+  CHECK(talk.hear("{\"line\":5,\"block\":3,")[0].find("\"to\":[30,0,0]") != std::string::npos);
+  talk.say("M30\n");
+  talk.hear("{\"line\":6,\"block\":4,");
+  CHECK(talk.finish().empty());
+  CHECK(talk.status() == 0);
+}
+
+TEST_CASE("a dry run shows rows as soon as no later line can change them", "[apps][stream]") {
+  Talk talk({"run", "-q", "--dry-run", "-"});
+  talk.say("G04 P0.01\n");
+  const auto head = talk.hear("0.005,1,1,");
+  CHECK(head[2] == "# program: -");
+  CHECK(head.size() == 5 + 6);
+  talk.say("G01 X1 F600\nX0\n");  // a turn: where it rests is known
+  const auto there = talk.hear("0.05,2,2,");
+  CHECK(there.back().find(",feed,") != std::string::npos);
+  talk.say("M30\n");
+  const std::string rest = talk.finish();
+  CHECK(
+      rest.ends_with("\n# program: " + hal::hash_hex("G04 P0.01\nG01 X1 F600\nX0\nM30\n") + "\n"));
+  CHECK(talk.status() == 0);
+}
+
+TEST_CASE("a dry run that waits for its input stops at Ctrl-C", "[apps][stream]") {
+  const std::string said = GENERATE("", "G04 P0.01\n", "G01 X10 F600\n");
+  Talk talk({"run", "-q", "--dry-run", "-"});
+  talk.say(said);
+  talk.hear("t_s,");
+  talk.send(SIGINT);
+  CHECK(talk.finish().find("# program:") == std::string::npos);
+  CHECK(talk.status() == 130);
+}
+
+TEST_CASE("a streamed program gives the rows of the file, and its hash at the end",
+          "[apps][stream]") {
+  for (const char* part : {"$data/square.nc", "$programs/08_butterfly.nc", "$data/zigzag.nc"}) {
+    const std::string file = call(std::string("run -q --dry-run ") + part).out;
+    std::string piped = shell(std::string("cat ") + part + " | $softcnc run -q --dry-run -").out;
+    const std::string key = "# program: ";
+    const std::size_t hash = file.find(key);
+    const std::string line = file.substr(hash, file.find('\n', hash) + 1 - hash);
+    CHECK(piped.ends_with('\n' + line));
+    piped.erase(piped.size() - line.size());
+    piped.replace(piped.find("# program: -\n"), std::string("# program: -\n").size(), line);
+    CHECK(piped == file);
+  }
+}
+
+TEST_CASE("what is wrong with a streamed program is shown with its line", "[apps][stream]") {
+  std::string part = "G90 G01 F600\n";
+  for (int i = 0; i < 20000; ++i) part += "(" + std::to_string(i) + ")\n";
+  const Folder folder;
+  write(folder / "p.nc", part + "Y2000\nX Y1\nM30\n");
+  for (const char* command : {"check -", "run --dry-run - 2>&1 >/dev/null", "blocks - 2>&1"}) {
+    CAPTURE(command);
+    const std::string out = shell("cat " + (folder / "p.nc") + " | $softcnc " + command).out;
+    if (std::string(command) != "blocks - 2>&1") {
+      CHECK(out.find("<stdin>:20002:1: error SC4001: Y reaches 2000 mm") != std::string::npos);
+      CHECK(out.find("20002 | Y2000\n") != std::string::npos);
+    }
+    CHECK(out.find("20003 | X Y1\n") != std::string::npos);
+  }
+}
+
+TEST_CASE("a named pipe is a program as any other", "[apps][stream]") {
+  const Folder folder;
+  const std::string fifo = folder / "fifo";
+  const Ended ended =
+      shell("mkfifo " + fifo + "; cat $data/square.nc >" + fifo + " & $softcnc blocks " + fifo);
+  CHECK(ended.status == 0);
+  CHECK(ended.out == call("blocks $data/square.nc").out);
+}
+
+TEST_CASE("a stream is remembered by its hash and its latest lines", "[apps][stream]") {
+  StreamMemory memory;
+  std::string text;
+  for (int i = 1; i <= 200000; ++i)
+    text += "line " + std::to_string(i) + (i % 3 == 0 ? "\r\n" : i % 3 == 1 ? "\n" : "\r");
+  for (std::size_t at = 0; at < text.size(); at += 997)
+    memory.add(std::string_view(text).substr(at, 997));
+  CHECK(memory.hash() == hal::hash_hex(text));
+  CHECK(memory.line(200000) == "line 200000");
+  CHECK(memory.line(190000) == "line 190000");
+  CHECK(memory.line(1).empty());
+  CHECK(memory.line(200001).empty());
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// check --watch: checks again when a file changes, however it is saved.
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "apps/shell.hpp"
+#include "apps/talk.hpp"
+
+using namespace softcnc::app::test;
+
+namespace {
+
+const std::string kGood = "G00 X1\nM30\n", kBad = "G00 X1.2.3\nM30\n";
+const std::string kNothing = "--- 0 errors, 0 warnings, 0 notes; watching";
+const std::string kOne = "--- 1 error, 0 warnings, 0 notes; watching";
+
+}  // namespace
+
+TEST_CASE("a program is checked again when it changes, until Ctrl-C", "[apps][watch]") {
+  const Folder folder;
+  const std::string part = folder / "p.nc";
+  write(part, kGood);
+  Talk talk({"check", "--watch", part});
+  CHECK(talk.hear("---") == std::vector<std::string>{kNothing});
+
+  write(part, kBad);
+  const auto told = talk.hear("---");
+  CHECK(told.front().starts_with(part + ":1:6: error SC1004: "));
+  CHECK(told.back() == kOne);
+
+  write(folder / "p.nc~", kGood);  // as editors save
+  std::filesystem::rename(folder / "p.nc~", part);
+  CHECK(talk.hear("---") == std::vector<std::string>{kNothing});
+
+  std::filesystem::remove(part);
+  CHECK(talk.hear("---").front().starts_with(part + ": error SC6001: "));
+  write(part, kGood);
+  CHECK(talk.hear("---").back() == kNothing);
+
+  talk.send(SIGINT);
+  CHECK(talk.status() == 130);
+}
+
+TEST_CASE("programs are checked again when their machine or state changes", "[apps][watch]") {
+  const Folder folder;
+  write(folder / "p.nc", "G00 X10\nM30\n");
+  write(folder / "m.toml", "");
+  write(folder / "s.toml", "schema = 1\n");
+  Talk talk({"check", "--watch", folder / "p.nc", "--machine", folder / "m.toml", "--state",
+             folder / "s.toml"});
+  talk.hear(kNothing);
+  write(folder / "m.toml", "[axis.x]\nmax_mm = 5\n");
+  CHECK(talk.hear("---").back() == kOne);
+  write(folder / "m.toml", "[axis.x]\nmax_mm = 15\n");
+  CHECK(talk.hear("---").back() == kNothing);
+  write(folder / "s.toml", "schema = 1\n[work.G54]\nx_mm = 10\n");
+  CHECK(talk.hear("---").back() == kOne);
+  talk.send(SIGTERM);
+  CHECK(talk.status() == 143);
+}
+
+TEST_CASE("each round is a document of its own where that is asked for", "[apps][watch]") {
+  const Folder folder;
+  write(folder / "p.nc", kGood);
+  Talk talk({"check", "--watch", "--diagnostics", "json", folder / "p.nc"});
+  CHECK(talk.hear("[]").size() == 1);
+  write(folder / "p.nc", kBad);
+  std::string document;
+  for (const std::string& line : talk.hear("]")) document += line;
+  CHECK(nlohmann::json::parse(document)[0]["code"] == "SC1004");
+}
+
+TEST_CASE("what cannot be watched is told", "[apps][watch]") {
+  const Ended folder = call("check --watch no/p.nc");
+  CHECK(folder.status == 5);
+  CHECK(folder.err == "no/p.nc: error SC6041: cannot be watched: No such file or directory\n");
+  const Ended input = call("check --watch -");
+  CHECK(input.status == 2);
+  CHECK(input.err.starts_with("--watch cannot watch standard input\n"));
+}
