@@ -46,7 +46,8 @@ void cycle(benchmark::State& state) {
     Diagnostics diagnostics;
     ipr::Reader reader = ipr::Reader::from_text(text);
     Enough enough;
-    const Outcome outcome = simulate(reader, machine, {}, **backend, diagnostics, &enough, nullptr);
+    const Outcome outcome =
+        simulate(reader, -1, machine, {}, **backend, diagnostics, &enough, nullptr);
     if (diagnostics.errors() > 0 || outcome.setpoints < kSetpoints) {
       state.SkipWithError("the butterfly does not run as it should");
       return;
