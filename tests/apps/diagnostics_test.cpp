@@ -93,7 +93,7 @@ TEST_CASE("columns count characters, and no bytes of a program break JSON", "[ap
 
 TEST_CASE("SARIF names files by URI and results by rule", "[apps][diagnostics]") {
   const Folder folder;
-  write(folder / "a b.nc", "G99\nM30\n");
+  write(folder / "a b.nc", "G48\nM30\n");
   const Ended ended =
       shell("cd '" + (folder / "") +
             "'; $softcnc check --diagnostics sarif 'a b.nc' none.nc \"$PWD/a b.nc\"");
