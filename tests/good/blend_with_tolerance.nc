@@ -1,0 +1,12 @@
+(expect 7 blocks, 54.142 mm, to 0 0 0)
+G21 G90 F900
+G64 P0.05
+G1 X10
+Y10
+X0
+Y0
+G64 P0.1 Q0.02
+X5 Y5
+G61
+X0 Y0
+M2

@@ -1,0 +1,13 @@
+(expect 11 blocks, 172.628 mm, to -10 -10 2)
+G21 G90 G17
+G0 X-10 Y-10 Z2
+F400
+G41.1 D6
+G1 X0 Y0
+Y30
+X30
+Y0
+X0
+G40
+G0 X-10 Y-10
+M2

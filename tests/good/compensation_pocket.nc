@@ -1,0 +1,20 @@
+(expect 17 blocks, 376.273 mm, to 50 25 5)
+(a pocket with rounded corners, finished with an end mill of 10 mm)
+G21 G90 G17
+G00 X50 Y25 Z5
+G01 Z-3 F300
+G41.1 D10 G01 X50 Y10 F600 (to the wall)
+G03 X60 Y0 I10 (lead in)
+G01 X90
+G03 X100 Y10 J10
+G01 Y40
+G03 X90 Y50 I-10
+G01 X10
+G03 X0 Y40 J-10
+G01 Y10
+G03 X10 Y0 I10
+G01 X60
+G03 X70 Y10 J10
+G40 G01 X50 Y25
+G00 Z5
+M30

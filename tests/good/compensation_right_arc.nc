@@ -1,0 +1,11 @@
+(expect 6 blocks, 85.94 mm, to 30 -30 2)
+G21 G90 G17
+G0 X-20 Y0 Z2
+F400
+G42.1 D4
+G1 X-10 Y0
+G3 X0 Y-10 I10 J0
+G1 X20
+G40
+G0 X30 Y-30
+M2

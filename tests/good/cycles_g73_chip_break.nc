@@ -1,0 +1,8 @@
+(expect 14 blocks, 62.595 mm, to 5 5 10)
+G21 G90 G17
+G0 X0 Y0 Z10
+M3 S900
+G98 G73 X5 Y5 Z-12 R1 Q4 F80
+G80
+M5
+M2

@@ -1,0 +1,9 @@
+(expect 13 blocks, 58.071 mm, to 25 5 1)
+G21 G90 G17
+G0 X0 Y0 Z10
+M3 S900
+G82 X5 Y5 Z-2 R1 P0.5 F80
+X25
+G80
+M5
+M2

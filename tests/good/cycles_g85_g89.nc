@@ -1,0 +1,9 @@
+(expect 12 blocks, 56.071 mm, to 15 5 1)
+G21 G90 G17
+G0 X0 Y0 Z10
+M3 S900
+G85 X5 Y5 Z-4 R1 F80
+G89 X15 Y5 Z-4 R1 P.2
+G80
+M5
+M2

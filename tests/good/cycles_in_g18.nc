@@ -1,0 +1,10 @@
+(expect 11 blocks, 54.071 mm, to 10 2 5)
+G21 G90 G18
+G0 X0 Y10 Z0
+M3 S900
+G81 X5 Z5 Y-4 R2 F100
+X10
+G80
+G17
+M5
+M2

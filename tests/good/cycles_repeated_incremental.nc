@@ -1,0 +1,10 @@
+(expect 21 blocks, 93 mm, to 50 0 5)
+G21 G90 G17
+G0 X0 Y0 Z5
+M3 S900
+G91 G81 X10 Y0 Z-3 R-4 L5 F100
+G80
+G90
+G0 Z5
+M5
+M2

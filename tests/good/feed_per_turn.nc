@@ -1,0 +1,9 @@
+(expect 6 blocks, 21 mm, to 1 0 0)
+G21 G90
+M3 S1000
+G95 G1 X10 F0.1
+X0
+G94 F100
+X1
+M5
+M2

@@ -1,0 +1,13 @@
+%
+(expect 6 blocks, 8 mm, to 0 6 0)
+O1000
+G21 G90
+G0 X1
+M98 P2000 L3
+G0 X0
+M30
+O2000
+G91 G0 Y2
+G90
+M99
+%

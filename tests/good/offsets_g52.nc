@@ -1,0 +1,8 @@
+(expect 4 blocks, 54.287 mm, to 0 0 0)
+G21 G90
+G52 X20 Y10
+G0 X0 Y0
+G1 X5 F100
+G52 X0 Y0
+G0 X0 Y0
+M2

@@ -1,0 +1,8 @@
+(expect 5 blocks, 37.321 mm, to 10 10 0)
+G21 G90
+G10 L2 P1 X10 Y10 Z10
+G0 X0 Y0 Z0
+G53 G0 Z0
+G53 G1 X5 F100
+X0
+M2

@@ -1,0 +1,8 @@
+(expect 4 blocks, 42.426 mm, to 0 0 0)
+G21 G90
+G0 X10 Y10
+G92 X0 Y0
+G1 X5 Y5 F200
+G92.1
+G0 X0 Y0
+M2

@@ -1,0 +1,12 @@
+(expect 6 blocks, 42 mm, to 0 0 0)
+G21 G90
+G0 X10
+G92 X0
+G0 X1
+G92.2
+G0 X1
+G92.3
+G0 X1
+G92.1
+G0 X0
+M2

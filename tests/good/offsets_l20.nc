@@ -1,0 +1,6 @@
+(expect 3 blocks, 21.213 mm, to 15 15 0)
+G21 G90
+G0 X5 Y5
+G10 L20 P1 X0 Y0
+G1 X10 Y10 F300
+M2

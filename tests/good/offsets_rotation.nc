@@ -1,0 +1,8 @@
+(expect 4 blocks, 34.142 mm, to 0 0 0)
+G21 G90
+G10 L2 P1 X0 Y0 R90
+G0 X10 Y0
+G1 X10 Y10 F300
+G10 L2 P1 R0
+G0 X0 Y0
+M2

@@ -1,0 +1,6 @@
+(expect 3 blocks, 6.662 mm, to 2 2 0)
+G21 G90 G17 F600
+G0 X0 Y0
+G5 I0 J3 P0 Q-3 X1 Y1
+G5 I0 J3 P0 Q-3 X2 Y2
+M2

@@ -1,0 +1,9 @@
+(expect 2 blocks, 5.827 mm, to 0 0 0)
+G21 G90 G17 F600
+G0 X0 Y0
+G5.2 X0 Y1 P1 L3
+X2 Y2 P1
+X2 Y0 P1
+X0 Y0 P2
+G5.3
+M2

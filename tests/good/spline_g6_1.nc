@@ -1,0 +1,8 @@
+(expect 3 blocks, 67.569 mm, to 0 0 0)
+G21 G90 F600
+G0 X0 Y0
+G6.1 X10 Y5
+X20 Y-5
+X30 Y0
+G0 X0
+M2

@@ -1,0 +1,9 @@
+(expect 5 blocks, 150 mm, to 0 0 50)
+G21 G90
+T1 M6
+G43 H1
+G0 Z50
+G1 Z0 F100
+G49
+G0 Z50
+M2
