@@ -27,6 +27,18 @@ struct CommandRow {
 };
 std::span<const CommandRow> command_table() noexcept;
 
+/// A spline whose points are still coming.
+struct CommandSpline {
+  CommandField head;
+  SourcePos pos;          // of the head
+  std::string text;       // of its line
+  std::size_t count = 0;  // of its points
+  std::size_t given = 0;  // so far, in numbers
+  std::vector<AxisVector> points;
+  double x = 0;  // of the point whose y is still to come
+  SourcePos x_pos;
+};
+
 class CommandFile {
  public:
   /// What is referred to must outlive it.
@@ -38,18 +50,6 @@ class CommandFile {
   std::optional<Block> next();
 
  private:
-  /// A spline whose points are still coming.
-  struct Spline {
-    CommandField head;
-    SourcePos pos;          // of the head
-    std::string text;       // of its line
-    std::size_t count = 0;  // of its points
-    std::size_t given = 0;  // so far, in numbers
-    std::vector<AxisVector> points;
-    double x = 0;  // of the point whose y is still to come
-    SourcePos x_pos;
-  };
-
   void read_line();
   bool is_readable();
   bool split();
@@ -90,7 +90,7 @@ class CommandFile {
   CommandField head_;                // its name; Kind::end if it has none
   const CommandRow* row_ = nullptr;  // of the name
   std::vector<CommandField> numbers_;
-  std::optional<Spline> spline_;
+  std::optional<CommandSpline> spline_;
   bool pass_numbers_ = false;  // those of a command with an error, on lines of their own
 
   AxisVector position_ = AxisVector::Zero();  // mm
