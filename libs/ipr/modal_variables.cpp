@@ -10,7 +10,7 @@ namespace {
 
 // RS274: ranges of one number per axis (X Y Z, then six axes that softcnc lacks).
 constexpr int kHome = 5161, kSecondHome = 5181, kShiftOn = 5210, kShift = 5211, kActive = 5220;
-constexpr int kWork = 5221, kWorkStep = 20, kRotation = 9;
+constexpr int kWork = 5221, kWorkStep = 20;
 constexpr int kToolOffset = 5401;
 constexpr int kPosition = 5420, kPositionEnd = 5429;
 // FANUC: the end of the last block, and the same in machine coordinates; where the tool is.
