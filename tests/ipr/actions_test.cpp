@@ -7,7 +7,7 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
+const InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
 
 std::vector<Action> actions_of(const std::string& program, InterpreterOptions options = {}) {
   std::vector<Action> actions;

@@ -275,12 +275,10 @@ double distance(const AxisVector& point, const Path& path) {
 /// A way from left to right: lines and arcs at angles of up to 60 degrees.
 std::string random_contour() {
   std::string text;
-  double y = 0;
   for (int i = test::integer(2, 9); i > 0; --i) {
     const double across = test::real(8, 40), up = across * test::real(-1.7, 1.7);
     const double chord = std::hypot(across, up);
     const std::string to = " X" + number_text(across) + " Y" + number_text(up);
-    y += up;
     if (test::integer(0, 1) == 0)
       text += "G01" + to + "\n";
     else

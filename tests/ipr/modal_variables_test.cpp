@@ -10,7 +10,7 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr InterpreterOptions kFanuc{false, false, Dialect::fanuc};
+const InterpreterOptions kFanuc{false, false, Dialect::fanuc};
 
 /// Where the last move of a program ends, mm.
 AxisVector end_of(const std::string& text, InterpreterOptions options = {}) {

@@ -7,7 +7,7 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
+const InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
 
 MachineState state_after(const std::string& program, InterpreterOptions options = {}) {
   const Interpreted result = interpret(program + "M30\n", {}, options);

@@ -7,7 +7,7 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
+const InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
 
 std::vector<AxisVector> places_of(const std::string& program, InterpreterOptions options = {}) {
   std::vector<AxisVector> all;

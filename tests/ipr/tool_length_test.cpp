@@ -7,7 +7,7 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
+const InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
 
 const std::string kTools = "G10 L1 P1 Z20\nG10 L1 P2 X1 Y2 Z15.5\n";
 

@@ -8,7 +8,7 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
+const InterpreterOptions kFanuc{.dialect = Dialect::fanuc};
 
 }  // namespace
 
