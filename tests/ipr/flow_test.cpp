@@ -2,9 +2,9 @@
 // Loops, branches, jumps and calls: in which order lines are executed.
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
 
 #include "ipr/interpret.hpp"
+#include "support/folder.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -27,31 +27,14 @@ Positions way(const std::string& text, Dialect dialect = Dialect::linuxcnc) {
 
 Positions fanuc_way(const std::string& text) { return way(text, Dialect::fanuc); }
 
-/// A folder with files, gone at the end.
-class Folder {
+/// A folder with files beside a program.
+class Folder : public test::Folder {
  public:
-  Folder() : path_(std::filesystem::temp_directory_path() / "softcnc_flow_test") {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directory(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  Folder& with(const std::string& name, const std::string& text) {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return *this;
-  }
-  std::string operator/(const std::string& name) const { return path_ / name; }
-
   Interpreted run(const std::string& text, Dialect dialect = Dialect::linuxcnc) const {
     InterpreterOptions options = in(dialect);
-    options.folder = path_;
+    options.folder = path();
     return interpret(text, {}, options);
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 Positions way_of(const Interpreted& result) {
@@ -289,7 +272,8 @@ TEST_CASE("a called file that cannot be read is SC6031, at the call", "[ipr][flo
 TEST_CASE("a call does not lead out of the folder", "[ipr][flow]") {
   Folder folder;
   folder.with("a.ngc", "o<a> sub\nG0 X1\no<a> endsub\n");
-  CHECK(places(folder.run("o<../softcnc_flow_test/a> call\nM2\n")) == Places{"SC2301 1:1"});
+  const std::string name = std::filesystem::path(folder.path()).filename();
+  CHECK(places(folder.run("o<../" + name + "/a> call\nM2\n")) == Places{"SC2301 1:1"});
 }
 
 TEST_CASE("an error in a loop is told once", "[ipr][flow]") {

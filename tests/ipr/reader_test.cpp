@@ -11,8 +11,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <vector>
+
+#include "support/folder.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -179,12 +180,6 @@ std::string long_text(Lines& lines) {
   return text;
 }
 
-std::string file_with(const std::string& text) {
-  const std::string name = std::filesystem::temp_directory_path() / "softcnc_reader_test.nc";
-  std::ofstream(name, std::ios::binary) << text;
-  return name;
-}
-
 /// A pipe into which another process writes the text.
 Reader pipe_of(const std::string& text) {
   std::array<int, 2> ends{};
@@ -209,7 +204,8 @@ TEST_CASE("a text, a file and a pipe can be read again from any line", "[ipr][re
   const std::string text = long_text(expected);
   SECTION("text") { check_places(Reader::from_text(text), expected); }
   SECTION("file") {
-    auto reader = Reader::open(file_with(text));
+    test::Folder folder;
+    auto reader = Reader::open(folder.with("text.nc", text) / "text.nc");
     REQUIRE(reader);
     check_places(std::move(*reader), expected);
   }
@@ -232,7 +228,8 @@ TEST_CASE("the line last read can be read once more", "[ipr][reader]") {
 }
 
 TEST_CASE("a file that is read from its middle on goes back to there", "[ipr][reader]") {
-  const std::string name = file_with("a\nb\nc\nd\n");
+  test::Folder folder;
+  const std::string name = folder.with("lines.nc", "a\nb\nc\nd\n") / "lines.nc";
   const int file = ::open(name.c_str(), O_RDONLY);
   REQUIRE(::lseek(file, 4, SEEK_SET) == 4);
   Reader reader(file);
