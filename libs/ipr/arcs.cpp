@@ -8,20 +8,9 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr std::string_view kOffsetLetters = "IJK";  // of X, Y, Z
-constexpr double kSamePoint = 1e-9;                 // mm
+constexpr double kSamePoint = 1e-9;  // mm
 constexpr int kMostTurns = 10'000;
 constexpr double kReach = 0.00127;  // mm (0.00005 inch): how much R may fall short, as in RS274
-
-char axis_letter(int axis) { return kAxisLetters[static_cast<std::size_t>(axis)]; }
-char offset_letter(int axis) { return kOffsetLetters[static_cast<std::size_t>(axis)]; }
-
-Letters position_letters(const PlaneAxes& axes) {
-  Letters letters;
-  letters.add(axis_letter(axes.first));
-  letters.add(axis_letter(axes.second));
-  return letters;
-}
 
 /// Told apart: centre and radius, neither, or a centre off the plane.
 bool is_well_given(Task& task, const PlaneAxes& axes) {
@@ -77,7 +66,7 @@ std::optional<AxisVector> center_by_radius(Task& task, const PlaneAxes& axes, co
   const double up = to[axes.second] - from[axes.second];
   const double chord = std::hypot(across, up);
   const SourcePos pos = task.values.word('R').pos;
-  const Letters depends_on = position_letters(axes);
+  const Letters depends_on = plane_letters(axes);
   if (chord <= kSamePoint) {
     report_if_certain(task, depends_on, Code::SC2108, pos,
                       code_name(task.code) + " ends where it starts; R cannot tell its centre");
@@ -102,7 +91,7 @@ void emit_arc(Task& task, const ArcSpec& spec, const PlaneAxes& axes) {
   Result<Arc> made = Arc::make(spec);
   if (made) return emit_move(task, std::move(*made));
   const bool by_radius = task.values.has('R');
-  report_if_certain(task, position_letters(axes), made.error().code,
+  report_if_certain(task, plane_letters(axes), made.error().code,
                     by_radius ? task.values.word('R').pos : span_of(task.values, "XYZIJK"),
                     std::move(made.error().message));
 }

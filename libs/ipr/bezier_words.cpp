@@ -10,11 +10,6 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr std::string_view kOffsetLetters = "IJK";  // of X, Y, Z
-
-char axis_letter(int axis) { return kAxisLetters[static_cast<std::size_t>(axis)]; }
-char offset_letter(int axis) { return kOffsetLetters[static_cast<std::size_t>(axis)]; }
-
 /// The letters of two words that lead along the first and the second axis of the plane.
 struct Pair {
   char first, second;

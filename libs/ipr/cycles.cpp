@@ -33,9 +33,7 @@ struct Holes {
   AxisVector first, step;
 };
 
-char across_letter(const PlaneAxes& axes) {
-  return kAxisLetters[static_cast<std::size_t>(axes.across)];
-}
+char across_letter(const PlaneAxes& axes) { return axis_letter(axes.across); }
 
 void keep(Task& task, char letter, std::optional<double>& value, double scale) {
   if (task.values.has(letter)) value = task.values[letter] * scale;
@@ -143,7 +141,7 @@ Holes holes_of(const Task& task, const PlaneAxes& axes, const AxisVector& from, 
   const bool to_retract = modal.retract_to_r.value_or(task.options.dialect == Dialect::linuxcnc);
   holes.clear = to_retract ? holes.retract : std::max(words.start, holes.retract);
   for (const int axis : {axes.first, axes.second}) {
-    const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
+    const char letter = axis_letter(axis);
     if (!task.values.has(letter)) continue;
     const double value = task.values[letter] * modal.mm_per_unit;
     if (modal.incremental)

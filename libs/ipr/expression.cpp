@@ -6,18 +6,16 @@
 #include <cmath>
 #include <utility>
 
+#include "ipr/faults.hpp"
+
 namespace softcnc::ipr {
 namespace {
 
 constexpr int kDeepest = 64;     // brackets, signs and '#' within one another
 constexpr double kWhole = 1e-4;  // how far from a whole number the number of a variable may be
 constexpr int kLargestNumber = 1000000;
-constexpr std::size_t kLongestShown = 24;
+constexpr std::size_t kLongestShown = 24;  // of a name
 constexpr std::string_view kOperand = "a number, '#', '[' or a function";
-
-std::string quoted(std::string_view text) {
-  return "'" + std::string(text.substr(0, kLongestShown)) + "'";
-}
 
 constexpr bool is_letter(char upper) noexcept { return upper >= 'A' && upper <= 'Z'; }
 

@@ -139,6 +139,23 @@ void call_macro(Task& task);
 void refuse_modal_macro(Task& task);
 void leave_program(Task& task);
 
+/// The letters of coordinate `axis`, and of the distance from the start beside it.
+inline constexpr std::string_view kOffsetLetters = "IJK";
+constexpr char axis_letter(int axis) noexcept {
+  return kAxisLetters[static_cast<std::size_t>(axis)];
+}
+constexpr char offset_letter(int axis) noexcept {
+  return kOffsetLetters[static_cast<std::size_t>(axis)];
+}
+
+/// The two coordinates along a plane.
+constexpr Letters plane_letters(const PlaneAxes& axes) noexcept {
+  Letters letters;
+  letters.add(axis_letter(axes.first));
+  letters.add(axis_letter(axes.second));
+  return letters;
+}
+
 // words.cpp: what several handlers need
 /// Where the axis words lead, in mm and machine coordinates, from the position in force.
 AxisVector end_point(const Task& task);

@@ -12,11 +12,7 @@ constexpr double kShortest = 1e-9;  // mm: a shorter way is none
 /// Behind G40, a move across the plane alone: the tool stays beside the contour.
 bool stays_beside(const Task& task) {
   if (!task.modal.beside) return false;
-  const PlaneAxes axes = plane_axes(task.modal.beside->plane);
-  Letters plane;
-  plane.add(kAxisLetters[static_cast<std::size_t>(axes.first)]);
-  plane.add(kAxisLetters[static_cast<std::size_t>(axes.second)]);
-  return !task.values.letters().has_any(plane);
+  return !task.values.letters().has_any(plane_letters(plane_axes(task.modal.beside->plane)));
 }
 
 void move_beside(Task& task, const AxisVector& programmed, bool rapid) {

@@ -92,7 +92,7 @@ void begin_control_points(Task& task) {
 bool has_control_words(Task& task) {
   const PlaneAxes axes = plane_axes(task.modal.plane);
   for (const int axis : {axes.first, axes.second}) {
-    const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
+    const char letter = axis_letter(axis);
     if (task.values.has(letter)) continue;
     task.out.report(Code::SC2005, task.word.pos,
                     std::string("a control point of G05.2 needs ") + letter);

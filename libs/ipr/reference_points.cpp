@@ -47,7 +47,7 @@ AxisVector reached(const Task& task, const AxisVector& home, Letters axes) {
   const AxisVector there = turned ? coordinates.to_program(home) : home;
   AxisVector end = turned ? coordinates.to_program(position) : position;
   for (int i = 0; i < kAxes; ++i)
-    if (axes.has(kAxisLetters[static_cast<std::size_t>(i)])) end[i] = there[i];
+    if (axes.has(axis_letter(i))) end[i] = there[i];
   return turned ? coordinates.to_machine(end) : end;
 }
 

@@ -21,7 +21,7 @@ namespace {
 AxisVector end_in_machine(const Task& task) {
   AxisVector end = task.modal.position;
   for (int i = 0; i < kAxes; ++i) {
-    const char letter = kAxisLetters[static_cast<std::size_t>(i)];
+    const char letter = axis_letter(i);
     if (!task.values.has(letter)) continue;
     end[i] = task.values[letter] * task.modal.mm_per_unit;
     task.modal.offsets_uncertain ? task.modal.uncertain.add(letter)
@@ -70,7 +70,7 @@ AxisVector end_point(const Task& task) {
   const AxisVector zero = coordinates.rotated() ? AxisVector::Zero() : coordinates.sum();
   bool named = false;
   for (int i = 0; i < kAxes; ++i) {
-    const char letter = kAxisLetters[static_cast<std::size_t>(i)];
+    const char letter = axis_letter(i);
     if (!task.values.has(letter)) continue;
     const double value = task.values[letter] * task.modal.mm_per_unit;
     end[i] = task.modal.incremental ? end[i] + value : zero[i] + value;

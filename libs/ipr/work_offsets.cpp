@@ -73,7 +73,7 @@ void name_position(Task& task) {
   for_named_axes(task, [&](int axis, double value) {
     shift[axis] += now[axis] - value + modal.local_shift[axis];
     modal.local_shift[axis] = 0;
-    modal.uncertain.remove(kAxisLetters[static_cast<std::size_t>(axis)]);
+    modal.uncertain.remove(axis_letter(axis));
   });
   set_shift(modal, shift);
 }

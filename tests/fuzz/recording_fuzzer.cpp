@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// libFuzzer on recordings: every sequence of bytes is a recording that can be read to its end, or an
-// error that names the file.
+// libFuzzer on recordings: every sequence of bytes is a recording that can be read to its end, or
+// an error that names the file.
 //
-// Checksums and hashes would stop almost every mutation at the door. So the first byte says what the
-// rest is: the file itself, or its four entries, parted by byte 0x1F, to be packed into a whole zip:
-// with their hashes put right, and with the trace compressed.
+// Checksums and hashes would stop almost every mutation at the door. So the first byte says what
+// the rest is: the file itself, or its four entries, parted by byte 0x1F, to be packed into a whole
+// zip: with their hashes put right, and with the trace compressed.
 #include <unistd.h>
 
 #include <array>
