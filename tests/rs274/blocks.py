@@ -33,12 +33,15 @@ def move(block):
 
 class Softcnc:
     def __init__(self, binary):
-        self.command = [str(binary), "blocks", "--dialect", "linuxcnc", "--machine", str(HERE / "machine.toml")]
+        self.command = [str(binary), "blocks", "--dialect", "linuxcnc"]
 
     def run(self, program):
+        """On the machine of the file beside `program`, if there is one."""
+        beside = pathlib.Path(program).with_suffix(".toml")
+        machine = beside if beside.exists() else HERE / "machine.toml"
         try:
-            done = subprocess.run([*self.command, str(program)], capture_output=True, timeout=TIMEOUT,
-                                  cwd=pathlib.Path(program).resolve().parent)
+            done = subprocess.run([*self.command, "--machine", str(machine), str(program)], capture_output=True,
+                                  timeout=TIMEOUT, cwd=pathlib.Path(program).resolve().parent)
         except subprocess.TimeoutExpired:
             return Outcome(False, [], [Error("timeout", "endless", "")])
         lines = pathlib.Path(program).read_bytes().decode("latin-1").splitlines()

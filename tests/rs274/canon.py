@@ -102,7 +102,8 @@ class Canon:
     def on_NURBS_FEED(self, text):
         points = self.points_of[self.splines]
         self.splines += 1
-        points = [self.machine(point, INCH) for point in points]
+        # The preview keeps the number of Z where the units change; rs274 does not move it.
+        points = [np.append(self.machine(point, INCH)[:2], self.position[2]) for point in points]
         self.add("nurbs", points[-1], "NURBS_FEED" + text, feed=self.feed(), points=points)
 
     def on_DWELL(self, text):

@@ -33,6 +33,7 @@ from differences import Finding  # noqa: E402
 TOLERANCE = 1e-4  # mm, and mm/min
 OUT_OF_ORDER = re.compile(r"^\s*o|M9[89]", re.IGNORECASE)
 SAMPLES = 2000    # of a spline, from which the nearest point is searched
+BRANCHES = 3      # of a spline, that come so near a point that the nearest point may lie on any
 
 
 def off(a, b):
@@ -42,20 +43,28 @@ def off(a, b):
 def distance(curve, points):
     """The largest distance of `points` from a NURBS as softcnc gives it, mm."""
     nurbs = curves.Nurbs(curve["degree"], curve["control"], curve["weights"], curve["knots"])
-    first, last = nurbs.breaks[0], nurbs.breaks[-1]
-    sampled = np.linspace(first, last, SAMPLES)
+    sampled = np.linspace(nurbs.breaks[0], nurbs.breaks[-1], SAMPLES)
     at = nurbs.derivatives(sampled)[0]
-    worst = 0.0
-    for point in points:
-        u = sampled[np.argmin(np.sum((at - point) ** 2, axis=1))]
-        for _ in range(20):
-            p, p1, p2 = (d[0] for d in nurbs.derivatives([u]))
-            slope = p1 @ p1 + (p - point) @ p2
-            if slope <= 0:
-                break
-            u = float(np.clip(u - (p - point) @ p1 / slope, first, last))
-        worst = max(worst, float(np.linalg.norm(nurbs.derivatives([u])[0][0] - point)))
-    return worst
+    return max(nearest(nurbs, sampled, np.sum((at - point) ** 2, axis=1), point) for point in points)
+
+
+def nearest(nurbs, sampled, squares, point):
+    """The distance of `point`; `squares` are those of its distances from the curve at `sampled`."""
+    padded = np.pad(squares, 1, constant_values=np.inf)
+    lowest = np.flatnonzero((squares <= padded[:-2]) & (squares <= padded[2:]))
+    starts = sampled[lowest[np.argsort(squares[lowest])[:BRANCHES]]]
+    return min(descend(nurbs, u, point) for u in starts)
+
+
+def descend(nurbs, u, point):
+    """The distance of `point` from the curve near `u`, by Newton's steps towards it."""
+    for _ in range(20):
+        p, p1, p2 = (d[0] for d in nurbs.derivatives([u]))
+        slope = p1 @ p1 + (p - point) @ p2
+        if slope <= 0:
+            break
+        u = float(np.clip(u - (p - point) @ p1 / slope, nurbs.breaks[0], nurbs.breaks[-1]))
+    return float(np.linalg.norm(nurbs.derivatives([u])[0][0] - point))
 
 
 def unlike(ours, theirs):

@@ -9,6 +9,9 @@ import random
 
 AXES = {"G17": "XYZ", "G18": "ZXY", "G19": "YZX"}  # of each plane, and the axis across it
 CENTERS = {"X": "I", "Y": "J", "Z": "K"}
+TOLD = ("motion_mode plane ccomp metric imperial absolute incremental inverse_time units_per_minute units_per_rev coord_system "
+        "tool_offset feed rpm spindle_on spindle_cw mist flood retract_r_plane retract_old_z current_tool selected_tool "
+        "feed_override speed_override x y z").split()
 SYSTEMS = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"]
 
 
@@ -20,6 +23,7 @@ class Program:
         self.plane, self.incremental, self.inch, self.rotated = "G17", False, False, False
         self.mode, self.labels = "G94", 100
         self.tool_changes = True
+        self.behind = []  # programs that follow its end
 
     # Words
 
@@ -33,7 +37,7 @@ class Program:
 
     def number(self, value):
         """One of the ways to write it."""
-        text = f"{value:.7f}".rstrip("0")
+        text = f"{value:.9f}".rstrip("0")
         if text.endswith("."):
             text = text if self.chance(0.5) else text[:-1]
         if text.startswith("0.") and len(text) > 2 and self.chance(0.3):
@@ -75,7 +79,7 @@ class Program:
     def word(self, axis, to):
         """The coordinate that leads to `to`, which becomes the position."""
         value = to - self.at[axis] if self.incremental else to
-        value = round(value, 6)
+        value = round(value, 9)  # as exact as an arc's length must be for its feed in G93
         self.at[axis] = self.at[axis] + value if self.incremental else value
         return axis + self.number(value)
 
@@ -118,7 +122,7 @@ class Program:
         angle = start + (sweep if ccw else -sweep)
         absolute = self.chance(0.15)
         origin = dict(self.at)
-        words = [CENTERS[a] + self.number(round(center[a] + (origin[a] if absolute else 0), 6))
+        words = [CENTERS[a] + self.number(round(center[a] + (origin[a] if absolute else 0), 9))
                  for a in (first, second)]
         if not full:
             words += [self.word(a, origin[a] + center[a] + radius * f)
@@ -146,6 +150,7 @@ class Program:
     # Modes
 
     def units(self):
+        self.lines.append("G49")  # rs274 by itself forgets to convert a length in force: tool_length_units.nc
         self.inch = not self.inch
         factor = 1 / 25.4 if self.inch else 25.4
         self.at = {a: x * factor for a, x in self.at.items()}
@@ -331,6 +336,59 @@ class Program:
                 self.lines.append(f"{o} call [{self.length(-5, 5)}] [{self.length(-5, 5)}]")
         self.everywhere()
 
+    def step(self):
+        return f"G91 G1 F500 X{self.length(1, 5)} Y{self.length(-5, 5)}"
+
+    def nested(self):
+        """A loop within a loop, left or gone on with in the middle."""
+        outer, inner, condition = self.label(), self.label(), self.label()
+        again = f"{inner} while [#22 LT {self.rng.randint(1, 5)}]"
+        by_do = self.chance(0.5)
+        # Behind the break of a `while` rs274 leaves the next `do` early: break_of_while.nc.
+        leave = f"{inner} {self.rng.choice(('break', 'continue')) if by_do else 'continue'}"
+        self.lines += ["#21 = 0", f"{outer} while [#21 LT {self.rng.randint(1, 4)}]", "#21 = [#21 + 1]", "#22 = 0",
+                       f"{inner} do" if by_do else again, "#22 = [#22 + 1]",
+                       f"{condition} if [#22 EQ {self.rng.randint(1, 4)}]", leave, f"{condition} endif", self.step(),
+                       again if by_do else f"{inner} endwhile", self.step(), f"{outer} endwhile"]
+        self.everywhere()
+
+    def named_sub(self):
+        """A subprogram with a name, locals, and a value that it returns; called by another one."""
+        name, caller = f"o<s{self.labels}>", f"o<t {self.labels}>"
+        self.labels += 1
+        self.lines += [f"{name} sub", "#<local> = [#1 * 2]", "#31 = 7", "#<_all> = [#<_all> + 1]",
+                       f"{name} return [#<local> + #2]", f"{name} endsub", f"{caller} sub", "#<local> = 3",
+                       f"{name} call [#1] [#<local>]", "G91 G1 F300 X[#<_value> / 10] Y[#<local>] Z[#31 + 0]",
+                       f"{caller} endsub", "#<_all> = 0"]
+        for _ in range(self.rng.randint(1, 3)):
+            self.lines.append(f"{caller} call [{self.length(-5, 5)}]")
+        self.lines.append("G1 F300 X[#<_all>]")
+        self.everywhere()
+
+    def repeated_call(self):
+        """M98 of a program behind the main one."""
+        number = self.labels = self.labels + 1
+        self.behind += [f"O{number}", self.step(), f"G1 Z{self.length(-5, 5)}", "M99"]
+        self.lines.append(f"M98 P{number}" + self.rng.choice(("", " L2", " L3")))
+        self.everywhere()
+
+    def told(self):
+        """What the interpreter tells of its own state."""
+        self.lines.append(f"G1 F400 X[#<_{self.rng.choice(TOLD)}> / 10] Y[#54{self.rng.choice((20, 21, 22))}]")
+        self.lines.append(f"G0 X#52{self.rng.choice((20, 10))} Z[#<_{self.rng.choice('xyz')}>]")
+        self.everywhere()
+
+    def kept_modes(self):
+        """Modes put aside, changed and taken back."""
+        back = "M72" if self.chance(0.7) else ""
+        self.lines += ["M70", self.rng.choice(("G91", "G90")), self.rng.choice(("G20", "G21")), "G1 F55 X1.5"]
+        if back:
+            self.lines.append(back)
+        else:
+            self.inch = self.lines[-2] == "G20"
+        self.lines.append(f"G1 F{self.length(100, 900)} X1.25")
+        self.everywhere()
+
     # Splines
 
     def spline(self):
@@ -356,7 +414,7 @@ class Program:
 
     def text(self):
         ending = self.rng.choice(("M2", "M30", "m02", "M2"))
-        lines = [*self.lines, ending]
+        lines = [*self.lines, ending, *self.behind]
         if self.chance(0.2):
             lines = ["%", *lines, "%"]
         return "\n".join(lines) + "\n"
@@ -371,7 +429,10 @@ SUBJECTS = {  # what a program is about: its statements, each as often as it sta
     "reference": "reference line shift set_system tool_length",
     "cycles": "cycle cycle choose_plane line units",
     "contours": "contour line units",
-    "programming": "variables loop loop line arc",
+    "programming": "variables loop loop line arc nested named_sub",
+    "calls": "named_sub named_sub nested loop line units",
+    "programs": "repeated_call repeated_call line units variables",
+    "state": "told told kept_modes line units system shift distance feed_mode choose_plane",
     "splines": "spline spline line units shift",
     "all": "line arc arc_by_radius choose_plane units distance feed_mode path_control dwell spindle system set_system shift "
            "tool_length reference cycle variables loop",
