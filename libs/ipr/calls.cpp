@@ -74,7 +74,11 @@ void leave_program(Task& task) {
   jump.kind = Jump::Kind::leave;
   jump.line_number = optional_number(task, 'P');
   jump.pos = task.word.pos;
-  task.flow.jump(std::move(jump), task.out.text());
+  const bool nowhere = task.values.has('P') && !jump.line_number;  // told
+  if (nowhere && !task.flow.in_subprogram())
+    task.modal.ended = true;
+  else
+    task.flow.jump(std::move(jump), task.out.text());
 }
 
 }  // namespace softcnc::ipr

@@ -238,6 +238,7 @@ TEST_CASE("a fault has the place of its cause", "[ipr][expression]") {
   CHECK(fault_of("[1/[2-2]+1]") == "SC1021 4+5");
   CHECK(fault_of("[5 MOD 0]") == "SC1021 8+1");
   CHECK(fault_of("[0**-1]") == "SC1021 5+2");
+  CHECK(fault_of("POW[0,-1]") == "SC1021 4+6");
   CHECK(fault_of("[-2**0.5]") == "SC1022 2+7");
   CHECK(fault_of("SQRT[-1]") == "SC1022 5+4");
   CHECK(fault_of("LN[0]") == "SC1022 3+3");

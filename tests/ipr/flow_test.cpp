@@ -226,6 +226,46 @@ TEST_CASE("FANUC: M99 leads where P says, and starts the main program again", "[
   CHECK(fanuc_way("O1\nM98 P2 Q5\nM30\nO2\nG0 X1\nN5 G0 X2\nM99") == Positions{2});
 }
 
+TEST_CASE("a call that cannot be read is told, and leads nowhere", "[ipr][flow]") {
+  CHECK(told("M98\nG0 X1\nM30", Dialect::fanuc) ==
+        Told{"1:1 SC2005 M98 needs P, the number of the subprogram"});
+  CHECK(told("G65 A1\nM30", Dialect::fanuc) ==
+        Told{"1:1 SC2005 G65 needs P, the number of the subprogram"});
+  CHECK(told("G65 P2 A1 A2\nM30\nO2\nM99", Dialect::fanuc) == Told{"1:11 SC2003 A is given twice"});
+  CHECK(told("M98 P1 L1.5\nM30\nO1\nM99", Dialect::fanuc) ==
+        Told{"1:8 SC2007 L takes a whole number from 0"});
+  CHECK(told("O1\nM99 P1.5\nO2\nM99", Dialect::fanuc) ==
+        Told{"2:5 SC2007 P takes a whole number from 0"});
+  CHECK(told("O1\nM98 P2\nM30\nO2\nM99 P-1", Dialect::fanuc) ==
+        Told{"5:5 SC2007 P takes a whole number from 0"});
+}
+
+TEST_CASE("what may be no label or argument of a call is told", "[ipr][flow]") {
+  const std::string sub = "o1 sub\no1 endsub\n";
+  std::string call = "o1 call";
+  for (int i = 1; i <= 30; ++i) call += " [" + std::to_string(i) + "]";
+  CHECK(told(sub + call + "\nM2").empty());
+  CHECK(told(sub + call + " [31]\nM2") == Told{"3:150 SC1029 a call takes at most 30 arguments"});
+  CHECK(told("o[1.5] call\nM2") == Told{"1:2 SC1029 a label is a whole number from 0"});
+  CHECK(told("o[-1] call\nM2") == Told{"1:2 SC1029 a label is a whole number from 0"});
+  CHECK(told("DO 1.2.3\nM30", Dialect::fanuc) ==
+        Told{"1:4 SC1029 a label is a whole number from 0"});
+}
+
+TEST_CASE("a condition that fails in a later round is told there, once", "[ipr][flow]") {
+  const std::string failing = "[1/[2-#1] GT 0]", count = "#1=[#1+1]\nG0 X#1\n";
+  CHECK(told("o1 while " + failing + "\n" + count + "o1 endwhile\nG0 X$\nM2") ==
+        Told{"1:13 SC1021 division by zero", "5:5 SC1001 unknown character '$'"});
+  CHECK(told("o1 do\n" + count + "o1 while " + failing + "\nG0 X$\nM2") ==
+        Told{"4:13 SC1021 division by zero", "5:5 SC1001 unknown character '$'"});
+}
+
+TEST_CASE("an alarm of FANUC that cannot be read is told", "[ipr][flow]") {
+  CHECK(told("#3000\nM30", Dialect::fanuc) ==
+        Told{"1:5 SC1028 '=' and a value is expected at the end of the line"});
+  CHECK(told("#1=[1/0]\n#3000=#1\nM30", Dialect::fanuc) == Told{"1:7 SC1021 division by zero"});
+}
+
 TEST_CASE("a called file is found beside the program", "[ipr][flow]") {
   Folder folder;
   folder
@@ -238,6 +278,21 @@ TEST_CASE("a called file is found beside the program", "[ipr][flow]") {
   CHECK(way_of(folder.run("o<Pocket> call [3]\no100 call\nG0 X0\nM2")) == Positions{3, 8, 4, 0});
   CHECK(way_of(folder.run("%\nO1\n#1=2\nM98 P7\nG65 P7 A3 L2\nM98 P1234\nM30\n%",
                           Dialect::fanuc)) == Positions{2, 3, 6});
+}
+
+TEST_CASE("the files that have been called are told by their names", "[ipr][flow]") {
+  Folder folder;
+  folder.with("100.ngc", "o100 sub\nG0 X3\no100 endsub\n");
+  InterpreterOptions options = in(Dialect::linuxcnc);
+  options.folder = folder.path();
+  Diagnostics diagnostics;
+  Reader reader = Reader::from_text("o100 call\no100 call\nM2\n");
+  Parser parser(reader, diagnostics);
+  const Machine machine;
+  Interpreter interpreter(parser, machine, diagnostics, options);
+  while (interpreter.next()) {
+  }
+  CHECK(interpreter.called_files() == std::vector<std::string>{"100.ngc"});
 }
 
 TEST_CASE("a subprogram of the program itself comes before a file", "[ipr][flow]") {

@@ -52,6 +52,16 @@ TEST_CASE("the names of LinuxCNC are there from the start and only to be read",
   CHECK(places(interpret("#<_b>=1\n#<_line>=1\nM30\n")) == Places{"SC1026 1:1", "SC1026 2:1"});
 }
 
+TEST_CASE("units, the way of the spindle and each work system are read", "[ipr][variables]") {
+  CHECK(end_of("G0 X#<_imperial> Y#<_metric>") == AxisVector(0, 1, 0));
+  CHECK(end_of("G20\n#1=#<_imperial>\nG21 G0 X#1") == AxisVector(1, 0, 0));
+  CHECK(end_of("M4 S1\nG0 X[2 + #<_spindle_cw>]\nM3\nY#<_spindle_cw>") == AxisVector(2, 1, 0));
+  CHECK(end_of("G59.2\nG0 X#<_coord_system>").x() == 592);
+  CHECK(end_of("G92 X5\nG0 X7 Y1\nY#<_abs_x>").isApprox(AxisVector(2, 2, 0)));
+  CHECK(end_of("G1 F9 X2\nX#4001 Y#4006", kFanuc) == AxisVector(1, 21, 0));
+  CHECK(end_of("G20\n#1=#4006\nG21 G0 X#1", kFanuc) == AxisVector(20, 0, 0));
+}
+
 TEST_CASE("offsets can be read and written", "[ipr][variables]") {
   CHECK(end_of("#5161=7\nG0 X#5161 Y#5220 Z#5221").isApprox(AxisVector(7, 1, 0)));
   CHECK(end_of("#5221=5\nG0 X1", kFanuc).isApprox(AxisVector(6, 0, 0)));

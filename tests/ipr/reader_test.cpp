@@ -242,6 +242,22 @@ TEST_CASE("a file that is read from its middle on goes back to there", "[ipr][re
   ::close(file);
 }
 
+TEST_CASE("a file that cannot be read again is SC6002, with the reason", "[ipr][reader]") {
+  test::Folder folder;
+  std::string text = "first\n";
+  for (int i = 0; i < 50000; ++i) text += "a line of it\n";
+  const std::string name = folder.with("lines.nc", text) / "lines.nc";
+  const int file = ::open(name.c_str(), O_RDONLY);
+  Reader reader(file);
+  const Reader::Place begin = reader.place();
+  while (reader.next()) {
+  }
+  ::close(file);
+  CHECK_FALSE(reader.seek(begin));
+  CHECK(reader.seek_failure().code == Code::SC6002);
+  CHECK(reader.seek_failure().message.ends_with("Bad file descriptor"));
+}
+
 TEST_CASE("without a temporary file a pipe is read, but not twice: SC6032", "[ipr][reader]") {
   const char* before = std::getenv("TMPDIR");
   const std::string kept = before ? before : "";
