@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Arcs and helices: G02 and G03, by centre or by radius.
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "ipr/handlers.hpp"
+#include "motion/units.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -11,6 +13,12 @@ namespace {
 constexpr double kSamePoint = 1e-9;  // mm
 constexpr int kMostTurns = 10'000;
 constexpr double kReach = 0.00127;  // mm (0.00005 inch): how much R may fall short, as in RS274
+
+/// mm. As LinuxCNC, which allows for the fewer decimals of inches.
+double radius_tolerance(const Modal& modal) {
+  constexpr double kInInches = 0.002 * std::numbers::sqrt2 * kMmPerInch;
+  return modal.mm_per_unit == 1 ? kRadiusTolerance : kInInches;
+}
 
 /// Told apart: centre and radius, neither, or a centre off the plane.
 bool is_well_given(Task& task, const PlaneAxes& axes) {
@@ -130,7 +138,10 @@ void arc(Task& task, bool ccw) {
     const auto center = task.values.has('R') ? center_by_radius(task, axes, to, ccw)
                                              : center_by_offsets(task, axes);
     if (center)
-      emit_arc(task, {task.modal.position, to, *center, task.modal.plane, ccw, turns}, axes);
+      emit_arc(task,
+               {task.modal.position, to, *center, task.modal.plane, ccw, turns,
+                radius_tolerance(task.modal)},
+               axes);
   }
   task.modal.uncertain = task.modal.uncertain.without(found);
   task.modal.position = to;

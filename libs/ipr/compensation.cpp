@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -199,6 +200,7 @@ void Compensation::turn_to(const Block& like, const PlaneVector& to, double acro
   spec.center[axes_.first] = center.x();
   spec.center[axes_.second] = center.y();
   spec.to[axes_.across] = across;
+  spec.radius_tolerance = std::numeric_limits<double>::infinity();  // the contour is accepted
   const double turns = std::abs(sweep) / kTurn;
   spec.turns = static_cast<int>(closed ? std::round(turns) : std::ceil(turns)) - 1;
   if (!closed) {

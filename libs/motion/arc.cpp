@@ -37,6 +37,7 @@ struct Rays {
 
   double start_radius() const { return from.stableNorm(); }
   double end_radius() const { return to.stableNorm(); }
+  double larger_radius() const { return std::max(start_radius(), end_radius()); }
   double growth() const { return chord.dot(from + to) / (start_radius() + end_radius()); }
 
   /// Rad, signed. The end on the ray of the start makes a full turn, not none.
@@ -67,14 +68,14 @@ std::string off_circle(const Rays& rays) {
 }
 
 /// What forbids the arc, if anything does.
-std::optional<Diagnostic> fault(const Rays& rays, std::string_view name) {
+std::optional<Diagnostic> fault(const Rays& rays, double tolerance, std::string_view name) {
   const auto told = [&](Code code, std::string_view what) {
     return Diagnostic{code, {}, fmt::format("{} {}", name, what), {}, {}};
   };
   if (rays.start_radius() <= kSamePoint)
     return told(Code::SC2104, "has no radius: its centre is its start");
-  if (!(std::abs(rays.growth()) <= Arc::kRadiusTolerance))
-    return told(Code::SC2103, off_circle(rays));
+  const double most = std::max(tolerance, kRelativeRadiusTolerance * rays.larger_radius());
+  if (!(std::abs(rays.growth()) <= most)) return told(Code::SC2103, off_circle(rays));
   if (rays.end_radius() <= kSamePoint)
     return told(Code::SC2104, "has no radius: its centre is its end");
   return std::nullopt;
@@ -89,7 +90,8 @@ Result<Arc> Arc::make(const ArcSpec& spec) {
   assert(spec.turns >= 0);
   const PlaneAxes axes = plane_axes(spec.plane);
   const Rays rays = rays_of(spec);
-  if (auto found = fault(rays, spec.ccw ? "G03" : "G02")) return tl::unexpected(std::move(*found));
+  if (auto found = fault(rays, spec.radius_tolerance, spec.ccw ? "G03" : "G02"))
+    return tl::unexpected(std::move(*found));
   Arc arc;
   arc.plane_ = spec.plane;
   arc.turns_ = spec.turns;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 
 #include "motion/curve.hpp"
 #include "motion/result.hpp"
@@ -29,22 +30,28 @@ constexpr PlaneAxes plane_axes(Plane plane) noexcept {
   return {0, 1, 2};
 }
 
+/// How far the radii at start and end may differ, mm, or by a thousandth of the larger: as
+/// LinuxCNC.
+inline constexpr double kRadiusTolerance = 0.02 * std::numbers::sqrt2;
+inline constexpr double kRelativeRadiusTolerance = 0.001;
+
 struct ArcSpec {
   AxisVector from, to;
   AxisVector center;  // mm; its coordinate across the plane is ignored
   Plane plane = Plane::xy;
   bool ccw = true;  // counter-clockwise, seen against the axis across the plane
   int turns = 0;    // full turns beyond the first pass; an end on the ray of the start is one more
+  double radius_tolerance = kRadiusTolerance;  // mm
 };
 
 class Arc {
  public:
   /// Angles count about the programmed center. Start and end must be equally far from it, up to
-  /// kRadiusTolerance; the radius then changes evenly with the angle, so that the arc meets both
-  /// ends and strays from the programmed circle by no more than they do. Errors: SC2103 (off the
-  /// circle), SC2104 (no radius). The place of the error is left to the caller.
+  /// radius_tolerance of the spec or kRelativeRadiusTolerance; the radius then changes evenly with
+  /// the angle, so that the arc meets both ends and strays from the programmed circle by no more
+  /// than they do. Errors: SC2103 (off the circle), SC2104 (no radius). The place of the error is
+  /// left to the caller.
   static Result<Arc> make(const ArcSpec& spec);
-  static constexpr double kRadiusTolerance = 0.01;  // mm
 
   double length() const noexcept { return length_; }
   PathPoint at(double s, Side side = Side::after) const noexcept;

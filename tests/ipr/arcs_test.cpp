@@ -56,6 +56,14 @@ TEST_CASE("an end rounded to 3 decimals leaves a nearly full circle what it is",
   check_near(gap.center(), {0, 0, 0});
 }
 
+// Both are accepted, and just more refused, by rs274 of LinuxCNC 2.9.
+TEST_CASE("the end of an arc may be off its circle by more in inches", "[ipr][arcs]") {
+  CHECK(only_arc("F100 G00 X10\nG03 X-10.028 I-10\nM30\n").to().x() == -10.028);
+  CHECK(only_arc("G20 F4 G00 X1\nG03 X-1.0028 I-1\nM30\n").to().x() == Approx(-25.47112));
+  CHECK(places(interpret("F100 G00 X10\nG03 X-10.0285 I-10\nM30\n")) == Places{"SC2103 2:5"});
+  CHECK(places(interpret("G20 F4 G00 X1\nG03 X-1.0029 I-1\nM30\n")) == Places{"SC2103 2:5"});
+}
+
 TEST_CASE("the planes have their own axes and their own sense", "[ipr][arcs]") {
   // Quarter circles counter-clockwise, seen against the axis across the plane.
   check_near(only_arc("G17 F100 G00 X10\nG03 X0 Y10 I-10\nM30\n").position(10 * kPi / 4),
