@@ -19,7 +19,7 @@ void emit_action(Task& task, Action::Kind kind, double value = 0) {
 
 std::optional<int> known_tool(Task& task, const Word& word) {
   const auto number = whole_number(task, word);
-  if (!number || find_tool(task, *number)) return number;
+  if (!number || tools_of(task).find(*number)) return number;
   report_unknown_tool(task, *number, word.pos);
   return std::nullopt;
 }
@@ -137,7 +137,13 @@ void turn_spindle(Task& task) {
   emit_action(task, Action::Kind::spindle, on ? task.modal.spindle_direction * speed : 0);
 }
 
-void switch_coolant(Task& task) { emit_action(task, Action::Kind::coolant); }
+void switch_coolant(Task& task) {
+  constexpr int kM07 = 70, kM08 = 80;
+  const int number = task.code.number;
+  task.modal.mist = number == kM07 || (number == kM08 && task.modal.mist);
+  task.modal.flood = number == kM08 || (number == kM07 && task.modal.flood);
+  emit_action(task, Action::Kind::coolant);
+}
 
 void stop_program(Task& task) { emit_action(task, Action::Kind::stop); }
 

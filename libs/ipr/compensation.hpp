@@ -8,17 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "ipr/modes.hpp"
 #include "ipr/plane_curve.hpp"
-#include "motion/block.hpp"
 
 namespace softcnc::ipr {
-
-/// What G41 and G42 ask for.
-struct CutterSide {
-  int side = 1;       // 1: the tool runs left of the contour, -1: right of it
-  double radius = 0;  // mm, from 0; at 0 moves stay as they are
-  Plane plane = Plane::xy;
-};
 
 /// Between what handlers emit and what the interpreter gives out. It holds the last move of the
 /// contour, and what stands behind it, until the next one tells where the move ends.

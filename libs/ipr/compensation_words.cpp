@@ -16,19 +16,9 @@ bool is_dynamic(const GCode& code) {
   return code.number == kG41Dynamic || code.number == kG42Dynamic;
 }
 
-/// As G10 has set it, or else as the machine file says.
-std::optional<double> radius_of(const Task& task, int tool) {
-  const auto kept = task.modal.state.tools.find(tool);
-  if (kept != task.modal.state.tools.end() && kept->second.radius != 0) return kept->second.radius;
-  const auto known = task.machine.tools.find(tool);
-  if (known != task.machine.tools.end()) return known->second.radius;
-  if (kept != task.modal.state.tools.end()) return 0;
-  return std::nullopt;
-}
-
 std::optional<double> radius_of_loaded_tool(Task& task) {
   const std::optional<int>& tool = task.modal.loaded_tool;
-  const std::optional<double> radius = tool ? radius_of(task, *tool) : std::nullopt;
+  const std::optional<double> radius = tool ? tools_of(task).radius(*tool) : std::nullopt;
   if (!radius && !task.modal.uncertain.has('T'))
     task.out.report(Code::SC2148, task.word.pos,
                     code_name(task.code) + " without D: " +
@@ -44,7 +34,7 @@ std::optional<double> radius_by_number(Task& task) {
   const auto tool = whole_number(task, word);
   if (!tool) return std::nullopt;
   if (*tool == 0) return task.options.dialect == Dialect::fanuc ? 0 : radius_of_loaded_tool(task);
-  if (const auto radius = radius_of(task, *tool)) return radius;
+  if (const auto radius = tools_of(task).radius(*tool)) return radius;
   task.out.report(Code::SC2142, word.pos,
                   "the radius of tool " + std::to_string(*tool) + " is not known");
   return std::nullopt;
@@ -119,6 +109,14 @@ void check_beside(Task& task) {
   task.modal.beside.reset();
 }
 
+/// What does not follow a contour tells that G40 is missing: what the lines behind it lack of it is
+/// not told once more.
+bool end_contour(Task& task) {
+  task.out.stop_compensation();
+  task.modal.cutter.reset();
+  return true;
+}
+
 }  // namespace
 
 void compensate(Task& task) {
@@ -130,12 +128,14 @@ void compensate(Task& task) {
   if (!radius) return;
   const bool right = task.code.number == kG42 || task.code.number == kG42Dynamic;
   const int side = right == (*radius < 0) ? 1 : -1;
-  task.out.start_compensation({side, std::abs(*radius), task.modal.plane});
+  task.modal.cutter = CutterSide{side, std::abs(*radius), task.modal.plane};
+  task.out.start_compensation(*task.modal.cutter);
 }
 
 void end_compensation(Task& task) {
   const auto tool = task.out.stop_compensation();
   if (tool) task.modal.beside = Beside{*tool, task.modal.plane};
+  task.modal.cutter.reset();
 }
 
 bool may_act(Task& task) {
@@ -143,10 +143,10 @@ bool may_act(Task& task) {
     check_beside(task);
     return true;
   }
-  if (!is_refused(task) || task.modal.curve) return true;
+  if (!is_refused(task) || task.modal.curve || task.modal.points) return true;
   task.out.report(Code::SC2140, task.word.pos,
                   code_name(task.code) + " while cutter compensation is on");
-  if (task.code.group == Group::motion) return true;
+  if (task.code.group == Group::motion) return end_contour(task);
   if (task.values.letters().has_any(kAxisWords)) task.modal.uncertain |= kAxisWords;
   return false;
 }

@@ -123,13 +123,14 @@ void Flow::jump(Jump jump, std::string_view text) {
 /// The text has ended within a subprogram.
 void Flow::end_text() {
   const auto& [kind, label, begin] = calls_.back().sub;
-  report_once(Code::SC2303, {parser_.line(), 0, 1, parser_.file()},
+  const SourcePos pos{parser_.line(), 0, 1, parser_.file()};
+  report_once(Code::SC2303, pos,
               kind == SubKind::o_word
                   ? "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'"
                   : program_name(label) + " ends without M99",
               {});
   calls_.back().times = 1;
-  leave(std::nullopt);
+  leave(std::nullopt, pos);
 }
 
 void Flow::finish() {

@@ -16,9 +16,20 @@
 
 namespace softcnc::ipr {
 
+/// Is told where calls begin and end.
+class CallObserver {
+ public:
+  virtual ~CallObserver() = default;
+
+  virtual void begin_call() = 0;
+  /// `pos`: of what ends it.
+  virtual void end_call(const SourcePos& pos) = 0;
+};
+
 struct FlowOptions {
-  std::string folder;            // where called files lie; empty: nowhere
-  int block_limit = 10'000'000;  // lines that one loop, or one call with all it calls, may run
+  std::string folder;                // where called files lie; empty: nowhere
+  int block_limit = 10'000'000;      // lines that one loop, or one call with all it calls, may run
+  CallObserver* observer = nullptr;  // must outlive the flow
 };
 
 /// What a code asks for that leads to other lines; done when its line is.
@@ -107,7 +118,7 @@ class Flow {
   void start();
   void leave_by_statement();
   void leave_by_code(const Jump& jump);
-  void leave(std::optional<double> value);
+  void leave(std::optional<double> value, const SourcePos& pos);
   void go_to_line(int number, const SourcePos& pos);
   bool find_line(int number, int last);
   void go_back(const Spot& from, const Spot& to);

@@ -50,7 +50,7 @@ void Flow::begin_program() {
     report_once(Code::SC2303, statement_.pos,
                 name + " has no end before " + program_name(statement_.label), text_);
     calls_.back().times = 1;
-    return leave(std::nullopt);
+    return leave(std::nullopt, statement_.pos);
   }
   if (program_line_ == 0) {
     program_line_ = statement_.pos.line;
@@ -129,6 +129,7 @@ void Flow::enter(Subprogram sub, Jump jump, bool has_level) {
 void Flow::start() {
   const Call& call = calls_.back();
   if (call.has_level) parser_.parameters().push(call.arguments);
+  if (options_.observer != nullptr) options_.observer->begin_call();
   go(call.sub.begin);
 }
 
@@ -145,13 +146,13 @@ void Flow::leave_by_statement() {
   std::optional<double> value;
   if (statement_.uncertain) value = kUncertain;
   if (statement_.has_value) value = statement_.value;
-  leave(value);
+  leave(value, statement_.pos);
 }
 
 void Flow::leave_by_code(const Jump& jump) {
   if (in_subprogram()) {
     if (jump.line_number) calls_.back().times = 1;
-    leave(std::nullopt);
+    leave(std::nullopt, jump.pos);
   } else if (!jump.line_number) {
     if (runs_too_long(executed_, "the program, which M99 starts again,", jump.pos, text_)) return;
     diagnostics_.lines_repeat();
@@ -162,10 +163,11 @@ void Flow::leave_by_code(const Jump& jump) {
 }
 
 /// Ends the innermost call, or runs it once more.
-void Flow::leave(std::optional<double> value) {
+void Flow::leave(std::optional<double> value, const SourcePos& pos) {
   Call& call = calls_.back();
   opens_.resize(call.opens);
   if (call.has_level) parser_.parameters().pop();
+  if (options_.observer != nullptr) options_.observer->end_call(pos);
   if (call.sub.kind == SubKind::o_word) parser_.parameters().give_back(value);
   if (--call.times > 0) {
     const bool too_long = runs_too_long(executed_ - call.since, "the call of " + name_of(call.sub),

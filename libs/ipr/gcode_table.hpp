@@ -36,6 +36,7 @@ enum class Group : std::uint8_t {
   spindle,
   coolant,
   override_,
+  saving,
   signal,
   arc_distance,
   feed,
@@ -44,7 +45,7 @@ enum class Group : std::uint8_t {
   line_number,
   program_number,
 };
-inline constexpr int kGroups = 26;
+inline constexpr int kGroups = 27;
 
 inline constexpr int kAnyNumber = -1;
 

@@ -9,6 +9,7 @@
 #include "ipr/interpreter.hpp"
 #include "ipr/modal.hpp"
 #include "ipr/output.hpp"
+#include "ipr/tool_table.hpp"
 #include "motion/machine.hpp"
 
 namespace softcnc::ipr {
@@ -67,8 +68,7 @@ void set_offsets(Task& task);
 
 // tool_length.cpp
 inline constexpr int kLastTool = 999'999'999;
-/// What is known of a tool; nothing if there is a tool table without it.
-std::optional<ToolOffset> find_tool(const Task& task, int number);
+ToolTable tools_of(Task& task);
 void report_unknown_tool(Task& task, int number, SourcePos pos);
 void use_tool_length(Task& task);
 void use_given_length(Task& task);
@@ -78,6 +78,11 @@ void use_no_tool_length(Task& task);
 // reference_points.cpp
 void go_home(Task& task);
 void keep_home(Task& task);
+
+// saved_modes.cpp
+void save_modes(Task& task);
+void forget_modes(Task& task);
+void restore_modes(Task& task);
 
 // refused.cpp
 void refuse_thread(Task& task);
@@ -89,6 +94,8 @@ void end_control_points(Task& task);
 void spline(Task& task);
 /// Tells codes of a line that do not belong among the pending points, and ends them at others.
 void check_pending_points(const Command& command, Modal& modal, Output& out);
+/// Ends the pending points of a spline, which has no code of its own to end it.
+void end_pending_spline(Modal& modal, Output& out);
 /// Ends pending points at the end of the program.
 void end_pending_points(Modal& modal, Output& out);
 
@@ -106,7 +113,7 @@ void use_absolute(Task& task);
 void use_incremental(Task& task);
 void use_absolute_centres(Task& task);
 void use_incremental_centres(Task& task);
-void switch_feed_override(Task& task);
+void switch_override(Task& task);
 void follow_path(Task& task);
 void follow_path_within(Task& task);
 void stop_exactly(Task& task);

@@ -30,8 +30,9 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       diagnostics_(diagnostics),
       options_(options),
       out_(diagnostics),
-      variables_(modal_, options.dialect),
-      flow_(parser, diagnostics, {options_.folder, machine.program.block_limit}) {
+      variables_(modal_, machine, options.dialect),
+      levels_(modal_),
+      flow_(parser, diagnostics, {options_.folder, machine.program.block_limit, &levels_}) {
   modal_.state = std::move(state);
   modal_.update_coordinates();
   modal_.corner_tolerance = machine.control.corner_tolerance;
@@ -55,13 +56,38 @@ std::optional<Block> Interpreter::next() {
       return block;
     }
     if (modal_.ended) return std::nullopt;
-    if (const auto line = flow_.next())
+    if (next_)
+      interpret(*std::exchange(next_, std::nullopt));
+    else if (const auto line = flow_.next(); line && !tell_restored(*line))
       interpret(*line);
+    else if (next_)
+      continue;
     else if (waiting())
       return std::nullopt;
     else
       finish();
   }
+}
+
+/// What the end of a call has restored, told as if on a line before `next`. A curve whose lines are
+/// counted, or end by a code of their own, goes on; the spline of G06.1 ends here.
+bool Interpreter::tell_restored(const Line& next) {
+  if (!modal_.restored || modal_.curve) return false;
+  Restored restored = *modal_.restored;
+  Line line;
+  line.number = restored.pos.line;
+  out_.begin(line);
+  if (modal_.points) {
+    std::swap<Modes>(modal_, restored.before);
+    end_pending_spline(modal_, out_);
+    std::swap<Modes>(modal_, restored.before);
+    if (modal_.points) return false;
+  }
+  modal_.restored.reset();
+  follow_restored(restored.before, modal_, out_, restored.pos);
+  out_.end();
+  next_ = next;
+  return true;
 }
 
 void Interpreter::interpret(const Line& line) {

@@ -15,6 +15,7 @@
 #include "ipr/modal_variables.hpp"
 #include "ipr/output.hpp"
 #include "ipr/parser.hpp"
+#include "ipr/saved_modes.hpp"
 #include "motion/machine.hpp"
 
 namespace softcnc::ipr {
@@ -59,6 +60,7 @@ class Interpreter {
   void check_unused();
   void execute();
   void remember_uncertain();
+  bool tell_restored(const Line& next);
   void break_curves();
   void finish();
 
@@ -69,9 +71,11 @@ class Interpreter {
   Output out_;
   Modal modal_;
   ModalVariables variables_;
+  SavedLevels levels_;
   Flow flow_;
   Command command_;
   std::optional<CommandFile> commands_;  // where the text is not G-code
+  std::optional<Line> next_;             // waits for what its blocks come behind
   int blocks_ = 0;
 };
 

@@ -8,8 +8,7 @@
 
 #include "ipr/coordinates.hpp"
 #include "ipr/letters.hpp"
-#include "motion/arc.hpp"
-#include "motion/block.hpp"
+#include "ipr/modes.hpp"
 #include "motion/machine_state.hpp"
 #include "motion/nurbs.hpp"
 
@@ -67,40 +66,40 @@ struct CycleWords {
   double start = 0;  // mm, programmed: the height before the first cycle of a row
 };
 
-/// What F means: G94, G93, G95.
-enum class FeedMode : std::uint8_t { per_minute, inverse_time, per_turn };
+/// What M70 or M73 has saved.
+struct SavedModes {
+  Modes modes;
+  int work_system = 0;  // index, of G54 to G59.3
+  bool shift_on = false;
+  Letters uncertain;  // as of Modal
+  bool offsets_uncertain = false;
+  bool automatic = false;  // by M73: the end of the call restores them
+};
+
+/// Modes that the end of a call has restored, and nobody was told yet.
+struct Restored {
+  Modes before;
+  SourcePos pos;  // of the end of the call
+};
 
 /// The start state is that of a new Modal.
-struct Modal {
+struct Modal : Modes {
   AxisVector position = AxisVector::Zero();     // mm, machine coordinates: the end of the last move
   MachineState state;                           // offsets and what else outlives the program
-  AxisVector tool_offset = AxisVector::Zero();  // mm: of G43, in force
   AxisVector local_shift = AxisVector::Zero();  // mm: of G52 in the fanuc dialect
   Coordinates coordinates;                      // made of these by update_coordinates()
   bool machine_coordinates = false;             // on this line: G53
   const GCode* motion = nullptr;                // the motion code in force
-  Plane plane = Plane::xy;
-  double mm_per_unit = 1;  // of programmed lengths
-  bool incremental = false;
-  bool absolute_centres = false;  // G90.1
-  Join join = Join::follow;
-  double corner_tolerance = 0, chord_tolerance = 0;  // mm: of G64
-  double feed = 0;                                   // mm/s; 0: not set
-  bool feed_override = true;                         // off: M49, M50 P0
-  FeedMode feed_mode = FeedMode::per_minute;
-  double feed_word = 0;                 // G93: 1/min; G95: mm per turn; 0: not set
-  std::optional<double> spindle_speed;  // rpm, as programmed by S, within the machine's range
-  int spindle_direction = 0;            // 1: M03, -1: M04, 0: at rest
-  std::optional<int> tool;              // as selected by T
-  std::optional<int> loaded_tool;       // in the spindle
-  int length_number = 0;                // H last used
+  std::optional<int> tool;                      // as selected by T
+  std::optional<int> loaded_tool;               // in the spindle
   std::optional<Beside> beside;
   std::optional<PendingCurve> curve;
   std::optional<PendingPoints> points;
   std::optional<CurveEnd> curve_end;
   std::optional<Surface> surface;  // of G06.4
   CycleWords cycle;
-  std::optional<bool> retract_to_r;  // G99; G98: false; unset: as the dialect has it
+  std::vector<std::optional<SavedModes>> saved{1};  // by level of calls
+  std::optional<Restored> restored;
 
   /// Words whose value an error has made uncertain (G: the motion code). What would be wrong only
   /// because of them is not reported.

@@ -3,26 +3,22 @@
 #include "ipr/modal_variables.hpp"
 
 #include "ipr/gcode_table.hpp"
+#include "ipr/offset_variables.hpp"
 #include "motion/units.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-// RS274: ranges of one number per axis (X Y Z, then six axes that softcnc lacks).
-constexpr int kHome = 5161, kSecondHome = 5181, kShiftOn = 5210, kShift = 5211, kActive = 5220;
-constexpr int kWork = 5221, kWorkStep = 20;
-constexpr int kToolOffset = 5401;
+// RS274.
+constexpr int kShiftOn = 5210, kActive = 5220;
+constexpr int kLoadedTool = 5400, kToolOffset = 5401, kDiameter = 5410, kToolEnd = 5414;
 constexpr int kPosition = 5420, kPositionEnd = 5429;
-// FANUC: the end of the last block, and the same in machine coordinates; where the tool is.
-constexpr int kBlockEnd = 5001, kMachine = 5021, kCurrent = 5041;
+// FANUC: the end of the last block, and the same in machine coordinates; where the tool is; the
+// tool offset; a work offset for all systems, which there is none of.
+constexpr int kBlockEnd = 5001, kMachine = 5021, kCurrent = 5041, kLength = 5081, kCommon = 5201;
 // FANUC: what outlives a program; switches of the control that change nothing here; codes in force.
 constexpr int kKept = 500, kKeptEnd = 1000, kNoSingleBlock = 3003, kNoHold = 3004;
 constexpr int kCodes = 4000;
-
-/// Index of an axis if `number` is that of the range that begins at `first`; otherwise -1.
-constexpr int axis_in(int number, int first) noexcept {
-  return number >= first && number < first + kAxes ? number - first : -1;
-}
 
 double program_position(const Modal& modal, int axis) {
   if (modal.uncertain.has(kAxisLetters[static_cast<std::size_t>(axis)])) return kUncertain;
@@ -53,7 +49,15 @@ double plane(const Modal& modal) {
 }
 
 double feed(const Modal& modal) {
-  return modal.uncertain.has('F') ? kUncertain : mm_min_from_mm_s(modal.feed) / modal.mm_per_unit;
+  if (modal.uncertain.has('F')) return kUncertain;
+  if (modal.feed_mode == FeedMode::inverse_time) return modal.feed_word;
+  const bool per_turn = modal.feed_mode == FeedMode::per_turn;
+  return (per_turn ? modal.feed_word : mm_min_from_mm_s(modal.feed)) / modal.mm_per_unit;
+}
+
+template <FeedMode mode>
+double has_feed_mode(const Modal& modal) {
+  return modal.feed_mode == mode ? 1 : 0;
 }
 
 double spindle_speed(const Modal& modal) {
@@ -63,6 +67,23 @@ double spindle_speed(const Modal& modal) {
 double selected_tool(const Modal& modal) {
   return modal.uncertain.has('T') ? kUncertain : modal.tool.value_or(0);
 }
+
+/// Without a tool table with pockets of its own, a tool stands in the pocket of its number.
+double selected_pocket(const Modal& modal) {
+  constexpr double kNone = -1;
+  return modal.uncertain.has('T') ? kUncertain : modal.tool.value_or(kNone);
+}
+
+double loaded_tool(const Modal& modal) {
+  return modal.uncertain.has('T') ? kUncertain : modal.loaded_tool.value_or(0);
+}
+
+double compensation(const Modal& modal) {
+  constexpr double kOff = 400, kLeft = 410, kRight = 420;
+  return !modal.cutter ? kOff : modal.cutter->side > 0 ? kLeft : kRight;
+}
+
+bool retracts_to_r(const Modal& modal) { return modal.retract_to_r.value_or(true); }
 
 template <int axis>
 double at(const Modal& modal) {
@@ -98,27 +119,41 @@ constexpr Named kNames[] = {
     {"_adaptive_feed", zero},
     {"_b", zero},
     {"_c", zero},
+    {"_ccomp", compensation},
     {"_coord_system", coordinate_system},
+    {"_current_pocket", loaded_tool},
+    {"_current_tool", loaded_tool},
     {"_feed", feed},
     {"_feed_hold", one},
-    {"_feed_override", one},
+    {"_feed_override", [](const Modal& m) { return m.feed_override ? 1.0 : 0.0; }},
+    {"_flood", [](const Modal& m) { return m.flood ? 1.0 : 0.0; }},
+    {"_ijk_absolute_mode", [](const Modal& m) { return m.absolute_centres ? 1.0 : 0.0; }},
     {"_imperial", [](const Modal& m) { return m.mm_per_unit == 1 ? 0.0 : 1.0; }},
     {"_incremental", [](const Modal& m) { return m.incremental ? 1.0 : 0.0; }},
+    {"_inverse_time", has_feed_mode<FeedMode::inverse_time>},
     {"_lathe_diameter_mode", zero},
     {"_lathe_radius_mode", one},
     {"_metric", [](const Modal& m) { return m.mm_per_unit == 1 ? 1.0 : 0.0; }},
     {"_metric_machine", one},
+    {"_mist", [](const Modal& m) { return m.mist ? 1.0 : 0.0; }},
     {"_motion_mode", motion_mode},
     {"_plane", plane},
     {"_remap_level", zero},
+    {"_retract_old_z", [](const Modal& m) { return retracts_to_r(m) ? 0.0 : 1.0; }},
+    {"_retract_r_plane", [](const Modal& m) { return retracts_to_r(m) ? 1.0 : 0.0; }},
     {"_rpm", spindle_speed},
+    {"_selected_pocket", selected_pocket},
     {"_selected_tool", selected_tool},
-    {"_speed_override", one},
+    {"_speed_override", [](const Modal& m) { return m.speed_override ? 1.0 : 0.0; }},
+    {"_spindle_css_mode", zero},
     {"_spindle_cw", [](const Modal& m) { return m.spindle_direction > 0 ? 1.0 : 0.0; }},
     {"_spindle_on", [](const Modal& m) { return m.spindle_direction != 0 ? 1.0 : 0.0; }},
+    {"_spindle_rpm_mode", one},
     {"_task", zero},
     {"_tool_offset", [](const Modal& m) { return m.tool_offset.isZero(0) ? 0.0 : 1.0; }},
     {"_u", zero},
+    {"_units_per_minute", has_feed_mode<FeedMode::per_minute>},
+    {"_units_per_rev", has_feed_mode<FeedMode::per_turn>},
     {"_v", zero},
     {"_vmajor", [](const Modal&) { return 2.9; }},
     {"_vminor", zero},
@@ -136,13 +171,27 @@ struct Coded {
 
 constexpr double kTenths = 10;  // G54.1 is 541 to LinuxCNC and 54.1 to FANUC
 
+double feed_code(const Modal& modal) {
+  constexpr double kCodesOfModes[] = {94, 93, 95};
+  return kCodesOfModes[static_cast<std::size_t>(modal.feed_mode)];
+}
+
+bool has_length(const Modal& modal) {
+  return modal.length_number != 0 || !modal.tool_offset.isZero(0);
+}
+
 constexpr Coded kFanucCodes[] = {
     {1, [](const Modal& m) { return motion_mode(m) / kTenths; }},
     {2, [](const Modal& m) { return plane(m) / kTenths; }},
     {3, [](const Modal& m) { return m.incremental ? 91.0 : 90.0; }},
+    {5, feed_code},
     {6, [](const Modal& m) { return m.mm_per_unit == 1 ? 21.0 : 20.0; }},
+    {7, [](const Modal& m) { return compensation(m) / kTenths; }},
+    {8, [](const Modal& m) { return has_length(m) ? 43.0 : 49.0; }},
+    {10, [](const Modal& m) { return m.retract_to_r.value_or(false) ? 99.0 : 98.0; }},
     {14, [](const Modal& m) { return coordinate_system(m) / kTenths; }},
     {109, feed},
+    {111, [](const Modal& m) -> double { return m.length_number; }},
     {119, spindle_speed},
     {120, selected_tool},
 };
@@ -155,37 +204,44 @@ std::optional<double> ModalVariables::read(std::string_view name) const {
   return std::nullopt;
 }
 
-/// The offset of this number, in mm.
-double* ModalVariables::offset(int number) const noexcept {
-  MachineState& state = modal_.state;
-  if (const int axis = axis_in(number, kHome); axis >= 0) return &state.home[axis];
-  if (const int axis = axis_in(number, kSecondHome); axis >= 0) return &state.second_home[axis];
-  if (const int axis = axis_in(number, kShift); axis >= 0) return &state.shift[axis];
-  if (number < kWork || number >= kWork + kWorkSystems * kWorkStep) return nullptr;
-  WorkOffset& work = state.work[static_cast<std::size_t>((number - kWork) / kWorkStep)];
-  const int axis = axis_in((number - kWork) % kWorkStep, 0);
-  return axis >= 0 ? &work.origin[axis] : nullptr;
-}
-
 std::optional<double> ModalVariables::read(int number) const {
   if (uncertain_.count(number) > 0) return kUncertain;
-  if (const double* value = offset(number)) return *value;
-  if (dialect_ == Dialect::fanuc) return read_fanuc(number);
+  if (const auto offset = offset_variable(number, modal_.state, dialect_))
+    return *offset->value / offset->unit;
+  return dialect_ == Dialect::fanuc ? read_fanuc(number) : read_linuxcnc(number);
+}
+
+std::optional<double> ModalVariables::read_linuxcnc(int number) const {
   if (number == kShiftOn) return modal_.state.shift_on ? 1 : 0;
   if (number == kActive) return modal_.state.active + 1;
+  if (number == kLoadedTool) return loaded_tool(modal_);
+  if (number == kDiameter) return diameter();
   if (const int axis = axis_in(number, kPosition); axis >= 0) return program_position(modal_, axis);
   if (const int axis = axis_in(number, kToolOffset); axis >= 0) return modal_.tool_offset[axis];
-  if (number >= kPosition && number < kPositionEnd) return 0;  // of axes that softcnc lacks
-  return std::nullopt;
+  const bool lacking = (number >= kPosition && number < kPositionEnd) ||
+                       (number >= kToolOffset && number < kToolEnd);
+  return lacking ? std::optional(0.0) : std::nullopt;  // of axes and of a lathe's tools
+}
+
+/// Of the tool in the spindle, mm.
+double ModalVariables::diameter() const {
+  if (modal_.uncertain.has('T')) return kUncertain;
+  return 2 * tools().radius(modal_.loaded_tool.value_or(0)).value_or(0);
 }
 
 std::optional<double> ModalVariables::read_fanuc(int number) const {
   for (const int first : {kBlockEnd, kCurrent})
     if (const int axis = axis_in(number, first); axis >= 0) return program_position(modal_, axis);
   if (const int axis = axis_in(number, kMachine); axis >= 0) return machine_position(modal_, axis);
+  if (const int axis = axis_in(number, kLength); axis >= 0) return modal_.tool_offset[axis];
+  if (axis_in(number, kCommon) >= 0) return 0;
   if (number >= kKept && number < kKeptEnd) {
     const auto kept = modal_.state.parameters.find(number);
     return kept != modal_.state.parameters.end() ? kept->second : kVacant;
+  }
+  if (const auto of_tool = tool_variable(number)) {
+    ToolOffset tool = tools().find(of_tool->tool).value_or(ToolOffset{});
+    return of_tool->of(tool);
   }
   if (number == kNoSingleBlock || number == kNoHold) return 0;
   for (const Coded& row : kFanucCodes)
@@ -193,25 +249,37 @@ std::optional<double> ModalVariables::read_fanuc(int number) const {
   return std::nullopt;
 }
 
+bool ModalVariables::is_offset(int number) const {
+  return offset_variable(number, modal_.state, dialect_) ||
+         (dialect_ == Dialect::fanuc && tool_variable(number));
+}
+
 bool ModalVariables::is_read_only(int number) const {
-  if (offset(number) != nullptr) return false;
+  if (is_offset(number)) return false;
   return dialect_ != Dialect::fanuc ||
          !((number >= kKept && number < kKeptEnd) || number == kNoSingleBlock || number == kNoHold);
 }
 
-/// A vacant offset is 0. One that is not known leaves the position of its axis unknown.
+/// A vacant offset is 0.
 bool ModalVariables::write(int number, double value) {
   uncertain_.erase(number);
   if (is_uncertain(value)) {
     uncertain_.insert(number);
-    if (offset(number) != nullptr) modal_.uncertain |= kAxisWords;
+    if (is_offset(number)) modal_.doubt_offsets();
     return true;
   }
-  double* const target = offset(number);
-  if (target == nullptr) return dialect_ == Dialect::fanuc && write_fanuc(number, value);
-  *target = is_vacant(value) ? 0 : value;
+  if (!is_offset(number)) return dialect_ == Dialect::fanuc && write_fanuc(number, value);
+  write_offset(number, is_vacant(value) ? 0 : value);
   if (dialect_ == Dialect::fanuc) modal_.update_coordinates();
   return true;
+}
+
+/// Expects a number that is_offset().
+void ModalVariables::write_offset(int number, double value) {
+  if (const auto offset = offset_variable(number, modal_.state, dialect_))
+    *offset->value = value * offset->unit;
+  else if (const auto of_tool = tool_variable(number))
+    of_tool->of(tools().row(of_tool->tool)) = value;
 }
 
 bool ModalVariables::write_fanuc(int number, double value) {

@@ -6,15 +6,17 @@
 
 #include "ipr/modal.hpp"
 #include "ipr/parameters.hpp"
+#include "ipr/tool_table.hpp"
 
 namespace softcnc::ipr {
 
-/// What an error has made unknown is kUncertain. Offsets (#5161 to #5403) are
-/// in mm, as a machine keeps them; the rest is in the units of the program.
+/// What an error has made unknown is kUncertain. Offsets, lengths and radii are in mm, as a machine
+/// keeps them, rotations in degrees; the rest is in the units of the program.
 class ModalVariables final : public SystemVariables {
  public:
-  /// `modal` must outlive the variables.
-  ModalVariables(Modal& modal, Dialect dialect) : modal_(modal), dialect_(dialect) {}
+  /// What is referred to must outlive the variables.
+  ModalVariables(Modal& modal, const Machine& machine, Dialect dialect)
+      : modal_(modal), machine_(machine), dialect_(dialect) {}
 
   std::optional<double> read(int number) const override;
   std::optional<double> read(std::string_view name) const override;
@@ -22,11 +24,16 @@ class ModalVariables final : public SystemVariables {
   bool write(int number, double value) override;
 
  private:
-  double* offset(int number) const noexcept;
+  ToolTable tools() const noexcept { return {modal_.state, machine_, dialect_}; }
+  double diameter() const;
+  bool is_offset(int number) const;
+  std::optional<double> read_linuxcnc(int number) const;
   std::optional<double> read_fanuc(int number) const;
+  void write_offset(int number, double value);
   bool write_fanuc(int number, double value);
 
   Modal& modal_;
+  const Machine& machine_;
   Dialect dialect_;
   std::set<int> uncertain_;  // numbers of variables that an error has left without a value
 };

@@ -53,12 +53,13 @@ void follow_path_within(Task& task) {
   join_within(task.modal, Join::follow, corner, chord);
 }
 
-/// M48 on, M49 off, M50 P.
-void switch_feed_override(Task& task) {
-  constexpr int kM48 = 480, kM49 = 490;
+/// M48 on, M49 off; M50 P of the feed, M51 P of the spindle alone.
+void switch_override(Task& task) {
+  constexpr int kM48 = 480, kM49 = 490, kM50 = 500, kM51 = 510;
   const int number = task.code.number;
-  task.modal.feed_override =
-      number == kM48 || (number != kM49 && task.values.value_or('P', 1) != 0);
+  const bool on = number == kM48 || (number != kM49 && task.values.value_or('P', 1) != 0);
+  if (number != kM51) task.modal.feed_override = on;
+  if (number != kM50) task.modal.speed_override = on;
 }
 
 /// A change of mode leaves F unset.

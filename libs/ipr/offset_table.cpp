@@ -98,12 +98,6 @@ bool set_system_by_position(Task& task) {
 
 std::optional<int> read_tool(Task& task) { return read_p(task, 1, kLastTool, "the tool number"); }
 
-/// The row of a tool, which may be new.
-ToolOffset& row_of(Task& task, int tool) {
-  const auto known = find_tool(task, tool);
-  return task.modal.state.tools.try_emplace(tool, known.value_or(ToolOffset{})).first->second;
-}
-
 void set_radius(Task& task, ToolOffset& tool) {
   if (task.values.has('R')) tool.radius = task.values['R'] * task.modal.mm_per_unit;
 }
@@ -112,7 +106,7 @@ void set_radius(Task& task, ToolOffset& tool) {
 bool set_tool(Task& task) {
   const auto number = read_tool(task);
   if (!number || !needs(task, "XYZR", "X, Y, Z or R")) return false;
-  ToolOffset& tool = row_of(task, *number);
+  ToolOffset& tool = tools_of(task).row(*number);
   for_named_axes(task, [&](int axis, double value) { tool.length[axis] = value; });
   set_radius(task, tool);
   return true;
@@ -123,7 +117,7 @@ bool set_tool_by_position(Task& task, bool fixture) {
   const auto number = read_tool(task);
   if (!number || !needs(task, "XYZR", "X, Y, Z or R")) return false;
   const Modal& modal = task.modal;
-  ToolOffset& tool = row_of(task, *number);
+  ToolOffset& tool = tools_of(task).row(*number);
   const WorkOffset& work = fixture ? modal.state.work[kG593] : modal.work();
   const AxisVector shift = fixture ? AxisVector::Zero() : modal.shift();
   rename_position(task, tool.length,
@@ -143,7 +137,7 @@ bool set_compensation(Task& task, double& value) {
 bool write_compensation(Task& task, int table) {
   const auto number = read_p(task, 1, kLastTool, "the offset number");
   if (!number) return false;
-  ToolOffset& tool = row_of(task, *number);
+  ToolOffset& tool = tools_of(task).row(*number);
   switch (table) {
     case 10:
       return set_compensation(task, tool.length[2]);

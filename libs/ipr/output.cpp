@@ -2,6 +2,7 @@
 // Blocks of good lines on one side, diagnostics on the other.
 #include "ipr/output.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace softcnc::ipr {
@@ -48,7 +49,9 @@ void Output::report(Code code, SourcePos pos, std::string message, std::string_v
 }
 
 std::optional<Block> Output::pop() {
-  if (std::optional<Block> block = compensation_.pop()) return block;
+  const bool of_before = next_ < std::min(kept_, blocks_.size());
+  if (!of_before)
+    if (std::optional<Block> block = compensation_.pop()) return block;
   if (next_ == blocks_.size()) return std::nullopt;
   std::optional<Block> block(std::move(blocks_[next_++]));
   if (next_ == blocks_.size()) {

@@ -189,6 +189,10 @@ void check_pending_points(const Command& command, Modal& modal, Output& out) {
   if (command.uncertain().has('G')) forget_points(modal);
 }
 
+void end_pending_spline(Modal& modal, Output& out) {
+  if (modal.points->code->number != kControlPoints) finish_points(modal, out);
+}
+
 void end_pending_points(Modal& modal, Output& out) {
   PendingPoints& curve = *modal.points;
   if (curve.code->number != kControlPoints) return finish_points(modal, out);

@@ -22,7 +22,7 @@ std::optional<int> tool_number(Task& task) {
 
 std::optional<AxisVector> length_of(Task& task, int number) {
   task.modal.length_number = number;
-  const auto tool = find_tool(task, number);
+  const auto tool = tools_of(task).find(number);
   if (tool) return tool->length + AxisVector(0, 0, tool->length_wear);
   report_unknown_tool(task, number,
                       task.values.has('H') ? task.values.word('H').pos : task.word.pos);
@@ -36,19 +36,7 @@ std::optional<AxisVector> read_length(Task& task) {
 
 }  // namespace
 
-std::optional<ToolOffset> find_tool(const Task& task, int number) {
-  const auto& tools = task.modal.state.tools;
-  if (const auto found = tools.find(number); found != tools.end()) return found->second;
-  ToolOffset tool;
-  const auto& machine = task.machine.tools;
-  if (const auto found = machine.find(number); found != machine.end()) {
-    tool.radius = found->second.radius;
-    return tool;
-  }
-  const bool any_number = task.options.dialect == Dialect::fanuc || number == 0;
-  if (any_number || (tools.empty() && machine.empty())) return tool;
-  return std::nullopt;
-}
+ToolTable tools_of(Task& task) { return {task.modal.state, task.machine, task.options.dialect}; }
 
 void report_unknown_tool(Task& task, int number, SourcePos pos) {
   task.out.report(Code::SC2112, pos, "the tool table has no tool " + std::to_string(number));

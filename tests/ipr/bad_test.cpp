@@ -169,6 +169,7 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC2005, "G41.1 needs D, the diameter of the tool"},
     {Code::SC2007, "D takes a whole number from 0"},
     {Code::SC2007, "L, the orientation of a lathe tool, can be 0 only"},
+    {Code::SC2115, "M72 restores modes, and no M70 or M73 has saved any at this level of calls"},
     {Code::SC2140, "M06 while cutter compensation is on"},
     {Code::SC2140, "G06.2 while cutter compensation is on"},
     {Code::SC2141, "G42.1, and cutter compensation is on already"},

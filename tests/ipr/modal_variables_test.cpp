@@ -62,6 +62,66 @@ TEST_CASE("units, the way of the spindle and each work system are read", "[ipr][
   CHECK(end_of("G20\n#1=#4006\nG21 G0 X#1", kFanuc) == AxisVector(20, 0, 0));
 }
 
+// As rs274 of LinuxCNC 2.9 gives them.
+TEST_CASE("modes of feed, compensation, cycles and coolant are read", "[ipr][variables]") {
+  const std::string feeds = "G0 X#<_inverse_time> Y#<_units_per_minute> Z#<_units_per_rev>";
+  CHECK(end_of(feeds) == AxisVector(0, 1, 0));
+  CHECK(end_of("G93\n" + feeds) == AxisVector(1, 0, 0));
+  CHECK(end_of("G95\n" + feeds) == AxisVector(0, 0, 1));
+  CHECK(end_of("G93 F7\nG0 X#<_feed>\nG95 F.25\nY#<_feed>") == AxisVector(7, 0.25, 0));
+  const std::string comp = "G0 X#<_ccomp>\n";
+  CHECK(end_of(comp).x() == 400);
+  CHECK(end_of("G41.1 D2\n#1=#<_ccomp>\nG40 G0 X#1").x() == 410);
+  CHECK(end_of("G42.1 D2\n#1=#<_ccomp>\nG40 G0 X#1").x() == 420);
+  CHECK(end_of("G42.1 D2\nG40\n" + comp).x() == 400);
+  CHECK(end_of("M8\nG0 X#<_flood> Y#<_mist>\nM7\nZ#<_mist>\nM9\nX[5+#<_flood>+#<_mist>]") ==
+        AxisVector(5, 0, 1));
+  CHECK(end_of("G0 X#<_retract_r_plane> Y#<_retract_old_z>\nG98\nZ#<_retract_old_z>") ==
+        AxisVector(1, 0, 1));
+  CHECK(end_of("G0 X#<_spindle_rpm_mode> Y#<_spindle_css_mode> Z#<_ijk_absolute_mode>\n"
+               "G90.1\nZ[2+#<_ijk_absolute_mode>]") == AxisVector(1, 0, 3));
+  CHECK(end_of("M49\nG0 X[1+#<_feed_override>] Y[1+#<_speed_override>]\n"
+               "M50 P1\nX[2+#<_feed_override>] Y[2+#<_speed_override>]\nM51 P1\n"
+               "Z[2+#<_speed_override>]") == AxisVector(3, 2, 3));
+}
+
+TEST_CASE("the tool in the spindle is read", "[ipr][variables]") {
+  const std::string tool = "G10 L1 P2 R4 Z7\n";
+  CHECK(end_of(tool + "G0 X#5400 Y#<_current_tool> Z#<_selected_pocket>") == AxisVector(0, 0, -1));
+  CHECK(end_of(tool + "G10 L1 P3 R1\nT2 M6\nT3\nG0 X#5400 Y#<_current_tool> Z#<_selected_tool>") ==
+        AxisVector(2, 2, 3));
+  CHECK(end_of(tool + "T2 M6\nG0 X#5410 Y[1+#5411+#5412+#5413] Z#<_selected_pocket>") ==
+        AxisVector(8, 1, 2));
+  CHECK(end_of(tool + "T2 M6\nG43\nG53 G0 Z0\nX#5403 Y[1+#5404+#5409]") == AxisVector(7, 1, 0));
+  CHECK(end_of("T2 M61 Q2\nG0 X[1+#5410] Y#<_current_pocket>") == AxisVector(1, 2, 0));
+}
+
+TEST_CASE("the rotation of every work system is a variable", "[ipr][variables]") {
+  CHECK(end_of("G10 L2 P1 R30\nG10 L2 P9 R-7\nG55 G0 X#5230 Y#5390 Z[1+#5250]")
+            .isApprox(AxisVector(30, -7, 1)));
+  CHECK(end_of("#5250=90\nG55 G0 X1").isApprox(AxisVector(0, 1, 0)));
+  CHECK(places(interpret("#5230=1\nM30\n", {}, kFanuc)) == Places{"SC1025 1:1"});
+}
+
+TEST_CASE("FANUC's numbers of tool offsets are those of G10 L10 to L13",
+          "[ipr][variables][fanuc]") {
+  const std::string set = "G10 L10 P3 R1\nG10 L11 P3 R2\nG10 L12 P3 R3\nG10 L13 P3 R4\n";
+  CHECK(end_of(set + "G0 X#2203 Y#2003\nZ#11003", kFanuc) == AxisVector(1, 2, 1));
+  CHECK(end_of(set + "G0 X#13003 Y#12003\nZ#10003", kFanuc) == AxisVector(3, 4, 2));
+  CHECK(end_of("#2203=5\n#10003=1\nG43 H3 G0 Z0\nX#5083", kFanuc) == AxisVector(6, 0, 6));
+  CHECK(end_of("#13003=5\n#12003=-1\nF100 G1 G42 D3 X20\nX40\n#1=#4007\nG40 X50\nX60 Y0 Z#1",
+               kFanuc) == AxisVector(60, 0, 42));
+  CHECK(end(moves_of("#13003=5\n#12003=-1\nF100 G1 G42 D3 X20\nG40 X50\nM30\n", {}, kFanuc)[0]
+                .path) == AxisVector(20, -4, 0));
+  CHECK(end_of("G0 X[1+#2001] Y[1+#5201] Z[1+#2400]", kFanuc) == AxisVector(1, 1, 1));
+}
+
+TEST_CASE("FANUC's numbers tell the codes in force", "[ipr][variables][fanuc]") {
+  CHECK(end_of("G0 X#4005 Y#4007 Z#4008", kFanuc) == AxisVector(94, 40, 49));
+  CHECK(end_of("G95 G43 H2\nG0 X#4005 Y#4111 Z#4008", kFanuc) == AxisVector(95, 2, 43));
+  CHECK(end_of("G0 X#4010\nG99\nY#4010", kFanuc) == AxisVector(98, 99, 0));
+}
+
 TEST_CASE("offsets can be read and written", "[ipr][variables]") {
   CHECK(end_of("#5161=7\nG0 X#5161 Y#5220 Z#5221").isApprox(AxisVector(7, 1, 0)));
   CHECK(end_of("#5221=5\nG0 X1", kFanuc).isApprox(AxisVector(6, 0, 0)));
@@ -83,6 +143,10 @@ TEST_CASE("common variables of FANUC from #500 on outlive the program", "[ipr][v
 TEST_CASE("what an error has made unknown is not read as if it were known", "[ipr][variables]") {
   CHECK(places(interpret("G0 X1.2.3\nX[1/#5420]\nG1 Y#<_x> F100\nM30\n")) == Places{"SC1004 1:5"});
   CHECK(places(interpret("#5221=[1/0]\nG0 X[1/#5221]\nM30\n")) == Places{"SC1021 1:10"});
+  CHECK(places(interpret("F100\n#5221=[1/0]\nG55\nG53 G00 X0\nG02 X9 I1\nM30\n")) ==
+        Places{"SC1021 2:10"});
+  CHECK(places(interpret("#2201=[1/0]\nG0 Z[1/#2201]\nM30\n", {}, kFanuc)) ==
+        Places{"SC1021 1:10"});
   CHECK(places(interpret("#500=[1/0]\nG0 X[1/#500]\nM30\n", {}, kFanuc)) == Places{"SC1021 1:9"});
 }
 
