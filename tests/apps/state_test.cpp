@@ -48,6 +48,47 @@ TEST_CASE("a run that changes nothing leaves the state file alone", "[apps][stat
   CHECK(folder.files() == std::vector<std::string>{"mill.state"});
 }
 
+TEST_CASE("G10 in a subprogram is kept from run to run", "[apps][state]") {
+  const Folder folder;
+  const std::string state = shifted(folder), part = folder / "p.nc";
+  write(part,
+        "o1 call [5]\nG00 X1\nM30\n"
+        "o1 sub\n  G10 L2 P1 X[#5221+#1]\n  G10 L1 P3 R2 Z9\no1 endsub\n");
+  CHECK(call("run -q " + part + state).status == 0);
+  CHECK(call("run -q " + part + state).status == 0);
+  const auto kept = hal::load_state(folder / "mill.state");
+  REQUIRE(kept);
+  CHECK(kept->work[0].origin.x() == 20);
+  CHECK(kept->tools.at(3).radius == 2);
+  CHECK(call("blocks -" + state, "G43 H3 G00 X1 Z0\nM30\n").out.find("\"to\":[21,0,9]") !=
+        std::string::npos);
+}
+
+TEST_CASE("a run that an alarm ends keeps what was done up to there", "[apps][state]") {
+  const Folder folder;
+  const std::string state = shifted(folder), part = folder / "p.nc";
+  write(part, "G10 L2 P2 X3\n" + read(data("zigzag.nc")));
+  std::string text = read(part);
+  text.insert(text.rfind("M30"), "G10 L2 P3 X4\nG04 P1\n");
+  write(part, text);
+  CHECK(call("run -q " + part + state + " --set axis.x.drive.following_error_um=500").status == 4);
+  const auto kept = hal::load_state(folder / "mill.state");
+  REQUIRE(kept);
+  CHECK(kept->work[1].origin.x() == 3);
+  CHECK(kept->work[2].origin.x() == 0);
+  CHECK(call("run -q " + part + state).status == 0);
+  CHECK(hal::load_state(folder / "mill.state")->work[2].origin.x() == 4);
+}
+
+TEST_CASE("a program with an error moves nothing and keeps nothing", "[apps][state]") {
+  const Folder folder;
+  const std::string state = shifted(folder), file = folder / "mill.state";
+  const std::string before = read(file);
+  write(folder / "p.nc", "G10 L2 P1 X3\nG00 X1\nG01 X2\nM30\n");
+  CHECK(call("run -q " + (folder / "p.nc") + state).status == 1);
+  CHECK(read(file) == before);
+}
+
 TEST_CASE("a state file that is not there yet is noted and begins at 0", "[apps][state]") {
   const Folder folder;
   const std::string file = folder / "mill.state";
