@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Walks along staircases, and how far they stray from their paths.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "motion/pulse_arc.hpp"
+
+namespace softcnc::test {
+
+inline constexpr PulseMethod kPulseMethods[] = {
+    PulseMethod::sam, PulseMethod::m_sam, PulseMethod::dsm, PulseMethod::m_dsm, PulseMethod::dda};
+
+/// Every clock of a staircase, by the thousand.
+template <typename Pulses, typename Visit>
+void for_each_step(Pulses& pulses, Visit&& visit) {
+  std::vector<Step> steps(1000);
+  while (const std::size_t n = pulses.fill(steps)) std::for_each_n(steps.begin(), n, visit);
+}
+
+/// What a walk along a staircase has seen. Distances from the path in BLU, over all places with the
+/// start; `moves` are clocks that are pulses.
+struct Walk {
+  GridPoint at{};
+  std::int64_t places = 1, moves = 0;
+  double mean = 0, max = 0;
+
+  /// `distance` from a place of the grid.
+  template <typename Pulses, typename Distance>
+  static Walk along(Pulses pulses, const GridPoint& from, Distance&& distance) {
+    Walk walk{from};
+    double sum = distance(from);
+    walk.max = sum;
+    for_each_step(pulses, [&](Step step) {
+      advance(walk.at, step);
+      ++walk.places;
+      walk.moves += step.is_pulse();
+      const double off = distance(walk.at);
+      sum += off;
+      walk.max = std::max(walk.max, off);
+    });
+    walk.mean = sum / static_cast<double>(walk.places);
+    return walk;
+  }
+};
+
+/// An arc about the origin of the plane of X and Y between two places of the grid.
+inline PulseArc arc_about_origin(std::array<std::int64_t, 2> from, std::array<std::int64_t, 2> to,
+                                 std::int64_t radius, double sweep) {
+  return {{0, 1}, from, to, {0, 0}, radius * PulseArc::kPart, sweep};
+}
+
+/// One quadrant from (R, 0) counter-clockwise to (0, R): that of Table 3 of paper 003.
+inline Walk walk_quadrant(std::int64_t radius, PulseMethod method) {
+  const PulseArc arc = arc_about_origin({radius, 0}, {0, radius}, radius, std::numbers::pi / 2);
+  const auto r = static_cast<double>(radius);
+  return Walk::along(ArcPulses(arc, method), {radius, 0, 0}, [r](const GridPoint& p) {
+    // |p| - r without cancellation
+    const auto x = static_cast<double>(p[0]), y = static_cast<double>(p[1]);
+    return std::abs(x * x + y * y - r * r) / (std::hypot(x, y) + r);
+  });
+}
+
+}  // namespace softcnc::test
