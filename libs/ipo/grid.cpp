@@ -3,15 +3,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace softcnc::ipo {
 namespace {
 
-constexpr int kMinDepth = 1;  // a stretch between two stops has a node where it runs
 constexpr int kMaxDepth = 40;
 constexpr double kStepParts = 8;
 constexpr double kEvenSteps = 0.01;  // of their q
 constexpr double kShortest = 1e-7;   // mm; shorter than any machine resolves
+
+/// How often a move is halved at least: a stretch between two stops has a node where it runs, and
+/// no interval of an arc goes round so far that its ends and its middle look like a straight line.
+int least_depth(const Path& path) {
+  int depth = 1;
+  if (const auto* arc = std::get_if<Arc>(&path))
+    for (double sweep = std::abs(arc->sweep()); sweep > 2 * std::numbers::pi; sweep /= 2) ++depth;
+  return depth;
+}
 
 Cap cap_at(const PathPoint& point, const Move& move, const Constraints& constraints,
            bool over_steps) {
@@ -38,7 +47,7 @@ Interval make_interval(double s0, double s1, const PathPoint& left, const PathPo
 class Refiner {
  public:
   Refiner(const Move& move, const Constraints& constraints, std::vector<Interval>& out)
-      : move_(move), constraints_(constraints), out_(out) {
+      : move_(move), constraints_(constraints), out_(out), least_depth_(least_depth(move.path)) {
     const double q = cap_at(at(move.path, 0), move, constraints, false).q;
     // A ramp from rest to the highest speed spans four intervals or more, unless it takes but a
     // few periods.
@@ -59,9 +68,9 @@ class Refiner {
     const PathPoint mid = at(move_.path, middle);
     Interval whole = make_interval(s0, s1, left, right, move_, constraints_);
     whole.step_cap.lower_to(cap_at(mid, move_, constraints_, true));  // bends are sharpest inside
-    const bool fine = depth >= kMinDepth && follows_ramps(whole) && follows_steps(whole, mid) &&
+    const bool fine = depth >= least_depth_ && follows_ramps(whole) && follows_steps(whole, mid) &&
                       as_good_as_linear(whole, mid);
-    const bool shortest = depth >= kMaxDepth || (depth >= kMinDepth && s1 - s0 < 2 * kShortest);
+    const bool shortest = depth >= kMaxDepth || (depth >= least_depth_ && s1 - s0 < 2 * kShortest);
     if (fine || shortest) {
       out_.push_back(fine ? whole : straightened(whole));
       return;
@@ -115,6 +124,7 @@ class Refiner {
   const Move& move_;
   const Constraints& constraints_;
   std::vector<Interval>& out_;
+  int least_depth_;
   double ramp_part_ = 0;
   double start_ = 0, end_ = 0;  // of the stretch
 };

@@ -70,3 +70,16 @@ TEST_CASE("a line is one interval", "[grid]") {
   CHECK(grid[0].straight());
   CHECK(grid[0].ends_move);
 }
+
+TEST_CASE("an arc of many turns is not taken for a line", "[grid]") {
+  const Machine machine;
+  for (const int turns : {1, 2, 3, 4, 8, 64}) {
+    CAPTURE(turns);
+    const AxisVector from(1, 0, 0), to(1, 0, turns * 0.5);
+    const auto arc = Arc::make({from, to, {0, 0, 0}, Plane::xy, true, turns - 1});
+    REQUIRE(arc);
+    const double turn = arc->length() / turns;
+    for (const Interval& interval : grid_of(machine, *arc, 250))
+      CHECK(interval.length() < turn / 8);
+  }
+}
