@@ -39,6 +39,28 @@ std::string row(const ipr::GCode& code) {
   return fmt::format("{:<6}  {:<18}  {}\n", ipr::code_name(code), spaced(code.words), code.says);
 }
 
+/// The codes that exclude each other on a line.
+std::string codes_of(ipr::Group group) {
+  std::string text;
+  for (const ipr::GCode& code : ipr::gcode_table())
+    if (code.group == group) (text += text.empty() ? "" : " ") += ipr::code_name(code);
+  return text;
+}
+
+/// All that the table says of a code.
+std::string explained(const ipr::GCode& code) {
+  std::string text = row(code);
+  const auto line = [&text](std::string_view what, std::string_view says) {
+    if (!says.empty()) text += fmt::format("        {:<8}{}\n", what, says);
+  };
+  const auto order = static_cast<std::size_t>(code.order);
+  line("fanuc", code.fanuc_words.empty() ? "" : "takes " + spaced(code.fanuc_words) + " too");
+  line("group", fmt::format("{} ({})", ipr::group_name(code.group), codes_of(code.group)));
+  line("order", fmt::format("{} of {}: {}", order + 1, ipr::order_names().size(),
+                            ipr::order_names()[order]));
+  return text;
+}
+
 std::string row(const CodeInfo& info) {
   return fmt::format("{}  {:<7}  {}\n", code_name(info.code), name(info.severity), info.title);
 }
@@ -53,7 +75,7 @@ std::string found(const std::string& word) {
   std::string text;
   for (const ipr::GCode& code : ipr::gcode_table()) {
     const std::string name = ipr::code_name(code);
-    if (name == spelled_in_full(word)) return row(code);
+    if (name == spelled_in_full(word)) return explained(code);
     if (name.starts_with(word)) text += row(code);
   }
   for (const CodeInfo& info : code_table()) {
@@ -66,10 +88,15 @@ std::string found(const std::string& word) {
 
 }  // namespace
 
+std::string list_of_codes() {
+  std::string text;
+  for (const ipr::GCode& code : ipr::gcode_table()) text += row(code);
+  return text;
+}
+
 int codes(const Options& options) {
   StandardOutput out;
-  if (options.files.empty())
-    for (const ipr::GCode& code : ipr::gcode_table()) out.write(row(code));
+  if (options.files.empty()) out.write(list_of_codes());
   int status = 0;
   for (const std::string& word : options.files) {
     const std::string text = found(upper(word));

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <utility>
 
+#include "commands.hpp"
 #include "file_clash.hpp"
 #include "hal/trace.hpp"
 #include "messages.hpp"
@@ -213,6 +214,9 @@ void make_codes(CLI::App& command, Options& options) {
       .add_option("CODE", options.files,
                   "G02, SC2103, or how a code begins: SC21 (default: all codes of programs)")
       ->type_name("");
+  command.footer([] {
+    return "The codes of programs, the words they take, what they do:\n" + list_of_codes();
+  });
 }
 
 struct CommandRow {
@@ -288,7 +292,10 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
   app.set_help_flag("-h,--help", "Show this help");
   app.failure_message(CLI::FailureMessage::simple);
   app.require_subcommand(1);
-  app.footer("softcnc COMMAND --help tells the options of a command.");
+  app.footer(
+      "softcnc COMMAND --help tells the options of a command, softcnc codes the codes a program "
+      "may\n"
+      "use, softcnc codes G41 all about one of them.");
   Options options;
   for (const CommandRow& row : kCommands)
     row.make(*app.add_subcommand(row.name, row.says), options);

@@ -38,8 +38,65 @@ enum : int {
   cycle,
   motion,
   stopping,
+  count,
 };
 }  // namespace order
+
+constexpr std::array<std::string_view, order::count> kOrderNames{
+    "units",
+    "feed mode",
+    "feed",
+    "speed",
+    "signals",
+    "tool",
+    "tool change",
+    "spindle",
+    "coolant",
+    "override",
+    "dwell",
+    "plane",
+    "cutter compensation",
+    "tool length",
+    "roughness",
+    "work system",
+    "path control",
+    "distance mode",
+    "offsets and reference points",
+    "retract of cycles",
+    "motion",
+    "stop",
+};
+static_assert(!kOrderNames.back().empty());
+
+constexpr std::array<std::string_view, kGroups> kGroupNames{
+    "none: for its line only",
+    "motion",
+    "motion off",
+    "retract of cycles",
+    "spindle mode",
+    "plane",
+    "distance mode",
+    "feed mode",
+    "units",
+    "cutter compensation",
+    "tool length",
+    "work system",
+    "path control",
+    "roughness",
+    "stop",
+    "tool change",
+    "spindle",
+    "coolant",
+    "override",
+    "signals",
+    "centres of arcs",
+    "feed",
+    "speed",
+    "tool",
+    "line number",
+    "program number",
+};
+static_assert(!kGroupNames.back().empty());
 
 constexpr GCode kTable[] = {
     {'G', 0, Group::motion, order::motion, "XYZ", rapid,
@@ -274,6 +331,11 @@ const GCode* find_word(char letter) noexcept {
 }  // namespace
 
 std::span<const GCode> gcode_table() noexcept { return kTable; }
+std::span<const std::string_view> order_names() noexcept { return kOrderNames; }
+
+std::string_view group_name(Group group) noexcept {
+  return kGroupNames[static_cast<std::size_t>(group)];
+}
 
 const GCode* find_gcode(char letter, double value) noexcept {
   if (letter != 'G' && letter != 'M') return find_word(letter);

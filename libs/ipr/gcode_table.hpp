@@ -63,6 +63,10 @@ struct GCode {
 /// In the order of G, M, and the other letters; within a letter by number.
 std::span<const GCode> gcode_table() noexcept;
 
+/// What acts on a line, in this order: by GCode::order.
+std::span<const std::string_view> order_names() noexcept;
+std::string_view group_name(Group group) noexcept;
+
 /// The row of a word; nullptr if softcnc does not know the code.
 const GCode* find_gcode(char letter, double value) noexcept;
 

@@ -27,13 +27,39 @@ TEST_CASE("codes lists every code of programs with its words and what it does", 
 TEST_CASE("codes says what one code means, however it is written", "[apps][codes]") {
   const std::string g02 = call("codes G02").out;
   CHECK(g02.starts_with("G02     X Y Z I J K"));
-  CHECK(std::count(g02.begin(), g02.end(), '\n') == 1);
+  CHECK(std::count(g02.begin(), g02.end(), '\n') == 3);
   CHECK(call("codes g2").out == g02);
   CHECK(call("codes G6.2").out == call("codes G06.2").out);
   CHECK(call("codes SC2103").out ==
         "SC2103  error: arc ends off its circle\n"
         "        give a centre from which start and end are equally far, or use R\n");
   CHECK(call("codes sc2103 G02").out == call("codes SC2103").out + g02);
+}
+
+TEST_CASE("codes tells words, group and order of a code", "[apps][codes]") {
+  CHECK(call("codes G41").out ==
+        "G41     D L                 The tool runs left of the contour, by its radius; D: that of "
+        "another tool.\n"
+        "        group   cutter compensation (G40 G41 G41.1 G42 G42.1)\n"
+        "        order   13 of 22: cutter compensation\n");
+  CHECK(
+      call("codes G4").out.find("        fanuc   takes X U too\n        group   none: for its ") !=
+      std::string::npos);
+  for (const ipr::GCode& code : ipr::gcode_table()) {
+    const std::string text = call("codes " + ipr::code_name(code)).out;
+    CAPTURE(text);
+    CHECK(text.starts_with(ipr::code_name(code) + ' '));
+    CHECK(text.find("group   " + std::string(ipr::group_name(code.group)) + " (") !=
+          std::string::npos);
+    CHECK(text.find(" of 22: ") != std::string::npos);
+  }
+}
+
+TEST_CASE("help names the codes, and codes --help lists them", "[apps][codes]") {
+  CHECK(call("--help").out.find("softcnc codes G41 all about one of them") != std::string::npos);
+  const Ended help = call("codes --help");
+  CHECK(help.status == 0);
+  CHECK(help.out.find(call("codes").out) != std::string::npos);
 }
 
 TEST_CASE("codes lists all that begin as is said", "[apps][codes]") {

@@ -2,6 +2,7 @@
 // The table of codes: sound in itself, found by its numbers, told in docs/gcode.md.
 #include "ipr/gcode_table.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
@@ -10,6 +11,11 @@
 
 namespace softcnc::ipr {
 namespace {
+
+std::string page() {
+  std::ifstream stream(std::string(SOFTCNC_SOURCE_DIR) + "/docs/gcode.md");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 /// The rows as docs/gcode.md shows them.
 std::string table_for_users() {
@@ -57,10 +63,35 @@ TEST_CASE("a code is named as people write it", "[ipr][table]") {
 }
 
 TEST_CASE("docs/gcode.md shows the table as it is", "[ipr][table][docs]") {
-  std::ifstream stream(std::string(SOFTCNC_SOURCE_DIR) + "/docs/gcode.md");
-  const std::string page{std::istreambuf_iterator<char>(stream), {}};
   INFO("expected in docs/gcode.md:\n" << table_for_users());
-  CHECK(page.find(table_for_users()) != std::string::npos);
+  CHECK(page().find(table_for_users()) != std::string::npos);
+}
+
+TEST_CASE("docs/gcode.md tells the order on a line as it is", "[ipr][table][docs]") {
+  std::string order;
+  for (const std::string_view name : order_names())
+    order += (order.empty() ? ": " : ", ") + std::string(name);
+  std::string text = page();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  INFO("expected in docs/gcode.md:\n" << order);
+  CHECK(text.find(order + '.') != std::string::npos);
+}
+
+TEST_CASE("every group and every step of the order has a name of its own", "[ipr][table]") {
+  std::set<std::string_view> groups;
+  for (int i = 0; i < kGroups; ++i) groups.insert(group_name(static_cast<Group>(i)));
+  CHECK(groups.size() == kGroups);
+  const auto names = order_names();
+  const std::set<std::string_view> steps(names.begin(), names.end());
+  CHECK(steps.size() == names.size());
+  for (const GCode& code : gcode_table())
+    CHECK(static_cast<std::size_t>(code.order) < names.size());
+  CHECK(names[static_cast<std::size_t>(find_gcode('G', 4)->order)] == "dwell");
+  CHECK(names[static_cast<std::size_t>(find_gcode('G', 41)->order)] == "cutter compensation");
+  CHECK(names[static_cast<std::size_t>(find_gcode('G', 98)->order)] == "retract of cycles");
+  CHECK(group_name(find_gcode('G', 98)->group) == "retract of cycles");
+  CHECK(group_name(find_gcode('G', 90.1)->group) == "centres of arcs");
+  CHECK(group_name(find_gcode('M', 6)->group) == "tool change");
 }
 
 }  // namespace softcnc::ipr
