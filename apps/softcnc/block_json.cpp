@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// JSON by hand: every text in it is one of ours, and programs have a million blocks.
+// JSON by hand: nearly every text in it is one of ours, and programs have a million blocks.
 #include "block_json.hpp"
 
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "motion/units.hpp"
 
@@ -34,15 +35,28 @@ double as_written(double um) {
 
 }  // namespace
 
-std::string_view BlockJson::operator()(const Block& block) {
+std::string_view BlockJson::operator()(const Block& block, const std::string& file) {
   text_.clear();
   text_.add('{');
   value("\"line\":", block.source.line);
+  if (block.source.file != 0) name_file(file);
   value("\"block\":", block.number);
   std::visit([this](const auto& what) { write(what); }, block.what);
   text_.back() = '}';
   text_.add('\n');
   return text_.text();
+}
+
+/// The only text that is not ours.
+void BlockJson::name_file(const std::string& file) {
+  using Json = nlohmann::json;
+  if (file != file_ || file_text_.empty()) {
+    file_ = file;
+    file_text_ = Json(file).dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+  text_.add("\"file\":");
+  text_.add(file_text_);
+  text_.add(',');
 }
 
 void BlockJson::write(const Move& move) {

@@ -14,14 +14,16 @@ namespace softcnc::app {
 /// what does not move stands where the last move ended.
 class BlockJson {
  public:
-  /// Valid until the next call; ends with a newline.
-  std::string_view operator()(const Block& block);
+  /// Valid until the next call; ends with a newline. `file`: of a block of another file than the
+  /// program's own.
+  std::string_view operator()(const Block& block, const std::string& file = {});
 
  private:
   // A key is given as it stands in the text, with quotation marks and colon.
   template <typename Value>
   void value(std::string_view key, const Value& value);
   void word(std::string_view key, std::string_view value);
+  void name_file(const std::string& file);
   void place(std::string_view key, const AxisVector& value);
   template <typename Range>
   void list(std::string_view key, const Range& range);
@@ -40,6 +42,7 @@ class BlockJson {
   TextBuffer text_;
   AxisVector last_ = AxisVector::Zero();  // the place written last, most often the next `from`
   std::string last_text_ = "[0,0,0]";
+  std::string file_, file_text_;  // named last, and as a string of JSON
 };
 
 }  // namespace softcnc::app

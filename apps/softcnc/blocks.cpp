@@ -26,13 +26,12 @@ int write_blocks(Program& program, const Machine& machine, const Options& option
   BlockJson json;
   while (out.ok()) {
     const auto block = interpreter.next();
-    if (block) out.write(json(*block));
+    if (block) out.write(json(*block, diagnostics.file(block->source.file)));
     if (block) continue;
     if (!interpreter.waiting()) break;
     out.flush();
     wait_for_input(program.descriptor());
   }
-  if (reader.failure()) diagnostics.report(*reader.failure());
   return worse_status(diagnostics.status(), out.finish());
 }
 

@@ -35,8 +35,7 @@ bool is_pause(const Block& block) {
 
 Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
                const ChannelOptions& options, Diagnostics& diagnostics)
-    : reader_(reader),
-      input_(input),
+    : input_(input),
       machine_(machine),
       options_(options),
       diagnostics_(diagnostics),
@@ -78,7 +77,6 @@ bool Feeder::read_block() {
   planner_.finish();
   ended_ = true;
   read_on(std::move(block));
-  if (reader_.failure()) diagnostics_.report(*reader_.failure());
   return true;
 }
 

@@ -71,7 +71,6 @@ class Feeder {
   std::optional<Block> wait_for_block();
   void read_on(std::optional<Block> block);
 
-  ipr::Reader& reader_;
   int input_;  // where it reads
   const Machine& machine_;
   const ChannelOptions options_;

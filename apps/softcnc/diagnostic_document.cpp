@@ -25,6 +25,9 @@ Json object_of(const Diagnostic& diagnostic) {
   object["message"] = shown.message;
   object["help"] = code_info(shown.code).help;
   if (!shown.source_line.empty()) object["source_line"] = shown.source_line;
+  for (const CallPlace& call : shown.calls)
+    object["called_from"].push_back(
+        {{"file", call.file}, {"line", call.line}, {"column", call.column}});
   return object;
 }
 

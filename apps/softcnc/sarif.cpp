@@ -60,6 +60,18 @@ Json location_of(const Diagnostic& shown, const std::string& file) {
   return {{"physicalLocation", place}};
 }
 
+/// The calls that led to the place, the last one first.
+Json related_locations(const Diagnostic& diagnostic) {
+  Json list = Json::array();
+  for (const CallPlace& call : diagnostic.calls) {
+    const Json region{{"startLine", call.line}, {"startColumn", call.column}};
+    list.push_back({{"physicalLocation",
+                     {{"artifactLocation", {{"uri", uri_of(call.file)}}}, {"region", region}}},
+                    {"message", text("called from here")}});
+  }
+  return list;
+}
+
 Json result_of(const Diagnostic& diagnostic) {
   const Diagnostic shown = softcnc::shown(diagnostic);
   Json result{{"ruleId", code_name(shown.code)},
@@ -68,6 +80,7 @@ Json result_of(const Diagnostic& diagnostic) {
               {"message", text(shown.message)}};
   if (!diagnostic.file.empty())
     result["locations"] = Json::array({location_of(shown, diagnostic.file)});
+  if (!diagnostic.calls.empty()) result["relatedLocations"] = related_locations(diagnostic);
   return result;
 }
 

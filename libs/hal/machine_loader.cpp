@@ -61,8 +61,8 @@ void MachineLoader::read(std::string_view text, const std::string& name) {
   if (!stem.empty()) loaded_.machine.name = stem;
   const auto entries = read_toml(text);
   if (!entries) {
-    const auto& [code, pos, message, file, line] = entries.error();
-    return fail(code, {name, pos, text_line(text, pos.line)}, message);
+    const Diagnostic& broken = entries.error();
+    return fail(broken.code, {name, broken.pos, text_line(text, broken.pos.line)}, broken.message);
   }
   for (const TomlEntry& entry : *entries) take(entry, text, name);
   if (std::any_of(entries->begin(), entries->end(), names_axis)) keep_named_axes(*entries);

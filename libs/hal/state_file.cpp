@@ -138,8 +138,8 @@ void StateReader::fail(Code code, const SourcePos& pos, std::string message) {
 Result<MachineState> StateReader::read() {
   const auto entries = read_toml(text_);
   if (!entries) {
-    const auto& [code, pos, message, file, line] = entries.error();
-    fail(code == Code::SC7002 ? Code::SC7013 : code, pos, message);
+    const Diagnostic& broken = entries.error();
+    fail(broken.code == Code::SC7002 ? Code::SC7013 : broken.code, broken.pos, broken.message);
     return tl::make_unexpected(std::move(errors_.front()));
   }
   for (const TomlEntry& entry : *entries) take(entry);

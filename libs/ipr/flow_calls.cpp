@@ -120,6 +120,7 @@ void Flow::enter(Subprogram sub, Jump jump, bool has_level) {
   call.has_level = has_level;
   call.arguments = std::move(jump.arguments);
   call.since = executed_;
+  diagnostics_.enter_call(call.pos);
   calls_.push_back(std::move(call));
   start();
   if (jump.line_number) go_to_line(*jump.line_number, jump.pos);
@@ -176,6 +177,7 @@ void Flow::leave(std::optional<double> value, const SourcePos& pos) {
   }
   const Spot back = call.back;
   calls_.pop_back();
+  diagnostics_.leave_call();
   go(back);
 }
 

@@ -10,6 +10,7 @@ namespace softcnc::ipr {
 void Output::begin(const Line& line) {
   text_ = line.text;
   source_ = line.words.empty() ? SourcePos{line.number, 1, 1} : line.words.front().pos;
+  source_ = diagnostics_.in_calls(source_);
   failed_ = muted_ = false;
   certain_ = true;
   kept_ = blocks_.size();

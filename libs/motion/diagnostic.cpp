@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <limits>
 
 namespace softcnc {
 namespace {
@@ -84,7 +85,10 @@ Diagnostic harmless(const Diagnostic& d) {
     pos.length = harmless_size(d.source_line, pos.column - 1 + pos.length) - begin;
     pos.column = begin + 1;
   }
-  return {d.code, pos, harmless(d.message), harmless(d.file), harmless(d.source_line)};
+  std::vector<CallPlace> calls = d.calls;
+  for (CallPlace& call : calls) call.file = harmless(call.file);
+  return {d.code,          pos, harmless(d.message), harmless(d.file), harmless(d.source_line),
+          std::move(calls)};
 }
 
 std::string caret_line(std::string_view line, const SourcePos& pos) {
@@ -109,6 +113,10 @@ constexpr std::uint64_t mixed(std::uint64_t x) noexcept {
   x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
   x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
   return x ^ (x >> 31U);
+}
+
+bool of_one_line(const SourcePos& a, const SourcePos& b) noexcept {
+  return a.file == b.file && a.line == b.line;
 }
 
 }  // namespace
@@ -149,6 +157,8 @@ std::string render(const Diagnostic& diagnostic) {
     text += fmt::format("{:>5} | {}\n", d.pos.line, d.source_line);
     if (d.pos.column > 0) text += fmt::format("      | {}\n", caret_line(d.source_line, d.pos));
   }
+  for (const CallPlace& call : d.calls)
+    text += fmt::format("{}:{}:{}: note: called from here\n", call.file, call.line, call.column);
   return text;
 }
 
@@ -169,6 +179,36 @@ int Diagnostics::add_file(std::string file) {
   return static_cast<int>(files_.size()) - 1;
 }
 
+void Diagnostics::enter_call(const SourcePos& place) {
+  left_out_ += left_out_ > 0 || calls_.size() == kMostCalls ? 1 : 0;
+  if (left_out_ > 0) return;
+  const std::array<int, 4> key{call_, place.file, place.line, place.column};
+  const auto [known, added] = call_index_.try_emplace(key, static_cast<int>(calls_.size()));
+  if (added) calls_.push_back({call_, place});
+  call_ = known->second;
+}
+
+void Diagnostics::leave_call() noexcept {
+  if (left_out_ > 0)
+    --left_out_;
+  else
+    call_ = calls_[static_cast<std::size_t>(call_)].within;
+}
+
+SourcePos Diagnostics::in_calls(SourcePos place) const noexcept {
+  if (place.calls == 0) place.calls = call_;
+  return place;
+}
+
+std::vector<CallPlace> Diagnostics::calls_to(const SourcePos& place) const {
+  std::vector<CallPlace> calls;
+  for (int call = place.calls; call != 0; call = calls_[static_cast<std::size_t>(call)].within) {
+    const SourcePos& from = calls_[static_cast<std::size_t>(call)].place;
+    calls.push_back({file(from.file), from.line, from.column});
+  }
+  return calls;
+}
+
 /// Remembers the place, and says whether it was known.
 bool Diagnostics::is_repeated(const Diagnostic& d) {
   if (d.pos.line == 0) return false;
@@ -182,14 +222,37 @@ bool Diagnostics::is_repeated(const Diagnostic& d) {
 
 void Diagnostics::report(Diagnostic diagnostic) {
   if (is_repeated(diagnostic)) return;
+  if (holding_) diagnostic.pos = in_calls(diagnostic.pos);
+  diagnostic.calls = calls_to(diagnostic.pos);
   if (diagnostic.file.empty())
     diagnostic.file = files_[static_cast<std::size_t>(diagnostic.pos.file)];
   if (diagnostic.severity() == Severity::error) ++errors_;
   status_ = worse_status(status_, exit_status(diagnostic));
+  if (!holding_) return tell(std::move(diagnostic));
+  if (!held_.empty() && !of_one_line(held_.front().pos, diagnostic.pos)) tell_held();
+  held_.push_back(std::move(diagnostic));
+}
+
+void Diagnostics::tell(Diagnostic diagnostic) {
   if (sink_)
     sink_(diagnostic);
   else
     kept_.push_back(std::move(diagnostic));
+}
+
+void Diagnostics::tell_held() {
+  const auto column = [](const Diagnostic& d) {
+    return d.pos.column > 0 ? d.pos.column : std::numeric_limits<int>::max();
+  };
+  std::stable_sort(held_.begin(), held_.end(),
+                   [&](const Diagnostic& a, const Diagnostic& b) { return column(a) < column(b); });
+  for (Diagnostic& diagnostic : held_) tell(std::move(diagnostic));
+  held_.clear();
+}
+
+void Diagnostics::release() {
+  holding_ = false;
+  if (!held_.empty()) tell_held();
 }
 
 void Diagnostics::report(Code code, SourcePos pos, std::string message,

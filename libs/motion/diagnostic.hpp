@@ -2,9 +2,11 @@
 // What goes wrong, where, and how it is told.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,7 +23,8 @@ struct SourcePos {
   int line = 0;
   int column = 0;
   int length = 1;
-  int file = 0;  // 0: the program itself; others: Diagnostics::add_file()
+  int file = 0;   // 0: the program itself; others: Diagnostics::add_file()
+  int calls = 0;  // that led there; 0: none; others: Diagnostics::in_calls()
 };
 
 /// The codes of diagnostic_table.inc: Code::SC2103 and so on.
@@ -45,12 +48,20 @@ std::string_view name(Severity severity) noexcept;
 /// "SC2103"
 std::string code_name(Code code);
 
+/// Where a program calls another one.
+struct CallPlace {
+  std::string file;
+  int line = 0;
+  int column = 0;  // of bytes
+};
+
 struct Diagnostic {
   Code code;
   SourcePos pos;
   std::string message;
-  std::string file;         // as the user named it; empty until someone knows
-  std::string source_line;  // the text of line pos.line; empty if unknown
+  std::string file;                   // as the user named it; empty until someone knows
+  std::string source_line;            // the text of line pos.line; empty if unknown
+  std::vector<CallPlace> calls = {};  // that led there, the last one first
 
   Severity severity() const noexcept { return code_info(code).severity; }
 };
@@ -83,9 +94,22 @@ class Diagnostics {
   const std::string& file() const noexcept { return files_.front(); }
   /// A further file that the program calls; returns its SourcePos::file.
   int add_file(std::string file);
+  const std::string& file(int index) const { return files_[static_cast<std::size_t>(index)]; }
+
+  /// The program calls another one, from `place`; what is told while lines are held is told of that
+  /// call until it is left.
+  void enter_call(const SourcePos& place);
+  void leave_call() noexcept;
+  /// The place with the calls that lead to it now.
+  SourcePos in_calls(SourcePos place) const noexcept;
 
   /// From here on lines may be read again: what has been told of a place is not told again.
   void lines_repeat() noexcept { lines_repeat_ = true; }
+
+  /// From here to release() what is told of one line is kept back, and told by its columns; what is
+  /// told of the line as a whole comes last.
+  void hold() noexcept { holding_ = true; }
+  void release();
 
   void report(Diagnostic diagnostic);
   void report(Code code, SourcePos pos, std::string message, std::string_view source_line = {});
@@ -95,14 +119,29 @@ class Diagnostics {
   int status() const noexcept { return status_; }  // worst exit status so far
 
  private:
+  /// A call and the one within which it stands; no two are the same.
+  struct Call {
+    int within = 0;
+    SourcePos place;
+  };
+  static constexpr std::size_t kMostCalls = 10000;  // those after them are told as their callers
+
+  std::vector<CallPlace> calls_to(const SourcePos& place) const;
+
   static constexpr std::size_t kRemembered = 100000;  // places; those after them are told again
 
   bool is_repeated(const Diagnostic& diagnostic);
+  void tell(Diagnostic diagnostic);
+  void tell_held();
 
   Sink sink_;
   std::vector<std::string> files_{std::string()};
+  std::vector<Call> calls_{Call()};  // the first: none
+  std::map<std::array<int, 4>, int> call_index_;
+  int call_ = 0, left_out_ = 0;  // the innermost call; how many within it are told as this one
   std::unordered_set<std::uint64_t> told_;
-  bool lines_repeat_ = false;
+  bool lines_repeat_ = false, holding_ = false;
+  std::vector<Diagnostic> held_;  // of one line
   std::vector<Diagnostic> kept_;
   int errors_ = 0;
   int status_ = 0;

@@ -72,6 +72,20 @@ TEST_CASE("blocks shows what it has while its input pipe is open", "[apps][block
   CHECK(read(out).find("\"kind\":\"end\"") != std::string::npos);
 }
 
+TEST_CASE("a block of a called file names its file", "[apps][blocks]") {
+  const Folder folder;
+  write(folder / "part.nc", "G0 X1\nM98 P7\nG0 X3\nM30\n");
+  write(folder / "O0007.nc", "O7\nG0 X2\nM99\n");
+  const std::string called = "\"file\":\"" + (folder / "O0007.nc") + "\",";
+  CHECK(call("blocks " + (folder / "part.nc")).out ==
+        "{\"line\":1,\"block\":1,\"kind\":\"rapid\",\"from\":[0,0,0],\"to\":[1,0,0]}\n"
+        "{\"line\":2," +
+            called +
+            "\"block\":2,\"kind\":\"rapid\",\"from\":[1,0,0],\"to\":[2,0,0]}\n"
+            "{\"line\":3,\"block\":3,\"kind\":\"rapid\",\"from\":[2,0,0],\"to\":[3,0,0]}\n"
+            "{\"line\":4,\"block\":4,\"kind\":\"end\",\"code\":30}\n");
+}
+
 TEST_CASE("blocks tells errors on stderr and goes on", "[apps][blocks]") {
   const Ended ended = call("blocks $data/two_errors.nc");
   CHECK(ended.status == 1);
