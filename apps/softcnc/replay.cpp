@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include "commands.hpp"
+#include "hal/hash.hpp"
 #include "hal/machine_file.hpp"
 #include "hal/trace_csv.hpp"
 #include "messages.hpp"
@@ -76,6 +77,16 @@ int run_again(Material& material, Terminal& terminal) {
   return worse_status(diagnostics.status(), stopped ? kSignalled + terminal.signal() : 0);
 }
 
+/// Says so where the machine is another one than that of the recording, which an earlier version
+/// may have written out with fewer keys.
+void compare_machines(const std::string& name, const Material& material) {
+  const auto recorded = hal::parse_machine(material.recording.machine(), name, {});
+  const std::string here = hal::machine_toml(material.machine);
+  if (!recorded || hal::machine_toml(*recorded) == here) return;
+  spdlog::info("{}: not on the machine of the recording: its hash is {} there and {} here", name,
+               material.recording.meta().machine_hash, hal::hash_hex(here));
+}
+
 /// Says what has come out. A damaged trace whose rows nevertheless agree is an error all the same.
 Result<int> verdict(const std::string& name, const Material& material, StandardOutput& out) {
   const TraceComparison& comparison = material.comparison;
@@ -93,6 +104,7 @@ Result<int> verdict(const std::string& name, const Material& material, StandardO
 int replay_one(const std::string& name, const Options& options, StandardOutput& out) {
   auto material = open_material(name, options);
   if (!material) return failed(material.error());
+  compare_machines(name, *material);
   const double period = material->machine.control.period;
   Terminal terminal(options.progress, false, period);
   terminal.begin(name, static_cast<double>(material->recording.meta().rows - 1) * period);

@@ -246,6 +246,16 @@ TEST_CASE("another machine shows where it first differs", "[apps][recording]") {
   const Ended ended = call("replay " + file + " --machine " + (folder / "two.toml"));
   CHECK(ended.status == 1);
   CHECK(ended.out.find("the columns differ\n") != std::string::npos);
+  CHECK(ended.err.find(file + ": not on the machine of the recording: its hash is ") !=
+        std::string::npos);
+}
+
+TEST_CASE("the machine of the recording is not told of", "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  CHECK(call("replay " + file).err.find("not on the machine") == std::string::npos);
+  const Ended set = call("replay " + file + " --set control.corner_tolerance_um=3");
+  CHECK(set.err.find("not on the machine of the recording") != std::string::npos);
 }
 
 TEST_CASE("a damaged recording is refused with SC6021, exit status 5", "[apps][recording]") {
