@@ -54,6 +54,7 @@ int check_all(const Options& options, const StandardOutput& out, Messages& messa
   auto state = open_state(options.state, messages);
   if (!state) return messages.fail(state.error());
   ChannelOptions channel = channel_options(options, {});
+  channel.interpreter.compare_dialects = true;
   channel.state = std::move(*state);
   int status = 0;
   for (const std::string& name : options.files)

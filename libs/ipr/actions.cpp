@@ -38,17 +38,21 @@ const Word* dwell_word(const Task& task) {
   return nullptr;
 }
 
-/// Warns of seconds where milliseconds count, and the other way round.
-void check_dwell_unit(Task& task, const Word& word) {
+/// Seconds where milliseconds count, or the other way round, by the looks of the number.
+bool looks_like_other_unit(const Task& task, const Word& word) {
   constexpr double kLongSeconds = 200, kShortMilliseconds = 10;
-  if (word.letter != 'P' || task.modal.dwell_warned) return;
   const auto written = task.out.text().substr(static_cast<std::size_t>(word.pos.column) - 1,
                                               static_cast<std::size_t>(word.pos.length));
   const bool point = written.find('.') != std::string_view::npos;
   const bool fanuc = task.options.dialect == Dialect::fanuc;
-  const bool odd =
-      fanuc ? point && word.value < kShortMilliseconds : !point && word.value >= kLongSeconds;
-  if (!odd) return;
+  return fanuc ? point && word.value < kShortMilliseconds : !point && word.value >= kLongSeconds;
+}
+
+void check_dwell_unit(Task& task, const Word& word) {
+  if (word.letter != 'P') return;
+  if (task.modal.dwell_warned || !looks_like_other_unit(task, word))
+    return task.out.contradict(Contradiction::dwell, word.pos);
+  const bool fanuc = task.options.dialect == Dialect::fanuc;
   const std::string number = number_text(word.value);
   task.out.report(Code::SC2210, word.pos,
                   fanuc ? "G04 P counts milliseconds here: " + number + " ms; " + number +
@@ -72,8 +76,9 @@ void dwell(Task& task) {
     return task.out.report(
         Code::SC2007, time->pos,
         std::string(1, time->letter) + ", the time of G04, must not be negative");
+  if (time->value == 0) return;
   check_dwell_unit(task, *time);
-  if (time->value > 0) task.out.emit(Dwell{dwell_time(task, *time)});
+  task.out.emit(Dwell{dwell_time(task, *time)});
 }
 
 void set_speed(Task& task) {

@@ -26,9 +26,10 @@ std::optional<int> optional_number(Task& task, char letter) {
 }
 
 /// In FANUC's old form P holds the count as well.
-void split_old_form(const Task& task, Jump& jump) {
-  if (task.options.dialect != Dialect::fanuc || task.values.has('L') || jump.number < kOldForm)
-    return;
+void split_old_form(Task& task, Jump& jump) {
+  if (task.values.has('L') || jump.number < kOldForm) return;
+  task.out.contradict(Contradiction::old_call, task.values.word('P').pos);
+  if (task.options.dialect != Dialect::fanuc) return;
   jump.times = jump.number / kOldForm;
   jump.number %= kOldForm;
 }

@@ -2,6 +2,7 @@
 // Sorts the words of a line and finds what contradicts itself.
 #include "ipr/command.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace softcnc::ipr {
@@ -81,6 +82,13 @@ const GCode* Command::find(Group group) const noexcept {
   for (const CodeWord& code : codes())
     if (code.code->group == group) return code.code;
   return nullptr;
+}
+
+const Word& Command::find_word(Group group) const noexcept {
+  const auto all = codes();
+  return *std::find_if(all.begin(), all.end(), [&](const CodeWord& code) {
+            return code.code->group == group;
+          })->word;
 }
 
 Letters Command::unused(Dialect dialect) const noexcept {

@@ -53,6 +53,8 @@ class Command {
   bool has(Group group) const noexcept { return (groups_ & bit(group)) != 0; }
   /// The code of a group; nullptr if the line has none.
   const GCode* find(Group group) const noexcept;
+  /// Its word. Expects has(group).
+  const Word& find_word(Group group) const noexcept;
   /// Values that no code of the line takes.
   Letters unused(Dialect dialect) const noexcept;
   /// The words behind G65.

@@ -33,7 +33,12 @@ std::optional<double> radius_by_number(Task& task) {
   const Word& word = task.values.word('D');
   const auto tool = whole_number(task, word);
   if (!tool) return std::nullopt;
-  if (*tool == 0) return task.options.dialect == Dialect::fanuc ? 0 : radius_of_loaded_tool(task);
+  if (*tool == 0) {
+    const std::optional<int>& loaded = task.modal.loaded_tool;
+    if (loaded && tools_of(task).radius(*loaded).value_or(0) != 0)
+      task.out.contradict(Contradiction::zero_radius, word.pos);
+    return task.options.dialect == Dialect::fanuc ? 0 : radius_of_loaded_tool(task);
+  }
   if (const auto radius = tools_of(task).radius(*tool)) return radius;
   task.out.report(Code::SC2142, word.pos,
                   "the radius of tool " + std::to_string(*tool) + " is not known");

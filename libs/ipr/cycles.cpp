@@ -47,6 +47,8 @@ void keep_words(Task& task, const PlaneAxes& axes, bool same_cycle) {
   keep(task, across_letter(axes), words.bottom, task.modal.mm_per_unit);
   keep(task, 'Q', words.peck, task.modal.mm_per_unit);
   keep(task, 'P', words.dwell, task.options.dialect == Dialect::fanuc ? s_from_ms(1) : 1);
+  if (task.values.value_or('P', 0) != 0)
+    task.out.contradict(Contradiction::cycle_dwell, task.values.word('P').pos);
 }
 
 bool has(Task& task, const std::optional<double>& value, char letter, std::string_view what) {
@@ -246,6 +248,8 @@ void canned_cycle(Task& task) {
   if (count && has_words(task, axes) && has_feed(task)) {
     const Holes holes = holes_of(task, axes, from, *count);
     if (is_possible(task, holes) && spindle_turns(task)) {
+      if (!modal.retract_to_r && modal.cycle.start > holes.retract)
+        task.out.contradict(Contradiction::retract, task.word.pos);
       for (const char letter : kAxisLetters)
         if (task.values.has(letter) && !modal.incremental) modal.uncertain.remove(letter);
       return drill_all(task, holes, from);

@@ -48,17 +48,6 @@ std::string name_of(const Variable& variable) {
                                : "#<" + variable.name.substr(0, kLongestShown) + ">";
 }
 
-double Expression::bracketed() {
-  const int open = lexer_.column();
-  if (!lexer_.take('[')) return stop_at_next(Code::SC1017, "'['");
-  return bracket_rest(open);
-}
-
-double Expression::unbracketed() {
-  const double value = binary(kLowestLevel).value;
-  return broke_off_ ? kUncertain : value;
-}
-
 /// What follows the '[' at column `open`.
 double Expression::bracket_rest(int open) {
   const double value = binary(kLowestLevel).value;
@@ -81,7 +70,7 @@ Expression::Operand Expression::binary(int lowest) {
   bool compared = false;
   while (!broke_off_) {
     const Operator* op = peek_operator();
-    const int level = op != nullptr ? op->level(parameters_.dialect()) : 0;
+    const int level = op != nullptr ? op->level(dialect_) : 0;
     if (level < lowest) break;
     operator_ = nullptr;
     if (is_fanuc() && level == kLowestLevel && std::exchange(compared, true))
@@ -103,7 +92,8 @@ Expression::Operand Expression::combine(const Operator& op, const Operand& left,
                                         const Operand& right) {
   Operand result{kUncertain, left.begin, right.end};
   if (is_uncertain(left.value) || is_uncertain(right.value)) return result;
-  const Computed computed = compute(op.kind, left.value, right.value, parameters_.dialect());
+  if (in_other_dialect()) compare_operator(op, left.value, right.value);
+  const Computed computed = compute(op.kind, left.value, right.value, dialect_);
   switch (computed.trouble) {
     case Trouble::none:
       result.value = computed.value;
@@ -168,6 +158,8 @@ double Expression::number() {
 double Expression::read_variable(int begin) {
   const std::optional<Variable> named = variable();
   if (!named) return kUncertain;
+  if (in_other_dialect())
+    if (const auto value = read_there(*named)) return *value;
   if (named->name.empty()) {
     if (const auto value = parameters_.read(named->number)) return *value;
     return note(Code::SC1025, begin, end(), "there is no variable " + name_of(*named));
@@ -239,16 +231,23 @@ bool Expression::take_second_bracket() {
   return false;
 }
 
+/// ROUND.
+double Expression::rounded(double value, Dialect dialect) const noexcept {
+  const double per_unit = dialect == Dialect::fanuc ? rounding_ : 1;
+  return std::round(value * per_unit) / per_unit;
+}
+
 /// What a function gives; its arguments stand from column `begin` on.
 double Expression::given(const Function& function, std::span<const double> arguments, int begin) {
   for (const double argument : arguments)
     if (is_uncertain(argument)) return kUncertain;
-  const Computed computed = compute(function.kind, arguments, parameters_.dialect());
+  if (in_other_dialect()) compare_function(function, arguments);
+  const Computed computed = compute(function.kind, arguments, dialect_);
   const std::string name(computed.trouble == Trouble::none ? "" : function.name);
   switch (computed.trouble) {
     case Trouble::none:
       if (function.kind != FunctionKind::round || is_vacant(arguments[0])) return computed.value;
-      return std::round(arguments[0] * rounding_) / rounding_;
+      return rounded(arguments[0], dialect_);
     case Trouble::zero_divisor:
       return note(Code::SC1021, begin, end(), "0 takes no negative exponent");
     case Trouble::not_taken:

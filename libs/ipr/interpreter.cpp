@@ -29,14 +29,15 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       machine_(machine),
       diagnostics_(diagnostics),
       options_(options),
-      out_(diagnostics),
+      contradictions_(diagnostics, options.dialect, options.compare_dialects),
+      out_(diagnostics, contradictions_),
       variables_(modal_, machine, options.dialect),
       levels_(modal_),
       flow_(parser, diagnostics, {options_.folder, machine.program.block_limit, &levels_}) {
   modal_.state = std::move(state);
   modal_.update_coordinates();
   modal_.corner_tolerance = machine.control.corner_tolerance;
-  parser_.configure({options.dialect, options.block_skip});
+  parser_.configure({options.dialect, options.block_skip, &contradictions_});
   parser_.parameters().set_system(&variables_);
 }
 
@@ -48,6 +49,14 @@ void Interpreter::choose_format() {
 }
 
 std::optional<Block> Interpreter::next() {
+  diagnostics_.hold();
+  auto block = read_on();
+  diagnostics_.release();
+  return block;
+}
+
+/// Reads lines until one has made a block.
+std::optional<Block> Interpreter::read_on() {
   if (!commands_ && parser_.line() == 0) choose_format();
   if (commands_) return commands_->next();
   for (;;) {
@@ -104,7 +113,9 @@ void Interpreter::interpret(const Line& line) {
   remember_uncertain();
   if (out_.failed()) break_curves();
   out_.end();
-  if (modal_.ended) flow_.finish();
+  if (!modal_.ended) return;
+  flow_.finish();
+  contradictions_.tell();
 }
 
 /// A curve with a bad line in it is none.
@@ -206,6 +217,7 @@ void Interpreter::finish() {
   out_.stop_compensation();
   out_.emit(Action{Action::Kind::end, 30, 0});
   modal_.ended = true;
+  contradictions_.tell();
 }
 
 }  // namespace softcnc::ipr

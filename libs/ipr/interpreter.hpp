@@ -25,7 +25,8 @@ struct InterpreterOptions {
   bool optional_stop = false;  // M01 stops
   Dialect dialect = Dialect::linuxcnc;
   Format format = Format::automatic;
-  std::string folder = {};  // where files lie that the program calls; empty: it can call none
+  bool compare_dialects = false;  // warn where a line means something else in the other one
+  std::string folder = {};        // where files lie that the program calls; empty: it can call none
 };
 
 class Interpreter {
@@ -51,6 +52,7 @@ class Interpreter {
   const MachineState& state() const noexcept { return modal_.state; }
 
  private:
+  std::optional<Block> read_on();
   void choose_format();
   void interpret(const Line& line);
   void find_motion();
@@ -68,6 +70,7 @@ class Interpreter {
   const Machine& machine_;
   Diagnostics& diagnostics_;
   InterpreterOptions options_;
+  Contradictions contradictions_;
   Output out_;
   Modal modal_;
   ModalVariables variables_;

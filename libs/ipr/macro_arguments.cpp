@@ -40,7 +40,6 @@ class Numbering {
 
 std::optional<std::vector<double>> macro_arguments(Task& task) {
   const Parameters& parameters = task.flow.parameters();
-  const double blank = parameters.dialect() == Dialect::fanuc ? kVacant : 0;
   std::vector<double> values;
   Numbering numbering;
   Letters seen;
@@ -60,7 +59,7 @@ std::optional<std::vector<double>> macro_arguments(Task& task) {
       return std::nullopt;
     }
     const auto index = static_cast<std::size_t>(number) - 1;
-    if (index >= values.size()) values.resize(index + 1, blank);
+    if (index >= values.size()) values.resize(index + 1, kVacant);
     values[index] = word.value;
   }
   return values;

@@ -87,11 +87,12 @@ struct Modal : Modes {
   AxisVector position = AxisVector::Zero();     // mm, machine coordinates: the end of the last move
   MachineState state;                           // offsets and what else outlives the program
   AxisVector local_shift = AxisVector::Zero();  // mm: of G52 in the fanuc dialect
-  Coordinates coordinates;                      // made of these by update_coordinates()
-  bool machine_coordinates = false;             // on this line: G53
-  const GCode* motion = nullptr;                // the motion code in force
-  std::optional<int> tool;                      // as selected by T
-  std::optional<int> loaded_tool;               // in the spindle
+  AxisVector shift_of_g52 = AxisVector::Zero();  // mm: in linuxcnc, what of the shift G52 has set
+  Coordinates coordinates;                       // made of these by update_coordinates()
+  bool machine_coordinates = false;              // on this line: G53
+  const GCode* motion = nullptr;                 // the motion code in force
+  std::optional<int> tool;                       // as selected by T
+  std::optional<int> loaded_tool;                // in the spindle
   std::optional<Beside> beside;
   std::optional<PendingCurve> curve;
   std::optional<PendingPoints> points;

@@ -254,6 +254,11 @@ bool ModalVariables::is_offset(int number) const {
          (dialect_ == Dialect::fanuc && tool_variable(number));
 }
 
+bool ModalVariables::has(int number, Dialect dialect) const {
+  if (offset_variable(number, modal_.state, dialect)) return true;
+  return (dialect == Dialect::fanuc ? read_fanuc(number) : read_linuxcnc(number)).has_value();
+}
+
 bool ModalVariables::is_read_only(int number) const {
   if (is_offset(number)) return false;
   return dialect_ != Dialect::fanuc ||

@@ -30,7 +30,10 @@ void line(Task& task, bool rapid) {
   begin_motion(task);
   if (!task.values.letters().has_any(kAxisWords)) return;
   const AxisVector to = end_point(task);
-  if (task.modal.machine_coordinates && task.options.dialect == Dialect::fanuc) rapid = true;
+  if (task.modal.machine_coordinates && !rapid) {
+    task.out.contradict(Contradiction::machine_point, task.command.find_word(Group::non_modal).pos);
+    rapid = task.options.dialect == Dialect::fanuc;
+  }
   if (!rapid && !has_feed(task)) {
     task.modal.position = to;
     return;

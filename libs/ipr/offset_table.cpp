@@ -54,12 +54,20 @@ std::optional<std::size_t> read_system(Task& task) {
   return static_cast<std::size_t>(*number == 0 ? task.modal.state.active : *number - 1);
 }
 
+/// In G91 the fanuc dialect adds what its form of G10 L2 gives; R and other systems it refuses.
+void compare_system(Task& task, std::size_t system) {
+  const bool fanuc_form = task.values['P'] != 0 && system < kFanucSystems && !task.values.has('R');
+  if (task.modal.incremental && fanuc_form && task.values.letters().has_any(kAxisWords))
+    task.out.contradict(Contradiction::work_system_in_g91, task.word.pos);
+}
+
 bool adds(const Task& task) { return is_fanuc(task) && task.modal.incremental; }
 
 /// L2: origin and rotation as given.
 bool set_system(Task& task) {
   const auto system = read_system(task);
   if (!system || (is_fanuc(task) && !lacks(task, "R"))) return false;
+  compare_system(task, *system);
   WorkOffset& work = task.modal.state.work[*system];
   for_named_axes(task, [&](int axis, double value) {
     work.origin[axis] = adds(task) ? work.origin[axis] + value : value;
@@ -157,6 +165,13 @@ bool refuse_form(Task& task) {
   return false;
 }
 
+/// R alone is what both dialects take, each for another value.
+void compare_tool_value(Task& task, int table) {
+  const bool common = table == 1 || table == 10 || table == 11;
+  if (common && task.values.has('R') && !task.values.letters().has_any(kAxisWords))
+    task.out.contradict(Contradiction::tool_value, task.values.word('R').pos);
+}
+
 bool write_fanuc(Task& task, int table) {
   if (table == 2) return set_system(task);
   const bool known = table == 1 || (table >= 10 && table <= 13);
@@ -171,6 +186,7 @@ bool write_table(Task& task) {
   }
   const auto table = whole_number(task, task.values.word('L'));
   if (!table) return false;
+  compare_tool_value(task, *table);
   if (is_fanuc(task)) return write_fanuc(task, *table);
   switch (*table) {
     case 1:

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ipr/compensation.hpp"
+#include "ipr/contradictions.hpp"
 #include "ipr/parser.hpp"
 #include "motion/block.hpp"
 
@@ -16,8 +17,8 @@ namespace softcnc::ipr {
 /// Keeps the blocks of good lines until they are asked for. A line with an error gives none.
 class Output {
  public:
-  explicit Output(Diagnostics& diagnostics)
-      : diagnostics_(diagnostics), compensation_(diagnostics) {}
+  Output(Diagnostics& diagnostics, Contradictions& contradictions)
+      : diagnostics_(diagnostics), contradictions_(contradictions), compensation_(diagnostics) {}
 
   void begin(const Line& line);
   void end();
@@ -26,6 +27,11 @@ class Output {
   void report(Code code, SourcePos pos, std::string message);
   /// For a place on an earlier line, on which this one does not depend: it does not fail.
   void report(Code code, SourcePos pos, std::string message, std::string_view source_line);
+
+  /// The line means something else in the other dialect.
+  void contradict(Contradiction kind, SourcePos pos) {
+    if (!failed()) contradictions_.note(kind, pos, text_);
+  }
 
   /// From here to its end the line only changes modes and position: no word, no block.
   void mute() noexcept { muted_ = true; }
@@ -67,6 +73,7 @@ class Output {
   void drop();  // the blocks of the line
 
   Diagnostics& diagnostics_;
+  Contradictions& contradictions_;
   std::vector<Block> blocks_;  // those before next_ are gone
   std::size_t next_ = 0, kept_ = 0;
   SourcePos source_;

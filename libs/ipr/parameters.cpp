@@ -15,32 +15,60 @@ constexpr int kLocals = 30, kFirstSystem = 5000, kEnd = 5602;
 constexpr int kFanucLocals = 33, kFanucFirstCommon = 100, kFanucEndVolatile = 200;
 constexpr int kFanucFirstKept = 500, kFanucEnd = 1000;
 
+constexpr bool is_fanuc_ordinary(int number) noexcept {
+  return (number >= 1 && number <= kFanucLocals) ||
+         (number >= kFanucFirstCommon && number < kFanucEndVolatile) ||
+         (number >= kFanucFirstKept && number < kFanucEnd);
+}
+
 }  // namespace
 
 Parameters::Parameters(Dialect dialect)
     : dialect_(dialect),
       locals_(dialect == Dialect::fanuc ? kFanucLocals : kLocals),
       first_system_(dialect == Dialect::fanuc ? kFanucFirstKept : kFirstSystem),
-      blank_(dialect == Dialect::fanuc ? kVacant : 0),
-      numbered_(dialect == Dialect::fanuc ? kFanucEnd : kEnd, blank_) {
+      numbered_(dialect == Dialect::fanuc ? kFanucEnd : kEnd, kVacant) {
   push({});
 }
 
 /// Whether the number is that of a variable that only programs use.
 bool Parameters::is_ordinary(int number) const noexcept {
-  if (number < 1 || number >= static_cast<int>(numbered_.size())) return false;
-  if (dialect_ == Dialect::linuxcnc || number <= kFanucLocals) return true;
-  return number >= kFanucFirstKept || (number >= kFanucFirstCommon && number < kFanucEndVolatile);
+  return dialect_ == Dialect::fanuc ? is_fanuc_ordinary(number) : number >= 1 && number < kEnd;
+}
+
+/// Vacant where nothing has been assigned. Expects an ordinary variable.
+double Parameters::stored(int number) const noexcept {
+  const auto index = static_cast<std::size_t>(number);
+  return number <= locals_ ? levels_.back().numbered[index] : numbered_[index];
 }
 
 std::optional<double> Parameters::read(int number) const {
-  if (number >= 1 && number <= locals_)
-    return levels_.back().numbered[static_cast<std::size_t>(number)];
   if (number == 0 && dialect_ == Dialect::fanuc) return kVacant;
   if (is_system(number) && system_ != nullptr)
     if (const auto value = system_->read(number)) return value;
   if (!is_ordinary(number)) return std::nullopt;
-  return numbered_[static_cast<std::size_t>(number)];
+  const double value = stored(number);
+  return dialect_ == Dialect::linuxcnc && is_vacant(value) ? 0 : value;
+}
+
+std::optional<double> Parameters::read_as(int number, Dialect other) const {
+  if (other == Dialect::linuxcnc) {
+    const auto value = number >= 1 && number < kEnd ? read(number) : std::nullopt;
+    return value && is_vacant(*value) ? 0 : value;
+  }
+  if (number == 0) return kVacant;
+  if (is_fanuc_ordinary(number)) return stored(number);
+  const bool known = system_ != nullptr && system_->has(number, other);
+  return known ? system_->read(number) : std::nullopt;
+}
+
+bool Parameters::is_fanuc_system(int number) const {
+  return system_ != nullptr && !is_fanuc_ordinary(number) && number < kEnd &&
+         system_->has(number, Dialect::fanuc) && !system_->has(number, Dialect::linuxcnc);
+}
+
+bool Parameters::is_fanuc_local(int number) noexcept {
+  return number > kLocals && number <= kFanucLocals;
 }
 
 const Parameters::Names& Parameters::names_of(std::string_view name) const noexcept {
@@ -96,7 +124,7 @@ void Parameters::write(std::string_view name, double value) {
 
 void Parameters::push(std::span<const double> arguments) {
   Level& level = levels_.emplace_back();
-  level.numbered.fill(blank_);
+  level.numbered.fill(kVacant);
   assert(arguments.size() <= static_cast<std::size_t>(locals_));
   std::copy(arguments.begin(), arguments.end(), level.numbered.begin() + 1);
 }

@@ -31,6 +31,8 @@ class SystemVariables {
 
   /// Nothing: no variable of the system has this number or name (lower case, without blanks).
   virtual std::optional<double> read(int number) const = 0;
+  /// Whether there is one of this number in a dialect.
+  virtual bool has(int number, Dialect dialect) const = 0;
   virtual std::optional<double> read(std::string_view name) const = 0;
   virtual bool is_read_only(int number) const = 0;
   /// False: no variable of the system has this number. Expects one that may be written.
@@ -53,6 +55,17 @@ class Parameters {
   std::optional<double> read(std::string_view name) const;
   bool exists(int number) const { return read(number).has_value(); }
   bool exists(std::string_view name) const { return read(name).has_value(); }
+
+  /// What the other dialect would read. Expects one that is not of FANUC's system alone.
+  std::optional<double> read_as(int number, Dialect other) const;
+  /// Whether it is the system's in the fanuc dialect, and a variable like others in linuxcnc.
+  bool is_fanuc_system(int number) const;
+  /// Whether it is local in the fanuc dialect alone.
+  static bool is_fanuc_local(int number) noexcept;
+
+  /// Whether expressions are to be compared with what they mean in the other dialect.
+  void watch() noexcept { watching_ = true; }
+  bool watching() const noexcept { return watching_; }
 
   /// Whether an assignment is possible.
   Access access(int number) const;
@@ -86,18 +99,18 @@ class Parameters {
   std::optional<double> own(std::string_view name) const noexcept;
   bool is_system(int number) const noexcept { return number >= first_system_; }
   bool is_ordinary(int number) const noexcept;
+  double stored(int number) const noexcept;
   const Names& names_of(std::string_view name) const noexcept;
 
   Dialect dialect_;
   int locals_, first_system_;
-  double blank_;  // what a variable holds at the start
   SystemVariables* system_ = nullptr;
-  std::vector<double> numbered_;  // by number; local ones lie in levels_
+  std::vector<double> numbered_;  // by number, vacant at first; local ones lie in levels_
   std::vector<Level> levels_;
   Names global_;
   std::optional<double> given_back_;
   int line_ = 0;
-  bool doubtful_ = false;
+  bool doubtful_ = false, watching_ = false;
 };
 
 }  // namespace softcnc::ipr

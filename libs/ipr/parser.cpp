@@ -3,6 +3,7 @@
 #include "ipr/parser.hpp"
 
 #include <string>
+#include <utility>
 
 #include "ipr/faults.hpp"
 
@@ -11,6 +12,7 @@ namespace softcnc::ipr {
 void Parser::configure(const ParserOptions& options) {
   options_ = options;
   parameters_ = Parameters(options.dialect);
+  if (options.contradictions != nullptr && options.contradictions->watching()) parameters_.watch();
 }
 
 std::optional<Line> Parser::next() {
@@ -59,12 +61,14 @@ std::optional<Line> Parser::next_line(Read read) {
     read();
     if (ended_) break;
     if (words_.empty() && line_.statement == nullptr && !line_.broken) continue;
-    started_ = true;
+    if (!line_.broken) started_ = true;
     if (file_ != 0) name_file();
     return line_;
   }
   if (!ended_ && reader_->failure()) {
-    diagnostics_.report(*reader_->failure());
+    Diagnostic failure = *reader_->failure();
+    failure.pos.file = file_;
+    diagnostics_.report(std::move(failure));
     broke_off_ = true;
   }
   ended_ = true;
@@ -74,6 +78,7 @@ std::optional<Line> Parser::next_line(Read read) {
 void Parser::begin_line(std::string_view text) {
   words_.clear();
   assignments_.clear();
+  before_.clear();
   line_ = Line{};
   line_.number = reader_->line();
   line_.text = text;

@@ -36,7 +36,8 @@ struct Line {
 
 struct ParserOptions {
   Dialect dialect = Dialect::linuxcnc;
-  bool block_skip = false;  // lines that begin with '/' are passed over unread
+  bool block_skip = false;                   // lines that begin with '/' are passed over unread
+  Contradictions* contradictions = nullptr;  // takes what the other dialect reads otherwise
 };
 
 class Parser {
@@ -92,11 +93,14 @@ class Parser {
   std::optional<Token> read_keyword(Lexer& lexer, const Token& letter);
   void settle(const StatementReader& reader, Lexer& lexer);
   Token read_assignment(Lexer& lexer, const Token& sign);
-  bool is_order(const Variable& variable) const noexcept;
   Token read_order(Lexer& lexer, const Token& sign, int number);
   std::string comment_behind(const Lexer& lexer) const;
   bool may_assign(const Variable& variable, SourcePos at);
   void assign(Variable variable, double value);
+  void keep_before(const Variable& variable);
+  std::span<const Assigned> assigned_there() const noexcept;
+  void note(Contradiction why, int column, int length, const std::string& detail = {});
+  void note(const std::optional<OtherValue>& other);
   void apply_assignments();
   Token read_mark(Lexer& lexer, const Token& mark);
   Token read_macro(Lexer& lexer, const Token& mark);
@@ -121,11 +125,8 @@ class Parser {
   std::vector<Word> words_;
   ParserOptions options_;
   Parameters parameters_;
-  struct Assignment {
-    Variable variable;
-    double value;
-  };
-  std::vector<Assignment> assignments_;  // of the line; all is read before one takes effect
+  std::vector<Assigned> assignments_;  // of the line; all is read before one takes effect
+  std::vector<Assigned> before_;       // what they have replaced on the line
   Statement statement_;
   Depth depth_ = Depth::usual;
   bool started_ = false, given_up_ = false, ended_ = false, broke_off_ = false;

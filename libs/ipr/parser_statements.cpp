@@ -2,12 +2,34 @@
 // The lines of a program that are no words: assignments and statements.
 #include <utility>
 
+#include "ipr/contradictions.hpp"
+#include "ipr/handlers.hpp"
 #include "ipr/parser.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
 constexpr int kAlarm = 3000, kMessage = 3006;  // FANUC
+constexpr int kToolValues = 2001, kToolValuesEnd = 2401;
+
+/// In the fanuc dialect to assign to it ends or stops the program.
+bool is_order(const Variable& variable) noexcept {
+  return variable.number == kAlarm || variable.number == kMessage;
+}
+
+/// In the fanuc dialect it is the system's, of the numbers that linuxcnc has too.
+bool is_tool_value(const Variable& variable) noexcept {
+  return variable.number >= kToolValues && variable.number < kToolValuesEnd;
+}
+
+/// " (1 here, 0 there)"; nothing where the values are not what differs.
+std::string detail_of(const OtherValue& other) {
+  const auto text = [](double value) {
+    return is_vacant(value) ? std::string("vacant") : number_text(value);
+  };
+  const std::string here = text(other.here), there = text(other.there);
+  return here == there ? "" : " (" + here + " here, " + there + " there)";
+}
 
 }  // namespace
 
@@ -51,6 +73,7 @@ bool Parser::read_o_word(Lexer& lexer, const Token& letter) {
   if (!only_line_number()) return false;
   StatementReader reader(lexer, parameters_, statement_, depth_);
   const Found found = reader.read_o_word({line_.number, letter.column, letter.length});
+  note(reader.other_value());
   if (found == Found::program) line_.statement = &statement_;
   if (found != Found::statement) return false;
   settle(reader, lexer);
@@ -64,6 +87,7 @@ std::optional<Token> Parser::read_keyword(Lexer& lexer, const Token& letter) {
   ahead.back_to(letter);
   StatementReader reader(ahead, parameters_, statement_, depth_);
   const Found found = reader.read_keyword({line_.number, letter.column, letter.length});
+  note(reader.other_value());
   if (found == Found::nothing) return std::nullopt;
   lexer = ahead;
   if (found == Found::statement || reader.fault() || statement_.uncertain)
@@ -89,15 +113,20 @@ void Parser::settle(const StatementReader& reader, Lexer& lexer) {
 Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
   Expression expression(lexer, parameters_);
   auto variable = expression.variable();
-  if (variable && is_order(*variable)) return read_order(lexer, sign, variable->number);
+  if (variable && (is_order(*variable) || is_tool_value(*variable)))
+    note(Contradiction::system_variable, sign.column, lexer.end() - sign.column);
+  if (variable && is_order(*variable) && options_.dialect == Dialect::fanuc)
+    return read_order(lexer, sign, variable->number);
   const bool assignable =
       variable && may_assign(*variable, {line_.number, sign.column, lexer.end() - sign.column});
   if (!expression.broke_off() && !lexer.take('='))
     expression.refuse_next(Code::SC1028, "'=' and a value");
   const bool bare = options_.dialect == Dialect::fanuc;  // RS274 wants brackets around operators
+  expression.compare_with(assigned_there());
   const double value = expression.broke_off() ? kUncertain
                        : bare                 ? expression.unbracketed()
                                               : expression.value();
+  note(expression.other_value());
   if (expression.broke_off()) {
     give_up(expression.fault(), lexer);
     return {};
@@ -107,12 +136,6 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
   if (assignable) assign(std::move(*variable), value);
   if (!variable) parameters_.doubt();
   return lexer.next();
-}
-
-/// #3000 and #3006 of FANUC: to assign to them ends or stops the program.
-bool Parser::is_order(const Variable& variable) const noexcept {
-  return options_.dialect == Dialect::fanuc &&
-         (variable.number == kAlarm || variable.number == kMessage);
 }
 
 /// What follows '#3000': '=', a number, and a comment for the operator.
@@ -157,8 +180,32 @@ bool Parser::may_assign(const Variable& variable, SourcePos at) {
 
 /// FANUC: an assignment takes effect at once; RS274: when all of the line has been read.
 void Parser::assign(Variable variable, double value) {
+  if (parameters_.watching() && options_.dialect == Dialect::fanuc) keep_before(variable);
   assignments_.push_back({std::move(variable), value});
   if (options_.dialect == Dialect::fanuc) apply_assignments();
+}
+
+/// The value of a variable before the line.
+void Parser::keep_before(const Variable& variable) {
+  for (const Assigned& kept : before_)
+    if (kept.variable.number == variable.number && kept.variable.name == variable.name) return;
+  const auto value =
+      variable.name.empty() ? parameters_.read(variable.number) : parameters_.read(variable.name);
+  before_.push_back({variable, value.value_or(kUncertain)});
+}
+
+/// What the other dialect reads instead on this line.
+std::span<const Assigned> Parser::assigned_there() const noexcept {
+  return options_.dialect == Dialect::fanuc ? before_ : assignments_;
+}
+
+void Parser::note(Contradiction why, int column, int length, const std::string& detail) {
+  if (options_.contradictions == nullptr) return;
+  options_.contradictions->note(why, {line_.number, column, length, file_}, line_.text, detail);
+}
+
+void Parser::note(const std::optional<OtherValue>& other) {
+  if (other) note(other->why, other->column, other->length, detail_of(*other));
 }
 
 void Parser::apply_assignments() {

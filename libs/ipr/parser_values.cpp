@@ -43,9 +43,12 @@ Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) 
 
 Token Parser::read_expression(Lexer& lexer, const Token& letter) {
   Expression expression(lexer, parameters_);
-  if (options_.dialect == Dialect::fanuc && kLengths.has(letter.letter))
+  const bool may_round = options_.dialect == Dialect::fanuc || parameters_.watching();
+  if (may_round && kLengths.has(letter.letter))
     expression.round_to(parameters_.read("_metric") == 0.0 ? kPerInch : kPerMm);
+  expression.compare_with(assigned_there());
   const double value = expression.value();
+  note(expression.other_value());
   const int length = lexer.end() - letter.column;
   if (is_uncertain(value)) line_.lost.add(letter.letter);
   if (expression.broke_off()) {

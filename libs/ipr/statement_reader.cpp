@@ -237,6 +237,7 @@ void StatementReader::pass_brackets() {
 /// The value of an expression, after what is to be known about it.
 double StatementReader::keep(const Expression& expression, double value) {
   if (!fault_) fault_ = expression.fault();
+  if (!other_) other_ = expression.other_value();
   broke_off_ = broke_off_ || expression.broke_off();
   statement_.uncertain = statement_.uncertain || is_uncertain(value);
   return value;

@@ -37,6 +37,8 @@ class StatementReader {
   Found read_keyword(SourcePos at);
 
   const std::optional<Fault>& fault() const noexcept { return fault_; }
+  /// The first expression that has another value in the other dialect.
+  const std::optional<OtherValue>& other_value() const noexcept { return other_; }
   /// The rest of the line cannot be understood. Without a fault the lexer's next token tells why.
   bool broke_off() const noexcept { return broke_off_; }
 
@@ -63,6 +65,7 @@ class StatementReader {
   Statement& statement_;
   Depth depth_;
   std::optional<Fault> fault_;
+  std::optional<OtherValue> other_;
   bool broke_off_ = false;
 };
 

@@ -17,7 +17,9 @@ std::optional<int> tool_number(Task& task) {
   if (task.values.has('H')) return whole_number(task, task.values.word('H'));
   if (task.command.uncertain().has('H')) return std::nullopt;
   const bool fanuc = task.options.dialect == Dialect::fanuc;
-  return fanuc ? task.modal.length_number : task.modal.loaded_tool.value_or(0);
+  const int last = task.modal.length_number, loaded = task.modal.loaded_tool.value_or(0);
+  if (last != loaded) task.out.contradict(Contradiction::length_number, task.word.pos);
+  return fanuc ? last : loaded;
 }
 
 std::optional<AxisVector> length_of(Task& task, int number) {

@@ -27,6 +27,21 @@ bool names_axes(Task& task) {
   return named;
 }
 
+/// G52 names axes that G92 has shifted.
+void compare_shift(Task& task) {
+  const AxisVector of_g92 = shift_in_force(task.modal.state) - task.modal.shift_of_g52;
+  bool both = false;
+  for_named_axes(task, [&](int axis, double) { both = both || of_g92[axis] != 0; });
+  if (both) task.out.contradict(Contradiction::local_shift, task.word.pos);
+}
+
+/// G92.2 and G92.3 where G52 has shifted axes: in the fanuc dialect its shift stays.
+void compare_suspension(Task& task) {
+  const Modal& modal = task.modal;
+  const bool shifted = !modal.local_shift.isZero(0) || !modal.shift_of_g52.isZero(0);
+  if (shifted) task.out.contradict(Contradiction::local_shift, task.word.pos);
+}
+
 }  // namespace
 
 /// G54 to G59, G59.1 to G59.3.
@@ -57,9 +72,13 @@ void set_local_shift(Task& task) {
   if (!names_axes(task)) return;
   Modal& modal = task.modal;
   const bool own = task.options.dialect == Dialect::fanuc;
+  compare_shift(task);
   AxisVector shift = own ? modal.local_shift : shift_in_force(modal.state);
   for_named_axes(task, [&](int axis, double value) { shift[axis] = value; });
-  if (!own) return set_shift(modal, shift);
+  if (!own) {
+    for_named_axes(task, [&](int axis, double value) { modal.shift_of_g52[axis] = value; });
+    return set_shift(modal, shift);
+  }
   modal.local_shift = shift;
   modal.update_coordinates();
 }
@@ -72,7 +91,7 @@ void name_position(Task& task) {
   AxisVector shift = shift_in_force(modal.state);
   for_named_axes(task, [&](int axis, double value) {
     shift[axis] += now[axis] - value + modal.local_shift[axis];
-    modal.local_shift[axis] = 0;
+    modal.local_shift[axis] = modal.shift_of_g52[axis] = 0;
     modal.uncertain.remove(axis_letter(axis));
   });
   set_shift(modal, shift);
@@ -81,18 +100,21 @@ void name_position(Task& task) {
 /// G92.1: no shift, and none to come back to.
 void clear_shift(Task& task) {
   task.modal.local_shift.setZero();
+  task.modal.shift_of_g52.setZero();
   task.modal.state.shift.setZero();
   suspend_shift(task);
 }
 
 /// G92.2
 void suspend_shift(Task& task) {
+  compare_suspension(task);
   task.modal.state.shift_on = false;
   task.modal.update_coordinates();
 }
 
 /// G92.3
 void resume_shift(Task& task) {
+  compare_suspension(task);
   task.modal.state.shift_on = true;
   task.modal.update_coordinates();
 }

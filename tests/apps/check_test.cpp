@@ -60,3 +60,65 @@ TEST_CASE("a line with / and M01 count as they are switched", "[apps][check]") {
         "{\"line\":2,\"block\":1,\"kind\":\"stop\",\"code\":1}\n"
         "{\"line\":3,\"block\":2,\"kind\":\"end\",\"code\":30}\n");
 }
+
+TEST_CASE("check warns where a line means something else in the other dialect", "[apps][check]") {
+  const std::string part = "G04 P1\nG04 P2\nM30\n";
+  const Ended ended = call("check -", part);
+  CHECK(ended.status == 0);
+  CHECK(ended.out ==
+        "<stdin>:1:5: warning SC2120: G04 P counts seconds; in the fanuc dialect: counts "
+        "milliseconds (here and on 1 more line)\n"
+        "    1 | G04 P1\n"
+        "      |     ^~\n");
+  CHECK(call("check --dialect fanuc -", part)
+            .out.starts_with("<stdin>:1:5: warning SC2120: G04 P counts milliseconds; in the "
+                             "linuxcnc dialect: counts seconds (here"));
+  for (const char* command : {"blocks -", "run --dry-run -", "run -q --backend none -"})
+    CHECK(call(command, part).err.find("SC2120") == std::string::npos);
+}
+
+TEST_CASE("a diagnostic in a subprogram tells the calls that led there", "[apps][check]") {
+  const Folder folder;
+  write(folder / "part.nc", "(calls)\no<middle> call\nM30\n");
+  write(folder / "middle.nc", "o<middle> sub\n  o<inner> call [1]\no<middle> endsub\n");
+  write(folder / "inner.nc", "o<inner> sub\nG1 X#1\no<inner> endsub\n");
+  const std::string part = folder / "part.nc", middle = folder / "middle.nc";
+  CHECK(call("check " + part).out == (folder / "inner.nc") +
+                                         ":2:1: error SC2102: G01 needs a feed, and F is not set\n"
+                                         "    2 | G1 X#1\n"
+                                         "      | ^~\n" +
+                                         middle + ":2:3: note: called from here\n" + part +
+                                         ":2:1: note: called from here\n");
+  const std::string json = call("check --diagnostics json " + part).out;
+  CHECK(json.find("\"called_from\":[{\"file\":\"" + middle +
+                  "\",\"line\":2,\"column\":3},"
+                  "{\"file\":\"" +
+                  part + "\",\"line\":2,\"column\":1}]") != std::string::npos);
+  const std::string sarif = call("check --diagnostics sarif " + part).out;
+  CHECK(sarif.find("\"relatedLocations\":[{\"physicalLocation\":{\"artifactLocation\":{\"uri\":"
+                   "\"file://" +
+                   middle +
+                   "\"},\"region\":{\"startLine\":2,\"startColumn\":3}},"
+                   "\"message\":{\"text\":\"called from here\"}},") != std::string::npos);
+}
+
+TEST_CASE("what the planner tells of a subprogram tells its calls too", "[apps][check]") {
+  const Ended ended =
+      call("check -", "O1\nM98 P2\nG0 X0\nM98 P3\nM30\nO2\nG0 X1\nM99\nO3\nG0 X5000\nM99\n");
+  CHECK(ended.status == 3);
+  CHECK(ended.out.find("<stdin>:10:1: error SC4001: ") != std::string::npos);
+  CHECK(ended.out.ends_with("<stdin>:4:1: note: called from here\n"));
+  CHECK(ended.out.find("<stdin>:2:1: note") == std::string::npos);
+}
+
+TEST_CASE("a program that cannot be read to its end is told of once", "[apps][check]") {
+  for (const char* command : {"check", "blocks", "run --dry-run"}) {
+    const Ended ended = call(std::string(command) + " /proc/self/mem");
+    CAPTURE(command, ended.out, ended.err);
+    const std::string told = ended.out + ended.err;
+    CHECK(ended.status == 5);
+    const auto first = told.find("/proc/self/mem: error SC6002: cannot read on: ");
+    REQUIRE(first != std::string::npos);
+    CHECK(told.find("SC6002", first + 30) == std::string::npos);
+  }
+}

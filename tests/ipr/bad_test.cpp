@@ -62,10 +62,11 @@ Machine machine_for(const std::string& expectation) {
   return machine;
 }
 
-/// "; fanuc": read in this dialect.
+/// "; fanuc": read in this dialect. "; check": compared with the other one.
 InterpreterOptions options_for(const std::string& expectation) {
   InterpreterOptions options;
   if (expectation.find("; fanuc") != std::string::npos) options.dialect = Dialect::fanuc;
+  options.compare_dialects = expectation.find("; check") != std::string::npos;
   return options;
 }
 
@@ -134,6 +135,56 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC1030, "this '<' has no '>'"},
     {Code::SC1030, "the name of a variable is empty"},
     {Code::SC1031, "alarm of the program: NO TOOL"},
+    {Code::SC1032,
+     "AND, OR, XOR ask whether numbers are 0; in the fanuc dialect: join the bits of whole numbers "
+     "(1 here, 2 there)"},
+    {Code::SC1032,
+     "MOD is never negative; in the fanuc dialect: rounds its operands and has the sign of the "
+     "first (1 here, -3 there)"},
+    {Code::SC1033,
+     "FIX, FUP of a negative number round down, up; in the fanuc dialect: round towards 0, away "
+     "from 0 (-2 here, -1 there)"},
+    {Code::SC1034,
+     "AND, OR, XOR beside other operators bind looser than all others; in the fanuc dialect: AND "
+     "binds as *, OR and XOR as + (1 here, 2 there)"},
+    {Code::SC1035,
+     "a variable without a value is 0; in the fanuc dialect: is vacant: a word with it counts as "
+     "not written (0 here, vacant there)"},
+    {Code::SC1036,
+     "a variable read on the line that assigns to it has its value from before; in the fanuc "
+     "dialect: has the value assigned, if that stands before (0 here, 5 there)"},
+    {Code::SC1037,
+     "#2001 to #2400, #3000, #3006, #4001 to #4120, #5001 to #5203 are variables like others; in "
+     "the fanuc dialect: are those of the system: tools, alarm, stop, modes, positions"},
+    {Code::SC1038,
+     "#31 to #33 in a called program belong to all programs; in the fanuc dialect: belong to the "
+     "call (0 here, vacant there)"},
+    {Code::SC2120,
+     "G04 P counts milliseconds; in the linuxcnc dialect: counts seconds (here and on 1 more "
+     "line)"},
+    {Code::SC2121, "P of a canned cycle counts seconds; in the fanuc dialect: counts milliseconds"},
+    {Code::SC2122,
+     "G10 L2 in G91 sets the origin to the values; in the fanuc dialect: adds the values to the "
+     "origin"},
+    {Code::SC2123,
+     "G10 L1, L10, L11 with R alone sets the radius of tool P; in the fanuc dialect: L10 sets the "
+     "length of offset P, L1 and L11 its wear"},
+    {Code::SC2124,
+     "G43 without H takes the length of the tool in the spindle; in the fanuc dialect: takes the "
+     "last H"},
+    {Code::SC2125,
+     "G41, G42 with D0 takes the radius of the tool in the spindle; in the fanuc dialect: takes a "
+     "radius of 0"},
+    {Code::SC2126,
+     "G52 beside G92 is one and the same shift; in the fanuc dialect: is a shift of its own, which "
+     "adds to that of G92"},
+    {Code::SC2127, "G53 with G01 moves at the feed; in the fanuc dialect: moves as a rapid"},
+    {Code::SC2128,
+     "M98 P of five digits or more without L calls the program O P; in the fanuc dialect: calls "
+     "the program of the last four digits, as often as those before them say"},
+    {Code::SC2129,
+     "a canned cycle before any G98 or G99 goes out to R; in the fanuc dialect: goes out to where "
+     "the first of the row began"},
     {Code::SC2001, "G48 is not supported"},
     {Code::SC1050, "'line' is no command; there are l, pcw, pccw, dcw, dccw, s and f"},
     {Code::SC1051, "numbers without a command before them"},

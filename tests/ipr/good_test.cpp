@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // tests/good: programs as people and CAM systems write them, with which nothing is wrong. A comment
 // in each says what it makes, "expect 12 blocks, 345.678 mm, to 0 0 10": how many blocks, the
-// length of all moves, and where the last one ends in machine coordinates.
+// length of all moves, and where the last one ends in machine coordinates. Those in tests/dialects
+// are as good, but the other dialect would do something else.
 #include <array>
 #include <catch2/catch.hpp>
 #include <cstdio>
@@ -51,25 +52,52 @@ std::string expected(const std::string& bytes) {
   return bytes.substr(begin, bytes.find_first_of(")\r\n", begin) - begin);
 }
 
+std::vector<std::filesystem::path> files_in(const std::string& folder) {
+  std::vector<std::filesystem::path> all;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(SOFTCNC_SOURCE_DIR) + folder))
+    if (entry.path().extension() == ".nc") all.push_back(entry.path());
+  return all;
+}
+
+Interpreted read(const std::filesystem::path& file, bool compare_dialects) {
+  auto reader = Reader::open(file.string());
+  REQUIRE(reader);
+  InterpreterOptions options;
+  options.compare_dialects = compare_dialects;
+  return interpret(std::move(*reader), {}, options);
+}
+
+/// Nothing is told, and the blocks are as the comment says.
+void check_file(const std::filesystem::path& file, bool compare_dialects) {
+  INFO(file.filename().string());
+  const Interpreted result = read(file, compare_dialects);
+  for (const Diagnostic& diagnostic : result.diagnostics) FAIL_CHECK(render(diagnostic));
+  REQUIRE_FALSE(result.blocks.empty());
+  const auto* end = std::get_if<Action>(&result.blocks.back().what);
+  CHECK((end != nullptr && end->kind == Action::Kind::end));
+  CHECK(made(result.blocks) == expected(bytes_of(file)));
+}
+
 }  // namespace
 
 TEST_CASE("a good program is read without a word, and all of it", "[ipr][good]") {
-  int files = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::string(SOFTCNC_SOURCE_DIR) + "/tests/good")) {
-    if (entry.path().extension() != ".nc") continue;
-    INFO(entry.path().filename().string());
-    auto reader = Reader::open(entry.path().string());
-    REQUIRE(reader);
-    const Interpreted result = interpret(std::move(*reader));
-    for (const Diagnostic& diagnostic : result.diagnostics) FAIL_CHECK(render(diagnostic));
-    REQUIRE_FALSE(result.blocks.empty());
-    const auto* end = std::get_if<Action>(&result.blocks.back().what);
-    CHECK((end != nullptr && end->kind == Action::Kind::end));
-    CHECK(made(result.blocks) == expected(bytes_of(entry.path())));
-    ++files;
+  const auto files = files_in("/tests/good");
+  for (const auto& file : files) check_file(file, true);
+  CHECK(files.size() >= 200);
+}
+
+TEST_CASE("a program that means something else in the other dialect is as good", "[ipr][good]") {
+  const auto files = files_in("/tests/dialects");
+  for (const auto& file : files) {
+    check_file(file, false);
+    INFO(file.filename().string());
+    const Interpreted compared = read(file, true);
+    CHECK_FALSE(compared.diagnostics.empty());
+    for (const Diagnostic& diagnostic : compared.diagnostics)
+      CHECK(diagnostic.message.find("; in the fanuc dialect: ") != std::string::npos);
   }
-  CHECK(files >= 200);
+  CHECK_FALSE(files.empty());
 }
 
 }  // namespace softcnc::ipr

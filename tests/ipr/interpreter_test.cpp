@@ -175,4 +175,20 @@ TEST_CASE("no sequence of words breaks what holds for every program", "[ipr][pro
       20000);
 }
 
+TEST_CASE("what is told of one line comes in the order of its columns", "[ipr][interpreter]") {
+  CHECK(places(interpret("G48 Q1 Y--2\nX1 G49.5\nM30")) ==
+        Places{"SC2001 1:1", "SC1003 1:9", "SC2001 2:4"});
+  const Interpreted unended = interpret("G0 X1 X2 X--3");
+  CHECK(places(unended) == Places{"SC2003 1:7", "SC1003 1:11", "SC2205 1:0"});
+}
+
+TEST_CASE("a '%' behind a note that is no comment begins the program", "[ipr][interpreter]") {
+  const Interpreted result = interpret("PART NO 12-B $\n%\nO1\nG0 X1\nM30\n%\nG0 X9\n");
+  CHECK(std::all_of(result.diagnostics.begin(), result.diagnostics.end(),
+                    [](const Diagnostic& d) { return d.pos.line == 1; }));
+  CHECK_FALSE(result.diagnostics.empty());
+  REQUIRE(result.blocks.size() == 2);
+  CHECK(end(std::get<Move>(result.blocks[0].what).path).x() == 1);
+}
+
 }  // namespace softcnc::ipr

@@ -21,6 +21,7 @@ class TwoVariables final : public SystemVariables {
   std::optional<double> read(std::string_view name) const override {
     return name == "_x" ? std::optional(12.5) : std::nullopt;
   }
+  bool has(int number, Dialect) const override { return read(number).has_value(); }
   bool is_read_only(int number) const override { return number == 5420; }
   bool write(int number, double value) override {
     if (number != 5221) return false;
