@@ -7,14 +7,14 @@
 using namespace softcnc::app::test;
 
 TEST_CASE("check of good programs says nothing", "[apps][check]") {
-  const Ended ended = call("check $data/square.nc $data/zigzag.nc");
+  const Ended ended = call("check $programs/02_square.nc $data/zigzag.nc");
   CHECK(ended.status == 0);
   CHECK(ended.out.empty());
   CHECK(ended.err.empty());
 }
 
 TEST_CASE("check tells everything wrong with every file, on stdout", "[apps][check]") {
-  const Ended ended = shell("cd $data; $softcnc check two_errors.nc square.nc beyond.nc none.nc");
+  const Ended ended = shell("cd $data; $softcnc check two_errors.nc zigzag.nc beyond.nc none.nc");
   CHECK(ended.status == 5);  // the first that applies of 2, 5, 1, 3
   CHECK(ended.err.empty());
   for (const char* line :
@@ -24,7 +24,7 @@ TEST_CASE("check tells everything wrong with every file, on stdout", "[apps][che
     CAPTURE(line, ended.out);
     CHECK(ended.out.find(line) != std::string::npos);
   }
-  CHECK(ended.out.find("square.nc") == std::string::npos);
+  CHECK(ended.out.find("zigzag.nc") == std::string::npos);
   CHECK(shell("cd $data; $softcnc check two_errors.nc beyond.nc").status == 1);
   CHECK(shell("cd $data; $softcnc check beyond.nc").status == 3);
 }

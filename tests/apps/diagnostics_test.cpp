@@ -47,7 +47,7 @@ void check_sarif(const json& log) {
 
 TEST_CASE("check tells everything as one JSON array on stdout", "[apps][diagnostics]") {
   const Ended ended = shell(
-      "cd $data; $softcnc check --diagnostics json two_errors.nc square.nc beyond.nc none.nc");
+      "cd $data; $softcnc check --diagnostics json two_errors.nc zigzag.nc beyond.nc none.nc");
   CHECK(ended.status == 5);
   CHECK(ended.err.empty());
   const json list = json::parse(ended.out);
@@ -67,8 +67,8 @@ TEST_CASE("check tells everything as one JSON array on stdout", "[apps][diagnost
 }
 
 TEST_CASE("a document says that nothing is wrong, too", "[apps][diagnostics]") {
-  CHECK(call("check --diagnostics json $data/square.nc").out == "[]\n");
-  const Ended ended = call("check --diagnostics sarif $data/square.nc");
+  CHECK(call("check --diagnostics json $data/zigzag.nc").out == "[]\n");
+  const Ended ended = call("check --diagnostics sarif $data/zigzag.nc");
   CHECK(ended.status == 0);
   const json log = json::parse(ended.out);
   check_sarif(log);

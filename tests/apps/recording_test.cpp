@@ -254,7 +254,7 @@ TEST_CASE("the machine of the recording is not told of", "[apps][recording]") {
   const Folder folder;
   const std::string file = recorded(folder);
   CHECK(call("replay " + file).err.find("not on the machine") == std::string::npos);
-  const Ended set = call("replay " + file + " --set control.corner_tolerance_um=3");
+  const Ended set = call("replay " + file + " --set axis.x.acceleration_mm_s2=900");
   CHECK(set.err.find("not on the machine of the recording") != std::string::npos);
 }
 

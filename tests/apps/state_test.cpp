@@ -92,7 +92,7 @@ TEST_CASE("a program with an error moves nothing and keeps nothing", "[apps][sta
 TEST_CASE("a state file that is not there yet is noted and begins at 0", "[apps][state]") {
   const Folder folder;
   const std::string file = folder / "mill.state";
-  const Ended ended = call("check $data/square.nc --state " + file);
+  const Ended ended = call("check $data/zigzag.nc --state " + file);
   CHECK(ended.status == 0);
   CHECK(ended.out == file +
                          ": note SC7017: is not there yet: work offsets, tool table and parameters "

@@ -82,6 +82,22 @@ TEST_CASE("a circle takes the time of the closed form under axis limits", "[plan
   CHECK(exceeded(machine, result) == "");
 }
 
+TEST_CASE("circles and helices of many turns stay inside every limit", "[planner]") {
+  for (const int turns : {2, 3, 4, 8})
+    for (const double rise : {0.0, 2.0}) {
+      CAPTURE(turns, rise);
+      const auto path =
+          Arc::make({{1, 0, 0}, {1, 0, turns * rise}, {0, 0, 0}, Plane::xy, true, turns - 1});
+      REQUIRE(path);
+      const Machine machine = machine_with(1000);
+      const auto result = run(machine, one(*path, 250));
+      CHECK(exceeded(machine, result) == "");
+      // Two axes together allow v^2/r of sqrt(2) times what one does; the rise adds to the way.
+      const double fastest = std::sqrt(std::sqrt(2.0) * 1000 * path->radius());
+      CHECK(result.time > path->length() / (fastest * (1 + rise)));
+    }
+}
+
 TEST_CASE("the benchmark curves take the optimum's time within 1 %, inside every limit",
           "[planner]") {
   // References: the exact acceleration-limited optimum (reachability analysis, an independent

@@ -88,7 +88,7 @@ TEST_CASE("every group and every step of the order has a name of its own", "[ipr
     CHECK(static_cast<std::size_t>(code.order) < names.size());
   CHECK(names[static_cast<std::size_t>(find_gcode('G', 4)->order)] == "dwell");
   CHECK(names[static_cast<std::size_t>(find_gcode('G', 41)->order)] == "cutter compensation");
-  CHECK(names[static_cast<std::size_t>(find_gcode('G', 98)->order)] == "retract of cycles");
+  CHECK(names[static_cast<std::size_t>(find_gcode('G', 80)->order)] == "motion off");
   CHECK(group_name(find_gcode('G', 98)->group) == "retract of cycles");
   CHECK(group_name(find_gcode('G', 90.1)->group) == "centres of arcs");
   CHECK(group_name(find_gcode('M', 6)->group) == "tool change");
