@@ -11,10 +11,11 @@ using nlohmann::json;
 
 namespace {
 
-/// Interrupts a long run as soon as its trace grows.
+/// Interrupts a long run as soon as its trace grows. The run goes round a circle without a corner,
+/// so that nothing but the stop brings it to rest, whenever the signal arrives.
 Ended interrupted(const std::string& signal, const Folder& folder) {
-  std::string part = "G90 G01 F6000\n";
-  for (int i = 0; i < 1500; ++i) part += "X100 Y" + std::to_string(i % 50) + "\nX0\n";
+  std::string part = "G90 G00 X0 Y100\nG02 F6000\n";
+  for (int i = 0; i < 1500; ++i) part += "I50\n";
   write(folder / "long.nc", part + "M30\n");
   return shell("$softcnc run " + (folder / "long.nc") + " --trace " + (folder / "t.csv") +
                " --report " + (folder / "r.json") + " & pid=$!; until [ -s " +
