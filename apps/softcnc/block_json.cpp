@@ -98,8 +98,8 @@ void BlockJson::details(const Nurbs& nurbs) {
   list("\"knots\":", spec.knots);
 }
 
-template <typename Value>
-void BlockJson::value(std::string_view key, const Value& value) {
+template <typename Key, typename Value>
+void BlockJson::value(const Key& key, const Value& value) {
   text_.add(key);
   add(value);
   text_.add(',');
@@ -123,7 +123,8 @@ void BlockJson::word(std::string_view key, std::string_view value) {
 }
 
 /// Most moves begin in the place where the one before has ended: its text stands ready.
-void BlockJson::place(std::string_view key, const AxisVector& value) {
+template <typename Key>
+void BlockJson::place(const Key& key, const AxisVector& value) {
   text_.add(key);
   if (value == last_) {
     text_.add(last_text_);
@@ -136,8 +137,8 @@ void BlockJson::place(std::string_view key, const AxisVector& value) {
   text_.add(',');
 }
 
-template <typename Range>
-void BlockJson::list(std::string_view key, const Range& range) {
+template <typename Key, typename Range>
+void BlockJson::list(const Key& key, const Range& range) {
   text_.add(key);
   text_.add('[');
   for (const auto& value : range) {

@@ -20,13 +20,14 @@ class BlockJson {
 
  private:
   // A key is given as it stands in the text, with quotation marks and colon.
-  template <typename Value>
-  void value(std::string_view key, const Value& value);
+  template <typename Key, typename Value>
+  void value(const Key& key, const Value& value);
   void word(std::string_view key, std::string_view value);
   void name_file(const std::string& file);
-  void place(std::string_view key, const AxisVector& value);
-  template <typename Range>
-  void list(std::string_view key, const Range& range);
+  template <typename Key>
+  void place(const Key& key, const AxisVector& value);
+  template <typename Key, typename Range>
+  void list(const Key& key, const Range& range);
   void add(int value) { text_.add(value); }
   void add(double value) { text_.add(value); }
   void add(const AxisVector& value);

@@ -2,9 +2,11 @@
 // Numbers as text: the shortest form that reads back exactly.
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <string>
 
@@ -13,20 +15,38 @@ namespace softcnc::hal {
 /// No number takes more characters than this.
 inline constexpr int kNumberLength = 25;
 
+/// The two digits of every number below 100, one after the other.
+inline constexpr auto kPairs = [] {
+  std::array<char, 200> pairs{};
+  for (std::size_t i = 0; i < 100; ++i) {
+    pairs[2 * i] = static_cast<char>('0' + i / 10);
+    pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
+  }
+  return pairs;
+}();
+
+/// Writes a number below 10^6 with all six digits; returns the end. Realtime.
+inline char* write_six_digits(char* out, std::uint32_t number) noexcept {
+  const auto pair = [&](std::uint32_t two) { std::memcpy(out, &kPairs[2 * two], 2), out += 2; };
+  pair(number / 10000);
+  pair(number / 100 % 100);
+  pair(number % 100);
+  return out;
+}
+
 /// Writes a size of at most six decimals, as most are, without searching for its digits: as many
 /// decimals as doubles can tell apart are its shortest form. nullptr: it is no such size. Realtime.
 inline char* write_short_decimal(char* out, double size) noexcept {
   constexpr double kLow = 1e-3, kHigh = 1e5;  // beyond, an exponent may be shorter
-  constexpr std::uint64_t kParts = 1000000;
+  constexpr std::uint32_t kParts = 1000000;
   if (!(size >= kLow && size < kHigh)) return nullptr;
   const auto parts = static_cast<std::uint64_t>(size * double{kParts} + 0.5);
   if (static_cast<double>(parts) / double{kParts} != size) return nullptr;
-  out = std::to_chars(out, out + kNumberLength, parts / kParts).ptr;
-  auto rest = static_cast<std::uint32_t>(parts % kParts);
+  out = std::to_chars(out, out + kNumberLength, static_cast<std::uint32_t>(parts / kParts)).ptr;
+  const auto rest = static_cast<std::uint32_t>(parts % kParts);
   if (rest == 0) return out;
-  out[0] = '.';
-  for (int i = 6; i > 0; --i, rest /= 10) out[i] = static_cast<char>('0' + rest % 10);
-  for (out += 7; out[-1] == '0';) --out;
+  *out++ = '.';
+  for (out = write_six_digits(out, rest); out[-1] == '0';) --out;
   return out;
 }
 

@@ -324,11 +324,17 @@ constexpr Index index_of(char letter) {
 constexpr Index kGIndex = index_of('G');
 constexpr Index kMIndex = index_of('M');
 
-const GCode* find_word(char letter) noexcept {
-  for (const GCode& code : kTable)
-    if (code.letter == letter && code.number == kAnyNumber) return &code;
-  return nullptr;
-}
+/// The rows of words that are codes whatever their number, from A on.
+constexpr auto kWordIndex = [] {
+  std::array<std::uint8_t, 26> index{};
+  index.fill(kNone);
+  for (std::size_t row = 0; row < std::size(kTable); ++row)
+    if (kTable[row].number == kAnyNumber)
+      index[static_cast<std::size_t>(kTable[row].letter - 'A')] = static_cast<std::uint8_t>(row);
+  return index;
+}();
+
+const GCode* row(std::uint8_t index) noexcept { return index == kNone ? nullptr : &kTable[index]; }
 
 }  // namespace
 
@@ -340,15 +346,14 @@ std::string_view group_name(Group group) noexcept {
 }
 
 const GCode* find_gcode(char letter, double value) noexcept {
-  if (letter != 'G' && letter != 'M') return find_word(letter);
+  if (letter != 'G' && letter != 'M')
+    return row(kWordIndex[static_cast<std::size_t>(letter - 'A')]);
   constexpr double kRounding = 1e-6;
   const double tenths = value * 10;
   if (!(tenths > -kRounding && tenths + kRounding < kNumbers)) return nullptr;
   const auto nearest = static_cast<std::uint32_t>(tenths + 0.5);
   if (nearest >= kNumbers || std::abs(tenths - nearest) > kRounding) return nullptr;
-  const Index& index = letter == 'G' ? kGIndex : kMIndex;
-  const std::uint8_t row = index[nearest];
-  return row == kNone ? nullptr : &kTable[row];
+  return row((letter == 'G' ? kGIndex : kMIndex)[nearest]);
 }
 
 std::string code_name(const GCode& code) {

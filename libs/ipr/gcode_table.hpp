@@ -71,7 +71,8 @@ std::string_view group_name(Group group) noexcept;
 const GCode* find_gcode(char letter, double value) noexcept;
 
 /// Whether a word of this letter is a code, rather than a value for one.
-constexpr bool is_code_letter(char letter) noexcept { return Letters("GMFSTNO").has(letter); }
+inline constexpr Letters kCodeLetters{"GMFSTNO"};
+constexpr bool is_code_letter(char letter) noexcept { return kCodeLetters.has(letter); }
 
 /// G65, G66 and G66.1: what stands behind them on the line are arguments, no codes.
 constexpr bool calls_macro(const GCode& code) noexcept {

@@ -177,7 +177,7 @@ void for_named_axes(const Task& task, Use&& use) {
 /// Moves along the path from the position, at the feed in force or as a rapid.
 void emit_move(Task& task, Path path, bool rapid = false);
 /// A cutting move by the modes in force.
-Move cutting_move(const Modal& modal, Path path, double feed);
+Move cutting_move(const Modal& modal, Path&& path, double feed);
 /// False, and told or muted, if there is no feed.
 bool has_feed(Task& task);
 /// False, and told, if the machine lacks an axis of the plane.

@@ -32,6 +32,21 @@ Token Lexer::next() {
   return token(Token::Kind::end, 0);
 }
 
+bool Lexer::take_plain_word(PlainWord& word) noexcept {
+  std::size_t at = at_;
+  while (at < line_.size() && is_blank(line_[at])) ++at;
+  const std::string_view rest = line_.substr(at);
+  if (rest.empty()) return false;
+  word.letter = upper(rest.front());
+  if (!is_upper(word.letter) || word.letter == 'E' || word.letter == 'O') return false;
+  const std::size_t digits = read_plain_number(rest.substr(1), word.value);
+  if (digits == 0) return false;
+  word.column = static_cast<int>(at) + 1;
+  word.length = static_cast<int>(digits) + 1;
+  at_ = at + 1 + digits;
+  return true;
+}
+
 char Lexer::peek() noexcept {
   for (; at_ < line_.size(); ++at_) {
     const char c = line_[at_];

@@ -33,12 +33,23 @@ struct Token {
   int end_column() const noexcept { return column + length; }
 };
 
+/// A letter and the number right behind it.
+struct PlainWord {
+  char letter = 0;  // upper case
+  double value = 0;
+  int column = 1, length = 1;  // as those of a token
+};
+
 class Lexer {
  public:
   explicit Lexer(std::string_view line) noexcept : line_(line) {}
 
   /// After the last token: Kind::end, again and again.
   Token next();
+
+  /// Passes the word that is next if it is written as most are; false if it is not. E and O can be
+  /// more than the letter of a word.
+  bool take_plain_word(PlainWord& word) noexcept;
 
   // The same text by characters, for expressions and statements.
   /// The next character in upper case, blanks and comments passed over; 0 at the end.

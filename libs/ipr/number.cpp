@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Decimal numbers: exact and fast for up to 15 digits, std::from_chars for longer ones.
+// Decimal numbers of any form: exact and fast as long as their digits fit an integer, otherwise by
+// std::from_chars.
 #include "ipr/number.hpp"
 
-#include <array>
 #include <charconv>
 #include <string>
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr std::array<double, 23> kPowersOfTen{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                              1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                              1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr std::uint64_t kExact = std::uint64_t{1} << 53U;       // integers below are doubles
 constexpr std::uint64_t kRoomForDigit = (UINT64_MAX - 9) / 10;  // one digit more fits below
 
@@ -51,38 +48,11 @@ double value_of(const Scan& scan, std::string_view text) {
   return scan.negative ? -magnitude : magnitude;
 }
 
-/// Whether a number that seems to end here goes on, behind blanks or as what is none.
-bool goes_on(std::string_view text, std::size_t i) noexcept {
-  while (i < text.size() && is_blank(text[i])) ++i;
-  return i < text.size() && is_number_part(text[i]);
-}
-
-/// A number as most are, of few digits in a row. False: it is another.
-bool read_plain(std::string_view text, Number& number) noexcept {
-  constexpr std::size_t kFew = 15;
-  std::size_t i = !text.empty() && text[0] == '-' ? 1 : 0;
-  const std::size_t begin = i;
-  std::uint64_t digits = 0;
-  for (; i < text.size() && is_digit(text[i]); ++i)
-    digits = digits * 10 + static_cast<std::uint64_t>(text[i] - '0');
-  const std::size_t point = i;
-  if (point == begin || point - begin > kIntegerDigits) return false;
-  if (i < text.size() && text[i] == '.')
-    for (++i; i < text.size() && is_digit(text[i]); ++i)
-      digits = digits * 10 + static_cast<std::uint64_t>(text[i] - '0');
-  if (i - begin > kFew || goes_on(text, i)) return false;
-  const std::size_t decimals = i > point ? i - point - 1 : 0;
-  const double magnitude = static_cast<double>(digits) / kPowersOfTen[decimals];
-  number.value = text[0] == '-' ? -magnitude : magnitude;
-  number.length = i;
-  return true;
-}
-
 }  // namespace
 
 Number read_number(std::string_view text) {
   Number number;
-  if (read_plain(text, number)) return number;
+  if ((number.length = read_plain_number(text, number.value)) > 0) return number;
   Scan scan;
   std::size_t i = 0;
   for (; i < text.size(); ++i) {

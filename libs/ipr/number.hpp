@@ -2,6 +2,8 @@
 // A decimal number as part programs write it: no exponent, no locale, blanks allowed inside.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -22,6 +24,41 @@ constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t'; }
 constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 constexpr bool is_number_part(char c) noexcept {
   return is_digit(c) || c == '.' || c == '-' || c == '+';
+}
+
+inline constexpr std::array<double, 23> kPowersOfTen{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                     1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                     1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+/// Passes digits, which are added to `digits`; more than fit are lost.
+inline const char* pass_digits(const char* at, const char* end, std::uint64_t& digits) noexcept {
+  for (; at != end && is_digit(*at); ++at)
+    digits = digits * 10 + static_cast<unsigned char>(*at - '0');
+  return at;
+}
+
+/// Whether a number that seems to end here goes on, behind blanks or as what is none.
+inline bool goes_on(const char* at, const char* end) noexcept {
+  while (at != end && is_blank(*at)) ++at;
+  return at != end && is_number_part(*at);
+}
+
+/// Reads a number as most are: at most 15 digits in a row. Returns its bytes; 0: it is another.
+/// Both operands are doubles exactly, so that one division rounds once (Clinger 1990).
+inline std::size_t read_plain_number(std::string_view text, double& value) noexcept {
+  constexpr std::ptrdiff_t kFew = 15;
+  const char* const end = text.data() + text.size();
+  const bool negative = !text.empty() && text.front() == '-';
+  const char* const first = text.data() + (negative ? 1 : 0);
+  std::uint64_t digits = 0;
+  const char* const point = pass_digits(first, end, digits);
+  if (point == first || point - first > kIntegerDigits) return 0;
+  const char* at = point;
+  if (at != end && *at == '.') at = pass_digits(at + 1, end, digits);
+  if (at - first > kFew || goes_on(at, end)) return 0;
+  const auto decimals = static_cast<std::size_t>(std::max<std::ptrdiff_t>(at - point - 1, 0));
+  const double magnitude = static_cast<double>(static_cast<std::int64_t>(digits));
+  value = (negative ? -magnitude : magnitude) / kPowersOfTen[decimals];
+  return static_cast<std::size_t>(at - text.data());
 }
 
 /// Reads everything at the beginning of `text` that looks like one number.

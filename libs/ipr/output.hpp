@@ -44,14 +44,14 @@ class Output {
   }
   template <typename What>
   void emit(What&& what, SourcePos source) {
-    if (!failed()) blocks_.push_back({std::forward<What>(what), source, 0});
+    if (!failed()) blocks_.emplace_back(std::forward<What>(what), source);
   }
 
   /// A block of the lines before, which stays whatever becomes of this one. Expects that this one
   /// has emitted nothing yet.
   template <typename What>
   void emit_before(What&& what, SourcePos source) {
-    blocks_.push_back({std::forward<What>(what), source, 0});
+    blocks_.emplace_back(std::forward<What>(what), source);
     kept_ = blocks_.size();
   }
 
@@ -69,12 +69,18 @@ class Output {
   std::string_view text() const noexcept { return text_; }
 
  private:
+  /// A block that is made in the place where it stays: most programs are nothing but blocks.
+  struct Made : Block {
+    template <typename Does>
+    Made(Does&& does, SourcePos at) : Block{std::forward<Does>(does), at, 0} {}
+  };
+
   void compensate();
   void drop();  // the blocks of the line
 
   Diagnostics& diagnostics_;
   Contradictions& contradictions_;
-  std::vector<Block> blocks_;  // those before next_ are gone
+  std::vector<Made> blocks_;  // those before next_ are gone
   std::size_t next_ = 0, kept_ = 0;
   SourcePos source_;
   std::string_view text_;

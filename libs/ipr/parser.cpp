@@ -108,6 +108,8 @@ bool Parser::is_readable() {
 
 void Parser::read_words() {
   Lexer lexer(line_.text);
+  for (PlainWord word; lexer.take_plain_word(word);)
+    words_.push_back({word.letter, word.value, {line_.number, word.column, word.length}});
   Token token = lexer.next();
   while (token.kind != Token::Kind::end && !given_up_ && !ended_)
     token = token.kind == Token::Kind::letter ? read_word(lexer, token) : read_mark(lexer, token);

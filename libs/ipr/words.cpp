@@ -95,7 +95,7 @@ void emit_move(Task& task, Path path, bool rapid) {
                      modal.chord_tolerance, modal.feed_override, std::nullopt});
 }
 
-Move cutting_move(const Modal& modal, Path path, double feed) {
+Move cutting_move(const Modal& modal, Path&& path, double feed) {
   return {std::move(path),
           false,
           feed,

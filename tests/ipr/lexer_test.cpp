@@ -86,4 +86,23 @@ TEST_CASE("an unknown character is one token, however many bytes it has", "[ipr]
   CHECK(tokens_of("\xFF\x80\x80\x80\x80").size() == 5);
 }
 
+TEST_CASE("words as most are written are passed at once, others are left", "[ipr][lexer]") {
+  PlainWord word;
+  Lexer lexer("  g1\tX-2.5(c) Y3");
+  REQUIRE(lexer.take_plain_word(word));
+  CHECK((word.letter == 'G' && word.value == 1 && word.column == 3 && word.length == 2));
+  REQUIRE(lexer.take_plain_word(word));
+  CHECK((word.letter == 'X' && word.value == -2.5 && word.column == 6 && word.length == 5));
+  CHECK_FALSE(lexer.take_plain_word(word));
+  CHECK(lexer.next().letter == 'Y');
+
+  for (const char* other : {"", " ", "X", "X 1", "X1 2", "X1 .", "X+1", "X1.2.3", "X#1", "X[1]",
+                            "X1234567890", "E1", "o100", "#1=2", "(c)X1", "/X1", "%", "1"}) {
+    CAPTURE(other);
+    Lexer left(other);
+    CHECK_FALSE(left.take_plain_word(word));
+    CHECK(left.end() == 1);
+  }
+}
+
 }  // namespace softcnc::ipr

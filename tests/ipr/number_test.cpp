@@ -64,6 +64,25 @@ TEST_CASE("numbers agree with strtod to the last bit", "[ipr][number]") {
   }
 }
 
+TEST_CASE("a plain number is what it is with blanks inside", "[ipr][number]") {
+  std::mt19937_64 random(20240612);
+  int plain = 0;
+  for (int i = 0; i < 100000; ++i) {
+    std::string text, blanks;
+    for (std::uint64_t left = random() % 18; left > 0; --left)
+      text += "0123456789012345678901234.-"[random() % 27];
+    for (const char c : text) (blanks += ' ') += c;
+    double value = 0;
+    const std::size_t length = read_plain_number(text, value);
+    if (length == 0) continue;
+    ++plain;
+    REQUIRE(length == text.size());
+    REQUIRE(read_number(blanks).fault == NumberFault::none);
+    REQUIRE(value == read_number(blanks).value);
+  }
+  CHECK(plain > 10000);
+}
+
 TEST_CASE("a number too small for a double is zero", "[ipr][number]") {
   const std::string text = "0." + std::string(400, '0') + "1";
   CHECK(read_number(text).value == 0.0);
