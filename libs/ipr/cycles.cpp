@@ -13,7 +13,7 @@ namespace {
 constexpr int kG73 = 730, kG74 = 740, kG82 = 820, kG83 = 830, kG84 = 840, kG85 = 850, kG86 = 860,
               kG89 = 890;
 constexpr double kChipClearance = 0.254;  // mm (0.01 inch): over the last peck, as in RS274
-constexpr double kMostPecks = 1e5;        // of one line
+constexpr double kMostPecks = 1e4;        // of one line: its moves are made at once
 
 bool is_cycle(const GCode& code) {
   return code.letter == 'G' && code.number >= kG73 && code.number <= kG89 && code.number != 800;
@@ -96,7 +96,7 @@ bool is_possible(Task& task, const Holes& holes) {
   const double each = pecks(task.code) ? (holes.retract - holes.bottom) / holes.peck : 1;
   if (each * holes.count > kMostPecks)
     return refuse(task, Code::SC2007, task.word.pos,
-                  name + " on this line would take more than 100000 pecks");
+                  name + " on this line would take more than 10000 pecks");
   return true;
 }
 

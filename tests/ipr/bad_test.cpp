@@ -254,7 +254,7 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC2007, "L, how often the cycle is repeated, is 1 at least"},
     {Code::SC2007, "L takes a whole number from 0"},
     {Code::SC2007, "K repeats a cycle in the fanuc dialect; here L does"},
-    {Code::SC2007, "G83 on this line would take more than 100000 pecks"},
+    {Code::SC2007, "G83 on this line would take more than 10000 pecks"},
     {Code::SC2102, "G01 needs F on its own line while G93 is in force"},
     {Code::SC2160, "G81 without a position: X, Y or Z"},
     {Code::SC2161, "G76 needs a spindle that can be oriented"},
