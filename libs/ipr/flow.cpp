@@ -156,6 +156,14 @@ void Flow::break_off(Code code, SourcePos pos, std::string message, std::string_
   ended_ = broken_ = true;
 }
 
+/// What is missing has been told, and looked for as far as the parser stands: if there is no end of
+/// such, the program has one.
+void Flow::sought_in_vain(const Spot& from, const SourcePos& pos) {
+  vain_ += parser_.line() - from.place.line;
+  if (runs_too_long(vain_, "the search for what is missing", pos, text_)) return;
+  go(from);
+}
+
 /// Tells, and ends the program, if more lines have run since then than may be.
 bool Flow::runs_too_long(std::int64_t lines, const std::string& what, SourcePos pos,
                          std::string_view text) {

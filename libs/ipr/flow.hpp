@@ -105,6 +105,7 @@ class Flow {
   void report(Code code, SourcePos pos, std::string message);
   void report_once(Code code, SourcePos pos, std::string message, std::string_view text);
   void break_off(Code code, SourcePos pos, std::string message, std::string_view text);
+  void sought_in_vain(const Spot& from, const SourcePos& pos);
   bool runs_too_long(std::int64_t lines, const std::string& what, SourcePos pos,
                      std::string_view text);
 
@@ -121,7 +122,7 @@ class Flow {
   void leave(std::optional<double> value, const SourcePos& pos);
   void go_to_line(int number, const SourcePos& pos);
   bool find_line(int number, int last);
-  void go_back(const Spot& from, const Spot& to);
+  void go_back(const Spot& from, const Spot& to, const SourcePos& pos);
 
   // flow_loops.cpp
   static bool ends(const Statement& statement, const Open& open);
@@ -168,6 +169,7 @@ class Flow {
   int program_line_ = 0;                                // of the main program's own O
   std::int64_t executed_ = 0;                           // lines
   std::int64_t jumped_back_ = 0;                        // lines, by GOTO
+  std::int64_t vain_ = 0;                               // lines passed to find what is missing
   std::map<std::tuple<int, int, int>, Spot> backward_;  // targets of GOTO: by file, line and number
 };
 

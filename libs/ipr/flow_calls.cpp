@@ -40,7 +40,7 @@ void Flow::pass_definition() {
   const std::string& label = statement_.label;
   report_once(Code::SC2303, statement_.pos,
               "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'", text_);
-  go(here);
+  sought_in_vain(here, statement_.pos);
 }
 
 /// The O of the main program, or of the one behind it.
@@ -186,20 +186,22 @@ void Flow::go_to_line(int number, const SourcePos& pos) {
   const Spot here = library_.here();
   const std::tuple key{here.file, here.place.line, number};
   if (const auto known = backward_.find(key); known != backward_.end())
-    return go_back(here, known->second);
+    return go_back(here, known->second, pos);
   if (find_line(number, std::numeric_limits<int>::max())) {
     go(before_);
     return;
   }
+  const int end = parser_.line();
   if (!go(calls_.back().sub.begin)) return;
   if (find_line(number, here.place.line)) {
     if (backward_.size() < kMostTargets) backward_.emplace(key, before_);
-    return go_back(here, before_);
+    return go_back(here, before_, pos);
   }
   report(Code::SC2308, pos,
          "no line N" + std::to_string(number) + " in " +
              (in_subprogram() ? name_of(calls_.back().sub) : "the program"));
-  go(here);
+  vain_ += end;
+  sought_in_vain(here, pos);
 }
 
 /// Passes to the line of this number; loops whose end is passed are no longer open.
@@ -219,11 +221,10 @@ bool Flow::find_line(int number, int last) {
   return found;
 }
 
-void Flow::go_back(const Spot& from, const Spot& to) {
+void Flow::go_back(const Spot& from, const Spot& to, const SourcePos& pos) {
   const int line = to.place.line;
   jumped_back_ += from.place.line - line;
-  if (runs_too_long(jumped_back_, "jumping back to line " + std::to_string(line + 1),
-                    statement_.pos, text_))
+  if (runs_too_long(jumped_back_, "jumping back to line " + std::to_string(line + 1), pos, text_))
     return;
   diagnostics_.lines_repeat();
   while (opens_.size() > calls_.back().opens && opens_.back().pos.line > line) opens_.pop_back();

@@ -159,7 +159,7 @@ void Flow::pass_top() {
     go(*top.end);
   } else if (!pass_to_end(top)) {
     tell_open(top);
-    go(here);
+    sought_in_vain(here, statement_.pos);
   }
 }
 
@@ -193,7 +193,7 @@ void Flow::find_branch() {
   }
   tell_open(opens_.back());
   opens_.pop_back();
-  go(here);
+  sought_in_vain(here, statement_.pos);
 }
 
 /// A branch has been run; the others are passed over.
@@ -292,7 +292,7 @@ void Flow::next_round_or_leave() {
   }
   tell_open(opens_.back());
   opens_.pop_back();
-  go(here);
+  sought_in_vain(here, statement_.pos);
 }
 
 }  // namespace softcnc::ipr

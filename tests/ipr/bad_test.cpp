@@ -296,6 +296,7 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC2309, "more than 64 calls within each other; 'o1 sub' is among them 64 times"},
     {Code::SC2310, "'o1 while' has run more than 1000 lines"},
     {Code::SC2310, "jumping back to line 2 has run more than 1000 lines"},
+    {Code::SC2310, "the search for what is missing has run more than 4 lines"},
     {Code::SC2311, "N is no argument of G65"},
     {Code::SC2311, "one argument too many: there is no local #31"},
     {Code::SC2312, "'END 1' before 'END 2': the loops cross"},

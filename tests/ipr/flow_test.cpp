@@ -338,6 +338,25 @@ TEST_CASE("an error in a loop is told once", "[ipr][flow]") {
   CHECK(told("N1 G0 X1 Q1\nGOTO 1\nM2").size() == 2);
 }
 
+TEST_CASE("the search for many things that are missing comes to an end", "[ipr][flow]") {
+  std::string ifs, definitions, jumps;
+  for (int i = 1; i <= 100; ++i) {
+    const std::string label = std::to_string(i);
+    ifs += "o" + label + " if [0]\n";
+    definitions += "o" + label + " sub\n";
+    jumps += "GOTO " + std::to_string(1000 + i) + "\n";
+  }
+  const std::string too_long = "SC2310 the search for what is missing has run more than 1000 lines";
+  // 100 lines behind the first, 99 behind the second, ... 90 behind the eleventh
+  CHECK(told(ifs + "M2") == Told{"1:1 SC2302 'o1 if' has no 'o1 endif'", "11:1 " + too_long});
+  CHECK(told(definitions + "M2") ==
+        Told{"1:1 SC2303 'o1 sub' has no 'o1 endsub'", "11:1 " + too_long});
+  const Told of_jumps = told(jumps + "M30", Dialect::fanuc);  // 101 lines for each
+  REQUIRE(of_jumps.size() == 11);
+  CHECK(of_jumps.front() == "1:1 SC2308 no line N1001 in the program");
+  CHECK(of_jumps.back() == "10:1 " + too_long);
+}
+
 TEST_CASE("a loop without end is told, and ends the program", "[ipr][flow]") {
   CHECK(told("o1 while [1]\no1 endwhile\nG0 X1 Q1\nM2") ==
         Told{"1:1 SC2310 'o1 while' has run more than 1000 lines"});
@@ -348,6 +367,8 @@ TEST_CASE("a loop without end is told, and ends the program", "[ipr][flow]") {
   CHECK(told("DO 1\nEND 1\nM30", Dialect::fanuc) ==
         Told{"1:1 SC2310 'DO 1' has run more than 1000 lines"});
   CHECK(told("G0 X1\nN5 G0 X2\nGOTO 5\nM30", Dialect::fanuc) ==
+        Told{"3:1 SC2310 jumping back to line 2 has run more than 1000 lines"});
+  CHECK(told("O1\nN5 G0 X2\nM99 P5", Dialect::fanuc) ==
         Told{"3:1 SC2310 jumping back to line 2 has run more than 1000 lines"});
   CHECK(told("O1\nG0 X2\nM99", Dialect::fanuc) ==
         Told{"3:1 SC2310 the program, which M99 starts again, has run more than 1000 lines"});
