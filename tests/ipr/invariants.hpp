@@ -30,7 +30,7 @@ inline std::string broken_invariant(const std::string& text, InterpreterOptions 
   Reader reader = Reader::from_text(text);
   Parser parser(reader, diagnostics);
   Machine machine;
-  machine.program.block_limit = 500;  // of loops: random texts have them without end
+  machine.program.block_limit = 100;  // of loops: random texts have them without end
   Interpreter interpreter(parser, machine, diagnostics, options);
 
   AxisVector position = AxisVector::Zero();
