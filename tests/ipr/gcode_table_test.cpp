@@ -9,6 +9,8 @@
 #include <set>
 #include <utility>
 
+#include "ipr/arithmetic.hpp"
+
 namespace softcnc::ipr {
 namespace {
 
@@ -92,6 +94,26 @@ TEST_CASE("every group and every step of the order has a name of its own", "[ipr
   CHECK(group_name(find_gcode('G', 98)->group) == "retract of cycles");
   CHECK(group_name(find_gcode('G', 90.1)->group) == "centres of arcs");
   CHECK(group_name(find_gcode('M', 6)->group) == "tool change");
+}
+
+TEST_CASE("the fuzzer's dictionary names every code and every function", "[ipr][table]") {
+  std::ifstream stream(std::string(SOFTCNC_SOURCE_DIR) + "/tests/fuzz/program.dict");
+  const std::string words(std::istreambuf_iterator<char>(stream), {});
+  const auto names = [&](const std::string& name, std::string_view more) {
+    std::size_t at = words.find(name);
+    while (at != std::string::npos && more.find(words[at + name.size()]) != std::string_view::npos)
+      at = words.find(name, at + 1);
+    return at != std::string::npos;
+  };
+  for (const GCode& code : gcode_table()) {
+    if (code.number == kAnyNumber) continue;
+    INFO(code_name(code));
+    CHECK(names(code_name(code), "0123456789."));
+  }
+  for (const Function& function : functions()) {
+    INFO(function.name);
+    CHECK(names(std::string(function.name), "ABCDEFGHIJKLMNOPQRSTUVWXYZ"));
+  }
 }
 
 }  // namespace softcnc::ipr
