@@ -15,7 +15,7 @@ namespace {
 /// so that nothing but the stop brings it to rest, whenever the signal arrives.
 Ended interrupted(const std::string& signal, const Folder& folder) {
   std::string part = "G90 G00 X0 Y100\nG02 F6000\n";
-  for (int i = 0; i < 1500; ++i) part += "I50\n";
+  for (int i = 0; i < 200; ++i) part += "I50\n";
   write(folder / "long.nc", part + "M30\n");
   return shell("$softcnc run " + (folder / "long.nc") + " --trace " + (folder / "t.csv") +
                " --report " + (folder / "r.json") + " & pid=$!; until [ -s " +
