@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -40,7 +41,8 @@ class TextBuffer {
   void add(double value) { at_ = hal::write_number(room(hal::kNumberLength), value); }
   void add(int value) {
     char* const at = room(hal::kNumberLength);
-    at_ = std::to_chars(at, at + hal::kNumberLength, value).ptr;
+    at_ = value < 0 ? std::to_chars(at, at + hal::kNumberLength, value).ptr
+                    : hal::write_whole(at, static_cast<std::uint32_t>(value));
   }
 
  private:

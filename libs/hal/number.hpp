@@ -15,23 +15,29 @@ namespace softcnc::hal {
 /// No number takes more characters than this.
 inline constexpr int kNumberLength = 25;
 
-/// The two digits of every number below 100, one after the other.
-inline constexpr auto kPairs = [] {
-  std::array<char, 200> pairs{};
-  for (std::size_t i = 0; i < 100; ++i) {
-    pairs[2 * i] = static_cast<char>('0' + i / 10);
-    pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
+/// The three digits of every number below 1000, each in four bytes.
+inline constexpr auto kTriples = [] {
+  std::array<char, 4000> triples{};
+  for (std::size_t i = 0; i < 1000; ++i) {
+    triples[4 * i] = static_cast<char>('0' + i / 100);
+    triples[4 * i + 1] = static_cast<char>('0' + i / 10 % 10);
+    triples[4 * i + 2] = static_cast<char>('0' + i % 10);
   }
-  return pairs;
+  return triples;
 }();
 
-/// Writes a number below 10^6 with all six digits; returns the end. Realtime.
-inline char* write_six_digits(char* out, std::uint32_t number) noexcept {
-  const auto pair = [&](std::uint32_t two) { std::memcpy(out, &kPairs[2 * two], 2), out += 2; };
-  pair(number / 10000);
-  pair(number / 100 % 100);
-  pair(number % 100);
-  return out;
+/// Writes a number below 1000 with all three digits; returns the end. Realtime.
+inline char* write_triple(char* out, std::uint32_t number) noexcept {
+  std::memcpy(out, &kTriples[4 * std::size_t{number}], 3);
+  return out + 3;
+}
+
+/// Writes a whole number; returns the end. Realtime.
+inline char* write_whole(char* out, std::uint32_t number) noexcept {
+  if (number >= 1000) return write_triple(write_whole(out, number / 1000), number % 1000);
+  const std::size_t zeros = number < 10 ? 2 : number < 100 ? 1 : 0;
+  std::memcpy(out, &kTriples[4 * std::size_t{number} + zeros], 3);
+  return out + 3 - zeros;
 }
 
 /// Writes a size of at most six decimals, as most are, without searching for its digits: as many
@@ -42,11 +48,11 @@ inline char* write_short_decimal(char* out, double size) noexcept {
   if (!(size >= kLow && size < kHigh)) return nullptr;
   const auto parts = static_cast<std::uint64_t>(size * double{kParts} + 0.5);
   if (static_cast<double>(parts) / double{kParts} != size) return nullptr;
-  out = std::to_chars(out, out + kNumberLength, static_cast<std::uint32_t>(parts / kParts)).ptr;
+  out = write_whole(out, static_cast<std::uint32_t>(parts / kParts));
   const auto rest = static_cast<std::uint32_t>(parts % kParts);
   if (rest == 0) return out;
   *out++ = '.';
-  for (out = write_six_digits(out, rest); out[-1] == '0';) --out;
+  for (out = write_triple(write_triple(out, rest / 1000), rest % 1000); out[-1] == '0';) --out;
   return out;
 }
 

@@ -2,6 +2,8 @@
 // Cuts a line into tokens without copying it.
 #include "ipr/lexer.hpp"
 
+#include <array>
+
 namespace softcnc::ipr {
 namespace {
 
@@ -10,6 +12,16 @@ constexpr std::string_view kMacroCharacters = "#[]=<>*";
 constexpr bool is_upper(char c) noexcept { return c >= 'A' && c <= 'Z'; }
 constexpr bool is_lower(char c) noexcept { return c >= 'a' && c <= 'z'; }
 constexpr char upper(char c) noexcept { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
+/// By character: the letter in upper case where it can be nothing but that of a word, otherwise 0.
+constexpr auto kPlainLetters = [] {
+  std::array<char, 256> letters{};
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    if (letter == 'E' || letter == 'O') continue;
+    letters[static_cast<std::size_t>(letter)] = letter;
+    letters[static_cast<std::size_t>(letter - 'A' + 'a')] = letter;
+  }
+  return letters;
+}();
 constexpr char kNul = '\x7F';  // what peek() shows for a byte 0, which is no end
 
 }  // namespace
@@ -32,18 +44,20 @@ Token Lexer::next() {
   return token(Token::Kind::end, 0);
 }
 
-bool Lexer::take_plain_word(PlainWord& word) noexcept {
-  std::size_t at = at_;
-  while (at < line_.size() && is_blank(line_[at])) ++at;
-  const std::string_view rest = line_.substr(at);
-  if (rest.empty()) return false;
-  word.letter = upper(rest.front());
-  if (!is_upper(word.letter) || word.letter == 'E' || word.letter == 'O') return false;
-  const std::size_t digits = read_plain_number(rest.substr(1), word.value);
+[[gnu::flatten]] bool Lexer::take_plain_word(PlainWord& word) noexcept {
+  const char* const line = line_.data();
+  const char* const end = line + line_.size();
+  const char* at = line + at_;
+  while (at != end && is_blank(*at)) ++at;
+  if (at == end) return false;
+  word.letter = kPlainLetters[static_cast<unsigned char>(*at)];
+  if (word.letter == 0) return false;
+  const auto column = static_cast<std::size_t>(at + 1 - line);
+  const std::size_t digits = read_plain_number(line_.substr(column), word.value);
   if (digits == 0) return false;
-  word.column = static_cast<int>(at) + 1;
+  word.column = static_cast<int>(column);
   word.length = static_cast<int>(digits) + 1;
-  at_ = at + 1 + digits;
+  at_ = column + digits;
   return true;
 }
 
