@@ -177,8 +177,9 @@ std::optional<int> match_prefix(const std::vector<std::string_view>& parts,
 
 std::string_view leaf(std::string_view path) { return path.substr(path.rfind('.') + 1); }
 
-/// Levenshtein distance.
-std::size_t distance(std::string_view a, std::string_view b) {
+/// Levenshtein distance, or `limit` if it is not below that.
+std::size_t distance(std::string_view a, std::string_view b, std::size_t limit) {
+  if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) >= limit) return limit;
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -189,8 +190,9 @@ std::size_t distance(std::string_view a, std::string_view b) {
       diagonal = row[j];
       row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
     }
+    if (*std::min_element(row.begin(), row.end()) >= limit) return limit;
   }
-  return row[b.size()];
+  return std::min(row[b.size()], limit);
 }
 
 /// The axis or tool that `path` names where `key` has its '*', otherwise the first.
@@ -211,7 +213,9 @@ std::string nearest(std::string_view path, std::size_t depth) {
     const auto parts = split(known);
     if (depth < parts.size())
       known.resize(static_cast<std::size_t>(parts[depth].data() - known.data()) - 1);
-    const std::size_t far = std::min(distance(path, known), distance(leaf(path), leaf(known)) + 1);
+    if (least <= 1) break;  // none is nearer, as none is equal
+    const std::size_t far =
+        std::min(distance(path, known, least), distance(leaf(path), leaf(known), least - 1) + 1);
     if (far >= least) continue;
     least = far;
     nearest = known;

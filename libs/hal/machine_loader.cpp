@@ -10,6 +10,7 @@
 #include "hal/axis_name.hpp"
 #include "hal/number.hpp"
 #include "motion/units.hpp"
+#include "motion/utf8.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -57,7 +58,7 @@ void MachineLoader::fail(Code code, const Place& place, std::string message) {
 }
 
 void MachineLoader::read(std::string_view text, const std::string& name) {
-  const auto stem = std::filesystem::path(name).stem().string();
+  const std::string stem = as_utf8(std::filesystem::path(name).stem().string());
   if (!stem.empty()) loaded_.machine.name = stem;
   const auto entries = read_toml(text);
   if (!entries) {
@@ -100,6 +101,8 @@ void MachineLoader::set(const std::string& setting) {
   const auto [key, value] = split(setting);
   if (key.empty() || value.empty())
     return fail(Code::SC7011, place_in(setting, value), "a setting reads KEY=VALUE");
+  if (as_utf8(value) != value)
+    return fail(Code::SC7002, place_in(setting, value), "not TOML: a value that is not UTF-8");
   const auto ref = find_key(key);
   if (!ref) return fail(Code::SC7001, place_in(setting, key), unknown(key, nearest_key(key)));
   if (!has_axis_of(*ref))

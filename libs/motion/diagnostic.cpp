@@ -9,6 +9,8 @@
 #include <cassert>
 #include <limits>
 
+#include "motion/utf8.hpp"
+
 namespace softcnc {
 namespace {
 
@@ -26,29 +28,12 @@ constexpr bool ascending() {
 }
 static_assert(ascending(), "diagnostic_table.inc stands in ascending order, no code twice");
 
-bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
-
 /// Characters (UTF-8 code points) in the first `bytes` bytes of a line.
 int characters(std::string_view line, int bytes) {
   const auto head = line.substr(0, static_cast<std::size_t>(std::max(bytes, 0)));
   return static_cast<int>(head.size()) -
          static_cast<int>(std::count_if(head.begin(), head.end(), continues_character)) +
          std::max(0, bytes - static_cast<int>(line.size()));
-}
-
-/// Bytes of the well-formed UTF-8 character that a text begins with; 0 if there is none.
-std::size_t character_length(std::string_view text) {
-  const auto lead = static_cast<unsigned char>(text.front());
-  const std::size_t length = lead < 0x80   ? 1
-                             : lead < 0xC2 ? 0
-                             : lead < 0xE0 ? 2
-                             : lead < 0xF0 ? 3
-                             : lead < 0xF5 ? 4
-                                           : 0;
-  const auto rest = text.substr(std::min<std::size_t>(1, length), length > 1 ? length - 1 : 0);
-  const bool whole =
-      text.size() >= length && std::all_of(rest.begin(), rest.end(), continues_character);
-  return whole ? length : 0;
 }
 
 bool is_control(std::string_view character) {
@@ -64,7 +49,7 @@ std::string harmless(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = character_length(text);
     const auto character = text.substr(0, std::max<std::size_t>(length, 1));
-    clean += length == 0 || is_control(character) ? std::string_view("\xEF\xBF\xBD") : character;
+    clean += length == 0 || is_control(character) ? kReplacement : character;
     text.remove_prefix(character.size());
   }
   return clean;

@@ -354,6 +354,8 @@ TEST_CASE("a wrong setting is refused with its place", "[hal][machine]") {
             .starts_with("--set:1:18: error SC7011: a setting reads KEY=VALUE\n"));
   CHECK(refused("", {"control.period_ms="}).starts_with("--set:1:19: error SC7011: "));
   CHECK(refused("", {"=3"}).starts_with("--set:1:2: error SC7011: "));
+  CHECK(refused("", {"name=mill\x80"})
+            .starts_with("--set:1:6: error SC7002: not TOML: a value that is not UTF-8\n"));
   CHECK(refused("", {"axis.x.blu_um=2.5\naxis.y.blu_um=1"})
             .starts_with("--set:1:15: error SC7004: axis.x.blu_um takes a number, not a text\n"));
   CHECK(refused("", {"control.period_ms=3", "control.servo_period_ms=2"})
@@ -499,3 +501,10 @@ TEST_CASE("the paper's mill is that of its Table 1", "[hal][machine][paper003]")
 }
 
 }  // namespace softcnc::hal
+
+TEST_CASE("a machine named by its file is written out in UTF-8", "[hal][machine]") {
+  const auto machine = softcnc::hal::parse_machine("", "shop/m\xFChle.toml", {});
+  REQUIRE(machine);
+  CHECK(machine->name == "m\xEF\xBF\xBDhle");
+  CHECK(softcnc::hal::parse_machine(softcnc::hal::machine_toml(*machine), "again.toml", {}));
+}
