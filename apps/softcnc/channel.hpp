@@ -63,7 +63,7 @@ class Feeder {
   StateHistory& states() noexcept { return states_; }
 
   std::vector<std::string> called_files() const { return interpreter_.called_files(); }
-  const ipo::PlannerCounts& counts() const noexcept { return planner_.counts(); }
+  ipo::PlannerCounts counts() const noexcept { return planner_.counts(); }
   double cpu() const noexcept { return cpu_; }  // s
 
  private:

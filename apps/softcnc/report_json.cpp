@@ -106,6 +106,9 @@ std::string report_json(Job& job, const Performance& performance) {
     add_axes(report, job.machine, performance);
     report["planner_nodes"] = outcome.planner.nodes;
     report["planner_passes"] = outcome.planner.passes;
+    report["planner_plan_nodes"] = outcome.planner.effort.nodes;
+    report["planner_iterations"] = outcome.planner.effort.iterations;
+    report["planner_fallbacks"] = outcome.planner.effort.fallbacks;
     add_cpu(report, outcome.cpu);
   }
   report["diagnostics"] = diagnostics(performance);

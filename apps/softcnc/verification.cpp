@@ -10,6 +10,7 @@ namespace {
 
 /// What differences of rows may exceed a limit by.
 constexpr double kAxisTolerance = 1e-3;
+constexpr double kJerkTolerance = 5e-3;
 /// What rounding may add to a chord error.
 constexpr double kChordTolerance = 1e-6;
 
@@ -70,6 +71,9 @@ void report_excess(const Measured& measured, const Machine& machine, Diagnostics
           kAxisTolerance, "mm/s");
     judge(fmt::format("the acceleration of {}", letter), measured.acceleration[i],
           axis.acceleration, kAxisTolerance, "mm/s2");
+    if (axis.jerk > 0)
+      judge(fmt::format("the jerk of {}", letter), measured.jerk[i], axis.jerk, kJerkTolerance,
+            "mm/s3");
   }
   judge("the chord error", um_from_mm(measured.chord_error),
         um_from_mm(machine.control.chord_tolerance), kChordTolerance, "um");

@@ -80,7 +80,7 @@ const MachineKey kKeys[] = {
     {"axis.*.acceleration_mm_s2", "mm/s^2", "largest acceleration of the axis",
      Number{in_axis<&Axis::acceleration>, same, same, above_0(1e7)}},
     {"axis.*.jerk_mm_s3", "mm/s^3", "largest jerk of the axis; 0: no limit",
-     Number{in_axis<&Axis::jerk>, same, same, kNotYet}},
+     Number{in_axis<&Axis::jerk>, same, same, at_least_0(1e10)}},
     {"axis.*.min_mm", "mm", "lower end of travel, in machine coordinates",
      Number{in_axis<&Axis::min>, same, same, {-1e5, 1e5}}},
     {"axis.*.max_mm", "mm", "upper end of travel, in machine coordinates",

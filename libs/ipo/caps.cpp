@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What intervals and kinks ask of their neighbours.
+// What intervals and joints ask of their neighbours.
 //
 // Where something limits the length g of every step that touches it, the speed is limited to g / T
 // within g of it on either side. That is enough: a step that reached it and were longer than g
@@ -14,6 +14,10 @@ namespace {
 
 /// Largest part of an axis acceleration that jumps of velocity may use within one period.
 constexpr double kKinkShare = 0.25;
+/// Largest part of an axis jerk that jumps of velocity and acceleration may use within three.
+constexpr double kJumpShare = 0.6;
+/// Largest weight of one instant in a third difference, 1/T; its slope is at most 1/T^2.
+constexpr double kKernel = 0.75;
 /// Kept free of the chord tolerance at kinks.
 constexpr double kMargin = 1e-3;
 
@@ -27,7 +31,7 @@ class CapDerivation {
     find_shared_steps();
     for (std::size_t i = 0; i < chain_.intervals.size(); ++i) spread_interval(i);
     for (std::size_t n = 1; n + 1 < chain_.nodes.size(); ++n)
-      if (chain_.nodes[n].passes_kink()) pass_kink(n);
+      if (chain_.nodes[n].passes_kink() || chain_.nodes[n].passes_bend()) pass_joint(n);
   }
 
  private:
@@ -62,23 +66,24 @@ class CapDerivation {
 
   /// Caps everything left of node `from` that a step can touch together with it and that lies
   /// within the cap's step of it.
-  void spread_left(std::size_t from, const Cap& cap) {
-    const double step = std::sqrt(cap.q) * period_;
+  void spread_left(std::size_t from, const Cap& cap, double steps = 1) {
+    const double step = steps * std::sqrt(cap.q) * period_;
     double time = 0;
     for (std::size_t n = from;; --n) {
       chain_.nodes[n].cap.lower_to(cap);
-      if (n == 0 || time >= period_ || chain_.nodes[from].s - chain_.nodes[n].s >= step) return;
+      if (n == 0 || time >= steps * period_ || chain_.nodes[from].s - chain_.nodes[n].s >= step)
+        return;
       chain_.inside[n - 1].cap.lower_to(cap);
       time += chain_.intervals[n - 1].shortest_time();
     }
   }
 
-  void spread_right(std::size_t from, const Cap& cap) {
-    const double step = std::sqrt(cap.q) * period_;
+  void spread_right(std::size_t from, const Cap& cap, double steps = 1) {
+    const double step = steps * std::sqrt(cap.q) * period_;
     double time = 0;
     for (std::size_t n = from;; ++n) {
       chain_.nodes[n].cap.lower_to(cap);
-      if (n + 1 == chain_.nodes.size() || time >= period_ ||
+      if (n + 1 == chain_.nodes.size() || time >= steps * period_ ||
           chain_.nodes[n].s - chain_.nodes[from].s >= step)
         return;
       chain_.inside[n].cap.lower_to(cap);
@@ -86,54 +91,90 @@ class CapDerivation {
     }
   }
 
-  /// A jump of velocity adds |dx'| v / T to the second difference of one period. Together with its
-  /// neighbours within a step it may use kKinkShare of the acceleration, and the curve the rest;
-  /// and the polyline through the rows cuts it by at most turn * step / 4.
-  void pass_kink(std::size_t n) {
+  /// A jump of velocity adds |dx'| v / T to the second difference of one period, and |dx'| v / T^2
+  /// to the third; a jump of acceleration adds |dx''| v^2 kKernel / T to the third. Together with
+  /// their neighbours jumps may use a share of the limits, and the curve the rest; and the polyline
+  /// through the rows cuts a kink by at most turn * step / 4.
+  void pass_joint(std::size_t n) {
     const double tolerance = constraints_.chord_tolerance() * (1 - kMargin) *
                              (shares_its_step(chain_, n, period_) ? kTurnShare : 1.0);
     const double planned = std::sqrt(chain_.nodes[n].own.q);
     double v = planned;
-    Load load = kink_load(n, v);
-    for (int i = 0; i < 60 && load.exceeds(tolerance); ++i) {
-      v *= std::clamp(load.ratio(tolerance) * (1 - 1e-6), 0.5, 1 - 1e-6);
-      load = kink_load(n, v);
+    Load load = joint_load(n, v, tolerance);
+    for (int i = 0; i < 60 && load.exceeds(); ++i) {
+      v *= std::clamp(load.ratio() * (1 - 1e-6), 0.5, 1 - 1e-6);
+      load = joint_load(n, v, tolerance);
     }
-    if (v < planned) {
-      spread_left(n, {v * v, Limit::corner});
-      spread_right(n, {v * v, Limit::corner});
+    if (v < planned)
+      slow_down(n, {v * v, load.jerk_binds() ? Limit::jerk : Limit::corner}, load.steps());
+    leave_the_rest(n, load);
+  }
+
+  void slow_down(std::size_t n, const Cap& cap, double steps) {
+    spread_left(n, cap, steps);
+    spread_right(n, cap, steps);
+  }
+
+  struct Load {
+    double tolerance = 0;               // mm
+    double acceleration = 0, jerk = 0;  // parts of the axis limits
+    double cut = 0;                     // mm
+
+    bool exceeds() const {
+      return acceleration > kKinkShare || jerk > kJumpShare || cut > tolerance;
     }
+    double ratio() const {
+      return std::min({kKinkShare / acceleration, tolerance / cut, kJumpShare / jerk});
+    }
+    bool jerk_binds() const {
+      return jerk / kJumpShare > std::max(acceleration / kKinkShare, cut / tolerance);
+    }
+    double steps() const { return jerk > 0 ? kJerkSteps : 1; }
+  };
+
+  void leave_the_rest(std::size_t n, const Load& load) {
     chain_.for_intervals_in_step(n, period_, [&](std::size_t i) {
       chain_.inside[i].share = std::min(chain_.inside[i].share, 1 - load.acceleration);
       return true;
     });
+    if (load.jerk == 0) return;
+    chain_.for_intervals_in_step(n, kJerkSteps * period_, [&](std::size_t i) {
+      chain_.inside[i].jerk_share = std::min(chain_.inside[i].jerk_share, 1 - load.jerk);
+      return true;
+    });
   }
 
-  struct Load {
-    double acceleration;  // part of the axis accelerations
-    double cut;           // mm
-    bool exceeds(double tolerance) const { return acceleration > kKinkShare || cut > tolerance; }
-    double ratio(double tolerance) const {
-      return std::min(kKinkShare / acceleration, tolerance / cut);
-    }
-  };
+  /// Calls visit(node) for the nodes within `reach` mm of node n.
+  template <typename Visit>
+  void for_nodes_within(std::size_t n, double reach, Visit&& visit) const {
+    const auto& nodes = chain_.nodes;
+    for (std::size_t i = n + 1; i-- > 0 && nodes[n].s - nodes[i].s <= reach;) visit(nodes[i]);
+    for (std::size_t i = n + 1; i < nodes.size() && nodes[i].s - nodes[n].s <= reach; ++i)
+      visit(nodes[i]);
+  }
 
-  /// What the kinks within one step of node n use at speed v.
-  Load kink_load(std::size_t n, double v) const {
-    const double step = v * period_;
+  /// What joint n uses at speed v, with the kinks within one step of it, and the joints within
+  /// three.
+  Load joint_load(std::size_t n, double v, double tolerance) const {
+    Load load{tolerance};
     AxisVector kink = AxisVector::Zero();
     double turn = 0;
-    const auto include = [&](const Node& node) {
+    for_nodes_within(n, v * period_, [&](const Node& node) {
       if (!node.passes_kink()) return;
       kink += node.kink;
       turn += node.turn;
-    };
-    const auto& nodes = chain_.nodes;
-    for (std::size_t i = n + 1; i-- > 0 && nodes[n].s - nodes[i].s <= step;) include(nodes[i]);
-    for (std::size_t i = n + 1; i < nodes.size() && nodes[i].s - nodes[n].s <= step; ++i)
-      include(nodes[i]);
-    const AxisVector parts = (kink * v / period_).cwiseQuotient(constraints_.acceleration_limits());
-    return {parts.maxCoeff(), turn * step / 4};
+    });
+    load.acceleration =
+        (kink * v / period_).cwiseQuotient(constraints_.acceleration_limits()).maxCoeff();
+    load.cut = turn * (v * period_) / 4;
+    if (!constraints_.limits_jerk()) return load;
+    AxisVector jump = AxisVector::Zero();  // of the third difference, times T^2
+    for_nodes_within(n, kJerkSteps * v * period_, [&](const Node& node) {
+      if (node.passes_kink()) jump += node.kink * v;
+      if (node.passes_bend()) jump += node.bend * (kKernel * v * v * period_);
+    });
+    load.jerk = (jump / (period_ * period_)).cwiseQuotient(constraints_.jerk_limits()).maxCoeff();
+    return load;
   }
 
   Chain& chain_;

@@ -9,16 +9,7 @@ namespace {
 
 /// Tangents closer than this (rad) count as one: rounding of the geometry.
 constexpr double kSameTangent = 1e-9;
-
-/// Derivatives inside an interval, on which they are as good as linear.
-PathPoint point_inside(const Interval& interval, double s) {
-  const double w = (s - interval.s0) / interval.length();
-  const auto mix = [w](const AxisVector& a, const AxisVector& b) -> AxisVector {
-    return a + w * (b - a);
-  };
-  const PathPoint &a = interval.left, &b = interval.right;
-  return {mix(a.q, b.q), mix(a.dq, b.dq), mix(a.ddq, b.ddq), mix(a.dddq, b.dddq)};
-}
+constexpr double kSameBend = 1e-9;  // relative
 
 struct Halves {
   Interval left, right;
@@ -45,6 +36,15 @@ double step_asked(const Cap& asked, const Cap& neighbour, double period) {
 
 }  // namespace
 
+PathPoint point_inside(const Interval& interval, double s) noexcept {
+  const double w = (s - interval.s0) / interval.length();
+  const auto mix = [w](const AxisVector& a, const AxisVector& b) -> AxisVector {
+    return a + w * (b - a);
+  };
+  const PathPoint &a = interval.left, &b = interval.right;
+  return {mix(a.q, b.q), mix(a.dq, b.dq), mix(a.ddq, b.ddq), mix(a.dddq, b.dddq)};
+}
+
 void Chain::append(const Move& move, const Constraints& constraints, bool rest) {
   if (nodes.empty()) nodes.emplace_back();
   for (const Interval& interval : make_grid(move, constraints)) {
@@ -60,8 +60,9 @@ void Chain::add(const Interval& interval, const Constraints& constraints, bool r
     Interval& before = intervals.back();
     const AxisVector jump = interval.left.dq - before.right.dq;
     const double turn = jump.norm();
-    double back = step_asked(interval.step_cap, before.right_cap, period);
-    step = step_asked(before.step_cap, interval.left_cap, period);
+    step = bend(before, interval, constraints);
+    double back = std::min(step, step_asked(interval.step_cap, before.right_cap, period));
+    step = std::min(step, step_asked(before.step_cap, interval.left_cap, period));
     if (turn > kSameTangent) {
       Node& joint = nodes.back();
       joint.turn = turn;
@@ -85,6 +86,18 @@ void Chain::add(const Interval& interval, const Constraints& constraints, bool r
   }
   push(rest_of_it);
   for (; !later.empty(); later.pop_back()) push(later.back());
+}
+
+/// Notes how x'' jumps at the last node, and returns how far that is felt.
+double Chain::bend(const Interval& before, const Interval& interval,
+                   const Constraints& constraints) {
+  if (!constraints.limits_jerk()) return kUnlimited;
+  const AxisVector jump = (interval.left.ddq - before.right.ddq).cwiseAbs();
+  if (jump.maxCoeff() <= kSameBend * (interval.left.ddq.norm() + before.right.ddq.norm()))
+    return kUnlimited;
+  nodes.back().bend = jump;
+  const double fastest = std::sqrt(std::max(before.right_cap.q, interval.left_cap.q));
+  return kJerkSteps * fastest * constraints.period();
 }
 
 void Chain::push(const Interval& interval) {

@@ -14,23 +14,29 @@ namespace softcnc::ipo {
 /// with a bounded jump of velocity.
 inline constexpr double kTangentTolerance = 0.01;
 
+/// Derivatives inside an interval, on which they are as good as linear; s in mm of its move.
+PathPoint point_inside(const Interval& interval, double s) noexcept;
+
 /// A place between two intervals.
 struct Node {
   Cap own;                               // of its two intervals and of the joint itself
   double turn = 0;                       // rad; 0 where the path is tangent
   AxisVector kink = AxisVector::Zero();  // |jump of x'| by axis
+  AxisVector bend = AxisVector::Zero();  // |jump of x''| by axis
   double s = 0;                          // mm from the first node ever
   Cap cap;                               // own, and what neighbours ask for: derive_caps()
   double k = 0;                          // the largest q from which all ahead can be kept
 
   bool turns() const noexcept { return turn > 0; }
   bool passes_kink() const noexcept { return turns() && own.q > 0; }
+  bool passes_bend() const noexcept { return !bend.isZero(0) && own.q > 0; }
 };
 
 /// What an interval is allowed between its nodes: derive_caps().
 struct Inside {
   Cap cap;           // of a straight interval
   double share = 1;  // of the axis accelerations that the curve itself may use
+  double jerk_share = 1;
 };
 
 /// Interval i lies between nodes i and i + 1.
@@ -64,12 +70,16 @@ struct Chain {
 
  private:
   void add(const Interval& interval, const Constraints& constraints, bool rest);
+  double bend(const Interval& before, const Interval& interval, const Constraints& constraints);
   void push(const Interval& interval);
 };
 
 /// Finds Node::cap and Inside: spreads what each interval asks of the steps that touch it, and what
-/// kinks ask of the speed and acceleration around them.
+/// joints ask of the speed, the acceleration and the jerk around them.
 void derive_caps(Chain& chain, const Constraints& constraints);
+
+/// So many steps are felt in a third difference.
+inline constexpr double kJerkSteps = 3;
 
 /// Part of the chord tolerance that curves leave to corners and kinks within the same step.
 inline constexpr double kTurnShare = 0.5;

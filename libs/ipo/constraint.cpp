@@ -28,7 +28,9 @@ Constraints::Constraints(const Machine& machine, double feed_override)
   for (int i = 0; i < kAxes; ++i) {
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
     acceleration_[i] = axis.present ? axis.acceleration : kUnlimited;
+    jerk_[i] = axis.present && axis.jerk > 0 ? axis.jerk : kUnlimited;
   }
+  if (limits_jerk()) jerk_ = jerk_.cwiseMin(2 * acceleration_ / period_);
 }
 
 double Constraints::centripetal_q(const PathPoint& point) const noexcept {

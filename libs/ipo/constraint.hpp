@@ -58,12 +58,16 @@ class Constraints {
   double tangential_u(const PathPoint& point) const noexcept;
 
   const AxisVector& acceleration_limits() const noexcept { return acceleration_; }
+  /// mm/s^3; all unlimited, or none: accelerations that change from one limit to the other within
+  /// a period show as no more than 2 A / T in the rows, so no axis needs a higher one.
+  const AxisVector& jerk_limits() const noexcept { return jerk_; }
+  bool limits_jerk() const noexcept { return jerk_.minCoeff() < kUnlimited; }
   double period() const noexcept { return period_; }
   double chord_tolerance() const noexcept { return chord_tolerance_; }
 
  private:
   std::vector<std::unique_ptr<Constraint>> caps_;
-  AxisVector acceleration_;
+  AxisVector acceleration_, jerk_;
   double period_, chord_tolerance_;
 };
 

@@ -24,6 +24,7 @@ struct Cap {
 
 /// A stretch of one move between two nodes.
 struct Interval {
+  const Path* path = nullptr;
   double s0 = 0, s1 = 0;    // mm from the start of the move
   PathPoint left, right;    // one-sided, from inside the interval
   Cap left_cap, right_cap;  // at its ends

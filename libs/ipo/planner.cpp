@@ -25,20 +25,26 @@ Planner::Planner(const Machine& machine, double feed_override, Diagnostics& diag
     : machine_(machine),
       diagnostics_(diagnostics),
       constraints_(machine, feed_override),
-      window_(constraints_) {}
+      window_(make_window(constraints_)) {}
 
 void Planner::push(Block block) {
-  const Move* move = std::get_if<Move>(&block.what);
+  pending_.push_back({std::move(block), {}, 0, 0});
+  const Move* move = pending_.back().move();
   if (move) {
-    window_.append(*move, rest_);
-    counts_.nodes += window_.last_move().size();
+    window_->append(*move, rest_);
+    counts_.nodes += window_->last_move().size();
     if (auto outside = check_travel(*move, machine_)) {
-      outside->pos = block.source;
+      outside->pos = pending_.back().block.source;
       diagnostics_.report(std::move(*outside));
     }
   }
   rest_ = !move || move->join == Join::stop;
-  pending_.push_back({std::move(block), {}, 0, 0});
+}
+
+PlannerCounts Planner::counts() const noexcept {
+  PlannerCounts counts = counts_;
+  counts.effort = window_->effort();
+  return counts;
 }
 
 std::optional<TimedBlock> Planner::pop() {
@@ -63,31 +69,26 @@ bool Planner::run_move() {
   Profile& profile = pending_.front().profile;
   while (true) {
     if (settled_ == 0 && !settle()) return false;
-    pieces_.clear();
-    const bool ended = window_.run_front(pieces_);
+    const bool ended = window_->run_front(profile);
     --settled_;
-    for (const SpeedPiece& piece : pieces_) add(profile, piece);
-    if (window_.front_q() == 0) rest_at_turn(profile);
+    if (!std::isfinite(profile.duration())) report_no_speed(profile);
+    if (window_->front_rests()) rest_at_turn(profile);
     if (ended) return true;
   }
 }
 
-void Planner::add(Profile& profile, const SpeedPiece& piece) {
-  const double v0 = std::sqrt(piece.q0), v1 = std::sqrt(piece.q1);
-  if (std::isfinite(v0 + v1) && v0 + v1 > 0) {
-    profile.add_piece(piece.s0, piece.s1, v0, v1, piece.limit);
-    return;
-  }
+void Planner::report_no_speed(Profile& profile) {
   diagnostics_.report(Code::SC9001, pending_.front().block.source,
                       "no speed could be found for this block");
+  profile = {};
 }
 
 /// Passes over the window are worth their while only when it has grown.
 bool Planner::settle() {
-  if (!finished_ && !hurried_ && window_.size() < std::max(kFewIntervals, 2 * last_size_))
+  if (!finished_ && !hurried_ && window_->size() < std::max(kFewIntervals, 2 * last_size_))
     return false;
-  settled_ = window_.settle(finished_);
-  last_size_ = window_.size() - settled_;
+  settled_ = window_->settle(finished_);
+  last_size_ = window_->size() - settled_;
   ++counts_.passes;
   return settled_ > 0;
 }
@@ -95,7 +96,7 @@ bool Planner::settle() {
 /// Where the direction turns at a stop between two rows, the polyline through the rows cuts the
 /// corner; if by too much, the machine waits for the next row.
 void Planner::rest_at_turn(Profile& profile) {
-  const Window::Turn turn = window_.front_turn();
+  const Window::Turn turn = window_->front_turn();
   if (!turn.turns) return;
   const double period = constraints_.period();
   const double t = t_ + profile.duration();

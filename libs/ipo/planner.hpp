@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <optional>
 
 #include "ipo/block_queue.hpp"
@@ -14,6 +15,7 @@ namespace softcnc::ipo {
 struct PlannerCounts {
   std::size_t nodes = 0;   // of the grid, in all
   std::size_t passes = 0;  // over the window
+  PlanEffort effort;
 };
 
 class Planner {
@@ -33,21 +35,20 @@ class Planner {
   /// The same where nothing more may be pushed for long: finds out what is settled by now.
   std::optional<TimedBlock> pop_now();
 
-  const PlannerCounts& counts() const noexcept { return counts_; }
+  PlannerCounts counts() const noexcept;
 
  private:
   bool run_move();
   bool settle();
-  void add(Profile& profile, const SpeedPiece& piece);
+  void report_no_speed(Profile& profile);
   void rest_at_turn(Profile& profile);
   TimedBlock take();
 
   const Machine& machine_;
   Diagnostics& diagnostics_;
   Constraints constraints_;
-  Window window_;
+  std::unique_ptr<Window> window_;
   std::deque<TimedBlock> pending_;
-  std::vector<SpeedPiece> pieces_;
   PlannerCounts counts_;
   std::size_t settled_ = 0;    // intervals at the front of the window whose speeds are final
   std::size_t last_size_ = 0;  // unsettled intervals after the last passes

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "ipo/ramp.hpp"
 #include "motion/setpoint.hpp"
 
 namespace softcnc::ipo {
@@ -17,11 +18,13 @@ struct State {
   Limit limit = Limit::stop;
 };
 
-/// s(t) of one block in pieces of constant acceleration, from t = 0 (s and t within the block).
+/// s(t) of one block in polynomial pieces, from t = 0 (s and t within the block).
 class Profile {
  public:
-  /// A piece from (s0, v0) to (s1, v1), v^2 linear in s. Pieces follow one another.
+  /// A piece of constant acceleration from (s0, v0) to (s1, v1). Pieces follow one another.
   void add_piece(double s0, double s1, double v0, double v1, Limit limit);
+  /// A piece of degree five, which meets place, speed and acceleration at both ends.
+  void add_ramp(const Ramp& ramp);
   /// Rest at the present place (s = 0 if there is no piece yet).
   void add_rest(double duration);
   /// Rest at s, for no time.
@@ -50,9 +53,12 @@ class Profile {
  private:
   struct Piece {
     double t0, duration;
-    double s0, s1, v0, a;
+    Quintic curve;
+    double s1;  // where it ends
     Limit limit;
   };
+  static double time_to(const Piece& piece, double s) noexcept;
+
   std::vector<Piece> pieces_;
   double duration_ = 0;
 };

@@ -28,13 +28,8 @@ void append_moves(Window& window, const PartlyPassed& rest, double s) {
 
 /// Runs the first `intervals` of the window, or up to the end of its first move.
 std::size_t run_move(Window& window, std::size_t intervals, Profile& profile) {
-  std::vector<SpeedPiece> pieces;
-  for (bool ended = false; intervals > 0 && !ended; --intervals) {
-    pieces.clear();
-    ended = window.run_front(pieces);
-    for (const SpeedPiece& piece : pieces)
-      profile.add_piece(piece.s0, piece.s1, std::sqrt(piece.q0), std::sqrt(piece.q1), Limit::stop);
-  }
+  for (bool ended = false; intervals > 0 && !ended; --intervals)
+    ended = window.run_front(profile, Limit::stop);
   return intervals;
 }
 
@@ -57,14 +52,12 @@ std::deque<TimedBlock> up_to_rest(PartlyPassed rest, double t) {
 
 std::deque<TimedBlock> plan_stop(const Constraints& constraints, PartlyPassed rest,
                                  const State& now, double t) {
-  Window window(constraints, kAccelerationShare);
-  append_moves(window, rest, now.s);
-  const double q = now.v * now.v;
-  window.set_front_q(q);
-  window.settle(true);
+  const std::unique_ptr<Window> window = make_window(constraints, kAccelerationShare);
+  append_moves(*window, rest, now.s);
+  window->set_front(now.v, now.a);
   std::size_t intervals = 0;
-  if (q > 0 && window.size() > 0) {
-    const auto stop = window.rest_early(kResolution);
+  if (now.v > 0 && window->size() > 0) {
+    const auto stop = window->rest_early(kResolution);
     if (!stop) return up_to_rest(std::move(rest), t);
     intervals = *stop;
   }
@@ -75,7 +68,7 @@ std::deque<TimedBlock> plan_stop(const Constraints& constraints, PartlyPassed re
     TimedBlock timed{std::move(rest.blocks[i].block), {}, t, rest.blocks[i].s_start};
     if (present) timed.profile.rest_at(now.s);
     const bool moves = timed.move() && (!present || length(timed.move()->path) > now.s);
-    if (moves) intervals = run_move(window, intervals, timed.profile);
+    if (moves) intervals = run_move(*window, intervals, timed.profile);
     t = timed.t_end();
     stopped.push_back(std::move(timed));
   }

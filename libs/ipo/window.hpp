@@ -1,29 +1,35 @@
 // SPDX-License-Identifier: MIT
 // The stretch of path between what is already timed and what is not yet read.
-//
-// Speeds in it are final as soon as they no longer depend on what follows: the backward pass is run
-// once from rest at the end of the window and once from the highest speed there; left of the node
-// where the two meet they agree bit by bit. So the plan is that of the whole program, however the
-// program arrives and wherever the window ends.
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "ipo/chain.hpp"
-#include "ipo/schedule.hpp"
+#include "ipo/profile.hpp"
 
 namespace softcnc::ipo {
 
+/// What the plans have taken so far, where speeds are found by iteration.
+struct PlanEffort {
+  std::size_t nodes = 0, iterations = 0;
+  std::size_t fallbacks = 0;  // plans that were not found: the machine stops early or goes slowly
+};
+
+/// The path in it, and its front; how fast the machine may go is for the two kinds of window to
+/// say.
 class Window {
  public:
-  /// `acceleration_share`: of the axis accelerations, 1 for all.
-  explicit Window(const Constraints& constraints, double acceleration_share = 1)
-      : constraints_(constraints), acceleration_share_(acceleration_share) {}
+  /// `share`: of the axis accelerations and jerks, 1 for all.
+  Window(const Constraints& constraints, double share) : constraints_(constraints), share_(share) {}
+  virtual ~Window() = default;
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
 
-  /// Appends a move; `rest`: the machine rests where it begins.
+  /// Appends a move; `rest`: the machine rests where it begins. The move must stay where it is
+  /// until the front has passed it.
   void append(const Move& move, bool rest);
 
   /// Moves the front past `moves` moves and `s` mm into the next one.
@@ -36,20 +42,22 @@ class Window {
 
   /// Finds the speeds and returns the number of intervals, from the front, whose speeds are final.
   /// `ended`: nothing follows the window, so all are, and the machine rests at its end.
-  std::size_t settle(bool ended);
+  virtual std::size_t settle(bool ended) = 0;
 
   /// After settle(true): plans rest at the nearest node, to within `resolution` mm, at which the
   /// machine can stand, and returns the number of intervals up to it; nothing if it cannot stand
   /// anywhere in the window.
-  std::optional<std::size_t> rest_early(double resolution);
+  virtual std::optional<std::size_t> rest_early(double resolution) = 0;
 
   /// After settle(): runs the first interval, appends its pieces and drops it; true if its move
-  /// ends there.
-  bool run_front(std::vector<SpeedPiece>& out);
+  /// ends there. `as`: what the pieces are to say holds them back.
+  virtual bool run_front(Profile& profile, std::optional<Limit> as = {}) = 0;
 
-  /// q at the front.
-  double front_q() const noexcept { return q_; }
-  void set_front_q(double q) noexcept { q_ = q; }
+  /// Speed and acceleration at the front, mm/s and mm/s^2.
+  virtual void set_front(double v, double a) noexcept = 0;
+  virtual bool front_rests() const noexcept = 0;
+
+  virtual PlanEffort effort() const noexcept { return {}; }
 
   /// How the direction of the path jumps at the front.
   struct Turn {
@@ -58,18 +66,23 @@ class Window {
   };
   Turn front_turn() const noexcept;
 
- private:
+ protected:
+  /// The last node that nothing behind the window can still ask anything of.
   std::size_t last_final_cap() const noexcept;
-  double reachable_from_rest(std::size_t end);
-  void back_from(std::size_t last, double k);
-  Reach reach(std::size_t interval) const noexcept;
-  void forget();
+  /// Moves the front over its interval; true if its move ends there.
+  bool drop_front();
 
   const Constraints& constraints_;
-  double acceleration_share_;
+  double share_;
   Chain chain_;
+  bool caps_derived_ = false;
   std::size_t front_ = 0;  // what lies left of it is kept for what it asks of its neighbours
-  double q_ = 0;           // at the front node
+
+ private:
+  void forget();
 };
+
+/// The kind of window that the limits of the machine ask for.
+std::unique_ptr<Window> make_window(const Constraints& constraints, double share = 1);
 
 }  // namespace softcnc::ipo

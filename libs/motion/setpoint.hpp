@@ -17,10 +17,11 @@ enum class Limit : std::uint8_t {
   corner,
   axis_velocity,
   acceleration,
+  jerk,
   override_,
   stop,
 };
-inline constexpr int kLimits = 8;
+inline constexpr int kLimits = 9;
 
 std::string_view name(Limit limit) noexcept;
 

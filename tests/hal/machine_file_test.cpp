@@ -314,15 +314,11 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
                            "axis.z.max_mm = 1000\n"));
   }
   SECTION("limits of later versions") {
-    CHECK(refused("[axis.x]\njerk_mm_s3 = 2e4") ==
-          "mill.toml:2:14: error SC7009: axis.x.jerk_mm_s3 = 20000: this version cannot hold this "
-          "limit yet; only 0 is accepted\n"
-          "    2 | jerk_mm_s3 = 2e4\n"
-          "      |              ^~~\n");
-    CHECK(refused("control.corner_tolerance_um = 5")
-              .starts_with(
-                  "mill.toml:1:31: error SC7009: control.corner_tolerance_um = 5: this version"));
-    CHECK(parsed("axis.x.jerk_mm_s3 = 0").axes[0].jerk == 0);
+    CHECK(refused("[control]\ncorner_tolerance_um = 5") ==
+          "mill.toml:2:23: error SC7009: control.corner_tolerance_um = 5: this version cannot hold "
+          "this limit yet; only 0 is accepted\n"
+          "    2 | corner_tolerance_um = 5\n"
+          "      |                       ^\n");
   }
   SECTION("periods that do not divide") {
     CHECK(refused("[control]\nperiod_ms = 1.5\nservo_period_ms = 1.0") ==

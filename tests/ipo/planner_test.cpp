@@ -7,12 +7,14 @@
 #include <random>
 
 #include "support/curves.hpp"
+#include "support/random_program.hpp"
 #include "support/run.hpp"
 
 using namespace softcnc;
 using test::exceeded;
 using test::number_blocks;
 using test::polyline;
+using test::random_program;
 using test::run;
 
 namespace {
@@ -303,61 +305,6 @@ TEST_CASE("a slow feed needs no more nodes than a fast one", "[planner]") {
     CHECK(planner.counts().nodes < 1000);
   }
 }
-
-namespace {
-
-/// A random chain of lines, arcs and cubic splines, tangent or not.
-std::vector<Block> random_program(std::mt19937& random, int count) {
-  const auto uniform = [&](double a, double b) {
-    return a + (b - a) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
-  };
-  std::vector<std::variant<Move, Dwell, Action>> moves;
-  AxisVector here(0, 0, 0);
-  for (int i = 0; i < count; ++i) {
-    const double size = std::pow(10.0, uniform(-2, 1.5));
-    const double feed = std::pow(10.0, uniform(0.5, 2.4));
-    const Join join = random() % 8 == 0 ? Join::stop : Join::follow;
-    const AxisVector to = here + size * AxisVector(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
-    const auto kind = random() % 4;
-    if (kind == 0) {
-      moves.emplace_back(Move{Line(here, to), random() % 3 == 0, feed, join});
-      here = to;
-    } else if (kind == 1) {
-      const double start = uniform(0, 6.28), sweep = uniform(0.2, 6.0), radius = size;
-      const AxisVector center = here - radius * AxisVector(std::cos(start), std::sin(start), 0);
-      AxisVector end =
-          center + radius * AxisVector(std::cos(start + sweep), std::sin(start + sweep), 0);
-      end[2] += uniform(-0.5, 0.5) * size;
-      moves.emplace_back(Move{arc(here, end, center, true), false, feed, join});
-      here = end;
-    } else if (kind == 2) {
-      NurbsSpec spec;
-      spec.degree = 3;
-      AxisVector p = here;
-      for (int k = 0; k < 8; ++k) {
-        spec.control.push_back(p);
-        spec.weights.push_back(std::pow(10.0, uniform(-0.5, 0.5)));
-        p += size * AxisVector(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
-      }
-      spec.knots = {0, 0, 0, 0, 1, 2, 3, 4, 5, 5, 5, 5};
-      here = spec.control.back();
-      moves.emplace_back(Move{Nurbs::make(spec).value(), false, feed, join});
-    } else {
-      // Short chords with small turns, as CAM systems chop curves.
-      double heading = uniform(0, 6.28);
-      for (int k = 0; k < 20; ++k) {
-        const AxisVector next =
-            here + 0.02 * size * AxisVector(std::cos(heading), std::sin(heading), 0);
-        moves.emplace_back(Move{Line(here, next), false, feed, Join::follow});
-        here = next;
-        heading += uniform(0, 0.012);
-      }
-    }
-  }
-  return number_blocks(std::move(moves));
-}
-
-}  // namespace
 
 TEST_CASE("random programs keep every limit in every row", "[planner][property]") {
   for (unsigned seed = 1; seed <= 150; ++seed) {

@@ -19,6 +19,7 @@ struct Run {
   double time = 0;  // of the profile, s
   std::map<Limit, double> time_by_limit;
   std::vector<Diagnostic> diagnostics;
+  ipo::PlannerCounts counts;
 };
 
 inline std::vector<Block> number_blocks(std::vector<std::variant<Move, Dwell, Action>> whats) {
@@ -98,9 +99,13 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, int sto
   verifier.finish();
   result.measured = verifier.measured();
   result.time = queue.t_end();
+  result.counts = planner.counts();
   for (const Diagnostic& d : diagnostics.all()) result.diagnostics.push_back(d);
   return result;
 }
+
+/// Third differences round more: how far they may exceed.
+inline constexpr double kJerkShare = 5e-3;
 
 /// Empty if every row keeps velocity, acceleration (both to `share`), the chord tolerance and the
 /// path; otherwise what is exceeded.
@@ -111,6 +116,8 @@ inline std::string exceeded(const Machine& machine, const Run& run, double share
       return "velocity " + std::to_string(run.measured.velocity[i]);
     if (run.measured.acceleration[i] > axis.acceleration * (1 + share))
       return "acceleration " + std::to_string(run.measured.acceleration[i]);
+    if (axis.jerk > 0 && run.measured.jerk[i] > axis.jerk * (1 + kJerkShare))
+      return "jerk " + std::to_string(run.measured.jerk[i]);
   }
   if (run.measured.chord_error > machine.control.chord_tolerance)
     return "chord error " + std::to_string(run.measured.chord_error * 1e3) + " um";

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/jerk_plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ipo/plan_check.hpp"
+#include "ipo/plan_nodes.hpp"
+#include "ipo/plan_problem.hpp"
+#include "ipo/rest_ramp.hpp"
+#include "ipo/speed_guess.hpp"
+
+namespace softcnc::ipo {
+namespace {
+
+constexpr int kMostRounds = 6;
+constexpr double kTightest = 0.8;   // in one round
+constexpr double kTighten = 1.2;    // of what is used too much
+constexpr double kCreep = 1.0 / 3;  // of each limit
+
+class JerkPlan {
+ public:
+  JerkPlan(const PlanSpan& span, std::size_t cut, const Motion& start, PlanEffort& effort)
+      : span_(span), cut_(cut), start_(start), effort_(effort), from_rest_(start.v == 0) {
+    end_ramp_ = rest_ramp(span, span.last - 1, Side::before);
+    if (from_rest_) start_ramp_ = rest_ramp(span, span.first, Side::after);
+  }
+
+  std::optional<Ramps> run() {
+    const Motion start = from_rest_ ? motion(start_ramp_) : start_;
+    const double from = span_.s(span_.first) + start_ramp_.way();
+    const double to = span_.s(span_.last) - end_ramp_.way();
+    const SpeedGuess guess(span_, {from, start}, {to, motion(end_ramp_)});
+    nodes_ = place_nodes(span_, guess, from, to, cut_);
+    shares_.assign(nodes_.size(), {});
+    const PlanEnds ends{{start.v * start.v, 2 * start.a, 0}, end_ramp_.square(-1), !from_rest_};
+    for (int round = 0; round < kMostRounds; ++round) {
+      const PlanProblem problem(span_, nodes_, ends, shares_);
+      const SpeedSolution solution = fastest_speeds(problem.problem());
+      effort_.nodes += nodes_.size();
+      effort_.iterations += static_cast<std::size_t>(solution.iterations);
+      if (!solution.converged) return std::nullopt;
+      const auto used = used_between(span_, nodes_, problem.problem(), solution.coefficients);
+      const bool keeps = std::all_of(used.begin(), used.end(), [](const Used& between) {
+        return between.rows <= 1 && between.cap <= 1;
+      });
+      if (keeps) return by_interval(make_ramps(problem, solution));
+      tighten(used);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static Motion motion(const RestRamp& ramp) noexcept {
+    return {ramp.speed(), ramp.acceleration()};
+  }
+
+  /// Where too much is used: more nodes, and less for their rows and caps.
+  void tighten(const std::vector<Used>& used) {
+    std::vector<bool> marked(nodes_.size(), false);
+    for (std::size_t p = 0; p + 1 < nodes_.size(); ++p) {
+      if (used[p].rows <= 1 && used[p].cap <= 1) continue;
+      for (std::size_t k = p > 0 ? p - 1 : 0; k <= p + 1 && k + 1 < nodes_.size(); ++k)
+        marked[k] = true;
+      for (const std::size_t k : {p, p + 1}) {
+        shares_[k].jerk *= std::clamp(1 - kTighten * (used[p].rows - 1), kTightest, 1.0);
+        shares_[k].cap *= std::clamp(1 - kTighten * (used[p].cap - 1), kTightest, 1.0);
+      }
+    }
+    std::vector<NodeShare> shares;
+    for (std::size_t p = 0; p < nodes_.size(); ++p) {
+      shares.push_back(shares_[p]);
+      if (!marked[p] || p + 1 == nodes_.size()) continue;
+      const NodeShare &a = shares_[p], &b = shares_[p + 1];
+      shares.push_back({std::min(a.jerk, b.jerk), std::min(a.cap, b.cap)});
+    }
+    refine(span_, nodes_, marked);
+    shares_ = std::move(shares);
+  }
+
+  /// The time of ds / sqrt(q) with q cubic, by Gauss's rule of four points.
+  static double duration(double h, const SpeedSquare& a, const SpeedSquare& b) noexcept {
+    constexpr std::array<double, 4> kAt{0.0694318442029737, 0.3300094782075719, 0.6699905217924281,
+                                        0.9305681557970263};
+    constexpr std::array<double, 4> kWeight{0.1739274225687269, 0.3260725774312731,
+                                            0.3260725774312731, 0.1739274225687269};
+    double sum = 0;
+    for (std::size_t k = 0; k < kAt.size(); ++k) {
+      const double u = kAt[k] * h;
+      const double q = a.q + u * (a.dq + u * (0.5 * a.ddq + u * (b.ddq - a.ddq) / (6 * h)));
+      sum += kWeight[k] / std::sqrt(q);
+    }
+    return h * sum;
+  }
+
+  /// One from each node to the next.
+  std::vector<Ramp> make_ramps(const PlanProblem& problem, const SpeedSolution& solution) const {
+    std::vector<Ramp> ramps;
+    ramps.reserve(nodes_.size());
+    const SpeedSpline& spline = problem.problem().spline();
+    SpeedSquare a = spline.at_node(0, solution.coefficients);
+    for (std::size_t p = 0; p + 1 < nodes_.size(); ++p) {
+      const SpeedSquare b = spline.at_node(p + 1, solution.coefficients);
+      ramps.push_back({start_of(p), end_of(p), duration(nodes_[p + 1].s - nodes_[p].s, a, b),
+                       std::sqrt(a.q), std::sqrt(b.q), 0.5 * a.dq, 0.5 * b.dq,
+                       problem.limit(p + 1, b)});
+      a = b;
+    }
+    return ramps;
+  }
+
+  /// mm of the move, of the ramp behind node p.
+  double start_of(std::size_t p) const noexcept {
+    return span_.move_s(nodes_[p].interval, nodes_[p].s);
+  }
+  double end_of(std::size_t p) const noexcept {
+    const PlanNode& end = nodes_[p + 1];
+    return end.joint ? span_.interval(end.interval - 1).s1 : span_.move_s(end.interval, end.s);
+  }
+
+  /// With the moments at rest.
+  Ramps by_interval(const std::vector<Ramp>& ramps) const {
+    Ramps sorted(span_.last - span_.first);
+    if (from_rest_)
+      sorted.front().push_back({span_.interval(span_.first).s0, start_of(0), start_ramp_.duration,
+                                0, start_ramp_.speed(), 0, start_ramp_.acceleration(),
+                                Limit::jerk});
+    for (std::size_t p = 0; p < ramps.size(); ++p) {
+      const PlanNode& end = nodes_[p + 1];
+      sorted[end.interval - (end.joint ? 1 : 0) - span_.first].push_back(ramps[p]);
+    }
+    sorted.back().push_back({ramps.back().s1, span_.interval(span_.last - 1).s1, end_ramp_.duration,
+                             end_ramp_.speed(), 0, -end_ramp_.acceleration(), 0, Limit::jerk});
+    return sorted;
+  }
+
+  const PlanSpan& span_;
+  const std::size_t cut_;
+  const Motion start_;
+  PlanEffort& effort_;
+  const bool from_rest_;
+  RestRamp start_ramp_, end_ramp_;
+  std::vector<PlanNode> nodes_;
+  std::vector<NodeShare> shares_;
+};
+
+}  // namespace
+
+std::optional<Ramps> plan_to_rest(const PlanSpan& span, std::size_t cut, const Motion& start,
+                                  PlanEffort& effort) {
+  return JerkPlan(span, cut, start, effort).run();
+}
+
+/// s = h (10 u^3 - 15 u^4 + 6 u^5): at most 15/8 h/d fast, 10/sqrt(3) h/d^2, 60 h/d^3.
+std::vector<Ramp> creep(const Chain& chain, std::size_t i, const Constraints& constraints) {
+  const Interval& interval = chain.intervals[i];
+  const double h = interval.length();
+  double q = chain.inside[i].cap.q;
+  for (const Node* node : {&chain.nodes[i], &chain.nodes[i + 1]})
+    if (node->cap.q > 0) q = std::min(q, node->cap.q);
+  const double v = kCreep * std::sqrt(q);
+  const double a = kCreep * constraints.acceleration_limits().minCoeff();
+  const double j = kCreep * constraints.jerk_limits().minCoeff();
+  const double d = std::max({15.0 / 8 * h / v, std::sqrt(5.7735 * h / a), std::cbrt(60 * h / j)});
+  return {{interval.s0, interval.s1, d, 0, 0, 0, 0, Limit::jerk}};
+}
+
+}  // namespace softcnc::ipo

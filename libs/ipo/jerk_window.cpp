@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/jerk_window.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace softcnc::ipo {
+namespace {
+
+constexpr double kAhead = 4;           // stopping distances in a plan
+constexpr double kLeft = 1.5;          // of them that are planned anew
+constexpr double kLongest = 0.25;      // stopping distance: longest interval
+constexpr double kMostParts = 32;      // of an interval
+constexpr double kFurther = 1.12;      // from one stop that is tried to the next
+constexpr double kShortestStop = 0.8;  // of v^2 / 2A with all axes together
+
+double speed(const Cap& cap) noexcept { return std::sqrt(cap.q); }
+
+}  // namespace
+
+/// Intervals so short that a plan may end between any two. The last one waits for what follows: its
+/// joint may ask for a split of its own.
+void JerkWindow::split_long_intervals(bool ended) {
+  std::size_t i = front_;
+  while (i < chain_.intervals.size() && chain_.nodes[i].s < split_to_) ++i;
+  for (; i + (ended ? 0 : 1) < chain_.intervals.size(); ++i) {
+    const Interval interval = chain_.intervals[i];
+    const Cap& cap =
+        interval.left_cap.q > interval.right_cap.q ? interval.left_cap : interval.right_cap;
+    const double longest = kLongest * stopping_distance(speed(cap), constraints_);
+    const int parts =
+        static_cast<int>(std::min(std::ceil(interval.length() / longest), kMostParts));
+    for (int k = 1; k < parts; ++k, ++i)
+      chain_.split(i, interval.s0 + interval.length() * k / parts);
+    if (parts > 1) caps_derived_ = false;
+    split_to_ = chain_.nodes[i + 1].s;
+  }
+}
+
+/// The end of a plan: the first rest, or as many stopping distances away as it takes.
+std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended) const noexcept {
+  const auto& nodes = chain_.nodes;
+  const std::size_t last = ended ? nodes.size() - 1 : last_final_cap();
+  double top = motion_.v;
+  for (std::size_t n = front_; n < last; ++n) {
+    top = std::max({top, speed(nodes[n].cap), speed(chain_.inside[n].cap)});
+    if (nodes[n + 1].cap.q == 0) return Reach{n + 1, n + 1};
+    const double distance = stopping_distance(top, constraints_);
+    if (nodes[n + 1].s - nodes[front_].s < kAhead * distance) continue;
+    std::size_t taken = n + 1;
+    while (taken > front_ + 1 && nodes[n + 1].s - nodes[taken].s < kLeft * distance) --taken;
+    return Reach{n + 1, taken};
+  }
+  if (!ended) return std::nullopt;
+  return Reach{last, last};
+}
+
+std::size_t JerkWindow::settle(bool ended) {
+  if (size() == 0) return 0;
+  split_long_intervals(ended);
+  if (!std::exchange(caps_derived_, true)) derive_caps(chain_, constraints_);
+  const auto reach = look_ahead(ended);
+  if (!reach) return 0;
+  auto plan = this->plan(reach->end, reach->taken);
+  if (!plan) return fall_back(reach->end);
+  take(std::move(*plan), reach->taken - front_);
+  return planned_.size();
+}
+
+std::optional<Ramps> JerkWindow::plan(std::size_t end, std::size_t taken) {
+  return plan_to_rest({chain_, constraints_, front_, end, share_}, taken, motion_, effort_);
+}
+
+void JerkWindow::take(Ramps plan, std::size_t intervals) {
+  const auto cut = plan.begin() + static_cast<std::ptrdiff_t>(intervals);
+  planned_.assign(std::make_move_iterator(plan.begin()), std::make_move_iterator(cut));
+  tail_.assign(std::make_move_iterator(cut), std::make_move_iterator(plan.end()));
+}
+
+/// On the way to a rest the last plan leads there; half of it is taken before another one is tried.
+/// From rest, shorter and shorter ways are tried.
+std::size_t JerkWindow::fall_back(std::size_t end) {
+  ++effort_.fallbacks;
+  if (motion_.v > 0) {
+    const std::size_t half = (tail_.size() + 1) / 2;
+    while (!tail_.empty() && (planned_.size() < half || !ends_interval(planned_.size()))) {
+      planned_.push_back(std::move(tail_.front()));
+      tail_.pop_front();
+    }
+    return planned_.size();
+  }
+  while (end > front_ + 1) {
+    end = front_ + (end - front_) / 2;
+    if (auto plan = this->plan(end, end)) {
+      take(std::move(*plan), end - front_);
+      return planned_.size();
+    }
+  }
+  planned_ = {creep(chain_, front_, constraints_)};
+  tail_.clear();
+  return 1;
+}
+
+/// Whether a ramp ends with the last of the first `count` intervals in planned_.
+bool JerkWindow::ends_interval(std::size_t count) const noexcept {
+  const auto& ramps = planned_[count - 1];
+  return !ramps.empty() && ramps.back().s1 == chain_.intervals[front_ + count - 1].s1;
+}
+
+/// A node at s, mm from the first node ever.
+std::size_t JerkWindow::node_at(double s) {
+  const auto& nodes = chain_.nodes;
+  std::size_t n = front_ + 1;
+  while (n + 1 < nodes.size() && nodes[n].s < s) ++n;
+  const Interval& interval = chain_.intervals[n - 1];
+  const double from_left = s - nodes[n - 1].s;
+  if (nodes[n].s - s > 0.1 * interval.length() && from_left > 0.1 * interval.length())
+    chain_.split(n - 1, interval.s0 + from_left);
+  return n;
+}
+
+/// The node at which the machine rests anyway, mm of the chain.
+double JerkWindow::first_rest() const noexcept {
+  const auto& nodes = chain_.nodes;
+  std::size_t n = front_ + 1;
+  while (n + 1 < nodes.size() && nodes[n].cap.q > 0) ++n;
+  return nodes[n].s;
+}
+
+std::optional<std::size_t> JerkWindow::rest_early(double resolution) {
+  if (size() == 0) return std::nullopt;
+  split_long_intervals(true);
+  derive_caps(chain_, constraints_);
+  const double all = first_rest() - chain_.nodes[front_].s;
+  const double a = constraints_.tangential_u(chain_.intervals[front_].left);
+  double way = std::max(resolution, kShortestStop * motion_.v * motion_.v / (2 * a));
+  for (;; way *= kFurther) {
+    const std::size_t end = node_at(chain_.nodes[front_].s + std::min(way, all));
+    derive_caps(chain_, constraints_);
+    if (auto plan = this->plan(end, end)) {
+      take(std::move(*plan), end - front_);
+      return planned_.size();
+    }
+    if (way >= all) return std::nullopt;
+  }
+}
+
+bool JerkWindow::run_front(Profile& profile, std::optional<Limit> as) {
+  for (Ramp ramp : planned_.front()) {
+    ramp.limit = as.value_or(ramp.limit);
+    profile.add_ramp(ramp);
+    motion_ = {ramp.v1, ramp.a1};
+  }
+  planned_.pop_front();
+  return drop_front();
+}
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The window of a machine with jerk limits: near-optimal speeds, a few stopping distances at a
+// time.
+//
+// Each plan covers a few stopping distances and ends at rest; only what lies well before its end is
+// taken, since only the last stopping distance knows that the plan ends. Where a plan cannot be
+// found the rest of the one before leads to a standstill. What is planned depends on the path
+// alone, not on how it arrives.
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "ipo/jerk_plan.hpp"
+#include "ipo/plan_problem.hpp"
+#include "ipo/window.hpp"
+
+namespace softcnc::ipo {
+
+class JerkWindow final : public Window {
+ public:
+  using Window::Window;
+
+  std::size_t settle(bool ended) override;
+  std::optional<std::size_t> rest_early(double resolution) override;
+  bool run_front(Profile& profile, std::optional<Limit> as) override;
+  void set_front(double v, double a) noexcept override { motion_ = {v, a}; }
+  bool front_rests() const noexcept override { return motion_.v == 0; }
+  PlanEffort effort() const noexcept override { return effort_; }
+
+ private:
+  /// Where a plan ends, and how much of it is taken: nodes of the chain.
+  struct Reach {
+    std::size_t end, taken;
+  };
+  std::optional<Reach> look_ahead(bool ended) const noexcept;
+  std::optional<Ramps> plan(std::size_t end, std::size_t taken);
+  bool ends_interval(std::size_t count) const noexcept;
+  void split_long_intervals(bool ended);
+  void take(Ramps plan, std::size_t intervals);
+  std::size_t fall_back(std::size_t end);
+  double first_rest() const noexcept;
+  std::size_t node_at(double s);
+
+  std::deque<std::vector<Ramp>> planned_;  // by interval, from the front
+  std::deque<std::vector<Ramp>> tail_;     // of the last plan, to its rest
+  Motion motion_;                          // at the front
+  double split_to_ = 0;                    // mm of the chain
+  PlanEffort effort_;
+};
+
+}  // namespace softcnc::ipo

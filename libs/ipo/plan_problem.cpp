@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/plan_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softcnc::ipo {
+namespace {
+
+/// Parts of the limits that rows may use; what lies between the nodes may take a little more. Where
+/// a plan continues another one it may use more at first, lest it find no way on.
+constexpr double kJerkPart = 0.995, kFirstJerkPart = 0.999;
+constexpr double kAccelerationPart = 0.998, kFirstAccelerationPart = 0.9995;
+constexpr double kFirstCapPart = 6e-4;  // added
+constexpr double kSame = 1e-9;          // relative: derivatives that do not jump
+constexpr double kBinds = 0.99;         // of a limit: it is what holds back
+
+std::vector<double> places(const std::vector<PlanNode>& nodes) {
+  std::vector<double> s;
+  s.reserve(nodes.size());
+  for (const PlanNode& node : nodes) s.push_back(node.s);
+  return s;
+}
+
+bool same(const PathPoint& a, const PathPoint& b) noexcept {
+  const auto near = [](const AxisVector& x, const AxisVector& y) {
+    return (x - y).norm() <= kSame * (x.norm() + y.norm());
+  };
+  return near(a.dq, b.dq) && near(a.ddq, b.ddq) && near(a.dddq, b.dddq);
+}
+
+/// The lower of two insides.
+Inside lower(const Inside& a, const Inside& b) noexcept {
+  return {a.cap.q <= b.cap.q ? a.cap : b.cap, std::min(a.share, b.share),
+          std::min(a.jerk_share, b.jerk_share)};
+}
+
+}  // namespace
+
+PlanProblem::PlanProblem(const PlanSpan& span, const std::vector<PlanNode>& nodes,
+                         const PlanEnds& ends, const std::vector<NodeShare>& shares)
+    : span_(span),
+      nodes_(nodes),
+      ends_(ends),
+      shares_(shares),
+      problem_(places(nodes), ends.start, ends.end) {
+  cap_limits_.reserve(nodes.size());
+  for (std::size_t p = 0; p < nodes.size(); ++p) add_node(p);
+}
+
+void PlanProblem::add_node(std::size_t p) {
+  const PlanNode& node = nodes_[p];
+  const bool is_last = p + 1 == nodes_.size();
+  Cap most = cap(p);
+  most.q *= 1 + kFirstCapPart * first_part(p);
+  // Both ends are given.
+  problem_.add_node(p == 0    ? 2 * ends_.start.q
+                    : is_last ? 2 * ends_.end.q
+                              : shares_[p].cap * most.q);
+  cap_limits_.push_back(most.limit);
+  const std::size_t i = node.interval;
+  Inside inside = span_.chain.inside[i];
+  if (node.joint) inside = lower(inside, span_.chain.inside[i - 1]);
+  const PathPoint point = span_.point(i, node.s, is_last ? Side::before : Side::after);
+  add_rows(p, point, inside);
+  if (!node.joint) return;
+  const PathPoint before = span_.point(i - 1, node.s, Side::before);
+  if (!same(before, point)) add_rows(p, before, inside);
+}
+
+/// The lowest cap between the nodes around it.
+Cap PlanProblem::cap(std::size_t p) const noexcept {
+  const PlanNode& node = nodes_[p];
+  const Chain& chain = span_.chain;
+  const double from = p > 0 ? nodes_[p - 1].s : node.s;
+  const double to = p + 1 < nodes_.size() ? nodes_[p + 1].s : node.s;
+  Cap most = cap_inside(node.interval, node.s);
+  const auto include = [&](std::size_t i) {
+    if (chain.nodes[i].cap.q > 0) most.lower_to(chain.nodes[i].cap);
+  };
+  for (std::size_t i = node.interval; i >= span_.first && chain.nodes[i].s > from; --i) {
+    include(i);
+    if (i == span_.first) break;
+    if (chain.intervals[i - 1].straight()) most.lower_to(chain.inside[i - 1].cap);
+  }
+  for (std::size_t i = node.interval + 1; i <= span_.last && chain.nodes[i].s < to; ++i) {
+    include(i);
+    if (i < span_.last && chain.intervals[i].straight()) most.lower_to(chain.inside[i].cap);
+  }
+  return most;
+}
+
+/// On a curve, between the caps of its nodes but for those at rest.
+Cap PlanProblem::cap_inside(std::size_t i, double s) const noexcept {
+  const Chain& chain = span_.chain;
+  const Cap &left = chain.nodes[i].cap, &right = chain.nodes[i + 1].cap;
+  if (chain.intervals[i].straight() || (left.q == 0 && right.q == 0)) return chain.inside[i].cap;
+  if (left.q == 0 || right.q == 0) return left.q == 0 ? right : left;
+  Cap cap = left.q <= right.q ? left : right;
+  const double w = std::clamp((s - chain.nodes[i].s) / chain.intervals[i].length(), 0.0, 1.0);
+  cap.q = left.q + w * (right.q - left.q);
+  return cap;
+}
+
+/// q' between two nodes stays within the control points of its spline, q' + q'' h / 2: those are
+/// what the rows of the acceleration bound, so that it holds between the nodes too.
+void PlanProblem::add_rows(std::size_t p, const PathPoint& point, const Inside& inside) {
+  const bool is_first = p == 0, is_last = p + 1 == nodes_.size();
+  const double first = first_part(p);
+  const double right = is_last ? 0 : nodes_[p + 1].s - nodes_[p].s;
+  const double left = is_first ? 0 : nodes_[p].s - nodes_[p - 1].s;
+  const double a_part = span_.share * inside.share *
+                        (kAccelerationPart + first * (kFirstAccelerationPart - kAccelerationPart));
+  const double j_part = span_.share * inside.jerk_share * shares_[p].jerk *
+                        (kJerkPart + first * (kFirstJerkPart - kJerkPart));
+  for (int i = 0; i < kAxes; ++i) {
+    const double x1 = point.dq[i], x2 = point.ddq[i], x3 = point.dddq[i];
+    if (x1 == 0 && x2 == 0 && x3 == 0) continue;
+    const double a = a_part * span_.constraints.acceleration_limits()[i];
+    const double j = j_part * span_.constraints.jerk_limits()[i];
+    if (a < kUnlimited && !is_first && !is_last) {
+      problem_.add_row({{x2, 0.5 * x1, 0.25 * right * x1}, a, false});
+      if (x2 != 0) problem_.add_row({{x2, 0.5 * x1, -0.25 * left * x1}, a, false});
+    }
+    if (j < kUnlimited) problem_.add_row({{x3, 1.5 * x2, 0.5 * x1}, j, true});
+  }
+}
+
+/// 1 where the plan continues another one, down to 0 a stopping distance further on.
+double PlanProblem::first_part(std::size_t p) const noexcept {
+  if (!ends_.continues) return 0;
+  const double way = stopping_distance(std::sqrt(ends_.start.q), span_.constraints);
+  return std::max(0.0, 1 - (nodes_[p].s - nodes_.front().s) / way);
+}
+
+Limit PlanProblem::limit(std::size_t p, const SpeedSquare& at) const noexcept {
+  const bool inner = p > 0 && p + 1 < nodes_.size();
+  if (inner && at.q >= kBinds * problem_.cap(p)) return cap_limits_[p];
+  double jerk = 0, acceleration = 0;
+  for (std::size_t r = problem_.first_row(p); r < problem_.first_row(p + 1); ++r) {
+    const SpeedRow& row = problem_.rows()[r];
+    double& used = row.over_root ? jerk : acceleration;
+    used =
+        std::max(used, std::abs(row.value(at)) / row.bound * (row.over_root ? std::sqrt(at.q) : 1));
+  }
+  return jerk > acceleration ? Limit::jerk : Limit::acceleration;
+}
+
+double stopping_distance(double v, const Constraints& constraints) noexcept {
+  const double a = constraints.acceleration_limits().minCoeff();
+  const double j = constraints.jerk_limits().minCoeff();
+  return std::max(0.5 * v * (v / a + a / j), v * std::sqrt(v / j));
+}
+
+}  // namespace softcnc::ipo

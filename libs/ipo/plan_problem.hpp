@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// From a span and the nodes on it to the problem of its fastest speeds.
+#pragma once
+
+#include <vector>
+
+#include "ipo/plan_nodes.hpp"
+#include "ipo/speed_problem.hpp"
+
+namespace softcnc::ipo {
+
+/// Both ends of a plan, and whether it goes on from another one.
+struct PlanEnds {
+  SpeedSquare start, end;
+  bool continues = false;
+};
+
+/// The caps of a span and its rows by axis, at nodes. `shares`: by node.
+class PlanProblem {
+ public:
+  PlanProblem(const PlanSpan& span, const std::vector<PlanNode>& nodes, const PlanEnds& ends,
+              const std::vector<NodeShare>& shares);
+
+  const SpeedProblem& problem() const noexcept { return problem_; }
+
+  /// What holds back at a node: the limit that is used most.
+  Limit limit(std::size_t p, const SpeedSquare& at) const noexcept;
+
+ private:
+  void add_node(std::size_t p);
+  void add_rows(std::size_t p, const PathPoint& point, const Inside& inside);
+  double first_part(std::size_t p) const noexcept;
+  Cap cap(std::size_t p) const noexcept;
+  Cap cap_inside(std::size_t i, double s) const noexcept;
+
+  const PlanSpan& span_;
+  const std::vector<PlanNode>& nodes_;
+  const PlanEnds ends_;
+  const std::vector<NodeShare>& shares_;
+  SpeedProblem problem_;
+  std::vector<Limit> cap_limits_;
+};
+
+/// No motion at `v` mm/s takes longer than this to stop on a straight line, mm.
+double stopping_distance(double v, const Constraints& constraints) noexcept;
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/reach_window.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softcnc::ipo {
+namespace {
+
+constexpr double kRounding = 1e-9;  // of q
+
+}  // namespace
+
+std::size_t ReachWindow::settle(bool ended) {
+  if (size() == 0) return 0;
+  derive_caps(chain_, constraints_);
+  const std::size_t last = ended ? chain_.nodes.size() - 1 : last_final_cap();
+  if (last <= front_) return 0;
+  back_from(last);
+  if (ended) return size();
+  auto& nodes = chain_.nodes;
+  std::vector<double> from_rest(last + 1);
+  for (std::size_t i = front_; i <= last; ++i) from_rest[i] = nodes[i].k;
+  nodes[last].k = nodes[last].cap.q;
+  std::size_t settled = last;
+  while (settled > front_ && nodes[settled].k != from_rest[settled]) {
+    --settled;
+    nodes[settled].k = reach_back(chain_.intervals[settled], constraints_, reach(settled));
+  }
+  return settled - front_;
+}
+
+std::optional<std::size_t> ReachWindow::rest_early(double resolution) {
+  settle(true);
+  // A machine that can stop at a node can also stop at any later one.
+  std::size_t no = 0, yes = size();
+  const double q = q_ * (1 - kRounding);
+  const auto halve_to = [&](std::size_t middle) {
+    (reachable_from_rest(middle) >= q ? yes : no) = middle;
+  };
+  if (reachable_from_rest(yes) < q) return std::nullopt;
+  while (yes - no > 1) halve_to(no + (yes - no) / 2);
+  while (chain_.intervals[front_ + no].length() > resolution) {
+    const Interval& last = chain_.intervals[front_ + no];
+    chain_.split(front_ + no, 0.5 * (last.s0 + last.s1));
+    derive_caps(chain_, constraints_);
+    yes = no + 2;
+    halve_to(no + 1);
+  }
+  // Finer intervals may ask for a little more of their neighbours.
+  while (yes < size() && reachable_from_rest(yes) < q) ++yes;
+  if (reachable_from_rest(yes) < q) return std::nullopt;
+  return yes;
+}
+
+/// The largest q at the front from which rest at node `end` can be reached.
+double ReachWindow::reachable_from_rest(std::size_t end) {
+  back_from(front_ + end);
+  return chain_.nodes[front_].k;
+}
+
+bool ReachWindow::run_front(Profile& profile, std::optional<Limit> as) {
+  pieces_.clear();
+  q_ = run_forward(chain_.intervals[front_], constraints_, reach(front_), q_, pieces_);
+  for (const SpeedPiece& piece : pieces_)
+    profile.add_piece(piece.s0, piece.s1, std::sqrt(piece.q0), std::sqrt(piece.q1),
+                      as.value_or(piece.limit));
+  return drop_front();
+}
+
+/// K from rest at node `last` back to the front.
+void ReachWindow::back_from(std::size_t last) {
+  auto& nodes = chain_.nodes;
+  nodes[last].k = 0;
+  for (std::size_t i = last; i > front_; --i)
+    nodes[i - 1].k = reach_back(chain_.intervals[i - 1], constraints_, reach(i - 1));
+}
+
+Reach ReachWindow::reach(std::size_t i) const noexcept {
+  const Node &left = chain_.nodes[i], &right = chain_.nodes[i + 1];
+  return {left.cap, right.cap, chain_.inside[i].cap, chain_.inside[i].share * share_,
+          left.k,   right.k};
+}
+
+}  // namespace softcnc::ipo

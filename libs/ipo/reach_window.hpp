@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The window of a machine without jerk limits: the exact optimum by two passes.
+//
+// Speeds are final as soon as they no longer depend on what follows: the backward pass is run once
+// from rest at the end of the window and once from the highest speed there; left of the node where
+// the two meet they agree bit by bit. So the plan is that of the whole program, however the program
+// arrives and wherever the window ends.
+#pragma once
+
+#include <vector>
+
+#include "ipo/schedule.hpp"
+#include "ipo/window.hpp"
+
+namespace softcnc::ipo {
+
+class ReachWindow final : public Window {
+ public:
+  using Window::Window;
+
+  std::size_t settle(bool ended) override;
+  std::optional<std::size_t> rest_early(double resolution) override;
+  bool run_front(Profile& profile, std::optional<Limit> as) override;
+  void set_front(double v, double) noexcept override { q_ = v * v; }
+  bool front_rests() const noexcept override { return q_ == 0; }
+
+ private:
+  double reachable_from_rest(std::size_t end);
+  void back_from(std::size_t last);
+  Reach reach(std::size_t interval) const noexcept;
+
+  double q_ = 0;  // at the front node
+  std::vector<SpeedPiece> pieces_;
+};
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/rest_ramp.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softcnc::ipo {
+namespace {
+
+constexpr double kJerkPart = 0.97;   // of the jerk limit
+constexpr double kTimePart = 0.1;    // of the time A / J
+constexpr double kWayPart = 0.05;    // of the interval
+constexpr double kSpeedPart = 0.25;  // of the cap
+
+}  // namespace
+
+RestRamp rest_ramp(const PlanSpan& span, std::size_t i, Side of_rest) noexcept {
+  const bool starts = of_rest == Side::after;
+  const Interval& interval = span.interval(i);
+  const Inside& inside = span.chain.inside[i];
+  const PathPoint& point = starts ? interval.left : interval.right;
+  const double limit = along(span.constraints.jerk_limits(), point.dq);
+  const double acceleration = along(span.constraints.acceleration_limits(), point.dq);
+  const Cap& other = span.chain.nodes[starts ? i + 1 : i].cap;
+  const double q = other.q > 0 ? std::min(other.q, inside.cap.q) : inside.cap.q;
+  RestRamp ramp;
+  ramp.jerk =
+      kJerkPart * std::min(span.share, 1.0) * std::min(inside.share, inside.jerk_share) * limit;
+  ramp.duration = std::min({kTimePart * acceleration / limit,
+                            std::cbrt(6 * kWayPart * interval.length() / ramp.jerk),
+                            std::sqrt(2 * kSpeedPart * std::sqrt(q) / ramp.jerk)});
+  return ramp;
+}
+
+}  // namespace softcnc::ipo

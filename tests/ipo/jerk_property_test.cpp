@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Random programs on random machines with jerk limits: whatever they ask, the limits hold.
+//
+// SOFTCNC_PROGRAMS sets how many are tried: scripts/random_programs.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "support/property.hpp"
+#include "support/random_program.hpp"
+#include "support/run.hpp"
+
+using namespace softcnc;
+using namespace softcnc::test;
+
+namespace {
+
+int programs() {
+  const char* asked = std::getenv("SOFTCNC_PROGRAMS");
+  return asked ? std::atoi(asked) : 300;
+}
+
+struct Case {
+  Machine machine;
+  std::vector<Block> blocks;
+};
+
+Case random_case() {
+  std::mt19937 random(static_cast<unsigned>(integer(1, 1'000'000'000)));
+  Machine machine = random_machine(random);
+  return {machine, random_program(random, integer(1, 4))};
+}
+
+const Path& last_path(const std::vector<Block>& blocks) {
+  return std::get<Move>(blocks.back().what).path;
+}
+
+}  // namespace
+
+TEST_CASE("random programs with jerk limits keep every limit and end where they should",
+          "[ipo][jerk][property]") {
+  holds(
+      [] {
+        const auto [machine, blocks] = random_case();
+        const auto result = run(machine, blocks);
+        RC_ASSERT(exceeded(machine, result) == "");
+        RC_ASSERT(result.rows.back().position == end(last_path(blocks)));
+      },
+      programs());
+}
+
+TEST_CASE("a stop at any moment of a jerk-limited program ends at rest on the path",
+          "[ipo][jerk][property][stop]") {
+  holds(
+      [] {
+        const auto [machine, blocks] = random_case();
+        const auto whole = run(machine, blocks);
+        const int after = integer(0, static_cast<int>(whole.rows.size()) - 1);
+        const auto stopped = run(machine, blocks, after);
+        RC_ASSERT(exceeded(machine, stopped) == "");
+        RC_ASSERT(stopped.rows.back().v == 0);
+        for (std::size_t i = 0; i <= static_cast<std::size_t>(after); ++i)
+          RC_ASSERT(stopped.rows[i].position == whole.rows[i].position);
+      },
+      programs() / 3);
+}
+
+TEST_CASE("a jerk-limited plan of a random program does not depend on how it arrives",
+          "[ipo][jerk][property]") {
+  holds(
+      [] {
+        const auto [machine, blocks] = random_case();
+        const auto whole = run(machine, blocks, -1, 0);
+        const auto pieces = run(machine, blocks, -1, static_cast<std::size_t>(integer(1, 7)));
+        RC_ASSERT(pieces.rows.size() == whole.rows.size());
+        for (std::size_t i = 0; i < whole.rows.size(); ++i) {
+          RC_ASSERT(pieces.rows[i].position == whole.rows[i].position);
+          RC_ASSERT(pieces.rows[i].limit == whole.rows[i].limit);
+        }
+      },
+      programs() / 10);
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Jerk-limited plans from outside: limits in every row, times against closed forms and against the
+// independent optimum.
+#include "ipo/jerk_window.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "support/curves.hpp"
+#include "support/run.hpp"
+
+using namespace softcnc;
+using namespace softcnc::test;
+
+namespace {
+
+Machine machine_with(double velocity, double acceleration, double jerk) {
+  Machine machine;
+  machine.limits.feed = 0;
+  for (Axis& axis : machine.axes) {
+    axis.velocity = velocity;
+    axis.acceleration = acceleration;
+    axis.jerk = jerk;
+  }
+  return machine;
+}
+
+std::vector<Block> one(Path path, double feed) {
+  return number_blocks({Move{std::move(path), false, feed, Join::follow}});
+}
+
+}  // namespace
+
+TEST_CASE("a line from rest to rest takes the time of its seven phases", "[ipo][jerk]") {
+  // L / v + v / a + a / j, all three limits being reached.
+  const auto result = run(machine_with(250, 1000, 50000), polyline({{0, 0, 0}, {100, 0, 0}}, 100));
+  CHECK(result.time == Approx(1.0 + 0.1 + 0.02).epsilon(1e-3));
+  CHECK(exceeded(machine_with(250, 1000, 50000), result) == "");
+  CHECK(result.rows.back().position == AxisVector(100, 0, 0));
+}
+
+TEST_CASE("curves are as fast as the independent optimum but for two per cent, and keep all limits",
+          "[ipo][jerk]") {
+  struct Row {
+    const char* curve;
+    double velocity, acceleration, jerk, feed, optimum;
+  };
+  // Optimum: near-optimal times of an independent solver, refined until they stood.
+  for (const Row& row : {Row{"butterfly", 250, 2000, 20000, 250, 4.549},
+                         Row{"circle_deg2", 250, 1000, 50000, 100, 0.742}}) {
+    CAPTURE(row.curve);
+    const Machine machine = machine_with(row.velocity, row.acceleration, row.jerk);
+    const auto result = run(machine, one(curve(row.curve), row.feed));
+    CHECK(result.time < 1.02 * row.optimum);
+    CHECK(result.time > 0.98 * row.optimum);
+    CHECK(exceeded(machine, result) == "");
+  }
+}
+
+TEST_CASE("corners rest, and joints of line and arc jump in acceleration no more than allowed",
+          "[ipo][jerk]") {
+  const Machine machine = machine_with(250, 1000, 50000);
+  const auto square = run(machine, polyline({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}, 100));
+  CHECK(exceeded(machine, square) == "");
+  const Arc arc = Arc::make({{50, 0, 0}, {60, 10, 0}, {50, 10, 0}, Plane::xy, true, 0}).value();
+  const auto joined =
+      run(machine, number_blocks({Move{Line({0, 0, 0}, {50, 0, 0}), false, 100, Join::follow},
+                                  Move{arc, false, 100, Join::follow},
+                                  Move{Line({60, 10, 0}, {60, 60, 0}), false, 100, Join::follow}}));
+  CHECK(exceeded(machine, joined) == "");
+  CHECK(joined.rows.back().position == AxisVector(60, 60, 0));
+}
+
+TEST_CASE("a stop within a jerk-limited curve ends at rest on the path", "[ipo][jerk]") {
+  const Machine machine = machine_with(250, 1000, 50000);
+  for (const int after : {3, 700, 2000, 4000}) {
+    CAPTURE(after);
+    const auto stopped = run(machine, one(curve("butterfly"), 100), after);
+    CHECK(exceeded(machine, stopped) == "");
+    CHECK(stopped.rows.back().v == 0);
+    CHECK(static_cast<int>(stopped.rows.size()) < after + 400);
+  }
+}
+
+TEST_CASE("a jerk-limited plan does not depend on how the blocks arrive", "[ipo][jerk]") {
+  const Machine machine = machine_with(250, 3000, 60000);
+  std::vector<AxisVector> points{AxisVector::Zero()};
+  for (int i = 1; i <= 60; ++i) points.emplace_back(0.5 * i, 5 * std::sin(0.1 * i), 0);
+  const auto blocks = polyline(points, 100);
+  const auto whole = run(machine, blocks, -1, 0);
+  const auto pieces = run(machine, blocks, -1, 7);
+  CHECK(exceeded(machine, whole) == "");
+  REQUIRE(pieces.rows.size() == whole.rows.size());
+  for (std::size_t i = 0; i < whole.rows.size(); ++i)
+    REQUIRE(pieces.rows[i].position == whole.rows[i].position);
+}

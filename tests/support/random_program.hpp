@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Random part programs of every kind of path, the same in every run.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "support/run.hpp"
+
+namespace softcnc::test {
+
+/// A random chain of lines, arcs and cubic splines, tangent or not.
+inline std::vector<Block> random_program(std::mt19937& random, int count) {
+  const auto uniform = [&](double a, double b) {
+    return a + (b - a) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+  };
+  std::vector<std::variant<Move, Dwell, Action>> moves;
+  AxisVector here(0, 0, 0);
+  for (int i = 0; i < count; ++i) {
+    const double size = std::pow(10.0, uniform(-2, 1.5));
+    const double feed = std::pow(10.0, uniform(0.5, 2.4));
+    const Join join = random() % 8 == 0 ? Join::stop : Join::follow;
+    const AxisVector to = here + size * AxisVector(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+    const auto kind = random() % 4;
+    if (kind == 0) {
+      moves.emplace_back(Move{Line(here, to), random() % 3 == 0, feed, join});
+      here = to;
+    } else if (kind == 1) {
+      const double start = uniform(0, 6.28), sweep = uniform(0.2, 6.0), radius = size;
+      const AxisVector center = here - radius * AxisVector(std::cos(start), std::sin(start), 0);
+      AxisVector end =
+          center + radius * AxisVector(std::cos(start + sweep), std::sin(start + sweep), 0);
+      end[2] += uniform(-0.5, 0.5) * size;
+      const Arc arc = Arc::make({here, end, center, Plane::xy, true, 0}).value();
+      moves.emplace_back(Move{arc, false, feed, join});
+      here = end;
+    } else if (kind == 2) {
+      NurbsSpec spec;
+      spec.degree = 3;
+      AxisVector p = here;
+      for (int k = 0; k < 8; ++k) {
+        spec.control.push_back(p);
+        spec.weights.push_back(std::pow(10.0, uniform(-0.5, 0.5)));
+        p += size * AxisVector(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+      }
+      spec.knots = {0, 0, 0, 0, 1, 2, 3, 4, 5, 5, 5, 5};
+      here = spec.control.back();
+      moves.emplace_back(Move{Nurbs::make(spec).value(), false, feed, join});
+    } else {
+      // Short chords with small turns, as CAM systems chop curves.
+      double heading = uniform(0, 6.28);
+      for (int k = 0; k < 20; ++k) {
+        const AxisVector next =
+            here + 0.02 * size * AxisVector(std::cos(heading), std::sin(heading), 0);
+        moves.emplace_back(Move{Line(here, next), false, feed, Join::follow});
+        here = next;
+        heading += uniform(0, 0.012);
+      }
+    }
+  }
+  return number_blocks(std::move(moves));
+}
+
+/// A machine with jerk limits: 300 to 6,000 mm/s^2, reached in 5 to 200 ms.
+inline Machine random_machine(std::mt19937& random) {
+  const auto uniform = [&](double a, double b) {
+    return a + (b - a) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+  };
+  Machine machine;
+  machine.limits.feed = 0;
+  machine.control.period = std::array{1e-3, 1e-3, 2e-3, 4e-3, 8e-3}[random() % 5];
+  machine.control.chord_tolerance = std::array{1e-3, 1e-3, 5e-5, 5e-3}[random() % 4];
+  const double acceleration = std::pow(10.0, uniform(2.5, 3.8));
+  const double time = std::pow(10.0, uniform(-2.3, -0.7));
+  for (Axis& axis : machine.axes) {
+    axis.velocity = 250;
+    axis.acceleration = acceleration;
+    axis.jerk = acceleration / time;
+  }
+  if (random() % 3 == 0) {
+    machine.axes[2].acceleration *= 0.3;
+    machine.axes[1].velocity = 60;
+  }
+  if (random() % 3 == 0) machine.axes[1].jerk *= 0.3;
+  if (random() % 6 == 0) machine.axes[0].jerk = 0;
+  return machine;
+}
+
+}  // namespace softcnc::test
