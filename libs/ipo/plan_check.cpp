@@ -33,6 +33,13 @@ double used(const SpeedSquare& at, const PathPoint& x, const Inside& inside,
           (kAccelerationAllowed * span.share * inside.share));
 }
 
+/// The cap of a node holds up to its neighbours; that of the two ends is none.
+double cap_between(const SpeedProblem& problem, std::size_t p) noexcept {
+  const std::size_t last = problem.size() - 1;
+  if (p == 0) return last == 1 ? kUnlimited : std::max(problem.cap(1), problem.start().q);
+  return p + 1 == last ? problem.cap(p) : std::max(problem.cap(p), problem.cap(p + 1));
+}
+
 }  // namespace
 
 std::vector<Used> used_between(const PlanSpan& span, const std::vector<PlanNode>& nodes,
@@ -50,10 +57,7 @@ std::vector<Used> used_between(const PlanSpan& span, const std::vector<PlanNode>
     Used most_used{kUnlimited, 0};
     if (at.q > 0)
       most_used.rows = used(at, span.point(i, s, Side::after), span.chain.inside[i], span);
-    // The cap of a node holds up to its neighbours.
-    const bool ends = p == 0 || p + 2 == nodes.size();
-    const double cap = ends ? kUnlimited : std::max(problem.cap(p), problem.cap(p + 1));
-    most_used.cap = at.q / (kCapAllowed * cap);
+    most_used.cap = at.q / (kCapAllowed * cap_between(problem, p));
     all.push_back(most_used);
     a = b;
   }
