@@ -7,7 +7,7 @@
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kNodesPerPhase = 6;
+constexpr double kNodesPerPhase = 12;
 constexpr double kShortestTime = 0.5;  // periods
 constexpr double kGrowth = 0.1;        // of the speed from node to node
 constexpr double kAccelerationPart = 0.8;
