@@ -15,9 +15,11 @@ namespace softcnc::ipo {
 namespace {
 
 constexpr int kMostRounds = 6;
-constexpr double kTightest = 0.8;   // in one round
-constexpr double kTighten = 1.2;    // of what is used too much
+constexpr double kTightest = 0.8;  // in one round
+constexpr double kTighten = 1.2;   // of what is used too much
+constexpr double kHopeless = 1.1;
 constexpr double kCreep = 1.0 / 3;  // of each limit
+constexpr int kMostSlower = 30;     // times twice as slow
 
 class JerkPlan {
  public:
@@ -33,6 +35,7 @@ class JerkPlan {
     const double to = span_.s(span_.last) - end_ramp_.way();
     const SpeedGuess guess(span_, {from, start}, {to, motion(end_ramp_)});
     nodes_ = place_nodes(span_, guess, from, to, cut_);
+    if (nodes_.size() > kMostNodes) return std::nullopt;
     shares_.assign(nodes_.size(), {});
     const PlanEnds ends{{start.v * start.v, 2 * start.a, 0}, end_ramp_.square(-1), !from_rest_};
     for (int round = 0; round < kMostRounds; ++round) {
@@ -41,11 +44,10 @@ class JerkPlan {
       effort_.nodes += nodes_.size();
       effort_.iterations += static_cast<std::size_t>(solution.iterations);
       if (!solution.converged) return std::nullopt;
-      const auto used = used_between(span_, nodes_, problem.problem(), solution.coefficients);
-      const bool keeps = std::all_of(used.begin(), used.end(), [](const Used& between) {
-        return between.rows <= 1 && between.cap <= 1;
-      });
-      if (keeps) return by_interval(make_ramps(problem, solution));
+      const std::vector<Ramp> ramps = make_ramps(problem, solution);
+      const auto used = used_by(span_, nodes_, problem.problem(), ramps);
+      if (std::all_of(used.begin(), used.end(), [](const Used& u) { return u.keeps(); }))
+        return by_interval(ramps);
       tighten(used);
     }
     return std::nullopt;
@@ -60,7 +62,7 @@ class JerkPlan {
   void tighten(const std::vector<Used>& used) {
     std::vector<bool> marked(nodes_.size(), false);
     for (std::size_t p = 0; p + 1 < nodes_.size(); ++p) {
-      if (used[p].rows <= 1 && used[p].cap <= 1) continue;
+      if (used[p].keeps()) continue;
       for (std::size_t k = p > 0 ? p - 1 : 0; k <= p + 1 && k + 1 < nodes_.size(); ++k)
         marked[k] = true;
       for (const std::size_t k : {p, p + 1}) {
@@ -123,15 +125,12 @@ class JerkPlan {
   Ramps by_interval(const std::vector<Ramp>& ramps) const {
     Ramps sorted(span_.last - span_.first);
     if (from_rest_)
-      sorted.front().push_back({span_.interval(span_.first).s0, start_of(0), start_ramp_.duration,
-                                0, start_ramp_.speed(), 0, start_ramp_.acceleration(),
-                                Limit::jerk});
+      sorted.front().push_back(start_ramp_.start(span_.interval(span_.first).s0, start_of(0)));
     for (std::size_t p = 0; p < ramps.size(); ++p) {
       const PlanNode& end = nodes_[p + 1];
       sorted[end.interval - (end.joint ? 1 : 0) - span_.first].push_back(ramps[p]);
     }
-    sorted.back().push_back({ramps.back().s1, span_.interval(span_.last - 1).s1, end_ramp_.duration,
-                             end_ramp_.speed(), 0, -end_ramp_.acceleration(), 0, Limit::jerk});
+    sorted.back().push_back(end_ramp_.end(ramps.back().s1, span_.interval(span_.last - 1).s1));
     return sorted;
   }
 
@@ -147,23 +146,34 @@ class JerkPlan {
 
 }  // namespace
 
+/// Less than a^2 / 2J of speed is gone before the acceleration is.
+bool stands_still(const PlanSpan& span, const Motion& motion) noexcept {
+  const double jerk = along(span.constraints.jerk_limits(), span.interval(span.first).left.dq);
+  return motion.a < 0 && motion.v < kHopeless * motion.a * motion.a / (2 * jerk);
+}
+
 std::optional<Ramps> plan_to_rest(const PlanSpan& span, std::size_t cut, const Motion& start,
                                   PlanEffort& effort) {
+  if (stands_still(span, start)) return std::nullopt;
   return JerkPlan(span, cut, start, effort).run();
 }
 
 /// s = h (10 u^3 - 15 u^4 + 6 u^5): at most 15/8 h/d fast, 10/sqrt(3) h/d^2, 60 h/d^3.
-std::vector<Ramp> creep(const Chain& chain, std::size_t i, const Constraints& constraints) {
-  const Interval& interval = chain.intervals[i];
+std::vector<Ramp> creep(const PlanSpan& span) {
+  const Interval& interval = span.interval(span.first);
+  const Constraints& constraints = span.constraints;
   const double h = interval.length();
-  double q = chain.inside[i].cap.q;
-  for (const Node* node : {&chain.nodes[i], &chain.nodes[i + 1]})
-    if (node->cap.q > 0) q = std::min(q, node->cap.q);
+  double q = span.chain.inside[span.first].cap.q;
+  for (const std::size_t n : {span.first, span.first + 1})
+    if (span.chain.nodes[n].cap.q > 0) q = std::min(q, span.chain.nodes[n].cap.q);
   const double v = kCreep * std::sqrt(q);
   const double a = kCreep * constraints.acceleration_limits().minCoeff();
   const double j = kCreep * constraints.jerk_limits().minCoeff();
   const double d = std::max({15.0 / 8 * h / v, std::sqrt(5.7735 * h / a), std::cbrt(60 * h / j)});
-  return {{interval.s0, interval.s1, d, 0, 0, 0, 0, Limit::jerk}};
+  Ramp ramp{interval.s0, interval.s1, d, 0, 0, 0, 0, Limit::jerk};
+  for (int i = 0; i < kMostSlower && !used_by(span, span.first, ramp, q).keeps(); ++i)
+    ramp.duration *= 2;
+  return {ramp};
 }
 
 }  // namespace softcnc::ipo

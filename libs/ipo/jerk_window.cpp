@@ -98,7 +98,7 @@ std::size_t JerkWindow::fall_back(std::size_t end) {
       return planned_.size();
     }
   }
-  planned_ = {creep(chain_, front_, constraints_)};
+  planned_ = {creep({chain_, constraints_, front_, front_ + 1, share_})};
   tail_.clear();
   return 1;
 }
@@ -130,7 +130,8 @@ double JerkWindow::first_rest() const noexcept {
 }
 
 std::optional<std::size_t> JerkWindow::rest_early(double resolution) {
-  if (size() == 0) return std::nullopt;
+  if (size() == 0 || stands_still({chain_, constraints_, front_, front_ + 1, share_}, motion_))
+    return std::nullopt;
   split_long_intervals(true);
   derive_caps(chain_, constraints_);
   const double all = first_rest() - chain_.nodes[front_].s;

@@ -8,24 +8,20 @@ namespace softcnc::ipo {
 namespace {
 
 /// Rows are promised to a little more.
-constexpr double kJerkAllowed = 1.003, kAccelerationAllowed = 1.0007, kCapAllowed = 1.0004;
+constexpr double kJerkAllowed = 1.0045, kAccelerationAllowed = 1.0007, kCapAllowed = 1.0004;
+constexpr int kInstants = 4;             // beside the first
+constexpr double kStandstill = 1e-9;     // mm/s: slower is rounding
+constexpr Used kTooMuch{kUnlimited, 0};  // no motion ahead
 
 double most(const AxisVector& values, const AxisVector& limits) noexcept {
   return values.cwiseAbs().cwiseQuotient(limits).maxCoeff();
 }
 
-/// Between a and b, h apart, q'' is linear.
-SpeedSquare middle(double h, const SpeedSquare& a, const SpeedSquare& b) noexcept {
-  const double u = 0.5 * h, third = (b.ddq - a.ddq) / h;
-  return {a.q + u * (a.dq + u * (a.ddq / 2 + u * third / 6)), a.dq + u * (a.ddq + u * third / 2),
-          0.5 * (a.ddq + b.ddq)};
-}
-
-double used(const SpeedSquare& at, const PathPoint& x, const Inside& inside,
-            const PlanSpan& span) noexcept {
-  const AxisVector jerk =
-      (x.dddq * at.q + 1.5 * x.ddq * at.dq + 0.5 * x.dq * at.ddq) * std::sqrt(at.q);
-  const AxisVector acceleration = x.ddq * at.q + 0.5 * x.dq * at.dq;
+double used_rows(const PlanSpan& span, const Inside& inside, const PathPoint& x,
+                 const Instant& at) noexcept {
+  const double q = at.v * at.v;
+  const AxisVector jerk = x.dddq * (q * at.v) + x.ddq * (3 * at.v * at.a) + x.dq * at.j;
+  const AxisVector acceleration = x.ddq * q + x.dq * at.a;
   const Constraints& limits = span.constraints;
   return std::max(
       most(jerk, limits.jerk_limits()) / (kJerkAllowed * span.share * inside.jerk_share),
@@ -42,25 +38,31 @@ double cap_between(const SpeedProblem& problem, std::size_t p) noexcept {
 
 }  // namespace
 
-std::vector<Used> used_between(const PlanSpan& span, const std::vector<PlanNode>& nodes,
-                               const SpeedProblem& problem,
-                               const std::vector<double>& coefficients) {
-  std::vector<Used> all;
-  all.reserve(nodes.size());
-  SpeedSquare a = problem.spline().at_node(0, coefficients);
-  std::size_t i = span.first;
-  for (std::size_t p = 0; p + 1 < nodes.size(); ++p) {
-    const SpeedSquare b = problem.spline().at_node(p + 1, coefficients);
-    const SpeedSquare at = middle(nodes[p + 1].s - nodes[p].s, a, b);
-    const double s = 0.5 * (nodes[p].s + nodes[p + 1].s);
-    while (i + 1 < span.last && span.s(i + 1) <= s) ++i;
-    Used most_used{kUnlimited, 0};
-    if (at.q > 0)
-      most_used.rows = used(at, span.point(i, s, Side::after), span.chain.inside[i], span);
-    most_used.cap = at.q / (kCapAllowed * cap_between(problem, p));
-    all.push_back(most_used);
-    a = b;
+Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap) {
+  const Quintic motion = quintic(ramp);
+  Used used;
+  for (int k = 0; k <= kInstants; ++k) {
+    const Instant at = motion.at(ramp.duration * k / kInstants);
+    if (!(at.v > -kStandstill && at.s > ramp.s0 - kStandstill && at.s < ramp.s1 + kStandstill))
+      return kTooMuch;
+    while (i + 1 < span.last && k < kInstants && span.interval(i).s1 <= at.s) ++i;
+    const Interval& interval = span.interval(i);
+    const PathPoint point =
+        interval.straight()
+            ? interval.left
+            : softcnc::at(*interval.path, at.s, k < kInstants ? Side::after : Side::before);
+    used.rows = std::max(used.rows, used_rows(span, span.chain.inside[i], point, at));
+    used.cap = std::max(used.cap, at.v * at.v / (kCapAllowed * cap));
   }
+  return used;
+}
+
+std::vector<Used> used_by(const PlanSpan& span, const std::vector<PlanNode>& nodes,
+                          const SpeedProblem& problem, const std::vector<Ramp>& ramps) {
+  std::vector<Used> all;
+  all.reserve(ramps.size());
+  for (std::size_t p = 0; p < ramps.size(); ++p)
+    all.push_back(used_by(span, nodes[p].interval, ramps[p], cap_between(problem, p)));
   return all;
 }
 

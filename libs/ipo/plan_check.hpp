@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: MIT
-// What a plan asks of the axes between its nodes, where no row has looked.
+// What the ramps of a plan ask of the axes, between its nodes too, where no row has looked.
 #pragma once
 
 #include <vector>
 
 #include "ipo/plan_nodes.hpp"
+#include "ipo/ramp.hpp"
 #include "ipo/speed_problem.hpp"
 
 namespace softcnc::ipo {
 
-/// By interval between two nodes: what its middle uses, in parts of what is allowed there.
-/// Acceleration and jerk are those of the axes, on the path itself.
+/// What a ramp uses, in parts of what is allowed: of the axis accelerations and jerks, on the path
+/// itself, and of the cap.
 struct Used {
   double rows = 0, cap = 0;
+
+  bool keeps() const noexcept { return rows <= 1 && cap <= 1; }
 };
-std::vector<Used> used_between(const PlanSpan& span, const std::vector<PlanNode>& nodes,
-                               const SpeedProblem& problem,
-                               const std::vector<double>& coefficients);
+
+/// At a few instants of the motion as it will be driven; `i`: interval in which it begins.
+Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap);
+
+/// By ramp, each from its node to the next.
+std::vector<Used> used_by(const PlanSpan& span, const std::vector<PlanNode>& nodes,
+                          const SpeedProblem& problem, const std::vector<Ramp>& ramps);
 
 }  // namespace softcnc::ipo

@@ -66,7 +66,7 @@ std::vector<PlanNode> place_nodes(const PlanSpan& span, const SpeedGuess& guess,
     if (joint < span.last && joint != cut && !is_joint(span, joint)) continue;
     const double end = joint == span.last ? to : span.s(joint);
     double s = nodes.back().s;
-    while (true) {
+    while (nodes.size() <= kMostNodes) {
       const double h = spacing(i, s);
       const double left = end - s;
       if (left <= 1.25 * h) break;

@@ -22,8 +22,12 @@ struct NodeShare {
   double jerk = 1, cap = 1;
 };
 
+/// A plan that needs more cannot be found in bounded memory; nor is there one, as a rule.
+inline constexpr std::size_t kMostNodes = 100'000;
+
 /// From `from` to `to`, mm of the chain, both nodes themselves; so are the chain's node `cut` and
-/// every node of the chain at which a derivative of the path jumps or a move ends.
+/// every node of the chain at which a derivative of the path jumps or a move ends. More than
+/// kMostNodes of them are not finished.
 std::vector<PlanNode> place_nodes(const PlanSpan& span, const SpeedGuess& guess, double from,
                                   double to, std::size_t cut);
 

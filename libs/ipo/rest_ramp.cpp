@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ipo/plan_check.hpp"
+
 namespace softcnc::ipo {
 namespace {
 
@@ -11,6 +13,15 @@ constexpr double kJerkPart = 0.97;   // of the jerk limit
 constexpr double kTimePart = 0.1;    // of the time A / J
 constexpr double kWayPart = 0.05;    // of the interval
 constexpr double kSpeedPart = 0.25;  // of the cap
+constexpr double kShorter = 0.7;     // the bend of the path counts less
+constexpr int kMostShorter = 20;
+
+bool keeps(const PlanSpan& span, std::size_t i, const RestRamp& ramp, bool starts) {
+  const Interval& in = span.interval(i);
+  const Ramp driven =
+      starts ? ramp.start(in.s0, in.s0 + ramp.way()) : ramp.end(in.s1 - ramp.way(), in.s1);
+  return used_by(span, i, driven, kUnlimited).keeps();
+}
 
 }  // namespace
 
@@ -29,6 +40,7 @@ RestRamp rest_ramp(const PlanSpan& span, std::size_t i, Side of_rest) noexcept {
   ramp.duration = std::min({kTimePart * acceleration / limit,
                             std::cbrt(6 * kWayPart * interval.length() / ramp.jerk),
                             std::sqrt(2 * kSpeedPart * std::sqrt(q) / ramp.jerk)});
+  for (int k = 0; k < kMostShorter && !keeps(span, i, ramp, starts); ++k) ramp.duration *= kShorter;
   return ramp;
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "ipo/plan_span.hpp"
+#include "ipo/ramp.hpp"
 #include "ipo/speed_spline.hpp"
 
 namespace softcnc::ipo {
@@ -20,9 +21,17 @@ struct RestRamp {
   SpeedSquare square(double sign) const noexcept {
     return {speed() * speed(), sign * 2 * acceleration(), 0};
   }
+  /// Between two places of the move.
+  Ramp start(double s0, double s1) const noexcept {
+    return {s0, s1, duration, 0, speed(), 0, acceleration(), Limit::jerk};
+  }
+  Ramp end(double s0, double s1) const noexcept {
+    return {s0, s1, duration, speed(), 0, -acceleration(), 0, Limit::jerk};
+  }
 };
 
-/// At the beginning of interval i, or at its end: short, slow, and a small part of the interval.
+/// At the beginning of interval i, or at its end: short, slow, a small part of the interval, and
+/// within all limits of the axes.
 RestRamp rest_ramp(const PlanSpan& span, std::size_t i, Side of_rest) noexcept;
 
 }  // namespace softcnc::ipo

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kNodesPerPhase = 12;
 constexpr double kShortestTime = 0.5;  // periods
+constexpr double kLeastTime = 1e-3;    // of it, however fast the speed grows
 constexpr double kGrowth = 0.1;        // of the speed from node to node
 constexpr double kAccelerationPart = 0.8;
 constexpr double kGrading = 0.15;  // of the way since the speed has stood still
@@ -66,7 +67,8 @@ SpeedGuess::Cell SpeedGuess::cell(const PlanSpan& span, std::size_t i) const noe
 /// its speed doubles.
 double SpeedGuess::time_step(const Motion& at, double j) const noexcept {
   const double phase = std::min(phase_, std::sqrt(at.v / j)) / kNodesPerPhase;
-  return std::min(std::max(phase, shortest_), kGrowth * at.v / std::abs(at.a));
+  return std::max(std::min(std::max(phase, shortest_), kGrowth * at.v / std::abs(at.a)),
+                  kLeastTime * shortest_);
 }
 
 std::vector<SpeedGuess::Sample> SpeedGuess::walk(const std::vector<Cell>& cells, double skip,

@@ -24,10 +24,15 @@ struct Case {
   std::vector<Block> blocks;
 };
 
+Case case_of(unsigned seed, int moves) {
+  std::mt19937 random(seed);
+  const Machine machine = random_machine(random);
+  return {machine, random_program(random, moves)};
+}
+
 Case random_case() {
-  std::mt19937 random(static_cast<unsigned>(integer(1, 1'000'000'000)));
-  Machine machine = random_machine(random);
-  return {machine, random_program(random, integer(1, 4))};
+  const auto seed = static_cast<unsigned>(integer(1, 1'000'000'000));
+  return case_of(seed, integer(1, 4));
 }
 
 const Path& last_path(const std::vector<Block>& blocks) {
@@ -46,6 +51,13 @@ TEST_CASE("random programs with jerk limits keep every limit and end where they 
         RC_ASSERT(result.rows.back().position == end(last_path(blocks)));
       },
       programs());
+}
+
+TEST_CASE("a near cusp between two nodes of a plan is seen", "[ipo][jerk]") {
+  const auto [machine, blocks] = case_of(431445380, 2);
+  const auto result = run(machine, blocks);
+  CHECK(exceeded(machine, result) == "");
+  CHECK(result.rows.back().position == end(last_path(blocks)));
 }
 
 TEST_CASE("a stop at any moment of a jerk-limited program ends at rest on the path",

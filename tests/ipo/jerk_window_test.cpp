@@ -70,6 +70,22 @@ TEST_CASE("corners rest, and joints of line and arc jump in acceleration no more
   CHECK(joined.rows.back().position == AxisVector(60, 60, 0));
 }
 
+TEST_CASE("in its last moment on a tight arc an axis may not use more jerk than it has",
+          "[ipo][jerk]") {
+  // At rest the arc points along x but for 0.04; its bend asks y for more than its direction does.
+  Machine machine = machine_with(250, 1000, 12000);
+  machine.axes[0].jerk = 0;
+  machine.axes[1].jerk = 3700;
+  const double radius = 0.0075;
+  const auto on_circle = [&](double angle) {
+    return AxisVector(radius * std::cos(angle), radius * std::sin(angle), 0);
+  };
+  const Arc arc =
+      Arc::make({on_circle(-0.386), on_circle(1.53), AxisVector::Zero(), Plane::xy, true, 0})
+          .value();
+  CHECK(exceeded(machine, run(machine, one(arc, 3.4))) == "");
+}
+
 TEST_CASE("a stop within a jerk-limited curve ends at rest on the path", "[ipo][jerk]") {
   const Machine machine = machine_with(250, 1000, 50000);
   for (const int after : {3, 700, 2000, 4000}) {
