@@ -45,7 +45,7 @@ class JerkPlan {
       effort_.iterations += static_cast<std::size_t>(solution.iterations);
       if (!solution.converged) return std::nullopt;
       const std::vector<Ramp> ramps = make_ramps(problem, solution);
-      const auto used = used_by(span_, nodes_, problem.problem(), ramps);
+      const auto used = used_by(span_, nodes_, problem, ramps);
       if (std::all_of(used.begin(), used.end(), [](const Used& u) { return u.keeps(); }))
         return by_interval(ramps);
       tighten(used);

@@ -29,13 +29,6 @@ double used_rows(const PlanSpan& span, const Inside& inside, const PathPoint& x,
           (kAccelerationAllowed * span.share * inside.share));
 }
 
-/// The cap of a node holds up to its neighbours; that of the two ends is none.
-double cap_between(const SpeedProblem& problem, std::size_t p) noexcept {
-  const std::size_t last = problem.size() - 1;
-  if (p == 0) return last == 1 ? kUnlimited : std::max(problem.cap(1), problem.start().q);
-  return p + 1 == last ? problem.cap(p) : std::max(problem.cap(p), problem.cap(p + 1));
-}
-
 }  // namespace
 
 Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap) {
@@ -58,11 +51,11 @@ Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap) 
 }
 
 std::vector<Used> used_by(const PlanSpan& span, const std::vector<PlanNode>& nodes,
-                          const SpeedProblem& problem, const std::vector<Ramp>& ramps) {
+                          const PlanProblem& problem, const std::vector<Ramp>& ramps) {
   std::vector<Used> all;
   all.reserve(ramps.size());
   for (std::size_t p = 0; p < ramps.size(); ++p)
-    all.push_back(used_by(span, nodes[p].interval, ramps[p], cap_between(problem, p)));
+    all.push_back(used_by(span, nodes[p].interval, ramps[p], problem.cap_between(p)));
   return all;
 }
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ipo/plan_nodes.hpp"
+#include "ipo/plan_problem.hpp"
 #include "ipo/ramp.hpp"
-#include "ipo/speed_problem.hpp"
 
 namespace softcnc::ipo {
 
@@ -23,6 +23,6 @@ Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap);
 
 /// By ramp, each from its node to the next.
 std::vector<Used> used_by(const PlanSpan& span, const std::vector<PlanNode>& nodes,
-                          const SpeedProblem& problem, const std::vector<Ramp>& ramps);
+                          const PlanProblem& problem, const std::vector<Ramp>& ramps);
 
 }  // namespace softcnc::ipo

@@ -11,9 +11,9 @@ namespace {
 /// a plan continues another one it may use more at first, lest it find no way on.
 constexpr double kJerkPart = 0.995, kFirstJerkPart = 0.999;
 constexpr double kAccelerationPart = 0.998, kFirstAccelerationPart = 0.9995;
-constexpr double kFirstCapPart = 6e-4;  // added
-constexpr double kSame = 1e-9;          // relative: derivatives that do not jump
-constexpr double kBinds = 0.99;         // of a limit: it is what holds back
+constexpr double kCapPart = 0.9993, kFirstCapPart = 1.0003;
+constexpr double kSame = 1e-9;   // relative: derivatives that do not jump
+constexpr double kBinds = 0.99;  // of a limit: it is what holds back
 
 std::vector<double> places(const std::vector<PlanNode>& nodes) {
   std::vector<double> s;
@@ -44,7 +44,7 @@ PlanProblem::PlanProblem(const PlanSpan& span, const std::vector<PlanNode>& node
       ends_(ends),
       shares_(shares),
       problem_(places(nodes), ends.start, ends.end) {
-  cap_limits_.reserve(nodes.size());
+  caps_.reserve(nodes.size());
   for (std::size_t p = 0; p < nodes.size(); ++p) add_node(p);
 }
 
@@ -52,12 +52,13 @@ void PlanProblem::add_node(std::size_t p) {
   const PlanNode& node = nodes_[p];
   const bool is_last = p + 1 == nodes_.size();
   Cap most = cap(p);
-  most.q *= 1 + kFirstCapPart * first_part(p);
+  const double part = kCapPart + first_part(p) * (kFirstCapPart - kCapPart);
   // Both ends are given.
   problem_.add_node(p == 0    ? 2 * ends_.start.q
                     : is_last ? 2 * ends_.end.q
-                              : shares_[p].cap * most.q);
-  cap_limits_.push_back(most.limit);
+                              : part * shares_[p].cap * most.q);
+  if (p == 0 || is_last) most.q = p == 0 ? ends_.start.q : ends_.end.q;
+  caps_.push_back(most);
   const std::size_t i = node.interval;
   Inside inside = span_.chain.inside[i];
   if (node.joint) inside = lower(inside, span_.chain.inside[i - 1]);
@@ -133,9 +134,16 @@ double PlanProblem::first_part(std::size_t p) const noexcept {
   return std::max(0.0, 1 - (nodes_[p].s - nodes_.front().s) / way);
 }
 
+/// The cap of a node holds up to its neighbours; that of the two ends is none.
+double PlanProblem::cap_between(std::size_t p) const noexcept {
+  const std::size_t last = caps_.size() - 1;
+  if (p == 0) return last == 1 ? kUnlimited : std::max(caps_[1].q, caps_[0].q);
+  return p + 1 == last ? caps_[p].q : std::max(caps_[p].q, caps_[p + 1].q);
+}
+
 Limit PlanProblem::limit(std::size_t p, const SpeedSquare& at) const noexcept {
   const bool inner = p > 0 && p + 1 < nodes_.size();
-  if (inner && at.q >= kBinds * problem_.cap(p)) return cap_limits_[p];
+  if (inner && at.q >= kBinds * problem_.cap(p)) return caps_[p].limit;
   double jerk = 0, acceleration = 0;
   for (std::size_t r = problem_.first_row(p); r < problem_.first_row(p + 1); ++r) {
     const SpeedRow& row = problem_.rows()[r];

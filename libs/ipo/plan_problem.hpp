@@ -22,6 +22,8 @@ class PlanProblem {
               const std::vector<NodeShare>& shares);
 
   const SpeedProblem& problem() const noexcept { return problem_; }
+  /// What no speed between the nodes p and p + 1 may exceed, whatever their shares; mm^2/s^2.
+  double cap_between(std::size_t p) const noexcept;
 
   /// What holds back at a node: the limit that is used most.
   Limit limit(std::size_t p, const SpeedSquare& at) const noexcept;
@@ -38,7 +40,7 @@ class PlanProblem {
   const PlanEnds ends_;
   const std::vector<NodeShare>& shares_;
   SpeedProblem problem_;
-  std::vector<Limit> cap_limits_;
+  std::vector<Cap> caps_;  // by node, all of them; none at the ends
 };
 
 /// No motion at `v` mm/s takes longer than this to stop on a straight line, mm.
