@@ -13,10 +13,8 @@ endif()
 if(SOFTCNC_FUZZ)
   # Comparisons are not traced: most are checks of the sanitizers, and to trace them takes longer than
   # all the rest. The words that count stand in the dictionaries.
-  set(ignored ${PROJECT_SOURCE_DIR}/tests/fuzz/ignored.txt)
-  target_compile_options(softcnc_options INTERFACE
-    -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp
-    -fsanitize-ignorelist=${ignored} -fsanitize-coverage-ignorelist=${ignored})
+  target_compile_options(softcnc_options INTERFACE -fsanitize=fuzzer-no-link
+                                                   -fno-sanitize-coverage=trace-cmp)
 endif()
 
 # softcnc_room(NAME STANDS_ON targets...): one room of the house, made of the sources in its folder.

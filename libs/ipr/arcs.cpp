@@ -29,7 +29,7 @@ bool is_well_given(Task& task, const PlaneAxes& axes) {
   if (radius && centre) {
     task.out.report(Code::SC2106, span_of(values, "IJKR"), name + " takes R or a centre, not both");
   } else if (!radius && !centre) {
-    task.out.report(Code::SC2107, span_of(values, "XYZ"), name + " needs a centre or R");
+    task.out.report(Code::SC2107, span_of(values, "XYZP"), name + " needs a centre or R");
   } else if (const char across = offset_letter(axes.across); values.has(across)) {
     task.out.report(Code::SC2105, values.word(across).pos,
                     std::string(1, across) + " lies across the plane of the arc");

@@ -21,8 +21,11 @@ inline std::string broken_invariant(const std::string& text, InterpreterOptions 
   std::string broken;
   Diagnostics diagnostics([&](const Diagnostic& d) {
     const SourcePos& pos = d.pos;
-    if (pos.line < 0 || pos.line > static_cast<int>(lines.size())) broken = "line out of the text";
-    if (pos.line < 1) return;
+    if (lines.empty() && pos.line == 0) return;
+    if (pos.line < 1 || pos.line > static_cast<int>(lines.size())) {
+      broken = "no line of the text: " + render(d);
+      return;
+    }
     const std::string& line = lines[static_cast<std::size_t>(pos.line) - 1];
     const int width = std::max(1, static_cast<int>(line.size()));
     if (pos.column < 0 || pos.length < 1 || pos.column - 1 + pos.length > width)
