@@ -56,14 +56,28 @@ void flatten(std::string_view text, const toml::table& table, const std::string&
   }
 }
 
-/// toml++ tells a key given twice only in words: "... cannot redefine existing integer 'blu_um'".
+/// The key at a place of the text, in quotes.
+std::string key_at(std::string_view text, const SourcePos& pos) {
+  const std::string line = text_line(text, pos.line);
+  const auto begin = std::min(line.size(), static_cast<std::size_t>(pos.column) - 1);
+  const auto end = line.find_first_of(" \t.=]", begin);
+  return "'" + line.substr(begin, end - begin) + "'";
+}
+
+/// What toml++ says in quotes, or what stands there.
+std::string key_of(std::string_view says, std::string_view text, const SourcePos& pos) {
+  const auto quote = says.find('\'');
+  return quote == says.npos ? key_at(text, pos) : std::string(says.substr(quote));
+}
+
+/// toml++ tells a key given twice only in words: "... cannot redefine existing integer 'blu_um'",
+/// or "... existing integer as dotted key-value pair".
 Diagnostic diagnostic_of(std::string_view text, const toml::parse_error& error) {
   constexpr std::string_view kPrefix = "Error while parsing ";
   std::string_view says = error.description();
   const SourcePos pos = place(text, error.source());
   if (says.find("cannot redefine") != says.npos)
-    return {
-        Code::SC7012, pos, std::string(says.substr(says.find('\''))) + " is given twice", {}, {}};
+    return {Code::SC7012, pos, key_of(says, text, pos) + " is given twice", {}, {}};
   if (says.starts_with(kPrefix)) says.remove_prefix(kPrefix.size());
   return {Code::SC7002, pos, "not TOML: " + std::string(says), {}, {}};
 }

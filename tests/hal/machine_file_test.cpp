@@ -332,6 +332,8 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
   SECTION("a key given twice") {
     CHECK(refused("[control]\nperiod_ms = 1\nperiod_ms = 2")
               .starts_with("mill.toml:3:13: error SC7012: 'period_ms' is given twice\n"));
+    CHECK(refused("control.period_ms = 1\ncontrol.period_ms.x = 2")
+              .starts_with("mill.toml:2:9: error SC7012: 'period_ms' is given twice\n"));
   }
 }
 
