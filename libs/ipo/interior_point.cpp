@@ -10,6 +10,7 @@ namespace softcnc::ipo {
 namespace {
 
 constexpr int kMostIterations = 150;
+constexpr int kFewIterations = 60;           // a good guess needs no more
 constexpr double kTimeTolerance = 1e-4;      // of the time
 constexpr double kRowTolerance = 1e-7;       // of each bound
 constexpr double kGradientTolerance = 1e-3;  // of the gradient of the time
@@ -173,11 +174,11 @@ std::vector<double> InteriorPoint::speeds() const {
   return q;
 }
 
-SpeedSolution InteriorPoint::run(std::vector<double> begin_at) {
+SpeedSolution InteriorPoint::run(const std::vector<double>& begin_at, int most) {
   begin(begin_at.empty() ? guess() : begin_at);
   const double bounds = static_cast<double>(caps_.size() + 2 * rows_.size());
   int iteration = 0;
-  for (; iteration < kMostIterations && !is_solved(); ++iteration) {
+  for (; iteration < most && !is_solved(); ++iteration) {
     if (!std::isfinite(time_)) break;
     const bool kept = violation_ < kTangentTolerance;
     const double aim = gap_ / bounds;
@@ -189,14 +190,17 @@ SpeedSolution InteriorPoint::run(std::vector<double> begin_at) {
     if (!kept && iteration % kStubborn != kStubborn - 1) continue;
     move_tangents(speeds());
   }
-  return {coefficients_, iteration, iteration < kMostIterations && std::isfinite(time_)};
+  return {coefficients_, iteration, iteration < most && std::isfinite(time_)};
 }
 
-SpeedSolution fastest_speeds(const SpeedProblem& problem) {
+/// From the guess, or, should that lead nowhere, from the optimum without jerk.
+SpeedSolution fastest_speeds(const SpeedProblem& problem, const std::vector<double>& begin_at) {
+  SpeedSolution guessed = InteriorPoint(problem).run(begin_at, kFewIterations);
+  if (guessed.converged) return guessed;
   InteriorPoint without_jerk(problem.without_root_rows());
-  const SpeedSolution start = without_jerk.run({});
-  SpeedSolution solution = InteriorPoint(problem).run(without_jerk.speeds());
-  solution.iterations += start.iterations;
+  const SpeedSolution start = without_jerk.run({}, kMostIterations);
+  SpeedSolution solution = InteriorPoint(problem).run(without_jerk.speeds(), kMostIterations);
+  solution.iterations += guessed.iterations + start.iterations;
   return solution;
 }
 

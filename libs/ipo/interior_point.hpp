@@ -19,8 +19,8 @@ namespace softcnc::ipo {
 class InteriorPoint {
  public:
   explicit InteriorPoint(SpeedProblem problem);
-  /// Begins from a part of `begin_at`, by node; empty: from a guess.
-  SpeedSolution run(std::vector<double> begin_at);
+  /// Begins from a part of `begin_at`, by node; empty: from a guess. Gives up after `most` steps.
+  SpeedSolution run(const std::vector<double>& begin_at, int most);
   std::vector<double> speeds() const;
 
  private:

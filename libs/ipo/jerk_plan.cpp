@@ -40,7 +40,7 @@ class JerkPlan {
     const PlanEnds ends{{start.v * start.v, 2 * start.a, 0}, end_ramp_.square(-1), !from_rest_};
     for (int round = 0; round < kMostRounds; ++round) {
       const PlanProblem problem(span_, nodes_, ends, shares_);
-      const SpeedSolution solution = fastest_speeds(problem.problem());
+      const SpeedSolution solution = fastest_speeds(problem.problem(), guessed(guess));
       effort_.nodes += nodes_.size();
       effort_.iterations += static_cast<std::size_t>(solution.iterations);
       if (!solution.converged) return std::nullopt;
@@ -56,6 +56,13 @@ class JerkPlan {
  private:
   static Motion motion(const RestRamp& ramp) noexcept {
     return {ramp.speed(), ramp.acceleration()};
+  }
+
+  std::vector<double> guessed(const SpeedGuess& guess) const {
+    std::vector<double> q;
+    q.reserve(nodes_.size());
+    for (const PlanNode& node : nodes_) q.push_back(std::pow(guess.speed(node.s), 2));
+    return q;
   }
 
   /// Where too much is used: more nodes, and less for their rows and caps.

@@ -64,6 +64,7 @@ struct SpeedSolution {
 /// Interior point method on the coefficients. The time is convex in q; the rows over a root are
 /// not, but 1 / sqrt(q) lies above its tangents, so each is replaced by its tangent at the last
 /// point that kept all rows: whatever keeps that keeps the row.
-SpeedSolution fastest_speeds(const SpeedProblem& problem);
+/// `begin_at`: q at the nodes, about as fast as can be; a bad guess costs iterations.
+SpeedSolution fastest_speeds(const SpeedProblem& problem, const std::vector<double>& begin_at);
 
 }  // namespace softcnc::ipo
