@@ -37,10 +37,11 @@ class JerkPlan {
     nodes_ = place_nodes(span_, guess, from, to, cut_);
     if (nodes_.size() > kMostNodes) return std::nullopt;
     shares_.assign(nodes_.size(), {});
+    for (const PlanNode& node : nodes_) begin_at_.push_back(std::pow(guess.speed(node.s), 2));
     const PlanEnds ends{{start.v * start.v, 2 * start.a, 0}, end_ramp_.square(-1), !from_rest_};
     for (int round = 0; round < kMostRounds; ++round) {
       const PlanProblem problem(span_, nodes_, ends, shares_);
-      const SpeedSolution solution = fastest_speeds(problem.problem(), guessed(guess));
+      const SpeedSolution solution = fastest_speeds(problem.problem(), begin_at_);
       effort_.nodes += nodes_.size();
       effort_.iterations += static_cast<std::size_t>(solution.iterations);
       if (!solution.converged) return std::nullopt;
@@ -48,6 +49,8 @@ class JerkPlan {
       const auto used = used_by(span_, nodes_, problem, ramps);
       if (std::all_of(used.begin(), used.end(), [](const Used& u) { return u.keeps(); }))
         return by_interval(ramps);
+      for (std::size_t p = 0; p < nodes_.size(); ++p)
+        begin_at_[p] = problem.problem().spline().at_node(p, solution.coefficients).q;
       tighten(used);
     }
     return std::nullopt;
@@ -56,13 +59,6 @@ class JerkPlan {
  private:
   static Motion motion(const RestRamp& ramp) noexcept {
     return {ramp.speed(), ramp.acceleration()};
-  }
-
-  std::vector<double> guessed(const SpeedGuess& guess) const {
-    std::vector<double> q;
-    q.reserve(nodes_.size());
-    for (const PlanNode& node : nodes_) q.push_back(std::pow(guess.speed(node.s), 2));
-    return q;
   }
 
   /// Where too much is used: more nodes, and less for their rows and caps.
@@ -78,14 +74,18 @@ class JerkPlan {
       }
     }
     std::vector<NodeShare> shares;
+    std::vector<double> begin_at;
     for (std::size_t p = 0; p < nodes_.size(); ++p) {
       shares.push_back(shares_[p]);
+      begin_at.push_back(begin_at_[p]);
       if (!marked[p] || p + 1 == nodes_.size()) continue;
       const NodeShare &a = shares_[p], &b = shares_[p + 1];
       shares.push_back({std::min(a.jerk, b.jerk), std::min(a.cap, b.cap)});
+      begin_at.push_back(0.5 * (begin_at_[p] + begin_at_[p + 1]));
     }
     refine(span_, nodes_, marked);
     shares_ = std::move(shares);
+    begin_at_ = std::move(begin_at);
   }
 
   /// The time of ds / sqrt(q) with q cubic, by Gauss's rule of four points.
@@ -149,6 +149,7 @@ class JerkPlan {
   RestRamp start_ramp_, end_ramp_;
   std::vector<PlanNode> nodes_;
   std::vector<NodeShare> shares_;
+  std::vector<double> begin_at_;  // q, by node
 };
 
 }  // namespace

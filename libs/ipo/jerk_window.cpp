@@ -9,7 +9,7 @@
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kAhead = 4;           // stopping distances in a plan
+constexpr double kAhead = 10;          // stopping distances in a plan
 constexpr double kLeft = 1.5;          // of them that are planned anew
 constexpr double kLongest = 0.25;      // stopping distance: longest interval
 constexpr double kMostParts = 32;      // of an interval
