@@ -3,7 +3,7 @@
 """Checks a trace of softcnc against the exact curve, with none of its code.
 
     tests/oracle/check_trace.py TRACE.csv CURVE.json --chord-um EPS --acceleration MM_S2
-                                [--velocity MM_MIN] [--fluctuation F] [--blu-um BLU]
+                                [--jerk MM_S3] [--velocity MM_MIN] [--fluctuation F] [--blu-um BLU]
 
 The program is expected to go straight from the first row to the start of the curve, and then along the curve. Exit 1
 if the trace exceeds a limit, 2 if it cannot be read.
@@ -22,6 +22,7 @@ CHORD_SAMPLES = 65          # per period and smooth stretch of the path
 SMALLEST_ADVANCE = 1e-3     # mm; the fluctuation is asked for above it
 DEVIATION = 1e-6            # mm; rows lie on the path
 ROUNDING = 1e-3             # part of an axis limit
+JERK_ROUNDING = 5e-3        # the same of a jerk
 
 
 @dataclass(frozen=True)
@@ -104,6 +105,7 @@ class Measured:
     speed_gap: float      # mm, what s_mm grows by less the integral of v_mm_s by the trapezoidal rule
     velocity: np.ndarray      # mm/s by axis
     acceleration: np.ndarray  # mm/s^2 by axis
+    jerk: np.ndarray          # mm/s^3 by axis
     end: np.ndarray       # mm
     curve_end: np.ndarray
 
@@ -168,6 +170,7 @@ def measure(trace, plane_curve):
         speed_gap=largest(advance - trapezoid),
         velocity=np.abs(np.diff(padded, axis=0)).max(axis=0) / trace.period,
         acceleration=np.abs(np.diff(padded, 2, axis=0)).max(axis=0) / trace.period**2,
+        jerk=np.abs(np.diff(padded, 3, axis=0)).max(axis=0) / trace.period**3,
         end=trace.position[-1],
         curve_end=curve.derivatives(curve.breaks[-1:])[0][0])
 
@@ -200,6 +203,8 @@ def judge(m, trace, limits):
                 at_most("acceleration of an axis", m.acceleration.max(), limits.acceleration * (1 + ROUNDING),
                         "mm/s^2"),
                 at_most("velocity of an axis", m.velocity.max() * 60, limits.velocity * (1 + ROUNDING), "mm/min")]
+    if limits.jerk:
+        verdicts.append(at_most("jerk of an axis", m.jerk.max(), limits.jerk * (1 + JERK_ROUNDING), "mm/s^3"))
     if limits.fluctuation is not None:
         # Between two rows the speed can stray from a straight line by no more than full acceleration allows.
         gap = 0.25 * limits.acceleration * math.sqrt(len(m.end)) * trace.period**2
@@ -218,6 +223,7 @@ def main(arguments):
     parser.add_argument("curve")
     parser.add_argument("--chord-um", type=float, required=True)
     parser.add_argument("--acceleration", type=float, required=True, help="mm/s^2, of every axis")
+    parser.add_argument("--jerk", type=float, default=0.0, help="mm/s^3, of every axis; 0: no limit")
     parser.add_argument("--velocity", type=float, default=math.inf, help="mm/min, of every axis")
     parser.add_argument("--fluctuation", type=float)
     parser.add_argument("--blu-um", type=float)

@@ -31,6 +31,7 @@ import make_programs  # noqa: E402
 
 DATA = ROOT / "tests/data"
 DOCS = ROOT / "docs/feed.md"
+JERK_REFERENCES = pathlib.Path(__file__).with_name("jerk_references.json")
 CURVES = ("circle_deg2", "infinity8", "butterfly")
 METHODS = ("arc-length", "taylor1", "taylor2", "curvature3p")
 ACCELERATION = 1000.0  # mm/s^2, of every axis
@@ -48,6 +49,7 @@ class Setting:
     over: float       # part by which the time may exceed the optimum
     method: str = "arc-length"
     acceleration: float = ACCELERATION
+    jerk: float = 0.0  # mm/s^3; 0: no limit
 
     def words(self):
         return f"F{self.feed:.0f}, {self.period_ms:g} ms, {self.chord_um:g} µm"
@@ -57,12 +59,17 @@ class Setting:
                   "control.interpolation": self.method}
         for axis in "xyz":
             values[f"axis.{axis}.acceleration_mm_s2"] = self.acceleration
+            values[f"axis.{axis}.jerk_mm_s3"] = self.jerk
             values |= {f"axis.{axis}.{key}": value for key, value in MACHINE.items()}
         return [word for key, value in values.items() for word in ("--set", f"{key}={value}")]
 
 
 FEED_BINDS = Setting(6000, 1, 1, 0.01)
 COARSE, FINE = Setting(2000, 8, 2, 0.05), Setting(2000, 8, 0.05, 0.05)  # those of paper 000
+# Each twice, at a feed that binds almost everywhere and at one that binds almost nowhere.
+JERK_SETTINGS = tuple(Setting(feed, 1, 1, 0.02, acceleration=acceleration, jerk=jerk)
+                      for acceleration, jerk in ((1000.0, 5e4), (3000.0, 6e4), (5000.0, 5e5))
+                      for feed in (3000, 15000))
 SETTINGS = (FEED_BINDS, Setting(6000, 4, 1, 0.05), COARSE, FINE)
 
 
@@ -116,7 +123,7 @@ class Bench:
         trace = check_trace.read_trace(self.folder / "trace.csv")
         measured = check_trace.measure(trace, curves.load_nurbs(DATA / f"{name}.json"))
         limits = argparse.Namespace(chord_um=setting.chord_um, acceleration=setting.acceleration, velocity=15000.0,
-                                    fluctuation=FLUCTUATION, blu_um=BLU_UM)
+                                    jerk=setting.jerk, fluctuation=FLUCTUATION, blu_um=BLU_UM)
         return Run(report, measured, check_trace.judge(measured, trace, limits),
                    report["time_s"] - waited(report) - before)
 
@@ -196,6 +203,32 @@ def counted(position):
     return check_trace.counts(position, BLU_UM / 1e3)
 
 
+def jerk_table(bench):
+    references = json.loads(JERK_REFERENCES.read_text())["times"]
+    rows = [("curve", "A, mm/s²", "J, mm/s³", "F", "time, s", "reference, s", "over it", "velocity / limit",
+             "acceleration / limit", "jerk / limit", "nodes", "iterations", "fall-backs", "CPU planning, ms",
+             "CPU motion / planning", "CPU / node, µs")]
+    for name in CURVES:
+        for setting in JERK_SETTINGS:
+            run, case = bench.run(name, setting), f"{setting.acceleration:.0f}, {setting.jerk:.0f}"
+            reference = references[name][f"{case}, F{setting.feed:.0f}"]
+            over = round(run.time / reference - 1, 3) + 0.0
+            for verdict in run.verdicts:
+                bench.promise(verdict.ok, f"{name}, {case}: {verdict.what} is {verdict.value}, allowed {verdict.allowed}")
+            bench.promise(over <= setting.over, f"{name}, {case}, {setting.words()}: {percent(over)} over the reference")
+            rows.append((name, *case.split(", "), f"{setting.feed:.0f}", seconds(run.time), seconds(reference),
+                         f"{100 * over:.1f} %", f"{run.measured.velocity.max() / 250:.3f}",
+                         f"{run.measured.acceleration.max() / setting.acceleration:.4f}",
+                         f"{run.measured.jerk.max() / setting.jerk:.4f}", *effort(run.report)))
+    return rows
+
+
+def effort(report):
+    cpu = report["cpu_planning_s"]
+    return (report["planner_plan_nodes"], report["planner_iterations"], report["planner_fallbacks"], f"{1e3 * cpu:.0f}",
+            f"{report['time_s'] / cpu:.0f}", f"{1e6 * cpu / report['planner_plan_nodes']:.1f}")
+
+
 def methods_table(bench):
     rows = [("setting", "method", "time, s", "feed fluctuation", "chord error / tolerance", "acceleration / limit")]
     cases = [replace(setting, method=method) for setting in (FEED_BINDS, COARSE, FINE) for method in METHODS]
@@ -223,7 +256,7 @@ def costs_table(bench):
     return rows
 
 
-TABLES = {"times": times_table, "methods": methods_table, "costs": costs_table}
+TABLES = {"times": times_table, "jerk": jerk_table, "methods": methods_table, "costs": costs_table}
 REGION = re.compile(r"(<!-- begin table (\w+) -->\n)(.*?)(\n<!-- end table -->\n)", re.DOTALL)
 
 
