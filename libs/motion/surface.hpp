@@ -9,6 +9,8 @@ struct Surface {
   double pick_feed = 0;    // mm, between neighbouring passes
   double rmax = 0;         // mm: the largest height of the roughness
   int teeth = 0;
+
+  bool operator==(const Surface&) const = default;
 };
 
 /// What neighbouring passes leave between them however slow the feed, mm: Rmax must be above it
