@@ -168,7 +168,8 @@ struct Outcome {
   double time = 0;  // s of the plan
   std::array<double, kLimits> time_by_limit{};
   Measured measured;
-  MachineState state;  // where the machine rests, if ChannelOptions::keeps_state
+  double corner_deviation = 0;  // mm: of rounded corners from the programmed path
+  MachineState state;           // where the machine rests, if ChannelOptions::keeps_state
   ipo::PlannerCounts planner;
   std::vector<std::string> called_files;  // their names in the folder
   Cpu cpu;

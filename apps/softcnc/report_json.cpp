@@ -54,12 +54,14 @@ Json diagnostics(const Performance& performance) {
   return list;
 }
 
-void add_measured(Json& report, const Machine& machine, const Measured& measured) {
+void add_measured(Json& report, const Machine& machine, const Outcome& outcome) {
+  const Measured& measured = outcome.measured;
   const auto axes = [&](const AxisVector& value) {
     return by_axis(machine, [&](int i) { return value[i]; });
   };
   report["chord_error_um_max"] = um_from_mm(measured.chord_error);
   report["path_deviation_um_max"] = um_from_mm(measured.path_deviation);
+  report["corner_deviation_um_max"] = um_from_mm(outcome.corner_deviation);
   report["feed_fluctuation_max"] = measured.feed_fluctuation;
   report["velocity_max"] = axes(measured.velocity);
   report["acceleration_max"] = axes(measured.acceleration);
@@ -101,7 +103,7 @@ std::string report_json(Job& job, const Performance& performance) {
     report["length_mm"] = outcome.last.s;
     report["blocks"] = outcome.last.block;
     report["setpoints"] = outcome.setpoints;
-    add_measured(report, job.machine, outcome.measured);
+    add_measured(report, job.machine, outcome);
     report["time_by_limit_s"] = time_by_limit(outcome);
     add_axes(report, job.machine, performance);
     report["planner_nodes"] = outcome.planner.nodes;

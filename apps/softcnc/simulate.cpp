@@ -146,6 +146,7 @@ Outcome Simulation::finish() {
   outcome_.time = channel_.time();
   outcome_.time_by_limit = channel_.time_by_limit();
   outcome_.measured = verification_.measured();
+  outcome_.corner_deviation = verification_.corner_deviation();
   outcome_.planner = channel_.feeder().counts();
   outcome_.called_files = channel_.feeder().called_files();
   outcome_.cpu.planning = channel_.feeder().cpu();

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "motion/units.hpp"
 
 namespace softcnc::app {
@@ -50,12 +52,13 @@ void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& qu
   queue.for_each_recent([this](const ipo::TimedBlock& timed) {
     if (!timed.move()) return;
     stretches_.push_back({&timed.move()->path, timed.s_start});
-    block_numbers_.push_back(timed.block.number);
+    corner_deviation_ = std::max(corner_deviation_, timed.deviation);
+    block_numbers_.push_back({timed.block.number, timed.last_number()});
   });
   std::size_t first = 0, end = 0;
   for (const Setpoint& row : rows) {
-    while (first < stretches_.size() && block_numbers_[first] < block_before_) ++first;
-    while (end < stretches_.size() && block_numbers_[end] <= row.block) ++end;
+    while (first < stretches_.size() && block_numbers_[first].last < block_before_) ++first;
+    while (end < stretches_.size() && block_numbers_[end].first <= row.block) ++end;
     verifier_.row(row, std::span(stretches_).subspan(first, end - first));
     block_before_ = row.block;
   }

@@ -20,12 +20,18 @@ class Verification {
   void finish() noexcept { verifier_.finish(); }
 
   const Measured& measured() const noexcept { return verifier_.measured(); }
+  /// How far paths so far lie from what is programmed, where corners are rounded; mm.
+  double corner_deviation() const noexcept { return corner_deviation_; }
 
  private:
   Verifier verifier_;
+  double corner_deviation_ = 0;
   int block_before_ = 0;            // number of the block of the row before
   std::vector<Stretch> stretches_;  // of the blocks in the queue,
-  std::vector<int> block_numbers_;  // and their numbers
+  struct Numbers {
+    int first, last;
+  };
+  std::vector<Numbers> block_numbers_;  // and the numbers that each stands for
 };
 
 /// Reports where the rows have exceeded a limit of the machine: SC4002, or SC4003 for an

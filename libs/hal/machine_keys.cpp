@@ -67,8 +67,8 @@ const MachineKey kKeys[] = {
      Number{control<&Control::chord_tolerance>, mm_from_um, um_from_mm, above_0(1e6)}},
     {"control.interpolation", "", "how the next point on a curve is found",
      control_choice<&Control::interpolation>(kMethodNames)},
-    {"control.corner_tolerance_um", "um", "G64 without P; 0: the path is followed exactly",
-     Number{control<&Control::corner_tolerance>, mm_from_um, um_from_mm, kNotYet}},
+    {"control.corner_tolerance_um", "um", "how far corners may be rounded by G64 without P; 0: the path is followed exactly",
+     Number{control<&Control::corner_tolerance>, mm_from_um, um_from_mm, at_least_0(1e6)}},
     {"control.backend", "", "what moves: nothing, or the simulated mill",
      control_choice<&Control::backend>(kBackendNames)},
 

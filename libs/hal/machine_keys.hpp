@@ -18,9 +18,6 @@ struct Range {
   bool above_low = false;
 };
 
-/// For a key whose limit this version does not hold yet: 0 and nothing else.
-inline constexpr Range kNotYet{0, 0};
-
 struct Number {
   double& (*place)(Machine&, int index);
   double (*to_house)(double);  // from the unit of the name

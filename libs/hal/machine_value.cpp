@@ -33,15 +33,7 @@ std::string range_text(const Range& range) {
          " and at most " + number_text(range.high);
 }
 
-bool is_not_yet(const Range& range) {
-  return range.low == kNotYet.low && range.high == kNotYet.high;
-}
-
 Status check(const KeyRef& ref, double value, const Range& range) {
-  if (is_not_yet(range) && std::abs(value) > 0)
-    return failure(Code::SC7009,
-                   path_of(ref) + " = " + number_text(value) +
-                       ": this version cannot hold this limit yet; only 0 is accepted");
   const bool low_enough = value <= range.high;  // false for NaN
   const bool high_enough = range.above_low ? value > range.low : value >= range.low;
   if (low_enough && high_enough) return {};
@@ -110,9 +102,7 @@ std::string toml_string(std::string_view text) {
 }
 
 struct Allowed {
-  std::string operator()(const Number& number) const {
-    return is_not_yet(number.range) ? "0 (in this version)" : range_text(number.range);
-  }
+  std::string operator()(const Number& number) const { return range_text(number.range); }
   std::string operator()(const Whole& whole) const { return "whole, " + range_text(whole.range); }
   std::string operator()(const Choice& choice) const { return list(choice.words); }
   std::string operator()(const Text&) const { return "a text"; }

@@ -2,22 +2,34 @@
 // The door between planning and the cycle: timed blocks, in order.
 #pragma once
 
+#include <algorithm>
 #include <deque>
+#include <vector>
 
+#include "ipo/piece.hpp"
 #include "ipo/profile.hpp"
-#include "motion/block.hpp"
 
 namespace softcnc::ipo {
 
-/// A block with its place in time and along the path of the program.
+/// A block, or what is run of several in one curve, with its place in time and along the path.
 struct TimedBlock {
   Block block;
   Profile profile;
-  double t_start = 0;  // s from the start of the program
-  double s_start = 0;  // mm of path from the start of the program
+  double t_start = 0;         // s from the start of the program
+  double s_start = 0;         // mm of path from the start of the program
+  std::vector<Mark> marks{};  // where later blocks begin
+  double deviation = 0;       // mm: how far its path may lie from the programmed one
 
   double t_end() const noexcept { return t_start + profile.duration(); }
   const Move* move() const noexcept { return std::get_if<Move>(&block.what); }
+
+  /// Which block it is `s` mm from its start, and where that is written. Realtime.
+  Mark at(double s) const noexcept {
+    const auto later = std::upper_bound(marks.begin(), marks.end(), s,
+                                        [](double a, const Mark& mark) { return a < mark.s; });
+    return later == marks.begin() ? Mark{0, block.source, block.number} : later[-1];
+  }
+  int last_number() const noexcept { return marks.empty() ? block.number : marks.back().number; }
 };
 
 /// Blocks of which the first `passed` lie behind the machine.

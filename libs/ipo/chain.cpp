@@ -34,6 +34,19 @@ double step_asked(const Cap& asked, const Cap& neighbour, double period) {
   return asked.q < neighbour.q ? std::sqrt(asked.q) * period : kUnlimited;
 }
 
+/// The shortest step asked of a neighbour by all intervals from its joint on that it reaches.
+template <typename Iterator>
+double step_across(Iterator first, Iterator last, const Cap& neighbour, double period) {
+  const double longest = std::sqrt(neighbour.q) * period;
+  double step = kUnlimited, distance = 0;
+  for (; first != last && distance < longest; ++first) {
+    const double asked = step_asked(first->step_cap, neighbour, period);
+    if (asked > distance) step = std::min(step, asked);
+    distance += first->length();
+  }
+  return step;
+}
+
 }  // namespace
 
 PathPoint point_inside(const Interval& interval, double s) noexcept {
@@ -47,13 +60,16 @@ PathPoint point_inside(const Interval& interval, double s) noexcept {
 
 void Chain::append(const Move& move, const Constraints& constraints, bool rest) {
   if (nodes.empty()) nodes.emplace_back();
-  for (const Interval& interval : make_grid(move, constraints)) {
-    add(interval, constraints, rest);
+  const std::vector<Interval> grid = make_grid(move, constraints);
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    add(std::span(grid).subspan(i, i == 0 ? grid.size() : 1), constraints, rest);
     rest = false;
   }
 }
 
-void Chain::add(const Interval& interval, const Constraints& constraints, bool rest) {
+/// Adds the first of `ahead`; behind it stand those that are known to follow.
+void Chain::add(std::span<const Interval> ahead, const Constraints& constraints, bool rest) {
+  const Interval& interval = ahead.front();
   const double period = constraints.period();
   double step = kUnlimited;
   if (!intervals.empty()) {
@@ -73,6 +89,10 @@ void Chain::add(const Interval& interval, const Constraints& constraints, bool r
                    std::sqrt(std::max(before.right_cap.q, interval.left_cap.q)) * period);
       back = std::min(back, kink_step);
       step = std::min(step, kink_step);
+    } else if (before.ends_move) {
+      back = std::min(back, step_across(ahead.begin(), ahead.end(), before.right_cap, period));
+      step = std::min(step,
+                      step_across(intervals.rbegin(), intervals.rend(), interval.left_cap, period));
     }
     while (intervals.back().length() > back) split(intervals.size() - 1, middle(intervals.back()));
   }

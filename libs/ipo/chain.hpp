@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "ipo/grid.hpp"
@@ -69,7 +70,7 @@ struct Chain {
   }
 
  private:
-  void add(const Interval& interval, const Constraints& constraints, bool rest);
+  void add(std::span<const Interval> ahead, const Constraints& constraints, bool rest);
   double bend(const Interval& before, const Interval& interval, const Constraints& constraints);
   void push(const Interval& interval);
 };

@@ -63,14 +63,16 @@ void Interpolator::enter_block() noexcept {
 /// Remembers where the block ends, exactly, and goes on to the next one.
 void Interpolator::leave_block() noexcept {
   const TimedBlock& block = queue_.front();
-  last_.line = block.block.source.line;
-  last_.block = block.block.number;
   last_.s = block.s_start;
+  double s = 0;
   if (const Move* move = block.move()) {
-    const double s = block.profile.at(block.profile.duration(), hint_).s;
+    s = block.profile.at(block.profile.duration(), hint_).s;
     last_.s += s;
     last_.position = position(move->path, s);
   }
+  const Mark mark = block.at(s);
+  last_.line = mark.source.line;
+  last_.block = mark.number;
   queue_.advance();
   enter_block();
 }
@@ -120,8 +122,9 @@ Setpoint Interpolator::setpoint() noexcept {
     const TimedBlock& block = queue_.front();
     const State now = block.profile.at(t_, hint_);
     const double s = walk_ ? walk_->s() : now.s;
-    next.line = block.block.source.line;
-    next.block = block.block.number;
+    const Mark mark = block.at(s);
+    next.line = mark.source.line;
+    next.block = mark.number;
     next.s = block.s_start + s;
     next.v = now.v;
     next.a = now.a;

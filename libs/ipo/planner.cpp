@@ -25,18 +25,33 @@ Planner::Planner(const Machine& machine, double feed_override, Diagnostics& diag
     : machine_(machine),
       diagnostics_(diagnostics),
       constraints_(machine, feed_override),
+      corners_(machine),
       window_(make_window(constraints_)) {}
 
 void Planner::push(Block block) {
-  pending_.push_back({std::move(block), {}, 0, 0});
+  if (const Move* move = std::get_if<Move>(&block.what)) {
+    if (auto outside = check_travel(*move, machine_)) {
+      outside->pos = block.source;
+      diagnostics_.report(std::move(*outside));
+    }
+  }
+  if (corners_.passes(block)) return accept({std::move(block), {}, 0});
+  corners_.push(std::move(block));
+  while (auto piece = corners_.pop()) accept(std::move(*piece));
+}
+
+void Planner::finish() {
+  corners_.finish();
+  while (auto piece = corners_.pop()) accept(std::move(*piece));
+  finished_ = true;
+}
+
+void Planner::accept(Piece piece) {
+  pending_.push_back({std::move(piece.block), {}, 0, 0, std::move(piece.marks), piece.deviation});
   const Move* move = pending_.back().move();
   if (move) {
     window_->append(*move, rest_);
     counts_.nodes += window_->last_move().size();
-    if (auto outside = check_travel(*move, machine_)) {
-      outside->pos = pending_.back().block.source;
-      diagnostics_.report(std::move(*outside));
-    }
   }
   rest_ = !move || move->join == Join::stop;
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "ipo/block_queue.hpp"
+#include "ipo/corner_stage.hpp"
 #include "ipo/window.hpp"
 #include "motion/machine.hpp"
 
@@ -28,7 +29,7 @@ class Planner {
 
   void push(Block block);
   /// Nothing follows: the machine rests at the end of the last block.
-  void finish() noexcept { finished_ = true; }
+  void finish();
 
   /// The next block whose speeds no longer depend on blocks not yet pushed.
   std::optional<TimedBlock> pop();
@@ -38,6 +39,7 @@ class Planner {
   PlannerCounts counts() const noexcept;
 
  private:
+  void accept(Piece piece);
   bool run_move();
   bool settle();
   void report_no_speed(Profile& profile);
@@ -47,6 +49,7 @@ class Planner {
   const Machine& machine_;
   Diagnostics& diagnostics_;
   Constraints constraints_;
+  CornerStage corners_;
   std::unique_ptr<Window> window_;
   std::deque<TimedBlock> pending_;
   PlannerCounts counts_;

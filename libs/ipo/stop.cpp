@@ -65,7 +65,12 @@ std::deque<TimedBlock> plan_stop(const Constraints& constraints, PartlyPassed re
   for (std::size_t i = rest.passed; i < rest.blocks.size(); ++i) {
     const bool present = stopped.empty();
     if (!present && intervals == 0) break;
-    TimedBlock timed{std::move(rest.blocks[i].block), {}, t, rest.blocks[i].s_start};
+    TimedBlock timed{std::move(rest.blocks[i].block),
+                     {},
+                     t,
+                     rest.blocks[i].s_start,
+                     std::move(rest.blocks[i].marks),
+                     rest.blocks[i].deviation};
     if (present) timed.profile.rest_at(now.s);
     const bool moves = timed.move() && (!present || length(timed.move()->path) > now.s);
     if (moves) intervals = run_move(*window, intervals, timed.profile);

@@ -36,7 +36,7 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       flow_(parser, diagnostics, {options_.folder, machine.program.block_limit, &levels_}) {
   modal_.state = std::move(state);
   modal_.update_coordinates();
-  modal_.corner_tolerance = machine.control.corner_tolerance;
+  modal_.corner_tolerance = modal_.chord_tolerance = machine.control.corner_tolerance;
   parser_.configure({options.dialect, options.block_skip, &contradictions_});
   parser_.parameters().set_system(&variables_);
 }

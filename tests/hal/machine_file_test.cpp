@@ -88,7 +88,7 @@ period_ms = 8
 servo_period_ms = 0.5
 chord_tolerance_um = 0.05
 interpolation = "curvature3p"
-corner_tolerance_um = 0.0
+corner_tolerance_um = 5.0
 backend = "none"
 [limits]
 feed_mm_min = 2000
@@ -131,7 +131,7 @@ teeth = 4
   CHECK(m.control.servo_period == 0.0005);
   CHECK(m.control.chord_tolerance == 0.05e-3);
   CHECK(m.control.interpolation == Method::curvature3p);
-  CHECK(m.control.corner_tolerance == 0);
+  CHECK(m.control.corner_tolerance == 0.005);
   CHECK(m.control.backend == BackendKind::none);
   CHECK(m.limits.feed == 2000.0 / 60.0);
   CHECK_FALSE(m.axes[0].present);
@@ -312,13 +312,6 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
     CHECK(refused("[axis.z]\nmin_mm = 2000")
               .starts_with("mill.toml:2:10: error SC7008: axis.z.min_mm = 2000 is not below "
                            "axis.z.max_mm = 1000\n"));
-  }
-  SECTION("limits of later versions") {
-    CHECK(refused("[control]\ncorner_tolerance_um = 5") ==
-          "mill.toml:2:23: error SC7009: control.corner_tolerance_um = 5: this version cannot hold "
-          "this limit yet; only 0 is accepted\n"
-          "    2 | corner_tolerance_um = 5\n"
-          "      |                       ^\n");
   }
   SECTION("periods that do not divide") {
     CHECK(refused("[control]\nperiod_ms = 1.5\nservo_period_ms = 1.0") ==

@@ -64,12 +64,12 @@ TEST_CASE("G64 takes its tolerances in the units in force", "[ipr][modes]") {
     CHECK(moves[move].corner_tolerance == corner);
     CHECK(moves[move].chord_tolerance == chord);
   };
-  check(0, 0.25, 0);
+  check(0, 0.25, 0.25);
   check(1, 0.5, 0.5);
   check(2, 0.5, 0.125);
   check(3, 25.4, 25.4);
   check(4, 0, 0);
-  check(5, 0.25, 0);
+  check(5, 0.25, 0.25);
   check(6, 0.25, 25.4);
   check(7, 0, 0);
   CHECK(moves[7].join == Join::stop);

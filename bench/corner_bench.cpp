@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// 20,000 chords of 0.1 mm on arcs and sines, G64 P0.005: what rounding costs per chord, and what
+// all of planning does.
+#include <benchmark/benchmark.h>
+
+#include "ipo/planner.hpp"
+#include "support/chords.hpp"
+
+namespace softcnc::ipo {
+namespace {
+
+constexpr int kChords = 20'000;
+
+std::vector<Block> chords() {
+  const auto points = test::Chopped(3.5, 0.1, 1e-4).points(kChords);
+  std::vector<Block> blocks;
+  for (int i = 1; i <= kChords; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    blocks.push_back({Move{Line(points[n - 1], points[n]), false, 250, Join::follow, 0.005, 0.005},
+                      {i, 1, 1},
+                      i});
+  }
+  return blocks;
+}
+
+void round_corners(benchmark::State& state) {
+  const Machine machine;
+  const auto blocks = chords();
+  std::size_t pieces = 0;
+  for (auto _ : state) {
+    CornerStage stage(machine);
+    pieces = 0;
+    for (const Block& block : blocks) {
+      stage.push(block);
+      while (stage.pop()) ++pieces;
+    }
+    stage.finish();
+    while (stage.pop()) ++pieces;
+  }
+  state.counters["pieces"] = static_cast<double>(pieces);
+  state.SetItemsProcessed(state.iterations() * kChords);
+}
+BENCHMARK(round_corners)->Unit(benchmark::kMillisecond);
+
+void plan(benchmark::State& state) {
+  const Machine machine;
+  const auto blocks = chords();
+  std::size_t nodes = 0;
+  for (auto _ : state) {
+    Diagnostics diagnostics;
+    Planner planner(machine, 1, diagnostics);
+    for (const Block& block : blocks) {
+      planner.push(block);
+      while (auto timed = planner.pop()) benchmark::DoNotOptimize(timed);
+    }
+    planner.finish();
+    while (auto timed = planner.pop()) benchmark::DoNotOptimize(timed);
+    nodes = planner.counts().nodes;
+  }
+  state.counters["nodes"] = static_cast<double>(nodes);
+  state.SetItemsProcessed(state.iterations() * kChords);
+}
+BENCHMARK(plan)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace softcnc::ipo

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/corner_stage.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "motion/section.hpp"
+
+namespace softcnc::ipo {
+namespace {
+
+/// Of a line or an arc, for the corner at either end; what the first does not use is left to the
+/// second, but for a rest.
+constexpr double kHalf = 0.5;
+constexpr double kRest = 1.0 / 64;
+
+constexpr double kTurn = 1e-9;         // rad: the tangent turns
+constexpr double kSmallTurn = 2e-4;    // rad: too small to hold any machine up without a jerk limit
+constexpr double kBend = 1e-6;         // 1/mm: the curvature jumps
+constexpr double kInnerCorner = 0.01;  // rad: of a NURBS, which is there cut in two
+
+bool is_rounded(const Move& move) {
+  return move.join == Join::follow && (move.corner_tolerance > 0 || move.chord_tolerance > 0);
+}
+
+Mark mark_of(const Block& block) { return {0, block.source, block.number}; }
+
+/// Inner places where the tangent of a path turns.
+std::vector<double> inner_corners(const Path& path) {
+  std::vector<double> corners;
+  for (const double s : breaks(path))
+    if ((at(path, s, Side::after).dq - at(path, s, Side::before).dq).norm() > kInnerCorner)
+      corners.push_back(s);
+  return corners;
+}
+
+}  // namespace
+
+CornerStage::CornerStage(const Machine& machine) : machine_(machine) {
+  for (const Axis& axis : machine.axes) has_jerk_limit_ |= axis.present && axis.jerk > 0;
+}
+
+bool CornerStage::passes(const Block& block) const noexcept {
+  if (!chord_.empty() || !run_.empty() || held_ || !out_.empty()) return false;
+  const Move* move = std::get_if<Move>(&block.what);
+  return !move || !is_rounded(*move);
+}
+
+void CornerStage::push(Block block) {
+  const Move* move = std::get_if<Move>(&block.what);
+  const bool rounded = move && is_rounded(*move);
+  if (!rounded || !joins(*move)) flush();
+  if (!rounded) {
+    out_.push_back({std::move(block), {}, 0});
+    return;
+  }
+  last_ = manner_of(*move);
+  std::holds_alternative<Line>(move->path) ? push_line(block) : push_curve(std::move(block));
+}
+
+void CornerStage::finish() { flush(); }
+
+std::optional<Piece> CornerStage::pop() {
+  if (out_.empty()) return std::nullopt;
+  std::optional<Piece> piece = std::move(out_.front());
+  out_.pop_front();
+  return piece;
+}
+
+bool CornerStage::joins(const Move& move) const { return last_ && last_->rapid == move.rapid; }
+
+void CornerStage::push_line(const Block& block) {
+  const Move& move = std::get<Move>(block.what);
+  Line line = std::get<Line>(move.path);
+  const Manner manner = manner_of(move);
+  const Mark mark = mark_of(block);
+  if (held_) {
+    const double length = softcnc::length(held_->path());
+    const double tolerance =
+        std::min(corner_tolerance(manner_of(held_->move()), 0), corner_tolerance(manner, 0));
+    const auto blend = blend_into(held_->path(), (1 - kRest) * (length - held_->begin), tolerance,
+                                  move, kHalf * line.length());
+    emit_held(length - (blend ? blend->before : 0));
+    if (blend) {
+      emit_blend(*blend, mark_of(held_->block), manner_of(held_->move()), block);
+      line = Line(line.position(blend->after), line.to());
+    }
+    held_.reset();
+  }
+  if (chord_.add(line, manner, mark)) return;
+  close_chord();
+  chord_.add(line, manner, mark);
+}
+
+/// A NURBS with corners inside is several curves.
+void CornerStage::push_curve(Block block) {
+  const std::vector<double> corners = inner_corners(std::get<Move>(block.what).path);
+  double s = 0;
+  for (const double corner : corners) {
+    Block part = block;
+    Path& path = std::get<Move>(part.what).path;
+    path = section(path, s, corner);
+    hold(std::move(part));
+    s = corner;
+  }
+  Path& path = std::get<Move>(block.what).path;
+  if (s > 0) path = section(path, s, length(path));
+  hold(std::move(block));
+}
+
+/// Goes over from what came before into a curve, whose own end waits for what comes next.
+void CornerStage::hold(Block block) {
+  const Move& move = std::get<Move>(block.what);
+  const double most = kHalf * length(move.path);
+  const double own = corner_tolerance(manner_of(move), 0);
+  double begin = 0;
+  if (held_) {
+    const double length = softcnc::length(held_->path());
+    const Manner manner = manner_of(held_->move());
+    const auto blend = blend_into(held_->path(), (1 - kRest) * (length - held_->begin),
+                                  std::min(own, corner_tolerance(manner, 0)), move, most);
+    emit_held(length - (blend ? blend->before : 0));
+    if (blend) emit_blend(*blend, mark_of(held_->block), manner, block);
+    if (blend) begin = blend->after;
+  } else if (!chord_.empty()) {
+    Chord chord = chord_.take();
+    const Path line = Line(chord.from, chord.to);
+    const double length = softcnc::length(line);
+    const double left = (run_.empty() ? 1 - kRest : kHalf) * length;
+    const auto blend = blend_into(
+        line, left, std::min(own, corner_tolerance(chord.manner, chord.deviation)), move, most);
+    const Mark last = chord.marks.back();
+    if (blend) chord.to = position(line, length - blend->before);
+    const Manner manner = chord.manner;
+    run_.add(std::move(chord));
+    run_.end();
+    if (blend) emit_blend(*blend, last, manner, block);
+    if (blend) begin = blend->after;
+  }
+  held_ = Held{std::move(block), begin};
+}
+
+void CornerStage::close_chord() {
+  if (!chord_.empty()) run_.add(chord_.take());
+}
+
+void CornerStage::flush() {
+  close_chord();
+  run_.end();
+  if (held_) emit_held(length(held_->path()));
+  held_.reset();
+  last_.reset();
+}
+
+/// Without limits of jerk a jump of curvature costs nothing, and a curve that is exact is better.
+std::optional<Blend> CornerStage::blend_into(const Path& before, double left, double tolerance,
+                                             const Move& after, double most_after) const {
+  const Jump jump = ipo::jump(before, after.path);
+  const bool needed =
+      has_jerk_limit_ ? jump.tangent > kTurn || jump.curvature > kBend : jump.tangent > kSmallTurn;
+  if (!needed) return std::nullopt;
+  auto blend = make_blend({before, after.path, left, most_after, tolerance});
+  if (blend && !within_travel(blend->curve)) return std::nullopt;
+  return blend;
+}
+
+bool CornerStage::within_travel(const Nurbs& curve) const {
+  for (const AxisVector& point : curve.spec().control)
+    for (int i = 0; i < kAxes; ++i) {
+      const Axis& axis = machine_.axes[static_cast<std::size_t>(i)];
+      if (axis.present && (point[i] < axis.min || point[i] > axis.max)) return false;
+    }
+  return true;
+}
+
+void CornerStage::emit_held(double end) {
+  Block block = held_->block;
+  Move& move = std::get<Move>(block.what);
+  move.path = section(move.path, held_->begin, end);
+  out_.push_back({std::move(block), {}, 0});
+}
+
+/// The first half belongs to the block before, the second to the one behind.
+void CornerStage::emit_blend(const Blend& blend, const Mark& before, const Manner& manner,
+                             const Block& after) {
+  const Path path = blend.curve;
+  const double length = blend.curve.length();
+  const double middle = 0.5 * length;
+  const Manner next = manner_of(std::get<Move>(after.what));
+  const auto add = [&](Path part, const Manner& how, const Mark& mark) {
+    out_.push_back(
+        {{make_move(std::move(part), how), mark.source, mark.number}, {}, blend.deviation});
+  };
+  if (manner == next) {
+    add(path, manner, before);
+    out_.back().marks.push_back({middle, after.source, after.number});
+    return;
+  }
+  add(section(path, 0, middle), manner, before);
+  add(section(path, middle, length), next, mark_of(after));
+}
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// G64: moves in, pieces of path out, with corners rounded within the tolerance.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "ipo/blend.hpp"
+#include "ipo/chord_merge.hpp"
+#include "ipo/line_run.hpp"
+#include "motion/machine.hpp"
+
+namespace softcnc::ipo {
+
+/// Lines that follow one another go into a LineRun; a joint with an arc or a NURBS gets a Blend.
+/// Moves without a tolerance, and whatever is no move, end both exactly and pass unchanged, and so
+/// do joints between rapids and cutting moves. What comes out depends on the blocks alone, not on
+/// when they come.
+class CornerStage {
+ public:
+  /// `machine` must outlive the stage.
+  explicit CornerStage(const Machine& machine);
+  CornerStage(const CornerStage&) = delete;
+  CornerStage& operator=(const CornerStage&) = delete;
+
+  /// Whether push() would do nothing but hand the block on.
+  bool passes(const Block& block) const noexcept;
+  void push(Block block);
+  /// Nothing follows.
+  void finish();
+
+  /// The next piece of which nothing can change any more.
+  std::optional<Piece> pop();
+
+ private:
+  /// A curve whose end is not settled yet.
+  struct Held {
+    Block block;
+    double begin = 0;  // mm: what lies before is replaced already
+    const Path& path() const { return std::get<Move>(block.what).path; }
+    const Move& move() const { return std::get<Move>(block.what); }
+  };
+
+  void push_line(const Block& block);
+  void push_curve(Block block);
+  void hold(Block block);
+  void close_chord();
+  void flush();
+  bool joins(const Move& move) const;
+  std::optional<Blend> blend_into(const Path& before, double left, double tolerance,
+                                  const Move& after, double most_after) const;
+  bool within_travel(const Nurbs& curve) const;
+  void emit_held(double end);
+  void emit_blend(const Blend& blend, const Mark& before, const Manner& manner, const Block& after);
+
+  const Machine& machine_;
+  bool has_jerk_limit_ = false;
+  std::deque<Piece> out_;
+  LineRun run_{out_};
+  ChordMerge chord_;
+  std::optional<Held> held_;
+  std::optional<Manner> last_;  // of the move before, if it may be joined
+};
+
+}  // namespace softcnc::ipo

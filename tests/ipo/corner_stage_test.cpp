@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/corner_stage.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "support/chords.hpp"
+#include "support/property.hpp"
+#include "support/rounded.hpp"
+#include "support/run.hpp"
+
+using namespace softcnc;
+using namespace softcnc::ipo;
+using test::number_blocks;
+using test::path_of;
+using test::rounded;
+
+namespace {
+
+Machine machine_with(double acceleration, double jerk = 0) {
+  Machine machine;
+  machine.limits.feed = 0;
+  for (Axis& axis : machine.axes) {
+    axis.velocity = 1000;
+    axis.acceleration = acceleration;
+    axis.jerk = jerk;
+    axis.min = -1e5;
+    axis.max = 1e5;
+  }
+  return machine;
+}
+
+Move within(Path path, double p, double q, double feed = 100) {
+  return {std::move(path), false, feed, Join::follow, p, q};
+}
+
+std::vector<Block> polyline(const std::vector<AxisVector>& points, double p, double q,
+                            double feed = 100) {
+  std::vector<std::variant<Move, Dwell, Action>> moves;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    moves.emplace_back(within(Line(points[i - 1], points[i]), p, q, feed));
+  return number_blocks(std::move(moves));
+}
+
+Path arc(const AxisVector& from, const AxisVector& to, const AxisVector& center, bool ccw) {
+  return Arc::make({from, to, center, Plane::xy, ccw, 0}).value();
+}
+
+AxisVector random_step(double size) {
+  using test::real;
+  return size * AxisVector(real(-1, 1), real(-1, 1), real(-1, 1));
+}
+
+double random_size(double low, double high) { return std::pow(10.0, test::real(low, high)); }
+
+/// Half circles one after another, to and fro.
+AxisVector on_serpentine(double s, double radius) {
+  const double half = std::numbers::pi * radius;
+  const double k = std::floor(s / half);
+  const double angle = (s - k * half) / radius;
+  const double up = std::fmod(k, 2) == 0 ? 1 : -1;
+  return {2 * radius * k - radius * std::cos(angle), up * radius * std::sin(angle), 0};
+}
+
+std::vector<AxisVector> serpentine(double radius, double chord, int count, double grid) {
+  std::vector<AxisVector> points;
+  for (int i = 0; i <= count; ++i) {
+    const AxisVector point = on_serpentine(i * chord, radius);
+    points.push_back(grid > 0 ? AxisVector((point / grid).array().round() * grid) : point);
+  }
+  return points;
+}
+
+void check_ends(const std::vector<Block>& blocks, const std::vector<Piece>& pieces) {
+  CHECK(start(path_of(pieces.front().block)) == start(path_of(blocks.front())));
+  CHECK(end(path_of(pieces.back().block)) == end(path_of(blocks.back())));
+}
+
+}  // namespace
+
+TEST_CASE("a corner between long lines is P away from its rounding", "[corner_stage]") {
+  for (const double angle : {0.05, 0.5, 0.5 * std::numbers::pi, 2.5}) {
+    const auto blocks = polyline(
+        {{-10, 0, 0}, {0, 0, 0}, 10 * AxisVector(std::cos(angle), std::sin(angle), 0)}, 0.05, 0);
+    const auto pieces = rounded(machine_with(1000), blocks);
+    REQUIRE(pieces.size() == 3);
+    CAPTURE(angle);
+    const Path& curve = path_of(pieces[1].block);
+    CHECK(position(curve, 0.5 * length(curve)).norm() == Approx(0.05).epsilon(1e-5));
+    // w |k| / 6 = P with |k| = 2 sin(angle / 2).
+    CHECK(length(path_of(pieces[0].block)) ==
+          Approx(10 - 6 * 0.05 / (2 * std::sin(angle / 2))).epsilon(1e-5));
+    CHECK(pieces[1].deviation == Approx(0.05).epsilon(1e-5));
+    // The line changes at the middle.
+    REQUIRE(pieces[1].marks.size() == 1);
+    CHECK(pieces[1].marks[0].s == Approx(0.5 * length(curve)));
+    CHECK(pieces[1].marks[0].number == 2);
+  }
+}
+
+TEST_CASE("lines in every direction, long and short, stay within P of the program",
+          "[corner_stage][property]") {
+  test::holds(
+      [] {
+        const double p = random_size(-3, -0.5), size = random_size(-2, 1.5);
+        std::vector<AxisVector> points{random_step(50)};
+        for (int i = 0; i < 24; ++i)
+          points.push_back(points.back() + random_step(size * random_size(-1, 1)));
+        const auto blocks = polyline(points, p, test::integer(0, 2) * 0.5 * p);
+        const auto pieces = rounded(machine_with(1000), blocks);
+        RC_ASSERT(test::apart(blocks, pieces) <= p * (1 + 1e-6));
+        const auto jumps = test::jumps(pieces);
+        RC_ASSERT(jumps.gap == 0);
+        RC_ASSERT(jumps.turn < 1e-7);
+        RC_ASSERT(jumps.bend < 1e-3);  // rounding, where lines of a few um meet
+        RC_ASSERT(test::in_order(pieces));
+        check_ends(blocks, pieces);
+      },
+      40);
+}
+
+TEST_CASE("lines, arcs and NURBS stay within P of the program", "[corner_stage][property]") {
+  test::holds(
+      [] {
+        using test::real;
+        const double p = random_size(-2.5, -0.7), size = random_size(-0.5, 1);
+        std::vector<std::variant<Move, Dwell, Action>> moves;
+        AxisVector here = AxisVector::Zero();
+        for (int i = 0; i < 8; ++i) {
+          const double length = size * random_size(-0.5, 0.5);
+          const int kind = test::integer(0, 2);
+          const double feed = 50 + 10 * test::integer(0, 1);
+          if (kind == 0) {
+            const AxisVector to = here + random_step(length) + AxisVector(0, 0, 0.1 * length);
+            moves.emplace_back(within(Line(here, to), p, p, feed));
+            here = to;
+          } else if (kind == 1) {
+            const double from = real(0, 6.28), sweep = real(0.3, 6) * (1 - 2 * test::integer(0, 1));
+            const auto on = [&](double angle) {
+              return AxisVector(length * AxisVector(std::cos(angle), std::sin(angle), 0));
+            };
+            const AxisVector center = here - on(from);
+            const AxisVector to =
+                center + on(from + sweep) + AxisVector(0, 0, real(-0.5, 0.5) * length);
+            moves.emplace_back(within(arc(here, to, center, sweep > 0), p, p, feed));
+            here = to;
+          } else {
+            NurbsSpec spec{3, {here}, {1, 2, 1, 0.5, 1, 1}, {0, 0, 0, 0, 1, 2, 3, 3, 3, 3}};
+            const double turn = real(0, 6.28);
+            for (int k = 0; k < 5; ++k)
+              spec.control.push_back(
+                  spec.control.back() +
+                  length * AxisVector(std::cos(turn + 0.4 * k), std::sin(turn + 0.4 * k), 0.2 * k));
+            here = spec.control.back();
+            moves.emplace_back(within(Nurbs::make(spec).value(), p, p, feed));
+          }
+        }
+        const auto blocks = number_blocks(std::move(moves));
+        const auto pieces = rounded(machine_with(1000, 1e5 * test::integer(0, 1)), blocks);
+        RC_ASSERT(test::apart(blocks, pieces) <= p * (1 + 1e-6));
+        const auto jumps = test::jumps(pieces);
+        RC_ASSERT(jumps.gap < 1e-12);
+        RC_ASSERT(jumps.turn < 1e-6);
+        RC_ASSERT(jumps.bend < 1e-5);
+        RC_ASSERT(test::in_order(pieces));
+        check_ends(blocks, pieces);
+      },
+      25);
+}
+
+TEST_CASE("chopped curves are as smooth as the curves were", "[corner_stage]") {
+  const double radius = 3.5;
+  const auto blocks = polyline(serpentine(radius, 0.1, 1000, 1e-4), 0.005, 0.005);
+  const auto pieces = rounded(machine_with(1000), blocks);
+  CHECK(test::apart(blocks, pieces) <= 0.005);
+  const auto jumps = test::jumps(pieces);
+  CHECK(jumps.turn < 1e-9);
+  CHECK(jumps.bend < 1e-6);
+  CHECK(test::in_order(pieces));
+  double largest = 0, s = 0;
+  for (const Piece& piece : pieces) {
+    const Path& path = path_of(piece.block);
+    for (int i = 0; i < 100; ++i)
+      if (s > 2 && s < 98) largest = std::max(largest, at(path, length(path) * i / 100).ddq.norm());
+    s += length(path);
+  }
+  CHECK(largest * radius < 1.12);  // chords of 0.1 mm alone turn by ten times that at their ends
+}
+
+TEST_CASE("20,000 chords of 0.1 mm keep every limit, near the time of the curve itself",
+          "[corner_stage]") {
+  const Machine machine = machine_with(1000);
+  const auto chords = polyline(serpentine(3.5, 0.1, 20000, 1e-4), 0.005, 0.005, 250);
+  const auto result = test::run(machine, chords);
+  CHECK(test::exceeded(machine, result) == "");
+  std::vector<std::variant<Move, Dwell, Action>> moves;
+  const double half = std::numbers::pi * 3.5;
+  AxisVector here = on_serpentine(0, 3.5);
+  for (int k = 0; k * half < 2000; ++k) {
+    const AxisVector center(2 * 3.5 * k, 0, 0);
+    const AxisVector to = center + AxisVector(3.5, 0, 0);
+    moves.emplace_back(within(arc(here, to, center, k % 2 != 0), 0, 0, 250));
+    here = to;
+  }
+  const auto arcs = test::run(machine, number_blocks(std::move(moves)));
+  const double per_mm = arcs.time / (std::ceil(2000 / half) * half);
+  CAPTURE(result.time, per_mm * 2000);
+  CHECK(result.time < 1.06 * per_mm * 2000);
+}
+
+TEST_CASE("20,000 chords on arcs and sines, with corners between, keep every limit",
+          "[corner_stage]") {
+  const Machine machine = machine_with(1000);
+  const auto points = test::Chopped(3.5, 0.1, 1e-4).points(20000);
+  const auto result = test::run(machine, polyline(points, 0.005, 0.005, 250));
+  CHECK(test::exceeded(machine, result) == "");
+  CHECK(result.rows.back().position == points.back());
+  const auto exact = test::run(machine, polyline(points, 0, 0, 250));
+  CAPTURE(result.time, exact.time);
+  CHECK(result.time < 0.7 * exact.time);
+}
+
+TEST_CASE("what must be exact is exact", "[corner_stage]") {
+  const Line east({0, 0, 0}, {10, 0, 0}), north({10, 0, 0}, {10, 10, 0});
+  const auto machine = machine_with(1000);
+  const auto corner_is_met = [&](std::vector<std::variant<Move, Dwell, Action>> moves) {
+    const auto pieces = rounded(machine, number_blocks(std::move(moves)));
+    return std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
+      const Move* move = std::get_if<Move>(&piece.block.what);
+      return move && end(move->path) == AxisVector(10, 0, 0);
+    });
+  };
+  CHECK_FALSE(corner_is_met({within(east, 0.1, 0), within(north, 0.1, 0)}));
+  CHECK_FALSE(corner_is_met({within(east, 0.1, 0, 50), within(north, 0.1, 0, 70)}));
+  CHECK(corner_is_met({within(east, 0.1, 0), Dwell{0.1}, within(north, 0.1, 0)}));
+  CHECK(corner_is_met(
+      {within(east, 0.1, 0), Action{Action::Kind::coolant, 8, 0}, within(north, 0.1, 0)}));
+  CHECK(corner_is_met({within(east, 0.1, 0), within(north, 0, 0)}));
+  CHECK(corner_is_met({within(east, 0, 0), within(north, 0.1, 0)}));
+  Move rapid = within(north, 0.1, 0);
+  rapid.rapid = true;
+  CHECK(corner_is_met({within(east, 0.1, 0), rapid}));
+  Move first_rapid = within(east, 0.1, 0);
+  first_rapid.rapid = true;
+  CHECK_FALSE(corner_is_met({first_rapid, rapid}));
+  CHECK(corner_is_met({within(east, 0.1, 0), within(Line({10, 0, 0}, {0, 0.1, 0}), 0.1, 0)}));
+  Move stop = within(north, 0, 0);
+  stop.join = Join::stop;
+  CHECK(corner_is_met({within(east, 0.1, 0), stop}));
+}
+
+TEST_CASE("of two tolerances the smaller counts, and a blend has the feed of either side",
+          "[corner_stage]") {
+  const auto blocks = number_blocks({within(Line({0, 0, 0}, {10, 0, 0}), 0.1, 0, 50),
+                                     within(Line({10, 0, 0}, {10, 10, 0}), 0.02, 0, 70)});
+  const auto pieces = rounded(machine_with(1000), blocks);
+  REQUIRE(pieces.size() == 4);
+  CHECK(test::apart(blocks, pieces) == Approx(0.02).epsilon(1e-5));
+  for (std::size_t i = 0; i < 4; ++i)
+    CHECK(std::get<Move>(pieces[i].block.what).feed == (i < 2 ? 50 : 70));
+  CHECK(length(path_of(pieces[1].block)) == Approx(length(path_of(pieces[2].block))));
+}
+
+TEST_CASE("without a tolerance blocks pass at once, unchanged", "[corner_stage]") {
+  CornerStage stage(machine_with(1000));
+  const auto blocks = polyline({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, 0, 0);
+  for (const Block& block : blocks) CHECK(stage.passes(block));
+  stage.push(polyline({{0, 0, 0}, {1, 0, 0}}, 0.1, 0)[0]);
+  CHECK_FALSE(stage.passes(blocks[0]));
+  CHECK_FALSE(stage.pop());
+  stage.push(blocks[0]);
+  REQUIRE(stage.pop());
+  const auto second = stage.pop();
+  REQUIRE(second);
+  CHECK(end(path_of(second->block)) == AxisVector(10, 0, 0));
+  CHECK(stage.passes(blocks[1]));
+}
+
+TEST_CASE("little is held back, however long the program", "[corner_stage]") {
+  CornerStage stage(machine_with(1000));
+  int in = 0, out = 0, most = 0;
+  for (const Block& block : polyline(serpentine(20, 0.05, 6000, 0), 0.01, 0.01)) {
+    stage.push(block);
+    ++in;
+    while (auto piece = stage.pop()) {
+      const int last = piece->marks.empty() ? piece->block.number : piece->marks.back().number;
+      out = std::max(out, last);
+    }
+    most = std::max(most, in - out);
+  }
+  CHECK(most < 600);
+  CHECK(out > 3000);
+}
+
+TEST_CASE("a NURBS with a corner inside is rounded there", "[corner_stage]") {
+  const NurbsSpec spec{2,
+                       {{0, 0, 0}, {5, 0, 0}, {10, 0, 0}, {10, 5, 0}, {10, 10, 0}},
+                       {1, 1, 1, 1, 1},
+                       {0, 0, 0, 1, 1, 2, 2, 2}};
+  const auto blocks = number_blocks({within(Nurbs::make(spec).value(), 0.05, 0.05)});
+  const auto pieces = rounded(machine_with(1000), blocks);
+  const auto jumps = test::jumps(pieces);
+  CHECK(jumps.turn < 1e-9);
+  CHECK(test::apart(blocks, pieces) <= 0.05);
+  CHECK(test::apart(blocks, pieces) > 0.04);
+}
+
+TEST_CASE("rounding a corner never costs time, however small the tolerance", "[corner_stage]") {
+  const Machine machine = machine_with(1000);
+  const std::vector<AxisVector> points{{0, 0, 0}, {26, 0, 0}, {26, 26, 0}};
+  double before = test::run(machine, polyline(points, 0, 0)).time;
+  CHECK(before == Approx(2 * (0.26 + 0.1)));
+  for (const double p : {0.003, 0.01, 0.05, 0.2}) {
+    const auto result = test::run(machine, polyline(points, p, p));
+    CAPTURE(p);
+    CHECK(test::exceeded(machine, result) == "");
+    CHECK(result.time < before - 0.002);
+    before = result.time;
+  }
+}
+
+TEST_CASE("a spiral of 200 sides: stops at G61.1, rounded corners at G64 P0.05",
+          "[corner_stage][feed]") {
+  const Machine machine = machine_with(1000);
+  std::vector<AxisVector> points{{0, 0, 0}};
+  double stops = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double side = 1 + 0.25 * (i / 2);
+    const std::array<AxisVector, 4> ways{AxisVector(1, 0, 0), AxisVector(0, 1, 0),
+                                         AxisVector(-1, 0, 0), AxisVector(0, -1, 0)};
+    points.push_back(points.back() + side * ways[static_cast<std::size_t>(i % 4)]);
+    const double ramp = 100.0 * 100.0 / 1000;  // v^2 / a
+    stops += side < ramp ? 2 * std::sqrt(side / 1000) : side / 100 + 100.0 / 1000;
+  }
+  auto exact = polyline(points, 0, 0);
+  for (Block& block : exact) std::get<Move>(block.what).join = Join::stop;
+  const auto slow = test::run(machine, exact);
+  CHECK(test::exceeded(machine, slow) == "");
+  // Beside the closed form, at most one period of waiting at a corner.
+  CHECK(slow.time >= stops);
+  CHECK(slow.time <= stops + 200 * machine.control.period);
+  const auto fast = test::run(machine, polyline(points, 0.05, 0.05));
+  CHECK(test::exceeded(machine, fast) == "");
+  CAPTURE(slow.time, fast.time);
+  CHECK(fast.time < slow.time - 199 * 0.012);  // s for each corner
+}
