@@ -5,9 +5,12 @@
 // and p + 0.8 d t + 5/4 (0.4 d)^2 k: by that its curvature there is k. Along a straight line these
 // points are evenly spaced, so that the curve begins as if nothing were ahead.
 //
-// Between two lines at an angle its middle is 3/16 d |t1 - t0| from the joint. In general the
-// deviation, both of the curve from the paths and of the paths from the curve, is measured, and d
-// found by it.
+// Between two lines at an angle its middle is 3/16 d |t1 - t0| from the joint. In general each of
+// its points has a place of its own on the paths: that which comes as early in the cut, moved along
+// the tangent to be nearer. What lies between the two is an upper bound both of the curve from the
+// paths and of the paths from the curve, since the places move over all of the cut, but for what
+// lies around the joint: that is no further from the middle than the joint is. The bound is
+// sampled, what it may rise to between samples added by its second differences, and d found by it.
 #include "ipo/blend.hpp"
 
 #include <algorithm>
@@ -19,11 +22,13 @@
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kReach = 0.4;      // of d: first control point
-constexpr double kShortest = 1e-5;  // mm
-constexpr double kMostTurn = 0.6;   // rad: of a path within d
-constexpr double kMargin = 0.985;   // of the tolerance: the deviation is sampled
-constexpr int kSamples = 16;
+constexpr double kReach = 0.4;            // of d: first control point
+constexpr double kShortest = 1e-5;        // mm
+constexpr double kMostTurn = 0.6;         // rad: of a path within d
+constexpr int kTurnSamples = 8;           // where it is looked for
+constexpr std::size_t kSamples = 16;      // of the curve, on either side of its middle
+constexpr double kRise = 1.5 / 8;         // of a second difference: 1/8 for a parabola
+constexpr std::ptrdiff_t kMostKnots = 4;  // of a NURBS, within d: samples see what is between
 constexpr int kRounds = 12;
 
 struct Cut {
@@ -46,62 +51,72 @@ class Fit {
     return {a[0], a[1], a[2], b[2], b[1], b[0]};
   }
 
+  /// mm, at most.
   double deviation(const Cut& cut) const {
     const auto points = control(cut);
-    std::array<AxisVector, kSamples + 1> curve;
-    double largest = 0;
-    for (int i = 0; i <= kSamples; ++i) {
-      const double t = static_cast<double>(i) / kSamples;
-      AxisVector& q = curve[static_cast<std::size_t>(i)];
-      q = bezier(points, t);
-      largest = std::max(largest, from_paths(q, cut, t));
-    }
-    for (const double part : {0.0, 0.2, 0.5}) {
-      const AxisVector before = position(joint_.before, length_ - part * cut.before);
-      const AxisVector after = position(joint_.after, part * cut.after);
-      largest = std::max({largest, from_polyline(before, curve), from_polyline(after, curve)});
-    }
-    return largest;
+    const double corner = (bezier(points, 0.5) - position(joint_.before, length_)).norm();
+    return std::max({corner, highest({&joint_.before, length_ - cut.before, length_}, points, 0),
+                     highest({&joint_.after, 0, cut.after}, points, 0.5)});
   }
 
-  /// The paths turn little within the cut, so that what is nearest is found.
+  /// The paths turn little within the cut, and have no more knots there than samples can see.
   bool is_tame(const Cut& cut) const {
-    const auto turned = [](const Path& path, double a, double b) {
-      const double middle = 0.5 * (a + b);
-      const AxisVector t = at(path, a).dq, u = at(path, middle).dq, v = at(path, b).dq;
-      return std::max((u - t).norm(), (v - t).norm()) > kMostTurn;
-    };
-    return !turned(joint_.before, length_, length_ - cut.before) &&
-           !turned(joint_.after, 0, cut.after);
+    return is_tame(Portion{&joint_.before, length_ - cut.before, length_}) &&
+           is_tame(Portion{&joint_.after, 0, cut.after});
   }
 
  private:
+  static bool is_tame(const Portion& portion) {
+    if (std::holds_alternative<Line>(*portion.path)) return true;
+    if (const Nurbs* nurbs = std::get_if<Nurbs>(portion.path);
+        nurbs && knots_within(*nurbs, portion.s0, portion.s1) > kMostKnots)
+      return false;
+    const double step = (portion.s1 - portion.s0) / kTurnSamples;
+    const PathPoint first = at(*portion.path, portion.s0);
+    if (first.ddq.norm() * step > kMostTurn) return false;
+    for (int i = 1; i <= kTurnSamples; ++i)
+      if ((at(*portion.path, portion.s0 + i * step, Side::before).dq - first.dq).norm() > kMostTurn)
+        return false;
+    return true;
+  }
+
+  static std::ptrdiff_t knots_within(const Nurbs& nurbs, double s0, double s1) {
+    const auto& knots = nurbs.spec().knots;
+    const auto first = std::upper_bound(knots.begin(), knots.end(), nurbs.parameter(s0));
+    return std::lower_bound(first, knots.end(), nurbs.parameter(s1)) - first;
+  }
+
   static AxisVector bezier(std::array<AxisVector, 6> points, double t) {
     for (std::size_t left = 5; left > 0; --left)
       for (std::size_t i = 0; i < left; ++i) points[i] += t * (points[i + 1] - points[i]);
     return points[0];
   }
 
-  double from_paths(const AxisVector& q, const Cut& cut, double t) const {
-    const Portion before{&joint_.before, length_ - cut.before, length_};
-    const Portion after{&joint_.after, 0, cut.after};
-    const double guess_before = nearest(before, q, before.s0 + std::min(2 * t, 1.0) * cut.before);
-    const double guess_after = nearest(after, q, std::max(2 * t - 1, 0.0) * cut.after);
-    return std::min((position(joint_.before, guess_before) - q).norm(),
-                    (position(joint_.after, guess_after) - q).norm());
+  /// Of the half of the curve that begins at t0, from its places in the portion.
+  static double highest(const Portion& portion, const std::array<AxisVector, 6>& points,
+                        double t0) {
+    std::array<AxisVector, kSamples + 1> off;
+    for (std::size_t i = 0; i <= kSamples; ++i) {
+      const double part = static_cast<double>(i) / kSamples;
+      off[i] = from_place(portion, bezier(points, t0 + 0.5 * part), part);
+    }
+    std::array<double, kSamples + 1> bend{};
+    for (std::size_t i = 1; i < kSamples; ++i)
+      bend[i] = (off[i - 1] - 2 * off[i] + off[i + 1]).norm();
+    bend.front() = bend[1];
+    bend.back() = bend[kSamples - 1];
+    double largest = 0;
+    for (std::size_t i = 0; i < kSamples; ++i)
+      largest = std::max(largest, std::max(off[i].norm(), off[i + 1].norm()) +
+                                      kRise * std::max(bend[i], bend[i + 1]));
+    return largest;
   }
 
-  static double from_polyline(const AxisVector& q,
-                              const std::array<AxisVector, kSamples + 1>& points) {
-    double least = (points.front() - q).squaredNorm();
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const AxisVector side = points[i] - points[i - 1];
-      const double square = side.squaredNorm();
-      const double part = square > 0 ? (q - points[i - 1]).dot(side) / square : 0;
-      least =
-          std::min(least, (points[i - 1] + std::clamp(part, 0.0, 1.0) * side - q).squaredNorm());
-    }
-    return std::sqrt(least);
+  static AxisVector from_place(const Portion& portion, const AxisVector& q, double part) {
+    const double s = portion.s0 + part * (portion.s1 - portion.s0);
+    const PathPoint here = at(*portion.path, s);
+    const double nearer = s + here.dq.dot(q - here.q);
+    return q - position(*portion.path, std::clamp(nearer, portion.s0, portion.s1));
   }
 
   const Joint& joint_;
@@ -113,24 +128,27 @@ Cut even(double d) { return {d, d}; }
 
 /// The longest cut whose deviation is within the tolerance, by regula falsi on its logarithm: the
 /// deviation grows like d at a corner, and like d squared where only the curvature jumps.
-std::optional<double> longest_cut(const Fit& fit, double most, double tolerance) {
+struct Found {
+  double cut, deviation;
+};
+std::optional<Found> longest_cut(const Fit& fit, double most, double tolerance) {
   double d = most;
   while (!fit.is_tame(even(d)) && d > kShortest) d *= 0.5;
-  double good = 0;
+  Found good{0, 0};
   double bad = d;
   for (int i = 0; i < kRounds && d > kShortest; ++i) {
     const double off = fit.deviation(even(d));
     if (off <= tolerance) {
-      good = d;
+      good = {d, off};
       if (d >= bad || off > 0.95 * tolerance) break;
       d = std::min(0.5 * (d + bad), d * std::sqrt(0.98 * tolerance / off));
     } else {
       bad = d;
       const double ratio = 0.99 * tolerance / off;
-      d = good > 0 ? 0.5 * (good + bad) : d * std::max(ratio, 0.02);
+      d = good.cut > 0 ? 0.5 * (good.cut + bad) : d * std::max(ratio, 0.02);
     }
   }
-  if (good <= kShortest) return std::nullopt;
+  if (good.cut <= kShortest) return std::nullopt;
   return good;
 }
 
@@ -155,11 +173,12 @@ std::optional<Blend> make_blend(const Joint& joint) {
   const PathPoint b = at(joint.after, 0, Side::after);
   if (a.dq.dot(b.dq) < kTurnsBack || !(joint.tolerance > 0)) return std::nullopt;
   const Fit fit(joint);
-  const auto d = longest_cut(fit, most, kMargin * joint.tolerance);
-  if (!d) return std::nullopt;
-  auto curve = Nurbs::make(bezier_spec(fit.control(even(*d)), 2 * *d));
+  const auto found = longest_cut(fit, most, joint.tolerance);
+  if (!found) return std::nullopt;
+  const double d = found->cut;
+  auto curve = Nurbs::make(bezier_spec(fit.control(even(d)), 2 * d));
   if (!curve) return std::nullopt;
-  return Blend{std::move(*curve), *d, *d, fit.deviation(even(*d))};
+  return Blend{std::move(*curve), d, d, found->deviation};
 }
 
 }  // namespace softcnc::ipo

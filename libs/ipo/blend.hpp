@@ -19,7 +19,7 @@ struct Joint {
 struct Blend {
   Nurbs curve;
   double before, after;  // mm of the paths that it replaces
-  double deviation;      // mm, measured
+  double deviation;      // mm, at most
 };
 
 /// How the path changes at a joint: the jump of its tangent (rad, 2 sin of half the angle) and of

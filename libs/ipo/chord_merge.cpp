@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace softcnc::ipo {
 namespace {
@@ -17,7 +18,30 @@ double aside(const AxisVector& point, const AxisVector& from, const AxisVector& 
   return (off - off.dot(direction) * direction).norm();
 }
 
+/// Moves the marks from s on into a list of their own, which begins with the one in force there.
+std::vector<Mark> split(std::vector<Mark>& marks, double s) {
+  const auto behind =
+      std::find_if(marks.begin(), marks.end(), [s](const Mark& m) { return m.s > s; });
+  std::vector<Mark> rest{behind[-1]};
+  rest.insert(rest.end(), behind, marks.end());
+  marks.erase(behind, marks.end());
+  for (Mark& mark : rest) mark.s = std::max(mark.s - s, 0.0);
+  return rest;
+}
+
 }  // namespace
+
+std::vector<Mark> cut_front(Chord& chord, double length) {
+  std::vector<Mark> rest = split(chord.marks, length);
+  chord.from = Line(chord.from, chord.to).position(length);
+  return std::exchange(chord.marks, std::move(rest));
+}
+
+std::vector<Mark> cut_back(Chord& chord, double length) {
+  const Line line(chord.from, chord.to);
+  chord.to = line.position(line.length() - length);
+  return split(chord.marks, line.length() - length);
+}
 
 double merge_tolerance(const Manner& manner) noexcept {
   const double p = manner.corner_tolerance, q = manner.chord_tolerance;

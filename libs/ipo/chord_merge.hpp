@@ -16,6 +16,11 @@ struct Chord {
   std::vector<Mark> marks;  // of every programmed line, the first at s = 0
 };
 
+/// Cuts that much, mm, off a chord's beginning or end. What is returned are the marks of the part
+/// cut off, from its own start.
+std::vector<Mark> cut_front(Chord& chord, double length);
+std::vector<Mark> cut_back(Chord& chord, double length);
+
 /// Chords may take up at most a part of the tolerance, so that most is left to corners: all that
 /// corners do not need, and otherwise a third.
 double merge_tolerance(const Manner& manner) noexcept;

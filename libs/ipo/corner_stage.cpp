@@ -71,25 +71,10 @@ bool CornerStage::joins(const Move& move) const { return last_ && last_->rapid =
 
 void CornerStage::push_line(const Block& block) {
   const Move& move = std::get<Move>(block.what);
-  Line line = std::get<Line>(move.path);
-  const Manner manner = manner_of(move);
-  const Mark mark = mark_of(block);
-  if (held_) {
-    const double length = softcnc::length(held_->path());
-    const double tolerance =
-        std::min(corner_tolerance(manner_of(held_->move()), 0), corner_tolerance(manner, 0));
-    const auto blend = blend_into(held_->path(), (1 - kRest) * (length - held_->begin), tolerance,
-                                  move, kHalf * line.length());
-    emit_held(length - (blend ? blend->before : 0));
-    if (blend) {
-      emit_blend(*blend, mark_of(held_->block), manner_of(held_->move()), block);
-      line = Line(line.position(blend->after), line.to());
-    }
-    held_.reset();
-  }
-  if (chord_.add(line, manner, mark)) return;
+  const Line& line = std::get<Line>(move.path);
+  if (chord_.add(line, manner_of(move), mark_of(block))) return;
   close_chord();
-  chord_.add(line, manner, mark);
+  chord_.add(line, manner_of(move), mark_of(block));
 }
 
 /// A NURBS with corners inside is several curves.
@@ -111,37 +96,60 @@ void CornerStage::push_curve(Block block) {
 /// Goes over from what came before into a curve, whose own end waits for what comes next.
 void CornerStage::hold(Block block) {
   const Move& move = std::get<Move>(block.what);
-  const double most = kHalf * length(move.path);
-  const double own = corner_tolerance(manner_of(move), 0);
+  const Side next{manner_of(move), {mark_of(block)}};
   double begin = 0;
-  if (held_) {
-    const double length = softcnc::length(held_->path());
-    const Manner manner = manner_of(held_->move());
-    const auto blend = blend_into(held_->path(), (1 - kRest) * (length - held_->begin),
-                                  std::min(own, corner_tolerance(manner, 0)), move, most);
-    emit_held(length - (blend ? blend->before : 0));
-    if (blend) emit_blend(*blend, mark_of(held_->block), manner, block);
-    if (blend) begin = blend->after;
-  } else if (!chord_.empty()) {
-    Chord chord = chord_.take();
-    const Path line = Line(chord.from, chord.to);
-    const double length = softcnc::length(line);
-    const double left = (run_.empty() ? 1 - kRest : kHalf) * length;
-    const auto blend = blend_into(
-        line, left, std::min(own, corner_tolerance(chord.manner, chord.deviation)), move, most);
-    const Mark last = chord.marks.back();
-    if (blend) chord.to = position(line, length - blend->before);
-    const Manner manner = chord.manner;
-    run_.add(std::move(chord));
-    run_.end();
-    if (blend) emit_blend(*blend, last, manner, block);
-    if (blend) begin = blend->after;
+  if (!chord_.empty()) {
+    begin = leave_chord(move.path, next);
+  } else if (held_) {
+    if (const auto blend = leave_held(move.path, corner_tolerance(next.manner, 0))) {
+      emit_blend(*blend, held_side(), next);
+      begin = blend->after;
+    }
   }
   held_ = Held{std::move(block), begin};
 }
 
+/// Goes over from the chord into a curve; returns how much of it that takes, mm.
+double CornerStage::leave_chord(const Path& after, const Side& next) {
+  Chord chord = chord_.take();
+  if (held_) begin_with_held(chord);
+  const Path line = Line(chord.from, chord.to);
+  const double left = (run_.empty() ? 1 - kRest : kHalf) * length(line);
+  const double tolerance =
+      std::min(corner_tolerance(chord.manner, chord.deviation), corner_tolerance(next.manner, 0));
+  const auto blend = blend_into(line, left, tolerance, after);
+  Side last{chord.manner, {}, chord.deviation};
+  if (blend) last.marks = cut_back(chord, blend->before);
+  run_.add(chord);
+  run_.end();
+  if (blend) emit_blend(*blend, std::move(last), next);
+  return blend ? blend->after : 0;
+}
+
+/// Goes over from the curve that is held into a chord.
+void CornerStage::begin_with_held(Chord& chord) {
+  const Path line = Line(chord.from, chord.to);
+  if (const auto blend = leave_held(line, corner_tolerance(chord.manner, chord.deviation)))
+    emit_blend(*blend, held_side(),
+               {chord.manner, cut_front(chord, blend->after), chord.deviation});
+  held_.reset();
+}
+
+/// Emits the curve up to where a blend into `after` begins, if there is one.
+std::optional<Blend> CornerStage::leave_held(const Path& after, double tolerance) {
+  const double length = softcnc::length(held_->path());
+  const double own = corner_tolerance(manner_of(held_->move()), 0);
+  auto blend = blend_into(held_->path(), (1 - kRest) * (length - held_->begin),
+                          std::min(own, tolerance), after);
+  emit_held(length - (blend ? blend->before : 0));
+  return blend;
+}
+
 void CornerStage::close_chord() {
-  if (!chord_.empty()) run_.add(chord_.take());
+  if (chord_.empty()) return;
+  Chord chord = chord_.take();
+  if (held_) begin_with_held(chord);
+  run_.add(chord);
 }
 
 void CornerStage::flush() {
@@ -154,12 +162,12 @@ void CornerStage::flush() {
 
 /// Without limits of jerk a jump of curvature costs nothing, and a curve that is exact is better.
 std::optional<Blend> CornerStage::blend_into(const Path& before, double left, double tolerance,
-                                             const Move& after, double most_after) const {
-  const Jump jump = ipo::jump(before, after.path);
+                                             const Path& after) const {
+  const Jump jump = ipo::jump(before, after);
   const bool needed =
       has_jerk_limit_ ? jump.tangent > kTurn || jump.curvature > kBend : jump.tangent > kSmallTurn;
   if (!needed) return std::nullopt;
-  auto blend = make_blend({before, after.path, left, most_after, tolerance});
+  auto blend = make_blend({before, after, left, kHalf * length(after), tolerance});
   if (blend && !within_travel(blend->curve)) return std::nullopt;
   return blend;
 }
@@ -180,24 +188,32 @@ void CornerStage::emit_held(double end) {
   out_.push_back({std::move(block), {}, 0});
 }
 
-/// The first half belongs to the block before, the second to the one behind.
-void CornerStage::emit_blend(const Blend& blend, const Mark& before, const Manner& manner,
-                             const Block& after) {
+CornerStage::Side CornerStage::held_side() const {
+  return {manner_of(held_->move()), {mark_of(held_->block)}};
+}
+
+/// The first half belongs to what is before, the second to what is behind.
+void CornerStage::emit_blend(const Blend& blend, Side before, Side after) {
   const Path path = blend.curve;
   const double length = blend.curve.length();
   const double middle = 0.5 * length;
-  const Manner next = manner_of(std::get<Move>(after.what));
-  const auto add = [&](Path part, const Manner& how, const Mark& mark) {
-    out_.push_back(
-        {{make_move(std::move(part), how), mark.source, mark.number}, {}, blend.deviation});
+  const double deviation = blend.deviation + std::max(before.deviation, after.deviation);
+  for (Mark& mark : before.marks) mark.s *= middle / blend.before;
+  for (Mark& mark : after.marks) mark.s *= middle / blend.after;
+  const auto add = [&](Path part, const Side& side) {
+    const Mark& first = side.marks.front();
+    out_.push_back({{make_move(std::move(part), side.manner), first.source, first.number},
+                    {side.marks.begin() + 1, side.marks.end()},
+                    deviation});
   };
-  if (manner == next) {
-    add(path, manner, before);
-    out_.back().marks.push_back({middle, after.source, after.number});
+  if (before.manner == after.manner) {
+    for (Mark& mark : after.marks) mark.s += middle;
+    before.marks.insert(before.marks.end(), after.marks.begin(), after.marks.end());
+    add(path, before);
     return;
   }
-  add(section(path, 0, middle), manner, before);
-  add(section(path, middle, length), next, mark_of(after));
+  add(section(path, 0, middle), before);
+  add(section(path, middle, length), after);
 }
 
 }  // namespace softcnc::ipo

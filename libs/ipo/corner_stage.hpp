@@ -41,24 +41,35 @@ class CornerStage {
     const Move& move() const { return std::get<Move>(block.what); }
   };
 
+  /// What is on one side of a blend: marks by mm along the part that the blend replaces.
+  struct Side {
+    Manner manner;
+    std::vector<Mark> marks;
+    double deviation = 0;  // mm: of that part
+  };
+
   void push_line(const Block& block);
   void push_curve(Block block);
   void hold(Block block);
+  double leave_chord(const Path& after, const Side& next);
+  std::optional<Blend> leave_held(const Path& after, double tolerance);
   void close_chord();
+  void begin_with_held(Chord& chord);
   void flush();
   bool joins(const Move& move) const;
   std::optional<Blend> blend_into(const Path& before, double left, double tolerance,
-                                  const Move& after, double most_after) const;
+                                  const Path& after) const;
   bool within_travel(const Nurbs& curve) const;
   void emit_held(double end);
-  void emit_blend(const Blend& blend, const Mark& before, const Manner& manner, const Block& after);
+  Side held_side() const;
+  void emit_blend(const Blend& blend, Side before, Side after);
 
   const Machine& machine_;
   bool has_jerk_limit_ = false;
   std::deque<Piece> out_;
   LineRun run_{out_};
   ChordMerge chord_;
-  std::optional<Held> held_;
+  std::optional<Held> held_;    // before the chord, if there is one
   std::optional<Manner> last_;  // of the move before, if it may be joined
 };
 

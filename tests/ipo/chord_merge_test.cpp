@@ -82,3 +82,19 @@ TEST_CASE("lines that go back, or differ in how they are run, are not joined", "
   surface.surface = Surface{5, 0.5, 0.001, 2};
   CHECK_FALSE(merge.add(Line({1, 0, 0}, {2, 0, 0}), surface, {}));
 }
+
+TEST_CASE("a chord that is cut hands over the lines of the part cut off", "[chord_merge]") {
+  Chord chord{{0, 0, 0}, {10, 0, 0}, within(1, 1), 0, {{0, {1}, 1}, {2, {2}, 2}, {7, {3}, 3}}};
+  const auto back = cut_back(chord, 4);
+  CHECK(chord.to == AxisVector(6, 0, 0));
+  REQUIRE(back.size() == 2);
+  CHECK((back[0].number == 2 && back[0].s == 0));
+  CHECK((back[1].number == 3 && back[1].s == 1));
+  const auto front = cut_front(chord, 3);
+  CHECK(chord.from == AxisVector(3, 0, 0));
+  REQUIRE(front.size() == 2);
+  CHECK((front[0].number == 1 && front[0].s == 0));
+  CHECK((front[1].number == 2 && front[1].s == 2));
+  REQUIRE(chord.marks.size() == 1);
+  CHECK((chord.marks[0].number == 2 && chord.marks[0].s == 0));
+}

@@ -80,6 +80,7 @@ void check_ends(const std::vector<Block>& blocks, const std::vector<Piece>& piec
 }  // namespace
 
 TEST_CASE("a corner between long lines is P away from its rounding", "[corner_stage]") {
+  constexpr double kShare = 2e-6;  // the search for a width ends at 1e-6 of the tolerance
   for (const double angle : {0.05, 0.5, 0.5 * std::numbers::pi, 2.5}) {
     const auto blocks = polyline(
         {{-10, 0, 0}, {0, 0, 0}, 10 * AxisVector(std::cos(angle), std::sin(angle), 0)}, 0.05, 0);
@@ -87,11 +88,11 @@ TEST_CASE("a corner between long lines is P away from its rounding", "[corner_st
     REQUIRE(pieces.size() == 3);
     CAPTURE(angle);
     const Path& curve = path_of(pieces[1].block);
-    CHECK(position(curve, 0.5 * length(curve)).norm() == Approx(0.05).epsilon(1e-5));
+    CHECK(position(curve, 0.5 * length(curve)).norm() == Approx(0.05).epsilon(kShare));
     // w |k| / 6 = P with |k| = 2 sin(angle / 2).
     CHECK(length(path_of(pieces[0].block)) ==
-          Approx(10 - 6 * 0.05 / (2 * std::sin(angle / 2))).epsilon(1e-5));
-    CHECK(pieces[1].deviation == Approx(0.05).epsilon(1e-5));
+          Approx(10 - 6 * 0.05 / (2 * std::sin(angle / 2))).epsilon(kShare));
+    CHECK(pieces[1].deviation == Approx(0.05).epsilon(kShare));
     // The line changes at the middle.
     REQUIRE(pieces[1].marks.size() == 1);
     CHECK(pieces[1].marks[0].s == Approx(0.5 * length(curve)));
@@ -219,6 +220,28 @@ TEST_CASE("20,000 chords on arcs and sines, with corners between, keep every lim
   const auto exact = test::run(machine, polyline(points, 0, 0, 250));
   CAPTURE(result.time, exact.time);
   CHECK(result.time < 0.7 * exact.time);
+}
+
+TEST_CASE("lines that are joined go on smoothly from an arc and into one", "[corner_stage]") {
+  for (const double jerk : {0.0, 5e4}) {
+    std::vector<std::variant<Move, Dwell, Action>> moves;
+    moves.emplace_back(within(arc({-10, 10, 0}, {0, 0, 0}, {0, 10, 0}, true), 0.05, 0.05));
+    AxisVector here = AxisVector::Zero();
+    for (int i = 1; i <= 30; ++i) {
+      const AxisVector to(0.1 * i, 0.001 * i * i, 0);
+      moves.emplace_back(within(Line(here, to), 0.05, 0.05));
+      here = to;
+    }
+    moves.emplace_back(within(
+        arc(here, here + AxisVector(5, -5, 0), here + AxisVector(0, -5, 0), false), 0.05, 0.05));
+    const auto blocks = number_blocks(std::move(moves));
+    const auto pieces = rounded(machine_with(1000, jerk), blocks);
+    CHECK(pieces.size() < 16);
+    CHECK(test::jumps(pieces).turn < 1e-7);
+    CHECK(test::in_order(pieces));
+    CHECK(test::apart(blocks, pieces) <= 0.05);
+    check_ends(blocks, pieces);
+  }
 }
 
 TEST_CASE("what must be exact is exact", "[corner_stage]") {

@@ -31,6 +31,7 @@ class Trace:
     s: np.ndarray         # mm
     v: np.ndarray         # mm/s
     position: np.ndarray  # mm, a column per axis
+    block: np.ndarray = None  # numbers
 
 
 def read_trace(path):
@@ -43,7 +44,7 @@ def read_trace(path):
     numbers = lambda name: np.array(columns[name], float)
     axes = [name for name in ("x_mm", "y_mm", "z_mm") if name in columns]
     return Trace(float(comments["period_ms"]) / 1e3, numbers("s_mm"), numbers("v_mm_s"),
-                 np.stack([numbers(name) for name in axes], axis=1))
+                 np.stack([numbers(name) for name in axes], axis=1), numbers("block"))
 
 
 class Embedded:
