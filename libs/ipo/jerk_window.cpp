@@ -109,11 +109,11 @@ bool JerkWindow::ends_interval(std::size_t count) const noexcept {
   return !ramps.empty() && ramps.back().s1 == chain_.intervals[front_ + count - 1].s1;
 }
 
-/// A node at s, mm from the first node ever.
+/// A node at s, mm from the first node ever, or at the first rest before it.
 std::size_t JerkWindow::node_at(double s) {
   const auto& nodes = chain_.nodes;
   std::size_t n = front_ + 1;
-  while (n + 1 < nodes.size() && nodes[n].s < s) ++n;
+  while (n + 1 < nodes.size() && nodes[n].s < s && nodes[n].cap.q > 0) ++n;
   const Interval& interval = chain_.intervals[n - 1];
   const double from_left = s - nodes[n - 1].s;
   if (nodes[n].s - s > 0.1 * interval.length() && from_left > 0.1 * interval.length())

@@ -76,6 +76,17 @@ TEST_CASE("a stop at any moment of a jerk-limited program ends at rest on the pa
       programs() / 3);
 }
 
+TEST_CASE("a stop that needs all of the way to a corner ends there, not behind it",
+          "[ipo][jerk][stop]") {
+  // Rounding may put the sum of front and way a trace behind the corner.
+  std::mt19937 random(633717988);
+  const Machine machine = random_machine(random);
+  const auto blocks = random_program(random, 1 + static_cast<int>(random() % 4));
+  const auto stopped = run(machine, blocks, 12);
+  CHECK(exceeded(machine, stopped) == "");
+  CHECK(stopped.rows.back().s == length(std::get<Move>(blocks.front().what).path));
+}
+
 TEST_CASE("a jerk-limited plan of a random program does not depend on how it arrives",
           "[ipo][jerk][property]") {
   holds(
