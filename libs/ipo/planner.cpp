@@ -33,6 +33,7 @@ void Planner::push(Block block) {
     if (auto outside = check_travel(*move, machine_)) {
       outside->pos = block.source;
       diagnostics_.report(std::move(*outside));
+      return leave_out();
     }
   }
   if (corners_.passes(block)) return accept({std::move(block), {}, 0});
@@ -41,9 +42,19 @@ void Planner::push(Block block) {
 }
 
 void Planner::finish() {
+  flush_corners();
+  finished_ = true;
+}
+
+/// What came before ends at rest.
+void Planner::leave_out() {
+  flush_corners();
+  rest_ = true;
+}
+
+void Planner::flush_corners() {
   corners_.finish();
   while (auto piece = corners_.pop()) accept(std::move(*piece));
-  finished_ = true;
 }
 
 void Planner::accept(Piece piece) {

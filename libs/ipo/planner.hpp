@@ -21,12 +21,13 @@ struct PlannerCounts {
 
 class Planner {
  public:
-  /// `machine` must outlive the planner. What lies outside the travel of an axis is reported to
-  /// `diagnostics`; planning goes on.
+  /// `machine` must outlive the planner.
   Planner(const Machine& machine, double feed_override, Diagnostics& diagnostics);
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;
 
+  /// A move that leaves the travel of an axis is reported (SC4001) and left out: what came before it
+  /// ends at rest.
   void push(Block block);
   /// Nothing follows: the machine rests at the end of the last block.
   void finish();
@@ -40,6 +41,8 @@ class Planner {
 
  private:
   void accept(Piece piece);
+  void leave_out();
+  void flush_corners();
   bool run_move();
   bool settle();
   void report_no_speed(Profile& profile);

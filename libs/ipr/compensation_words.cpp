@@ -111,6 +111,7 @@ void check_beside(Task& task) {
   if (!task.values.letters().has_any(task.code.words)) return;
   task.out.report(Code::SC2149, task.word.pos,
                   code_name(task.code) + " behind G40; the first move leads away on a line");
+  task.out.mute();
   task.modal.beside.reset();
 }
 

@@ -36,13 +36,15 @@ struct Holes {
 char across_letter(const PlaneAxes& axes) { return axis_letter(axes.across); }
 
 void keep(Task& task, char letter, std::optional<double>& value, double scale) {
-  if (task.values.has(letter)) value = task.values[letter] * scale;
+  if (!task.values.has(letter)) return;
+  value = task.values[letter] * scale;
+  task.modal.cycle.told.remove(letter);
 }
 
 /// Words stay in force from hole to hole as long as the cycle does.
 void keep_words(Task& task, const PlaneAxes& axes, bool same_cycle) {
   CycleWords& words = task.modal.cycle;
-  if (!same_cycle) words = {{}, {}, {}, {}, words.start};
+  if (!same_cycle) words = {{}, {}, {}, {}, words.start, {}};
   keep(task, 'R', words.retract, task.modal.mm_per_unit);
   keep(task, across_letter(axes), words.bottom, task.modal.mm_per_unit);
   keep(task, 'Q', words.peck, task.modal.mm_per_unit);
@@ -51,11 +53,22 @@ void keep_words(Task& task, const PlaneAxes& axes, bool same_cycle) {
     task.out.contradict(Contradiction::cycle_dwell, task.values.word('P').pos);
 }
 
+/// What is wrong with the word of a cycle is told at the first hole, and not at those behind it.
+bool refuse_once(Task& task, char letter, Code code, SourcePos pos, std::string message) {
+  Letters& told = task.modal.cycle.told;
+  if (told.has(letter)) {
+    task.out.mute();
+  } else {
+    task.out.report(code, pos, std::move(message));
+    told.add(letter);
+  }
+  return false;
+}
+
 bool has(Task& task, const std::optional<double>& value, char letter, std::string_view what) {
   if (value) return true;
-  task.out.report(Code::SC2005, task.word.pos,
-                  code_name(task.code) + " needs " + letter + ", " + std::string(what));
-  return false;
+  return refuse_once(task, letter, Code::SC2005, task.word.pos,
+                     code_name(task.code) + " needs " + letter + ", " + std::string(what));
 }
 
 bool has_words(Task& task, const PlaneAxes& axes) {
@@ -84,15 +97,15 @@ SourcePos place_of(const Task& task, char letter) {
 bool is_possible(Task& task, const Holes& holes) {
   const std::string name = code_name(task.code);
   if (holes.dwell < 0)
-    return refuse(task, Code::SC2007, place_of(task, 'P'),
-                  "P, the time at the bottom, must not be negative");
+    return refuse_once(task, 'P', Code::SC2007, place_of(task, 'P'),
+                       "P, the time at the bottom, must not be negative");
   if (pecks(task.code) && holes.peck <= 0)
-    return refuse(task, Code::SC2007, place_of(task, 'Q'),
-                  "Q, the depth of a peck, must be above 0");
+    return refuse_once(task, 'Q', Code::SC2007, place_of(task, 'Q'),
+                       "Q, the depth of a peck, must be above 0");
   if (holes.retract < holes.bottom)
-    return refuse(task, Code::SC2162, place_of(task, 'R'),
-                  "R lies below the bottom of the hole, " + number_text(holes.retract) +
-                      " mm below " + number_text(holes.bottom) + " mm");
+    return refuse_once(task, 'R', Code::SC2162, place_of(task, 'R'),
+                       "R lies below the bottom of the hole, " + number_text(holes.retract) +
+                           " mm below " + number_text(holes.bottom) + " mm");
   const double each = pecks(task.code) ? (holes.retract - holes.bottom) / holes.peck : 1;
   if (each * holes.count > kMostPecks)
     return refuse(task, Code::SC2007, task.word.pos,
@@ -106,11 +119,11 @@ bool spindle_turns(Task& task) {
   const int turning = task.modal.spindle_direction;
   if (wanted == 0 && task.code.number != kG86) return true;
   if (wanted == 0 ? turning != 0 : turning == wanted) return true;
-  return refuse(task, Code::SC2163, task.word.pos,
-                code_name(task.code) + " needs a spindle that turns" +
-                    (wanted == 0   ? ""
-                     : wanted == 1 ? " clockwise (M03)"
-                                   : " counter-clockwise (M04)"));
+  return refuse_once(task, 'S', Code::SC2163, task.word.pos,
+                     code_name(task.code) + " needs a spindle that turns" +
+                         (wanted == 0   ? ""
+                          : wanted == 1 ? " clockwise (M03)"
+                                        : " counter-clockwise (M04)"));
 }
 
 /// How often; FANUC: K, and 0 only keeps the words.

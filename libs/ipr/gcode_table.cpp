@@ -301,7 +301,7 @@ constexpr GCode kTable[] = {
      "Spindle speed in revolutions per minute."},
     {'T', kAnyNumber, Group::tool, order::tool, "", select_tool, "Selects the tool for M06."},
     {'N', kAnyNumber, Group::line_number, order::stopping, "", nullptr,
-     "Number of the line; nothing follows from it."},
+     "Number of the line; GOTO, M98 Q and M99 P go by it."},
     {'O', kAnyNumber, Group::program_number, order::stopping, "", nullptr,
      "Number of the program, alone on its line."},
 };

@@ -39,6 +39,7 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
   modal_.corner_tolerance = modal_.chord_tolerance = machine.control.corner_tolerance;
   parser_.configure({options.dialect, options.block_skip, &contradictions_});
   parser_.parameters().set_system(&variables_);
+  if (options.dialect == Dialect::linuxcnc) parser_.parameters().keep(modal_.state.parameters);
 }
 
 /// Before the first line: G-code is read here, commands by their own reader.
@@ -188,8 +189,11 @@ void Interpreter::check_unused() {
   if (modal_.uncertain.has('G') && !command_.has(Group::motion)) return out_.mute();
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     if (!unused.has(letter)) continue;
-    out_.report(Code::SC2004, command_.values().word(letter).pos,
-                std::string(1, letter) + " is used by no code of this line");
+    const SourcePos& pos = command_.values().word(letter).pos;
+    if (Letters("ABCUVW").has(letter))
+      out_.report(Code::SC2008, pos, std::string("the machine has no axis ") + letter);
+    else
+      out_.report(Code::SC2004, pos, std::string(1, letter) + " is used by no code of this line");
   }
 }
 

@@ -64,6 +64,7 @@ struct Beside {
 struct CycleWords {
   std::optional<double> retract, bottom, dwell, peck;
   double start = 0;  // mm, programmed: the height before the first cycle of a row
+  Letters told;      // of which it has been told that they are missing or wrong
 };
 
 /// What M70 or M73 has saved.

@@ -279,6 +279,10 @@ bool ModalVariables::write(int number, double value) {
   return true;
 }
 
+void ModalVariables::keep(int number, double value) {
+  if (!is_uncertain(value)) modal_.state.parameters[number] = value;
+}
+
 /// Expects a number that is_offset().
 void ModalVariables::write_offset(int number, double value) {
   if (const auto offset = offset_variable(number, modal_.state, dialect_))

@@ -23,6 +23,7 @@ class ModalVariables final : public SystemVariables {
   bool has(int number, Dialect dialect) const override;
   bool is_read_only(int number) const override;
   bool write(int number, double value) override;
+  void keep(int number, double value) override;
 
  private:
   ToolTable tools() const noexcept { return {modal_.state, machine_, dialect_}; }

@@ -111,7 +111,20 @@ void Parameters::write(int number, double value) {
   if (number <= locals_)
     levels_.back().numbered[static_cast<std::size_t>(number)] = value;
   else if (!is_system(number) || system_ == nullptr || !system_->write(number, value))
+    write_ordinary(number, value);
+}
+
+void Parameters::write_ordinary(int number, double value) {
+  numbered_[static_cast<std::size_t>(number)] = value;
+  if (system_ != nullptr && kept_.contains(number)) system_->keep(number, value);
+}
+
+void Parameters::keep(const std::map<int, double>& values) {
+  for (const auto& [number, value] : values) {
+    if (number <= locals_ || number >= first_system_) continue;
     numbered_[static_cast<std::size_t>(number)] = value;
+    kept_.insert(number);
+  }
 }
 
 void Parameters::write(std::string_view name, double value) {

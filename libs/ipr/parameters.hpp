@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -37,6 +38,8 @@ class SystemVariables {
   virtual bool is_read_only(int number) const = 0;
   /// False: no variable of the system has this number. Expects one that may be written.
   virtual bool write(int number, double value) = 0;
+  /// Remembers the value of an ordinary variable for the next program.
+  virtual void keep(int number, double value) = 0;
 };
 
 class Parameters {
@@ -48,6 +51,9 @@ class Parameters {
   Dialect dialect() const noexcept { return dialect_; }
   /// Must outlive its use here; nullptr: the system has no variables.
   void set_system(SystemVariables* system) noexcept { system_ = system; }
+  /// Ordinary variables with what an earlier program has left in them: what is assigned to them is
+  /// kept by the system. Others, and those local to a call, are passed over.
+  void keep(const std::map<int, double>& values);
 
   /// Nothing: there is no such variable, or, of a name, none has been assigned.
   std::optional<double> read(int number) const;
@@ -100,12 +106,14 @@ class Parameters {
   bool is_system(int number) const noexcept { return number >= first_system_; }
   bool is_ordinary(int number) const noexcept;
   double stored(int number) const noexcept;
+  void write_ordinary(int number, double value);
   const Names& names_of(std::string_view name) const noexcept;
 
   Dialect dialect_;
   int locals_, first_system_;
   SystemVariables* system_ = nullptr;
   std::vector<double> numbered_;  // by number, vacant at first; local ones lie in levels_
+  std::set<int> kept_;
   std::vector<Level> levels_;
   Names global_;
   std::optional<double> given_back_;

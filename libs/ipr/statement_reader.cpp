@@ -154,10 +154,9 @@ StatementReader::Found StatementReader::read_keyword(SourcePos at) {
   const Lexer before = lexer_;
   statement_ = Statement{};
   statement_.pos = at;
-  if (lexer_.take("IF") && lexer_.peek() == '[') return read_if();
+  if (lexer_.take("IF") && (lexer_.peek() == '[' || lexer_.peek() == '#')) return read_if();
   lexer_ = before;
-  if (lexer_.take("WHILE") && lexer_.peek() == '[') return read_while();
-  lexer_ = before;
+  if (lexer_.take("WHILE")) return read_while();
   if (lexer_.take("GOTO")) return read_jump();
   if (lexer_.take("DO") && is_digit(lexer_.peek())) return read_loop(Kind::loop_begin);
   lexer_ = before;

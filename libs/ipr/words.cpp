@@ -57,6 +57,7 @@ bool sets_feed_per_turn(Task& task) {
   if (speed > 0) return true;
   report_if_certain(task, "S", Code::SC2222, task.word.pos,
                     code_name(task.code) + " by G95 needs a spindle that turns");
+  modal.uncertain.add('S');
   return false;
 }
 

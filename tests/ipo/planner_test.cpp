@@ -201,6 +201,8 @@ TEST_CASE("a move beyond the travel of an axis is reported with its block's plac
   CHECK(at_end.diagnostics[0].pos.column == 1);
   CHECK(at_end.diagnostics[0].message ==
         "Y reaches -13 mm, 1 mm beyond its travel from -12 to 12 mm");
+  CHECK(at_end.rows.back().position == AxisVector(5, 0, 0));
+  CHECK(at_end.rows.back().v == 0);
   // Coming back is not a second error, going further is.
   CHECK(run(machine, polyline({{0, 0, 0}, {0, 20, 0}, {0, 0, 0}}, 100)).diagnostics.size() == 1);
   CHECK(run(machine, polyline({{0, 0, 0}, {0, 20, 0}, {0, 30, 0}}, 100)).diagnostics.size() == 2);

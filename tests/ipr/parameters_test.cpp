@@ -28,11 +28,28 @@ class TwoVariables final : public SystemVariables {
     offset = value;
     return true;
   }
+  void keep(int number, double value) override { kept[number] = value; }
 
   double offset = 0;
+  std::map<int, double> kept;
 };
 
 }  // namespace
+
+TEST_CASE("what an earlier program has left counts, and is kept", "[ipr][parameters]") {
+  Parameters parameters;
+  TwoVariables system;
+  parameters.set_system(&system);
+  parameters.keep({{7, 1.0}, {31, 2.0}, {500, 3.5}, {5221, 9.0}});
+  CHECK(parameters.read(7) == 0.0);  // local to the program
+  CHECK(parameters.read(31) == 2.0);
+  CHECK(parameters.read(500) == 3.5);
+  CHECK(parameters.read(5221) == 0.0);  // an offset, which has a place of its own
+  parameters.write(500, 4.5);
+  parameters.write(600, 1.0);
+  CHECK(parameters.read(500) == 4.5);
+  CHECK(system.kept == std::map<int, double>{{500, 4.5}});
+}
 
 TEST_CASE("numbered variables of LinuxCNC are 0 until assigned to", "[ipr][parameters]") {
   Parameters parameters;
