@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -33,13 +34,16 @@ class SignalWatcher final : public Watcher {
   StopSignals& signals_;
 };
 
+/// The files that the program has called are added to `called`.
 int check_program(const std::string& name, const Machine& machine, const ChannelOptions& options,
-                  Messages& messages, Watcher* watcher) {
+                  Messages& messages, Watcher* watcher, std::vector<std::string>& called) {
   auto program = Program::open(name, Readings::one);
   if (!program) return messages.fail(program.error());
   ChannelOptions beside = options;
   beside.interpreter.folder = program->folder();
   const Preflight checked = preflight(*program, machine, beside, messages, watcher);
+  for (const std::string& file : checked.outcome.called_files)
+    called.push_back(std::filesystem::path(program->folder()) / file);
   if (checked.status == 0)
     spdlog::debug("{}: {}, {:.3f} mm in {} blocks", program->name(),
                   duration_text(checked.outcome.time), checked.outcome.last.s,
@@ -48,7 +52,7 @@ int check_program(const std::string& name, const Machine& machine, const Channel
 }
 
 int check_all(const Options& options, const StandardOutput& out, Messages& messages,
-              Watcher* watcher) {
+              Watcher* watcher, std::vector<std::string>& called) {
   const auto machine = hal::load_machine(options.machine_file, options.settings);
   if (!machine) return messages.fail(machine.error());
   auto state = open_state(options.state, messages);
@@ -59,7 +63,8 @@ int check_all(const Options& options, const StandardOutput& out, Messages& messa
   int status = 0;
   for (const std::string& name : options.files)
     if (out.ok())
-      status = worse_status(status, check_program(name, *machine, channel, messages, watcher));
+      status =
+          worse_status(status, check_program(name, *machine, channel, messages, watcher, called));
   return status;
 }
 
@@ -77,13 +82,15 @@ std::string counts(const Messages& messages) {
                      counted(messages.count(Severity::note), Severity::note));
 }
 
-/// All files once, in the form asked for.
-Checked check_once(const Options& options, Watcher* watcher) {
+/// All files once, in the form asked for. Those that they call are watched, too.
+Checked check_once(const Options& options, Watcher* watcher, FileWatch* changes) {
   StandardOutput out;
   const auto write = [&out](std::string_view text) { out.write(text); };
   const auto document = make_document(options.diagnostics, write);
   Messages messages = document ? Messages(*document) : Messages(write, colourful(STDOUT_FILENO));
-  const int status = check_all(options, out, messages, watcher);
+  std::vector<std::string> called;
+  const int status = check_all(options, out, messages, watcher, called);
+  if (changes) changes->also(called);
   if (document)
     document->finish(status);
   else if (options.watch)
@@ -104,7 +111,7 @@ int check_again_and_again(const Options& options) {
   auto changes = FileWatch::open(files_of(options));
   if (!changes) return failed(changes.error());
   do {
-    if (const Checked checked = check_once(options, &watcher); checked.written != 0)
+    if (const Checked checked = check_once(options, &watcher, &*changes); checked.written != 0)
       return checked.written;
   } while (changes->wait(signals));
   return kSignalled + signals.poll();
@@ -114,7 +121,7 @@ int check_again_and_again(const Options& options) {
 
 int check(const Options& options) {
   if (options.watch) return check_again_and_again(options);
-  const Checked checked = check_once(options, nullptr);
+  const Checked checked = check_once(options, nullptr, nullptr);
   return checked.written != 0 ? checked.written : checked.status;
 }
 

@@ -52,6 +52,10 @@ Status FileWatch::add(const std::string& file) {
   return {};
 }
 
+void FileWatch::also(std::span<const std::string> files) {
+  for (const std::string& file : files) static_cast<void>(add(file));
+}
+
 /// Empties the queue.
 bool FileWatch::has_changed() {
   alignas(inotify_event) std::array<char, 16384> events{};

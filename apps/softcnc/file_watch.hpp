@@ -18,6 +18,9 @@ class FileWatch {
   /// Errors: SC6041.
   static Result<FileWatch> open(std::span<const std::string> files);
 
+  /// Further files. Those that cannot be watched are not.
+  void also(std::span<const std::string> files);
+
   /// Returns true when a file has changed since the last call, or since open(), and has then been
   /// left alone for a moment; false when a signal has come.
   bool wait(StopSignals& signals);

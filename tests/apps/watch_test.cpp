@@ -61,6 +61,18 @@ TEST_CASE("programs are checked again when their machine or state changes", "[ap
   CHECK(talk.status() == 143);
 }
 
+TEST_CASE("a program is checked again when a file changes that it calls", "[apps][watch]") {
+  const Folder folder;
+  write(folder / "p.nc", "M98 P5\nM30\n");
+  write(folder / "5.nc", "O5\nG00 X10\nM99\n");
+  Talk talk({"check", "--watch", folder / "p.nc"});
+  CHECK(talk.hear("---").back() == kNothing);
+  write(folder / "5.nc", "O5\nG00 X1.0.0\nM99\n");
+  CHECK(talk.hear("---").back() == kOne);
+  talk.send(SIGINT);
+  CHECK(talk.status() == 130);
+}
+
 TEST_CASE("each round is a document of its own where that is asked for", "[apps][watch]") {
   const Folder folder;
   write(folder / "p.nc", kGood);
