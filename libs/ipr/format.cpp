@@ -68,7 +68,7 @@ class Detector {
       format_ = Format::commands;
     } else if ((name == "l" || name == "s") && line.numbers > 1 && !line.other) {
       format_ = Format::commands;
-    } else if (alone && (name == "s" || name == "f")) {
+    } else if (alone && (name == "s" || name == "f" || name == "l")) {
       spline_ = name == "s";
     } else {
       format_ = Format::gcode;
