@@ -20,6 +20,14 @@ double radius_tolerance(const Modal& modal) {
   return modal.mm_per_unit == 1 ? kRadiusTolerance : kInInches;
 }
 
+/// FANUC takes a 0 across the plane, beside a letter of the centre.
+bool may_pass_over(const Task& task, const PlaneAxes& axes) {
+  const Letters centre{kOffsetLetters};
+  const char across = offset_letter(axes.across);
+  return task.options.dialect == Dialect::fanuc && task.values[across] == 0 &&
+         task.values.letters().has_any(centre.without(std::string_view(&across, 1)));
+}
+
 /// Told apart: centre and radius, neither, or a centre off the plane.
 bool is_well_given(Task& task, const PlaneAxes& axes) {
   const Values& values = task.values;
@@ -30,7 +38,8 @@ bool is_well_given(Task& task, const PlaneAxes& axes) {
     task.out.report(Code::SC2106, span_of(values, "IJKR"), name + " takes R or a centre, not both");
   } else if (!radius && !centre) {
     task.out.report(Code::SC2107, span_of(values, "XYZP"), name + " needs a centre or R");
-  } else if (const char across = offset_letter(axes.across); values.has(across)) {
+  } else if (const char across = offset_letter(axes.across);
+             values.has(across) && !may_pass_over(task, axes)) {
     task.out.report(Code::SC2105, values.word(across).pos,
                     std::string(1, across) + " lies across the plane of the arc");
   } else {

@@ -12,14 +12,15 @@ constexpr Letters kAfterUnknownCode{"GXYZ"};  // what it would have done is not 
 
 }  // namespace
 
-void Command::read(const Line& line, Output& out) {
+void Command::read(const Line& line, Dialect dialect, Output& out) {
   values_.letters_ = {};
   count_ = 0;
   groups_ = 0;
   uncertain_ = line.lost;
   calls_macro_ = false;
+  below_cycle_ = nullptr;
   for (const Word& word : line.words) {
-    is_code_letter(word.letter) ? read_code(word, out) : read_value(word, out);
+    is_code_letter(word.letter) ? read_code(word, dialect, out) : read_value(word, out);
     if (!calls_macro_) continue;
     read_arguments(line.words.subspan(static_cast<std::size_t>(&word - line.words.data()) + 1),
                    out);
@@ -28,7 +29,7 @@ void Command::read(const Line& line, Output& out) {
   if (has(Group::program_number)) check_program_number(line, out);
 }
 
-void Command::read_code(const Word& word, Output& out) {
+void Command::read_code(const Word& word, Dialect dialect, Output& out) {
   const GCode* code = find_gcode(word.letter, word.value);
   if (code == nullptr) {
     out.report(Code::SC2001, word.pos, code_name(word.letter, word.value) + " is not supported");
@@ -37,6 +38,7 @@ void Command::read_code(const Word& word, Output& out) {
   }
   calls_macro_ = calls_macro(*code);
   if (!has(code->group)) return add(*code, word);
+  if (dialect == Dialect::fanuc && put_above(*code, word)) return;
   uncertain_ |= kAfterUnknownCode;
   if (code->number == kAnyNumber)
     out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
@@ -75,6 +77,24 @@ void Command::add(const GCode& code, const Word& word) {
   for (; at > 0 && codes_[at - 1].code->order > code.order; --at) codes_[at] = codes_[at - 1];
   codes_[at] = {&code, &word};
   groups_ |= bit(code.group);
+}
+
+/// FANUC: a cycle counts rather than the G00 to G03 before it.
+bool Command::put_above(const GCode& cycle, const Word& word) {
+  const auto motion = std::find_if(codes_.begin(), codes_.begin() + count_, [](const auto& code) {
+    return code.code->group == Group::motion;
+  });
+  if (!is_canned_cycle(cycle) || !is_line_or_arc(*motion->code)) return false;
+  below_cycle_ = motion->code;
+  *motion = {&cycle, &word};
+  return true;
+}
+
+void Command::add_lone_letters(Dialect dialect) {
+  if (dialect != Dialect::fanuc || !values_.letters().has_any(kLoneLetters)) return;
+  const Letters lone = unused(dialect);
+  for (const char letter : {'D', 'H'})
+    if (lone.has(letter)) add(*find_gcode(letter, 0), values_.word(letter));
 }
 
 const GCode* Command::find(Group group) const noexcept {

@@ -42,10 +42,12 @@ class Command {
   };
 
   /// Sorts the words; reports codes that are unknown or exclude each other, and words given twice.
-  void read(const Line& line, Output& out);
+  void read(const Line& line, Dialect dialect, Output& out);
 
   /// Adds the motion in force, if words of the line are meant for it.
   void add_modal_motion(const GCode& motion, const Word& word) { add(motion, word); }
+  /// Adds the codes that D and H are where no code of the line takes them.
+  void add_lone_letters(Dialect dialect);
 
   const Values& values() const noexcept { return values_; }
   /// In the order in which they act.
@@ -55,6 +57,8 @@ class Command {
   const GCode* find(Group group) const noexcept;
   /// Its word. Expects has(group).
   const Word& find_word(Group group) const noexcept;
+  /// The G00 to G03 that stands before a cycle; nullptr if none does.
+  const GCode* below_cycle() const noexcept { return below_cycle_; }
   /// Values that no code of the line takes.
   Letters unused(Dialect dialect) const noexcept;
   /// The words behind G65.
@@ -63,11 +67,12 @@ class Command {
   Letters uncertain() const noexcept { return uncertain_; }
 
  private:
-  void read_code(const Word& word, Output& out);
+  void read_code(const Word& word, Dialect dialect, Output& out);
   void read_value(const Word& word, Output& out);
   void read_arguments(std::span<const Word> words, Output& out);
   void check_program_number(const Line& line, Output& out);
   void add(const GCode& code, const Word& word);
+  bool put_above(const GCode& cycle, const Word& word);
   static std::uint32_t bit(Group group) noexcept { return 1U << static_cast<unsigned>(group); }
 
   Values values_;
@@ -75,6 +80,7 @@ class Command {
   std::size_t count_ = 0;
   std::uint32_t groups_ = 0;
   bool calls_macro_ = false;
+  const GCode* below_cycle_ = nullptr;
   std::span<const Word> arguments_;
   Letters uncertain_;
 };

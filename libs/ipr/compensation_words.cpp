@@ -12,6 +12,8 @@ namespace {
 
 constexpr int kG41Dynamic = 411, kG42 = 420, kG42Dynamic = 421;
 
+bool is_fanuc(const Task& task) { return task.options.dialect == Dialect::fanuc; }
+
 bool is_dynamic(const GCode& code) {
   return code.number == kG41Dynamic || code.number == kG42Dynamic;
 }
@@ -28,26 +30,60 @@ std::optional<double> radius_of_loaded_tool(Task& task) {
   return radius.value_or(0);
 }
 
+std::nullopt_t report_no_radius(Task& task, int tool, SourcePos pos) {
+  task.out.report(Code::SC2142, pos,
+                  "the radius of tool " + std::to_string(tool) + " is not known");
+  return std::nullopt;
+}
+
+/// Of no tool, and of none that has one, it is 0.
+double radius_of(Task& task, const std::optional<int>& tool) {
+  return tool.value_or(0) == 0 ? 0 : tools_of(task).radius(*tool).value_or(0);
+}
+
+/// FANUC: D is modal; 0, which is none before, is no radius.
+std::optional<double> radius_of_last_number(Task& task) {
+  const std::optional<int>& number = task.modal.radius_number;
+  if (!number && !task.modal.uncertain.has('D') && !task.modal.cutter)
+    task.out.report(Code::SC2148, task.word.pos,
+                    code_name(task.code) + " without D, and none before; moves stay as they are");
+  if (number.value_or(0) == 0) return 0;
+  if (const auto radius = tools_of(task).radius(*number)) return radius;
+  return report_no_radius(task, *number, task.word.pos);
+}
+
+/// G41 alone.
+std::optional<double> radius_without_number(Task& task) {
+  const Modal& modal = task.modal;
+  if (!modal.cutter && radius_of(task, modal.loaded_tool) != radius_of(task, modal.radius_number))
+    task.out.contradict(Contradiction::radius_number, task.word.pos);
+  return is_fanuc(task) ? radius_of_last_number(task) : radius_of_loaded_tool(task);
+}
+
+void keep_number(Task& task, int number) {
+  task.modal.radius_number = number;
+  task.modal.uncertain.remove('D');
+}
+
 /// G41 D: the number of a tool.
 std::optional<double> radius_by_number(Task& task) {
   const Word& word = task.values.word('D');
   const auto tool = whole_number(task, word);
   if (!tool) return std::nullopt;
+  keep_number(task, *tool);
   if (*tool == 0) {
     const std::optional<int>& loaded = task.modal.loaded_tool;
     if (loaded && tools_of(task).radius(*loaded).value_or(0) != 0)
       task.out.contradict(Contradiction::zero_radius, word.pos);
-    return task.options.dialect == Dialect::fanuc ? 0 : radius_of_loaded_tool(task);
+    return is_fanuc(task) ? 0 : radius_of_loaded_tool(task);
   }
   if (const auto radius = tools_of(task).radius(*tool)) return radius;
-  task.out.report(Code::SC2142, word.pos,
-                  "the radius of tool " + std::to_string(*tool) + " is not known");
-  return std::nullopt;
+  return report_no_radius(task, *tool, word.pos);
 }
 
 std::optional<double> tool_radius(Task& task) {
   if (!is_dynamic(task.code))
-    return task.values.has('D') ? radius_by_number(task) : radius_of_loaded_tool(task);
+    return task.values.has('D') ? radius_by_number(task) : radius_without_number(task);
   if (task.values.has('D')) return task.values['D'] * task.modal.mm_per_unit / 2;
   task.out.report(Code::SC2005, task.word.pos,
                   code_name(task.code) + " needs D, the diameter of the tool");
@@ -98,10 +134,11 @@ bool moves_work_system(const Task& task) {
 
 bool is_refused(const Task& task) {
   const int number = task.code.number;
-  if (task.code.letter != 'G') return task.code.group == Group::tool_change;
+  if (task.code.letter != 'G')
+    return task.code.group == Group::tool_change || task.code.group == Group::length_number;
   if (number >= kG54 && number <= kG59_3) return true;
   if (among(number, kNever) || changes_plane(task) || moves_work_system(task)) return true;
-  return task.options.dialect == Dialect::linuxcnc && among(number, kNotInLinuxcnc);
+  return !is_fanuc(task) && among(number, kNotInLinuxcnc);
 }
 
 /// The move behind G40 begins beside the contour, where no arc or curve was meant to begin.
@@ -115,6 +152,11 @@ void check_beside(Task& task) {
   task.modal.beside.reset();
 }
 
+void report_twice(Task& task) {
+  task.out.report(Code::SC2141, task.word.pos,
+                  code_name(task.code) + ", and cutter compensation is on already");
+}
+
 /// What does not follow a contour tells that G40 is missing: what the lines behind it lack of it is
 /// not told once more.
 bool end_contour(Task& task) {
@@ -126,16 +168,26 @@ bool end_contour(Task& task) {
 }  // namespace
 
 void compensate(Task& task) {
-  if (task.out.compensating())
-    return task.out.report(Code::SC2141, task.word.pos,
-                           code_name(task.code) + ", and cutter compensation is on already");
+  const bool on = task.out.compensating();
+  if (on && !is_fanuc(task)) return report_twice(task);
   if (!may_start(task)) return;
   const std::optional<double> radius = tool_radius(task);
   if (!radius) return;
   const bool right = task.code.number == kG42 || task.code.number == kG42Dynamic;
   const int side = right == (*radius < 0) ? 1 : -1;
-  task.modal.cutter = CutterSide{side, std::abs(*radius), task.modal.plane};
+  const CutterSide wanted{side, std::abs(*radius), task.modal.plane};
+  if (on && task.modal.cutter == wanted) return;
+  if (on) return report_twice(task);
+  task.modal.cutter = wanted;
   task.out.start_compensation(*task.modal.cutter);
+}
+
+/// D beside no code that takes it, in the fanuc dialect.
+void select_radius(Task& task) {
+  const auto number = whole_number(task, task.word);
+  if (!number) return task.modal.uncertain.add('D');
+  if (task.out.compensating() && number != task.modal.radius_number) return report_twice(task);
+  keep_number(task, *number);
 }
 
 void end_compensation(Task& task) {

@@ -45,6 +45,8 @@ constexpr std::array<ContradictionRow, kContradictions> kTable{{
      "takes the last H"},
     {C::zero_radius, Code::SC2125, "G41, G42 with D0",
      "takes the radius of the tool in the spindle", "takes a radius of 0"},
+    {C::radius_number, Code::SC2130, "G41, G42 without D",
+     "take the radius of the tool in the spindle", "take the last D"},
     {C::local_shift, Code::SC2126, "G52 beside G92", "is one and the same shift",
      "is a shift of its own, which adds to that of G92"},
     {C::machine_point, Code::SC2127, "G53 with G01", "moves at the feed", "moves as a rapid"},
@@ -52,6 +54,8 @@ constexpr std::array<ContradictionRow, kContradictions> kTable{{
      "calls the program of the last four digits, as often as those before them say"},
     {C::retract, Code::SC2129, "a canned cycle before any G98 or G99", "goes out to R",
      "goes out to where the first of the row began"},
+    {C::feed_out, Code::SC2131, "G74, G84, G89 with G98", "go out at the feed all the way",
+     "go out at the feed to R, where the spindle of a tap turns back, and on as a rapid"},
 }};
 
 constexpr bool in_order() {

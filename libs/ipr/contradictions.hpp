@@ -37,12 +37,14 @@ enum class Contradiction : std::uint8_t {
   tool_value,
   length_number,
   zero_radius,
+  radius_number,
   local_shift,
   machine_point,
   old_call,
   retract,
+  feed_out,
 };
-inline constexpr std::size_t kContradictions = 21;
+inline constexpr std::size_t kContradictions = 23;
 
 struct ContradictionRow {
   Contradiction kind;

@@ -15,19 +15,20 @@ constexpr int kG73 = 730, kG74 = 740, kG82 = 820, kG83 = 830, kG84 = 840, kG85 =
 constexpr double kChipClearance = 0.254;  // mm (0.01 inch): over the last peck, as in RS274
 constexpr double kMostPecks = 1e4;        // of one line: its moves are made at once
 
-bool is_cycle(const GCode& code) {
-  return code.letter == 'G' && code.number >= kG73 && code.number <= kG89 && code.number != 800;
-}
 bool pecks(const GCode& code) { return code.number == kG73 || code.number == kG83; }
 bool taps(const GCode& code) { return code.number == kG74 || code.number == kG84; }
 bool dwells(const GCode& code) {
   return code.number == kG82 || code.number == kG86 || code.number == kG89;
 }
 
+bool feeds_out(const GCode& code) { return taps(code) || code.number == kG89; }
+bool is_fanuc(const Task& task) { return task.options.dialect == Dialect::fanuc; }
+
 /// What one line asks for, in mm and programmed coordinates.
 struct Holes {
   PlaneAxes axes;
   double retract, bottom, clear;  // across the plane; `clear` is where each hole is left
+  double feed_end;                // as far out go those at the feed that do
   double dwell, peck;             // s, mm
   int count;
   AxisVector first, step;
@@ -41,15 +42,23 @@ void keep(Task& task, char letter, std::optional<double>& value, double scale) {
   task.modal.cycle.told.remove(letter);
 }
 
-/// Words stay in force from hole to hole as long as the cycle does.
-void keep_words(Task& task, const PlaneAxes& axes, bool same_cycle) {
+bool in_row(const Modal& modal) {
+  return modal.motion != nullptr && is_canned_cycle(*modal.motion);
+}
+
+/// Words stay in force from hole to hole as long as the cycle does, in the fanuc dialect as long
+/// as any cycle does. Behind a code that is not known they may.
+void keep_words(Task& task, const PlaneAxes& axes) {
   CycleWords& words = task.modal.cycle;
-  if (!same_cycle) words = {{}, {}, {}, {}, words.start, {}};
+  const Modal& modal = task.modal;
+  const bool stay =
+      is_fanuc(task) ? in_row(modal) || modal.uncertain.has('G') : modal.motion == &task.code;
+  if (!stay) words = {{}, {}, {}, {}, words.start, {}};
   keep(task, 'R', words.retract, task.modal.mm_per_unit);
   keep(task, across_letter(axes), words.bottom, task.modal.mm_per_unit);
   keep(task, 'Q', words.peck, task.modal.mm_per_unit);
-  keep(task, 'P', words.dwell, task.options.dialect == Dialect::fanuc ? s_from_ms(1) : 1);
-  if (task.values.value_or('P', 0) != 0)
+  keep(task, 'P', words.dwell, is_fanuc(task) ? s_from_ms(1) : 1);
+  if (task.values.value_or('P', 0) != 0 && !pecks(task.code))
     task.out.contradict(Contradiction::cycle_dwell, task.values.word('P').pos);
 }
 
@@ -73,7 +82,7 @@ bool has(Task& task, const std::optional<double>& value, char letter, std::strin
 
 bool has_words(Task& task, const PlaneAxes& axes) {
   const CycleWords& words = task.modal.cycle;
-  const bool must_dwell = dwells(task.code) && task.options.dialect == Dialect::linuxcnc;
+  const bool must_dwell = dwells(task.code) && !is_fanuc(task);
   if (!task.values.letters().has_any(kAxisWords)) {
     task.out.report(Code::SC2160, task.word.pos,
                     code_name(task.code) + " without a position: X, Y or Z");
@@ -102,6 +111,10 @@ bool is_possible(Task& task, const Holes& holes) {
   if (pecks(task.code) && holes.peck <= 0)
     return refuse_once(task, 'Q', Code::SC2007, place_of(task, 'Q'),
                        "Q, the depth of a peck, must be above 0");
+  if (taps(task.code) && task.values.value_or('Q', 0) != 0)
+    return refuse(
+        task, Code::SC2114, place_of(task, 'Q'),
+        name + " with Q is refused: tapping in pecks needs a spindle in step with the axis");
   if (holes.retract < holes.bottom)
     return refuse_once(task, 'R', Code::SC2162, place_of(task, 'R'),
                        "R lies below the bottom of the hole, " + number_text(holes.retract) +
@@ -119,6 +132,10 @@ bool spindle_turns(Task& task) {
   const int turning = task.modal.spindle_direction;
   if (wanted == 0 && task.code.number != kG86) return true;
   if (wanted == 0 ? turning != 0 : turning == wanted) return true;
+  if (task.modal.uncertain.has('M')) {
+    task.out.mute();
+    return false;
+  }
   return refuse_once(task, 'S', Code::SC2163, task.word.pos,
                      code_name(task.code) + " needs a spindle that turns" +
                          (wanted == 0   ? ""
@@ -128,7 +145,7 @@ bool spindle_turns(Task& task) {
 
 /// How often; FANUC: K, and 0 only keeps the words.
 std::optional<int> repeats(Task& task) {
-  const bool fanuc = task.options.dialect == Dialect::fanuc;
+  const bool fanuc = is_fanuc(task);
   if (task.values.has('K') && !fanuc) {
     refuse(task, Code::SC2007, task.values.word('K').pos,
            "K repeats a cycle in the fanuc dialect; here L does");
@@ -146,15 +163,17 @@ std::optional<int> repeats(Task& task) {
 Holes holes_of(const Task& task, const PlaneAxes& axes, const AxisVector& from, int count) {
   const CycleWords& words = task.modal.cycle;
   const Modal& modal = task.modal;
-  Holes holes{
-      axes,  *words.retract, *words.bottom,     0, words.dwell.value_or(0), words.peck.value_or(0),
-      count, from,           AxisVector::Zero()};
+  Holes holes{axes, *words.retract,          *words.bottom,          0,
+              0,    words.dwell.value_or(0), words.peck.value_or(0), count,
+              from, AxisVector::Zero()};
+  if (pecks(task.code) && !is_fanuc(task)) holes.dwell = 0;
   if (modal.incremental) {
     holes.retract += words.start;
     holes.bottom += holes.retract;
   }
-  const bool to_retract = modal.retract_to_r.value_or(task.options.dialect == Dialect::linuxcnc);
+  const bool to_retract = modal.retract_to_r.value_or(!is_fanuc(task));
   holes.clear = to_retract ? holes.retract : std::max(words.start, holes.retract);
+  holes.feed_end = is_fanuc(task) ? holes.retract : holes.clear;
   for (const int axis : {axes.first, axes.second}) {
     const char letter = axis_letter(axis);
     if (!task.values.has(letter)) continue;
@@ -219,6 +238,7 @@ void peck(Way& way, const Holes& holes, bool clears) {
     way.rapid_to(std::min(depth + kChipClearance, holes.retract));
   }
   way.feed_to(holes.bottom);
+  way.rest();
   way.rapid_to(holes.clear);
 }
 
@@ -229,11 +249,10 @@ void drill(Way& way, const Holes& holes, const GCode& code, int spindle) {
   if (dwells(code) || taps(code)) way.rest();
   if (code.number == kG86) way.turn(0);
   if (code.number == kG85) way.feed_to(holes.retract);
-  if (code.number == kG89 || taps(code))
-    way.feed_to(holes.clear);
-  else
-    way.rapid_to(holes.clear);
-  if (taps(code) || code.number == kG86) way.turn(spindle);
+  if (feeds_out(code)) way.feed_to(holes.feed_end);
+  if (taps(code)) way.turn(spindle);
+  way.rapid_to(holes.clear);
+  if (code.number == kG86) way.turn(spindle);
 }
 
 void drill_all(Task& task, const Holes& holes, const AxisVector& from) {
@@ -248,21 +267,37 @@ void drill_all(Task& task, const Holes& holes, const AxisVector& from) {
   }
 }
 
+/// The motion that stands before a cycle has ended the row before, and comes back behind G80.
+void lay_below(Task& task) {
+  const GCode* below = task.command.below_cycle();
+  if (below != nullptr) task.modal.motion = task.modal.motion_below = below;
+}
+
+/// How the hole is left.
+void compare_ways_out(Task& task, const Holes& holes) {
+  const Modal& modal = task.modal;
+  if (modal.cycle.start <= holes.retract) return;
+  if (!modal.retract_to_r)
+    task.out.contradict(Contradiction::retract, task.word.pos);
+  else if (!*modal.retract_to_r && feeds_out(task.code))
+    task.out.contradict(Contradiction::feed_out, task.word.pos);
+}
+
 }  // namespace
 
 void canned_cycle(Task& task) {
   Modal& modal = task.modal;
+  lay_below(task);
   const PlaneAxes axes = plane_axes(modal.plane);
   const AxisVector from = modal.coordinates.to_program(modal.position);
-  if (modal.motion == nullptr || !is_cycle(*modal.motion)) modal.cycle.start = from[axes.across];
-  keep_words(task, axes, modal.motion == &task.code);
+  if (!in_row(modal)) modal.cycle.start = from[axes.across];
+  keep_words(task, axes);
   begin_motion(task);
   const auto count = repeats(task);
   if (count && has_words(task, axes) && has_feed(task)) {
     const Holes holes = holes_of(task, axes, from, *count);
     if (is_possible(task, holes) && spindle_turns(task)) {
-      if (!modal.retract_to_r && modal.cycle.start > holes.retract)
-        task.out.contradict(Contradiction::retract, task.word.pos);
+      compare_ways_out(task, holes);
       for (const char letter : kAxisLetters)
         if (task.values.has(letter) && !modal.incremental) modal.uncertain.remove(letter);
       return drill_all(task, holes, from);
@@ -275,6 +310,8 @@ void refuse_cycle(Task& task) {
   const std::string why = task.code.number == 880 ? "a hand that leads the tool out of the hole"
                                                   : "a spindle that can be oriented";
   task.out.report(Code::SC2161, task.word.pos, code_name(task.code) + " needs " + why);
+  lay_below(task);
+  if (is_fanuc(task)) keep_words(task, plane_axes(task.modal.plane));
   task.modal.motion = nullptr;
   task.modal.uncertain |= Letters("GXYZ");
 }

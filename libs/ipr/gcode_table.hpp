@@ -44,8 +44,10 @@ enum class Group : std::uint8_t {
   tool,
   line_number,
   program_number,
+  radius_number,
+  length_number,
 };
-inline constexpr int kGroups = 27;
+inline constexpr int kGroups = 29;
 
 inline constexpr int kAnyNumber = -1;
 
@@ -73,6 +75,19 @@ const GCode* find_gcode(char letter, double value) noexcept;
 /// Whether a word of this letter is a code, rather than a value for one.
 inline constexpr Letters kCodeLetters{"GMFSTNO"};
 constexpr bool is_code_letter(char letter) noexcept { return kCodeLetters.has(letter); }
+
+/// In the fanuc dialect these are codes too, where no other code of the line takes them.
+inline constexpr Letters kLoneLetters{"DH"};
+
+/// G00 to G03.
+constexpr bool is_line_or_arc(const GCode& code) noexcept {
+  return code.letter == 'G' && code.number <= 30;
+}
+
+/// G73, G74, G76, G81 to G89, refused ones among them.
+constexpr bool is_canned_cycle(const GCode& code) noexcept {
+  return code.group == Group::motion && code.number >= 730 && code.number <= 890;
+}
 
 /// G65, G66 and G66.1: what stands behind them on the line are arguments, no codes.
 constexpr bool calls_macro(const GCode& code) noexcept {

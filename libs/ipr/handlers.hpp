@@ -74,6 +74,7 @@ void use_tool_length(Task& task);
 void use_given_length(Task& task);
 void add_tool_length(Task& task);
 void use_no_tool_length(Task& task);
+void select_length(Task& task);
 
 // reference_points.cpp
 void go_home(Task& task);
@@ -87,6 +88,7 @@ void restore_modes(Task& task);
 // refused.cpp
 void refuse_thread(Task& task);
 void refuse_signal(Task& task);
+void refuse_rigid_tapping(Task& task);
 void switch_input(Task& task);
 // point_words.cpp
 void control_points(Task& task);
@@ -135,6 +137,7 @@ void end_program(Task& task);
 
 // compensation_words.cpp
 void compensate(Task& task);
+void select_radius(Task& task);
 void end_compensation(Task& task);
 /// Refuses codes that would move the contour or the tool while G41 or G42 is in force, or that
 /// cannot lead away behind G40. Motion acts all the same, so that it is known where it leads.
@@ -192,6 +195,8 @@ bool ends_curve(const Command& command, const GCode& curve) noexcept;
 bool has_feed(Task& task);
 /// mm/s, held at the machine's limit with one warning.
 double held_feed(Task& task, double feed);
+/// FANUC: with G28 or G30, beside which G00 and G01 come into force and do not move.
+bool fanuc_goes_home(const Command& command, Dialect dialect) noexcept;
 /// Makes the code the motion in force.
 void begin_motion(Task& task);
 /// Reports, or only mutes the line if the error may come from an earlier one.

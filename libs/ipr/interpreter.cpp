@@ -21,6 +21,11 @@ const Word* first_of(const Values& values, Letters letters) noexcept {
   return first;
 }
 
+bool is_straight(const GCode& code) noexcept {
+  constexpr int kG01 = 10;
+  return code.letter == 'G' && code.number <= kG01;
+}
+
 }  // namespace
 
 Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& diagnostics,
@@ -102,10 +107,11 @@ bool Interpreter::tell_restored(const Line& next) {
 
 void Interpreter::interpret(const Line& line) {
   out_.begin(line);
-  command_.read(line, out_);
+  command_.read(line, options_.dialect, out_);
   if (modal_.curve) check_pending_curve(command_, options_.dialect, modal_, out_);
   if (modal_.points) check_pending_points(command_, modal_, out_);
   if (!command_.has(Group::motion)) find_motion();
+  if (!modal_.curve && !modal_.points) command_.add_lone_letters(options_.dialect);
   check_axes();
   if (command_.has(Group::non_modal) || command_.has(Group::tool_length)) check_axis_codes();
   if (!line.broken && !out_.failed()) check_unused();
@@ -129,7 +135,7 @@ void Interpreter::break_curves() {
 void Interpreter::remember_uncertain() {
   Letters uncertain = command_.uncertain();
   if (command_.has(Group::motion)) uncertain.remove('G');
-  if (uncertain.has('G')) modal_.motion = nullptr;
+  if (uncertain.has('G')) modal_.motion = modal_.motion_below = nullptr;
   modal_.uncertain |= uncertain;
   const bool offsets = command_.has(Group::non_modal) && modal_.offsets_uncertain;
   if (offsets && out_.failed()) modal_.doubt_offsets();
@@ -142,12 +148,16 @@ bool Interpreter::fanuc_goes_to_machine_point() const noexcept {
   return options_.dialect == Dialect::fanuc && code != nullptr && code->number == kG53;
 }
 
+const GCode* Interpreter::behind_g80() const noexcept {
+  return options_.dialect == Dialect::fanuc ? modal_.motion_below : nullptr;
+}
+
 /// Words that no code of the line takes may be meant for the motion in force.
 void Interpreter::find_motion() {
   const Letters unused = command_.unused(options_.dialect);
   if (unused.empty()) return;
   if (command_.uncertain().has('G')) return out_.mute();
-  const GCode* motion = command_.has(Group::cycle) ? nullptr : modal_.motion;
+  const GCode* motion = command_.has(Group::cycle) ? behind_g80() : modal_.motion;
   if (motion == nullptr && fanuc_goes_to_machine_point()) motion = find_gcode('G', 0);
   if (motion != nullptr && unused.has_any(motion->words))
     return command_.add_modal_motion(*motion, *first_of(command_.values(), motion->words));
@@ -174,6 +184,7 @@ void Interpreter::check_axis_codes() {
   const GCode* user = nullptr;
   for (const auto& [code, word] : command_.codes()) {
     if (!Letters(code->words).has_any(kAxisWords)) continue;
+    if (is_straight(*code) && fanuc_goes_home(command_, options_.dialect)) continue;
     if (user != nullptr) {
       out_.report(Code::SC2110, word->pos,
                   code_name(*code) + " beside " + code_name(*user) + ": both take the axes");

@@ -55,6 +55,8 @@ class Interpreter {
   std::optional<Block> read_on();
   void choose_format();
   void interpret(const Line& line);
+  /// The motion in force on a line with G80.
+  const GCode* behind_g80() const noexcept;
   void find_motion();
   void check_axes();
   void check_axis_codes();

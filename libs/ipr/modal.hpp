@@ -92,6 +92,7 @@ struct Modal : Modes {
   Coordinates coordinates;                       // made of these by update_coordinates()
   bool machine_coordinates = false;              // on this line: G53
   const GCode* motion = nullptr;                 // the motion code in force
+  const GCode* motion_below = nullptr;           // G00 to G03: in force but for a cycle
   std::optional<int> tool;                       // as selected by T
   std::optional<int> loaded_tool;                // in the spindle
   std::optional<Beside> beside;

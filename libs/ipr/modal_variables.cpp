@@ -169,6 +169,7 @@ struct Coded {
   double (*read)(const Modal&);
 };
 
+constexpr double kNoMotion = 80;
 constexpr double kTenths = 10;  // G54.1 is 541 to LinuxCNC and 54.1 to FANUC
 
 double feed_code(const Modal& modal) {
@@ -176,20 +177,32 @@ double feed_code(const Modal& modal) {
   return kCodesOfModes[static_cast<std::size_t>(modal.feed_mode)];
 }
 
-bool has_length(const Modal& modal) {
-  return modal.length_number != 0 || !modal.tool_offset.isZero(0);
+bool in_cycle(const Modal& modal) {
+  return modal.motion != nullptr && is_canned_cycle(*modal.motion);
+}
+
+double motion_code(const Modal& modal) {
+  if (!in_cycle(modal) || modal.uncertain.has('G')) return motion_mode(modal) / kTenths;
+  return modal.motion_below != nullptr ? modal.motion_below->number / kTenths : kNoMotion;
+}
+
+double cycle_code(const Modal& modal) {
+  if (modal.uncertain.has('G')) return kUncertain;
+  return in_cycle(modal) ? modal.motion->number / kTenths : kNoMotion;
 }
 
 constexpr Coded kFanucCodes[] = {
-    {1, [](const Modal& m) { return motion_mode(m) / kTenths; }},
+    {1, motion_code},
     {2, [](const Modal& m) { return plane(m) / kTenths; }},
     {3, [](const Modal& m) { return m.incremental ? 91.0 : 90.0; }},
     {5, feed_code},
     {6, [](const Modal& m) { return m.mm_per_unit == 1 ? 21.0 : 20.0; }},
     {7, [](const Modal& m) { return compensation(m) / kTenths; }},
-    {8, [](const Modal& m) { return has_length(m) ? 43.0 : 49.0; }},
+    {8, [](const Modal& m) { return m.length_on ? 43.0 : 49.0; }},
+    {9, cycle_code},
     {10, [](const Modal& m) { return m.retract_to_r.value_or(false) ? 99.0 : 98.0; }},
     {14, [](const Modal& m) { return coordinate_system(m) / kTenths; }},
+    {107, [](const Modal& m) -> double { return m.radius_number.value_or(0); }},
     {109, feed},
     {111, [](const Modal& m) -> double { return m.length_number; }},
     {119, spindle_speed},

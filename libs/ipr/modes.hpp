@@ -40,6 +40,8 @@ struct Modes {
   bool mist = false, flood = false;     // coolant
   AxisVector tool_offset = AxisVector::Zero();  // mm: of G43, in force
   int length_number = 0;                        // H last used
+  bool length_on = false;                       // G43 and its like
+  std::optional<int> radius_number;             // D last used; unset: none was
   std::optional<bool> retract_to_r;             // G99; G98: false; unset: as the dialect has it
   std::optional<CutterSide> cutter;             // G41, G42
 };

@@ -29,6 +29,7 @@ void move_beside(Task& task, const AxisVector& programmed, bool rapid) {
 void line(Task& task, bool rapid) {
   begin_motion(task);
   if (!task.values.letters().has_any(kAxisWords)) return;
+  if (fanuc_goes_home(task.command, task.options.dialect)) return;
   const AxisVector to = end_point(task);
   if (task.modal.machine_coordinates && !rapid) {
     task.out.contradict(Contradiction::machine_point, task.command.find_word(Group::non_modal).pos);
@@ -58,9 +59,11 @@ void move_straight(Task& task, const AxisVector& to, bool rapid) {
 void rapid(Task& task) { line(task, true); }
 void feed_line(Task& task) { line(task, false); }
 
+/// In the fanuc dialect G80 ends cycles only.
 void cancel_motion(Task& task) {
-  task.modal.motion = nullptr;
-  task.modal.uncertain.remove('G');
+  const bool fanuc = task.options.dialect == Dialect::fanuc;
+  task.modal.motion = fanuc ? task.modal.motion_below : nullptr;
+  if (!fanuc || task.modal.motion != nullptr) task.modal.uncertain.remove('G');
 }
 
 }  // namespace softcnc::ipr

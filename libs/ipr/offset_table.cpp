@@ -159,9 +159,9 @@ bool write_compensation(Task& task, int table) {
 }
 
 bool refuse_form(Task& task) {
-  task.out.report(
-      Code::SC2007, task.values.word('L').pos,
-      is_fanuc(task) ? "G10 takes L2, L10, L11, L12 or L13" : "G10 takes L1, L2, L10, L11 or L20");
+  task.out.report(Code::SC2007, task.values.word('L').pos,
+                  is_fanuc(task) ? "G10 takes L1, L2, L10, L11, L12 or L13"
+                                 : "G10 takes L1, L2, L10, L11 or L20");
   return false;
 }
 

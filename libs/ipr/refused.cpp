@@ -18,8 +18,16 @@ void refuse_thread(Task& task) {
   constexpr int kG76 = 760;  // a thread of LinuxCNC's, fine boring of FANUC's
   if (task.code.number == kG76 && task.options.dialect == Dialect::fanuc) return refuse_cycle(task);
   report(task, "threads need a spindle with an encoder, which the axes could follow");
-  task.modal.motion = nullptr;
+  task.modal.motion = task.modal.motion_below = nullptr;
   task.modal.uncertain |= "GXYZ";
+}
+
+/// M29. Whether the spindle would turn behind it is not known.
+void refuse_rigid_tapping(Task& task) {
+  report(task,
+         "rigid tapping needs a spindle in step with the axis; G74 and G84 without M29 take a "
+         "floating holder and a spindle that turns");
+  task.modal.uncertain.add('M');
 }
 
 /// M62 to M68.

@@ -46,6 +46,7 @@ void report_unknown_tool(Task& task, int number, SourcePos pos) {
 
 /// G43 H; without H the tool in the spindle. In the fanuc dialect H is modal.
 void use_tool_length(Task& task) {
+  task.modal.length_on = true;
   if (const auto length = read_length(task)) return use_offset(task, *length);
   task.modal.doubt_offsets();
 }
@@ -55,11 +56,13 @@ void use_given_length(Task& task) {
   if (task.command.uncertain().has_any(kAxisWords)) task.modal.doubt_offsets();
   AxisVector offset = task.modal.tool_offset;
   for_named_axes(task, [&](int axis, double value) { offset[axis] = value; });
+  task.modal.length_on = true;
   use_offset(task, offset);
 }
 
 /// G43.2 H: one more.
 void add_tool_length(Task& task) {
+  task.modal.length_on = true;
   if (!task.values.has('H') && !task.command.uncertain().has('H'))
     task.out.report(Code::SC2005, task.word.pos, "G43.2 needs H, the tool to add");
   const auto length = task.values.has('H') ? read_length(task) : std::nullopt;
@@ -69,8 +72,15 @@ void add_tool_length(Task& task) {
 
 /// G49
 void use_no_tool_length(Task& task) {
+  task.modal.length_on = false;
   task.modal.length_number = 0;
   use_offset(task, AxisVector::Zero());
+}
+
+/// H beside no code that takes it, in the fanuc dialect.
+void select_length(Task& task) {
+  if (task.modal.length_on) return use_tool_length(task);
+  if (const auto number = whole_number(task, task.word)) task.modal.length_number = *number;
 }
 
 }  // namespace softcnc::ipr

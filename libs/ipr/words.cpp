@@ -152,7 +152,16 @@ bool ends_curve(const Command& command, const GCode& curve) noexcept {
 
 void begin_motion(Task& task) {
   task.modal.motion = &task.code;
+  if (!is_canned_cycle(task.code))
+    task.modal.motion_below = is_line_or_arc(task.code) ? &task.code : nullptr;
   task.modal.uncertain.remove('G');
+}
+
+bool fanuc_goes_home(const Command& command, Dialect dialect) noexcept {
+  constexpr int kG28 = 280, kG30 = 300;
+  const GCode* code = command.find(Group::non_modal);
+  if (dialect != Dialect::fanuc || code == nullptr) return false;
+  return code->number == kG28 || code->number == kG30;
 }
 
 void report_if_certain(Task& task, Letters depends_on, Code code, SourcePos pos,

@@ -39,7 +39,7 @@ TEST_CASE("codes says what one code means, however it is written", "[apps][codes
 TEST_CASE("codes tells words, group and order of a code", "[apps][codes]") {
   CHECK(call("codes G41").out ==
         "G41     D L                 The tool runs left of the contour, by its radius; D: that of "
-        "another tool.\n"
+        "another tool (fanuc: without D the last).\n"
         "        group   cutter compensation (G40 G41 G41.1 G42 G42.1)\n"
         "        order   14 of 23: cutter compensation\n");
   CHECK(

@@ -185,6 +185,12 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC2129,
      "a canned cycle before any G98 or G99 goes out to R; in the fanuc dialect: goes out to where "
      "the first of the row began"},
+    {Code::SC2130,
+     "G41, G42 without D take the radius of the tool in the spindle; in the fanuc dialect: take "
+     "the last D"},
+    {Code::SC2131,
+     "G74, G84, G89 with G98 go out at the feed all the way; in the fanuc dialect: go out at the "
+     "feed to R, where the spindle of a tap turns back, and on as a rapid"},
     {Code::SC2001, "G48 is not supported"},
     {Code::SC1050, "'line' is no command; there are l, pcw, pccw, dcw, dccw, s and f"},
     {Code::SC1051, "numbers without a command before them"},
@@ -224,6 +230,7 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC2140, "M06 while cutter compensation is on"},
     {Code::SC2140, "G06.2 while cutter compensation is on"},
     {Code::SC2141, "G42.1, and cutter compensation is on already"},
+    {Code::SC2141, "D, and cutter compensation is on already"},
     {Code::SC2142, "the radius of tool 7 is not known"},
     {Code::SC2143,
      "the first move of cutter compensation must be longer than the tool's radius, 5 mm"},
@@ -233,6 +240,7 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC2147, "the tool, radius 5 mm, does not fit between the inside corners of this move"},
     {Code::SC2148, "G41 without D: no tool is in the spindle; moves stay as they are"},
     {Code::SC2148, "G42 without D: tool 9 has no radius; moves stay as they are"},
+    {Code::SC2148, "G41 without D, and none before; moves stay as they are"},
     {Code::SC2149, "G03 behind G40; the first move leads away on a line"},
     {Code::SC2110, "G01 beside G92: both take the axes"},
     {Code::SC2111, "G53 moves by G00 or G01 only, written beside it or in force"},
@@ -245,6 +253,10 @@ const std::multimap<Code, std::string> kTexts{
      "M62 is refused: softcnc has no inputs and outputs that a program could read or set"},
     {Code::SC2114,
      "M52 is refused: softcnc has no input that could change or stop the feed; P0 is accepted"},
+    {Code::SC2114,
+     "M29 is refused: rigid tapping needs a spindle in step with the axis; G74 and G84 without M29 "
+     "take a floating holder and a spindle that turns"},
+    {Code::SC2114, "G84 with Q is refused: tapping in pecks needs a spindle in step with the axis"},
     {Code::SC2005, "G81 needs R, the height to which it retracts"},
     {Code::SC2005, "G82 needs Z, the bottom of the hole"},
     {Code::SC2005, "G83 needs Q, the depth of a peck"},

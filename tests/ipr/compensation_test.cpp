@@ -322,4 +322,29 @@ TEST_CASE("the tool is as far from the contour as its radius, all the way",
   CHECK(good > 600);
 }
 
+TEST_CASE("in the fanuc dialect D stays in force", "[ipr][compensation][fanuc]") {
+  const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
+  const auto place = [&](const std::string& text) {  // of the tool beside Y20
+    const auto all = moves_of("T1 M06 F100\n" + text + "\nM30\n", mill(), fanuc);
+    return end(all.back().path).y();
+  };
+  const auto told_by = [&](const std::string& text, InterpreterOptions options) {
+    return places(interpret("T1 M06 F100\n" + text + "\nM30\n", mill(), options));
+  };
+  CHECK(place("G1 G41 D2 X20 Y0\nX40\nG40 Y20\nG41 X60\nX80") == 23);
+  CHECK(place("D2\nG1 G41 X20 Y20\nX40") == 23);
+  CHECK(place("G0 X0 D2\nG1 G42 X20 Y20\nX40") == 17);
+  CHECK(place("G1 G41 D2 X20 Y20\nX40\nG41 D2 X60\nG41 X70\nD2 X80") == 23);
+  CHECK(place("G1 G41 D2 X20 Y20\nX40\nG40 Y40\nX0\nD4\nG41 X20 Y20\nX40") == 21.5);
+  CHECK(told_by("D2\nG1 G41 X20\nX40\nG42 Y30\nX60", fanuc) == Places{"SC2141 5:1"});
+  CHECK(told_by("D2\nG1 G41 X20\nX40\nG41 D1 Y30", fanuc) == Places{"SC2141 5:1"});
+  CHECK(told_by("D2\nG1 G41 X20\nX40\nD1 Y30", fanuc) == Places{"SC2141 5:1"});
+  CHECK(told_by("D2\nG1 G41 X20\nX40\nH1 X50", fanuc) == Places{"SC2140 5:1"});
+  CHECK(told_by("D7\nG1 G41 X20\nX40", fanuc) == Places{"SC2142 3:4"});
+  CHECK(told_by("G1 G41 X20\nX40\nG41 X50", fanuc) == Places{"SC2148 2:4"});
+  CHECK(told_by("D0\nG1 G41 X20\nX40", fanuc).empty());
+  CHECK(told_by("D2\nG1 X20", {}) == Places{"SC2004 2:1"});
+  CHECK(told_by("G1 G41 D2 X20\nX40\nG41 D2 X50", {}) == Places{"SC2141 4:1"});
+}
+
 }  // namespace softcnc::ipr

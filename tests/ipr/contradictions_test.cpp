@@ -17,11 +17,12 @@ namespace {
 
 using C = Contradiction;
 
-/// Tool 1 has a length of 50 mm and a radius of 3 mm.
+/// Tool 1 has a length of 50 mm and a radius of 3 mm, tool 2 a radius of 4 mm.
 MachineState state_with_tool() {
   MachineState state;
   state.tools[1].length[2] = 50;
   state.tools[1].radius = 3;
+  state.tools[2].radius = 4;
   return state;
 }
 
@@ -108,6 +109,10 @@ const std::vector<Case> kCases{
     {C::length_number, "T1 M6\nG43\nG0 Z1\nM30", "SC2124 2:1", ""},
     {C::length_number, "T1 M6\nG43 H1\nG43\nG0 Z1\nM30", "", ""},
     {C::zero_radius, "T1 M6\nG41 D0 G1 X10 F100\nX20\nG40 X30\nM30", "SC2125 2:5", ""},
+    {C::radius_number, "T1 M6\nF100 G1 G41 D2 X20\nX40\nG40 Y20\nG41 X60\nX80\nG40 Y50\nM30",
+     "SC2130 5:1", ""},
+    {C::radius_number, "T2 M6\nF100 G1 G41 D2 X20\nX40\nG40 Y20\nG41 X60\nX80\nG40 Y50\nM30", "",
+     ""},
     {C::local_shift, "G92 X5\nG52 X2\nG0 X0\nM30", "SC2126 2:1", ""},
     {C::local_shift, "G52 X2\nG92.2\nG0 X0\nM30", "SC2126 2:1", ""},
     {C::local_shift, "G92 X5\nG52 Y2\nG0 X0\nY0\nG92 Y1\nG92.1\nX0\nM30", "", ""},
@@ -116,6 +121,9 @@ const std::vector<Case> kCases{
     {C::old_call, "M98 P10002\nM30\nO10002\nG0 X1\nM99\nO2\nG0 X2\nM99", "SC2128 1:5", ""},
     {C::retract, "G0 Z20\nG81 X1 Z-1 R2 F100\nM30", "SC2129 2:1", ""},
     {C::retract, "G0 Z2\nG81 X1 Z-1 R2 F100\nM30", "", ""},
+    {C::feed_out, "S500 M3 G0 Z20\nG98 G84 X1 Z-1 R2 F100\nM30", "SC2131 2:5", ""},
+    {C::feed_out, "S500 M4 G0 Z20\nG98 G74 X1 Z-1 R2 F100\nM30", "SC2131 2:5", ""},
+    {C::feed_out, "S500 M3 G0 Z20\nG99 G84 X1 Z-1 R2 F100\nM30", "", ""},
 };
 
 std::string words_of(const ContradictionRow& row, Dialect dialect) {
@@ -183,7 +191,11 @@ TEST_CASE("nothing is compared unless it is asked for", "[ipr][contradictions]")
 TEST_CASE("what one dialect refuses is no contradiction", "[ipr][contradictions]") {
   for (const char* text :
        {"G04 X1\nM30", "#1=1+1\nM30", "G28\nM30", "G10 L20 P1 X0\nM30", "G1 F100 X[#0+1]\nM30",
-        "G0 X[1 EQ 1 AND 2 EQ 2]\nM30", "G0 X[1.5 AND 1]\nM30", "G10 L12 P1 R1\nM30"}) {
+        "G0 X[1 EQ 1 AND 2 EQ 2]\nM30", "G0 X[1.5 AND 1]\nM30", "G10 L12 P1 R1\nM30",
+        "G0 X1 H1\nM30", "G0 X1 D1\nM30", "G0 G28 X0\nM30", "F9 G2 X2 I1 K0\nM30",
+        "G0 X1\nG80 X2\nM30", "F9 G0 Z3\nG99 G81 X1 Z0 R1\nG83 X2 Q1\nM30",
+        "F9 G0 Z3\nG99 G83 X1 Z0 R1 Q1 P1\nM30",
+        "T1 M6\nF9 G1 G41 D1 X20\nX40\nG41 D1 X50\nG40 X60\nM30"}) {
     CAPTURE(text);
     const Interpreted linuxcnc = run(text, Dialect::linuxcnc), fanuc = run(text, Dialect::fanuc);
     CHECK(has_errors(linuxcnc) != has_errors(fanuc));

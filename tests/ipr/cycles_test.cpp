@@ -30,7 +30,9 @@ std::string way(const std::string& text, Dialect dialect = Dialect::linuxcnc) {
   return all.substr(head.size());
 }
 
-Places told(const std::string& text) { return places(interpret(text + "\nM02\n")); }
+Places told(const std::string& text, Dialect dialect = Dialect::linuxcnc) {
+  return places(interpret(text + "\nM02\n", {}, {.dialect = dialect}));
+}
 
 }  // namespace
 
@@ -129,6 +131,64 @@ TEST_CASE("in G95 the feed is that of the spindle", "[ipr][cycles]") {
   CHECK(moves[1].feed == Approx(2));
   CHECK(moves[2].feed == Approx(0.254 * 20));
   CHECK(told("G95 G01 X1 F1") == Places{"SC2222 1:5"});
+}
+
+TEST_CASE("FANUC keeps the words of a row from cycle to cycle", "[ipr][cycles][fanuc]") {
+  CHECK(way("G98 G81 X1 Y1 Z-5 R2\nG82 X2 P500", Dialect::fanuc) ==
+        "R1,1,20 R1,1,2 F1,1,-5 R1,1,20 R2,1,20 R2,1,2 F2,1,-5 D0.5 R2,1,20 ");
+  CHECK(way("G99 G81 X1 Z-5 R2\nG85 X3", Dialect::fanuc) ==
+        "R1,0,20 R1,0,2 F1,0,-5 R1,0,2 R3,0,2 F3,0,-5 F3,0,2 ");
+  CHECK(told("F1 G81 X1 Z-5 R1\nG82 X6\nG80\nG82 X7", Dialect::fanuc) == Places{"SC2005 4:1"});
+  CHECK(told("F1 G81 X1 Z-5 R1\nG0 Z9\nG82 X7", Dialect::fanuc) == Places{"SC2005 3:1"});
+  CHECK(told("F1 G76 X1 Z-5 R1 Q1\nG81 X2\nX3", Dialect::fanuc) == Places{"SC2161 1:4"});
+}
+
+TEST_CASE("FANUC's G80 gives back the motion from before the cycle", "[ipr][cycles][fanuc]") {
+  CHECK(way("G1 Z1\nG80\nX7", Dialect::fanuc) == "F0,0,1 F7,0,1 ");
+  CHECK(way("G99 G81 X1 Z-5 R1\nG82 X2\nG80\nX7", Dialect::fanuc) ==
+        "R1,0,20 R1,0,1 F1,0,-5 R1,0,1 R2,0,1 F2,0,-5 R2,0,1 R7,0,1 ");
+  CHECK(way("G1 Z1\nG99 G81 X1 Z-5 R0\nG80 X20 Z50", Dialect::fanuc) ==
+        "F0,0,1 R1,0,1 R1,0,0 F1,0,-5 R1,0,0 F20,0,50 ");
+  CHECK(told("G80 X20", Dialect::fanuc) == Places{"SC2101 1:5"});
+  CHECK(told("G0 Z1\nG80 X20") == Places{"SC2101 2:5"});
+  CHECK(told("G0 Z1\nG33 Z5 K1\nG80\nX20", Dialect::fanuc) == Places{"SC2114 2:1"});
+  CHECK(told("G0 Z1\nG999\nG80\nX20", Dialect::fanuc) == Places{"SC2001 2:1"});
+  CHECK(told("F1 G6.1 X1\nX2 Y1\nG80\nX20", Dialect::fanuc) == Places{"SC2101 4:1"});
+}
+
+TEST_CASE("FANUC lays a motion before a cycle below it", "[ipr][cycles][fanuc]") {
+  CHECK(way("G98 G0 G81 X5 Z-1 R2\nG80 X7", Dialect::fanuc) ==
+        "R5,0,20 R5,0,2 F5,0,-1 R5,0,20 R7,0,20 ");
+  CHECK(way("G1 G98 G81 X5 Z-1 R2\nG80\nX7", Dialect::fanuc) ==
+        "R5,0,20 R5,0,2 F5,0,-1 R5,0,20 F7,0,20 ");
+  CHECK(way("G99 G81 X1 Z-5 R1\nG0 G98 G82 X2 Z-5 R1", Dialect::fanuc) ==
+        "R1,0,20 R1,0,1 F1,0,-5 R1,0,1 R2,0,1 F2,0,-5 R2,0,1 ");
+  CHECK(told("F1 G0 G81 X5 Z-1 R2") == Places{"SC2002 1:7"});
+  CHECK(told("F1 G81 G0 X5 Z-1 R2", Dialect::fanuc) == Places{"SC2002 1:8"});
+  CHECK(told("F1 G0 G81 G82 X5 Z-1 R2", Dialect::fanuc) == Places{"SC2002 1:11"});
+}
+
+TEST_CASE("FANUC's peck drilling may dwell, and its tapping does not peck",
+          "[ipr][cycles][fanuc]") {
+  CHECK(way("G98 G83 X1 Z-4 R2 Q3. P250", Dialect::fanuc) ==
+        "R1,0,20 R1,0,2 F1,0,-1 R1,0,2 R1,0,-0.746 F1,0,-4 D0.25 R1,0,20 ");
+  CHECK(way("G99 G73 X1 Z-1 R2 Q3. P250", Dialect::fanuc) ==
+        "R1,0,20 R1,0,2 F1,0,-1 D0.25 R1,0,2 ");
+  CHECK(told("F1 G83 X1 Z-1 R2 Q3 P1\nX2") == Places{"SC2004 1:21"});
+  CHECK(told("S9 M3\nF1 G84 X1 Z-1 R1 Q1", Dialect::fanuc) == Places{"SC2114 2:18"});
+  CHECK(told("S9 M3\nF1 G84 X1 Z-1 R1 Q0", Dialect::fanuc).empty());
+  CHECK(told("S9 M3\nF1 G84 X1 Z-1 R1 Q0") == Places{"SC2004 2:18"});
+  CHECK(told("M29 S500\nF1 G84 X1 Z-1 R1", Dialect::fanuc) == Places{"SC2114 1:1"});
+}
+
+TEST_CASE("FANUC's taps and bores go out at the feed to R only", "[ipr][cycles][fanuc]") {
+  CHECK(way("G98 G84 X1 Z-7 R2 P1000", Dialect::fanuc) ==
+        "R1,0,20 R1,0,2 F1,0,-7 S-500 D1 F1,0,2 S500 R1,0,20 ");
+  CHECK(way("M04\nG98 G74 X1 Z-7 R2", Dialect::fanuc) ==
+        "S-500 R1,0,20 R1,0,2 F1,0,-7 S500 F1,0,2 S-500 R1,0,20 ");
+  CHECK(way("G98 G89 X1 Z-5 R1 P1000", Dialect::fanuc) ==
+        "R1,0,20 R1,0,1 F1,0,-5 D1 F1,0,1 R1,0,20 ");
+  CHECK(way("G99 G84 X1 Z-7 R2", Dialect::fanuc) == way("G99 G84 X1 Z-7 R2"));
 }
 
 }  // namespace softcnc::ipr

@@ -120,6 +120,10 @@ TEST_CASE("FANUC's numbers tell the codes in force", "[ipr][variables][fanuc]") 
   CHECK(end_of("G0 X#4005 Y#4007 Z#4008", kFanuc) == AxisVector(94, 40, 49));
   CHECK(end_of("G95 G43 H2\nG0 X#4005 Y#4111 Z#4008", kFanuc) == AxisVector(95, 2, 43));
   CHECK(end_of("G0 X#4010\nG99\nY#4010", kFanuc) == AxisVector(98, 99, 0));
+  CHECK(end_of("D7\nG0 X#4107 Y#4001 Z#4009", kFanuc) == AxisVector(7, 80, 80));
+  CHECK(end_of("H2\nG0 X#4008 Y#4111", kFanuc) == AxisVector(49, 2, 0));
+  CHECK(end_of("F9 G1 Z9\nG99 G83 X1 Z0 R1 Q1\n#1=#4001\n#2=#4009\nG0 X#1 Y#2", kFanuc) ==
+        AxisVector(1, 83, 1));
 }
 
 TEST_CASE("offsets can be read and written", "[ipr][variables]") {

@@ -75,4 +75,18 @@ TEST_CASE("in the fanuc dialect G30 takes P2", "[ipr][reference][fanuc]") {
   CHECK(places(interpret("G30 P2 Z0\nM30\n")) == Places{"SC2004 1:5"});
 }
 
+TEST_CASE("in the fanuc dialect G00 and G01 beside G28 are in force behind it",
+          "[ipr][reference][fanuc]") {
+  CHECK(places_of("G0 X3 Y4 Z5\nG00 G91 G28 Z0.\nG90 X7\n", kFanuc) ==
+        Path{{3, 4, 5}, {3, 4, 0}, {7, 4, 0}});
+  const auto moves = moves_of("F60 G0 X3 Y4\nG1 G30 X2 Y2\nX9\nM30\n", {}, kFanuc);
+  REQUIRE(moves.size() == 4);
+  CHECK((moves[1].rapid && moves[2].rapid && !moves[3].rapid));
+  CHECK(near(end(moves[2].path), {0, 0, 0}));
+  CHECK(near(end(moves[3].path), {9, 0, 0}));
+  CHECK(places(interpret("G0 G28 X0 Y0\nM30\n")) == Places{"SC2110 1:1"});
+  CHECK(places(interpret("F9\nG2 G28 X0 Y0\nM30\n", {}, kFanuc)) == Places{"SC2110 2:1"});
+  CHECK(places(interpret("F9\nG92 X0 G0 Y0\nM30\n", {}, kFanuc)) == Places{"SC2110 2:8"});
+}
+
 }  // namespace softcnc::ipr

@@ -65,4 +65,16 @@ TEST_CASE("in the fanuc dialect wear adds, and H is modal", "[ipr][tool_length][
   CHECK(place(set + "G43 H9 G00 Z1\n", kFanuc).z() == 1);
 }
 
+TEST_CASE("in the fanuc dialect H counts by itself too", "[ipr][tool_length][fanuc]") {
+  const std::string set = "G10 L10 P3 R50\nG10 L10 P4 R7\n";
+  CHECK(place(set + "G43 H3\nG00 Z1 H4\n", kFanuc).z() == 8);
+  CHECK(place(set + "G43 H3\nH4\nG00 Z1\n", kFanuc).z() == 8);
+  CHECK(place(set + "G00 Z1 H4\nG43\nZ2\n", kFanuc).z() == 9);
+  CHECK(place(set + "H4\nG00 Z1\n", kFanuc).z() == 1);
+  CHECK(place(set + "G43 H3\nG49\nH4\nG00 Z1\n", kFanuc).z() == 1);
+  CHECK(places(interpret("G00 X1 H4\nM30\n")) == Places{"SC2004 1:8"});
+  CHECK(places(interpret("H1.5\nM30\n", {}, kFanuc)) == Places{"SC2007 1:1"});
+  CHECK(places(interpret("F9 G6.1 X1\nX2 Y1 H4\nX3\nM30\n", {}, kFanuc)) == Places{"SC2004 2:7"});
+}
+
 }  // namespace softcnc::ipr

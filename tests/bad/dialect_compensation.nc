@@ -1,0 +1,7 @@
+(expect SC2130 4:1; check)
+G10 L1 P1 Z0 R3
+T1 M06
+G41 G01 X10 F100
+X20
+G40 X30
+M30

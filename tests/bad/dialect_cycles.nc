@@ -1,0 +1,5 @@
+(expect SC2131 3:5; check)
+G00 Z20 S500 M03 F100
+G98 G84 X1 Z-5 R2
+G80
+M30
