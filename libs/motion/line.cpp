@@ -4,9 +4,19 @@
 #include <cassert>
 
 namespace softcnc {
+namespace {
+
+/// The squares of lengths that machines have are within the range of a double.
+double length_of(const AxisVector& way) {
+  constexpr double kShort = 1e-140, kLong = 1e140;
+  const double length = way.norm();
+  return length > kShort && length < kLong ? length : way.stableNorm();
+}
+
+}  // namespace
 
 Line::Line(const AxisVector& from, const AxisVector& to)
-    : from_(from), to_(to), direction_(to - from), length_(direction_.stableNorm()) {
+    : from_(from), to_(to), direction_(to - from), length_(length_of(direction_)) {
   assert(length_ > 0);
   direction_ /= length_;
 }
