@@ -7,13 +7,13 @@
 
 #include "cpu_clock.hpp"
 #include "descriptor.hpp"
-#include "ipo/stop.hpp"
 
 namespace softcnc::app {
 namespace {
 
 /// How far ahead of its need the queue is filled, in periods.
 constexpr double kAhead = 256;
+constexpr double kSameInstant = 1e-9;  // periods: rounding of sums
 
 void add_times(const ipo::Profile& profile, double until, std::array<double, kLimits>& sums) {
   profile.for_each_piece([&](Limit limit, double duration) {
@@ -60,6 +60,13 @@ void Feeder::fill(ipo::BlockQueue& queue, double until) {
   cpu_ += cpu.lap();
 }
 
+void Feeder::replan(ipo::BlockQueue& queue, const ipo::State& now, double t,
+                    const ipo::FeedControl& asked) {
+  pauses_.clear();
+  ended_ = ended_ || asked.stop;
+  queue.begin_again(planner_.replan(queue.take_rest(), now, t, asked), t);
+}
+
 void Feeder::finish(ipo::BlockQueue& queue) {
   waiting_ = false;
   if (!std::exchange(ended_, true)) planner_.finish();
@@ -102,7 +109,8 @@ void Feeder::read_on(std::optional<Block> block) {
 Channel::Channel(ipr::Reader& reader, int input, const Machine& machine,
                  const ChannelOptions& options, Diagnostics& diagnostics)
     : machine_(machine),
-      feed_override_(options.feed_override),
+      events_(options.events),
+      control_{options.feed_override, false, false},
       feeder_(reader, input, machine, options, diagnostics),
       queue_(10 * machine.control.period),
       interpolator_(queue_, machine.control) {}
@@ -113,6 +121,8 @@ bool Channel::plan_ahead() noexcept {
   try {
     const double needed = interpolator_.needs_until();
     if (queue_.t_end() <= needed) feeder_.fill(queue_, needed + kAhead * machine_.control.period);
+    if (replanned_ && !queue_.empty()) interpolator_.replanned();
+    replanned_ = replanned_ && queue_.empty();
   } catch (...) {
     broken_ = std::current_exception();
   }
@@ -127,11 +137,10 @@ const Pause* Channel::pause_ahead() noexcept {
 
 std::optional<Setpoint> Channel::step(const Panel& panel) noexcept {
   if (!plan_ahead()) return std::nullopt;
-  try {
-    if (panel.stop && started_ && !std::exchange(stopping_, true)) replan_to_stop();
-  } catch (...) {
-    broken_ = std::current_exception();
-    return std::nullopt;
+  if (panel.stop && started_ && !std::exchange(stopping_, true)) {
+    control_.stop = true;
+    replan();
+    if (!plan_ahead()) return std::nullopt;
   }
   if (panel.stop && waiting()) feeder_.finish(queue_);
   if (waiting()) return std::nullopt;
@@ -139,17 +148,27 @@ std::optional<Setpoint> Channel::step(const Panel& panel) noexcept {
   return interpolator_.step();
 }
 
-void Channel::replan_to_stop() {
-  feeder_.finish(queue_);
-  feeder_.pauses().clear();
-  if (queue_.empty()) return;
-  const double now = interpolator_.time();
-  add_times(queue_.front().profile, now - queue_.front().t_start, time_by_limit_);
-  const ipo::Constraints constraints(machine_, feed_override_);
-  const ipo::State state = interpolator_.state();
-  for (auto& timed : ipo::plan_stop(constraints, queue_.take_rest(), state, now))
-    queue_.push(std::move(timed));
-  interpolator_.replanned();
+bool Channel::event_due() const noexcept {
+  return answered_ < events_.size() && started_ && !stopping_ && !queue_.empty() &&
+         interpolator_.time() >= events_[answered_].time - kSameInstant * machine_.control.period;
+}
+
+void Channel::answer_events() noexcept {
+  if (!event_due()) return;
+  for (; event_due(); ++answered_) control_ = after(events_[answered_], control_);
+  replan();
+}
+
+void Channel::replan() noexcept {
+  if (queue_.empty() || broken_) return;
+  try {
+    const double now = interpolator_.time();
+    add_times(queue_.front().profile, now - queue_.front().t_start, time_by_limit_);
+    feeder_.replan(queue_, interpolator_.state(), now, control_);
+    replanned_ = true;
+  } catch (...) {
+    broken_ = std::current_exception();
+  }
 }
 
 void Channel::forget_passed() {

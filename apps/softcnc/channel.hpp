@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "feed_script.hpp"
 #include "hal/backend.hpp"
 #include "ipo/interpolator.hpp"
 #include "ipo/planner.hpp"
@@ -27,10 +28,11 @@ namespace softcnc::app {
 
 /// How a part program runs, beside the machine.
 struct ChannelOptions {
-  double feed_override = 1;  // of the programmed feed
+  double feed_override = 1;  // of the programmed feed, as it begins
   ipr::InterpreterOptions interpreter;
-  MachineState state;        // with which the program begins
-  bool keeps_state = false;  // Outcome::state is asked for
+  MachineState state;             // with which the program begins
+  bool keeps_state = false;       // Outcome::state is asked for
+  std::vector<FeedEvent> events;  // in the order of time
 };
 
 /// An action at which the program waits for a person, and when it is passed.
@@ -52,6 +54,11 @@ class Feeder {
   void fill(ipo::BlockQueue& queue, double until);
   /// Whether fill() has ended because the program's pipe has nothing more yet.
   bool waiting() const noexcept { return waiting_; }
+
+  /// Plans the queue anew from the state `now` in its first block, at program time `t`; fill()
+  /// gives it what follows. After a stop nothing more is read.
+  void replan(ipo::BlockQueue& queue, const ipo::State& now, double t,
+              const ipo::FeedControl& asked);
 
   /// Reads no further; the queue gets what has been read.
   void finish(ipo::BlockQueue& queue);
@@ -90,6 +97,11 @@ class Channel {
   Channel(ipr::Reader& reader, int input, const Machine& machine, const ChannelOptions& options,
           Diagnostics& diagnostics);
 
+  /// Whether an event of the script is to be answered before the next step.
+  bool event_due() const noexcept;
+  /// Plans the rest of the way anew for what the events due ask for; right behind forget_passed().
+  void answer_events() noexcept;
+
   /// The next setpoint; nothing at the end. When the panel asks for a stop the rest of the way is
   /// planned anew, to rest as soon as the limits allow; it must not ask between two calls of
   /// forget_passed().
@@ -116,19 +128,25 @@ class Channel {
   /// How long of it each limit has held the feed down, s.
   std::array<double, kLimits> time_by_limit() const;
 
+  /// Events that the run has not reached.
+  std::size_t events_left() const noexcept { return events_.size() - answered_; }
+
   Feeder& feeder() noexcept { return feeder_; }
 
  private:
   bool plan_ahead() noexcept;
-  void replan_to_stop();
+  void replan() noexcept;
 
   const Machine& machine_;
-  double feed_override_;
+  std::vector<FeedEvent> events_;
+  std::size_t answered_ = 0;  // of the events
+  ipo::FeedControl control_;
   Feeder feeder_;
   ipo::BlockQueue queue_;
   ipo::Interpolator interpolator_;
   std::array<double, kLimits> time_by_limit_{};  // of what has been forgotten
   bool started_ = false, stopping_ = false;
+  bool replanned_ = false;  // the interpolator has not been told
   std::exception_ptr broken_;
 };
 
@@ -169,6 +187,7 @@ struct Outcome {
   std::array<double, kLimits> time_by_limit{};
   Measured measured;
   double corner_deviation = 0;  // mm: of rounded corners from the programmed path
+  std::size_t events_left = 0;  // of the script: their moments were never reached
   MachineState state;           // where the machine rests, if ChannelOptions::keeps_state
   ipo::PlannerCounts planner;
   std::vector<std::string> called_files;  // their names in the folder

@@ -94,6 +94,36 @@ void add_feed_override(CLI::App& command, Options& options) {
       ->type_name("PERCENT");
 }
 
+void add_events(CLI::App& command, Options& options) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--at",
+          [&options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              const auto event = parse_event(text);
+              if (!event)
+                throw CLI::ValidationError(
+                    "--at",
+                    "takes SECONDS:override=PERCENT (0 to 200), SECONDS:hold or "
+                    "SECONDS:resume, not '" +
+                        text + "'");
+              options.events.push_back(*event);
+            }
+            sort_events(options.events);
+          },
+          "Change the feed override, hold or resume while it runs, as in 1.5:override=50, 2:hold "
+          "(repeatable)")
+      ->type_name("SECONDS:WHAT")
+      ->allow_extra_args(false);
+}
+
+/// Whether the last event leaves the machine at rest.
+bool held_for_ever(const Options& options) {
+  ipo::FeedControl control;
+  for (const FeedEvent& event : options.events) control = after(event, control);
+  return control.halts();
+}
+
 void add_progress(CLI::App& command, Options& options) {
   command
       .add_option_function<std::string>(
@@ -144,6 +174,7 @@ void add_run(CLI::App& command, Options& options, const char* state) {
   add_state(command, options, state);
   add_backend(command, options);
   add_feed_override(command, options);
+  add_events(command, options);
   add_interpreter(command, options);
   command.add_option("--report", options.report, "Write the figures of the run as JSON")
       ->type_name("FILE.json");
@@ -276,6 +307,9 @@ int tell(const CLI::App& app, const CLI::ParseError& error, std::span<const char
 /// What cannot be together; empty: nothing.
 std::string contradiction(const Options& options) {
   if (options.command == Command::codes) return {};
+  if (held_for_ever(options))
+    return "--at: the last of them holds the program for ever; it takes a later SECONDS:resume, or "
+           "override above 0";
   if (options.progress == ProgressMode::json && options.diagnostics != DiagnosticsFormat::text)
     return "--progress json and --diagnostics both want standard error";
   const auto& files = options.files;

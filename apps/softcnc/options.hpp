@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "feed_script.hpp"
 #include "ipr/dialect.hpp"
 #include "ipr/format.hpp"
 
@@ -24,7 +25,8 @@ struct Options {
   std::vector<std::string> settings;  // KEY=VALUE, on top of it
   std::string state;                  // file; empty: none
 
-  double feed_override = 1;  // of the programmed feed
+  double feed_override = 1;       // of the programmed feed
+  std::vector<FeedEvent> events;  // in the order of time
   bool block_skip = false, optional_stop = false;
   ipr::Dialect dialect = ipr::Dialect::linuxcnc;
   ipr::Format format = ipr::Format::automatic;

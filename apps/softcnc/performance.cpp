@@ -191,6 +191,12 @@ Performance perform(Job& job, const Options& options, const std::string& trace) 
 int conclude(Job& job, const Options& options, const Performance& performance) {
   if (performance.moved && performance.ending != Ending::error)
     spdlog::info("{}", summary(job, performance));
+  const std::size_t left = performance.outcome.events_left;
+  for (std::size_t i = job.options.events.size() - left;
+       performance.moved && performance.ending == Ending::done && i < job.options.events.size();
+       ++i)
+    spdlog::warn("--at {} was not reached: the program had ended",
+                 event_text(job.options.events[i]));
   if (!performance.moved && performance.ending == Ending::stopped)
     spdlog::info("stopped before anything moved");
   if (options.report.empty()) return performance.status;

@@ -29,12 +29,26 @@ Result<ipr::Format> read_format(const Json& options) {
   return error(Code::SC6022, "was made of a format this version does not know: '" + word + "'");
 }
 
+Result<std::vector<FeedEvent>> read_events(const Json& options) {
+  std::vector<FeedEvent> events;
+  for (const std::string text : options.value("at", Json::array())) {
+    const auto event = parse_event(text);
+    if (!event)
+      return error(Code::SC6022, "asks at some moment for what is not known: '" + text + "'");
+    events.push_back(*event);
+  }
+  sort_events(events);
+  return events;
+}
+
 Result<RecordingMeta> read(const Json& json) {
   const Json& options = json.at("options");
   const auto dialect = read_dialect(options);
   if (!dialect) return tl::make_unexpected(dialect.error());
   const auto format = read_format(options);
   if (!format) return tl::make_unexpected(format.error());
+  auto events = read_events(options);
+  if (!events) return tl::make_unexpected(std::move(events.error()));
   RecordingMeta meta{json.at("program").at("name"),
                      json.at("program").at("hash"),
                      json.at("machine").at("hash"),
@@ -46,6 +60,7 @@ Result<RecordingMeta> read(const Json& json) {
   for (const Json& file : json.value("called", Json::array()))
     meta.called.push_back({file.at("name"), file.at("hash")});
   meta.options.feed_override = options.at("feed_override");
+  meta.options.events = std::move(*events);
   meta.options.interpreter.block_skip = options.at("block_skip");
   meta.options.interpreter.optional_stop = options.at("optional_stop");
   meta.options.interpreter.dialect = *dialect;
@@ -69,6 +84,8 @@ std::string meta_json(const RecordingMeta& meta) {
               {"dialect", name(meta.options.interpreter.dialect)},
               {"format", name(meta.options.interpreter.format)}}},
             {"start", {{"position_mm", {0, 0, 0}}, {"tool", nullptr}}}};
+  for (const FeedEvent& event : meta.options.events)
+    json["options"]["at"].push_back(event_text(event));
   for (const CalledFile& file : meta.called)
     json["called"].push_back({{"name", file.name}, {"hash", file.hash}});
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

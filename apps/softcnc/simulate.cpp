@@ -39,12 +39,12 @@ class RowBuffer {
   std::vector<double> values_;
 };
 
-/// A Source that ends with the batch, or before the program waits.
+/// A Source that ends with the batch, or before the program waits or is to be planned anew.
 class Batch {
  public:
   explicit Batch(Channel& channel) noexcept : channel_(channel) {}
   std::optional<Setpoint> step(const Panel& panel) noexcept {
-    if (left_ == 0 || channel_.pause_ahead()) return std::nullopt;
+    if (left_ == 0 || channel_.event_due() || channel_.pause_ahead()) return std::nullopt;
     --left_;
     return channel_.step(panel);
   }
@@ -66,6 +66,7 @@ class Simulation {
 
   Outcome run(RowSink* rows, Watcher* watcher) {
     do {
+      channel_.answer_events();
       wait(watcher);
       if (channel_.waiting()) wait_for_more(rows, watcher);
       if (watcher && !panel_.stop) panel_.stop = watcher->wants_stop();
@@ -128,8 +129,8 @@ bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   outcome_.cpu.output += cpu_.lap();
   if (!wanted) outcome_.end = Outcome::End::broken_off;
   if (cycle.last.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
-  return outcome_.end == Outcome::End::done &&
-         (cycle.setpoints == kBatch || channel_.pause_ahead() || channel_.waiting());
+  return outcome_.end == Outcome::End::done && (cycle.setpoints == kBatch || channel_.event_due() ||
+                                                channel_.pause_ahead() || channel_.waiting());
 }
 
 bool Simulation::write(RowSink* rows) {
@@ -147,6 +148,7 @@ Outcome Simulation::finish() {
   outcome_.time_by_limit = channel_.time_by_limit();
   outcome_.measured = verification_.measured();
   outcome_.corner_deviation = verification_.corner_deviation();
+  outcome_.events_left = channel_.events_left();
   outcome_.planner = channel_.feeder().counts();
   outcome_.called_files = channel_.feeder().called_files();
   outcome_.cpu.planning = channel_.feeder().cpu();

@@ -29,4 +29,9 @@ PartlyPassed BlockQueue::take_rest() {
   return rest;
 }
 
+void BlockQueue::begin_again(std::deque<TimedBlock> passed, double t) {
+  remembered_ = std::move(passed);
+  t_end_ = t;
+}
+
 }  // namespace softcnc::ipo

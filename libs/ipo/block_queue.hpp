@@ -49,6 +49,8 @@ class BlockQueue {
   /// Takes out everything from the present block on, to be planned anew, and before it what can
   /// still be felt. Planning side.
   PartlyPassed take_rest();
+  /// The other way round: what follows begins at `t`; `passed` can still be felt. Planning side.
+  void begin_again(std::deque<TimedBlock> passed, double t);
 
   /// Realtime.
   bool empty() const noexcept { return current_ == blocks_.size(); }

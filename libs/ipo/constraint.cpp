@@ -33,6 +33,10 @@ Constraints::Constraints(const Machine& machine, double feed_override)
   if (limits_jerk()) jerk_ = jerk_.cwiseMin(2 * acceleration_ / period_);
 }
 
+void Constraints::set_feed_override(const Machine& machine, double feed_override) {
+  caps_.front() = make_feed_limit(machine, feed_override);
+}
+
 double Constraints::centripetal_q(const PathPoint& point) const noexcept {
   const double square = point.ddq.squaredNorm();
   return square > 0 ? all_axes(point.ddq, acceleration_) / square : kUnlimited;

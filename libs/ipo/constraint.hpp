@@ -47,6 +47,11 @@ class Constraints {
   /// `feed_override` multiplies the programmed feed (1: as programmed), never a machine limit.
   Constraints(const Machine& machine, double feed_override);
 
+  /// Counts for what is asked from now on.
+  void set_feed_override(const Machine& machine, double feed_override);
+  /// The one of `caps` that the feed override multiplies.
+  const Constraint& feed() const noexcept { return *caps_.front(); }
+
   const std::vector<std::unique_ptr<Constraint>>& caps() const noexcept { return caps_; }
 
   /// Axis acceleration |x'' q + x' u| <= A.

@@ -33,7 +33,7 @@ Cap cap_at(const PathPoint& point, const Move& move, const Constraints& constrai
 
 Interval make_interval(double s0, double s1, const PathPoint& left, const PathPoint& right,
                        const Move& move, const Constraints& constraints) {
-  Interval interval{&move.path, s0, s1, left, right, {}, {}, {}, false};
+  Interval interval{&move.path, s0, s1, left, right, {}, {}, {}, {}, false};
   interval.left_cap = cap_at(left, move, constraints, false);
   interval.right_cap = cap_at(right, move, constraints, false);
   interval.left_cap.lower_to({constraints.centripetal_q(left), Limit::acceleration});

@@ -29,6 +29,7 @@ struct Interval {
   PathPoint left, right;    // one-sided, from inside the interval
   Cap left_cap, right_cap;  // at its ends
   Cap step_cap;             // for every step that touches it
+  Cap slower_cap;           // from where the machine has slowed down to it: Window::slow_down()
   bool ends_move = false;
 
   double length() const noexcept { return s1 - s0; }

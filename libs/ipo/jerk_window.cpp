@@ -14,6 +14,11 @@ constexpr double kLeft = 1.5;          // of them that are planned anew
 constexpr double kLongest = 0.25;      // stopping distance: longest interval
 constexpr double kMostParts = 32;      // of an interval
 constexpr double kFurther = 1.12;      // from one stop that is tried to the next
+constexpr double kLittleMore = 1.5;    // than the way of a stop
+constexpr double kSameSpeed = 1.002;   // squared
+constexpr double kSlowingPart = 0.04;  // of the way of a stop: so near the shortest way is found
+constexpr double kResolution = 1e-3;   // mm: of where the machine has slowed down
+constexpr double kNodePart = 0.1;      // of an interval: a stop nearer to its end is there
 constexpr double kShortestStop = 0.8;  // of v^2 / 2A with all axes together
 
 double speed(const Cap& cap) noexcept { return std::sqrt(cap.q); }
@@ -39,16 +44,19 @@ void JerkWindow::split_long_intervals(bool ended) {
   }
 }
 
-/// The end of a plan: the first rest, or as many stopping distances away as it takes.
-std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended) const noexcept {
+/// The end of a plan: the first rest, or as many stopping distances away as it takes. `slowing`: mm
+/// ahead of the front in which the machine slows down first.
+std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended, double slowing) const noexcept {
   const auto& nodes = chain_.nodes;
   const std::size_t last = ended ? nodes.size() - 1 : last_final_cap();
-  double top = motion_.v;
+  double top = slowing > 0 ? 0 : motion_.v;
   for (std::size_t n = front_; n < last; ++n) {
-    top = std::max({top, speed(nodes[n].cap), speed(chain_.inside[n].cap)});
     if (nodes[n + 1].cap.q == 0) return Reach{n + 1, n + 1};
+    const double way = nodes[n + 1].s - nodes[front_].s - slowing;
+    if (way <= 0) continue;
+    top = std::max({top, speed(nodes[n].cap), speed(chain_.inside[n].cap)});
     const double distance = stopping_distance(top, constraints_);
-    if (nodes[n + 1].s - nodes[front_].s < kAhead * distance) continue;
+    if (way < kAhead * distance) continue;
     std::size_t taken = n + 1;
     while (taken > front_ + 1 && nodes[n + 1].s - nodes[taken].s < kLeft * distance) --taken;
     return Reach{n + 1, taken};
@@ -63,6 +71,7 @@ std::size_t JerkWindow::settle(bool ended) {
   if (!std::exchange(caps_derived_, true)) derive_caps(chain_, constraints_);
   const auto reach = look_ahead(ended);
   if (!reach) return 0;
+  if (slows_) return slow_down(ended);
   auto plan = this->plan(reach->end, reach->taken);
   if (!plan) return fall_back(reach->end);
   take(std::move(*plan), reach->taken - front_);
@@ -109,24 +118,27 @@ bool JerkWindow::ends_interval(std::size_t count) const noexcept {
   return !ramps.empty() && ramps.back().s1 == chain_.intervals[front_ + count - 1].s1;
 }
 
-/// A node at s, mm from the first node ever, or at the first rest before it.
-std::size_t JerkWindow::node_at(double s) {
-  const auto& nodes = chain_.nodes;
-  std::size_t n = front_ + 1;
-  while (n + 1 < nodes.size() && nodes[n].s < s && nodes[n].cap.q > 0) ++n;
-  const Interval& interval = chain_.intervals[n - 1];
-  const double from_left = s - nodes[n - 1].s;
-  if (nodes[n].s - s > 0.1 * interval.length() && from_left > 0.1 * interval.length())
-    chain_.split(n - 1, interval.s0 + from_left);
-  return n;
-}
-
-/// The node at which the machine rests anyway, mm of the chain.
-double JerkWindow::first_rest() const noexcept {
-  const auto& nodes = chain_.nodes;
-  std::size_t n = front_ + 1;
-  while (n + 1 < nodes.size() && nodes[n].cap.q > 0) ++n;
-  return nodes[n].s;
+/// As soon as it can, if it can within the way of a stop or a little more; found by halving.
+std::size_t JerkWindow::slow_down(bool ended) {
+  const Chain appended = chain_;
+  const auto plan_from = [&](double way) {
+    slow_from(appended, way);
+    const auto reach = look_ahead(ended, slowing_way_);
+    auto plan = reach ? this->plan(reach->end, reach->taken) : std::nullopt;
+    if (plan) take(std::move(*plan), reach->taken - front_);
+    return plan.has_value();
+  };
+  slows_ = false;
+  const bool too_fast = motion_.v * motion_.v > chain_.intervals[front_].slower_cap.q * kSameSpeed;
+  if (!too_fast && plan_from(0)) return planned_.size();
+  double no = 0, yes = stop_;
+  lost_ = !plan_from(yes) && !plan_from(yes *= kLittleMore);
+  while (!lost_ && yes - no > std::max(kSlowingPart * stop_, kResolution)) {
+    const double middle = 0.5 * (no + yes);
+    (plan_from(middle) ? yes : no) = middle;
+  }
+  lost_ = lost_ || (slowing_way_ != yes && !plan_from(yes));
+  return lost_ ? 0 : planned_.size();
 }
 
 std::optional<std::size_t> JerkWindow::rest_early(double resolution) {
@@ -138,7 +150,7 @@ std::optional<std::size_t> JerkWindow::rest_early(double resolution) {
   const double a = constraints_.tangential_u(chain_.intervals[front_].left);
   double way = std::max(resolution, kShortestStop * motion_.v * motion_.v / (2 * a));
   for (;; way *= kFurther) {
-    const std::size_t end = node_at(chain_.nodes[front_].s + std::min(way, all));
+    const std::size_t end = node_at(chain_.nodes[front_].s + std::min(way, all), kNodePart);
     derive_caps(chain_, constraints_);
     if (auto plan = this->plan(end, end)) {
       take(std::move(*plan), end - front_);

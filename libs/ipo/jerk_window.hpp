@@ -33,14 +33,13 @@ class JerkWindow final : public Window {
   struct Reach {
     std::size_t end, taken;
   };
-  std::optional<Reach> look_ahead(bool ended) const noexcept;
+  std::optional<Reach> look_ahead(bool ended, double slowing = 0) const noexcept;
+  std::size_t slow_down(bool ended);
   std::optional<Ramps> plan(std::size_t end, std::size_t taken);
   bool ends_interval(std::size_t count) const noexcept;
   void split_long_intervals(bool ended);
   void take(Ramps plan, std::size_t intervals);
   std::size_t fall_back(std::size_t end);
-  double first_rest() const noexcept;
-  std::size_t node_at(double s);
 
   std::deque<std::vector<Ramp>> planned_;  // by interval, from the front
   std::deque<std::vector<Ramp>> tail_;     // of the last plan, to its rest

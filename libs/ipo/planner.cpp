@@ -26,7 +26,11 @@ Planner::Planner(const Machine& machine, double feed_override, Diagnostics& diag
       diagnostics_(diagnostics),
       constraints_(machine, feed_override),
       corners_(machine),
-      window_(make_window(constraints_)) {}
+      window_(make_window(constraints_)),
+      running_(feed_override),
+      ceiling_(feed_override) {
+  feed_.feed_override = feed_override;
+}
 
 void Planner::push(Block block) {
   if (const Move* move = std::get_if<Move>(&block.what)) {
@@ -60,7 +64,7 @@ void Planner::flush_corners() {
 void Planner::accept(Piece piece) {
   pending_.push_back({std::move(piece.block), {}, 0, 0, std::move(piece.marks), piece.deviation});
   const Move* move = pending_.back().move();
-  if (move) {
+  if (move && !feed_.halts()) {
     window_->append(*move, rest_);
     counts_.nodes += window_->last_move().size();
   }
@@ -69,14 +73,15 @@ void Planner::accept(Piece piece) {
 
 PlannerCounts Planner::counts() const noexcept {
   PlannerCounts counts = counts_;
-  counts.effort = window_->effort();
+  counts.effort += window_->effort();
   return counts;
 }
 
 std::optional<TimedBlock> Planner::pop() {
-  if (pending_.empty()) return std::nullopt;
+  if (!ready_.empty()) return take_ready();
+  if (pending_.empty() || feed_.halts()) return std::nullopt;
   if (pending_.front().move()) {
-    if (!run_move()) return std::nullopt;
+    if (!run_move()) return ready_.empty() ? std::nullopt : take_ready();
   } else if (const Dwell* dwell = std::get_if<Dwell>(&pending_.front().block.what)) {
     pending_.front().profile.add_rest(dwell->duration);
   }
@@ -92,9 +97,9 @@ std::optional<TimedBlock> Planner::pop_now() {
 
 /// Runs what is settled of the first pending move; true when all of it is.
 bool Planner::run_move() {
-  Profile& profile = pending_.front().profile;
   while (true) {
     if (settled_ == 0 && !settle()) return false;
+    Profile& profile = pending_.front().profile;
     const bool ended = window_->run_front(profile);
     --settled_;
     if (!std::isfinite(profile.duration())) report_no_speed(profile);
@@ -114,6 +119,11 @@ bool Planner::settle() {
   if (!finished_ && !hurried_ && window_->size() < std::max(kFewIntervals, 2 * last_size_))
     return false;
   settled_ = window_->settle(finished_);
+  if (window_->lost()) return stop_first();
+  if (settled_ > 0 && !way_out_.empty()) {
+    slow_until_ = begun_ + window_->slowing_way();
+    way_out_.clear();
+  }
   last_size_ = window_->size() - settled_;
   ++counts_.passes;
   return settled_ > 0;
@@ -132,6 +142,12 @@ void Planner::rest_at_turn(Profile& profile) {
   const double allowed = constraints_.chord_tolerance() * (turn.shares_its_step ? kTurnShare : 1);
   if (cut > allowed || last_rest_ > row_before) profile.add_rest(row_before + period - t);
   last_rest_ = t;
+}
+
+std::optional<TimedBlock> Planner::take_ready() {
+  TimedBlock timed = std::move(ready_.front());
+  ready_.pop_front();
+  return timed;
 }
 
 TimedBlock Planner::take() {

@@ -5,9 +5,12 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "ipo/block_queue.hpp"
 #include "ipo/corner_stage.hpp"
+#include "ipo/feed_control.hpp"
+#include "ipo/stop.hpp"
 #include "ipo/window.hpp"
 #include "motion/machine.hpp"
 
@@ -37,12 +40,26 @@ class Planner {
   /// The same where nothing more may be pushed for long: finds out what is settled by now.
   std::optional<TimedBlock> pop_now();
 
+  /// Plans all anew from the state `now` inside the first block of `rest` not passed, at program
+  /// time `t`, for the feed that is asked for from then on. pop() goes on with that block; a block
+  /// in which the machine is held has no end. Returns what has been passed.
+  std::deque<TimedBlock> replan(PartlyPassed rest, const State& now, double t,
+                                const FeedControl& asked);
+
   PlannerCounts counts() const noexcept;
 
  private:
   void accept(Piece piece);
   void leave_out();
   void flush_corners();
+  void take_back(PartlyPassed& rest);
+  void halt(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
+  void go_on(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
+  StopPlan stop_from(const PartlyPassed& rest, const State& now, double t, Limit as);
+  double stopping_way(double s) const;
+  void lay_out(const std::deque<TimedBlock>& passed, double s, const Constraint* slower);
+  bool stop_first();
+  std::optional<TimedBlock> take_ready();
   bool run_move();
   bool settle();
   void report_no_speed(Profile& profile);
@@ -54,6 +71,7 @@ class Planner {
   Constraints constraints_;
   CornerStage corners_;
   std::unique_ptr<Window> window_;
+  std::deque<TimedBlock> ready_;  // timed; before the pending ones
   std::deque<TimedBlock> pending_;
   PlannerCounts counts_;
   std::size_t settled_ = 0;    // intervals at the front of the window whose speeds are final
@@ -62,7 +80,13 @@ class Planner {
   double last_rest_ = -1;      // when the machine last rested at a turn
   bool rest_ = true;           // before the next move
   bool finished_ = false;
-  bool hurried_ = false;  // settling is worth its while however little has come
+  FeedControl feed_;
+  double running_;                // feed override when the machine was last to go on
+  double ceiling_;                // the highest one after which it may still be faster
+  double begun_ = 0;              // mm of path where the last plan began,
+  double slow_until_ = 0;         // and where the machine is as slow as it asks
+  std::vector<Profile> way_out_;  // from there to rest, until slowing down is planned
+  bool hurried_ = false;          // settling is worth its while however little has come
 };
 
 }  // namespace softcnc::ipo

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace softcnc::ipo {
 namespace {
 
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr int kHalvings = 60;
 constexpr double kStandstill = 1e-9;  // mm/s: slower is rounding
 
@@ -30,6 +32,18 @@ void Profile::add_rest(double duration) {
 }
 
 void Profile::rest_at(double s) { pieces_.push_back({duration_, 0, {s}, s, Limit::stop}); }
+
+void Profile::add_hold(Limit limit) {
+  const double s = pieces_.empty() ? 0.0 : pieces_.back().s1;
+  pieces_.push_back({duration_, kEndless, {s}, s, limit});
+  duration_ = kEndless;
+}
+
+void Profile::end_hold() noexcept {
+  if (duration_ < kEndless) return;
+  duration_ = pieces_.back().t0;
+  pieces_.pop_back();
+}
 
 Profile Profile::from(double t) const {
   Profile rest;
@@ -61,7 +75,7 @@ State Profile::at(double t, std::size_t& hint) const noexcept {
   const double s = ends ? piece.s1 : piece.curve.s(tau);
   const double v = std::max(piece.curve.v(tau), 0.0);
   return {std::clamp(s, piece.curve.s0, piece.s1), v, piece.curve.a(tau),
-          v > 0 ? piece.limit : Limit::stop};
+          v > 0 || piece.duration == kEndless ? piece.limit : Limit::stop};
 }
 
 /// s grows with t.

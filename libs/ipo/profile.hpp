@@ -29,6 +29,10 @@ class Profile {
   void add_rest(double duration);
   /// Rest at s, for no time.
   void rest_at(double s);
+  /// Rest at the present place without an end, and what holds the machine there.
+  void add_hold(Limit limit);
+  /// Ends where the rest without an end begins, if there is one.
+  void end_hold() noexcept;
 
   /// What is left of it at t; t = 0 is there.
   Profile from(double t) const;

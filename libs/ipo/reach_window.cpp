@@ -7,15 +7,17 @@
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of q
+constexpr double kRounding = 1e-9;    // of q
+constexpr double kResolution = 1e-3;  // mm: of where the machine has slowed down
 
 }  // namespace
 
 std::size_t ReachWindow::settle(bool ended) {
   if (size() == 0) return 0;
   derive_caps(chain_, constraints_);
+  if (slows_ && (ended || last_final_cap() > front_)) slow_down(ended);
   const std::size_t last = ended ? chain_.nodes.size() - 1 : last_final_cap();
-  if (last <= front_) return 0;
+  if (lost_ || last <= front_) return 0;
   back_from(last);
   if (ended) return size();
   auto& nodes = chain_.nodes;
@@ -28,6 +30,27 @@ std::size_t ReachWindow::settle(bool ended) {
     nodes[settled].k = reach_back(chain_.intervals[settled], constraints_, reach(settled));
   }
   return settled - front_;
+}
+
+/// A machine that can slow down to a place can also slow down to any later one.
+void ReachWindow::slow_down(bool ended) {
+  const Chain appended = chain_;
+  const auto keeps = [&](double way) {
+    slow_from(appended, way);
+    const std::size_t last = ended ? chain_.nodes.size() - 1 : last_final_cap();
+    if (last <= front_) return false;
+    back_from(last);
+    return chain_.nodes[front_].k >= q_ * (1 - kRounding);
+  };
+  slows_ = false;
+  if (keeps(0)) return;
+  double no = 0, yes = first_rest() - chain_.nodes[front_].s;
+  lost_ = !keeps(yes);
+  while (!lost_ && yes - no > kResolution) {
+    const double middle = 0.5 * (no + yes);
+    (keeps(middle) ? yes : no) = middle;
+  }
+  if (!lost_) lost_ = !keeps(yes);  // finer intervals may ask for a little more
 }
 
 std::optional<std::size_t> ReachWindow::rest_early(double resolution) {

@@ -25,6 +25,7 @@ class ReachWindow final : public Window {
   bool front_rests() const noexcept override { return q_ == 0; }
 
  private:
+  void slow_down(bool ended);
   double reachable_from_rest(std::size_t end);
   void back_from(std::size_t last);
   Reach reach(std::size_t interval) const noexcept;

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/stop.hpp"
 
-#include <cmath>
-
-#include "ipo/window.hpp"
+#include <utility>
 
 namespace softcnc::ipo {
 namespace {
 
-/// A plan leaves nothing of its accelerations unused where it starts to stop: what interpolating
-/// and rounding may cost is added here, well within the 0.1 % of the promise.
-constexpr double kAccelerationShare = 1 + 4e-4;
 constexpr double kResolution = 1e-3;  // mm
 
 /// Fills the window with the moves of all blocks; its front is `s` mm inside the first not passed.
@@ -27,57 +22,53 @@ void append_moves(Window& window, const PartlyPassed& rest, double s) {
 }
 
 /// Runs the first `intervals` of the window, or up to the end of its first move.
-std::size_t run_move(Window& window, std::size_t intervals, Profile& profile) {
+std::size_t run_move(Window& window, std::size_t intervals, Profile& profile, Limit as) {
   for (bool ended = false; intervals > 0 && !ended; --intervals)
-    ended = window.run_front(profile, Limit::stop);
+    ended = window.run_front(profile, as);
   return intervals;
 }
 
 /// The present plan up to the first block that ends at rest.
-std::deque<TimedBlock> up_to_rest(PartlyPassed rest, double t) {
-  std::deque<TimedBlock> going_on;
+std::vector<Profile> up_to_rest(const PartlyPassed& rest, double t) {
+  std::vector<Profile> going_on;
   for (std::size_t i = rest.passed; i < rest.blocks.size(); ++i) {
-    TimedBlock& block = rest.blocks[i];
-    if (going_on.empty()) block.profile = block.profile.from(t - block.t_start);
-    block.t_start = t;
-    t = block.t_end();
-    const bool rests = block.profile.end_speed() == 0;
-    going_on.push_back(std::move(block));
-    if (rests) break;
+    const TimedBlock& block = rest.blocks[i];
+    going_on.push_back(going_on.empty() ? block.profile.from(t - block.t_start) : block.profile);
+    going_on.back().end_hold();
+    if (going_on.back().end_speed() == 0) break;
   }
   return going_on;
 }
 
 }  // namespace
 
-std::deque<TimedBlock> plan_stop(const Constraints& constraints, PartlyPassed rest,
-                                 const State& now, double t) {
+StopPlan plan_stop(const Constraints& constraints, const PartlyPassed& rest, const State& now,
+                   double t, Limit as) {
   const std::unique_ptr<Window> window = make_window(constraints, kAccelerationShare);
   append_moves(*window, rest, now.s);
   window->set_front(now.v, now.a);
+  StopPlan plan;
   std::size_t intervals = 0;
   if (now.v > 0 && window->size() > 0) {
     const auto stop = window->rest_early(kResolution);
-    if (!stop) return up_to_rest(std::move(rest), t);
+    plan.effort = window->effort();
+    if (!stop) {
+      ++plan.effort.fallbacks;
+      plan.profiles = up_to_rest(rest, t);
+      return plan;
+    }
     intervals = *stop;
   }
-  std::deque<TimedBlock> stopped;
   for (std::size_t i = rest.passed; i < rest.blocks.size(); ++i) {
-    const bool present = stopped.empty();
+    const bool present = plan.profiles.empty();
     if (!present && intervals == 0) break;
-    TimedBlock timed{std::move(rest.blocks[i].block),
-                     {},
-                     t,
-                     rest.blocks[i].s_start,
-                     std::move(rest.blocks[i].marks),
-                     rest.blocks[i].deviation};
-    if (present) timed.profile.rest_at(now.s);
-    const bool moves = timed.move() && (!present || length(timed.move()->path) > now.s);
-    if (moves) intervals = run_move(*window, intervals, timed.profile);
-    t = timed.t_end();
-    stopped.push_back(std::move(timed));
+    Profile& profile = plan.profiles.emplace_back();
+    if (present) profile.rest_at(now.s);
+    const Move* move = rest.blocks[i].move();
+    if (move && (!present || length(move->path) > now.s))
+      intervals = run_move(*window, intervals, profile, as);
   }
-  return stopped;
+  return plan;
 }
 
 }  // namespace softcnc::ipo

@@ -10,6 +10,7 @@ namespace {
 /// What a place asks of its neighbours is felt over a few steps: its own, those of the kinks around
 /// it, and those of theirs.
 constexpr double kFeltPeriods = 5;
+constexpr double kNodePart = 1e-6;  // of an interval: nodes nearer to its end are there
 
 }  // namespace
 
@@ -18,10 +19,18 @@ void Window::append(const Move& move, bool rest) {
   caps_derived_ = false;
 }
 
+void Window::append(const Move& move, bool rest, const Cap& slower) {
+  append(move, rest);
+  auto& intervals = chain_.intervals;
+  for (std::size_t i = intervals.size(); i-- > intervals.size() - last_move().size();)
+    intervals[i].slower_cap = slower;
+}
+
 void Window::skip(std::size_t moves, double s) {
   for (; moves > 0 && front_ < chain_.intervals.size(); ++front_)
     if (chain_.intervals[front_].ends_move) --moves;
-  while (front_ < chain_.intervals.size() && chain_.intervals[front_].s1 <= s) ++front_;
+  while (front_ < chain_.intervals.size() && chain_.intervals[front_].s1 <= s)
+    if (chain_.intervals[front_++].ends_move) return;
   if (front_ == chain_.intervals.size() || chain_.intervals[front_].s0 >= s) return;
   chain_.split(front_, s);
   caps_derived_ = false;
@@ -40,6 +49,37 @@ std::span<const Interval> Window::last_move() const noexcept {
   std::size_t first = chain_.intervals.size() - 1;
   while (first > 0 && !chain_.intervals[first - 1].ends_move) --first;
   return std::span(chain_.intervals).subspan(first);
+}
+
+std::size_t Window::node_at(double s, double part) {
+  const auto& nodes = chain_.nodes;
+  std::size_t n = front_ + 1;
+  while (n + 1 < nodes.size() && nodes[n].s < s && nodes[n].cap.q > 0) ++n;
+  const Interval& interval = chain_.intervals[n - 1];
+  const double from_left = s - nodes[n - 1].s, least = part * interval.length();
+  if (nodes[n].s - s > least && from_left > least) chain_.split(n - 1, interval.s0 + from_left);
+  return n;
+}
+
+double Window::first_rest() const noexcept {
+  const auto& nodes = chain_.nodes;
+  std::size_t n = front_ + 1;
+  while (n + 1 < nodes.size() && nodes[n].cap.q > 0) ++n;
+  return nodes[n].s;
+}
+
+void Window::slow_from(const Chain& appended, double way) {
+  chain_ = appended;
+  slowing_way_ = way;
+  const std::size_t from = way > 0 ? node_at(chain_.nodes[front_].s + way, kNodePart) : front_;
+  for (std::size_t i = from; i < chain_.intervals.size(); ++i) {
+    Interval& interval = chain_.intervals[i];
+    interval.left_cap.lower_to(interval.slower_cap);
+    interval.right_cap.lower_to(interval.slower_cap);
+    chain_.nodes[i].own.lower_to(interval.slower_cap);
+    chain_.nodes[i + 1].own.lower_to(interval.slower_cap);
+  }
+  derive_caps(chain_, constraints_);
 }
 
 bool Window::drop_front() {

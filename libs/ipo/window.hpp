@@ -16,6 +16,13 @@ namespace softcnc::ipo {
 struct PlanEffort {
   std::size_t nodes = 0, iterations = 0;
   std::size_t fallbacks = 0;  // plans that were not found: the machine stops early or goes slowly
+
+  PlanEffort& operator+=(const PlanEffort& more) noexcept {
+    nodes += more.nodes;
+    iterations += more.iterations;
+    fallbacks += more.fallbacks;
+    return *this;
+  }
 };
 
 /// The path in it, and its front; how fast the machine may go is for the two kinds of window to
@@ -31,6 +38,20 @@ class Window {
   /// Appends a move; `rest`: the machine rests where it begins. The move must stay where it is
   /// until the front has passed it.
   void append(const Move& move, bool rest);
+
+  /// The same where the feed is to be another one: `slower` caps the move as soon as slow_down()
+  /// has found where the machine can have slowed down to it.
+  void append(const Move& move, bool rest, const Cap& slower);
+  /// The next settle() looks for the shortest way in which the machine can slow down; it could stop
+  /// within `stop` mm.
+  void slow_down(double stop) noexcept {
+    slows_ = true;
+    stop_ = stop;
+  }
+  /// Nothing was found: there is a faster way alone, and settle() does not know it.
+  bool lost() const noexcept { return lost_; }
+  /// mm from the front at slow_down() to where the slower caps count.
+  double slowing_way() const noexcept { return slowing_way_; }
 
   /// Moves the front past `moves` moves and `s` mm into the next one.
   void skip(std::size_t moves, double s);
@@ -72,10 +93,20 @@ class Window {
   /// Moves the front over its interval; true if its move ends there.
   bool drop_front();
 
+  /// A node at s, mm from the first node ever, or at the first rest before it; splits an interval
+  /// unless one of its ends lies nearer than this part of it.
+  std::size_t node_at(double s, double part);
+  /// The first node at which the machine rests anyway, mm of the chain.
+  double first_rest() const noexcept;
+  /// The chain as it was appended, slower from `way` mm ahead of the front on.
+  void slow_from(const Chain& appended, double way);
+
   const Constraints& constraints_;
   double share_;
   Chain chain_;
   bool caps_derived_ = false;
+  bool slows_ = false, lost_ = false;
+  double stop_ = 0, slowing_way_ = 0;
   std::size_t front_ = 0;  // what lies left of it is kept for what it asks of its neighbours
 
  private:

@@ -6,9 +6,9 @@
 namespace softcnc {
 
 std::string_view name(Limit limit) noexcept {
-  constexpr std::array<std::string_view, kLimits> names{"feed",   "rapid",         "chord",
-                                                        "corner", "axis_velocity", "acceleration",
-                                                        "jerk",   "override",      "stop"};
+  constexpr std::array<std::string_view, kLimits> names{
+      "feed",         "rapid", "chord",    "corner", "axis_velocity",
+      "acceleration", "jerk",  "override", "hold",   "stop"};
   return names[static_cast<std::size_t>(limit)];
 }
 

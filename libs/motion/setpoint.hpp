@@ -19,9 +19,10 @@ enum class Limit : std::uint8_t {
   acceleration,
   jerk,
   override_,
+  hold,
   stop,
 };
-inline constexpr int kLimits = 9;
+inline constexpr int kLimits = 10;
 
 std::string_view name(Limit limit) noexcept;
 

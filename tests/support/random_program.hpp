@@ -63,6 +63,23 @@ inline std::vector<Block> random_program(std::mt19937& random, int count) {
   return number_blocks(std::move(moves));
 }
 
+/// Overrides from 0 to 200 % and holds, each a few rows after the one before; released at last.
+inline Controls random_controls(std::mt19937& random, int count) {
+  Controls controls;
+  int row = 0;
+  const auto later = [&] {
+    const int most = std::array{3, 30, 300}[random() % 3];
+    return row += 1 + static_cast<int>(random() % static_cast<unsigned>(most));
+  };
+  for (int i = 0; i < count; ++i) {
+    ipo::FeedControl& control = controls[later()];
+    control.feed_override = random() % 5 == 0 ? 0.0 : static_cast<double>(random() % 201) / 100;
+    control.hold = random() % 4 == 0;
+  }
+  controls[later()] = {};
+  return controls;
+}
+
 /// A machine with jerk limits: 300 to 6,000 mm/s^2, reached in 5 to 200 ms.
 inline Machine random_machine(std::mt19937& random) {
   const auto uniform = [&](double a, double b) {

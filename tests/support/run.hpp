@@ -41,9 +41,11 @@ inline std::vector<Block> polyline(const std::vector<AxisVector>& points, double
   return number_blocks(std::move(moves));
 }
 
-/// `stop_after`: rows after which a stop is asked for; -1: none. `chunk`: blocks pushed before the
-/// planner is asked; 0: all of them.
-inline Run run(const Machine& machine, const std::vector<Block>& blocks, int stop_after = -1,
+/// What is asked of the feed, by the number of rows after which it is.
+using Controls = std::map<int, ipo::FeedControl>;
+
+/// `chunk`: blocks pushed before the planner is asked; 0: all of them.
+inline Run run(const Machine& machine, const std::vector<Block>& blocks, const Controls& controls,
                std::size_t chunk = 1, double feed_override = 1) {
   Run result;
   Diagnostics diagnostics;
@@ -52,41 +54,38 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, int sto
   ipo::Interpolator interpolator(queue, machine.control);
   Verifier verifier(machine);
   std::size_t next = 0;
-  bool exhausted = false;
-  const auto push = [&](ipo::TimedBlock timed) {
-    timed.profile.for_each_piece(
-        [&](Limit limit, double duration) { result.time_by_limit[limit] += duration; });
-    queue.push(std::move(timed));
-  };
+  bool finished = false, stopped = false;
   const auto pump = [&] {
     if (auto timed = planner.pop()) {
-      push(std::move(*timed));
-      return;
+      timed->profile.for_each_piece(
+          [&](Limit limit, double duration) { result.time_by_limit[limit] += duration; });
+      queue.push(std::move(*timed));
+      return true;
     }
-    if (next == blocks.size()) {
-      exhausted = exhausted || next == blocks.size();
-      planner.finish();
-      while (auto timed = planner.pop()) push(std::move(*timed));
-      return;
-    }
+    if (stopped || finished) return false;
     const std::size_t end = chunk == 0 ? blocks.size() : std::min(blocks.size(), next + chunk);
     while (next < end) planner.push(blocks[next++]);
+    finished = next == blocks.size();
+    if (finished) planner.finish();
+    return true;
   };
-  bool stopped = false;
+  const auto fill = [&] {
+    while (queue.t_end() <= interpolator.needs_until() && pump()) {
+    }
+  };
+  const auto ask = [&](const ipo::FeedControl& control) {
+    stopped = control.stop;
+    const double now = interpolator.time();
+    const ipo::State state = interpolator.state();
+    queue.begin_again(planner.replan(queue.take_rest(), state, now, control), now);
+    fill();
+    interpolator.replanned();
+  };
   while (true) {
     queue.trim();
-    while (!exhausted && queue.t_end() <= interpolator.needs_until()) pump();
-    if (stop_after >= 0 && !stopped && static_cast<int>(result.rows.size()) > stop_after) {
-      stopped = true;
-      while (!exhausted) pump();
-      if (!queue.empty()) {
-        const ipo::Constraints constraints(machine, feed_override);
-        const ipo::State now = interpolator.state();
-        for (auto& timed : ipo::plan_stop(constraints, queue.take_rest(), now, interpolator.time()))
-          queue.push(std::move(timed));
-        interpolator.replanned();
-      }
-    }
+    fill();
+    const auto control = controls.find(static_cast<int>(result.rows.size()));
+    if (control != controls.end() && !queue.empty()) ask(control->second);
     const auto setpoint = interpolator.step();
     if (!setpoint) break;
     std::vector<Stretch> stretches;
@@ -102,6 +101,14 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, int sto
   result.counts = planner.counts();
   for (const Diagnostic& d : diagnostics.all()) result.diagnostics.push_back(d);
   return result;
+}
+
+/// `stop_after`: the row after which a stop is asked for; -1: none.
+inline Run run(const Machine& machine, const std::vector<Block>& blocks, int stop_after = -1,
+               std::size_t chunk = 1, double feed_override = 1) {
+  Controls controls;
+  if (stop_after >= 0) controls[stop_after + 1].stop = true;
+  return run(machine, blocks, controls, chunk, feed_override);
 }
 
 /// Third differences round more: how far they may exceed.

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// Override and hold while a program runs: when they take effect, what the rows say, and that they
+// never break a limit or leave the path.
+//
+// SOFTCNC_PROGRAMS sets how many random programs are tried: scripts/random_programs.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "support/property.hpp"
+#include "support/random_program.hpp"
+#include "support/run.hpp"
+
+using namespace softcnc;
+using namespace softcnc::test;
+using ipo::FeedControl;
+
+namespace {
+
+constexpr FeedControl kGo{1, false, false}, kHold{1, true, false};
+
+FeedControl override_of(double part) { return {part, false, false}; }
+
+/// 1000 mm/s^2, 1 ms; with a jerk limit it takes 20 ms to get there.
+Machine machine_with(bool jerk) {
+  Machine machine;
+  machine.limits.feed = 0;
+  for (Axis& axis : machine.axes) {
+    axis.velocity = 250;
+    axis.acceleration = 1000;
+    axis.jerk = jerk ? 50000 : 0;
+  }
+  return machine;
+}
+
+int rows_until(const Run& run, std::size_t from, double v) {
+  std::size_t row = from;
+  while (row < run.rows.size() && std::abs(run.rows[row].v - v) > 1e-3 * std::max(v, 1e-3)) ++row;
+  return static_cast<int>(row - from);
+}
+
+std::vector<Block> long_line() { return polyline({{0, 0, 0}, {400, 0, 0}}, 100); }
+
+}  // namespace
+
+TEST_CASE("a lower override slows the machine down as fast as its limits allow", "[ipo][replan]") {
+  const bool jerk = GENERATE(false, true);
+  CAPTURE(jerk);
+  const Machine machine = machine_with(jerk);
+  const auto result = run(machine, long_line(), Controls{{1000, override_of(0.5)}});
+  CHECK(exceeded(machine, result) == "");
+  CHECK(result.rows[999].v == Approx(100).epsilon(1e-3));
+  // From 100 to 50 mm/s in v / a, and a / j with jerk; with jerk the place is found by trying.
+  CHECK(rows_until(result, 1000, 50) <= (jerk ? 110 : 52));
+  CHECK(rows_until(result, 1000, 50) >= (jerk ? 65 : 49));
+  CHECK(result.rows[1200].v == Approx(50).epsilon(1e-3));
+  CHECK(result.rows[1200].limit == Limit::override_);
+  CHECK(result.rows.back().position == AxisVector(400, 0, 0));
+}
+
+TEST_CASE("a higher override counts at once, and never above a limit of the machine",
+          "[ipo][replan]") {
+  const bool jerk = GENERATE(false, true);
+  const Machine machine = machine_with(jerk);
+  const auto result =
+      run(machine, long_line(), Controls{{500, override_of(2)}, {1200, override_of(1)}});
+  CHECK(exceeded(machine, result) == "");
+  CHECK(result.rows[499].v == Approx(100).epsilon(1e-3));
+  CHECK(rows_until(result, 500, 200) <= (jerk ? 125 : 103));
+  CHECK(result.rows[1150].v == Approx(200).epsilon(1e-3));
+  CHECK(result.rows[1400].v == Approx(100).epsilon(1e-3));
+  CHECK(result.rows[1400].limit == Limit::feed);
+}
+
+TEST_CASE("a hold rests on the path until it is released, and the rows name it", "[ipo][replan]") {
+  const bool jerk = GENERATE(false, true);
+  const bool by_override = GENERATE(false, true);
+  CAPTURE(jerk, by_override);
+  const Machine machine = machine_with(jerk);
+  const auto result = run(machine, long_line(),
+                          Controls{{1000, by_override ? override_of(0) : kHold}, {3000, kGo}});
+  const Limit name = by_override ? Limit::override_ : Limit::hold;
+  CHECK(exceeded(machine, result) == "");
+  CHECK(rows_until(result, 1000, 0) <= (jerk ? 160 : 103));
+  for (const std::size_t row : {1010U, 1200U, 2999U}) CHECK(result.rows[row].limit == name);
+  for (const std::size_t row : {1200U, 2999U}) {
+    CHECK(result.rows[row].v == 0);
+    CHECK(result.rows[row].position == result.rows[2000].position);
+  }
+  CHECK(result.rows[3010].v > 0);
+  CHECK(result.rows.back().position == AxisVector(400, 0, 0));
+}
+
+TEST_CASE("an override changes neither rapids nor what is programmed without it", "[ipo][replan]") {
+  const bool rapid = GENERATE(false, true);
+  auto blocks = polyline({{0, 0, 0}, {400, 0, 0}}, 100, rapid);
+  std::get<Move>(blocks[0].what).feed_override = rapid;
+  const Machine machine = machine_with(true);
+  const auto plain = run(machine, blocks);
+  const auto slowed = run(machine, blocks, Controls{{500, override_of(0.2)}});
+  CHECK(exceeded(machine, slowed) == "");
+  CHECK(std::abs(std::ssize(slowed.rows) - std::ssize(plain.rows)) <= 5);
+}
+
+TEST_CASE("a dwell that is held lasts as long in all", "[ipo][replan]") {
+  const Machine machine = machine_with(false);
+  const auto blocks =
+      number_blocks({Dwell{0.5}, Move{Line({0, 0, 0}, {10, 0, 0}), false, 100, Join::follow}});
+  const auto plain = run(machine, blocks);
+  const auto held = run(machine, blocks, Controls{{200, kHold}, {300, kGo}});
+  CHECK(held.rows.size() == plain.rows.size() + 100);
+  CHECK(held.rows[250].limit == Limit::hold);
+}
+
+TEST_CASE("override and hold at the same moments give the same rows however the blocks arrive",
+          "[ipo][replan]") {
+  std::mt19937 random(7);
+  const Machine machine = machine_with(true);
+  const auto blocks = random_program(random, 12);
+  const Controls controls{{300, override_of(0.4)}, {700, kHold}, {900, kGo}};
+  const auto whole = run(machine, blocks, controls, 0);
+  const auto pieces = run(machine, blocks, controls, 3);
+  CHECK(exceeded(machine, whole) == "");
+  REQUIRE(pieces.rows.size() == whole.rows.size());
+  for (std::size_t i = 0; i < whole.rows.size(); ++i)
+    REQUIRE(pieces.rows[i].position == whole.rows[i].position);
+}
+
+TEST_CASE("random holds and overrides of random programs keep every limit and the path",
+          "[ipo][jerk][property][replan]") {
+  const char* asked = std::getenv("SOFTCNC_PROGRAMS");
+  holds(
+      [] {
+        std::mt19937 random(static_cast<unsigned>(integer(1, 1'000'000'000)));
+        Machine machine = random_machine(random);
+        if (random() % 3 == 0)
+          for (Axis& axis : machine.axes) axis.jerk = 0;
+        const auto blocks = random_program(random, integer(1, 4));
+        const Controls controls = random_controls(random, integer(1, 5));
+        const auto result = run(machine, blocks, controls);
+        RC_ASSERT(exceeded(machine, result) == "");
+        RC_ASSERT(result.rows.back().position == end(std::get<Move>(blocks.back().what).path));
+        RC_ASSERT(result.rows.back().v == 0);
+      },
+      asked ? std::atoi(asked) : 50);
+}
