@@ -29,6 +29,11 @@ bool may_ask(const Options& options) {
          ::isatty(STDERR_FILENO) != 0;
 }
 
+/// What the backend itself tells by finish() is not told here.
+bool is_of_axis(Alarm alarm) {
+  return alarm == Alarm::following_error || alarm == Alarm::counter_overflow;
+}
+
 Diagnostic alarm_diagnostic(const Outcome& outcome) {
   const int axis = outcome.feedback.alarm_axis;
   const double lag = outcome.last.position[axis] - outcome.feedback.position[axis];
@@ -55,6 +60,8 @@ class Performer {
   void run(hal::Backend& backend, TraceRows& rows);
   void judge(Diagnostics& diagnostics);
   void close(TraceRows& rows);
+  void close(hal::Backend& backend);
+  void failed_to_write(const Diagnostic& diagnostic);
 
   Job& job_;
   const Options& options_;
@@ -77,6 +84,7 @@ Performance Performer::move(const std::string& trace, double total) {
   terminal_.begin(options_.dry_run ? "planning" : "running", total);
   performance_.moved = true;
   run(**backend, *rows);
+  close(**backend);
   close(*rows);
   return std::move(performance_);
 }
@@ -102,7 +110,7 @@ void Performer::run(hal::Backend& backend, TraceRows& rows) {
 
 void Performer::judge(Diagnostics& diagnostics) {
   const Outcome& outcome = performance_.outcome;
-  if (outcome.end == Outcome::End::alarm) diagnostics.report(alarm_diagnostic(outcome));
+  if (is_of_axis(outcome.feedback.alarm)) diagnostics.report(alarm_diagnostic(outcome));
   const bool at_rest = outcome.end == Outcome::End::done || outcome.end == Outcome::End::stopped;
   if (at_rest && diagnostics.errors() == 0)
     report_excess(outcome.measured, job_.machine, diagnostics);
@@ -121,10 +129,16 @@ void Performer::judge(Diagnostics& diagnostics) {
 
 void Performer::close(TraceRows& rows) {
   if (performance_.outcome.end == Outcome::End::done) rows.add_hash_of(job_.program);
-  const auto finished = rows.finish();
-  if (finished) return;
+  if (const auto finished = rows.finish(); !finished) failed_to_write(finished.error());
+}
+
+void Performer::close(hal::Backend& backend) {
+  if (const auto finished = backend.finish(); !finished) failed_to_write(finished.error());
+}
+
+void Performer::failed_to_write(const Diagnostic& diagnostic) {
   performance_.ending = Ending::error;
-  performance_.status = worse_status(performance_.status, messages_.fail(finished.error()));
+  performance_.status = worse_status(performance_.status, messages_.fail(diagnostic));
 }
 
 void explain(std::string_view what, const Outcome& outcome) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "hal/sim.hpp"
+#include "hal/stepdir.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -35,6 +36,10 @@ constexpr BackendRow kBackends[] = {
     {BackendKind::sim,
      [](const Machine& machine) -> Result<std::unique_ptr<Backend>> {
        return std::make_unique<SimulatedMill>(machine);
+     }},
+    {BackendKind::stepdir,
+     [](const Machine& machine) -> Result<std::unique_ptr<Backend>> {
+       return StepDir::open(machine);
      }},
 };
 

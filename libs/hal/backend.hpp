@@ -31,11 +31,15 @@ class Backend {
   /// nothing is measured: axes the machine lacks, backends without feedback.
   virtual std::array<double, kAxes> following_error_max() const noexcept;
 
+  /// Call once after the last exchange: what is left goes out. Without it a backend that writes a
+  /// file leaves none. Errors: SC6012, SC6013.
+  virtual Status finish() { return {}; }
+
   /// Where the axes come to rest if the last command stands, in mm. Leaves the backend as it is.
   virtual AxisVector settle() const noexcept = 0;
 };
 
-/// The backend that machine.control.backend names.
+/// The backend that machine.control.backend names. Errors: those of the backend's own open().
 Result<std::unique_ptr<Backend>> open_backend(const Machine& machine);
 
 }  // namespace softcnc::hal

@@ -15,6 +15,8 @@ namespace softcnc::hal {
 namespace {
 
 constexpr double same(double value) noexcept { return value; }
+constexpr double s_from_ns(double ns) noexcept { return ns / 1e9; }
+constexpr double ns_from_s(double s) noexcept { return s * 1e9; }
 
 constexpr Range at_least_0(double high) { return {0, high}; }
 constexpr Range above_0(double high) { return {0, high, true}; }
@@ -36,6 +38,7 @@ auto& in_tool(Machine& machine, int number) {
   return machine.tools[number].*Member;
 }
 std::string& machine_name(Machine& machine, int) { return machine.name; }
+std::string& edge_file(Machine& machine, int) { return machine.step_port.file; }
 
 template <auto Member>
 constexpr Choice control_choice(std::span<const std::string_view> words) {
@@ -52,6 +55,8 @@ template <auto Member>
 constexpr auto drive = in_axis_part<&Axis::drive, Member>;
 template <auto Member>
 constexpr auto control = in_part<&Machine::control, Member>;
+template <auto Member>
+constexpr auto step_port = in_part<&Machine::step_port, Member>;
 
 // clang-format off
 const MachineKey kKeys[] = {
@@ -69,7 +74,7 @@ const MachineKey kKeys[] = {
      control_choice<&Control::interpolation>(kMethodNames)},
     {"control.corner_tolerance_um", "um", "how far corners may be rounded by G64 without P; 0: the path is followed exactly",
      Number{control<&Control::corner_tolerance>, mm_from_um, um_from_mm, at_least_0(1e6)}},
-    {"control.backend", "", "what moves: nothing, or the simulated mill",
+    {"control.backend", "", "what moves: nothing, the simulated mill, or drives with step and direction inputs",
      control_choice<&Control::backend>(kBackendNames)},
 
     {"limits.feed_mm_min", "mm/min", "caps the speed of cutting moves along the path; 0, or absent beside axes of your own: only the axes limit",
@@ -128,6 +133,19 @@ const MachineKey kKeys[] = {
      Number{in_part<&Machine::spindle, &Spindle::min_rpm>, same, same, at_least_0(1e6)}},
     {"spindle.max_rpm", "rpm", "a larger S is clamped with a warning",
      Number{in_part<&Machine::spindle, &Spindle::max_rpm>, same, same, at_least_0(1e6)}},
+
+    {"backend.stepdir.file", "", "where the edges of the step and direction lines go: .vcd or .edges; empty: nowhere",
+     Text{edge_file}},
+    {"backend.stepdir.max_rate_hz", "Hz", "largest rate of pulses of an axis",
+     Number{step_port<&StepPort::max_rate>, same, same, {1, 1e7}}},
+    {"backend.stepdir.step_length_ns", "ns", "a step line stays high for so long",
+     Number{step_port<&StepPort::step_length>, s_from_ns, ns_from_s, {1, 1e8}}},
+    {"backend.stepdir.step_space_ns", "ns", "and low for at least so long",
+     Number{step_port<&StepPort::step_space>, s_from_ns, ns_from_s, {1, 1e8}}},
+    {"backend.stepdir.direction_setup_ns", "ns", "least time from a change of direction to the next step",
+     Number{step_port<&StepPort::direction_setup>, s_from_ns, ns_from_s, at_least_0(1e8)}},
+    {"backend.stepdir.direction_hold_ns", "ns", "least time from the end of a step to a change of direction",
+     Number{step_port<&StepPort::direction_hold>, s_from_ns, ns_from_s, at_least_0(1e8)}},
 
     {"program.block_limit", "", "lines that one loop, or one call with all it calls, may run; more count as an endless loop, an error",
      Whole{in_part<&Machine::program, &ProgramLimits::block_limit>, {1, 1e9}}},

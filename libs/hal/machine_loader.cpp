@@ -15,6 +15,15 @@
 namespace softcnc::hal {
 namespace {
 
+/// What rounding may add to a product.
+constexpr double kRoundedUp = 1 + 1e-9;
+
+/// A rate, Hz, without an exponent where it is whole.
+std::string hertz(double rate) {
+  const double whole = std::round(rate);
+  return whole == rate ? std::to_string(std::llround(whole)) : number_text(rate);
+}
+
 std::string unknown(std::string_view key, const std::string& nearest) {
   return "unknown key '" + std::string(key) + "'; did you mean '" + nearest + "'?";
 }
@@ -121,6 +130,7 @@ Result<LoadedMachine> MachineLoader::finish() {
     derive_servo_period();
     check_periods();
     for (int axis = 0; axis < kAxes; ++axis) check_travel(axis);
+    if (loaded_.machine.control.backend == BackendKind::stepdir) check_step_port();
   }
   if (!errors_.empty()) return tl::make_unexpected(std::move(errors_.front()));
   return std::move(loaded_);
@@ -141,7 +151,7 @@ void MachineLoader::check_periods() {
   const Control& control = loaded_.machine.control;
   const double ratio = control.period / control.servo_period;
   if (ratio > 0.5 && std::abs(ratio - std::round(ratio)) < kRoundOff * ratio) return;
-  fail(Code::SC7010, place_of("control.period_ms", "control.servo_period_ms"),
+  fail(Code::SC7010, place_of({"control.period_ms", "control.servo_period_ms"}),
        "control.period_ms = " + number_text(ms_from_s(control.period)) +
            " is no multiple of control.servo_period_ms = " +
            number_text(ms_from_s(control.servo_period)));
@@ -151,15 +161,45 @@ void MachineLoader::check_travel(int index) {
   const Axis& axis = loaded_.machine.axes[static_cast<std::size_t>(index)];
   if (!axis.present || axis.min < axis.max) return;
   const std::string name = "axis." + axis_name(index);
-  fail(Code::SC7008, place_of(name + ".max_mm", name + ".min_mm"),
+  fail(Code::SC7008, place_of({name + ".max_mm", name + ".min_mm"}),
        name + ".min_mm = " + number_text(axis.min) + " is not below " + name +
            ".max_mm = " + number_text(axis.max));
 }
 
-/// Where the first of two keys was given, or else the second.
-const Place& MachineLoader::place_of(std::string_view key, std::string_view other) const {
-  const auto found = loaded_.given.find(key);
-  return found != loaded_.given.end() ? found->second : loaded_.given.find(other)->second;
+void MachineLoader::check_step_port() {
+  const StepPort& port = loaded_.machine.step_port;
+  const double fastest = 1.0 / (port.step_length + port.step_space);
+  if (port.max_rate > fastest * kRoundedUp)
+    fail(Code::SC7019,
+         place_of({"backend.stepdir.max_rate_hz", "backend.stepdir.step_length_ns",
+                   "backend.stepdir.step_space_ns"}),
+         "backend.stepdir.max_rate_hz = " + hertz(port.max_rate) +
+             " is more than step_length_ns and step_space_ns leave: " + hertz(std::round(fastest)) +
+             " Hz");
+  for (int axis = 0; axis < kAxes; ++axis) check_pulse_rate(axis);
+}
+
+/// An axis is no faster than its pulses can be.
+void MachineLoader::check_pulse_rate(int index) {
+  const Axis& axis = loaded_.machine.axes[static_cast<std::size_t>(index)];
+  const double rate = loaded_.machine.step_port.max_rate;
+  const double most = axis.blu * rate;
+  if (!axis.present || axis.velocity <= most * kRoundedUp) return;
+  const std::string name = "axis." + axis_name(index);
+  fail(Code::SC7018,
+       place_of({name + ".velocity_mm_min", "backend.stepdir.max_rate_hz", name + ".blu_um",
+                 "control.backend"}),
+       name +
+           ".velocity_mm_min = " + scaled_text(axis.velocity, mm_s_from_mm_min, mm_min_from_mm_s) +
+           " is more than " + name + ".blu_um = " + scaled_text(axis.blu, mm_from_um, um_from_mm) +
+           " times backend.stepdir.max_rate_hz = " + hertz(rate) + ", which is " +
+           number_text(std::round(mm_min_from_mm_s(most) * 1e3) / 1e3) + " mm/min");
+}
+
+/// Where the first of several keys was given that was given at all.
+const Place& MachineLoader::place_of(std::initializer_list<std::string> keys) const {
+  const auto given = [this](const std::string& key) { return loaded_.given.contains(key); };
+  return loaded_.given.find(*std::find_if(keys.begin(), keys.end(), given))->second;
 }
 
 }  // namespace softcnc::hal

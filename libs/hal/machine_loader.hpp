@@ -2,6 +2,7 @@
 // From the text of a machine file and the settings on the command line to a Machine.
 #pragma once
 
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <string_view>
@@ -44,9 +45,11 @@ class MachineLoader {
   void derive_servo_period();
   void check_periods();
   void check_travel(int index);
+  void check_step_port();
+  void check_pulse_rate(int index);
 
   bool has_axis_of(const KeyRef& ref) const;
-  const Place& place_of(std::string_view key, std::string_view other) const;
+  const Place& place_of(std::initializer_list<std::string> keys) const;
   void fail(Code code, const Place& place, std::string message);
 
   LoadedMachine loaded_;

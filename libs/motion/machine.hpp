@@ -27,8 +27,8 @@ constexpr std::string_view name(Method method) noexcept {
   return kMethodNames[static_cast<std::size_t>(method)];
 }
 
-enum class BackendKind : std::uint8_t { none, sim };
-inline constexpr std::array<std::string_view, 2> kBackendNames{"none", "sim"};
+enum class BackendKind : std::uint8_t { none, sim, stepdir };
+inline constexpr std::array<std::string_view, 3> kBackendNames{"none", "sim", "stepdir"};
 constexpr std::string_view name(BackendKind backend) noexcept {
   return kBackendNames[static_cast<std::size_t>(backend)];
 }
@@ -88,6 +88,16 @@ struct Spindle {
   double max_rpm = 24000;
 };
 
+/// Drives with step and direction inputs, and what they ask of their lines.
+struct StepPort {
+  std::string file = "steps.vcd";  // of edges; empty: none
+  double max_rate = 100e3;         // Hz: pulses of an axis
+  double step_length = 2.5e-6;     // s
+  double step_space = 2.5e-6;      // s
+  double direction_setup = 5e-6;   // s
+  double direction_hold = 5e-6;    // s
+};
+
 struct ProgramLimits {
   int block_limit = 10'000'000;  // lines that one loop, or one call with all it calls, may run
 };
@@ -103,6 +113,7 @@ struct Machine {
   PathLimits limits;
   std::array<Axis, kAxes> axes;
   Spindle spindle;
+  StepPort step_port;
   ProgramLimits program;
   std::map<int, Tool> tools;
 };

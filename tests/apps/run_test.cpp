@@ -2,6 +2,7 @@
 // A run from outside: trace, report, summary; and the same pipeline behind every command.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
@@ -254,4 +255,44 @@ TEST_CASE("JSON progress of a short run is one object, the last", "[apps][run]")
   CHECK(row["done"] == true);
   CHECK(row["percent"] == 100);
   CHECK(row["line"] == 2);
+}
+
+TEST_CASE("a run on step and direction drives leaves every pulse in a file", "[apps][run]") {
+  const Folder folder;
+  const std::string file = folder / "steps.vcd";
+  const std::string arguments = "run -q --backend stepdir --set backend.stepdir.file=" + file +
+                                " $data/square.nc --trace " + (folder / "t.csv");
+  const Ended ended = call(arguments);
+  CAPTURE(ended.err);
+  CHECK(ended.status == 0);
+  const std::string edges = read(file);
+  CHECK(edges.rfind("$timescale 1 ns $end\n", 0) == 0);
+  const Trace trace = parse_trace(read(folder / "t.csv"));
+  const std::size_t last = trace.rows.size() - 1;
+  CHECK(trace.number(last, "x_count") == 4000);
+  CHECK(trace.number(last, "y_count") == 4000);
+  for (std::size_t i = 0; i <= last; ++i)
+    REQUIRE(std::abs(trace.number(i, "x_mm") - 0.0025 * trace.number(i, "x_count")) < 0.00125001);
+  CHECK(call("run --dry-run -q --backend stepdir --set backend.stepdir.file=" +
+             (folder / "none.vcd") + " $data/square.nc")
+            .status == 0);
+  CHECK_FALSE(std::filesystem::exists(folder / "none.vcd"));
+}
+
+TEST_CASE("a file of edges that cannot be written is status 5", "[apps][run]") {
+  const Ended nowhere =
+      call("run -q --backend stepdir --set backend.stepdir.file=/no/folder/s.vcd $data/square.nc");
+  CHECK(nowhere.status == 5);
+  CHECK(nowhere.err.find("/no/folder/s.vcd: error SC6011") != std::string::npos);
+  const Folder folder;
+  const std::string full = folder / "full.edges";
+  const Ended disk =
+      shell("ln -s /dev/full " + full +
+            " && $softcnc run -q --backend stepdir --set backend.stepdir.file=" + full +
+            " $data/square.nc");
+  CHECK(disk.status == 5);
+  CHECK(disk.err.find("error SC6012") != std::string::npos);
+  CHECK(
+      call("run --backend stepdir --set backend.stepdir.max_rate_hz=1000 $data/square.nc").status ==
+      2);
 }

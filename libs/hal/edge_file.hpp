@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Lists of edges in files: VCD for waveform viewers, or a compact binary form.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/output_file.hpp"
+#include "hal/step_edges.hpp"
+
+namespace softcnc::hal {
+
+/// A form in which edges stand in a file.
+class EdgeFormat {
+ public:
+  virtual ~EdgeFormat() = default;
+  virtual std::string head() const = 0;
+  /// Takes edges in order of time.
+  virtual void append(const Edge& edge, std::string& bytes) = 0;
+};
+
+/// ".vcd": a Value Change Dump (IEEE 1364) with a scale of 1 ns, for GTKWave and PulseView.
+/// ".edges": the 8 bytes "edges 1\n", then for each edge the ns since the one before, 7 bits a
+/// byte, low ones first, all but the last byte with bit 7 set, and a byte of 4 * axis, plus 2 for
+/// the direction line, plus 1 for high.
+class EdgeWriter {
+ public:
+  /// Errors: SC6011, SC6050 (unknown suffix).
+  static Result<EdgeWriter> open(const std::string& file);
+
+  /// After an error edges are dropped, and finish() tells it.
+  void write(std::span<const Edge> edges) noexcept;
+  bool ok() const noexcept { return status_.has_value(); }
+
+  /// Without it no file is left. Errors: SC6012, SC6013.
+  Status finish();
+
+ private:
+  EdgeWriter(std::unique_ptr<EdgeFormat> format, std::unique_ptr<ByteSink> out);
+  void hand_on();
+
+  std::unique_ptr<EdgeFormat> format_;
+  std::unique_ptr<ByteSink> out_;
+  std::string bytes_;
+  Status status_;
+};
+
+/// The edges of a file that EdgeWriter wrote, by its text; nothing if it is none.
+std::optional<std::vector<Edge>> read_edges(std::string_view bytes);
+
+}  // namespace softcnc::hal
