@@ -113,8 +113,8 @@ void CornerStage::hold(Block block) {
 double CornerStage::leave_chord(const Path& after, const Side& next) {
   Chord chord = chord_.take();
   if (held_) begin_with_held(chord);
-  const Path line = Line(chord.from, chord.to);
-  const double left = (run_.empty() ? 1 - kRest : kHalf) * length(line);
+  const Line line(chord.from, chord.to);
+  const double left = (run_.empty() ? 1 - kRest : kHalf) * line.length();
   const double tolerance =
       std::min(corner_tolerance(chord.manner, chord.deviation), corner_tolerance(next.manner, 0));
   const auto blend = blend_into(line, left, tolerance, after);
