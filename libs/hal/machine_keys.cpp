@@ -15,8 +15,6 @@ namespace softcnc::hal {
 namespace {
 
 constexpr double same(double value) noexcept { return value; }
-constexpr double s_from_ns(double ns) noexcept { return ns / 1e9; }
-constexpr double ns_from_s(double s) noexcept { return s * 1e9; }
 
 constexpr Range at_least_0(double high) { return {0, high}; }
 constexpr Range above_0(double high) { return {0, high, true}; }

@@ -110,7 +110,7 @@ void MachineLoader::set(const std::string& setting) {
   const auto [key, value] = split(setting);
   if (key.empty() || value.empty())
     return fail(Code::SC7011, place_in(setting, value), "a setting reads KEY=VALUE");
-  if (as_utf8(value) != value)
+  if (!is_utf8(value))
     return fail(Code::SC7002, place_in(setting, value), "not TOML: a value that is not UTF-8");
   const auto ref = find_key(key);
   if (!ref) return fail(Code::SC7001, place_in(setting, key), unknown(key, nearest_key(key)));

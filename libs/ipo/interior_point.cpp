@@ -67,6 +67,19 @@ std::vector<double> InteriorPoint::guess() const {
   return q;
 }
 
+/// act(bound, how far its row is over it, its scale) for the bounds of every cap and row.
+template <typename Act>
+void InteriorPoint::for_each_measured_bound(Act act) {
+  for (std::size_t i = 0; i < n_; ++i) {
+    act(caps_[i], over_cap(i), cap_[i]);
+    for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
+      TwoBounds& row = rows_[r];
+      act(row.upper, row.value(at_[i]) + row.rest(at_[i]), row.bound);
+      act(row.lower, -row.value(at_[i]) + row.rest(at_[i]), row.bound);
+    }
+  }
+}
+
 void InteriorPoint::begin(const std::vector<double>& guess) {
   for (std::size_t k = 0; k < coefficients_.size(); ++k)
     coefficients_[k] = kFirstSpeed * guess[std::clamp<std::size_t>(k, 1, n_) - 1];
@@ -80,18 +93,10 @@ void InteriorPoint::begin(const std::vector<double>& guess) {
   move_tangents(guess);
   evaluate();
   const double aim = kFirstGap * time_ / static_cast<double>(caps_.size() + 2 * rows_.size());
-  const auto set = [aim](Bound& bound, double g, double scale) {
+  for_each_measured_bound([aim](Bound& bound, double g, double scale) {
     bound.slack = std::max(kFirstSlack * std::abs(g), kFirstSlack * scale);
     bound.multiplier = aim / bound.slack;
-  };
-  for (std::size_t i = 0; i < n_; ++i) {
-    set(caps_[i], over_cap(i), cap_[i]);
-    for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
-      TwoBounds& row = rows_[r];
-      set(row.upper, row.value(at_[i]) + row.rest(at_[i]), row.bound);
-      set(row.lower, -row.value(at_[i]) + row.rest(at_[i]), row.bound);
-    }
-  }
+  });
 }
 
 /// bound / sqrt(q) >= bound (3/2 p^-1/2 - 1/2 p^-3/2 q), the tangent at p.
@@ -124,19 +129,11 @@ bool InteriorPoint::is_solved() {
 /// Gap and violation. A slack smaller than the row leaves is made as large.
 void InteriorPoint::measure() {
   gap_ = violation_ = 0;
-  const auto measure = [this](Bound& bound, double g, double scale) {
+  for_each_measured_bound([this](Bound& bound, double g, double scale) {
     bound.slack = std::max(bound.slack, -g);
     violation_ = std::max(violation_, (g + bound.slack) / scale);
     gap_ += bound.slack * bound.multiplier;
-  };
-  for (std::size_t i = 0; i < n_; ++i) {
-    measure(caps_[i], over_cap(i), cap_[i]);
-    for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
-      TwoBounds& row = rows_[r];
-      measure(row.upper, row.value(at_[i]) + row.rest(at_[i]), row.bound);
-      measure(row.lower, -row.value(at_[i]) + row.rest(at_[i]), row.bound);
-    }
-  }
+  });
 }
 
 /// What the multipliers alone leave of the gradient of the time, as a part of it.

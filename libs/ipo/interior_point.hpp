@@ -25,6 +25,8 @@ class InteriorPoint {
 
  private:
   std::vector<double> guess() const;
+  template <typename Act>
+  void for_each_measured_bound(Act act);
   void begin(const std::vector<double>& guess);
   void move_tangents(const std::vector<double>& q);
   void evaluate();

@@ -29,8 +29,8 @@ class Planner {
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;
 
-  /// A move that leaves the travel of an axis is reported (SC4001) and left out: what came before it
-  /// ends at rest.
+  /// A move that leaves the travel of an axis is reported (SC4001) and left out: what came before
+  /// it ends at rest.
   void push(Block block);
   /// Nothing follows: the machine rests at the end of the last block.
   void finish();

@@ -15,6 +15,8 @@ constexpr double mm_s_from_mm_min(double mm_min) noexcept { return mm_min / 60.0
 constexpr double mm_min_from_mm_s(double mm_s) noexcept { return mm_s * 60.0; }
 constexpr double s_from_ms(double ms) noexcept { return ms / 1000.0; }
 constexpr double ms_from_s(double s) noexcept { return s * 1000.0; }
+constexpr double s_from_ns(double ns) noexcept { return ns / 1e9; }
+constexpr double ns_from_s(double s) noexcept { return s * 1e9; }
 constexpr double rad_from_deg(double deg) noexcept { return deg * std::numbers::pi / 180.0; }
 constexpr double deg_from_rad(double rad) noexcept { return rad * 180.0 / std::numbers::pi; }
 

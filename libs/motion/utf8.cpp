@@ -46,6 +46,15 @@ std::size_t character_length(std::string_view text) noexcept {
   return whole && is_scalar(byte(text, 0), byte(text, 1)) ? length : 0;
 }
 
+bool is_utf8(std::string_view text) noexcept {
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
 std::string as_utf8(std::string_view text) {
   std::string characters;
   while (!text.empty()) {

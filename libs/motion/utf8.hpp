@@ -18,6 +18,9 @@ constexpr bool continues_character(char c) noexcept {
 /// Bytes of the character that a text, which is not empty, begins with; 0 if it begins with none.
 std::size_t character_length(std::string_view text) noexcept;
 
+/// True where every byte belongs to a character.
+bool is_utf8(std::string_view text) noexcept;
+
 /// The text with U+FFFD for each byte that belongs to no character.
 std::string as_utf8(std::string_view text);
 

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 using softcnc::as_utf8;
+using softcnc::is_utf8;
 using softcnc::character_length;
 
 TEST_CASE("a character is as long as its first byte says", "[motion][utf8]") {
@@ -22,6 +23,7 @@ TEST_CASE("a character is as long as its first byte says", "[motion][utf8]") {
   }));
   CAPTURE(text);
   CHECK(character_length(text) == length);
+  CHECK(is_utf8(text));
   CHECK(as_utf8(text) == text);
 }
 
@@ -31,6 +33,7 @@ TEST_CASE("what RFC 3629 does not define is no character", "[motion][utf8]") {
                              "\xF5\x80\x80\x80", "\xFF");
   CAPTURE(text);
   CHECK(character_length(text) == 0);
+  CHECK_FALSE(is_utf8(text));
   CHECK(as_utf8(text) != text);
 }
 
