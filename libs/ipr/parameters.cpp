@@ -26,8 +26,7 @@ constexpr bool is_fanuc_ordinary(int number) noexcept {
 Parameters::Parameters(Dialect dialect)
     : dialect_(dialect),
       locals_(dialect == Dialect::fanuc ? kFanucLocals : kLocals),
-      first_system_(dialect == Dialect::fanuc ? kFanucFirstKept : kFirstSystem),
-      numbered_(dialect == Dialect::fanuc ? kFanucEnd : kEnd, kVacant) {
+      first_system_(dialect == Dialect::fanuc ? kFanucFirstKept : kFirstSystem) {
   push({});
 }
 
@@ -39,7 +38,15 @@ bool Parameters::is_ordinary(int number) const noexcept {
 /// Vacant where nothing has been assigned. Expects an ordinary variable.
 double Parameters::stored(int number) const noexcept {
   const auto index = static_cast<std::size_t>(number);
-  return number <= locals_ ? levels_.back().numbered[index] : numbered_[index];
+  if (number <= locals_) return levels_.back().numbered[index];
+  return index < numbered_.size() ? numbered_[index] : kVacant;
+}
+
+/// Keeps it as one that outlives its call. Expects an ordinary variable.
+void Parameters::store(int number, double value) {
+  const auto index = static_cast<std::size_t>(number);
+  if (index >= numbered_.size()) numbered_.resize(index + 1, kVacant);
+  numbered_[index] = value;
 }
 
 std::optional<double> Parameters::read(int number) const {
@@ -115,14 +122,14 @@ void Parameters::write(int number, double value) {
 }
 
 void Parameters::write_ordinary(int number, double value) {
-  numbered_[static_cast<std::size_t>(number)] = value;
+  store(number, value);
   if (system_ != nullptr && kept_.contains(number)) system_->keep(number, value);
 }
 
 void Parameters::keep(const std::map<int, double>& values) {
   for (const auto& [number, value] : values) {
     if (number <= locals_ || number >= first_system_) continue;
-    numbered_[static_cast<std::size_t>(number)] = value;
+    store(number, value);
     kept_.insert(number);
   }
 }

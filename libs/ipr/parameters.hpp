@@ -106,13 +106,14 @@ class Parameters {
   bool is_system(int number) const noexcept { return number >= first_system_; }
   bool is_ordinary(int number) const noexcept;
   double stored(int number) const noexcept;
+  void store(int number, double value);
   void write_ordinary(int number, double value);
   const Names& names_of(std::string_view name) const noexcept;
 
   Dialect dialect_;
   int locals_, first_system_;
   SystemVariables* system_ = nullptr;
-  std::vector<double> numbered_;  // by number, vacant at first; local ones lie in levels_
+  std::vector<double> numbered_;  // by number, vacant behind the last; local ones lie in levels_
   std::set<int> kept_;
   std::vector<Level> levels_;
   Names global_;
