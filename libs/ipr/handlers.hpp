@@ -178,7 +178,7 @@ void for_named_axes(const Task& task, Use&& use) {
   }
 }
 /// Moves along the path from the position, at the feed in force or as a rapid.
-void emit_move(Task& task, Path path, bool rapid = false);
+void emit_move(Task& task, Path&& path, bool rapid = false);
 /// A cutting move by the modes in force.
 Move cutting_move(const Modal& modal, Path&& path, double feed);
 /// False, and told or muted, if there is no feed.
@@ -204,6 +204,8 @@ void report_if_certain(Task& task, Letters depends_on, Code code, SourcePos pos,
                        std::string message);
 /// The value as a whole number from 0; otherwise told, and nothing.
 std::optional<int> whole_number(Task& task, const Word& word);
+/// The value as a whole number of nine digits at most; nothing where it is none, or below `least`.
+std::optional<int> whole_from(double least, double value) noexcept;
 /// From the first to the last of these words.
 SourcePos span_of(const Values& values, std::string_view letters) noexcept;
 /// A number for a message: at most three decimals, no trailing zeros.

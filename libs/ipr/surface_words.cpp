@@ -69,7 +69,7 @@ int read_teeth(Task& task) {
     return teeth;
   }
   const Word& word = task.values.word('L');
-  if (word.value >= 1 && word.value == std::floor(word.value)) return static_cast<int>(word.value);
+  if (const auto teeth = whole_from(1, word.value)) return *teeth;
   task.out.report(Code::SC3124, word.pos, "L, the number of teeth, is a whole number from 1");
   return 0;
 }

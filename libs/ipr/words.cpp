@@ -12,7 +12,8 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr double kSameStart = 0.001;  // mm
+constexpr double kSameStart = 0.001;         // mm
+constexpr double kLargestWhole = 999999999;  // as many digits as a number may have
 
 }  // namespace
 
@@ -82,7 +83,7 @@ AxisVector end_point(const Task& task) {
   return named ? coordinates.to_machine(end) : position;
 }
 
-void emit_move(Task& task, Path path, bool rapid) {
+void emit_move(Task& task, Path&& path, bool rapid) {
   Modal& modal = task.modal;
   if (modal.uncertain.has_any(kAxisWords)) task.out.mark_uncertain();
   if (modal.beside) {
@@ -170,11 +171,18 @@ void report_if_certain(Task& task, Letters depends_on, Code code, SourcePos pos,
   task.out.report(code, pos, std::move(message));
 }
 
+std::optional<int> whole_from(double least, double value) noexcept {
+  const bool whole = value >= least && value <= kLargestWhole && value == std::floor(value);
+  return whole ? std::optional(static_cast<int>(value)) : std::nullopt;
+}
+
 std::optional<int> whole_number(Task& task, const Word& word) {
-  if (word.value >= 0 && word.value == std::floor(word.value)) return static_cast<int>(word.value);
-  task.out.report(Code::SC2007, word.pos,
-                  std::string(1, word.letter) + " takes a whole number from 0");
-  return std::nullopt;
+  const auto number = whole_from(0, word.value);
+  if (!number)
+    task.out.report(Code::SC2007, word.pos,
+                    std::string(1, word.letter) + " takes a whole number " +
+                        (word.value > kLargestWhole ? "up to 999999999" : "from 0"));
+  return number;
 }
 
 SourcePos span_of(const Values& values, std::string_view letters) noexcept {

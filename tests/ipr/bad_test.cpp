@@ -208,6 +208,7 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC2006, "O stands alone on its line"},
     {Code::SC2007, "F must not be negative"},
     {Code::SC2007, "T takes a whole number from 0"},
+    {Code::SC2007, "T takes a whole number up to 999999999"},
     {Code::SC2007, "S must not be negative"},
     {Code::SC2007, "P, the time of G04, must not be negative"},
     {Code::SC2007, "P, a tolerance of G64, must not be negative"},
