@@ -59,7 +59,7 @@ AxisVector direction(double degrees) {
 
 std::span<const CommandRow> command_table() noexcept { return kRows; }
 
-std::optional<Block> CommandFile::next() {
+bool CommandFile::read_on() {
   while (!ended_ && !block_) {
     if (const auto text = reader_.next()) {
       text_ = *text;
@@ -69,7 +69,10 @@ std::optional<Block> CommandFile::next() {
       finish();
     }
   }
-  if (!block_) return std::nullopt;
+  return block_.has_value();
+}
+
+std::optional<Block> CommandFile::take() {
   block_->number = ++blocks_;
   return std::exchange(block_, std::nullopt);
 }

@@ -47,7 +47,11 @@ class CommandFile {
 
   /// The next block, the last being Action::Kind::end. As every place counts from the one before,
   /// nothing moves behind a line with an error; reading goes on to tell what else is wrong.
-  std::optional<Block> next();
+  std::optional<Block> next() { return read_on() ? take() : std::nullopt; }
+  /// Reads until there is one; false at the end.
+  bool read_on();
+  /// Expects that read_on() has found one.
+  std::optional<Block> take();
 
  private:
   void read_line();

@@ -27,6 +27,7 @@ class Compensation {
   /// The next block of the program, from a line of this text. What is wrong is reported if it is
   /// certain that no earlier error is its cause.
   void follow(Block block, std::string_view text, bool certain);
+  bool has_block() const noexcept { return !ready_.empty(); }
   std::optional<Block> pop();
 
  private:

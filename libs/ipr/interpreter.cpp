@@ -56,21 +56,19 @@ void Interpreter::choose_format() {
 
 std::optional<Block> Interpreter::next() {
   diagnostics_.hold();
-  auto block = read_on();
+  const bool found = read_on();
   diagnostics_.release();
-  return block;
+  if (!found) return std::nullopt;
+  return commands_ ? commands_->take() : out_.pop();
 }
 
-/// Reads lines until one has made a block.
-std::optional<Block> Interpreter::read_on() {
+/// Reads lines until one has made a block; false at the end, and where the next is still to come.
+bool Interpreter::read_on() {
   if (!commands_ && parser_.line() == 0) choose_format();
-  if (commands_) return commands_->next();
+  if (commands_) return commands_->read_on();
   for (;;) {
-    if (std::optional<Block> block = out_.pop()) {
-      block->number = ++blocks_;
-      return block;
-    }
-    if (modal_.ended) return std::nullopt;
+    if (out_.has_block()) return true;
+    if (modal_.ended) return false;
     if (next_)
       interpret(*std::exchange(next_, std::nullopt));
     else if (const auto line = flow_.next(); line && !tell_restored(*line))
@@ -78,7 +76,7 @@ std::optional<Block> Interpreter::read_on() {
     else if (next_)
       continue;
     else if (waiting())
-      return std::nullopt;
+      return false;
     else
       finish();
   }

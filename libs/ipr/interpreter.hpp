@@ -52,7 +52,7 @@ class Interpreter {
   const MachineState& state() const noexcept { return modal_.state; }
 
  private:
-  std::optional<Block> read_on();
+  bool read_on();
   void choose_format();
   void interpret(const Line& line);
   /// The motion in force on a line with G80.
@@ -81,7 +81,6 @@ class Interpreter {
   Command command_;
   std::optional<CommandFile> commands_;  // where the text is not G-code
   std::optional<Line> next_;             // waits for what its blocks come behind
-  int blocks_ = 0;
 };
 
 }  // namespace softcnc::ipr

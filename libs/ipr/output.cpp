@@ -51,10 +51,19 @@ void Output::report(Code code, SourcePos pos, std::string message, std::string_v
 
 std::optional<Block> Output::pop() {
   const bool of_before = next_ < std::min(kept_, blocks_.size());
-  if (!of_before)
-    if (std::optional<Block> block = compensation_.pop()) return block;
-  if (next_ == blocks_.size()) return std::nullopt;
-  std::optional<Block> block(std::move(blocks_[next_++]));
+  return !of_before && compensation_.has_block() ? pop_compensated() : pop_own();
+}
+
+std::optional<Block> Output::pop_compensated() {
+  std::optional<Block> block = compensation_.pop();
+  block->number = ++popped_;
+  return block;
+}
+
+std::optional<Block> Output::pop_own() {
+  Block& first = blocks_[next_++];
+  first.number = ++popped_;
+  std::optional<Block> block(std::move(first));
   if (next_ == blocks_.size()) {
     blocks_.clear();
     next_ = 0;

@@ -55,6 +55,8 @@ class Output {
     kept_ = blocks_.size();
   }
 
+  bool has_block() const noexcept { return next_ != blocks_.size() || compensation_.has_block(); }
+  /// The next block, numbered. Expects that there is one.
   std::optional<Block> pop();
 
   /// The line's position follows from an error: nothing is to be concluded from where it leads.
@@ -75,6 +77,8 @@ class Output {
     Made(Does&& does, SourcePos at) : Block{std::forward<Does>(does), at, 0} {}
   };
 
+  std::optional<Block> pop_compensated();
+  std::optional<Block> pop_own();
   void compensate();
   void drop();  // the blocks of the line
 
@@ -82,6 +86,7 @@ class Output {
   Contradictions& contradictions_;
   std::vector<Made> blocks_;  // those before next_ are gone
   std::size_t next_ = 0, kept_ = 0;
+  int popped_ = 0;
   SourcePos source_;
   std::string_view text_;
   bool failed_ = false, muted_ = false, certain_ = true;

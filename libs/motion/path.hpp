@@ -26,8 +26,15 @@ inline AxisVector position(const Path& path, double s) noexcept {
   return std::visit([=](const auto& curve) { return curve.position(s); }, path);
 }
 
-inline AxisVector start(const Path& path) noexcept { return position(path, 0.0); }
-inline AxisVector end(const Path& path) noexcept { return position(path, length(path)); }
+inline AxisVector start(const Path& path) noexcept {
+  const auto* line = std::get_if<Line>(&path);
+  return line ? line->from() : position(path, 0.0);
+}
+
+inline AxisVector end(const Path& path) noexcept {
+  const auto* line = std::get_if<Line>(&path);
+  return line ? line->to() : position(path, length(path));
+}
 
 /// Interior arc lengths at which a derivative of the path may jump, ascending.
 inline std::span<const double> breaks(const Path& path) noexcept {
