@@ -14,10 +14,6 @@ namespace {
 
 /// Largest part of an axis acceleration that jumps of velocity may use within one period.
 constexpr double kKinkShare = 0.25;
-/// Largest part of an axis jerk that jumps of velocity and acceleration may use within three.
-constexpr double kJumpShare = 0.6;
-/// Largest weight of one instant in a third difference, 1/T; its slope is at most 1/T^2.
-constexpr double kKernel = 0.75;
 /// Kept free of the chord tolerance at kinks.
 constexpr double kMargin = 1e-3;
 
@@ -107,7 +103,7 @@ class CapDerivation {
     }
     if (v < planned)
       slow_down(n, {v * v, load.jerk_binds() ? Limit::jerk : Limit::corner}, load.steps());
-    leave_the_rest(n, load);
+    leave_the_rest(n, load, v);
   }
 
   void slow_down(std::size_t n, const Cap& cap, double steps) {
@@ -118,28 +114,42 @@ class CapDerivation {
   struct Load {
     double tolerance = 0;               // mm
     double acceleration = 0, jerk = 0;  // parts of the axis limits
-    double cut = 0;                     // mm
+    AxisVector jerk_by_axis = AxisVector::Zero();
+    double cut = 0;     // mm
+    int joints = 0;     // that share the jerk
+    bool kink = false;  // at one of them
 
     bool exceeds() const {
       return acceleration > kKinkShare || jerk > kJumpShare || cut > tolerance;
     }
+    /// By how much the speed is to be lower: a jump of acceleration goes with its square.
     double ratio() const {
-      return std::min({kKinkShare / acceleration, tolerance / cut, kJumpShare / jerk});
+      const double jump = kJumpShare / jerk;
+      return std::min({kKinkShare / acceleration, tolerance / cut, kink ? jump : std::sqrt(jump)});
     }
     bool jerk_binds() const {
       return jerk / kJumpShare > std::max(acceleration / kKinkShare, cut / tolerance);
     }
-    double steps() const { return jerk > 0 ? kJerkSteps : 1; }
+    /// How far from the joint its speed is not to be exceeded: a jump of acceleration that stands
+    /// alone goes by the speed at the joint itself.
+    double steps() const { return jerk == 0 ? 1 : joints == 1 && !kink ? 0 : kJerkSteps; }
   };
 
-  void leave_the_rest(std::size_t n, const Load& load) {
+  /// What a third difference feels of a joint that is passed at speed v lies where the machine can
+  /// be within three periods of it.
+  void leave_the_rest(std::size_t n, const Load& load, double v) {
     chain_.for_intervals_in_step(n, period_, [&](std::size_t i) {
       chain_.inside[i].share = std::min(chain_.inside[i].share, 1 - load.acceleration);
       return true;
     });
     if (load.jerk == 0) return;
-    chain_.for_intervals_in_step(n, kJerkSteps * period_, [&](std::size_t i) {
-      chain_.inside[i].jerk_share = std::min(chain_.inside[i].jerk_share, 1 - load.jerk);
+    const double time = kJerkSteps * period_;
+    const double reach = (v + 0.5 * constraints_.acceleration_limits().norm() * time) * time;
+    chain_.for_intervals_in_step(n, time, [&](std::size_t i) {
+      const double way = std::abs(chain_.nodes[n].s - chain_.nodes[i < n ? i + 1 : i].s);
+      if (way > reach) return false;
+      AxisVector& share = chain_.inside[i].jerk_share;
+      share = share.cwiseMin(AxisVector::Ones() - load.jerk_by_axis);
       return true;
     });
   }
@@ -172,8 +182,11 @@ class CapDerivation {
     for_nodes_within(n, kJerkSteps * v * period_, [&](const Node& node) {
       if (node.passes_kink()) jump += node.kink * v;
       if (node.passes_bend()) jump += node.bend * (kKernel * v * v * period_);
+      load.joints += node.passes_kink() || node.passes_bend() ? 1 : 0;
+      load.kink = load.kink || node.passes_kink();
     });
-    load.jerk = (jump / (period_ * period_)).cwiseQuotient(constraints_.jerk_limits()).maxCoeff();
+    load.jerk_by_axis = (jump / (period_ * period_)).cwiseQuotient(constraints_.jerk_limits());
+    load.jerk = load.jerk_by_axis.maxCoeff();
     return load;
   }
 

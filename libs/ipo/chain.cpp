@@ -116,8 +116,11 @@ double Chain::bend(const Interval& before, const Interval& interval,
   if (jump.maxCoeff() <= kSameBend * (interval.left.ddq.norm() + before.right.ddq.norm()))
     return kUnlimited;
   nodes.back().bend = jump;
-  const double fastest = std::sqrt(std::max(before.right_cap.q, interval.left_cap.q));
-  return kJerkSteps * fastest * constraints.period();
+  const double period = constraints.period();
+  const double fastest = std::max(before.right_cap.q, interval.left_cap.q);
+  const double passed =
+      kJumpShare * period / (kKernel * jump.cwiseQuotient(constraints.jerk_limits()).maxCoeff());
+  return 0.5 * kJerkSteps * period * std::sqrt(std::min(fastest, passed));
 }
 
 void Chain::push(const Interval& interval) {

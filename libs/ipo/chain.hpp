@@ -37,7 +37,7 @@ struct Node {
 struct Inside {
   Cap cap;           // of a straight interval
   double share = 1;  // of the axis accelerations that the curve itself may use
-  double jerk_share = 1;
+  AxisVector jerk_share = AxisVector::Ones();
 };
 
 /// Interval i lies between nodes i and i + 1.
@@ -81,6 +81,10 @@ void derive_caps(Chain& chain, const Constraints& constraints);
 
 /// So many steps are felt in a third difference.
 inline constexpr double kJerkSteps = 3;
+/// Largest weight of one instant in a third difference, 1/T; its slope is at most 1/T^2.
+inline constexpr double kKernel = 0.75;
+/// Largest part of an axis jerk that jumps of velocity and acceleration may use within three steps.
+inline constexpr double kJumpShare = 0.7;
 
 /// Part of the chord tolerance that curves leave to corners and kinks within the same step.
 inline constexpr double kTurnShare = 0.5;

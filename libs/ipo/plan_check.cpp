@@ -23,10 +23,10 @@ double used_rows(const PlanSpan& span, const Inside& inside, const PathPoint& x,
   const AxisVector jerk = x.dddq * (q * at.v) + x.ddq * (3 * at.v * at.a) + x.dq * at.j;
   const AxisVector acceleration = x.ddq * q + x.dq * at.a;
   const Constraints& limits = span.constraints;
-  return std::max(
-      most(jerk, limits.jerk_limits()) / (kJerkAllowed * span.share * inside.jerk_share),
-      most(acceleration, limits.acceleration_limits()) /
-          (kAccelerationAllowed * span.share * inside.share));
+  return std::max(most(jerk, limits.jerk_limits().cwiseProduct(inside.jerk_share)) /
+                      (kJerkAllowed * span.share),
+                  most(acceleration, limits.acceleration_limits()) /
+                      (kAccelerationAllowed * span.share * inside.share));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ bool same(const PathPoint& a, const PathPoint& b) noexcept {
 /// The lower of two insides.
 Inside lower(const Inside& a, const Inside& b) noexcept {
   return {a.cap.q <= b.cap.q ? a.cap : b.cap, std::min(a.share, b.share),
-          std::min(a.jerk_share, b.jerk_share)};
+          a.jerk_share.cwiseMin(b.jerk_share)};
 }
 
 }  // namespace
@@ -112,13 +112,13 @@ void PlanProblem::add_rows(std::size_t p, const PathPoint& point, const Inside& 
   const double left = is_first ? 0 : nodes_[p].s - nodes_[p - 1].s;
   const double a_part = span_.share * inside.share *
                         (kAccelerationPart + first * (kFirstAccelerationPart - kAccelerationPart));
-  const double j_part = span_.share * inside.jerk_share * shares_[p].jerk *
-                        (kJerkPart + first * (kFirstJerkPart - kJerkPart));
+  const double j_part =
+      span_.share * shares_[p].jerk * (kJerkPart + first * (kFirstJerkPart - kJerkPart));
   for (int i = 0; i < kAxes; ++i) {
     const double x1 = point.dq[i], x2 = point.ddq[i], x3 = point.dddq[i];
     if (x1 == 0 && x2 == 0 && x3 == 0) continue;
     const double a = a_part * span_.constraints.acceleration_limits()[i];
-    const double j = j_part * span_.constraints.jerk_limits()[i];
+    const double j = j_part * inside.jerk_share[i] * span_.constraints.jerk_limits()[i];
     if (a < kUnlimited && !is_first && !is_last) {
       problem_.add_row({{x2, 0.5 * x1, 0.25 * right * x1}, a, false});
       if (x2 != 0) problem_.add_row({{x2, 0.5 * x1, -0.25 * left * x1}, a, false});

@@ -35,8 +35,8 @@ RestRamp rest_ramp(const PlanSpan& span, std::size_t i, Side of_rest) noexcept {
   const Cap& other = span.chain.nodes[starts ? i + 1 : i].cap;
   const double q = other.q > 0 ? std::min(other.q, inside.cap.q) : inside.cap.q;
   RestRamp ramp;
-  ramp.jerk =
-      kJerkPart * std::min(span.share, 1.0) * std::min(inside.share, inside.jerk_share) * limit;
+  ramp.jerk = kJerkPart * std::min(span.share, 1.0) *
+              std::min(inside.share, inside.jerk_share.minCoeff()) * limit;
   ramp.duration = std::min({kTimePart * acceleration / limit,
                             std::cbrt(6 * kWayPart * interval.length() / ramp.jerk),
                             std::sqrt(2 * kSpeedPart * std::sqrt(q) / ramp.jerk)});
