@@ -2,6 +2,11 @@
 // The surface a program asks for (paper 004): what a feed that keeps its roughness depends on.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
 namespace softcnc {
 
 struct Surface {
@@ -9,8 +14,32 @@ struct Surface {
   double pick_feed = 0;    // mm, between neighbouring passes
   double rmax = 0;         // mm: the largest height of the roughness
   int teeth = 0;
+  double spindle = 0;  // 1/s, revolutions of the spindle as the move begins
+
+  /// mm/s at a feed per tooth of 1 mm.
+  double tooth_rate() const noexcept { return teeth * spindle; }
 
   bool operator==(const Surface&) const = default;
+};
+
+/// Which roughness a feed is judged by: that of paper 004, or one that its edges never exceed.
+enum class RoughnessModel : std::uint8_t { guaranteed, paper };
+inline constexpr std::array<std::string_view, 2> kRoughnessModels{"guaranteed", "paper"};
+constexpr std::string_view name(RoughnessModel model) noexcept {
+  return kRoughnessModels[static_cast<std::size_t>(model)];
+}
+
+/// How the edges of neighbouring passes stand to each other: at equal places alike, or by time.
+enum class SpindlePhase : std::uint8_t { aligned, time };
+inline constexpr std::array<std::string_view, 2> kSpindlePhases{"aligned", "time"};
+constexpr std::string_view name(SpindlePhase phase) noexcept {
+  return kSpindlePhases[static_cast<std::size_t>(phase)];
+}
+
+/// How a machine sees the surfaces that it cuts.
+struct Surfacing {
+  RoughnessModel model = RoughnessModel::guaranteed;
+  SpindlePhase phase = SpindlePhase::aligned;
 };
 
 /// What neighbouring passes leave between them however slow the feed, mm: Rmax must be above it

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// The extended roughness model of paper 004, by its printed figures and by independent derivation.
+#include "motion/roughness.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "motion/roughness_table.hpp"
+#include "motion/units.hpp"
+#include "support/edge_surface.hpp"
+#include "support/property.hpp"
+
+using namespace softcnc;
+using namespace softcnc::test;
+
+namespace {
+
+/// The tool and the pick-feed of the paper, and its target: what 10 degrees leave.
+const Surface kPaper{5, 0.5, 0.01066888, 2};
+
+constexpr auto kBoth = {RoughnessModel::paper, RoughnessModel::guaranteed};
+
+Surface random_surface() {
+  Surface surface{real(0.5, 10), 0, 0, integer(1, 4)};
+  surface.pick_feed = surface.tool_radius * real(0.02, 0.2);
+  surface.rmax = least_rmax(surface.tool_radius, surface.pick_feed) * real(1.1, 6);
+  return surface;
+}
+
+double sine_of(double degrees) { return std::sin(rad_from_deg(degrees)); }
+
+/// By the simulation, on a ball that is not shallow.
+double simulated_rmax(const Surface& surface, double feed, double sine) {
+  const EdgeSurface edges(feed / surface.pick_feed, surface.tool_radius * sine / surface.pick_feed,
+                          surface.teeth);
+  const double r = surface.tool_radius, chord = surface.pick_feed * std::sqrt(edges.rmax()) / 2;
+  return r - std::sqrt(r * r - chord * chord);
+}
+
+}  // namespace
+
+TEST_CASE("the model of paper 004 gives the paper's figures", "[roughness]") {
+  CHECK(um_from_mm(rmax_at_tip(kPaper, 0.5, 0)) == Approx(25.06).margin(0.005));
+  CHECK(um_from_mm(rmax_beside_tip(kPaper, 0.5)) == Approx(10.67).margin(0.005));
+  CHECK(deg_from_rad(critical_inclination(kPaper, 0.5)) == Approx(4.344).margin(0.0005));
+  CHECK(feed_at_tip(kPaper, 0) == Approx(0.3265).margin(0.0001));
+  CHECK(feed_at_tip(kPaper, 0) / 0.5 == Approx(0.653).margin(0.0005));
+  CHECK(feed_beside_tip(kPaper) == Approx(0.5).margin(1e-4));
+  CHECK(critical_inclination(kPaper, 0.535 * 0.5) > 0);
+  CHECK(critical_inclination(kPaper, 0.533 * 0.5) == 0);
+}
+
+TEST_CASE("the second case of paper 004 would be capped at 5796 mm/min", "[roughness]") {
+  const Surface surface{3, 0.2, 0.2 * 0.2 / (4 * 3), 2, 12500.0 / 60};
+  CHECK(um_from_mm(surface.rmax) == Approx(3.33).margin(0.005));
+  CHECK(mm_min_from_mm_s(feed_beside_tip(surface) * surface.tooth_rate()) ==
+        Approx(5796).margin(1));
+}
+
+TEST_CASE("curvature lowers what a convex surface keeps and raises it on a hollow one",
+          "[roughness]") {
+  CHECK(rmax_of_curved(kPaper, 0.5) == Approx(2 * 0.5 * 0.5 / 40));
+  // A ball of 5 mm on a cylinder of 20 mm: 1 - 5/25 of the flat height.
+  CHECK(rmax_of_curved(kPaper, 0, 1e300, 20) == Approx(0.8 * 0.5 * 0.5 / 40));
+  CHECK(rmax_of_curved(kPaper, 0.5, 20, -20) == Approx((0.8 + 4.0 / 3) * 0.5 * 0.5 / 40));
+}
+
+TEST_CASE("the slopes of the model are those of its equations", "[roughness][property]") {
+  holds([] {
+    const Surface s = random_surface();
+    const double r = s.tool_radius, f = s.pick_feed * real(0.2, 1.5), sine = real(0, 0.02);
+    const double h = 1e-6 * s.pick_feed;
+    const double beside = (rmax_beside_tip(s, f + h) - rmax_beside_tip(s, f - h)) / (2 * h);
+    RC_ASSERT(std::abs(beside - (f - s.pick_feed / (2 * std::numbers::pi)) / (4 * r)) < 1e-6);
+    if (f < 1.1 * r * sine) return;
+    const double at_tip = (rmax_at_tip(s, f + h, sine) - rmax_at_tip(s, f - h, sine)) / (2 * h);
+    RC_ASSERT(std::abs(at_tip - f / std::sqrt(r * r * (1 + sine * sine) - f * f)) < 1e-5);
+  });
+}
+
+TEST_CASE("both equations meet at the critical inclination", "[roughness][property]") {
+  holds([] {
+    const Surface s = random_surface();
+    const double f = s.pick_feed * real(0.54, 3);
+    const double sine = std::sin(critical_inclination(s, f));
+    RC_ASSERT(sine > 0);
+    RC_ASSERT(std::abs(rmax_at_tip(s, f, sine) - rmax_beside_tip(s, f)) <
+              1e-9 * rmax_beside_tip(s, f));
+    const double above = rmax(RoughnessModel::paper, s, f, sine * (1 + 1e-7));
+    const double below = rmax(RoughnessModel::paper, s, f, sine * (1 - 1e-7));
+    RC_ASSERT(std::abs(above - below) < 1e-5 * above);
+  });
+}
+
+TEST_CASE("Rmax never falls with the feed, and the cap is where it meets the target",
+          "[roughness][property]") {
+  for (const RoughnessModel model : kBoth) {
+    CAPTURE(name(model));
+    holds(
+        [model] {
+          const Surface s = random_surface();
+          const double sine = real(0, 1) * real(0, 1), f = s.pick_feed * real(0, 5);
+          RC_ASSERT(rmax(model, s, f, sine) <=
+                    rmax(model, s, f * (1 + real(0, 0.5)), sine) * (1 + 1e-12));
+          const double cap = largest_feed_per_tooth(model, s, sine);
+          RC_ASSERT(rmax(model, s, cap, sine) <= s.rmax * (1 + 1e-9));
+          RC_ASSERT(cap >= least_feed_per_tooth(model, s) * (1 - 1e-12));
+        },
+        2000);
+  }
+}
+
+TEST_CASE("the cap goes without a jump over all inclinations", "[roughness]") {
+  for (const RoughnessModel model : kBoth) {
+    CAPTURE(name(model));
+    double before = largest_feed_per_tooth(model, kPaper, 0);
+    for (double sine = 0; sine <= 1; sine += 1e-5) {
+      const double cap = largest_feed_per_tooth(model, kPaper, sine);
+      if (std::abs(cap - before) > 1.5e-5 * kPaper.tool_radius) FAIL(sine);
+      before = cap;
+    }
+  }
+}
+
+TEST_CASE("no simulated edges leave more than the table says, nor much less",
+          "[roughness][property]") {
+  holds(
+      [] {
+        const int teeth = integer(1, kSimulatedTeeth);
+        const double feed = real(0.1, 1) * (integer(0, 3) == 0 ? 4 : 1), tip = real(0, 3);
+        const double simulated = EdgeSurface(feed, tip, teeth).rmax();
+        const double table = edge_height(teeth, feed, tip);
+        RC_ASSERT(simulated <= table * 1.01);
+        if (feed > 0.6) return;   // beyond, heights need not grow, and those of the table do
+        double most = simulated;  // at any lower feed
+        for (int i = 1; i < 20; ++i)
+          most = std::max(most, EdgeSurface(feed * i / 20, tip, teeth).rmax());
+        RC_ASSERT(table <= most * 1.1);
+      },
+      40);
+}
+
+TEST_CASE("beyond the table a bound holds", "[roughness][property]") {
+  holds(
+      [] {
+        const int teeth = integer(1, 8);
+        const double feed = real(0.2, 1) * (teeth > kSimulatedTeeth ? 1 : 20), tip = real(0, 12);
+        RC_ASSERT(EdgeSurface(feed, tip, teeth).rmax() <= edge_height(teeth, feed, tip) * 1.01);
+      },
+      30);
+}
+
+TEST_CASE("by the guaranteed model simulated edges keep the target at every inclination",
+          "[roughness]") {
+  double most_lost = 0;
+  for (double degrees = 0; degrees <= 45; degrees += degrees < 13 ? 0.37 : 3) {
+    CAPTURE(degrees);
+    const double sine = sine_of(degrees);
+    const double cap = largest_feed_per_tooth(RoughnessModel::guaranteed, kPaper, sine);
+    CHECK(simulated_rmax(kPaper, cap, sine) <= kPaper.rmax * 1.01);
+    const double paper = largest_feed_per_tooth(RoughnessModel::paper, kPaper, sine);
+    if (degrees > 1.7 && degrees < 6.9) most_lost = std::max(most_lost, 1 - cap / paper);
+  }
+  CHECK(most_lost > 0.05);  // where the formulas are too hopeful
+  CHECK(most_lost < 0.15);
+}
+
+TEST_CASE("the formulas under-predict where the tip begins to cut", "[roughness]") {
+  double most = 0;
+  for (double degrees = 3; degrees < 6; degrees += 0.25) {
+    const double sine = sine_of(degrees);
+    most = std::max(
+        most, simulated_rmax(kPaper, 0.5, sine) - rmax(RoughnessModel::paper, kPaper, 0.5, sine));
+  }
+  CHECK(um_from_mm(most) > 1.5);
+  CHECK(um_from_mm(most) < 3);
+}
+
+TEST_CASE("no target asks for teeth that rub", "[roughness]") {
+  Surface surface = kPaper;
+  surface.rmax = least_rmax(5, 0.5) * (1 + 1e-9);
+  CHECK(least_feed_per_tooth(RoughnessModel::guaranteed, surface) == kLeastFeedPerTooth);
+  CHECK(least_feed_per_tooth(RoughnessModel::paper, surface) > 0.07);
+}
