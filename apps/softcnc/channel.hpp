@@ -23,6 +23,7 @@
 #include "motion/cycle.hpp"
 #include "motion/verify.hpp"
 #include "state_history.hpp"
+#include "surface_notes.hpp"
 
 namespace softcnc::app {
 
@@ -187,6 +188,7 @@ struct Outcome {
   std::array<double, kLimits> time_by_limit{};
   Measured measured;
   double corner_deviation = 0;  // mm: of rounded corners from the programmed path
+  SurfaceNotes surface;
   std::size_t events_left = 0;  // of the script: their moments were never reached
   MachineState state;           // where the machine rests, if ChannelOptions::keeps_state
   ipo::PlannerCounts planner;

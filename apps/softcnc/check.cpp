@@ -41,7 +41,8 @@ int check_program(const std::string& name, const Machine& machine, const Channel
   if (!program) return messages.fail(program.error());
   ChannelOptions beside = options;
   beside.interpreter.folder = program->folder();
-  const Preflight checked = preflight(*program, machine, beside, messages, watcher);
+  const Preflight checked =
+      preflight(*program, machine, beside, messages, watcher, Tells::surface_too);
   for (const std::string& file : checked.outcome.called_files)
     called.push_back(std::filesystem::path(program->folder()) / file);
   if (checked.status == 0)

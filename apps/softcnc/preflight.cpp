@@ -25,7 +25,7 @@ Machine without_backend(Machine machine) {
 }
 
 Preflight preflight(Program& program, const Machine& machine, const ChannelOptions& options,
-                    Messages& messages, Watcher* watcher) {
+                    Messages& messages, Watcher* watcher, Tells tells) {
   auto backend = hal::open_backend(without_backend(machine));
   if (!backend) return {messages.fail(backend.error()), {}};
   Diagnostics diagnostics(messages.sink(program));
@@ -34,7 +34,11 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
   Preflight result;
   result.outcome = simulate(reader, program.descriptor(), machine, options, **backend, diagnostics,
                             nullptr, watcher);
-  if (diagnostics.errors() == 0) report_excess(result.outcome.measured, machine, diagnostics);
+  if (diagnostics.errors() == 0) {
+    report_excess(result.outcome.measured, machine, diagnostics);
+    if (tells == Tells::surface_too) result.outcome.surface.tell_blocks(diagnostics);
+    result.outcome.surface.warn(diagnostics);
+  }
   result.status = diagnostics.status();
   return result;
 }

@@ -21,8 +21,11 @@ struct Preflight {
   Outcome outcome;  // of the run without backend; of interest if status is 0
 };
 
-/// Runs the program without backend and shows all that is wrong with it.
+enum class Tells : std::uint8_t { faults, surface_too };
+
+/// Runs the program without backend and shows all that is wrong with it; and what surface it
+/// leaves, where it asks for one.
 Preflight preflight(Program& program, const Machine& machine, const ChannelOptions& options,
-                    Messages& messages, Watcher* watcher = nullptr);
+                    Messages& messages, Watcher* watcher = nullptr, Tells tells = Tells::faults);
 
 }  // namespace softcnc::app

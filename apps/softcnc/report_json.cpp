@@ -63,6 +63,10 @@ void add_measured(Json& report, const Machine& machine, const Outcome& outcome) 
   report["path_deviation_um_max"] = um_from_mm(measured.path_deviation);
   report["corner_deviation_um_max"] = um_from_mm(outcome.corner_deviation);
   report["feed_fluctuation_max"] = measured.feed_fluctuation;
+  if (measured.rmax_target > 0) {
+    report["rmax_um_max"] = um_from_mm(measured.rmax);
+    report["rmax_target_um"] = um_from_mm(measured.rmax_target);
+  }
   report["velocity_max"] = axes(measured.velocity);
   report["acceleration_max"] = axes(measured.acceleration);
   report["jerk_max"] = axes(measured.jerk);

@@ -148,6 +148,7 @@ Outcome Simulation::finish() {
   outcome_.time_by_limit = channel_.time_by_limit();
   outcome_.measured = verification_.measured();
   outcome_.corner_deviation = verification_.corner_deviation();
+  outcome_.surface = verification_.surface();
   outcome_.events_left = channel_.events_left();
   outcome_.planner = channel_.feeder().counts();
   outcome_.called_files = channel_.feeder().called_files();

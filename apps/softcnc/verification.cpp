@@ -13,6 +13,8 @@ namespace {
 /// What differences of rows may exceed a limit by.
 constexpr double kAxisTolerance = 1e-3;
 constexpr double kJerkTolerance = 5e-3;
+/// What a roughness may exceed its target by: caps are linear between the nodes of the plan.
+constexpr double kRoughnessTolerance = 2e-3;
 /// What rounding may add to a chord error.
 constexpr double kChordTolerance = 1e-6;
 
@@ -49,9 +51,12 @@ class Judge {
 void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& queue) {
   stretches_.clear();
   block_numbers_.clear();
+  blocks_.clear();
   queue.for_each_recent([this](const ipo::TimedBlock& timed) {
     if (!timed.move()) return;
-    stretches_.push_back({&timed.move()->path, timed.s_start});
+    const std::optional<Surface>& surface = timed.move()->surface;
+    stretches_.push_back({&timed.move()->path, timed.s_start, surface ? &*surface : nullptr});
+    blocks_.push_back(&timed);
     corner_deviation_ = std::max(corner_deviation_, timed.deviation);
     block_numbers_.push_back({timed.block.number, timed.last_number()});
   });
@@ -60,6 +65,8 @@ void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& qu
     while (first < stretches_.size() && block_numbers_[first].last < block_before_) ++first;
     while (end < stretches_.size() && block_numbers_[end].first <= row.block) ++end;
     verifier_.row(row, std::span(stretches_).subspan(first, end - first));
+    if (verifier_.row_rmax() > 0 && row.block <= block_numbers_[end - 1].last)
+      surface_.add(*blocks_[end - 1], row, verifier_.row_rmax());
     block_before_ = row.block;
   }
 }
@@ -80,6 +87,9 @@ void report_excess(const Measured& measured, const Machine& machine, Diagnostics
   }
   judge("the chord error", um_from_mm(measured.chord_error),
         um_from_mm(machine.control.chord_tolerance), kChordTolerance, "um");
+  if (measured.rmax_target > 0)
+    judge("Rmax", um_from_mm(measured.rmax), um_from_mm(measured.rmax_target), kRoughnessTolerance,
+          "um");
 }
 
 }  // namespace softcnc::app

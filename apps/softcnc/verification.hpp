@@ -7,6 +7,7 @@
 
 #include "ipo/block_queue.hpp"
 #include "motion/verify.hpp"
+#include "surface_notes.hpp"
 
 namespace softcnc::app {
 
@@ -22,12 +23,15 @@ class Verification {
   const Measured& measured() const noexcept { return verifier_.measured(); }
   /// How far paths so far lie from what is programmed, where corners are rounded; mm.
   double corner_deviation() const noexcept { return corner_deviation_; }
+  const SurfaceNotes& surface() const noexcept { return surface_; }
 
  private:
   Verifier verifier_;
   double corner_deviation_ = 0;
-  int block_before_ = 0;            // number of the block of the row before
-  std::vector<Stretch> stretches_;  // of the blocks in the queue,
+  SurfaceNotes surface_;
+  int block_before_ = 0;                        // number of the block of the row before
+  std::vector<Stretch> stretches_;              // of the blocks in the queue,
+  std::vector<const ipo::TimedBlock*> blocks_;  // those blocks,
   struct Numbers {
     int first, last;
   };

@@ -48,6 +48,15 @@ constexpr Choice control_choice(std::span<const std::string_view> words) {
 }
 
 template <auto Member>
+constexpr Choice surface_choice(std::span<const std::string_view> words) {
+  return {words, [](const Machine& m) { return static_cast<int>(m.surfacing.*Member); },
+          [](Machine& m, int i) {
+            auto& place = m.surfacing.*Member;
+            place = static_cast<std::remove_reference_t<decltype(place)>>(i);
+          }};
+}
+
+template <auto Member>
 constexpr auto motor = in_axis_part<&Axis::motor, Member>;
 template <auto Member>
 constexpr auto drive = in_axis_part<&Axis::drive, Member>;
@@ -131,6 +140,11 @@ const MachineKey kKeys[] = {
      Number{in_part<&Machine::spindle, &Spindle::min_rpm>, same, same, at_least_0(1e6)}},
     {"spindle.max_rpm", "rpm", "a larger S is clamped with a warning",
      Number{in_part<&Machine::spindle, &Spindle::max_rpm>, same, same, at_least_0(1e6)}},
+
+    {"surface.model", "", "what holds the roughness that a program asks for: edges simulated on the ball, or the formulas of paper 004",
+     surface_choice<&Surfacing::model>(kRoughnessModels)},
+    {"surface.phase", "", "how the edges of neighbouring passes stand to each other in the simulated surface: as in the paper, or by time",
+     surface_choice<&Surfacing::phase>(kSpindlePhases)},
 
     {"backend.stepdir.file", "", "where the edges of the step and direction lines go: .vcd or .edges; empty: nowhere",
      Text{edge_file}},

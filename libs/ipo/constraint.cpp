@@ -25,6 +25,7 @@ Constraints::Constraints(const Machine& machine, double feed_override)
   // The three-point method of paper 000 limits the chord error itself, at run time.
   if (machine.control.interpolation != Method::curvature3p)
     caps_.push_back(make_chord_error(machine));
+  caps_.push_back(make_roughness_limit(machine));
   for (int i = 0; i < kAxes; ++i) {
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
     acceleration_[i] = axis.present ? axis.acceleration : kUnlimited;

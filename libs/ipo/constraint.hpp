@@ -39,6 +39,11 @@ class Constraint {
   /// True if the cap holds for every period's step that touches the point: the step, not only the
   /// point, then keeps it.
   virtual bool holds_over_steps() const noexcept { return false; }
+
+  /// False if more may happen to the cap between two points of a move than their middle tells.
+  virtual bool is_even(const PathPoint&, const PathPoint&, const Move&) const noexcept {
+    return true;
+  }
 };
 
 /// The caps of one machine; axis acceleration, the one constraint with rows, stands beside them.
@@ -79,6 +84,7 @@ class Constraints {
 std::unique_ptr<Constraint> make_feed_limit(const Machine& machine, double feed_override);
 std::unique_ptr<Constraint> make_axis_velocity(const Machine& machine);
 std::unique_ptr<Constraint> make_chord_error(const Machine& machine);
+std::unique_ptr<Constraint> make_roughness_limit(const Machine& machine);
 
 /// The longest step, in mm, whose chord stays within `tolerance` mm of an arc of curvature `kappa`
 /// (1/mm): 2 sqrt(2 rho eps - eps^2), paper 000 eq. (5) in its exact circle form; where rho <= eps

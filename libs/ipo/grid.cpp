@@ -109,6 +109,8 @@ class Refiner {
 
   /// What the middle asks for beyond the mean of the ends is a small part of each limit.
   bool as_good_as_linear(const Interval& whole, const PathPoint& mid) const {
+    for (const auto& constraint : constraints_.caps())
+      if (!constraint->is_even(whole.left, whole.right, move_)) return false;
     const Cap cap = cap_at(mid, move_, constraints_, false);
     const double mean = 0.5 * (whole.left_cap.q + whole.right_cap.q);
     if (mean > cap.q * (1 + kGridTolerance)) return false;

@@ -8,6 +8,7 @@ namespace softcnc::ipo {
 namespace {
 
 constexpr double kTurn = 0.06;          // rad between two nodes
+constexpr double kCapChange = 0.04;     // of a roughness, between two nodes
 constexpr double kGrading = 0.15;       // how fast that spacing may change along the way
 constexpr double kShortestTime = 0.35;  // periods: what turns faster is not resolved
 constexpr double kSame = 1e-9;          // relative: derivatives that do not jump
@@ -22,14 +23,23 @@ bool is_joint(const PlanSpan& span, std::size_t node) noexcept {
          !same(before.right.ddq, after.left.ddq) || !same(before.right.dddq, after.left.dddq);
 }
 
-/// The spacing that the bends of the path ask for, at the nodes of the chain.
+/// The cap of a roughness has steep flanks where the way is level.
+double cap_spacing(const Interval& in) noexcept {
+  const Cap &left = in.left_cap, &right = in.right_cap;
+  const double change = std::abs(right.q - left.q);
+  if (left.limit != Limit::roughness && right.limit != Limit::roughness) return kUnlimited;
+  return change > 0 ? kCapChange * std::min(left.q, right.q) * in.length() / change : kUnlimited;
+}
+
+/// The spacing that the bends of the path and its caps ask for, at the nodes of the chain.
 class BendSpacing {
  public:
   explicit BendSpacing(const PlanSpan& span) : span_(span), h_(span.last - span.first + 1, 0.0) {
     std::fill(h_.begin(), h_.end(), kUnlimited);
     for (std::size_t i = span.first; i < span.last; ++i) {
       const Interval& in = span.interval(i);
-      const double h = kTurn / std::max(in.left.ddq.norm(), in.right.ddq.norm());
+      const double h =
+          std::min(kTurn / std::max(in.left.ddq.norm(), in.right.ddq.norm()), cap_spacing(in));
       at(i) = std::min(at(i), h);
       at(i + 1) = std::min(at(i + 1), h);
     }

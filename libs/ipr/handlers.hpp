@@ -106,6 +106,11 @@ void ask_for_surface(Task& task);
 void cancel_surface(Task& task);
 /// The words of G06.4 in the first block of G06.2.
 void ask_for_surface_of_curve(Task& task);
+/// False, and told once, if a roughness is asked for while the spindle rests. `word` and `line`:
+/// the move's.
+bool has_surface_speed(Modal& modal, Output& out, SourcePos word, std::string_view line);
+/// The roughness in force, at the speed of the spindle.
+std::optional<Surface> surface_at_speed(const Modal& modal) noexcept;
 
 // modes.cpp
 void select_plane(Task& task);

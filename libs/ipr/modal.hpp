@@ -114,8 +114,9 @@ struct Modal : Modes {
 
   // Told once a file.
   bool feed_warned = false, spindle_warned = false, dwell_warned = false;
-  bool look_ahead_told = false, chopping_told = false, order_told = false, surface_told = false;
-  bool ended = false;  // M02 or M30 was read
+  bool look_ahead_told = false, chopping_told = false, order_told = false;
+  bool rest_told = false;  // once a G06.4: that the spindle rests
+  bool ended = false;      // M02 or M30 was read
 
   const WorkOffset& work() const noexcept {
     return state.work[static_cast<std::size_t>(state.active)];

@@ -161,7 +161,8 @@ void finish_curve(Task& task, PendingCurve& curve) {
   if (!made)
     return task.out.report(made.error().code, curve.head.word, std::move(made.error().message),
                            curve.head.line);
-  task.out.emit(cutting_move(task.modal, std::move(*made), curve.head.feed), curve.head.source);
+  if (has_surface_speed(task.modal, task.out, curve.head.word, curve.head.line))
+    task.out.emit(cutting_move(task.modal, std::move(*made), curve.head.feed), curve.head.source);
 }
 
 /// LinuxCNC's Q chooses how the curve is chopped; here it is not.

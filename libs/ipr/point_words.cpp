@@ -51,11 +51,11 @@ void finish_points(Modal& modal, Output& out) {
   PendingPoints& curve = *modal.points;
   if (!curve.broken) {
     Result<Nurbs> made = make_curve(curve);
-    if (made)
-      out.emit_before(cutting_move(modal, std::move(*made), curve.head.feed), curve.head.source);
-    else
+    if (!made)
       out.report(made.error().code, curve.head.word, std::move(made.error().message),
                  curve.head.line);
+    else if (has_surface_speed(modal, out, curve.head.word, curve.head.line))
+      out.emit_before(cutting_move(modal, std::move(*made), curve.head.feed), curve.head.source);
   }
   forget_points(modal);
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ipr/handlers.hpp"
+#include "motion/roughness.hpp"
 #include "motion/units.hpp"
 
 namespace softcnc::ipr {
@@ -107,11 +108,15 @@ bool is_possible(Task& task, const Surface& surface) {
   return false;
 }
 
-void note_surface(Task& task) {
-  if (task.modal.surface_told) return;
-  task.modal.surface_told = true;
-  task.out.report(Code::SC3127, task.word.pos,
-                  "the roughness asked for is kept in the blocks; it does not limit the feed yet");
+/// Chips so thin that teeth rub are what no target gets.
+void check_feed(Task& task, const Surface& surface) {
+  const double least = least_feed_per_tooth(task.machine.surfacing.model, surface);
+  if (least > kLeastFeedPerTooth) return;
+  const Word& word = task.values.word('H');
+  task.out.report(Code::SC3129, word.pos,
+                  "an Rmax of " + number_text(um_from_mm(surface.rmax)) +
+                      " um asks for less than " + number_text(um_from_mm(kLeastFeedPerTooth)) +
+                      " um per tooth, where teeth rub; it is not held there");
 }
 
 void read_surface(Task& task) {
@@ -119,7 +124,16 @@ void read_surface(Task& task) {
   task.modal.surface.reset();
   if (!is_given(surface) || !is_possible(task, surface)) return;
   task.modal.surface = surface;
-  note_surface(task);
+  task.modal.rest_told = false;
+  check_feed(task, surface);
+}
+
+/// Why the spindle does not turn; nullptr if it does, or if an error hides it.
+const char* rest_of_spindle(const Modal& modal) noexcept {
+  if (modal.uncertain.has('S')) return nullptr;
+  if (!modal.spindle_speed) return "S is not set";
+  if (*modal.spindle_speed == 0) return "S is 0";
+  return modal.spindle_direction == 0 ? "neither M03 nor M04 is in force" : nullptr;
 }
 
 }  // namespace
@@ -134,6 +148,24 @@ void cancel_surface(Task& task) {
 
 void ask_for_surface_of_curve(Task& task) {
   if (task.values.letters().has_any(kSurfaceWords)) read_surface(task);
+}
+
+bool has_surface_speed(Modal& modal, Output& out, SourcePos word, std::string_view line) {
+  const char* why = modal.surface ? rest_of_spindle(modal) : nullptr;
+  if (why == nullptr) return true;
+  if (!modal.rest_told)
+    out.report(Code::SC3128, word,
+               std::string("a roughness is asked for, and the spindle does not turn: ") + why,
+               line);
+  modal.rest_told = true;
+  return false;
+}
+
+std::optional<Surface> surface_at_speed(const Modal& modal) noexcept {
+  std::optional<Surface> surface = modal.surface;
+  if (surface && rest_of_spindle(modal) == nullptr)
+    surface->spindle = per_s_from_rpm(modal.spindle_speed.value_or(0));
+  return surface;
 }
 
 }  // namespace softcnc::ipr

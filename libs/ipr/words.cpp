@@ -92,7 +92,10 @@ void emit_move(Task& task, Path&& path, bool rapid) {
   }
   if (!rapid && modal.feed_mode == FeedMode::inverse_time)
     modal.feed = held_feed(task, mm_s_from_mm_min(length(path) * modal.feed_word));
-  if (!rapid) return task.out.emit(cutting_move(modal, std::move(path), modal.feed));
+  if (!rapid) {
+    if (!has_surface_speed(modal, task.out, task.word.pos, task.out.text())) task.out.mute();
+    return task.out.emit(cutting_move(modal, std::move(path), modal.feed));
+  }
   task.out.emit(Move{std::move(path), true, 0, modal.join, modal.corner_tolerance,
                      modal.chord_tolerance, modal.feed_override, std::nullopt});
 }
@@ -105,7 +108,7 @@ Move cutting_move(const Modal& modal, Path&& path, double feed) {
           modal.corner_tolerance,
           modal.chord_tolerance,
           modal.feed_override,
-          modal.surface};
+          surface_at_speed(modal)};
 }
 
 bool has_feed(Task& task) {

@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "motion/axes.hpp"
+#include "motion/surface.hpp"
 
 namespace softcnc {
 
@@ -115,6 +116,7 @@ struct Machine {
   Spindle spindle;
   StepPort step_port;
   ProgramLimits program;
+  Surfacing surfacing;
   std::map<int, Tool> tools;
 };
 

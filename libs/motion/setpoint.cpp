@@ -7,7 +7,7 @@ namespace softcnc {
 
 std::string_view name(Limit limit) noexcept {
   constexpr std::array<std::string_view, kLimits> names{
-      "feed",         "rapid", "chord",    "corner", "axis_velocity",
+      "feed",         "rapid", "chord",    "corner", "roughness", "axis_velocity",
       "acceleration", "jerk",  "override", "hold",   "stop"};
   return names[static_cast<std::size_t>(limit)];
 }

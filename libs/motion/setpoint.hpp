@@ -15,6 +15,7 @@ enum class Limit : std::uint8_t {
   rapid,
   chord,
   corner,
+  roughness,
   axis_velocity,
   acceleration,
   jerk,
@@ -22,7 +23,7 @@ enum class Limit : std::uint8_t {
   hold,
   stop,
 };
-inline constexpr int kLimits = 10;
+inline constexpr int kLimits = 11;
 
 std::string_view name(Limit limit) noexcept;
 

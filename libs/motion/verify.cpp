@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/roughness.hpp"
+
 namespace softcnc {
 namespace {
 
@@ -62,7 +64,8 @@ double distance_to_chord(const AxisVector& p, const AxisVector& a, const AxisVec
 
 }  // namespace
 
-Verifier::Verifier(const Machine& machine) noexcept : period_(machine.control.period) {}
+Verifier::Verifier(const Machine& machine) noexcept
+    : period_(machine.control.period), model_(machine.surfacing.model) {}
 
 void Verifier::row(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {
   if (measured_.rows == 0)
@@ -95,6 +98,7 @@ void Verifier::differences(const AxisVector& position) noexcept {
 
 void Verifier::geometry(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {
   double travelled = 0;
+  row_rmax_ = 0;
   for (const Stretch& stretch : stretches) {
     const double s_end = softcnc::length(*stretch.path);
     const double s0 = std::clamp(before_.s - stretch.s_start, 0.0, s_end);
@@ -110,10 +114,26 @@ void Verifier::geometry(const Setpoint& setpoint, std::span<const Stretch> stret
     const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
     measured_.path_deviation =
         std::max(measured_.path_deviation, (position(*here.path, s) - setpoint.position).norm());
+    if (here.surface) roughness(setpoint, here);
   }
   if (setpoint.advance > kSmallestAdvance)
     measured_.feed_fluctuation =
         std::max(measured_.feed_fluctuation, std::abs(travelled / setpoint.advance - 1));
+}
+
+/// Teeth that rub are not asked to be slower.
+void Verifier::roughness(const Setpoint& setpoint, const Stretch& here) noexcept {
+  constexpr double kRounding = 1e-6;
+  const Surface& surface = *here.surface;
+  const double feed = surface.tooth_rate() > 0 ? setpoint.v / surface.tooth_rate() : 0;
+  const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
+  row_rmax_ = rmax(model_, surface, feed, inclination_sine(at(*here.path, s).dq));
+  if (feed <= kLeastFeedPerTooth * (1 + kRounding)) return;
+  if (row_rmax_ * measured_.rmax_target <= measured_.rmax * surface.rmax &&
+      measured_.rmax_target > 0)
+    return;
+  measured_.rmax = row_rmax_;
+  measured_.rmax_target = surface.rmax;
 }
 
 double chord_error(const Path& path, double s0, double s1, const AxisVector& a,

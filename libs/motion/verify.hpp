@@ -9,6 +9,7 @@
 #include "motion/machine.hpp"
 #include "motion/path.hpp"
 #include "motion/setpoint.hpp"
+#include "motion/surface.hpp"
 
 namespace softcnc {
 
@@ -16,6 +17,7 @@ namespace softcnc {
 struct Stretch {
   const Path* path;
   double s_start;
+  const Surface* surface = nullptr;  // that it is to leave
 };
 
 /// The largest values seen so far. Differences are those of the commanded rows, padded with rest.
@@ -25,7 +27,8 @@ struct Measured {
   AxisVector jerk = AxisVector::Zero();          // mm/s^3
   double chord_error = 0;                        // mm: curve between two rows to their chord
   double path_deviation = 0;                     // mm: commanded position to the curve
-  double feed_fluctuation = 0;  // |arc length / planned advance - 1|, advances over 1 um
+  double feed_fluctuation = 0;       // |arc length / planned advance - 1|, advances over 1 um
+  double rmax = 0, rmax_target = 0;  // mm: of the row that leaves most as part of its target
   std::int64_t rows = 0;
 };
 
@@ -41,12 +44,18 @@ class Verifier {
   void finish() noexcept;
 
   const Measured& measured() const noexcept { return measured_; }
+  /// Rmax that the last row leaves, mm; 0 where no roughness is asked for.
+  double row_rmax() const noexcept { return row_rmax_; }
 
  private:
   void differences(const AxisVector& position) noexcept;
   void geometry(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
 
+  void roughness(const Setpoint& setpoint, const Stretch& here) noexcept;
+
   double period_;
+  RoughnessModel model_;
+  double row_rmax_ = 0;
   std::array<AxisVector, 4> last_;  // positions, newest first
   Setpoint before_;
   Measured measured_;

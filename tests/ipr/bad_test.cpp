@@ -383,7 +383,13 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC3126,
      "an Rmax of 5 um is out of reach: this pick-feed and radius leave 6.25 um however slow the "
      "feed"},
-    {Code::SC3127, "the roughness asked for is kept in the blocks; it does not limit the feed yet"},
+    {Code::SC3128, "a roughness is asked for, and the spindle does not turn: S is not set"},
+    {Code::SC3128,
+     "a roughness is asked for, and the spindle does not turn: neither M03 nor M04 is in force"},
+    {Code::SC3128, "a roughness is asked for, and the spindle does not turn: S is 0"},
+    {Code::SC3129,
+     "an Rmax of 6.251 um asks for less than 2 um per tooth, where teeth rub; it is not held "
+     "there"},
 };
 
 /// Codes of the interpreter's own: characters and words, modes and motion, blocks of a NURBS.

@@ -7,10 +7,9 @@
 namespace softcnc::ipr {
 namespace {
 
-std::vector<Move> moves_with_notes(const std::string& program, const Machine& machine = {}) {
-  Interpreted result = interpret(program, machine);
-  CHECK(places(result).size() == 1);
-  CHECK(result.diagnostics.front().code == Code::SC3127);
+std::vector<Move> moves_at_speed(const std::string& program, const Machine& machine = {}) {
+  Interpreted result = interpret("S6000 M03\n" + program, machine);
+  CHECK(places(result) == Places{});
   std::vector<Move> moves;
   for (Block& block : result.blocks)
     if (auto* move = std::get_if<Move>(&block.what)) moves.push_back(std::move(*move));
@@ -27,7 +26,7 @@ Machine with_tool() {
 }  // namespace
 
 TEST_CASE("G06.4 holds for cutting moves until G06.5", "[ipr][surface]") {
-  const auto moves = moves_with_notes(
+  const auto moves = moves_at_speed(
       "F600 G01 X1\nG06.4 D5 J.5 H10 L2\nX2\nG00 X3\nG02 X5 I1\nG06.4 D6 J.25 H7 L3\nG01 X6\n"
       "G06.5 X7\nM30\n");
   CHECK_FALSE(moves[0].surface);
@@ -44,7 +43,7 @@ TEST_CASE("G06.4 holds for cutting moves until G06.5", "[ipr][surface]") {
 }
 
 TEST_CASE("D and J are in program units, H in um always", "[ipr][surface]") {
-  const auto moves = moves_with_notes("G20 F60 G06.4 D.25 J.02 H10 L2 G01 X1\nM30\n");
+  const auto moves = moves_at_speed("G20 F60 G06.4 D.25 J.02 H10 L2 G01 X1\nM30\n");
   REQUIRE(moves[0].surface);
   CHECK(moves[0].surface->tool_radius == Approx(6.35));
   CHECK(moves[0].surface->pick_feed == Approx(0.508));
@@ -52,7 +51,7 @@ TEST_CASE("D and J are in program units, H in um always", "[ipr][surface]") {
 }
 
 TEST_CASE("radius and teeth left out are those of the tool in the spindle", "[ipr][surface]") {
-  const auto moves = moves_with_notes("T3 M06\nT4 F600 G06.4 J.5 H10\nG01 X1\nM30\n", with_tool());
+  const auto moves = moves_at_speed("T3 M06\nT4 F600 G06.4 J.5 H10\nG01 X1\nM30\n", with_tool());
   REQUIRE(moves[0].surface);
   CHECK(moves[0].surface->tool_radius == 5);
   CHECK(moves[0].surface->teeth == 2);
@@ -62,14 +61,14 @@ TEST_CASE("radius and teeth left out are those of the tool in the spindle", "[ip
 
 TEST_CASE("a tool change ends what was asked for", "[ipr][surface]") {
   const auto moves =
-      moves_with_notes("F600 G06.4 D5 J.5 H10 L2\nG01 X1\nT3 M06\nX2\nM30\n", with_tool());
+      moves_at_speed("F600 G06.4 D5 J.5 H10 L2\nG01 X1\nT3 M06\nX2\nM30\n", with_tool());
   CHECK(moves[0].surface);
   CHECK_FALSE(moves[1].surface);
 }
 
 TEST_CASE("the words in the first block of a G06.2 mean G06.4 before it", "[ipr][surface]") {
   const auto moves =
-      moves_with_notes("F600 G06.2 P2 K0 X0 D5 J.5 H10 L2\nK0 X1\nK1\nK1\nG01 X2\nM30\n");
+      moves_at_speed("F600 G06.2 P2 K0 X0 D5 J.5 H10 L2\nK0 X1\nK1\nK1\nG01 X2\nM30\n");
   REQUIRE(moves[0].surface);
   CHECK(moves[0].surface->pick_feed == 0.5);
   CHECK(moves[1].surface);
@@ -77,8 +76,7 @@ TEST_CASE("the words in the first block of a G06.2 mean G06.4 before it", "[ipr]
 
 TEST_CASE("curves over several lines carry the roughness in force", "[ipr][surface]") {
   for (const char* curve : {"G06.1 X1\nX2 Y1\nG80\n", "G05.2 X1 Y0 P1\nX2 Y1 P1\nG05.3\n"}) {
-    const auto moves =
-        moves_with_notes(std::string("F600 G06.4 D5 J.5 H10 L2\n") + curve + "M30\n");
+    const auto moves = moves_at_speed(std::string("F600 G06.4 D5 J.5 H10 L2\n") + curve + "M30\n");
     CHECK(moves[0].surface);
   }
 }
@@ -90,8 +88,40 @@ TEST_CASE("J0.5E10.7 is no number", "[ipr][surface]") {
 TEST_CASE("what is refused leaves no roughness in force", "[ipr][surface]") {
   const Interpreted result =
       interpret("F600 G06.4 D5 J.5 H10 L2\nG06.4 D5 J.5 H6 L2\nG01 X1\nM30\n");
-  CHECK(places(result) == Places{"SC3127 1:6", "SC3126 2:14"});
+  CHECK(places(result) == Places{"SC3126 2:14"});
   CHECK_FALSE(std::get<Move>(result.blocks[0].what).surface);
+}
+
+TEST_CASE("a move knows the speed of the spindle under it", "[ipr][surface]") {
+  const auto moves = moves_at_speed(
+      "F600 G06.4 D5 J.5 H10 L2\nG01 X1\nS3000 X2\nM04 X3\nG06.2 P2 K0 X3\nK0 X4\nK1\nK1\nM30\n");
+  REQUIRE(moves.size() == 4);
+  CHECK(moves[0].surface->spindle == 100);
+  CHECK(moves[1].surface->spindle == 50);
+  CHECK(moves[2].surface->spindle == 50);
+  CHECK(moves[3].surface->spindle == 50);
+  CHECK(moves[3].surface->tooth_rate() == 100);
+}
+
+TEST_CASE("a spindle at rest is told once a G06.4, and no cut is made", "[ipr][surface]") {
+  const Interpreted result = interpret("F600 G06.4 D5 J.5 H10 L2\nG01 X1\nX2\nG00 X3\nM30\n");
+  CHECK(places(result) == Places{"SC3128 2:1"});
+  CHECK(result.diagnostics.front().message ==
+        "a roughness is asked for, and the spindle does not turn: S is not set");
+  CHECK(std::get<Move>(result.blocks[0].what).rapid);
+}
+
+TEST_CASE("an S that is wrong is not told again by what needs it", "[ipr][surface]") {
+  const Interpreted result = interpret("S-5 M03\nF600 G06.4 D5 J.5 H10 L2\nG01 X1\nM30\n");
+  CHECK(places(result) == Places{"SC2007 1:1"});
+}
+
+TEST_CASE("the model of the machine decides whether teeth would rub", "[ipr][surface]") {
+  const std::string program = "S6000 M03 F600\nG06.4 D5 J.5 H6.251 L2\nG01 X1\nM30\n";
+  CHECK(places(interpret(program)) == Places{"SC3129 2:14"});
+  Machine machine;
+  machine.surfacing.model = RoughnessModel::paper;
+  CHECK(places(interpret(program, machine)) == Places{});
 }
 
 }  // namespace softcnc::ipr

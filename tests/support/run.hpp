@@ -90,7 +90,9 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
     if (!setpoint) break;
     std::vector<Stretch> stretches;
     queue.for_each_recent([&](const ipo::TimedBlock& timed) {
-      if (const Move* move = timed.move()) stretches.push_back({&move->path, timed.s_start});
+      if (const Move* move = timed.move())
+        stretches.push_back(
+            {&move->path, timed.s_start, move->surface ? &*move->surface : nullptr});
     });
     verifier.row(*setpoint, stretches);
     result.rows.push_back(*setpoint);

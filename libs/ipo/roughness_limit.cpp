@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The roughness that a program asks for: feed per tooth x teeth x speed of the spindle (paper 004),
+// in planes of any kind, since the tool stands upright.
+#include "ipo/constraint.hpp"
+#include "motion/roughness.hpp"
+
+namespace softcnc::ipo {
+namespace {
+
+/// Kept free on curves, where the inclination changes a little between two nodes of the grid.
+constexpr double kCurveMargin = 3e-4;
+
+/// How far the place of the tip may move from node to node, as part of the pick-feed and of how far
+/// away it is: the cap falls steeply where the tip cuts, and little happens to it far from there.
+constexpr double kNear = 0.04, kFar = 0.2;
+
+class RoughnessLimit final : public Constraint {
+ public:
+  explicit RoughnessLimit(RoughnessModel model) : model_(model) {}
+
+  Limit limit(const Move&) const noexcept override { return Limit::roughness; }
+
+  double cap(const PathPoint& point, const Move& move) const noexcept override {
+    if (!limits(move)) return kUnlimited;
+    const Surface& surface = *move.surface;
+    double v =
+        surface.tooth_rate() * largest_feed_per_tooth(model_, surface, inclination_sine(point.dq));
+    if (!point.ddq.isZero(0)) v *= 1 - kCurveMargin;
+    return v * v;
+  }
+
+  bool is_even(const PathPoint& left, const PathPoint& right,
+               const Move& move) const noexcept override {
+    if (!limits(move)) return true;
+    const double scale = move.surface->tool_radius / move.surface->pick_feed;
+    const double from = scale * left.dq[2], to = scale * right.dq[2];
+    const double nearest = from * to > 0 ? std::min(std::abs(from), std::abs(to)) : 0;
+    return std::abs(to - from) <= kNear + kFar * nearest;
+  }
+
+ private:
+  static bool limits(const Move& move) noexcept {
+    return move.surface && move.surface->tooth_rate() > 0;
+  }
+
+  RoughnessModel model_;
+};
+
+}  // namespace
+
+std::unique_ptr<Constraint> make_roughness_limit(const Machine& machine) {
+  return std::make_unique<RoughnessLimit>(machine.surfacing.model);
+}
+
+}  // namespace softcnc::ipo
