@@ -36,6 +36,11 @@ auto& in_tool(Machine& machine, int number) {
   return machine.tools[number].*Member;
 }
 std::string& machine_name(Machine& machine, int) { return machine.name; }
+std::vector<double>& stock_origin(Machine& machine, int) { return machine.stock.origin; }
+template <int axis>
+double& stock_size(Machine& machine, int) {
+  return machine.stock.size[axis];
+}
 std::string& edge_file(Machine& machine, int) { return machine.step_port.file; }
 
 template <auto Member>
@@ -158,6 +163,19 @@ const MachineKey kKeys[] = {
      Number{step_port<&StepPort::direction_setup>, s_from_ns, ns_from_s, at_least_0(1e8)}},
     {"backend.stepdir.direction_hold_ns", "ns", "least time from the end of a step to a change of direction",
      Number{step_port<&StepPort::direction_hold>, s_from_ns, ns_from_s, at_least_0(1e8)}},
+
+
+    {"stock.x_mm", "mm", "length of the stock along X; 0: as far as the program cuts and the tool radius around it",
+     Number{stock_size<0>, same, same, at_least_0(1e5)}},
+    {"stock.y_mm", "mm", "the same along Y",
+     Number{stock_size<1>, same, same, at_least_0(1e5)}},
+    {"stock.z_mm", "mm", "height of the stock, from its origin; 0: up to the highest cut and the tool radius above it",
+     Number{stock_size<2>, same, same, at_least_0(1e5)}},
+    {"stock.origin_mm", "mm", "X, Y and Z of the corner of the stock with the smallest coordinates, in machine coordinates; "
+     "[]: where the program cuts, less the tool radius",
+     Point{stock_origin, {-1e5, 1e5}}},
+    {"stock.grid_um", "um", "distance of neighbouring points of the simulated surface",
+     Number{in_part<&Machine::stock, &Stock::grid>, mm_from_um, um_from_mm, {0.1, 1e4}}},
 
     {"program.block_limit", "", "lines that one loop, or one call with all it calls, may run; more count as an endless loop, an error",
      Whole{in_part<&Machine::program, &ProgramLimits::block_limit>, {1, 1e9}}},

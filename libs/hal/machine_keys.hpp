@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "motion/machine.hpp"
 
@@ -40,13 +41,19 @@ struct Text {
   std::string& (*place)(Machine&, int index);
 };
 
+/// A point in the unit of the name: a number for each axis, or none.
+struct Point {
+  std::vector<double>& (*place)(Machine&, int index);
+  Range range;
+};
+
 /// A row of the table. A '*' in the name stands for an axis letter or a tool number, which is then
 /// the `index` of the functions above.
 struct MachineKey {
   std::string_view name;
   std::string_view unit;
   std::string_view meaning;
-  std::variant<Number, Whole, Choice, Text> value;
+  std::variant<Number, Whole, Choice, Text, Point> value;
 };
 
 std::span<const MachineKey> machine_keys() noexcept;

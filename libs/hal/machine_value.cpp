@@ -20,6 +20,7 @@ struct TypeName {
   std::string_view operator()(double) const { return "a number"; }
   std::string_view operator()(std::int64_t) const { return "a number"; }
   std::string_view operator()(const std::string&) const { return "a text"; }
+  std::string_view operator()(const std::vector<double>&) const { return "an array"; }
   std::string_view operator()(const OtherValue& other) const { return other.type; }
 };
 
@@ -86,6 +87,16 @@ Status store(const Text& text, const KeyRef& ref, const FileValue& value, Machin
   return {};
 }
 
+Status store(const Point& point, const KeyRef& ref, const FileValue& value, Machine& machine) {
+  const auto* given = std::get_if<std::vector<double>>(&value);
+  if (!given || (!given->empty() && given->size() != kAxes))
+    return wrong_type(ref, "an array of three numbers, or of none", value);
+  for (const double number : *given)
+    if (auto checked = check(ref, number, point.range); !checked) return checked;
+  point.place(machine, ref.index) = *given;
+  return {};
+}
+
 /// A TOML basic string.
 std::string toml_string(std::string_view text) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
@@ -106,6 +117,9 @@ struct Allowed {
   std::string operator()(const Whole& whole) const { return "whole, " + range_text(whole.range); }
   std::string operator()(const Choice& choice) const { return list(choice.words); }
   std::string operator()(const Text&) const { return "a text"; }
+  std::string operator()(const Point& point) const {
+    return "three numbers, each " + range_text(point.range) + ", or none";
+  }
 };
 
 struct Spell {
@@ -123,6 +137,12 @@ struct Spell {
   }
   std::string operator()(const Text& text) const {
     return toml_string(text.place(machine, ref.index));
+  }
+  std::string operator()(const Point& point) const {
+    std::string text;
+    for (const double number : point.place(machine, ref.index))
+      text += (text.empty() ? "" : ", ") + number_text(number);
+    return '[' + text + ']';
   }
 };
 

@@ -5,17 +5,18 @@
 #include <cstdint>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "hal/machine_keys.hpp"
 #include "motion/result.hpp"
 
 namespace softcnc::hal {
 
-/// A value that no key takes, by the name of its type: "a date", "an array".
+/// A value that no key takes, by the name of its type: "a date", "a table".
 struct OtherValue {
   std::string_view type;
 };
-using FileValue = std::variant<double, std::int64_t, std::string, OtherValue>;
+using FileValue = std::variant<double, std::int64_t, std::string, std::vector<double>, OtherValue>;
 
 /// Checks `value` against type and range of the key and stores it in house units.
 /// Errors: SC7004, SC7005, SC7006, SC7009; their place is left to the caller.

@@ -27,6 +27,17 @@ SourcePos place(std::string_view text, const toml::source_region& region) {
   return {line, first, std::max(1, end - first)};
 }
 
+/// Numbers, or else just an array.
+FileValue value_of(const toml::array& array) {
+  std::vector<double> numbers;
+  for (const auto& element : array) {
+    const auto number = element.value<double>();
+    if (!number || !element.is_number()) return OtherValue{"an array"};
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
 FileValue value_of(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::floating_point:
@@ -38,7 +49,7 @@ FileValue value_of(const toml::node& node) {
     case toml::node_type::boolean:
       return OtherValue{"true or false"};
     case toml::node_type::array:
-      return OtherValue{"an array"};
+      return value_of(*node.as_array());
     case toml::node_type::table:
       return OtherValue{"a table"};
     default:

@@ -14,6 +14,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "motion/axes.hpp"
 #include "motion/surface.hpp"
@@ -108,6 +109,13 @@ struct Tool {
   int teeth = 0;
 };
 
+/// The piece of material that the simulated surface is cut from, as a grid seen from above.
+struct Stock {
+  AxisVector size = AxisVector::Zero();  // mm; 0: as far as the program cuts
+  std::vector<double> origin;  // mm: the corner with the smallest coordinates; empty: likewise
+  double grid = 0.01;          // mm between neighbouring points
+};
+
 struct Machine {
   std::string name = "retrofitted mill (built-in)";
   Control control;
@@ -117,6 +125,7 @@ struct Machine {
   StepPort step_port;
   ProgramLimits program;
   Surfacing surfacing;
+  Stock stock;
   std::map<int, Tool> tools;
 };
 

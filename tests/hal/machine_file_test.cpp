@@ -48,6 +48,8 @@ bool identical(Machine a, Machine b) {
       return whole->place(a, index) == whole->place(b, index);
     if (const auto* choice = std::get_if<Choice>(&key.value))
       return choice->get(a) == choice->get(b);
+    if (const auto* point = std::get_if<Point>(&key.value))
+      return point->place(a, index) == point->place(b, index);
     return std::get<Text>(key.value).place(a, index) == std::get<Text>(key.value).place(b, index);
   };
   for (const MachineKey& key : machine_keys()) {
@@ -122,6 +124,14 @@ min_rpm = 100
 max_rpm = 12500
 [program]
 block_limit = 250
+[surface]
+phase = "time"
+[stock]
+x_mm = 20
+y_mm = 30
+z_mm = 4.5
+origin_mm = [-10, 0.5, -4.5]
+grid_um = 5
 [tool.7]
 radius_mm = 2.5
 teeth = 4
@@ -164,6 +174,10 @@ teeth = 4
   CHECK(m.spindle.min_rpm == 100);
   CHECK(m.spindle.max_rpm == 12500);
   CHECK(m.program.block_limit == 250);
+  CHECK(m.surfacing.phase == SpindlePhase::time);
+  CHECK(m.stock.size == AxisVector(20, 30, 4.5));
+  CHECK(m.stock.origin == std::vector<double>{-10, 0.5, -4.5});
+  CHECK(m.stock.grid == 0.005);
   REQUIRE(m.tools.size() == 1);
   CHECK(m.tools.at(7).radius == 2.5);
   CHECK(m.tools.at(7).teeth == 4);
@@ -279,6 +293,20 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
               .starts_with("mill.toml:1:8: error SC7004: name takes a text, not a date or time\n"));
     CHECK(refused("name = [1]")
               .starts_with("mill.toml:1:8: error SC7004: name takes a text, not an array\n"));
+  }
+  SECTION("no point") {
+    CHECK(refused("[stock]\norigin_mm = [1, 2]")
+              .starts_with("mill.toml:2:13: error SC7004: stock.origin_mm takes an array of three "
+                           "numbers, or of none, not an array\n"));
+    CHECK(refused("stock.origin_mm = [1, \"2\", 3]")
+              .starts_with("mill.toml:1:19: error SC7004: stock.origin_mm takes an array of three "
+                           "numbers, or of none, not an array\n"));
+    CHECK(refused("stock.origin_mm = 1").find("not a number") != std::string::npos);
+    CHECK(refused("stock.origin_mm = [1, 2e6, 3]")
+              .starts_with("mill.toml:1:19: error SC7005: stock.origin_mm must be at least -1e+05 "
+                           "and at most 1e+05, not 2e+06\n"));
+    CHECK(refused("stock.x_mm = [1, 2, 3]").find("takes a number, not an array") !=
+          std::string::npos);
   }
   SECTION("out of range") {
     CHECK(refused("[control]\n\n   period_ms = -1.5 # no\n") ==
@@ -415,6 +443,8 @@ TEST_CASE("a machine reads back from its text bit for bit", "[hal][machine][prop
       if (const auto* choice = std::get_if<Choice>(&key.value))
         return std::string(*rc::gen::elementOf(
             std::vector<std::string_view>(choice->words.begin(), choice->words.end())));
+      if (std::holds_alternative<Point>(key.value))
+        return *rc::gen::element<std::string>("[]", "[1, -2.5, 1e-3]");
       return "\"a \\\" \\\\ \\u0007 ü\"";
     };
     std::string text = *rc::gen::element<std::string>("", "[axis.x]\n", "[axis.x]\n[axis.z]\n");
@@ -422,7 +452,8 @@ TEST_CASE("a machine reads back from its text bit for bit", "[hal][machine][prop
     Settings settings;
     for (const MachineKey& key : machine_keys()) {
       const int index = is_axis_key(key) ? (has_z ? 2 : 0) : 4711;
-      if (key.name.ends_with("_mm") || key.name == "control.servo_period_ms" ||
+      if ((key.name.ends_with("_mm") && !key.name.starts_with("stock.")) ||
+          key.name == "control.servo_period_ms" ||
           key.name == "control.backend" ||  // which asks some values to fit one another
           *rc::gen::arbitrary<bool>())
         continue;
