@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The surface that passes next to each other are meant to make, near one place.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "motion/axes.hpp"
+
+namespace softcnc::hal {
+
+/// Where a ball of the radius touches what it is to make, worked out from where its centre is told
+/// to go: through the centres of neighbouring passes a surface of second degree is laid, and the
+/// ideal surface lies one radius below it.
+class IdealSurface {
+ public:
+  /// A centre as commanded, and which way it goes.
+  struct Centre {
+    AxisVector at, along;  // mm; along: over one pass of the edges
+  };
+
+  /// Good for a square around (x, y), `reach` mm to each side. Nothing where there are no passes on
+  /// both sides, or no smooth surface through them.
+  static std::optional<IdealSurface> near(std::span<const Centre> centres, double radius, double x,
+                                          double y, double reach);
+
+  struct Point {
+    double z;                 // mm
+    double slope_x, slope_y;  // of the surface
+    double a, b;              // where the centre is that makes this point
+  };
+  Point at(double x, double y) const noexcept;
+  /// Whether passes lie all around a point.
+  bool inside(double a, double b) const noexcept {
+    return a >= a0_ && a <= a1_ && b >= b0_ && b <= b1_;
+  }
+
+ private:
+  double value(double a, double b) const noexcept;
+  std::array<double, 2> slope(double a, double b) const noexcept;
+
+  double radius_ = 0;
+  double x_ = 0, y_ = 0;                      // mm: origin of a and b
+  double along_x_ = 1, along_y_ = 0;          // direction of a
+  double unit_ = 1;                           // mm, of a and b
+  std::array<double, 6> c_{};                 // of 1, a, b, a^2, a b, b^2; mm
+  double a0_ = 0, a1_ = 0, b0_ = 0, b1_ = 0;  // where centres are
+};
+
+}  // namespace softcnc::hal
