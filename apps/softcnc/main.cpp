@@ -43,6 +43,8 @@ int dispatch(const Options& options) {
       return record(options);
     case Command::replay:
       return replay(options);
+    case Command::surface:
+      return surface(options);
     case Command::machine:
       return machine(options);
     case Command::codes:

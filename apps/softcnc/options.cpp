@@ -232,6 +232,25 @@ void make_replay(CLI::App& command, Options& options) {
   add_quiet(command, options);
 }
 
+void make_surface(CLI::App& command, Options& options) {
+  add_part(command, options);
+  add_machine(command, options);
+  add_state(command, options, kReadsState);
+  add_feed_override(command, options);
+  add_interpreter(command, options);
+  command
+      .add_option("-o,--output", options.output,
+                  "The surface to write: numpy arrays (.npz) or a picture (.png)")
+      ->required()
+      ->type_name("FILE");
+  command.add_flag("--actual", options.actual,
+                   "Cut with the tool where the simulated mill is, not where it is told to be");
+  add_diagnostics(command, options);
+  add_progress(command, options);
+  add_quiet(command, options);
+  add_verbose(command, options, "Say what planning and cutting took");
+}
+
 void make_machine(CLI::App& command, Options& options) {
   add_machine(command, options);
   add_backend(command, options);
@@ -264,6 +283,8 @@ constexpr CommandRow kCommands[] = {
      make_blocks},
     {Command::record, "record", "Run a part program and keep what replay needs", make_record},
     {Command::replay, "replay", "Run recordings again and compare row by row", make_replay},
+    {Command::surface, "surface", "Show the surface that a part program machines, with its Rmax",
+     make_surface},
     {Command::machine, "machine", "Show the machine, each value with where it came from",
      make_machine},
     {Command::codes, "codes", "Say what codes of programs and of diagnostics mean", make_codes},

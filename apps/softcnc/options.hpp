@@ -13,7 +13,7 @@
 
 namespace softcnc::app {
 
-enum class Command : std::uint8_t { run, check, blocks, record, replay, machine, codes };
+enum class Command : std::uint8_t { run, check, blocks, record, replay, surface, machine, codes };
 enum class DiagnosticsFormat : std::uint8_t { text, json, sarif };
 enum class ProgressMode : std::uint8_t { automatic, none, json };
 
@@ -33,7 +33,8 @@ struct Options {
 
   bool dry_run = false, watch = false;
   std::string trace, report;  // files; empty: none
-  std::string output;         // of record
+  std::string output;         // of record and surface
+  bool actual = false;        // surface: cut by where the simulated mill is
 
   DiagnosticsFormat diagnostics = DiagnosticsFormat::text;
   ProgressMode progress = ProgressMode::automatic;

@@ -29,23 +29,6 @@ bool may_ask(const Options& options) {
          ::isatty(STDERR_FILENO) != 0;
 }
 
-/// What the backend itself tells by finish() is not told here.
-bool is_of_axis(Alarm alarm) {
-  return alarm == Alarm::following_error || alarm == Alarm::counter_overflow;
-}
-
-Diagnostic alarm_diagnostic(const Outcome& outcome) {
-  const int axis = outcome.feedback.alarm_axis;
-  const double lag = outcome.last.position[axis] - outcome.feedback.position[axis];
-  const bool overflow = outcome.feedback.alarm == Alarm::counter_overflow;
-  return {overflow ? Code::SC5002 : Code::SC5001,
-          {outcome.last.line, 0, 1},
-          fmt::format("{} of {}: it is {:.3f} mm behind its command", name(outcome.feedback.alarm),
-                      kAxisLetters[static_cast<std::size_t>(axis)], std::abs(lag)),
-          {},
-          {}};
-}
-
 /// The run itself, after the pre-flight.
 class Performer {
  public:
@@ -166,6 +149,22 @@ Performance check_first(Job& job, Messages& messages, Terminal& terminal, double
 }
 
 }  // namespace
+
+bool is_of_axis(Alarm alarm) noexcept {
+  return alarm == Alarm::following_error || alarm == Alarm::counter_overflow;
+}
+
+Diagnostic alarm_diagnostic(const Outcome& outcome) {
+  const int axis = outcome.feedback.alarm_axis;
+  const double lag = outcome.last.position[axis] - outcome.feedback.position[axis];
+  const bool overflow = outcome.feedback.alarm == Alarm::counter_overflow;
+  return {overflow ? Code::SC5002 : Code::SC5001,
+          {outcome.last.line, 0, 1},
+          fmt::format("{} of {}: it is {:.3f} mm behind its command", name(outcome.feedback.alarm),
+                      kAxisLetters[static_cast<std::size_t>(axis)], std::abs(lag)),
+          {},
+          {}};
+}
 
 Result<Job> open_job(const Options& options) {
   auto machine = hal::load_machine(options.machine_file, options.settings);

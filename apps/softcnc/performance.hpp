@@ -33,6 +33,11 @@ struct Performance {
   std::vector<Diagnostic> diagnostics;
 };
 
+/// What the backend itself does not tell by finish().
+bool is_of_axis(Alarm alarm) noexcept;
+/// Such an alarm in words: SC5001, SC5002.
+Diagnostic alarm_diagnostic(const Outcome& outcome);
+
 /// Pre-flight (but for a dry run), then motion; the trace goes to `trace` unless that is empty.
 /// Diagnostics are shown.
 Performance perform(Job& job, const Options& options, const std::string& trace);

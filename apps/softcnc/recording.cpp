@@ -74,14 +74,13 @@ Status hash_called(const Program& program, std::vector<CalledFile>& files) {
   return {};
 }
 
-/// By the rules of all output files: whole under its name, or not at all.
+}  // namespace
+
 Status copy_to_output(const std::string& from, hal::OutputFile& output) {
   const Status copied =
       for_each_piece_of(from, [&](std::string_view piece) { return output.write(piece); });
   return copied ? output.finish() : copied;
 }
-
-}  // namespace
 
 Result<TemporaryFolder> TemporaryFolder::make() {
   auto name = temporary_name();

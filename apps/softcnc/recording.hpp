@@ -51,6 +51,10 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+/// All of a file into `output`, by the rules of all output files: whole under its name, or not at
+/// all. Errors: SC6003, SC6012, SC6013.
+Status copy_to_output(const std::string& from, hal::OutputFile& output);
+
 /// Writes a recording of a run whose trace lies in `folder` as trace.csv.zst. The hashes of `meta`
 /// are filled in; the names of called files must be there. Errors: SC6003, SC6012, SC6013.
 Status write_recording(hal::OutputFile& file, Program& program, const Machine& machine,

@@ -164,7 +164,6 @@ const MachineKey kKeys[] = {
     {"backend.stepdir.direction_hold_ns", "ns", "least time from the end of a step to a change of direction",
      Number{step_port<&StepPort::direction_hold>, s_from_ns, ns_from_s, at_least_0(1e8)}},
 
-
     {"stock.x_mm", "mm", "length of the stock along X; 0: as far as the program cuts and the tool radius around it",
      Number{stock_size<0>, same, same, at_least_0(1e5)}},
     {"stock.y_mm", "mm", "the same along Y",

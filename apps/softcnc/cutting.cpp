@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "cutting.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "descriptor.hpp"
+#include "ipr/interpreter.hpp"
+
+namespace softcnc::app {
+namespace {
+
+constexpr double kTurned = 0.7071;  // cosine: a sharper turn than 45 degrees begins another pass
+
+double spin_of(double rpm) noexcept { return -rpm * 2 * std::numbers::pi / 60; }
+
+class CuttingReader {
+ public:
+  CuttingReader(const Machine& machine, Diagnostics& diagnostics)
+      : machine_(machine), diagnostics_(diagnostics) {}
+
+  void read(const Block& block) {
+    if (const auto* action = std::get_if<Action>(&block.what)) act(*action);
+    if (const auto* move = std::get_if<Move>(&block.what)) read(*move, block);
+  }
+
+  Cutting finish() {
+    if (!cutting_.tips && diagnostics_.errors() == 0)
+      diagnostics_.report({Code::SC2382, {}, "the program has no cutting move", {}, {}});
+    return std::move(cutting_);
+  }
+
+ private:
+  void act(const Action& action) {
+    if (action.kind == Action::Kind::spindle) spin_ = spin_of(action.value);
+    if (action.kind != Action::Kind::tool) return;
+    const auto found = machine_.tools.find(static_cast<int>(action.value));
+    tool_ = found == machine_.tools.end() ? Tool{} : found->second;
+  }
+
+  void read(const Move& move, const Block& block) {
+    const hal::Cutter cutter = cutter_of(move);
+    const bool begins = !move.rapid && begins_pass(move);
+    if (!move.rapid) add(move, cutter, block);
+    const auto& changes = cutting_.changes;
+    if (begins || changes.empty() || changes.back().cutter != cutter ||
+        changes.back().cutting == move.rapid)
+      cutting_.changes.push_back({block.number, cutter, !move.rapid, begins});
+    direction_ = at(move.path, length(move.path), Side::before).dq;
+    after_rapid_ = move.rapid;
+  }
+
+  hal::Cutter cutter_of(const Move& move) const {
+    if (move.surface) return {move.surface->tool_radius, move.surface->teeth, spin_};
+    return {tool_.radius, tool_.teeth, spin_};
+  }
+
+  bool begins_pass(const Move& move) const {
+    return after_rapid_ || direction_.dot(at(move.path, 0.0).dq) < kTurned;
+  }
+
+  void add(const Move& move, const hal::Cutter& cutter, const Block& block) {
+    if (cutter.radius <= 0 || cutter.teeth <= 0)
+      return tell_once(Code::SC2380, "no tool with a radius and teeth is in the spindle", block);
+    if (cutter.spin == 0)
+      return tell_once(Code::SC2381, "a cutting move while the spindle stands still", block);
+    const Extent box = bounds(move.path);
+    if (!cutting_.tips) cutting_.tips = box;
+    cutting_.tips->include(box.min);
+    cutting_.tips->include(box.max);
+    cutting_.radius = std::max(cutting_.radius, cutter.radius);
+    cutting_.feed_per_tooth =
+        std::max(cutting_.feed_per_tooth, move.feed * hal::ToolTrack::tooth_period(cutter));
+    if (move.surface) cutting_.pick_feed = std::max(cutting_.pick_feed, move.surface->pick_feed);
+  }
+
+  void tell_once(Code code, const char* text, const Block& block) {
+    if (std::exchange(told_, true)) return;
+    diagnostics_.report({code, block.source, text, {}, {}});
+  }
+
+  const Machine& machine_;
+  Diagnostics& diagnostics_;
+  Cutting cutting_;
+  Tool tool_;
+  double spin_ = 0;
+  AxisVector direction_ = AxisVector::Zero();
+  bool after_rapid_ = true, told_ = false;
+};
+
+}  // namespace
+
+Cutting read_cutting(Program& program, const Machine& machine, const ChannelOptions& options,
+                     Diagnostics& diagnostics) {
+  ipr::Reader text = program.reader();
+  ipr::Parser parser(text, diagnostics);
+  ipr::Interpreter interpreter(parser, machine, diagnostics, options.interpreter, options.state);
+  CuttingReader reader(machine, diagnostics);
+  for (;;) {
+    const auto block = interpreter.next();
+    if (block) reader.read(*block);
+    if (block) continue;
+    if (!interpreter.waiting()) return reader.finish();
+    wait_for_input(program.descriptor());
+  }
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "roughness_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "motion/units.hpp"
+
+namespace softcnc::app {
+
+RoughnessMap::RoughnessMap(const hal::StockGrid& grid, int side)
+    : side_(side),
+      columns_((grid.columns + side - 1) / side),
+      rows_((grid.rows + side - 1) / side) {
+  const auto regions = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  highest_.assign(regions, -std::numeric_limits<float>::infinity());
+  known_.assign(regions, 0);
+  all_.assign(regions, 0);
+}
+
+void RoughnessMap::add(const SurfaceBand& band) {
+  for (int row = 0; row < band.rows; ++row) {
+    const auto first = static_cast<std::size_t>((band.first_row + row) / side_) *
+                       static_cast<std::size_t>(columns_);
+    for (int column = 0; column < band.columns; ++column) {
+      const std::size_t region = first + static_cast<std::size_t>(column / side_);
+      const float deviation = band.deviations[band.index(column, row)];
+      ++all_[region];
+      if (std::isnan(deviation)) continue;
+      ++known_[region];
+      highest_[region] = std::max(highest_[region], deviation);
+    }
+  }
+}
+
+std::vector<float> RoughnessMap::rmax() const {
+  std::vector<float> rmax(highest_.size(), std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t i = 0; i < rmax.size(); ++i)
+    if (2 * known_[i] >= all_[i] && known_[i] > 0)
+      rmax[i] = static_cast<float>(um_from_mm(static_cast<double>(highest_[i])));
+  return rmax;
+}
+
+RoughnessFigures figures(const std::vector<float>& rmax) {
+  RoughnessFigures sum;
+  for (const float value : rmax) {
+    if (std::isnan(value)) continue;
+    sum.largest = std::max(sum.largest, static_cast<double>(value));
+    sum.mean += static_cast<double>(value);
+    ++sum.regions;
+  }
+  if (sum.regions > 0) sum.mean /= static_cast<double>(sum.regions);
+  return sum;
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// `softcnc surface`: the program runs, its edges cut a Z-map, and that is written and summed up.
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <thread>
+
+#include "commands.hpp"
+#include "cutting_rows.hpp"
+#include "messages.hpp"
+#include "motion/units.hpp"
+#include "performance.hpp"
+#include "preflight.hpp"
+#include "progress.hpp"
+#include "surface_file.hpp"
+#include "surface_grid.hpp"
+#include "terminal.hpp"
+#include "verification.hpp"
+
+namespace softcnc::app {
+namespace {
+
+constexpr int kSignalled = 128;
+
+class SurfaceJob {
+ public:
+  SurfaceJob(Job& job, const Options& options)
+      : job_(job),
+        options_(options),
+        terminal_(options.progress, false, job.machine.control.period),
+        messages_([this] { terminal_.end(); }) {}
+
+  int run();
+
+ private:
+  int fail(const Diagnostic& diagnostic) { return messages_.fail(diagnostic); }
+  int read();
+  int move();
+  int judge(const Outcome& outcome, Diagnostics& diagnostics);
+  int cut(hal::OutputFile& output);
+  int stopped() { return kSignalled + terminal_.signal(); }
+  void tell(const RoughnessMap& map, double seconds, unsigned threads) const;
+
+  Job& job_;
+  const Options& options_;
+  Terminal terminal_;
+  Messages messages_;
+  Cutting cutting_;
+  hal::ToolTrack track_;
+  hal::StockGrid grid_;
+  std::int64_t updates_ = 0;
+};
+
+/// The first reading: what cuts, and what is wrong with the text.
+int SurfaceJob::read() {
+  Diagnostics diagnostics(messages_.sink(job_.program));
+  diagnostics.set_file(job_.program.name());
+  cutting_ = read_cutting(job_.program, job_.machine, job_.options, diagnostics);
+  return diagnostics.status();
+}
+
+/// The run. What the first reading has told is not told again.
+int SurfaceJob::move() {
+  constexpr int kOfPlanning = 4000;
+  Machine machine = without_backend(job_.machine);
+  if (options_.actual) machine.control.backend = BackendKind::sim;
+  auto backend = hal::open_backend(machine);
+  if (!backend) return fail(backend.error());
+  const auto show = messages_.sink(job_.program);
+  Diagnostics diagnostics([&](const Diagnostic& diagnostic) {
+    if (static_cast<int>(diagnostic.code) >= kOfPlanning) show(diagnostic);
+  });
+  diagnostics.set_file(job_.program.name());
+  CuttingRows rows(cutting_, machine.surfacing.phase, machine.control.period,
+                   (*backend)->columns());
+  ipr::Reader reader = job_.program.reader();
+  terminal_.begin("running", 0);
+  const Outcome outcome = simulate(reader, job_.program.descriptor(), machine, job_.options,
+                                   **backend, diagnostics, &rows, &terminal_);
+  terminal_.end();
+  track_ = rows.finish();
+  return judge(outcome, diagnostics);
+}
+
+int SurfaceJob::judge(const Outcome& outcome, Diagnostics& diagnostics) {
+  if (is_of_axis(outcome.feedback.alarm)) diagnostics.report(alarm_diagnostic(outcome));
+  if (outcome.end == Outcome::End::done && diagnostics.errors() == 0)
+    report_excess(outcome.measured, job_.machine, diagnostics);
+  if (outcome.end == Outcome::End::stopped) return stopped();
+  spdlog::debug("{} of machine time: CPU {:.3f} s planning, {:.3f} s cycle",
+                duration_text(outcome.time), outcome.cpu.planning, outcome.cpu.cycle);
+  return diagnostics.status();
+}
+
+int SurfaceJob::cut(hal::OutputFile& output) {
+  const int side = region_side(cutting_, grid_.step);
+  auto file = open_surface_file(options_.output, output, grid_, side);
+  if (!file) return fail(file.error());
+  RoughnessMap map(grid_, side);
+  const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  const auto begin = std::chrono::steady_clock::now();
+  const auto updates = cut_bands(hal::Workpiece(track_, grid_), threads,
+                                 [&](const SurfaceBand& band) -> Result<bool> {
+                                   map.add(band);
+                                   const Status added = (*file)->add(band);
+                                   if (!added) return tl::make_unexpected(added.error());
+                                   return terminal_.signal() == 0;
+                                 });
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  if (!updates) return fail(updates.error());
+  if (terminal_.signal() != 0) return stopped();
+  updates_ = *updates;
+  if (Status written = (*file)->finish(map); !written) return fail(written.error());
+  tell(map, taken.count(), threads);
+  return 0;
+}
+
+/// Peak memory of this process, MB.
+double memory_mb() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+std::string roughness_text(const RoughnessMap& map, double step) {
+  const RoughnessFigures sum = figures(map.rmax());
+  if (sum.regions == 0) return "not known: no passes lie side by side on a smooth surface";
+  return fmt::format("{:.2f} um, {:.2f} um in the mean of {} regions of {:.4g} x {:.4g} mm",
+                     sum.largest, sum.mean, sum.regions, map.side() * step, map.side() * step);
+}
+
+void SurfaceJob::tell(const RoughnessMap& map, double seconds, unsigned threads) const {
+  const double points = static_cast<double>(grid_.columns) * grid_.rows;
+  const double updates = static_cast<double>(updates_);
+  spdlog::info(
+      "surface of {} on {}{}\n  stock        {:.6g} x {:.6g} x {:.6g} mm from X{:.6g} Y{:.6g} "
+      "Z{:.6g}\n  grid         {} x {} points, one every {:.6g} um\n  edges        {} passes\n"
+      "  Rmax         {}\n  cut          {:.0f} points, {:.3g} updates in {:.2f} s on {} threads: "
+      "{:.1f} million a second\n  memory       {:.0f} MB",
+      job_.program.name(), job_.machine.name, options_.actual ? ", by its actual positions" : "",
+      (grid_.columns - 1) * grid_.step, (grid_.rows - 1) * grid_.step, grid_.top - grid_.corner[2],
+      grid_.corner[0], grid_.corner[1], grid_.corner[2], grid_.columns, grid_.rows,
+      um_from_mm(grid_.step), track_.passes().size(), roughness_text(map, grid_.step), points,
+      updates, seconds, threads, updates / seconds / 1e6, memory_mb());
+}
+
+int SurfaceJob::run() {
+  if (const int status = read(); status != 0) return status;
+  auto grid = stock_grid(job_.machine.stock, cutting_);
+  if (!grid) return fail(grid.error());
+  grid_ = *grid;
+  const auto output = hal::OutputFile::open(options_.output);  // before the long work
+  if (!output) return fail(output.error());
+  if (const int status = move(); status != 0) return status;
+  return cut(**output);
+}
+
+}  // namespace
+
+int surface(const Options& options) {
+  if (Status known = known_surface_form(options.output); !known) return failed(known.error());
+  auto job = open_job(options);
+  if (!job) return failed(job.error());
+  return SurfaceJob(*job, options).run();
+}
+
+}  // namespace softcnc::app

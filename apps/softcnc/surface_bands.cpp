@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "surface_bands.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <thread>
+
+namespace softcnc::app {
+namespace {
+
+void copy(const hal::Tile& tile, double bottom, SurfaceBand& band) {
+  for (int row = 0; row < tile.rows; ++row) {
+    const std::size_t from = tile.index(tile.first_column, tile.first_row + row);
+    const std::size_t to = band.index(tile.first_column, row);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(tile.columns); ++i) {
+      band.heights[to + i] = static_cast<float>(tile.heights[from + i] - bottom);
+      band.deviations[to + i] = tile.deviations[from + i];
+    }
+  }
+}
+
+/// Calls work(i) for 0 <= i < count, on some threads; passes an exception on.
+template <typename Work>
+void share(int count, unsigned threads, Work&& work) {
+  std::atomic<int> next{0};
+  std::atomic<bool> broken{false};
+  std::exception_ptr reason;
+  const auto help = [&] {
+    try {
+      for (int i = next++; i < count && !broken; i = next++) work(i);
+    } catch (...) {
+      if (!broken.exchange(true)) reason = std::current_exception();
+    }
+  };
+  std::vector<std::jthread> helpers;
+  for (unsigned i = 1; i < threads; ++i) helpers.emplace_back(help);
+  help();
+  helpers.clear();
+  if (reason) std::rethrow_exception(reason);
+}
+
+}  // namespace
+
+Result<std::int64_t> cut_bands(const hal::Workpiece& workpiece, unsigned threads,
+                               const TakeBand& take) {
+  const hal::StockGrid& grid = workpiece.grid();
+  std::atomic<std::int64_t> updates{0};
+  for (int row = 0; row < grid.rows; row += kTileSide) {
+    SurfaceBand band{row, std::min(kTileSide, grid.rows - row), grid.columns, {}, {}};
+    band.heights.resize(band.index(0, band.rows));
+    band.deviations.resize(band.heights.size());
+    share((grid.columns + kTileSide - 1) / kTileSide, threads, [&](int i) {
+      const hal::Tile tile = workpiece.cut(i * kTileSide, row, kTileSide, kTileSide);
+      copy(tile, grid.corner[2], band);
+      updates += tile.updates;
+    });
+    const Result<bool> wanted = take(band);
+    if (!wanted) return tl::make_unexpected(wanted.error());
+    if (!*wanted) break;
+  }
+  return updates.load();
+}
+
+std::size_t band_memory(const hal::StockGrid& grid, unsigned threads) noexcept {
+  constexpr std::size_t kSide = kTileSide;
+  constexpr std::size_t kPoint = sizeof(double) + sizeof(float);
+  return kSide * static_cast<std::size_t>(grid.columns) * 2 * sizeof(float) +
+         threads * kSide * kSide * kPoint;
+}
+
+}  // namespace softcnc::app

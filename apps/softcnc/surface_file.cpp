@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "surface_file.hpp"
+
+#include "npz_file.hpp"
+#include "recording.hpp"
+#include "surface_picture.hpp"
+#include "zip_file.hpp"
+
+namespace softcnc::app {
+namespace {
+
+/// heights_mm, rmax_um, origin_mm, step_mm, region_mm.
+class SurfaceArrays final : public SurfaceFile {
+ public:
+  SurfaceArrays(hal::OutputFile& output, const hal::StockGrid& grid, TemporaryFolder folder)
+      : output_(output),
+        grid_(grid),
+        folder_(std::move(folder)),
+        heights_(heights_file(), grid.rows, grid.columns) {}
+
+  Status add(const SurfaceBand& band) override { return heights_.add(band.heights); }
+
+  Status finish(const RoughnessMap& map) override {
+    if (Status kept = heights_.finish(); !kept) return kept;
+    const std::int64_t regions[] = {map.rows(), map.columns()};
+    const std::int64_t axes[] = {kAxes};
+    const double region = map.side() * grid_.step;
+    const std::string packed = folder_.file("surface.npz");
+    ZipWriter zip(packed);
+    zip.add_file("heights_mm.npy", heights_file(), Packing::store);
+    zip.add_text("rmax_um.npy", npy(std::span<const float>(map.rmax()), regions));
+    zip.add_text("origin_mm.npy", npy(std::span(grid_.corner.data(), kAxes), axes));
+    zip.add_text("step_mm.npy", npy(std::span(&grid_.step, 1), {}));
+    zip.add_text("region_mm.npy", npy(std::span(&region, 1), {}));
+    if (Status written = zip.finish(); !written) return written;
+    return copy_to_output(packed, output_);
+  }
+
+ private:
+  std::string heights_file() const { return folder_.file("heights_mm.npy"); }
+
+  hal::OutputFile& output_;
+  hal::StockGrid grid_;
+  TemporaryFolder folder_;
+  NpyWriter heights_;
+};
+
+class SurfacePng final : public SurfaceFile {
+ public:
+  SurfacePng(std::string name, hal::OutputFile& output, const hal::StockGrid& grid, int region)
+      : name_(std::move(name)), output_(output), picture_(grid, region) {}
+
+  Status add(const SurfaceBand& band) override {
+    picture_.add(band);
+    return {};
+  }
+
+  Status finish(const RoughnessMap& map) override {
+    const auto png = picture_.draw(map).png(name_);
+    if (!png) return tl::make_unexpected(png.error());
+    if (Status written = output_.write(*png); !written) return written;
+    return output_.finish();
+  }
+
+ private:
+  std::string name_;
+  hal::OutputFile& output_;
+  SurfacePicture picture_;
+};
+
+}  // namespace
+
+Status known_surface_form(const std::string& file) {
+  if (file.ends_with(".npz") || file.ends_with(".png")) return {};
+  return tl::make_unexpected(Diagnostic{
+      Code::SC6060, {}, "no form of a surface has this suffix; known are .npz, .png", file, {}});
+}
+
+Result<std::unique_ptr<SurfaceFile>> open_surface_file(const std::string& name,
+                                                       hal::OutputFile& output,
+                                                       const hal::StockGrid& grid, int region) {
+  if (name.ends_with(".png")) return std::make_unique<SurfacePng>(name, output, grid, region);
+  auto folder = TemporaryFolder::make();
+  if (!folder) return tl::make_unexpected(std::move(folder.error()));
+  return std::make_unique<SurfaceArrays>(output, grid, std::move(*folder));
+}
+
+}  // namespace softcnc::app

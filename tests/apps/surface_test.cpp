@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+// softcnc surface: what it writes, what it says, what it refuses.
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "apps/shell.hpp"
+#include "npz_file.hpp"
+#include "png_file.hpp"
+#include "roughness_map.hpp"
+#include "support/milled.hpp"
+#include "surface_bands.hpp"
+
+using namespace softcnc;
+using namespace softcnc::app;
+using namespace softcnc::app::test;
+
+namespace {
+
+const std::string kTool = " --set tool.1.radius_mm=5 --set tool.1.teeth=2 ";
+const std::string kStock =
+    " --set 'stock.origin_mm=[2, 1, -1]' --set stock.x_mm=2 --set stock.y_mm=1 --set "
+    "stock.z_mm=3 ";
+
+/// What numpy makes of an expression in f, the arrays of a file.
+std::string numpy(const std::string& file, const std::string& expression) {
+  const Ended ended = shell("/usr/bin/python3 -c \"import numpy; f = numpy.load('" + file +
+                            "'); print(" + expression + ")\"");
+  CHECK(ended.err.empty());
+  return ended.out;
+}
+
+double number(const std::string& file, const std::string& expression) {
+  return std::stod(numpy(file, expression));
+}
+
+Ended cut(const std::string& file, const std::string& options = {}) {
+  return call("surface -q $data/plane.nc" + kTool + kStock + options + " -o " + file);
+}
+
+}  // namespace
+
+TEST_CASE("a surface as arrays is what numpy reads", "[apps][surface]") {
+  const Folder folder;
+  const std::string file = folder / "plane.npz";
+  const Ended ended = cut(file);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.empty());
+  CHECK(ended.err.empty());
+  CHECK(folder.files() == std::vector<std::string>{"plane.npz"});
+  CHECK(numpy(file, "sorted(f.files)") ==
+        "['heights_mm', 'origin_mm', 'region_mm', 'rmax_um', 'step_mm']\n");
+  CHECK(numpy(file, "f['heights_mm'].shape, f['heights_mm'].dtype") == "(101, 201) float32\n");
+  CHECK(numpy(file, "f['origin_mm'].tolist(), f['step_mm'], f['region_mm']") ==
+        "[2.0, 1.0, -1.0] 0.01 0.5\n");
+  CHECK(number(file, "1000 * (f['heights_mm'].max() - 1)") == Approx(24.9).epsilon(0.05));
+  CHECK(number(file, "1000 * (f['heights_mm'].min() - 1)") == Approx(0).margin(0.01));
+  CHECK(number(file, "f['rmax_um'][:2, :4].min()") == Approx(24.9).epsilon(0.05));
+  CHECK(number(file, "f['rmax_um'][:2, :4].max()") == Approx(24.9).epsilon(0.05));
+}
+
+TEST_CASE("the same surface is the same bytes", "[apps][surface]") {
+  const Folder folder;
+  for (const char* form : {".npz", ".png"}) {
+    REQUIRE(cut(folder / ("a" + std::string(form))).status == 0);
+    REQUIRE(cut(folder / ("b" + std::string(form))).status == 0);
+    CHECK((read(folder / ("a" + std::string(form))) == read(folder / ("b" + std::string(form)))));
+  }
+}
+
+TEST_CASE("a picture is a PNG", "[apps][surface]") {
+  const Folder folder;
+  CHECK(cut(folder / "plane.png").status == 0);
+  const std::string bytes = read(folder / "plane.png");
+  CHECK(bytes.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+  CHECK(bytes.size() > 20000);
+  CHECK(bytes.substr(bytes.size() - 8, 4) == "IEND");
+  CHECK(folder.files() == std::vector<std::string>{"plane.png"});
+}
+
+TEST_CASE("what was cut is summed up", "[apps][surface]") {
+  const Folder folder;
+  const Ended ended =
+      call("surface $data/plane.nc" + kTool + kStock + " -o " + (folder / "plane.npz"));
+  CHECK(ended.status == 0);
+  CHECK(ended.out.empty());
+  for (const char* text :
+       {"stock        2 x 1 x 3 mm from X2 Y1 Z-1", "201 x 101 points, one every 10 um",
+        "in the mean of", "regions of 0.5 x 0.5 mm", "million a second", "memory"})
+    CHECK(ended.err.find(text) != std::string::npos);
+}
+
+TEST_CASE("without a stock of its own a program has one around it", "[apps][surface]") {
+  const Folder folder;
+  const std::string file = folder / "plane.npz";
+  REQUIRE(call("surface -q $data/plane.nc" + kTool + "--set stock.grid_um=50 -o " + file).status ==
+          0);
+  CHECK(numpy(file, "f['heights_mm'].shape, f['origin_mm'].tolist()") ==
+        "(261, 321) [-5.0, -5.0, 0.0]\n");
+  CHECK(number(file, "f['heights_mm'][0, 0]") == 5);
+  CHECK(number(file, "f['heights_mm'][130, 160]") < 0.03);
+}
+
+TEST_CASE("the spindle's phase counts, and so does where the mill really is", "[apps][surface]") {
+  const Folder folder;
+  REQUIRE(cut(folder / "aligned.npz").status == 0);
+  REQUIRE(cut(folder / "time.npz", "--set surface.phase=time").status == 0);
+  REQUIRE(cut(folder / "actual.npz", "--actual").status == 0);
+  const std::string aligned = read(folder / "aligned.npz");
+  CHECK((aligned != read(folder / "time.npz")));
+  CHECK((aligned != read(folder / "actual.npz")));
+  CHECK(number(folder / "actual.npz", "f['rmax_um'][:2, :4].max()") > 15);
+  CHECK(number(folder / "actual.npz", "f['rmax_um'][:2, :4].max()") < 40);
+}
+
+TEST_CASE("the target and the teeth may stand in the program", "[apps][surface]") {
+  const Folder folder;
+  std::string text = read(softcnc::app::test::data("plane.nc"));
+  text.replace(text.find("#1 = 0"), 6, "G06.4 D5 J0.5 H25.1 L2\n#1 = 0");
+  write(folder / "own.nc", text);
+  REQUIRE(
+      call("surface -q " + (folder / "own.nc") + kStock + " -o " + (folder / "own.npz")).status ==
+      0);
+  CHECK(number(folder / "own.npz", "f['rmax_um'][:2, :4].max()") == Approx(24.9).epsilon(0.05));
+}
+
+TEST_CASE("a surface that cannot be cut is refused, and no file is left", "[apps][surface]") {
+  const Folder folder;
+  const std::string file = folder / "x.npz";
+  const auto refused = [&](const std::string& arguments, int status, const std::string& text) {
+    const Ended ended = call("surface -q " + arguments);
+    CAPTURE(arguments, ended.err);
+    CHECK(ended.status == status);
+    CHECK(ended.out.empty());
+    CHECK(ended.err.find(text) != std::string::npos);
+  };
+  const Folder programs;
+  const auto program = [&](const std::string& text) {
+    write(programs / "p.nc", text);
+    return programs / "p.nc";
+  };
+  refused("$data/plane.nc -o " + file, 1,
+          "plane.nc:9:3: error SC2380: no tool with a radius and teeth is in the spindle");
+  refused(program("T1 M06\nG01 X5 F100\nM30\n") + kTool + "-o " + file, 1,
+          ":2:1: error SC2381: a cutting move while the spindle stands still");
+  refused(program("T1 M06\nS100 M03\nG00 X5\nM30\n") + kTool + "-o " + file, 1,
+          "error SC2382: the program has no cutting move");
+  refused(program("T1 M06\nS100 M03\nG01 X5 F100 Q\nM30\n") + kTool + "-o " + file, 1, "p.nc:3:");
+  refused("$data/plane.nc" + kTool + "-o " + (folder / "x.obj"), 5,
+          "error SC6060: no form of a surface has this suffix; known are .npz, .png");
+  refused("$data/plane.nc" + kTool + "--set stock.x_mm=90000 --set stock.grid_um=1 -o " + file, 2,
+          "error SC7050: a surface of 90000001 x 13001 points, one every 1 um");
+  refused("$data/plane.nc" + kTool + "--set 'stock.origin_mm=[2, 1, 50]' -o " + file, 1,
+          "error SC2382: the stock lies beyond all that the program cuts");
+  refused("$data/plane.nc" + kTool + "-o " + (folder / "no/x.npz"), 5, "error SC6011");
+  refused("$data/plane.nc" + kTool + "--set axis.x.max_mm=3 -o " + file, 3, "error SC4001");
+  refused("$data/plane.nc" + kTool, 2, "--output");
+  refused("$data/plane.nc" + kTool + "-o $data/plane.nc", 2, "name the same file");
+  CHECK(folder.files().empty());
+}
+
+TEST_CASE("a surface on a full disk ends with 5", "[apps][surface]") {
+  const Folder folder;
+  for (const char* form : {"x.npz", "x.png"}) {
+    REQUIRE(shell("ln -s /dev/full " + (folder / form)).status == 0);
+    const Ended ended = cut(folder / form);
+    CHECK(ended.status == 5);
+    CHECK(ended.err.find("error SC6012") != std::string::npos);
+  }
+}
+
+TEST_CASE("bands are the same whatever the number of threads", "[apps][surface]") {
+  const auto track = softcnc::test::milled({.incline = 4}, 9, 6);
+  const auto grid = softcnc::test::grid_of(0.5, 0.5, 5, 3, 0.01);
+  const hal::Workpiece workpiece(track, grid);
+  const auto cut_by = [&](unsigned threads) {
+    std::vector<float> all;
+    const auto updates =
+        cut_bands(workpiece, threads, [&](const SurfaceBand& band) -> Result<bool> {
+          CHECK(band.columns == grid.columns);
+          all.insert(all.end(), band.heights.begin(), band.heights.end());
+          return true;
+        });
+    REQUIRE(updates);
+    all.push_back(static_cast<float>(*updates));
+    return all;
+  };
+  const auto alone = cut_by(1);
+  CHECK(alone.size() ==
+        static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows) + 1);
+  CHECK((alone == cut_by(2)));
+  CHECK((alone == cut_by(5)));
+}
+
+TEST_CASE("whoever takes bands may end the work", "[apps][surface]") {
+  const auto track = softcnc::test::milled({}, 3, 2);
+  const auto grid = softcnc::test::grid_of(0, 0, 1, 20, 0.02);
+  const hal::Workpiece workpiece(track, grid);
+  int bands = 0;
+  const TakeBand take = [&](const SurfaceBand&) -> Result<bool> { return ++bands < 2; };
+  CHECK(cut_bands(workpiece, 1, take));
+  CHECK(bands == 2);
+}
+
+TEST_CASE("a region is as rough as its highest point, and unknown where most of it is",
+          "[apps][surface]") {
+  hal::StockGrid grid;
+  grid.columns = 6;
+  grid.rows = 3;
+  RoughnessMap map(grid, 3);
+  const float unknown = std::numeric_limits<float>::quiet_NaN();
+  SurfaceBand band{0, 3, 6, std::vector<float>(18), std::vector<float>(18, unknown)};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) band.deviations[band.index(column, row)] = 0.001F;
+  band.deviations[band.index(1, 2)] = 0.004F;
+  band.deviations[band.index(5, 0)] = 0.009F;
+  map.add(band);
+  const auto rmax = map.rmax();
+  REQUIRE(rmax.size() == 2);
+  CHECK(rmax[0] == Approx(4));
+  CHECK(std::isnan(rmax[1]));
+  CHECK(figures(rmax).largest == Approx(4));
+  CHECK(figures(rmax).regions == 1);
+}
+
+TEST_CASE("heads of npy files end where data may begin", "[apps][surface]") {
+  const std::int64_t shape[] = {3, 100000};
+  const std::string head = npy_head("<f4", shape);
+  CHECK(head.size() % 64 == 0);
+  CHECK(head.substr(0, 6) == "\x93NUMPY");
+  CHECK(head.find("'shape': (3, 100000, ), }") != std::string::npos);
+  CHECK(head.back() == '\n');
+}
+
+TEST_CASE("letters stay on their canvas", "[apps][surface]") {
+  Canvas canvas(20, 9, {0, 0, 0});
+  canvas.write(-3, -2, "Rmax 24.9", 2, {255, 255, 255});
+  canvas.write(18, 8, "8", 1, {255, 255, 255});
+  const auto png = canvas.png("x.png");
+  REQUIRE(png);
+  CHECK(png->substr(1, 3) == "PNG");
+  CHECK(text_width("24.9") == 23);
+}
