@@ -31,10 +31,10 @@ const IdealSurface::Centre* lowest(std::span<const IdealSurface::Centre> centres
   for (const auto& centre : centres) {
     const double dx = x - centre.at[0], dy = y - centre.at[1];
     const double below = radius * radius - dx * dx - dy * dy;
-    if (below <= 0) continue;
-    const double z = centre.at[2] - std::sqrt(below);
-    if (z < least) found = &centre;
-    least = std::min(least, z);
+    const double least_below = centre.at[2] - least;  // that reaches no deeper
+    if (below <= 0 || (least_below >= 0 && below <= least_below * least_below)) continue;
+    found = &centre;
+    least = centre.at[2] - std::sqrt(below);
   }
   return found;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tile is cut in blocks. Each asks the passes that may reach deepest first, and stops where the
+// A tile is cut in blocks, by the passes that come close first, and by all where that was not
+// enough. Each asks the passes that may reach deepest first, and stops where the
 // next one cannot reach below what is already cut: a ball lies above a plane by at least the square
 // of the distance from where it comes closest, over its diameter.
 #include "hal/workpiece.hpp"
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 #include "hal/ideal_surface.hpp"
@@ -15,7 +17,8 @@
 namespace softcnc::hal {
 namespace {
 
-constexpr double kRounding = 1e-9;   // mm
+constexpr double kRounding = 1e-9;  // mm
+constexpr double kClose = 0.02;  // of the radius: the height above a plane that close passes reach
 constexpr std::size_t kAtOnce = 48;  // passes put in order
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
@@ -88,13 +91,39 @@ class Passes {
   double ball_ = 0;
 };
 
+/// Passes of a tile, in their order, among which are all that cut anything as low as `height` above
+/// the plane.
+struct ClosePasses {
+  std::vector<std::size_t> passes;
+  Plane plane;
+  double height = -std::numeric_limits<double>::infinity();
+};
+
+/// `tile` seen from the corner.
+ClosePasses close_passes(const Passes& passes, const StockGrid& grid, const Rectangle& tile) {
+  ClosePasses close;
+  const double x = (tile.x0 + tile.x1) / 2, y = (tile.y0 + tile.y1) / 2;
+  const auto ideal = IdealSurface::near(passes.centres(), passes.ball(), x, y, grid.step);
+  if (!ideal) return close;
+  const auto point = ideal->at(x, y);
+  close.plane = {point.slope_x, point.slope_y};
+  close.height = point.z - close.plane.at(x, y) + kClose * passes.ball();
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    const Bound bound = bound_of(passes[i], passes.radius(i), grid.corner, close.plane);
+    if (bound.over(square_distance(bound.lowest, tile)) <= close.height) close.passes.push_back(i);
+  }
+  return close;
+}
+
 class BlockCutter {
  public:
-  BlockCutter(const StockGrid& grid, Tile& tile, Passes& passes, int column, int row)
+  BlockCutter(const StockGrid& grid, Tile& tile, Passes& passes, const ClosePasses& close,
+              int column, int row)
       : step_(grid.step),
         corner_(grid.corner),
         tile_(tile),
         passes_(passes),
+        close_(close),
         column0_(column),
         row0_(row),
         column1_(std::min(column + Workpiece::kBlock, tile.first_column + tile.columns)),
@@ -108,7 +137,8 @@ class BlockCutter {
     }
     for (int i = 0; i < Workpiece::kBlock; ++i) rise_[i] = plane_.slope_x * (i * step_);
     for (int row = row0_; row < row1_; ++row) highest_.push_back(highest_of(row));
-    cut();
+    cut(close_.passes);
+    if (reaches_above(close_)) cut(all_passes());
     if (ideal_) measure();
   }
 
@@ -125,7 +155,9 @@ class BlockCutter {
   double highest() const noexcept { return *std::max_element(highest_.begin(), highest_.end()); }
 
   double highest_of(int row) const noexcept;
-  void cut();
+  bool reaches_above(const ClosePasses& close) const noexcept;
+  std::vector<std::size_t> all_passes() const;
+  void cut(std::span<const std::size_t> passes);
   void cut(std::size_t pass, const Bound& bound);
   void measure() const;
 
@@ -133,6 +165,7 @@ class BlockCutter {
   AxisVector corner_;
   Tile& tile_;
   Passes& passes_;
+  const ClosePasses& close_;
   int column0_, row0_, column1_, row1_;
   Plane plane_;
   Eigen::Array<double, Workpiece::kBlock, 1> rise_;  // of the plane along a row
@@ -147,7 +180,23 @@ double BlockCutter::highest_of(int row) const noexcept {
          plane_.at(column0_ * step_, row * step_);
 }
 
-void BlockCutter::cut() {
+/// Whether passes that are not close may still cut something.
+bool BlockCutter::reaches_above(const ClosePasses& close) const noexcept {
+  for (int row = row0_; row < row1_; ++row)
+    for (int column = column0_; column < column1_; ++column)
+      if (tile_.heights[tile_.index(column, row)] - close.plane.at(column * step_, row * step_) >=
+          close.height)
+        return true;
+  return false;
+}
+
+std::vector<std::size_t> BlockCutter::all_passes() const {
+  std::vector<std::size_t> all(passes_.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+void BlockCutter::cut(std::span<const std::size_t> passes) {
   struct Candidate {
     double least;
     std::size_t pass;
@@ -157,7 +206,7 @@ void BlockCutter::cut() {
     }
   };
   std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < passes_.size(); ++i) {
+  for (const std::size_t i : passes) {
     const Bound bound = bound_of(passes_[i], passes_.radius(i), corner_, plane_);
     candidates.push_back({bound.over(square_distance(bound.lowest, place())), i, bound});
   }
@@ -250,9 +299,13 @@ Tile Workpiece::cut(int first_column, int first_row, int columns, int rows) cons
   const double y = grid_.corner[1] + first_row * grid_.step;
   Passes passes(track_, grid_,
                 index_.near({x, y, x + tile.columns * grid_.step, y + tile.rows * grid_.step}));
+  const ClosePasses close = close_passes(
+      passes, grid_,
+      {first_column * grid_.step, first_row * grid_.step,
+       (first_column + tile.columns) * grid_.step, (first_row + tile.rows) * grid_.step});
   for (int row = first_row; row < first_row + tile.rows; row += kBlock)
     for (int column = first_column; column < first_column + tile.columns; column += kBlock)
-      BlockCutter(grid_, tile, passes, column, row).run();
+      BlockCutter(grid_, tile, passes, close, column, row).run();
   return tile;
 }
 
