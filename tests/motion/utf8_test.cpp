@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 
 using softcnc::as_utf8;
-using softcnc::is_utf8;
 using softcnc::character_length;
+using softcnc::is_utf8;
 
 TEST_CASE("a character is as long as its first byte says", "[motion][utf8]") {
   const auto [text, length] = GENERATE(table<std::string, std::size_t>({
