@@ -12,8 +12,9 @@ namespace {
 constexpr double kJerkPart = 0.995, kFirstJerkPart = 0.999;
 constexpr double kAccelerationPart = 0.998, kFirstAccelerationPart = 0.9995;
 constexpr double kCapPart = 0.9993, kFirstCapPart = 1.0003;
-constexpr double kSame = 1e-9;   // relative: derivatives that do not jump
-constexpr double kBinds = 0.99;  // of a limit: it is what holds back
+constexpr double kSlopedCapPart = 0.996;  // where a plan may begin between the nodes of the last
+constexpr double kSame = 1e-9;            // relative: derivatives that do not jump
+constexpr double kBinds = 0.99;           // of a limit: it is what holds back
 
 std::vector<double> places(const std::vector<PlanNode>& nodes) {
   std::vector<double> s;
@@ -52,7 +53,8 @@ void PlanProblem::add_node(std::size_t p) {
   const PlanNode& node = nodes_[p];
   const bool is_last = p + 1 == nodes_.size();
   Cap most = cap(p);
-  const double part = kCapPart + first_part(p) * (kFirstCapPart - kCapPart);
+  const double usual = most.limit == Limit::roughness ? kSlopedCapPart : kCapPart;
+  const double part = usual + first_part(p) * (kFirstCapPart - usual);
   // Both ends are given.
   problem_.add_node(p == 0    ? 2 * ends_.start.q
                     : is_last ? 2 * ends_.end.q
@@ -75,6 +77,7 @@ Cap PlanProblem::cap(std::size_t p) const noexcept {
   const Chain& chain = span_.chain;
   const double from = p > 0 ? nodes_[p - 1].s : node.s;
   const double to = p + 1 < nodes_.size() ? nodes_[p + 1].s : node.s;
+  if (slopes(node.interval, from, to)) return sloped_cap(p, from, to);
   Cap most = cap_inside(node.interval, node.s);
   const auto include = [&](std::size_t i) {
     if (chain.nodes[i].cap.q > 0) most.lower_to(chain.nodes[i].cap);
@@ -89,6 +92,39 @@ Cap PlanProblem::cap(std::size_t p) const noexcept {
     if (i < span_.last && chain.intervals[i].straight()) most.lower_to(chain.inside[i].cap);
   }
   return most;
+}
+
+/// Whether the cap of a roughness binds on a curve around interval i.
+bool PlanProblem::slopes(std::size_t i, double from, double to) const noexcept {
+  const Chain& chain = span_.chain;
+  while (i > span_.first && chain.nodes[i].s > from) --i;
+  bool binds = false;
+  for (; i < span_.last && chain.nodes[i].s < to; ++i) {
+    const Interval& in = chain.intervals[i];
+    if (in.straight() || chain.nodes[i + 1].cap.q == 0 || chain.nodes[i].cap.q == 0) return false;
+    binds =
+        binds || in.left_cap.limit == Limit::roughness || in.right_cap.limit == Limit::roughness;
+  }
+  return binds;
+}
+
+/// A plan that follows a slope finds a way on if its next node is not asked to be as slow as the
+/// one behind it: what counts is how far the cap sags below the line from node to node.
+Cap PlanProblem::sloped_cap(std::size_t p, double from, double to) const noexcept {
+  const Chain& chain = span_.chain;
+  const PlanNode& node = nodes_[p];
+  const Cap own = cap_inside(node.interval, node.s);
+  double sag = 0;
+  const auto include = [&](std::size_t i, const PlanNode& other) {
+    const double w = (chain.nodes[i].s - node.s) / (other.s - node.s);
+    const double line = own.q + w * (cap_inside(other.interval, other.s).q - own.q);
+    sag = std::max(sag, line - chain.nodes[i].cap.q);
+  };
+  for (std::size_t i = node.interval; i > span_.first && chain.nodes[i].s > from; --i)
+    if (chain.nodes[i].s < node.s) include(i, nodes_[p - 1]);
+  for (std::size_t i = node.interval + 1; i < span_.last && chain.nodes[i].s < to; ++i)
+    if (chain.nodes[i].s > node.s) include(i, nodes_[p + 1]);
+  return {std::max(own.q - sag, 0.5 * own.q), own.limit};
 }
 
 /// On a curve, between the caps of its nodes but for those at rest.

@@ -33,6 +33,8 @@ class PlanProblem {
   void add_rows(std::size_t p, const PathPoint& point, const Inside& inside);
   double first_part(std::size_t p) const noexcept;
   Cap cap(std::size_t p) const noexcept;
+  bool slopes(std::size_t i, double from, double to) const noexcept;
+  Cap sloped_cap(std::size_t p, double from, double to) const noexcept;
   Cap cap_inside(std::size_t i, double s) const noexcept;
 
   const PlanSpan& span_;

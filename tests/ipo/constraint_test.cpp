@@ -77,7 +77,7 @@ TEST_CASE("the path may be faster than an axis by its direction", "[constraint]"
 
 TEST_CASE("the three-point method is left to limit the chord error itself", "[constraint]") {
   Machine machine;
-  CHECK(Constraints(machine, 1).caps().size() == 3);
+  CHECK(Constraints(machine, 1).caps().size() == 4);
   machine.control.interpolation = Method::curvature3p;
-  CHECK(Constraints(machine, 1).caps().size() == 2);
+  CHECK(Constraints(machine, 1).caps().size() == 3);
 }

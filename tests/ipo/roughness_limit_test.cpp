@@ -59,7 +59,7 @@ double sine_on_cylinder(const Setpoint& row) { return row.position[0] / 50; }
 
 }  // namespace
 
-TEST_CASE("over a cylinder the feed keeps the roughness in every row", "[roughness]") {
+TEST_CASE("over a cylinder the feed keeps the roughness in every row", "[ipo][roughness]") {
   for (const double jerk : {0.0, 5e5}) {
     for (const double sign : {1.0, -1.0}) {
       CAPTURE(jerk, sign);
@@ -82,7 +82,7 @@ TEST_CASE("over a cylinder the feed keeps the roughness in every row", "[roughne
   }
 }
 
-TEST_CASE("the roughness costs no more time than its cap asks for", "[roughness]") {
+TEST_CASE("the roughness costs no more time than its cap asks for", "[ipo][roughness]") {
   for (const double jerk : {0.0, 1e7}) {
     CAPTURE(jerk);
     const double acceleration = 1e5;
@@ -99,7 +99,20 @@ TEST_CASE("the roughness costs no more time than its cap asks for", "[roughness]
   }
 }
 
-TEST_CASE("upward and downward milling cost the same", "[roughness]") {
+TEST_CASE("plans that follow one another on the flanks of the cap find a way on",
+          "[ipo][roughness][jerk]") {
+  for (const auto& [acceleration, jerk] :
+       {std::pair{2000.0, 2e5}, {5000.0, 5e5}, {10000.0, 1e6}, {10000.0, 2e6}, {20000.0, 1e7}}) {
+    CAPTURE(acceleration, jerk);
+    const Machine machine = machine_with(RoughnessModel::paper, acceleration, jerk);
+    const auto result = run(machine, number_blocks({surface_move(over_cylinder())}));
+    CHECK(result.counts.effort.fallbacks == 0);
+    for (const Setpoint& row : result.rows)
+      if (std::abs(row.position[0]) < 10 && row.v < 0.6 * kFeed) FAIL(row.position[0]);
+  }
+}
+
+TEST_CASE("upward and downward milling cost the same", "[ipo][roughness]") {
   const Machine machine = machine_with(RoughnessModel::guaranteed, 5000);
   const auto up = Line({0, 0, 0}, {40, 0, 1}), down = Line({0, 0, 1}, {40, 0, 0});
   const double time = run(machine, number_blocks({surface_move(up)})).time;
@@ -110,7 +123,7 @@ TEST_CASE("upward and downward milling cost the same", "[roughness]") {
 }
 
 TEST_CASE("without a target, or without a spindle, nothing is limited by roughness",
-          "[roughness]") {
+          "[ipo][roughness]") {
   const Machine machine = machine_with(RoughnessModel::guaranteed, 5000);
   Move plain = surface_move(over_cylinder()), resting = plain;
   plain.surface.reset();
@@ -122,7 +135,7 @@ TEST_CASE("without a target, or without a spindle, nothing is limited by roughne
   CHECK(result.time == expected.time);
 }
 
-TEST_CASE("the override does not multiply what roughness allows", "[roughness]") {
+TEST_CASE("the override does not multiply what roughness allows", "[ipo][roughness]") {
   const Machine machine = machine_with(RoughnessModel::paper, 5000);
   const auto result =
       run(machine, number_blocks({surface_move(Line({0, 0, 0}, {60, 0, 0}))}), -1, 1, 1.5);
@@ -132,7 +145,7 @@ TEST_CASE("the override does not multiply what roughness allows", "[roughness]")
 }
 
 TEST_CASE("random curves keep their roughness with both models, with jerk limits and without",
-          "[roughness][property]") {
+          "[ipo][roughness][property]") {
   holds(
       [] {
         std::mt19937 random(static_cast<unsigned>(integer(1, 1'000'000'000)));

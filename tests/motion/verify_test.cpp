@@ -110,3 +110,25 @@ TEST_CASE("integrated length agrees with the exact one", "[verify]") {
   CHECK(integrated_length(butterfly, 0, length(butterfly)) == Approx(382.859558301).epsilon(1e-11));
   CHECK(integrated_length(Line({0, 0, 0}, {3, 4, 0}), 1, 2.5) == 1.5);
 }
+
+TEST_CASE("the row that comes nearest to its roughness is found", "[verify][roughness]") {
+  Machine machine = machine_at(0.001);
+  machine.surfacing.model = RoughnessModel::paper;
+  const Surface surface{5, 0.5, 0.02, 2, 100};
+  const Path level = Line({0, 0, 0}, {10, 0, 0});
+  const Stretch asked{&level, 0, &surface}, plain{&level, 0};
+  Verifier verifier(machine);
+  const auto row = [&](double s, double v, const Stretch& stretch) {
+    Setpoint setpoint = at_position(0, {s, 0, 0}, s, 0);
+    setpoint.v = v;
+    verifier.row(setpoint, {&stretch, 1});
+    return verifier.row_rmax();
+  };
+  row(0, 0, asked);
+  CHECK(row(1, 65.3, asked) == Approx(0.010674).epsilon(1e-3));  // (6) at 0 degrees
+  CHECK(row(2, 100, asked) == Approx(0.025063).epsilon(1e-3));   // (3), as the paper has it
+  CHECK(row(3, 50, asked) < 0.0107);
+  CHECK(row(4, 200, plain) == 0);
+  CHECK(verifier.measured().rmax == Approx(0.025063).epsilon(1e-3));
+  CHECK(verifier.measured().rmax_target == 0.02);
+}
