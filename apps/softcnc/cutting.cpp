@@ -46,7 +46,7 @@ class CuttingReader {
     const auto& changes = cutting_.changes;
     if (begins || changes.empty() || changes.back().cutter != cutter ||
         changes.back().cutting == move.rapid)
-      cutting_.changes.push_back({block.number, cutter, !move.rapid, begins});
+      cutting_.changes.push_back({block.number, cutter, !move.rapid, start(move.path), begins});
     direction_ = at(move.path, length(move.path), Side::before).dq;
     after_rapid_ = move.rapid;
   }

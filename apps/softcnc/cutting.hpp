@@ -16,7 +16,8 @@ namespace softcnc::app {
 struct CuttingChange {
   int block = 0;  // its number
   hal::Cutter cutter;
-  bool cutting = false;      // moves are no rapids
+  bool cutting = false;                   // moves are no rapids
+  AxisVector start = AxisVector::Zero();  // mm, of the block
   bool begins_pass = false;  // the block is the first of a pass: it comes behind a rapid or a turn
 };
 

@@ -6,6 +6,18 @@
 #include "hal/axis_name.hpp"
 
 namespace softcnc::app {
+namespace {
+
+/// How long ago a move began that has come so far, s: exact from rest at a constant acceleration or
+/// a constant jerk, and at a constant speed.
+double elapsed(double distance, const Setpoint& now) {
+  if (!(now.v > 0)) return 0;
+  const double gained = distance * std::max(0.0, now.a) / (now.v * now.v);  // 1/2, 2/3, 0
+  const double factor = gained > 0.5 ? 2 + 6 * (gained - 0.5) : 1 + 2 * gained;
+  return std::min(factor, 3.0) * distance / now.v;
+}
+
+}  // namespace
 
 CuttingRows::CuttingRows(const Cutting& cutting, SpindlePhase phase, double period,
                          std::span<const std::string> columns)
@@ -17,18 +29,21 @@ CuttingRows::CuttingRows(const Cutting& cutting, SpindlePhase phase, double peri
   }
 }
 
-/// The way to a row belongs to the block of the row.
-void CuttingRows::change_until(int block) {
-  for (; next_ < cutting_.changes.size() && cutting_.changes[next_].block <= block; ++next_) {
+/// Passes begin alike at the moment at which they begin, which is seldom that of a row.
+void CuttingRows::change_until(const Setpoint& setpoint) {
+  for (; next_ < cutting_.changes.size() && cutting_.changes[next_].block <= setpoint.block;
+       ++next_) {
     const CuttingChange& change = cutting_.changes[next_];
     const bool aligns = change.begins_pass && phase_ == SpindlePhase::aligned;
-    if (aligns || change.cutter != now_.cutter) track_.begin(change.cutter);
+    const double ago = elapsed((setpoint.position - change.start).norm(), setpoint);
+    const double at = static_cast<double>(setpoint.period) * period_ - ago;
+    if (aligns || change.cutter != now_.cutter) track_.begin(change.cutter, at);
     now_ = change;
   }
 }
 
 bool CuttingRows::row(const Setpoint& setpoint, std::span<const double> backend_values) {
-  change_until(setpoint.block);
+  change_until(setpoint);
   hal::ToolRow row;
   row.t = static_cast<double>(setpoint.period) * period_;
   row.commanded = row.tip = setpoint.position;

@@ -21,7 +21,7 @@ class CuttingRows final : public RowSink {
   hal::ToolTrack finish();
 
  private:
-  void change_until(int block);
+  void change_until(const Setpoint& setpoint);
 
   const Cutting& cutting_;
   SpindlePhase phase_;

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "commands.hpp"
+#include "cpu_clock.hpp"
 #include "cutting_rows.hpp"
 #include "messages.hpp"
 #include "motion/units.hpp"
@@ -41,7 +42,7 @@ class SurfaceJob {
   int judge(const Outcome& outcome, Diagnostics& diagnostics);
   int cut(hal::OutputFile& output);
   int stopped() { return kSignalled + terminal_.signal(); }
-  void tell(const RoughnessMap& map, double seconds, unsigned threads) const;
+  void tell(const RoughnessMap& map, double seconds, double cpu) const;
 
   Job& job_;
   const Options& options_;
@@ -101,6 +102,7 @@ int SurfaceJob::cut(hal::OutputFile& output) {
   RoughnessMap map(grid_, side);
   const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   const auto begin = std::chrono::steady_clock::now();
+  const double cpu = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
   const auto updates = cut_bands(hal::Workpiece(track_, grid_), threads,
                                  [&](const SurfaceBand& band) -> Result<bool> {
                                    map.add(band);
@@ -109,11 +111,12 @@ int SurfaceJob::cut(hal::OutputFile& output) {
                                    return terminal_.signal() == 0;
                                  });
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  const double cpu_taken = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
   if (!updates) return fail(updates.error());
   if (terminal_.signal() != 0) return stopped();
   updates_ = *updates;
   if (Status written = (*file)->finish(map); !written) return fail(written.error());
-  tell(map, taken.count(), threads);
+  tell(map, taken.count(), cpu_taken);
   return 0;
 }
 
@@ -131,19 +134,19 @@ std::string roughness_text(const RoughnessMap& map, double step) {
                      sum.largest, sum.mean, sum.regions, map.side() * step, map.side() * step);
 }
 
-void SurfaceJob::tell(const RoughnessMap& map, double seconds, unsigned threads) const {
+void SurfaceJob::tell(const RoughnessMap& map, double seconds, double cpu) const {
   const double points = static_cast<double>(grid_.columns) * grid_.rows;
   const double updates = static_cast<double>(updates_);
   spdlog::info(
       "surface of {} on {}{}\n  stock        {:.6g} x {:.6g} x {:.6g} mm from X{:.6g} Y{:.6g} "
       "Z{:.6g}\n  grid         {} x {} points, one every {:.6g} um\n  edges        {} passes\n"
-      "  Rmax         {}\n  cut          {:.0f} points, {:.3g} updates in {:.2f} s on {} threads: "
-      "{:.1f} million a second\n  memory       {:.0f} MB",
+      "  Rmax         {}\n  cut          {:.0f} points, {:.3g} updates in {:.2f} s, CPU {:.2f} s: "
+      "{:.1f} million a second and core\n  memory       {:.0f} MB",
       job_.program.name(), job_.machine.name, options_.actual ? ", by its actual positions" : "",
       (grid_.columns - 1) * grid_.step, (grid_.rows - 1) * grid_.step, grid_.top - grid_.corner[2],
       grid_.corner[0], grid_.corner[1], grid_.corner[2], grid_.columns, grid_.rows,
       um_from_mm(grid_.step), track_.passes().size(), roughness_text(map, grid_.step), points,
-      updates, seconds, threads, updates / seconds / 1e6, memory_mb());
+      updates, seconds, cpu, updates / cpu / 1e6, memory_mb());
 }
 
 int SurfaceJob::run() {

@@ -26,7 +26,7 @@ std::size_t instants_of(const EdgePass& pass, const Cutter& cutter) {
 /// The first of `row` that does not lie before `place`.
 int first_from(const PointRow& row, double place) noexcept {
   const double within =
-      std::clamp(place, static_cast<double>(row.first), static_cast<double>(row.last));
+      std::max(static_cast<double>(row.first), std::min(static_cast<double>(row.last), place));
   const int whole = static_cast<int>(within);
   return whole + (within > whole ? 1 : 0);
 }
@@ -109,25 +109,25 @@ void EdgeLines::cut(const PointRow& row, std::span<const std::uint32_t> steps) c
 /// a point at that moment, there is nothing to cut.
 void EdgeLines::cut(const PointRow& row, std::size_t step, int first, int last) const noexcept {
   if (first >= last) return;
-  const Line& a = lines_[step];
-  const Line& b = lines_[step + 1];
-  const Centre& from = centres_[step % instants_];
-  const Centre& to = centres_[step % instants_ + 1];
-  const double at_a = row.y * a.cos - a.offset;
-  const double at_b = row.y * b.cos - b.offset;
+  const Line a = lines_[step], b = lines_[step + 1];
+  const Centre from = centres_[step % instants_], to = centres_[step % instants_ + 1];
+  const double width = step_, radius_square = radius_square_;
+  const double at_a = row.y * a.cos - a.offset, at_b = row.y * b.cos - b.offset;
+  const double feed_x = to.x - from.x, feed_y = to.y - from.y, feed_z = to.z - from.z;
+  double* const heights = row.heights;
   for (int i = first; i < last; ++i) {
-    const double x = i * step_;
+    const double x = i * width;
     const double ga = at_a - x * a.sin;
     const double difference = ga - (at_b - x * b.sin);
-    const double part = difference != 0 ? std::clamp(ga / difference, 0.0, 1.0) : 0.5;
-    const double dx = x - (from.x + part * (to.x - from.x));
-    const double dy = row.y - (from.y + part * (to.y - from.y));
-    const double z = from.z + part * (to.z - from.z);
-    const double square = radius_square_ - dx * dx - dy * dy;
-    const double above = z - row.heights[i];
+    const double part = difference != 0 ? std::max(0.0, std::min(1.0, ga / difference)) : 0.5;
+    const double dx = x - (from.x + part * feed_x);
+    const double dy = row.y - (from.y + part * feed_y);
+    const double z = from.z + part * feed_z;
+    const double square = radius_square - dx * dx - dy * dy;
+    const double above = z - heights[i];
     if (square <= 0 || (above >= 0 && square <= above * above)) continue;
     if (rays_ && dx * a.cos + dy * a.sin <= 0) continue;
-    row.heights[i] = z - std::sqrt(square);
+    heights[i] = z - std::sqrt(square);
   }
 }
 

@@ -25,14 +25,21 @@ double ToolTrack::tooth_period(const Cutter& cutter) noexcept {
   return 2 * std::numbers::pi / (cutter.teeth * std::abs(cutter.spin));
 }
 
-void ToolTrack::begin(const Cutter& cutter) {
+void ToolTrack::begin(const Cutter& cutter, double at) {
   finish();
+  begins_at_ = at;
   cutter_ = cutter;
   begins_ = cutter.spin != 0 && cutter.teeth > 0 && cutter.radius > 0;
 }
 
-void ToolTrack::start_stretch() {
+void ToolTrack::start_stretch(const ToolRow& row) {
   begins_ = false;
+  if (row.t > last_.t && begins_at_ > last_.t) {
+    const double part = std::min(1.0, (begins_at_ - last_.t) / (row.t - last_.t));
+    last_.tip = between(last_.tip, row.tip, part);
+    last_.commanded = between(last_.commanded, row.commanded, part);
+    last_.t += part * (row.t - last_.t);
+  }
   stretches_.push_back({cutter_, last_.t, places_.size()});
   places_.push_back({last_.t, last_.tip});
   pass_begin_ = last_.t;
@@ -46,7 +53,7 @@ void ToolTrack::start_stretch() {
 void ToolTrack::add(const ToolRow& row) {
   if (!any_) last_ = row;
   any_ = true;
-  if (begins_) start_stretch();
+  if (begins_) start_stretch(row);
   const bool turns = cutter_.spin != 0 && !stretches_.empty() && row.t > last_.t;
   if (turns) close_passes(row);
   last_ = row;

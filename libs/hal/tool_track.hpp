@@ -46,8 +46,9 @@ struct Stretch {
 
 class ToolTrack {
  public:
-  /// From the last row on this cutter, as it always begins.
-  void begin(const Cutter& cutter);
+  /// From the last row on this cutter, as it always begins; or from `at` on, s, if that lies
+  /// between the last row and the next.
+  void begin(const Cutter& cutter, double at = -1);
   /// Rows in the order of time; between them the tool moves evenly.
   void add(const ToolRow& row);
   /// Call once after the last row.
@@ -75,7 +76,7 @@ class ToolTrack {
     double t;
     AxisVector tip;
   };
-  void start_stretch();
+  void start_stretch(const ToolRow& row);
   void close_passes(const ToolRow& row);
   void close_pass(double end, const AxisVector& to, const AxisVector& commanded);
   double bulge_of(const AxisVector& from, const AxisVector& to) const noexcept;
@@ -83,6 +84,7 @@ class ToolTrack {
 
   Cutter cutter_;
   bool begins_ = false, any_ = false;
+  double begins_at_ = -1;  // s
   ToolRow last_;
   std::vector<Stretch> stretches_;
   std::vector<Place> places_;

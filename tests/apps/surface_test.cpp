@@ -85,7 +85,7 @@ TEST_CASE("what was cut is summed up", "[apps][surface]") {
   CHECK(ended.out.empty());
   for (const char* text :
        {"stock        2 x 1 x 3 mm from X2 Y1 Z-1", "201 x 101 points, one every 10 um",
-        "in the mean of", "regions of 0.5 x 0.5 mm", "million a second", "memory"})
+        "in the mean of", "regions of 0.5 x 0.5 mm", "million a second and core", "memory"})
     CHECK(ended.err.find(text) != std::string::npos);
 }
 
@@ -110,6 +110,27 @@ TEST_CASE("the spindle's phase counts, and so does where the mill really is", "[
   CHECK((aligned != read(folder / "actual.npz")));
   CHECK(number(folder / "actual.npz", "f['rmax_um'][:2, :4].max()") > 15);
   CHECK(number(folder / "actual.npz", "f['rmax_um'][:2, :4].max()") < 40);
+}
+
+TEST_CASE("fast passes are in phase, though they begin between rows", "[apps][surface]") {
+  const Folder folder;
+  std::string text = read(softcnc::app::test::data("plane.nc"));
+  text.replace(text.find("S600 "), 5, "S6000 ");
+  text.replace(text.find("X6 F600"), 7, "X20 F6000");
+  write(folder / "fast.nc", text);
+  const auto spread = [&](const std::string& options) {
+    REQUIRE(
+        call("surface -q " + (folder / "fast.nc") + kTool +
+             " --set 'stock.origin_mm=[9, 0.5, -1]' --set stock.x_mm=1 --set stock.y_mm=2 --set "
+             "stock.z_mm=3 " +
+             options + " -o " + (folder / "fast.npz"))
+            .status == 0);
+    return number(folder / "fast.npz",
+                  "1000 * abs(f['heights_mm'][:100] - f['heights_mm'][100:200]).mean()");
+  };
+  CHECK(spread("") < 0.2);
+  CHECK(spread("--set axis.x.jerk_mm_s3=50000") < 0.2);
+  CHECK(spread("--set surface.phase=time") > 1);
 }
 
 TEST_CASE("the target and the teeth may stand in the program", "[apps][surface]") {

@@ -58,6 +58,18 @@ TEST_CASE("the last pass ends where the tool stands then", "[hal][track]") {
   CHECK(tips[5][0] == 13);
 }
 
+TEST_CASE("a stretch may begin between two rows", "[hal][track]") {
+  ToolTrack track;
+  track.add(row(0, 0));
+  track.begin({5, 1, kTurn * 10}, 0.25);
+  track.add(row(1, 100));
+  track.finish();
+  REQUIRE(track.passes().size() == 8);
+  CHECK(track.passes()[0].begin == Approx(0.25));
+  CHECK(track.passes()[0].from[0] == Approx(25));
+  CHECK(track.passes()[0].to[0] == Approx(35));
+}
+
 TEST_CASE("a bend within a pass is told", "[hal][track]") {
   ToolTrack track;
   track.add(row(0, 0));
