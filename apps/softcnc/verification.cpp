@@ -14,7 +14,7 @@ namespace {
 constexpr double kAxisTolerance = 1e-3;
 constexpr double kJerkTolerance = 5e-3;
 /// What a roughness may exceed its target by: caps are linear between the nodes of the plan.
-constexpr double kRoughnessTolerance = 2e-3;
+constexpr double kRoughnessTolerance = 5e-3;
 /// What rounding may add to a chord error.
 constexpr double kChordTolerance = 1e-6;
 
