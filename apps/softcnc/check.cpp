@@ -19,8 +19,6 @@
 namespace softcnc::app {
 namespace {
 
-constexpr int kSignalled = 128;
-
 /// Breaks a check off when a signal comes.
 class SignalWatcher final : public Watcher {
  public:

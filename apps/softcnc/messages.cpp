@@ -82,7 +82,6 @@ Diagnostics::Sink Messages::sink(Program& program) {
 }
 
 int Messages::fail(Diagnostic diagnostic) {
-  constexpr int kSignalled = 128;
   if (diagnostic.code == Code::SC6013) return kSignalled + SIGPIPE;
   if (diagnostic.file == "-") diagnostic.file = "<stdout>";
   show(diagnostic);

@@ -17,6 +17,9 @@
 
 namespace softcnc::app {
 
+/// What is added to the number of a signal in the exit status of what it has stopped.
+inline constexpr int kSignalled = 128;
+
 /// True where colours please: a terminal, and NO_COLOR is not set.
 bool colourful(int descriptor);
 

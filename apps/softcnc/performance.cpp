@@ -20,8 +20,6 @@
 namespace softcnc::app {
 namespace {
 
-constexpr int kSignalled = 128;
-
 bool on_terminal(const std::string& trace) { return trace == "-" && ::isatty(STDOUT_FILENO) != 0; }
 
 bool may_ask(const Options& options) {

@@ -17,7 +17,6 @@ namespace softcnc::app {
 namespace {
 
 constexpr int kDiffers = 1;
-constexpr int kSignalled = 128;
 
 /// The machine of the recording unless one is given.
 Result<Machine> machine_of(const Recording& recording, const std::string& name,

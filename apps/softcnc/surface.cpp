@@ -23,8 +23,6 @@
 namespace softcnc::app {
 namespace {
 
-constexpr int kSignalled = 128;
-
 class SurfaceJob {
  public:
   SurfaceJob(Job& job, const Options& options)

@@ -43,20 +43,11 @@ double& stock_size(Machine& machine, int) {
 }
 std::string& edge_file(Machine& machine, int) { return machine.step_port.file; }
 
-template <auto Member>
-constexpr Choice control_choice(std::span<const std::string_view> words) {
-  return {words, [](const Machine& m) { return static_cast<int>(m.control.*Member); },
+template <auto Part, auto Member>
+constexpr Choice choice_in(std::span<const std::string_view> words) {
+  return {words, [](const Machine& m) { return static_cast<int>((m.*Part).*Member); },
           [](Machine& m, int i) {
-            auto& place = m.control.*Member;
-            place = static_cast<std::remove_reference_t<decltype(place)>>(i);
-          }};
-}
-
-template <auto Member>
-constexpr Choice surface_choice(std::span<const std::string_view> words) {
-  return {words, [](const Machine& m) { return static_cast<int>(m.surfacing.*Member); },
-          [](Machine& m, int i) {
-            auto& place = m.surfacing.*Member;
+            auto& place = (m.*Part).*Member;
             place = static_cast<std::remove_reference_t<decltype(place)>>(i);
           }};
 }
@@ -83,11 +74,11 @@ const MachineKey kKeys[] = {
     {"control.chord_tolerance_um", "um", "largest distance between curve and chord within one period",
      Number{control<&Control::chord_tolerance>, mm_from_um, um_from_mm, above_0(1e6)}},
     {"control.interpolation", "", "how the next point on a curve is found",
-     control_choice<&Control::interpolation>(kMethodNames)},
+     choice_in<&Machine::control, &Control::interpolation>(kMethodNames)},
     {"control.corner_tolerance_um", "um", "how far corners may be rounded by G64 without P; 0: the path is followed exactly",
      Number{control<&Control::corner_tolerance>, mm_from_um, um_from_mm, at_least_0(1e6)}},
     {"control.backend", "", "what moves: nothing, the simulated mill, or drives with step and direction inputs",
-     control_choice<&Control::backend>(kBackendNames)},
+     choice_in<&Machine::control, &Control::backend>(kBackendNames)},
 
     {"limits.feed_mm_min", "mm/min", "caps the speed of cutting moves along the path; 0, or absent beside axes of your own: only the axes limit",
      Number{in_part<&Machine::limits, &PathLimits::feed>, mm_s_from_mm_min, mm_min_from_mm_s, at_least_0(1e7)}},
@@ -147,9 +138,9 @@ const MachineKey kKeys[] = {
      Number{in_part<&Machine::spindle, &Spindle::max_rpm>, same, same, at_least_0(1e6)}},
 
     {"surface.model", "", "what holds the roughness that a program asks for: edges simulated on the ball, or the formulas of paper 004",
-     surface_choice<&Surfacing::model>(kRoughnessModels)},
+     choice_in<&Machine::surfacing, &Surfacing::model>(kRoughnessModels)},
     {"surface.phase", "", "how the edges of neighbouring passes stand to each other in the simulated surface: as in the paper, or by time",
-     surface_choice<&Surfacing::phase>(kSpindlePhases)},
+     choice_in<&Machine::surfacing, &Surfacing::phase>(kSpindlePhases)},
 
     {"backend.stepdir.file", "", "where the edges of the step and direction lines go: .vcd or .edges; empty: nowhere",
      Text{edge_file}},
