@@ -52,11 +52,11 @@ bool CuttingRows::row(const Setpoint& setpoint, std::span<const double> backend_
       row.tip[axis] = backend_values[static_cast<std::size_t>(column)];
   row.cutting = now_.cutting;
   track_.add(row);
-  return true;
+  return track_.kept();
 }
 
-hal::ToolTrack CuttingRows::finish() {
-  track_.finish();
+Result<hal::ToolTrack> CuttingRows::finish() {
+  if (Status kept = track_.finish(); !kept) return tl::make_unexpected(kept.error());
   return std::move(track_);
 }
 

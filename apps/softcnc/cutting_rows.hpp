@@ -17,8 +17,8 @@ class CuttingRows final : public RowSink {
 
   bool row(const Setpoint& setpoint, std::span<const double> backend_values) override;
 
-  /// Behind the last row.
-  hal::ToolTrack finish();
+  /// Behind the last row. Errors: SC6003.
+  Result<hal::ToolTrack> finish();
 
  private:
   void change_until(const Setpoint& setpoint);

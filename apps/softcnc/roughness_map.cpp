@@ -8,6 +8,11 @@
 #include "motion/units.hpp"
 
 namespace softcnc::app {
+namespace {
+
+constexpr float kGouge = 0.005F;  // mm: more than the ideal surface may be wrong by
+
+}  // namespace
 
 RoughnessMap::RoughnessMap(const hal::StockGrid& grid, int side)
     : side_(side),
@@ -15,6 +20,7 @@ RoughnessMap::RoughnessMap(const hal::StockGrid& grid, int side)
       rows_((grid.rows + side - 1) / side) {
   const auto regions = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   highest_.assign(regions, -std::numeric_limits<float>::infinity());
+  lowest_.assign(regions, 0);
   known_.assign(regions, 0);
   all_.assign(regions, 0);
 }
@@ -30,6 +36,7 @@ void RoughnessMap::add(const SurfaceBand& band) {
       if (std::isnan(deviation)) continue;
       ++known_[region];
       highest_[region] = std::max(highest_[region], deviation);
+      lowest_[region] = std::min(lowest_[region], deviation);
     }
   }
 }
@@ -37,18 +44,27 @@ void RoughnessMap::add(const SurfaceBand& band) {
 std::vector<float> RoughnessMap::rmax() const {
   std::vector<float> rmax(highest_.size(), std::numeric_limits<float>::quiet_NaN());
   for (std::size_t i = 0; i < rmax.size(); ++i)
-    if (2 * known_[i] >= all_[i] && known_[i] > 0)
-      rmax[i] = static_cast<float>(um_from_mm(static_cast<double>(highest_[i])));
+    if (2 * known_[i] >= all_[i] && highest_[i] >= -kGouge)
+      rmax[i] = static_cast<float>(um_from_mm(static_cast<double>(std::max(0.0F, highest_[i]))));
   return rmax;
 }
 
-RoughnessFigures figures(const std::vector<float>& rmax) {
-  RoughnessFigures sum;
-  for (const float value : rmax) {
+std::vector<float> RoughnessMap::gouges() const {
+  std::vector<float> gouges(lowest_.size(), 0);
+  for (std::size_t i = 0; i < gouges.size(); ++i)
+    if (lowest_[i] < -kGouge)
+      gouges[i] = static_cast<float>(um_from_mm(static_cast<double>(-lowest_[i])));
+  return gouges;
+}
+
+RegionFigures figures(const std::vector<float>& values) {
+  RegionFigures sum;
+  for (const float value : values) {
     if (std::isnan(value)) continue;
     sum.largest = std::max(sum.largest, static_cast<double>(value));
     sum.mean += static_cast<double>(value);
     ++sum.regions;
+    if (value > 0) ++sum.marked;
   }
   if (sum.regions > 0) sum.mean /= static_cast<double>(sum.regions);
   return sum;

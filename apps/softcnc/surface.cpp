@@ -79,7 +79,9 @@ int SurfaceJob::move() {
   const Outcome outcome = simulate(reader, job_.program.descriptor(), machine, job_.options,
                                    **backend, diagnostics, &rows, &terminal_);
   terminal_.end();
-  track_ = rows.finish();
+  auto track = rows.finish();
+  if (!track) return fail(track.error());
+  track_ = std::move(*track);
   return judge(outcome, diagnostics);
 }
 
@@ -126,10 +128,19 @@ double memory_mb() {
 }
 
 std::string roughness_text(const RoughnessMap& map, double step) {
-  const RoughnessFigures sum = figures(map.rmax());
-  if (sum.regions == 0) return "not known: no passes lie side by side on a smooth surface";
+  const RegionFigures sum = figures(map.rmax());
+  if (sum.regions == 0)
+    return "not known: nowhere do passes lie side by side on a smooth surface without gouges";
   return fmt::format("{:.2f} um, {:.2f} um in the mean of {} regions of {:.4g} x {:.4g} mm",
                      sum.largest, sum.mean, sum.regions, map.side() * step, map.side() * step);
+}
+
+/// Of a line of its own, where there are any.
+std::string gouges_text(const RoughnessMap& map) {
+  const RegionFigures sum = figures(map.gouges());
+  if (sum.marked == 0) return {};
+  return fmt::format("\n  gouges       up to {:.2f} um below the ideal surface, in {} regions",
+                     sum.largest, sum.marked);
 }
 
 void SurfaceJob::tell(const RoughnessMap& map, double seconds, double cpu) const {
@@ -138,13 +149,14 @@ void SurfaceJob::tell(const RoughnessMap& map, double seconds, double cpu) const
   spdlog::info(
       "surface of {} on {}{}\n  stock        {:.6g} x {:.6g} x {:.6g} mm from X{:.6g} Y{:.6g} "
       "Z{:.6g}\n  grid         {} x {} points, one every {:.6g} um\n  edges        {} passes\n"
-      "  Rmax         {}\n  cut          {:.0f} points, {:.3g} updates in {:.2f} s, CPU {:.2f} s: "
+      "  Rmax         {}{}\n  cut          {:.0f} points, {:.3g} updates in {:.2f} s, CPU {:.2f} "
+      "s: "
       "{:.1f} million a second and core\n  memory       {:.0f} MB",
       job_.program.name(), job_.machine.name, options_.actual ? ", by its actual positions" : "",
       (grid_.columns - 1) * grid_.step, (grid_.rows - 1) * grid_.step, grid_.top - grid_.corner[2],
       grid_.corner[0], grid_.corner[1], grid_.corner[2], grid_.columns, grid_.rows,
-      um_from_mm(grid_.step), track_.passes().size(), roughness_text(map, grid_.step), points,
-      updates, seconds, cpu, updates / cpu / 1e6, memory_mb());
+      um_from_mm(grid_.step), track_.passes().size(), roughness_text(map, grid_.step),
+      gouges_text(map), points, updates, seconds, cpu, updates / cpu / 1e6, memory_mb());
 }
 
 int SurfaceJob::run() {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "surface_file.hpp"
 
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
 #include "npz_file.hpp"
 #include "recording.hpp"
 #include "surface_picture.hpp"
@@ -9,7 +13,7 @@
 namespace softcnc::app {
 namespace {
 
-/// heights_mm, rmax_um, origin_mm, step_mm, region_mm.
+/// heights_mm, rmax_um, gouges_um, origin_mm, step_mm, region_mm.
 class SurfaceArrays final : public SurfaceFile {
  public:
   SurfaceArrays(hal::OutputFile& output, const hal::StockGrid& grid, TemporaryFolder folder)
@@ -29,6 +33,7 @@ class SurfaceArrays final : public SurfaceFile {
     ZipWriter zip(packed);
     zip.add_file("heights_mm.npy", heights_file(), Packing::store);
     zip.add_text("rmax_um.npy", npy(std::span<const float>(map.rmax()), regions));
+    zip.add_text("gouges_um.npy", npy(std::span<const float>(map.gouges()), regions));
     zip.add_text("origin_mm.npy", npy(std::span(grid_.corner.data(), kAxes), axes));
     zip.add_text("step_mm.npy", npy(std::span(&grid_.step, 1), {}));
     zip.add_text("region_mm.npy", npy(std::span(&region, 1), {}));
@@ -68,10 +73,19 @@ class SurfacePng final : public SurfaceFile {
   SurfacePicture picture_;
 };
 
+/// In capitals too.
+bool has_suffix(std::string_view file, std::string_view suffix) {
+  const auto alike = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == b;
+  };
+  return file.size() >= suffix.size() &&
+         std::ranges::equal(file.substr(file.size() - suffix.size()), suffix, alike);
+}
+
 }  // namespace
 
 Status known_surface_form(const std::string& file) {
-  if (file.ends_with(".npz") || file.ends_with(".png")) return {};
+  if (has_suffix(file, ".npz") || has_suffix(file, ".png")) return {};
   return tl::make_unexpected(Diagnostic{
       Code::SC6060, {}, "no form of a surface has this suffix; known are .npz, .png", file, {}});
 }
@@ -79,7 +93,7 @@ Status known_surface_form(const std::string& file) {
 Result<std::unique_ptr<SurfaceFile>> open_surface_file(const std::string& name,
                                                        hal::OutputFile& output,
                                                        const hal::StockGrid& grid, int region) {
-  if (name.ends_with(".png")) return std::make_unique<SurfacePng>(name, output, grid, region);
+  if (has_suffix(name, ".png")) return std::make_unique<SurfacePng>(name, output, grid, region);
   auto folder = TemporaryFolder::make();
   if (!folder) return tl::make_unexpected(std::move(folder.error()));
   return std::make_unique<SurfaceArrays>(output, grid, std::move(*folder));

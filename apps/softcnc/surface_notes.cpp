@@ -35,6 +35,9 @@ void SurfaceNotes::add(const ipo::TimedBlock& timed, const Setpoint& row, double
   if (present == nullptr || present->block != row.block) begin(timed, row, target);
   Note& note = last_ ? *last_ : notes_.back();
   note.rmax = std::max(note.rmax, rmax);
+  if (!first_) first_ = note.source;
+  if (directions_.turns_back(row, move.surface->pick_feed) && !turned_back_)
+    turned_back_ = note.source;
   if (last_ && (roughest_.block == 0 || note.part() > roughest_.part())) roughest_ = note;
 
   const double left = edge_rmax(move, row.s - timed.s_start, row.v);
@@ -65,12 +68,23 @@ void SurfaceNotes::tell_blocks(Diagnostics& diagnostics) const {
                                  of_target(roughest_.rmax, roughest_.target)));
 }
 
-void SurfaceNotes::warn(Diagnostics& diagnostics) const {
+void SurfaceNotes::warn(SpindlePhase phase, Diagnostics& diagnostics) const {
+  warn_of_phase(phase, diagnostics);
   if (above_ == 0) return;
   diagnostics.report(
       Code::SC4011, worst_.source,
       fmt::format("edges leave an Rmax of {}{}", of_target(worst_.rmax, worst_.target),
                   above_ == 1 ? "" : fmt::format("; so do others of {} blocks", above_)));
+}
+
+void SurfaceNotes::warn_of_phase(SpindlePhase phase, Diagnostics& diagnostics) const {
+  constexpr const char* kMore = "edges may leave half as much again as is asked for";
+  if (phase == SpindlePhase::time && first_)
+    diagnostics.report(Code::SC4012, *first_,
+                       fmt::format("the spindle begins passes at any phase: {}", kMore));
+  else if (turned_back_)
+    diagnostics.report(Code::SC4012, *turned_back_,
+                       fmt::format("passes run to and fro, out of phase: {}", kMore));
 }
 
 }  // namespace softcnc::app

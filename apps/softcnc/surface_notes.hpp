@@ -8,7 +8,9 @@
 
 #include "ipo/block_queue.hpp"
 #include "motion/diagnostic.hpp"
+#include "motion/machine.hpp"
 #include "motion/setpoint.hpp"
+#include "pass_directions.hpp"
 
 namespace softcnc::app {
 
@@ -20,8 +22,9 @@ class SurfaceNotes {
 
   /// SC4010 for each block, of many for the first ones and the roughest.
   void tell_blocks(Diagnostics& diagnostics) const;
-  /// SC4011 for the block that by simulated edges exceeds its target most.
-  void warn(Diagnostics& diagnostics) const;
+  /// SC4011 for the block that by simulated edges exceeds its target most; SC4012 where passes are
+  /// not in phase, which no model knows.
+  void warn(SpindlePhase phase, Diagnostics& diagnostics) const;
 
  private:
   struct Note {
@@ -33,6 +36,7 @@ class SurfaceNotes {
   };
   static constexpr std::size_t kTold = 100;  // blocks
 
+  void warn_of_phase(SpindlePhase phase, Diagnostics& diagnostics) const;
   void begin(const ipo::TimedBlock& timed, const Setpoint& row, double target);
   static void tell(const Note& note, Diagnostics& diagnostics);
 
@@ -43,6 +47,9 @@ class SurfaceNotes {
   Note worst_;             // by simulated edges
   std::size_t above_ = 0;  // blocks that exceed their target by them
   int above_block_ = 0;
+  PassDirections directions_;
+  std::optional<SourcePos> first_;        // block that asks for a roughness
+  std::optional<SourcePos> turned_back_;  // first pass beside another one, the other way
 };
 
 }  // namespace softcnc::app

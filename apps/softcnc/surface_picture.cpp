@@ -20,7 +20,7 @@ constexpr int kScale = 2;          // of letters
 constexpr int kMiddleRegions = 6;  // along a side of what is enlarged
 constexpr double kRelief = 8;      // roughness is shown so much steeper than it is
 constexpr Colour kPaper{250, 250, 248}, kInk{30, 30, 34}, kFaint{205, 205, 208},
-    kNothing{226, 226, 230}, kLine{20, 80, 170};
+    kNothing{226, 226, 230}, kLine{20, 80, 170}, kGouged{208, 38, 38};
 
 std::uint8_t byte(double value) noexcept {
   return static_cast<std::uint8_t>(std::clamp(std::lround(255 * value), 0L, 255L));
@@ -183,21 +183,27 @@ void SurfacePicture::draw_middle(Canvas& canvas) const {
 
 void SurfacePicture::draw_rmax(Canvas& canvas, const RoughnessMap& map) const {
   const int left = kMargin, top = kSide + 2 * kHead;
-  const std::vector<float> rmax = map.rmax();
+  const std::vector<float> rmax = map.rmax(), gouges = map.gouges();
   const Frame frame = fitted(left, top, map.columns(), map.rows());
   const double most = figures(rmax).largest;
   canvas.fill(frame.x, frame.y, frame.width, frame.height, kNothing);
   each_pixel(frame, map.columns(), map.rows(), [&](int i, int j, int x, int y) {
-    const float value = rmax[static_cast<std::size_t>(j) * static_cast<std::size_t>(map.columns()) +
-                             static_cast<std::size_t>(i)];
-    if (!std::isnan(value))
+    const std::size_t region =
+        static_cast<std::size_t>(j) * static_cast<std::size_t>(map.columns()) +
+        static_cast<std::size_t>(i);
+    const float value = rmax[region];
+    if (gouges[region] > 0)
+      canvas.set(x, y, kGouged);
+    else if (!std::isnan(value))
       canvas.set(x, y, heat(most > 0 ? static_cast<double>(value) / most : 0));
   });
   canvas.frame(frame.x - 1, frame.y - 1, frame.width + 2, frame.height + 2, kInk);
   constexpr int kBar = 200;
   for (int i = 0; i < kBar; ++i)
     canvas.fill(left + kSide - kBar + i, top - 12 * kScale, 1, 7 * kScale, heat(i / (kBar - 1.0)));
-  title(canvas, left, top, fmt::format("rmax by region, 0 to {:.1f} um", most));
+  const bool gouged = figures(gouges).marked > 0;
+  title(canvas, left, top,
+        fmt::format("rmax by region, 0 to {:.1f} um{}", most, gouged ? ", gouged red" : ""));
 }
 
 void SurfacePicture::draw_profiles(Canvas& canvas) const {

@@ -37,6 +37,11 @@ class EdgeLines {
   /// passing() names.
   void cut(const PointRow& row, std::span<const std::uint32_t> steps) const noexcept;
 
+  /// Bytes that it takes.
+  std::size_t memory() const noexcept {
+    return centres_.capacity() * sizeof(Centre) + lines_.capacity() * sizeof(Line);
+  }
+
  private:
   struct Line {  // at one instant: y cos - x sin - offset is 0 on it
     double cos, sin;

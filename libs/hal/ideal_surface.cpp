@@ -20,43 +20,33 @@ constexpr double kDiagonal = 1.5;  // of half a side: out to the corners
 constexpr double kSmooth = 0.002;  // mm: centres that stray further are on no smooth surface
 constexpr double kRidge = 1e-9;    // keeps what too few passes leave open small
 constexpr int kSteps = 6;
+constexpr int kAcross = 48, kAround = 6;  // steps of lattices to each side
 
 Six terms(double a, double b) { return (Six() << 1, a, b, a * a, a * b, b * b).finished(); }
 
-/// The centre whose ball reaches deepest at a place.
-const IdealSurface::Centre* lowest(std::span<const IdealSurface::Centre> centres, double radius,
-                                   double x, double y) {
-  const IdealSurface::Centre* found = nullptr;
+/// Distance to the nearest pass beside, mm: of those further off than `aside`; infinite if there is
+/// none.
+double pick_feed(std::span<const Ball> balls, double aside) {
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& centre : centres) {
-    const double dx = x - centre.at[0], dy = y - centre.at[1];
-    const double below = radius * radius - dx * dx - dy * dy;
-    const double least_below = centre.at[2] - least;  // that reaches no deeper
-    if (below <= 0 || (least_below >= 0 && below <= least_below * least_below)) continue;
-    found = &centre;
-    least = centre.at[2] - std::sqrt(below);
-  }
-  return found;
+  for (const Ball& ball : balls)
+    if (std::abs(ball.b) > aside) least = std::min(least, std::abs(ball.b));
+  return least;
 }
 
-/// Distance to the nearest pass beside `from`, mm; infinite if there is none.
-double pick_feed(std::span<const IdealSurface::Centre> centres, const IdealSurface::Centre& from,
-                 double along_x, double along_y, double edge) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& centre : centres) {
-    const double dx = centre.at[0] - from.at[0], dy = centre.at[1] - from.at[1];
-    const double a = std::abs(dx * along_x + dy * along_y);
-    const double b = std::abs(dy * along_x - dx * along_y);
-    if (a <= kEdges * edge && b > kSide * kEdges * edge) least = std::min(least, b);
-  }
-  return least;
+/// Half of a side of the square whose centres count, mm.
+double half_side(double pick, double edge, double reach) {
+  return std::max({kSides * pick, kEdges * edge, kDiagonal * reach + std::max(pick, edge)});
 }
 
 }  // namespace
 
+/// First through all passes; where that is not smooth, through those that cut deepest, and others
+/// on the same surface.
 std::optional<IdealSurface> IdealSurface::near(std::span<const Centre> centres, double radius,
                                                double x, double y, double reach) {
-  const Centre* from = lowest(centres, radius, x, y);
+  const Centre* from = deepest_of(centres, radius, [&](const Centre& centre) {
+    return Ball{centre.at[0] - x, centre.at[1] - y, centre.at[2]};
+  });
   if (from == nullptr) return std::nullopt;
   const double edge = std::hypot(from->along[0], from->along[1]);
   if (!(edge > 0)) return std::nullopt;
@@ -64,40 +54,82 @@ std::optional<IdealSurface> IdealSurface::near(std::span<const Centre> centres, 
   surface.radius_ = radius;
   surface.x_ = from->at[0];
   surface.y_ = from->at[1];
+  surface.z_ = from->at[2];
   surface.along_x_ = from->along[0] / edge;
   surface.along_y_ = from->along[1] / edge;
-  const double pick = pick_feed(centres, *from, surface.along_x_, surface.along_y_, edge);
-  const double wide =
-      std::max({kSides * pick, kEdges * edge, kDiagonal * reach + std::max(pick, edge)});
-  if (!(wide < radius)) return std::nullopt;
-  surface.unit_ = wide;
+  const double strip = kEdges * edge;
+  const auto beside = surface.place(centres, strip, std::numeric_limits<double>::infinity());
+  const double wide = half_side(pick_feed(beside, kSide * strip), edge, reach);
+  if (surface.lay(surface.place(centres, wide, wide), wide)) return surface;
 
+  return surface.lay_deepest(centres, beside, {x, y, 0}, edge, reach) ? std::optional(surface)
+                                                                      : std::nullopt;
+}
+
+bool IdealSurface::lay_deepest(std::span<const Centre> centres, std::span<const Ball> beside,
+                               const AxisVector& at, double edge, double reach) {
+  const Ball middle = place(at);
+  const Lattice across{middle.a, middle.b, 0, radius_ / 2, 0, kAcross};
+  const double pick = pick_feed(deepest(beside, radius_, across), kSide * kEdges * edge);
+  const double wide = half_side(pick, edge, reach);
+  if (!(wide < radius_)) return false;
+  const double wider = wide + std::max(pick, edge);  // so that all balls are there up to the side
+  const Lattice around{middle.a, middle.b, wide, wide, kAround, kAround};
+  auto deep = deepest(place(centres, wider, wider), radius_, around);
+  std::erase_if(deep, [wide](const Ball& ball) {
+    return std::abs(ball.a) > wide || std::abs(ball.b) > wide;
+  });
+  if (!lay(deep, wide)) return false;
+  auto balls = place(centres, wide, wide);
+  std::erase_if(balls, [&](const Ball& ball) { return std::abs(height(ball) - ball.z) > kSmooth; });
+  return lay(balls, wide);
+}
+
+Ball IdealSurface::place(const AxisVector& centre) const noexcept {
+  const double dx = centre[0] - x_, dy = centre[1] - y_;
+  return {dx * along_x_ + dy * along_y_, dy * along_x_ - dx * along_y_, centre[2] - z_};
+}
+
+std::vector<Ball> IdealSurface::place(std::span<const Centre> centres, double far_a,
+                                      double far_b) const {
+  std::vector<Ball> placed;
+  for (const Centre& centre : centres) {
+    const Ball ball = place(centre.at);
+    if (std::abs(ball.a) <= far_a && std::abs(ball.b) <= far_b) placed.push_back(ball);
+  }
+  return placed;
+}
+
+/// Whether a smooth surface goes through the balls, none of which is further off than `wide`.
+bool IdealSurface::lay(std::span<const Ball> balls, double wide) {
+  if (!(wide < radius_)) return false;
+  unit_ = wide;
   Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
   Six right = Six::Zero();
-  std::vector<std::array<double, 3>> used;
-  for (const Centre& centre : centres) {
-    const double dx = centre.at[0] - surface.x_, dy = centre.at[1] - surface.y_;
-    const double a = (dx * surface.along_x_ + dy * surface.along_y_) / wide;
-    const double b = (dy * surface.along_x_ - dx * surface.along_y_) / wide;
-    if (std::abs(a) > 1 || std::abs(b) > 1) continue;
-    const double z = centre.at[2] - from->at[2];
-    const Six t = terms(a, b);
+  for (const Ball& ball : balls) {
+    const Six t = terms(ball.a / unit_, ball.b / unit_);
     normal += t * t.transpose();
-    right += z * t;
-    used.push_back({a, b, z});
-    surface.a0_ = std::min(surface.a0_, a);
-    surface.a1_ = std::max(surface.a1_, a);
-    surface.b0_ = std::min(surface.b0_, b);
-    surface.b1_ = std::max(surface.b1_, b);
+    right += ball.z * t;
   }
-  for (int i = 3; i < 6; ++i) normal(i, i) += kRidge * static_cast<double>(used.size());
+  for (int i = 3; i < 6; ++i) normal(i, i) += kRidge * static_cast<double>(balls.size());
   const Six c = normal.ldlt().solve(right);
-  if (!c.allFinite()) return std::nullopt;
-  for (const auto& [a, b, z] : used)
-    if (std::abs(terms(a, b).dot(c) - z) > kSmooth) return std::nullopt;
-  std::copy_n(c.data(), 6, surface.c_.begin());
-  surface.c_[0] += from->at[2];
-  return surface;
+  if (!c.allFinite()) return false;
+  std::copy_n(c.data(), 6, c_.begin());
+  c_[0] += z_;
+  reach(balls);
+  return std::ranges::all_of(
+      balls, [&](const Ball& ball) { return std::abs(height(ball) - ball.z) <= kSmooth; });
+}
+
+/// Where centres are.
+void IdealSurface::reach(std::span<const Ball> balls) noexcept {
+  a0_ = a1_ = b0_ = b1_ = 0;
+  for (const Ball& ball : balls) {
+    a0_ = std::min(a0_, ball.a / unit_);
+    a1_ = std::max(a1_, ball.a / unit_);
+    b0_ = std::min(b0_, ball.b / unit_);
+    b1_ = std::max(b1_, ball.b / unit_);
+  }
 }
 
 double IdealSurface::value(double a, double b) const noexcept {

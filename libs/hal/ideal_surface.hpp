@@ -5,14 +5,17 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
+#include "hal/deepest.hpp"
 #include "motion/axes.hpp"
 
 namespace softcnc::hal {
 
 /// Where a ball of the radius touches what it is to make, worked out from where its centre is told
 /// to go: through the centres of neighbouring passes a surface of second degree is laid, and the
-/// ideal surface lies one radius below it.
+/// ideal surface lies one radius below it. Where passes run above each other, as roughing and
+/// finishing do, those count that cut deepest.
 class IdealSurface {
  public:
   /// A centre as commanded, and which way it goes.
@@ -37,11 +40,20 @@ class IdealSurface {
   }
 
  private:
+  Ball place(const AxisVector& centre) const noexcept;
+  std::vector<Ball> place(std::span<const Centre> centres, double far_a, double far_b) const;
+  bool lay(std::span<const Ball> balls, double wide);
+  bool lay_deepest(std::span<const Centre> centres, std::span<const Ball> beside,
+                   const AxisVector& at, double edge, double reach);
+  void reach(std::span<const Ball> balls) noexcept;
+  double height(const Ball& ball) const noexcept {
+    return value(ball.a / unit_, ball.b / unit_) - z_;
+  }
   double value(double a, double b) const noexcept;
   std::array<double, 2> slope(double a, double b) const noexcept;
 
   double radius_ = 0;
-  double x_ = 0, y_ = 0;                      // mm: origin of a and b
+  double x_ = 0, y_ = 0, z_ = 0;              // mm: origin of a and b; the centre there
   double along_x_ = 1, along_y_ = 0;          // direction of a
   double unit_ = 1;                           // mm, of a and b
   std::array<double, 6> c_{};                 // of 1, a, b, a^2, a b, b^2; mm

@@ -26,7 +26,7 @@ double ToolTrack::tooth_period(const Cutter& cutter) noexcept {
 }
 
 void ToolTrack::begin(const Cutter& cutter, double at) {
-  finish();
+  close_stretch();
   begins_at_ = at;
   cutter_ = cutter;
   begins_ = cutter.spin != 0 && cutter.teeth > 0 && cutter.radius > 0;
@@ -40,11 +40,12 @@ void ToolTrack::start_stretch(const ToolRow& row) {
     last_.commanded = between(last_.commanded, row.commanded, part);
     last_.t += part * (row.t - last_.t);
   }
+  end_places();
   stretches_.push_back({cutter_, last_.t, places_.size()});
-  places_.push_back({last_.t, last_.tip});
+  add_place({last_.t, last_.tip});
   pass_begin_ = last_.t;
   pass_from_ = last_.tip;
-  pass_place_ = places_.size();
+  pass_tips_.clear();
   pass_number_ = 0;
   pass_cutting_ = true;
   rests_ = false;
@@ -72,7 +73,22 @@ void ToolTrack::close_passes(const ToolRow& row) {
                between(last_.commanded, row.commanded, part));
     pass_cutting_ = row.cutting;
   }
-  places_.push_back({row.t, row.tip});
+  add_place({row.t, row.tip});
+  pass_tips_.push_back(row.tip);
+}
+
+/// Of a rest only its begin and its end.
+void ToolTrack::add_place(const Place& place) {
+  const bool rests = place_ && place.tip == place_->tip;
+  if (place_ && !(rests && place_rests_)) places_.push_back(*place_);
+  place_rests_ = rests;
+  place_ = place;
+}
+
+void ToolTrack::end_places() {
+  if (place_) places_.push_back(*place_);
+  place_.reset();
+  place_rests_ = false;
 }
 
 /// What rests through a second pass cuts nothing new.
@@ -85,19 +101,18 @@ void ToolTrack::close_pass(double end, const AxisVector& to, const AxisVector& c
   rests_ = rests;
   pass_begin_ = end;
   pass_from_ = to;
-  pass_place_ = places_.size();
+  pass_tips_.clear();
   ++pass_number_;
 }
 
 double ToolTrack::bulge_of(const AxisVector& from, const AxisVector& to) const noexcept {
   double most = 0;
-  for (std::size_t i = pass_place_; i < places_.size(); ++i)
-    most = std::max(most, distance(places_[i].tip, from, to));
+  for (const AxisVector& tip : pass_tips_) most = std::max(most, distance(tip, from, to));
   return most;
 }
 
 /// The last pass of a stretch ends where the tool stands then; its edges turn on to the end of it.
-void ToolTrack::finish() {
+void ToolTrack::close_stretch() {
   const bool open = !stretches_.empty() && !begins_ && cutter_.spin != 0;
   if (open && last_.t > pass_begin_) {
     const double period = tooth_period(stretches_.back().cutter);
@@ -106,13 +121,21 @@ void ToolTrack::finish() {
   cutter_ = {};
 }
 
+Status ToolTrack::finish() {
+  close_stretch();
+  end_places();
+  const Status places = places_.finish(), passes = passes_.finish();
+  return places ? passes : places;
+}
+
 std::size_t ToolTrack::end_of(std::size_t stretch) const noexcept {
-  return stretch + 1 < stretches_.size() ? stretches_[stretch + 1].first : places_.size();
+  return stretch + 1 < stretches_.size() ? stretches_[stretch + 1].first : places_.values().size();
 }
 
 void ToolTrack::sample(const EdgePass& pass, std::span<AxisVector> out) const {
-  const auto first = places_.begin() + static_cast<std::ptrdiff_t>(stretches_[pass.stretch].first);
-  const auto last = places_.begin() + static_cast<std::ptrdiff_t>(end_of(pass.stretch));
+  const auto places = places_.values();
+  const auto first = places.begin() + static_cast<std::ptrdiff_t>(stretches_[pass.stretch].first);
+  const auto last = places.begin() + static_cast<std::ptrdiff_t>(end_of(pass.stretch));
   auto place =
       std::upper_bound(first, last, pass.begin, [](double t, const Place& p) { return t < p.t; });
   const double step = (pass.end - pass.begin) / static_cast<double>(out.size() - 1);
@@ -130,8 +153,12 @@ void ToolTrack::sample(const EdgePass& pass, std::span<AxisVector> out) const {
 }
 
 std::size_t ToolTrack::memory() const noexcept {
-  return stretches_.capacity() * sizeof(Stretch) + places_.capacity() * sizeof(Place) +
-         passes_.capacity() * sizeof(EdgePass);
+  return stretches_.capacity() * sizeof(Stretch) + places_.memory() + passes_.memory();
+}
+
+void ToolTrack::release() const noexcept {
+  places_.release();
+  passes_.release();
 }
 
 }  // namespace softcnc::hal

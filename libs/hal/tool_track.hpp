@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "hal/long_list.hpp"
 #include "motion/axes.hpp"
 
 namespace softcnc::hal {
@@ -44,6 +46,7 @@ struct Stretch {
   std::size_t first;  // of its places
 };
 
+/// A long track stands in a temporary file for the most part.
 class ToolTrack {
  public:
   /// From the last row on this cutter, as it always begins; or from `at` on, s, if that lies
@@ -51,10 +54,12 @@ class ToolTrack {
   void begin(const Cutter& cutter, double at = -1);
   /// Rows in the order of time; between them the tool moves evenly.
   void add(const ToolRow& row);
-  /// Call once after the last row.
-  void finish();
+  /// Call once after the last row, before anything is read. Errors: SC6003.
+  Status finish();
+  /// False: the temporary file is full, and finish() will say so.
+  bool kept() const noexcept { return passes_.kept() && places_.kept(); }
 
-  std::span<const EdgePass> passes() const noexcept { return passes_; }
+  std::span<const EdgePass> passes() const noexcept { return passes_.values(); }
   const Cutter& cutter(const EdgePass& pass) const noexcept {
     return stretches_[pass.stretch].cutter;
   }
@@ -68,8 +73,10 @@ class ToolTrack {
   /// s from edge to edge.
   static double tooth_period(const Cutter& cutter) noexcept;
 
-  /// Bytes that it takes.
+  /// Bytes that it takes, without what stands in the file.
   std::size_t memory() const noexcept;
+  /// Gives memory back that has been read from the file.
+  void release() const noexcept;
 
  private:
   struct Place {
@@ -77,6 +84,9 @@ class ToolTrack {
     AxisVector tip;
   };
   void start_stretch(const ToolRow& row);
+  void close_stretch();
+  void add_place(const Place& place);
+  void end_places();
   void close_passes(const ToolRow& row);
   void close_pass(double end, const AxisVector& to, const AxisVector& commanded);
   double bulge_of(const AxisVector& from, const AxisVector& to) const noexcept;
@@ -87,14 +97,16 @@ class ToolTrack {
   double begins_at_ = -1;  // s
   ToolRow last_;
   std::vector<Stretch> stretches_;
-  std::vector<Place> places_;
-  std::vector<EdgePass> passes_;
+  LongList<Place> places_;
+  LongList<EdgePass> passes_;
+  std::optional<Place> place_;  // the last one, not yet among places_
+  bool place_rests_ = false;    // where the one before is
 
   // of the pass that is not yet closed
   double pass_begin_ = 0;
   AxisVector pass_from_ = AxisVector::Zero();
-  std::size_t pass_place_ = 0;   // the first behind its begin
-  std::size_t pass_number_ = 0;  // in the stretch
+  std::vector<AxisVector> pass_tips_;  // behind its begin
+  std::size_t pass_number_ = 0;        // in the stretch
   bool pass_cutting_ = true, rests_ = false;
 };
 

@@ -19,7 +19,8 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // mm
 constexpr double kClose = 0.02;  // of the radius: the height above a plane that close passes reach
-constexpr std::size_t kAtOnce = 48;  // passes put in order
+constexpr std::size_t kAtOnce = 48;                       // passes put in order
+constexpr std::size_t kMostLines = std::size_t{1} << 24;  // bytes of edges that are kept
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 /// z = slope_x x + slope_y y; heights are compared from there.
@@ -51,7 +52,8 @@ Bound bound_of(const EdgePass& pass, double radius, const AxisVector& corner, co
   return {base - kRounding, 2 * radius, place};
 }
 
-/// The passes near a tile, their lines made when they are first asked for.
+/// The passes near a tile. Their lines are made when they are asked for, and kept for the next
+/// block as long as there is room.
 class Passes {
  public:
   Passes(const ToolTrack& track, const StockGrid& grid, std::vector<std::uint32_t> members)
@@ -63,8 +65,11 @@ class Passes {
   const EdgePass& operator[](std::size_t i) const noexcept { return track_.passes()[members_[i]]; }
   double radius(std::size_t i) const noexcept { return track_.cutter((*this)[i]).radius; }
   const EdgeLines& lines(std::size_t i) {
-    if (!lines_[i])
+    if (!lines_[i]) {
+      if (kept_ > kMostLines) forget();
       lines_[i] = std::make_unique<EdgeLines>(track_, (*this)[i], grid_.corner, grid_.step);
+      kept_ += lines_[i]->memory();
+    }
     return *lines_[i];
   }
 
@@ -73,6 +78,11 @@ class Passes {
   double ball() const noexcept { return ball_; }
 
  private:
+  void forget() {
+    for (auto& lines : lines_) lines.reset();
+    kept_ = 0;
+  }
+
   void add_centre(const EdgePass& pass) {
     if (!pass.cutting) return;
     const double radius = track_.cutter(pass).radius;
@@ -87,6 +97,7 @@ class Passes {
   const StockGrid& grid_;
   std::vector<std::uint32_t> members_;
   std::vector<std::unique_ptr<EdgeLines>> lines_;
+  std::size_t kept_ = 0;  // bytes of lines_
   std::vector<IdealSurface::Centre> centres_;
   double ball_ = 0;
 };
@@ -120,6 +131,7 @@ class BlockCutter {
   BlockCutter(const StockGrid& grid, Tile& tile, Passes& passes, const ClosePasses& close,
               int column, int row)
       : step_(grid.step),
+        top_(grid.top),
         corner_(grid.corner),
         tile_(tile),
         passes_(passes),
@@ -161,7 +173,7 @@ class BlockCutter {
   void cut(std::size_t pass, const Bound& bound);
   void measure() const;
 
-  double step_;
+  double step_, top_;
   AxisVector corner_;
   Tile& tile_;
   Passes& passes_;
@@ -253,7 +265,8 @@ struct Parabola {
   double operator()(double x) const noexcept { return c0 + x * (c1 + x * c2); }
 };
 
-/// The ideal surface is smooth: within a block nine of its points tell it.
+/// The ideal surface is smooth: within a block nine of its points tell it. Where it lies above the
+/// stock there is nothing to cut, and nothing to tell.
 void BlockCutter::measure() const {
   const double wide = step_ * (column1_ - 1 - column0_), high = step_ * (row1_ - 1 - row0_);
   IdealSurface::Point at[3][3];
@@ -277,7 +290,9 @@ void BlockCutter::measure() const {
     float* to = tile_.deviations.data() + tile_.index(column0_, row);
     for (int i = 0; i < column1_ - column0_; ++i) {
       const double x = step_ * i;
-      if (ideal_->inside(a(x), b(x))) to[i] = static_cast<float>((cut[i] - z(x)) * steep);
+      const double above = cut[i] - z(x);
+      if (!ideal_->inside(a(x), b(x)) || (above < 0 && cut[i] == top_)) continue;
+      to[i] = static_cast<float>(above * steep);
     }
   }
 }
@@ -306,6 +321,7 @@ Tile Workpiece::cut(int first_column, int first_row, int columns, int rows) cons
   for (int row = first_row; row < first_row + tile.rows; row += kBlock)
     for (int column = first_column; column < first_column + tile.columns; column += kBlock)
       BlockCutter(grid_, tile, passes, close, column, row).run();
+  track_.release();
   return tile;
 }
 

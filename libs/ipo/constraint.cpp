@@ -2,6 +2,7 @@
 // The list of constraints. Whoever adds a reason to be slow adds a row.
 #include "ipo/constraint.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace softcnc::ipo {
@@ -31,7 +32,15 @@ Constraints::Constraints(const Machine& machine, double feed_override)
     acceleration_[i] = axis.present ? axis.acceleration : kUnlimited;
     jerk_[i] = axis.present && axis.jerk > 0 ? axis.jerk : kUnlimited;
   }
-  if (limits_jerk()) jerk_ = jerk_.cwiseMin(2 * acceleration_ / period_);
+  jerk_ = jerk_.cwiseMin(2 * acceleration_ / period_);
+  if (!ipo::limits_jerk(machine)) jerk_.setConstant(kUnlimited);
+}
+
+bool limits_jerk(const Machine& machine) noexcept {
+  return std::any_of(machine.axes.begin(), machine.axes.end(), [&](const Axis& axis) {
+    return axis.present && axis.jerk > 0 &&
+           axis.jerk * machine.control.period < 2 * axis.acceleration;
+  });
 }
 
 void Constraints::set_feed_override(const Machine& machine, double feed_override) {

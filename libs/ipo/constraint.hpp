@@ -68,8 +68,7 @@ class Constraints {
   double tangential_u(const PathPoint& point) const noexcept;
 
   const AxisVector& acceleration_limits() const noexcept { return acceleration_; }
-  /// mm/s^3; all unlimited, or none: accelerations that change from one limit to the other within
-  /// a period show as no more than 2 A / T in the rows, so no axis needs a higher one.
+  /// mm/s^3; all unlimited, or none above what its axis needs at most.
   const AxisVector& jerk_limits() const noexcept { return jerk_; }
   bool limits_jerk() const noexcept { return jerk_.minCoeff() < kUnlimited; }
   double period() const noexcept { return period_; }
@@ -80,6 +79,10 @@ class Constraints {
   AxisVector acceleration_, jerk_;
   double period_, chord_tolerance_;
 };
+
+/// Whether any axis has a limit of its jerk that its acceleration does not keep anyway: one that
+/// changes from limit to limit within a period T shows in the rows as a jerk of 2 A / T.
+bool limits_jerk(const Machine& machine) noexcept;
 
 std::unique_ptr<Constraint> make_feed_limit(const Machine& machine, double feed_override);
 std::unique_ptr<Constraint> make_axis_velocity(const Machine& machine);

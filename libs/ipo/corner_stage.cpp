@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ipo/constraint.hpp"
 #include "motion/section.hpp"
 
 namespace softcnc::ipo {
@@ -36,9 +37,8 @@ std::vector<double> inner_corners(const Path& path) {
 
 }  // namespace
 
-CornerStage::CornerStage(const Machine& machine) : machine_(machine) {
-  for (const Axis& axis : machine.axes) has_jerk_limit_ |= axis.present && axis.jerk > 0;
-}
+CornerStage::CornerStage(const Machine& machine)
+    : machine_(machine), has_jerk_limit_(limits_jerk(machine)) {}
 
 bool CornerStage::passes(const Block& block) const noexcept {
   if (!chord_.empty() || !run_.empty() || held_ || !out_.empty()) return false;

@@ -103,8 +103,9 @@ bool is_possible(Task& task, const Surface& surface) {
   if (surface.rmax > least) return true;
   task.out.report(Code::SC3126, task.values.word('H').pos,
                   "an Rmax of " + number_text(um_from_mm(surface.rmax)) +
-                      " um is out of reach: this pick-feed and radius leave " +
-                      number_text(um_from_mm(least)) + " um however slow the feed");
+                      " um is out of reach: it must be more than the " +
+                      number_text(um_from_mm(least)) +
+                      " um that this pick-feed and radius leave however slow the feed");
   return false;
 }
 

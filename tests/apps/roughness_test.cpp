@@ -46,6 +46,24 @@ TEST_CASE("check warns where the formulas of the paper miss the target", "[apps]
         std::string::npos);
 }
 
+TEST_CASE("check warns of passes that are not in phase", "[apps][roughness]") {
+  const std::string head = "S6000 M03 F6000\n" + kWords;
+  const std::string to_and_fro = head + "G01 X20\nY0.5\nX0\nY1\nX20\nM30\n";
+  const std::string round = head + "G01 X20\nG03 Y0.5 J0.25\nG01 X0\nM30\n";
+  const std::string one_way =
+      head + "G01 X20\nG00 Z5\nX0 Y0.5\nZ0\nG01 X20\nG00 Z5\nX0 Y1\nZ0\nG01 X20\nM30\n";
+  const std::string contour = head + "G01 X20\nY20\nX0\nY0\nX0.5 Y0.5\nX19.5\nY19.5\nM30\n";
+  const std::string warning = "warning SC4012: ";
+  CHECK(call("check -", to_and_fro).out.find("<stdin>:5:1: " + warning) != std::string::npos);
+  CHECK(call("check -", round).out.find(warning) != std::string::npos);
+  CHECK(call("check -", one_way).out.find(warning) == std::string::npos);
+  CHECK(call("check -", contour).out.find(warning) == std::string::npos);
+  CHECK(call("check -", cylinder(kWords)).out.find(warning) == std::string::npos);
+  CHECK(call("check --set surface.phase=time -", cylinder(kWords))
+            .out.find("<stdin>:5:1: " + warning + "the spindle begins passes at any phase") !=
+        std::string::npos);
+}
+
 TEST_CASE("of many blocks check notes a hundred and the roughest of the others",
           "[apps][roughness]") {
   std::string program = "S6000 M03 F6000\n" + kWords;

@@ -48,7 +48,7 @@ TEST_CASE("a surface as arrays is what numpy reads", "[apps][surface]") {
   CHECK(ended.err.empty());
   CHECK(folder.files() == std::vector<std::string>{"plane.npz"});
   CHECK(numpy(file, "sorted(f.files)") ==
-        "['heights_mm', 'origin_mm', 'region_mm', 'rmax_um', 'step_mm']\n");
+        "['gouges_um', 'heights_mm', 'origin_mm', 'region_mm', 'rmax_um', 'step_mm']\n");
   CHECK(numpy(file, "f['heights_mm'].shape, f['heights_mm'].dtype") == "(101, 201) float32\n");
   CHECK(numpy(file, "f['origin_mm'].tolist(), f['step_mm'], f['region_mm']") ==
         "[2.0, 1.0, -1.0] 0.01 0.5\n");
@@ -166,7 +166,7 @@ TEST_CASE("a surface that cannot be cut is refused, and no file is left", "[apps
   refused(program("T1 M06\nS100 M03\nG00 X5\nM30\n") + kTool + "-o " + file, 1,
           "error SC2382: the program has no cutting move");
   refused(program("T1 M06\nS100 M03\nG01 X5 F100 Q\nM30\n") + kTool + "-o " + file, 1, "p.nc:3:");
-  refused("$data/plane.nc" + kTool + "-o " + (folder / "x.obj"), 5,
+  refused("$data/plane.nc" + kTool + "-o " + (folder / "x.obj"), 2,
           "error SC6060: no form of a surface has this suffix; known are .npz, .png");
   refused("$data/plane.nc" + kTool + "--set stock.x_mm=90000 --set stock.grid_um=1 -o " + file, 2,
           "error SC7050: a surface of 90000001 x 13001 points, one every 1 um");
@@ -241,6 +241,25 @@ TEST_CASE("a region is as rough as its highest point, and unknown where most of 
   CHECK(std::isnan(rmax[1]));
   CHECK(figures(rmax).largest == Approx(4));
   CHECK(figures(rmax).regions == 1);
+  CHECK(map.gouges() == std::vector<float>{0, 0});
+}
+
+TEST_CASE("a gouge is no roughness", "[apps][surface]") {
+  hal::StockGrid grid;
+  grid.columns = 4;
+  grid.rows = 2;
+  RoughnessMap map(grid, 2);
+  SurfaceBand band{0, 2, 4, std::vector<float>(8), std::vector<float>(8, 0.001F)};
+  band.deviations[band.index(0, 0)] = -0.02F;  // in the first region one point, in the other all
+  for (const int column : {2, 3})
+    for (const int row : {0, 1}) band.deviations[band.index(column, row)] = -0.3F;
+  map.add(band);
+  const auto rmax = map.rmax(), gouges = map.gouges();
+  CHECK(rmax[0] == Approx(1));
+  CHECK(std::isnan(rmax[1]));
+  CHECK(gouges[0] == Approx(20));
+  CHECK(gouges[1] == Approx(300));
+  CHECK(figures(gouges).marked == 2);
 }
 
 TEST_CASE("heads of npy files end where data may begin", "[apps][surface]") {

@@ -27,7 +27,7 @@ TEST_CASE("a pass is the time from one edge to the next", "[hal][track]") {
   track.add(row(1, 0));
   track.begin({5, 4, kTurn * 10});  // 25 ms from edge to edge
   for (int i = 1; i <= 100; ++i) track.add(row(1 + i * 0.001, i * 0.1));
-  track.finish();
+  REQUIRE(track.finish());
   REQUIRE(track.passes().size() == 4);
   for (int i = 0; i < 4; ++i) {
     const EdgePass& pass = track.passes()[static_cast<std::size_t>(i)];
@@ -49,7 +49,7 @@ TEST_CASE("the last pass ends where the tool stands then", "[hal][track]") {
   track.add(row(0, 0));
   track.begin({5, 1, -kTurn * 10});
   track.add(row(0.13, 13));
-  track.finish();
+  REQUIRE(track.finish());
   REQUIRE(track.passes().size() == 2);
   CHECK(track.passes()[1].to[0] == 13);
   std::array<AxisVector, 11> tips;
@@ -63,7 +63,7 @@ TEST_CASE("a stretch may begin between two rows", "[hal][track]") {
   track.add(row(0, 0));
   track.begin({5, 1, kTurn * 10}, 0.25);
   track.add(row(1, 100));
-  track.finish();
+  REQUIRE(track.finish());
   REQUIRE(track.passes().size() == 8);
   CHECK(track.passes()[0].begin == Approx(0.25));
   CHECK(track.passes()[0].from[0] == Approx(25));
@@ -76,7 +76,7 @@ TEST_CASE("a bend within a pass is told", "[hal][track]") {
   track.begin({5, 1, kTurn});
   track.add({0.5, AxisVector(1, 1, 0), AxisVector(1, 1, 0), true});
   track.add({1.0, AxisVector(2, 0, 0), AxisVector(2, 0, 0), false});
-  track.finish();
+  REQUIRE(track.finish());
   REQUIRE(track.passes().size() == 1);
   CHECK(track.passes()[0].bulge == Approx(1));
   CHECK_FALSE(track.passes()[0].cutting);
@@ -87,8 +87,9 @@ TEST_CASE("a tool that rests cuts but twice", "[hal][track]") {
   track.add(row(0, 0));
   track.begin({5, 2, kTurn * 100});
   for (int i = 1; i <= 1000; ++i) track.add(row(i * 0.01, 0));
-  track.finish();
+  REQUIRE(track.finish());
   CHECK(track.passes().size() <= 2);
+  CHECK(track.memory() < 2000);
 }
 
 TEST_CASE("the index finds every pass that reaches a place, and none far off", "[hal][track]") {
@@ -96,7 +97,7 @@ TEST_CASE("the index finds every pass that reaches a place, and none far off", "
   track.add(row(0, 0));
   track.begin({2, 1, kTurn * 100});
   track.add({1, AxisVector(50, 30, 0), AxisVector(50, 30, 0), true});
-  track.finish();
+  REQUIRE(track.finish());
   const PassIndex index(track);
   const Rectangle place{20, 11, 21, 12};
   const auto found = index.near(place);

@@ -12,6 +12,7 @@
 using namespace softcnc;
 using namespace softcnc::hal;
 using softcnc::test::grid_of;
+using softcnc::test::mill;
 using softcnc::test::milled;
 using softcnc::test::Milling;
 using softcnc::test::rmax;
@@ -116,7 +117,7 @@ TEST_CASE("edges followed in tiny steps leave the same heights", "[hal][workpiec
   track.add({0, from, from, false});
   track.begin(cutter);
   track.add({duration, to, to, true});
-  track.finish();
+  REQUIRE(track.finish());
   const auto grid = grid_of(0, 0, 1.6, 1.2, 0.1);
   const Tile tile = Workpiece(track, grid).cut(0, 0, grid.columns, grid.rows);
   // the last pass turns on to its end
@@ -172,7 +173,7 @@ TEST_CASE("a pass in an arc makes the cylinder it is meant to", "[hal][workpiece
     track.begin({});
     t += 1;
   }
-  track.finish();
+  REQUIRE(track.finish());
   const auto grid = grid_of(-1, 0.7, 2, 1, step);
   const Tile tile = Workpiece(track, grid).cut(0, 0, grid.columns, grid.rows);
   for (int row = 0; row < tile.rows; row += 5)
@@ -194,7 +195,7 @@ TEST_CASE("where nothing cuts, the stock stays", "[hal][workpiece]") {
   standing.begin({5, 2, 0});
   standing.add({0, AxisVector(0, 0, 0), AxisVector(0, 0, 0), true});
   standing.add({1, AxisVector(5, 0, 0), AxisVector(5, 0, 0), true});
-  standing.finish();
+  REQUIRE(standing.finish());
   CHECK(standing.passes().empty());
   const auto grid = grid_of(0, 0, 1, 1, 0.1);
   const Tile untouched = Workpiece(standing, grid).cut(0, 0, grid.columns, grid.rows);
@@ -206,4 +207,72 @@ TEST_CASE("where nothing cuts, the stock stays", "[hal][workpiece]") {
   const Tile beside = Workpiece(one, grid).cut(0, 0, grid.columns, grid.rows);
   CHECK(std::isnan(beside.deviations.front()));
   CHECK(beside.heights.front() < 0.1);
+}
+
+TEST_CASE("passes above each other: those count that cut deepest", "[hal][workpiece]") {
+  const double above = GENERATE(0.3, 0.03, 0.008, -0.001);
+  const double tilt = GENERATE(0.0, 25.0);
+  const bool roughing_first = GENERATE(true, false);
+  CAPTURE(above, tilt, roughing_first);
+  const Milling finishing{.incline = 10, .tilt = tilt};
+  Milling roughing = finishing;
+  roughing.pick = 0.9;
+  roughing.feed = 0.4;
+  ToolTrack track;
+  double t = 0;
+  if (roughing_first) mill(track, t, roughing, 6, 4, -0.37, above);
+  mill(track, t, finishing, 9, 4);
+  if (!roughing_first) mill(track, t, roughing, 6, 4, -0.37, above);
+  REQUIRE(track.finish());
+  const auto alone = milled(finishing, 9, 4);
+  const auto grid = grid_of(1.5, 1.2, 1, 1, 0.02);
+  const Tile both = Workpiece(track, grid).cut(0, 0, grid.columns, grid.rows);
+  const Tile one = Workpiece(alone, grid).cut(0, 0, grid.columns, grid.rows);
+  for (std::size_t i = 0; i < both.heights.size(); ++i) {
+    REQUIRE(both.heights[i] <= one.heights[i] + 1e-9);
+    if (above == 0.008 && std::isnan(both.deviations[i])) continue;  // both leave some of it
+    REQUIRE(!std::isnan(both.deviations[i]));
+    const double cut_deeper = (one.heights[i] - both.heights[i]) * test::normal(finishing)[2];
+    REQUIRE(static_cast<double>(one.deviations[i] - both.deviations[i]) ==
+            Approx(cut_deeper).margin(0.0011));
+  }
+  if (above > 0.02) CHECK(most(both.deviations) == Approx(most(one.deviations)).margin(1e-6));
+}
+
+TEST_CASE("what is cut below the ideal surface is told as such", "[hal][workpiece]") {
+  ToolTrack track;
+  double t = 0;
+  mill(track, t, {}, 9, 4);
+  track.add({t, AxisVector(2, 0, 1), AxisVector(2, 0, 1), false});  // a rapid through the part
+  track.begin({5, 2, 600});
+  track.add({t + 1, AxisVector(2, 4, -0.2), AxisVector(2, 4, -0.2), false});
+  REQUIRE(track.finish());
+  const auto grid = grid_of(1.5, 1.2, 1, 2, 0.02);
+  const Tile tile = Workpiece(track, grid).cut(0, 0, grid.columns, grid.rows);
+  CHECK(least(tile.deviations) < -0.01);
+  CHECK(least(tile.deviations) > -0.2);
+}
+
+TEST_CASE("where the stock ends below the ideal surface nothing is known", "[hal][workpiece]") {
+  const auto track = milled({}, 9, 4);
+  auto grid = grid_of(1.5, 1.2, 1, 1, 0.02);
+  grid.top = -0.1;
+  const Tile tile = Workpiece(track, grid).cut(0, 0, grid.columns, grid.rows);
+  CHECK(std::all_of(tile.deviations.begin(), tile.deviations.end(),
+                    [](float d) { return std::isnan(d); }));
+  CHECK(tile.heights.front() == -0.1);
+}
+
+TEST_CASE("edges that are made anew for want of room cut the same", "[hal][workpiece]") {
+  const auto track = milled({.teeth = 999, .feed = 0.002, .spin = 60}, 3, 1.5);
+  const auto grid = grid_of(0.2, 0, 1, 1, 0.02);
+  const Workpiece workpiece(track, grid);
+  const Tile whole = workpiece.cut(0, 0, grid.columns, grid.rows);
+  for (int row = 0; row < grid.rows; row += Workpiece::kBlock)
+    for (int column = 0; column < grid.columns; column += Workpiece::kBlock) {
+      const Tile part = workpiece.cut(column, row, Workpiece::kBlock, Workpiece::kBlock);
+      for (int j = row; j < row + part.rows; ++j)
+        for (int i = column; i < column + part.columns; ++i)
+          REQUIRE(part.heights[part.index(i, j)] == whole.heights[whole.index(i, j)]);
+    }
 }

@@ -56,6 +56,28 @@ TEST_CASE("curves are as fast as the independent optimum but for two per cent, a
   }
 }
 
+TEST_CASE("a limit of the jerk that no row can reach costs nothing", "[ipo][jerk]") {
+  const auto path = one(curve("butterfly"), 100);
+  const auto machine = [](double jerk) {
+    Machine made = machine_with(250, 1000, jerk);
+    made.control.period = 0.004;
+    return made;
+  };
+  const auto without = run(machine(0), path);
+  for (const double jerk : {5e5, 1e9}) {  // 5e5 = 2 A / T
+    CAPTURE(jerk);
+    const auto result = run(machine(jerk), path);
+    CHECK(result.time == without.time);
+    CHECK(exceeded(machine(jerk), result) == "");
+  }
+  for (const double jerk : {2e5, 3e5, 4e5, 4.9e5}) {
+    CAPTURE(jerk);
+    const auto result = run(machine(jerk), path);
+    CHECK(result.time < 1.03 * without.time);
+    CHECK(exceeded(machine(jerk), result) == "");
+  }
+}
+
 TEST_CASE("corners rest, and joints of line and arc jump in acceleration no more than allowed",
           "[ipo][jerk]") {
   const Machine machine = machine_with(250, 1000, 50000);

@@ -381,8 +381,8 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC3125, "D, the tool radius, is missing, and no tool is in the spindle"},
     {Code::SC3125, "L, the number of teeth, is missing, and the machine file has none for tool 7"},
     {Code::SC3126,
-     "an Rmax of 5 um is out of reach: this pick-feed and radius leave 6.25 um however slow the "
-     "feed"},
+     "an Rmax of 5 um is out of reach: it must be more than the 6.25 um that this pick-feed and "
+     "radius leave however slow the feed"},
     {Code::SC3128, "a roughness is asked for, and the spindle does not turn: S is not set"},
     {Code::SC3128,
      "a roughness is asked for, and the spindle does not turn: neither M03 nor M04 is in force"},

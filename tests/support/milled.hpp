@@ -35,15 +35,16 @@ inline AxisVector tip_over(const Milling& milling, double x, double y) {
   return on + milling.radius * (n - AxisVector(0, 0, 1));
 }
 
-/// Passes that touch y = 0, pick, 2 pick ..., from x = 0 to `length`.
-inline hal::ToolTrack milled(const Milling& milling, int passes, double length) {
-  hal::ToolTrack track;
+/// Adds passes that touch y = first, first + pick, ..., from x = 0 to `length`, `above` the plane;
+/// from the time `t`, s, on.
+inline void mill(hal::ToolTrack& track, double& t, const Milling& milling, int passes,
+                 double length, double first = 0, double above = 0) {
   const hal::Cutter cutter{milling.radius, milling.teeth, milling.spin};
   const double speed = milling.feed / hal::ToolTrack::tooth_period(cutter);
-  double t = 0;
+  const AxisVector up = above * normal(milling);
   for (int pass = 0; pass < passes; ++pass) {
-    const double y = pass * milling.pick * std::cos(radians(milling.tilt));
-    const AxisVector from = tip_over(milling, 0, y), to = tip_over(milling, length, y);
+    const double y = (first + pass * milling.pick) * std::cos(radians(milling.tilt));
+    const AxisVector from = tip_over(milling, 0, y) + up, to = tip_over(milling, length, y) + up;
     const double taken = (to - from).norm() / speed;
     track.add({t, from, from, false});
     track.begin(cutter);
@@ -51,7 +52,14 @@ inline hal::ToolTrack milled(const Milling& milling, int passes, double length) 
     track.begin({});
     t += taken + 1;
   }
-  track.finish();
+}
+
+/// Passes that touch y = 0, pick, 2 pick ..., from x = 0 to `length`.
+inline hal::ToolTrack milled(const Milling& milling, int passes, double length) {
+  hal::ToolTrack track;
+  double t = 0;
+  mill(track, t, milling, passes, length);
+  (void)track.finish();
   return track;
 }
 

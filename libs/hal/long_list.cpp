@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "hal/long_list.hpp"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace softcnc::hal {
+namespace {
+
+tl::unexpected<Diagnostic> failure(int error) {
+  return tl::make_unexpected(Diagnostic{
+      Code::SC6003, {}, "no temporary file: " + std::generic_category().message(error), {}, {}});
+}
+
+/// A descriptor, or minus the number of an error.
+int open_unnamed() {
+  std::error_code error;
+  std::string name = std::filesystem::temp_directory_path(error) / "softcnc-XXXXXX";
+  if (error) return -error.value();
+  const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor < 0) return -errno;
+  ::unlink(name.c_str());
+  return descriptor;
+}
+
+}  // namespace
+
+OverflowFile& OverflowFile::operator=(OverflowFile&& other) noexcept {
+  std::swap(descriptor_, other.descriptor_);
+  std::swap(size_, other.size_);
+  std::swap(mapped_, other.mapped_);
+  std::swap(data_, other.data_);
+  return *this;
+}
+
+OverflowFile::~OverflowFile() {
+  if (data_ != nullptr) ::munmap(const_cast<std::byte*>(data_), mapped_);
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+Status OverflowFile::add(std::span<const std::byte> bytes) {
+  if (descriptor_ < 0) {
+    const int opened = open_unnamed();
+    if (opened < 0) return failure(-opened);
+    descriptor_ = opened;
+  }
+  while (!bytes.empty()) {
+    const ssize_t written =
+        ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(size_));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return failure(errno);
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+    size_ += static_cast<std::size_t>(written);
+  }
+  return {};
+}
+
+Status OverflowFile::map() {
+  void* const data = ::mmap(nullptr, size_, PROT_READ, MAP_SHARED, descriptor_, 0);
+  if (data == MAP_FAILED) return failure(errno);
+  data_ = static_cast<const std::byte*>(data);
+  mapped_ = size_;
+  return {};
+}
+
+void OverflowFile::release() const noexcept {
+  if (data_ != nullptr) ::madvise(const_cast<std::byte*>(data_), mapped_, MADV_DONTNEED);
+}
+
+}  // namespace softcnc::hal
