@@ -18,8 +18,9 @@ constexpr int kMostRounds = 6;
 constexpr double kTightest = 0.8;  // in one round
 constexpr double kTighten = 1.2;   // of what is used too much
 constexpr double kHopeless = 1.1;
-constexpr double kCreep = 1.0 / 3;  // of each limit
-constexpr int kMostSlower = 30;     // times twice as slow
+constexpr double kCreep = 1.0 / 3;     // of each limit
+constexpr std::size_t kAroundCap = 8;  // nodes
+constexpr int kMostSlower = 30;        // times twice as slow
 
 class JerkPlan {
  public:
@@ -73,6 +74,7 @@ class JerkPlan {
         shares_[k].cap *= std::clamp(1 - kTighten * (used[p].cap - 1), kTightest, 1.0);
       }
     }
+    hold_caps(used);
     std::vector<NodeShare> shares;
     std::vector<double> begin_at;
     for (std::size_t p = 0; p < nodes_.size(); ++p) {
@@ -80,12 +82,22 @@ class JerkPlan {
       begin_at.push_back(begin_at_[p]);
       if (!marked[p] || p + 1 == nodes_.size()) continue;
       const NodeShare &a = shares_[p], &b = shares_[p + 1];
-      shares.push_back({std::min(a.jerk, b.jerk), std::min(a.cap, b.cap)});
+      shares.push_back(
+          {std::min(a.jerk, b.jerk), std::min(a.cap, b.cap), a.holds_cap || b.holds_cap});
       begin_at.push_back(0.5 * (begin_at_[p] + begin_at_[p + 1]));
     }
     refine(span_, nodes_, marked);
     shares_ = std::move(shares);
     begin_at_ = std::move(begin_at);
+  }
+
+  /// Where the spline reaches above a cap, and around.
+  void hold_caps(const std::vector<Used>& used) {
+    for (std::size_t p = 0; p + 1 < nodes_.size(); ++p) {
+      if (!(used[p].cap > 1)) continue;
+      const std::size_t end = std::min(p + kAroundCap + 2, nodes_.size());
+      for (std::size_t k = p - std::min(p, kAroundCap); k < end; ++k) shares_[k].holds_cap = true;
+    }
   }
 
   /// The time of ds / sqrt(q) with q cubic, by Gauss's rule of four points.

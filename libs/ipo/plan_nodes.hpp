@@ -20,6 +20,7 @@ struct PlanNode {
 /// What a node may use: parts of the jerk and of the cap.
 struct NodeShare {
   double jerk = 1, cap = 1;
+  bool holds_cap = false;  // the speed itself, beside the coefficient of its spline
 };
 
 /// A plan that needs more cannot be found in bounded memory; nor is there one, as a rule.

@@ -59,6 +59,8 @@ void PlanProblem::add_node(std::size_t p) {
   problem_.add_node(p == 0    ? 2 * ends_.start.q
                     : is_last ? 2 * ends_.end.q
                               : part * shares_[p].cap * most.q);
+  if (shares_[p].holds_cap && p > 0 && !is_last)
+    problem_.add_row({{1, 0, 0}, part * shares_[p].cap * most.q, false});
   if (p == 0 || is_last) most.q = p == 0 ? ends_.start.q : ends_.end.q;
   caps_.push_back(most);
   const std::size_t i = node.interval;

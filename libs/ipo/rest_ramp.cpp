@@ -10,7 +10,9 @@ namespace softcnc::ipo {
 namespace {
 
 constexpr double kJerkPart = 0.97;   // of the jerk limit
-constexpr double kTimePart = 0.1;    // of the time A / J
+constexpr double kTimePart = 0.1;    // of the time A / J, or
+constexpr double kPeriodPart = 0.5;  // of a period, if that is longer, and
+constexpr double kMostPart = 0.5;    // of the time A / J, at most
 constexpr double kWayPart = 0.05;    // of the interval
 constexpr double kSpeedPart = 0.25;  // of the cap
 constexpr double kShorter = 0.7;     // the bend of the path counts less
@@ -37,8 +39,10 @@ RestRamp rest_ramp(const PlanSpan& span, std::size_t i, Side of_rest) noexcept {
   RestRamp ramp;
   ramp.jerk = kJerkPart * std::min(span.share, 1.0) *
               std::min(inside.share, inside.jerk_share.minCoeff()) * limit;
-  ramp.duration = std::min({kTimePart * acceleration / limit,
-                            std::cbrt(6 * kWayPart * interval.length() / ramp.jerk),
+  const double rise = acceleration / limit;
+  const double time = std::max(kTimePart * rise,
+                               std::min(kPeriodPart * span.constraints.period(), kMostPart * rise));
+  ramp.duration = std::min({time, std::cbrt(6 * kWayPart * interval.length() / ramp.jerk),
                             std::sqrt(2 * kSpeedPart * std::sqrt(q) / ramp.jerk)});
   for (int k = 0; k < kMostShorter && !keeps(span, i, ramp, starts); ++k) ramp.duration *= kShorter;
   return ramp;
