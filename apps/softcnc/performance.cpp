@@ -115,6 +115,7 @@ void Performer::close(TraceRows& rows) {
 
 void Performer::close(hal::Backend& backend) {
   if (const auto finished = backend.finish(); !finished) failed_to_write(finished.error());
+  performance_.tally = backend.tally();
 }
 
 void Performer::failed_to_write(const Diagnostic& diagnostic) {

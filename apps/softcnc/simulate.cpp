@@ -95,6 +95,7 @@ class Simulation {
 /// All rows so far are out; the machine rests in the next one, whatever the answer.
 void Simulation::wait(Watcher* watcher) {
   while (const Pause* pause = channel_.pause_ahead()) {
+    backend_.rest();
     if (watcher) watcher->pause(pause->block);
     channel_.resume();
   }

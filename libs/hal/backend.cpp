@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 
+#include "hal/hal_stream.hpp"
 #include "hal/sim.hpp"
 #include "hal/stepdir.hpp"
 
@@ -41,6 +42,10 @@ constexpr BackendRow kBackends[] = {
      [](const Machine& machine) -> Result<std::unique_ptr<Backend>> {
        return StepDir::open(machine);
      }},
+    {BackendKind::hal_stream,
+     [](const Machine& machine) -> Result<std::unique_ptr<Backend>> {
+       return HalRows::open(machine);
+     }},
 };
 
 }  // namespace
@@ -49,6 +54,12 @@ std::array<double, kAxes> Backend::following_error_max() const noexcept {
   std::array<double, kAxes> none{};
   none.fill(std::numeric_limits<double>::quiet_NaN());
   return none;
+}
+
+Machine without_port(Machine machine) {
+  machine.step_port.file.clear();
+  machine.hal_stream.file.clear();
+  return machine;
 }
 
 Result<std::unique_ptr<Backend>> open_backend(const Machine& machine) {

@@ -42,6 +42,7 @@ double& stock_size(Machine& machine, int) {
   return machine.stock.size[axis];
 }
 std::string& edge_file(Machine& machine, int) { return machine.step_port.file; }
+std::string& stream_file(Machine& machine, int) { return machine.hal_stream.file; }
 
 template <auto Part, auto Member>
 constexpr Choice choice_in(std::span<const std::string_view> words) {
@@ -77,7 +78,7 @@ const MachineKey kKeys[] = {
      choice_in<&Machine::control, &Control::interpolation>(kMethodNames)},
     {"control.corner_tolerance_um", "um", "how far corners may be rounded by G64 without P; 0: the path is followed exactly",
      Number{control<&Control::corner_tolerance>, mm_from_um, um_from_mm, at_least_0(1e6)}},
-    {"control.backend", "", "what moves: nothing, the simulated mill, or drives with step and direction inputs",
+    {"control.backend", "", "what moves: nothing, the simulated mill, drives with step and direction inputs, or a machine behind LinuxCNC's HAL",
      choice_in<&Machine::control, &Control::backend>(kBackendNames)},
 
     {"limits.feed_mm_min", "mm/min", "caps the speed of cutting moves along the path; 0, or absent beside axes of your own: only the axes limit",
@@ -154,6 +155,11 @@ const MachineKey kKeys[] = {
      Number{step_port<&StepPort::direction_setup>, s_from_ns, ns_from_s, at_least_0(1e8)}},
     {"backend.stepdir.direction_hold_ns", "ns", "least time from the end of a step to a change of direction",
      Number{step_port<&StepPort::direction_hold>, s_from_ns, ns_from_s, at_least_0(1e8)}},
+
+    {"backend.hal-stream.file", "", "where rows for LinuxCNC's halstreamer go: a file, a FIFO, or - for standard output; empty: nowhere",
+     Text{stream_file}},
+    {"backend.hal-stream.patience_s", "s", "so long a full pipe may take no row; then the run ends",
+     Number{in_part<&Machine::hal_stream, &HalStream::patience>, same, same, {0.001, 1e6}}},
 
     {"stock.x_mm", "mm", "length of the stock along X; 0: as far as the program cuts and the tool radius around it",
      Number{stock_size<0>, same, same, at_least_0(1e5)}},

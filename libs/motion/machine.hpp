@@ -29,8 +29,9 @@ constexpr std::string_view name(Method method) noexcept {
   return kMethodNames[static_cast<std::size_t>(method)];
 }
 
-enum class BackendKind : std::uint8_t { none, sim, stepdir };
-inline constexpr std::array<std::string_view, 3> kBackendNames{"none", "sim", "stepdir"};
+enum class BackendKind : std::uint8_t { none, sim, stepdir, hal_stream };
+inline constexpr std::array<std::string_view, 4> kBackendNames{"none", "sim", "stepdir",
+                                                               "hal-stream"};
 constexpr std::string_view name(BackendKind backend) noexcept {
   return kBackendNames[static_cast<std::size_t>(backend)];
 }
@@ -100,6 +101,12 @@ struct StepPort {
   double direction_hold = 5e-6;    // s
 };
 
+/// Rows for LinuxCNC's halstreamer.
+struct HalStream {
+  std::string file = "setpoints.txt";  // or a FIFO; "-": standard output; empty: none
+  double patience = 5.0;               // s: so long a full pipe may take no row
+};
+
 struct ProgramLimits {
   int block_limit = 10'000'000;  // lines that one loop, or one call with all it calls, may run
 };
@@ -123,6 +130,7 @@ struct Machine {
   std::array<Axis, kAxes> axes;
   Spindle spindle;
   StepPort step_port;
+  HalStream hal_stream;
   ProgramLimits program;
   Surfacing surfacing;
   Stock stock;

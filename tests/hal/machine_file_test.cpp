@@ -285,7 +285,7 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
                            "number, not a number\n"));
     CHECK(refused("control.backend = true")
               .starts_with("mill.toml:1:19: error SC7004: control.backend takes one of 'none', "
-                           "'sim', 'stepdir', not true or false\n"));
+                           "'sim', 'stepdir', 'hal-stream', not true or false\n"));
     CHECK(refused("[control.period_ms]\nx = 1")
               .starts_with(
                   "mill.toml:1:1: error SC7004: control.period_ms takes a number, not a table\n"));
