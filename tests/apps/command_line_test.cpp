@@ -35,7 +35,7 @@ TEST_CASE("what does not exist is refused as wrong usage", "[apps][cli]") {
     CHECK(ended.out.empty());
     CHECK(ended.err.find("Run with --help for more information.") != std::string::npos);
   }
-  for (const char* command : {"report x", "surface x", "latency", "run", "check", "replay",
+  for (const char* command : {"report x", "surface x", "latency x", "run", "check", "replay",
                               "record $data/square.nc", "run a.nc b.nc", "machine x"}) {
     CAPTURE(command);
     CHECK(call(command).status == 2);
