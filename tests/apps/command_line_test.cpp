@@ -28,7 +28,7 @@ TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
 TEST_CASE("what does not exist is refused as wrong usage", "[apps][cli]") {
   for (const char* option :
        {"--realtime", "--from-line 3", "--dialect siemens", "--diagnostics xml", "--watch",
-        "--backend parport", "--progress maybe", "--quiet --verbose", "--set"}) {
+        "--backend printer", "--progress maybe", "--quiet --verbose", "--set"}) {
     CAPTURE(option);
     const Ended ended = call(std::string("run $data/square.nc ") + option);
     CHECK(ended.status == 2);
