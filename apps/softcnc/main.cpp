@@ -47,6 +47,8 @@ int dispatch(const Options& options) {
       return surface(options);
     case Command::machine:
       return machine(options);
+    case Command::latency:
+      return latency(options);
     case Command::codes:
       return codes(options);
   }

@@ -17,12 +17,14 @@
 #include "hal/trace.hpp"
 #include "messages.hpp"
 #include "motion/machine.hpp"
+#include "motion/units.hpp"
 
 namespace softcnc::app {
 namespace {
 
 constexpr int kWrongUsage = 2;
-constexpr double kLargestOverride = 200;  // percent
+constexpr double kLargestOverride = 200;             // percent
+constexpr double kShortest = 0.001, kLongest = 1e6;  // s: of a measurement
 constexpr const char* kReadsState = "Begin with these work offsets, tool table and parameters";
 
 void add_machine(CLI::App& command, Options& options) {
@@ -259,6 +261,23 @@ void make_machine(CLI::App& command, Options& options) {
   add_verbose(command, options, "Say what each value means");
 }
 
+void make_latency(CLI::App& command, Options& options) {
+  add_machine(command, options);
+  command.add_option("--seconds", options.seconds, "How long to measure (default 10)")
+      ->check(CLI::Range(kShortest, kLongest).description(""))
+      ->type_name("SECONDS");
+  command
+      .add_option_function<double>(
+          "--period-us", [&options](double us) { options.period = s_from_ms(us / 1000); },
+          "Period of the loop (default: control.servo_period_ms)")
+      ->check(CLI::Range(1.0, 1e6).description(""))
+      ->type_name("MICROSECONDS");
+  command.add_option("--report", options.report, "Write the figures as JSON")
+      ->type_name("FILE.json");
+  add_diagnostics(command, options);
+  add_quiet(command, options);
+}
+
 void make_codes(CLI::App& command, Options& options) {
   command
       .add_option("CODE", options.files,
@@ -287,6 +306,8 @@ constexpr CommandRow kCommands[] = {
      make_surface},
     {Command::machine, "machine", "Show the machine, each value with where it came from",
      make_machine},
+    {Command::latency, "latency", "Show how late this computer wakes, and what feed that allows",
+     make_latency},
     {Command::codes, "codes", "Say what codes of programs and of diagnostics mean", make_codes},
 };
 

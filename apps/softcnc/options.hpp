@@ -13,7 +13,17 @@
 
 namespace softcnc::app {
 
-enum class Command : std::uint8_t { run, check, blocks, record, replay, surface, machine, codes };
+enum class Command : std::uint8_t {
+  run,
+  check,
+  blocks,
+  record,
+  replay,
+  surface,
+  machine,
+  latency,
+  codes
+};
 enum class DiagnosticsFormat : std::uint8_t { text, json, sarif };
 enum class ProgressMode : std::uint8_t { automatic, none, json };
 
@@ -35,6 +45,8 @@ struct Options {
   std::string trace, report;  // files; empty: none
   std::string output;         // of record and surface
   bool actual = false;        // surface: cut by where the simulated mill is
+
+  double seconds = 10, period = 0;  // latency: how long, s; of the loop, s; 0: the servo period
 
   DiagnosticsFormat diagnostics = DiagnosticsFormat::text;
   ProgressMode progress = ProgressMode::automatic;

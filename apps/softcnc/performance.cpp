@@ -10,6 +10,7 @@
 #include "hal/machine_file.hpp"
 #include "machine_memory.hpp"
 #include "messages.hpp"
+#include "paced_player.hpp"
 #include "preflight.hpp"
 #include "report_json.hpp"
 #include "summary.hpp"
@@ -58,7 +59,8 @@ Performance Performer::refused(const Diagnostic& diagnostic) const {
 }
 
 Performance Performer::move(const std::string& trace, double total) {
-  auto backend = hal::open_backend(options_.dry_run ? without_backend(job_.machine) : job_.machine);
+  auto backend = hal::open_backend(options_.dry_run ? without_backend(job_.machine) : job_.machine,
+                                   PacedPlayer::open);
   if (!backend) return refused(backend.error());
   auto rows = open_trace(trace, job_.program, job_.machine, **backend);
   if (!rows) return refused(rows.error());
@@ -115,6 +117,7 @@ void Performer::close(TraceRows& rows) {
 
 void Performer::close(hal::Backend& backend) {
   if (const auto finished = backend.finish(); !finished) failed_to_write(finished.error());
+  performance_.tally = backend.tally();
 }
 
 void Performer::failed_to_write(const Diagnostic& diagnostic) {

@@ -30,6 +30,7 @@ struct Performance {
   Outcome outcome;
   std::array<double, kAxes> following_error{};  // mm, largest; NaN: not measured
   AxisVector settled = AxisVector::Zero();      // mm, where a following error is measured
+  std::optional<hal::Backend::Tally> tally;     // of rows sent elsewhere
   std::vector<Diagnostic> diagnostics;
 };
 

@@ -45,9 +45,7 @@ Result<Material> open_material(const std::string& name, const Options& options) 
   if (!program) return tl::make_unexpected(std::move(program.error()));
   auto called = recording->called_files();
   if (!called) return tl::make_unexpected(std::move(called.error()));
-  Machine counting = *machine;
-  counting.step_port.file.clear();  // pulses are counted again, not sent
-  auto backend = hal::open_backend(counting);
+  auto backend = hal::open_backend(hal::without_port(*machine));  // counts again, sends nothing
   if (!backend) return tl::make_unexpected(std::move(backend.error()));
   auto trace = recording->trace();
   if (!trace) return tl::make_unexpected(std::move(trace.error()));

@@ -115,6 +115,10 @@ std::string report_json(Job& job, const Performance& performance) {
     report["planner_plan_nodes"] = outcome.planner.effort.nodes;
     report["planner_iterations"] = outcome.planner.effort.iterations;
     report["planner_fallbacks"] = outcome.planner.effort.fallbacks;
+    if (performance.tally) {
+      report["stream_rows"] = performance.tally->rows;
+      report["stream_xxh3"] = performance.tally->checksum;
+    }
     add_cpu(report, outcome.cpu);
   }
   report["diagnostics"] = diagnostics(performance);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A run without a clock: the cycle fills a batch of rows, which are then verified and written.
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "channel.hpp"
@@ -10,7 +12,13 @@
 namespace softcnc::app {
 namespace {
 
-constexpr std::size_t kBatch = 256;  // rows
+constexpr std::size_t kBatch = 256;      // rows
+constexpr double kLongestBatch = 0.256;  // s: a backend may keep pace with the clock
+
+std::size_t batch_of(const Machine& machine) {
+  const double rows = std::round(kLongestBatch / machine.control.period);
+  return static_cast<std::size_t>(std::clamp(rows, 1.0, static_cast<double>(kBatch)));
+}
 
 /// A Recorder that keeps the rows of a batch.
 class RowBuffer {
@@ -42,7 +50,7 @@ class RowBuffer {
 /// A Source that ends with the batch, or before the program waits or is to be planned anew.
 class Batch {
  public:
-  explicit Batch(Channel& channel) noexcept : channel_(channel) {}
+  Batch(Channel& channel, std::size_t rows) noexcept : channel_(channel), left_(rows) {}
   std::optional<Setpoint> step(const Panel& panel) noexcept {
     if (left_ == 0 || channel_.event_due() || channel_.pause_ahead()) return std::nullopt;
     --left_;
@@ -51,7 +59,7 @@ class Batch {
 
  private:
   Channel& channel_;
-  std::size_t left_ = kBatch;
+  std::size_t left_;
 };
 
 class Simulation {
@@ -62,6 +70,7 @@ class Simulation {
         channel_(reader, input, machine, options, diagnostics),
         backend_(backend),
         buffer_(backend),
+        batch_(batch_of(machine)),
         verification_(machine) {}
 
   Outcome run(RowSink* rows, Watcher* watcher) {
@@ -87,6 +96,7 @@ class Simulation {
   Channel channel_;
   hal::Backend& backend_;
   RowBuffer buffer_;
+  std::size_t batch_;  // rows
   Verification verification_;
   Outcome outcome_;
   CpuLaps cpu_;
@@ -95,6 +105,7 @@ class Simulation {
 /// All rows so far are out; the machine rests in the next one, whatever the answer.
 void Simulation::wait(Watcher* watcher) {
   while (const Pause* pause = channel_.pause_ahead()) {
+    backend_.rest();
     if (watcher) watcher->pause(pause->block);
     channel_.resume();
   }
@@ -112,7 +123,7 @@ void Simulation::wait_for_more(RowSink* rows, Watcher* watcher) const {
 /// True if more may follow.
 bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   buffer_.clear();
-  Batch batch(channel_);
+  Batch batch(channel_, batch_);
   const CycleReport cycle = run_cycle(batch, backend_, buffer_, panel_);
   outcome_.cpu.cycle += cpu_.lap();
   verification_.add(buffer_.rows(), channel_.queue());
@@ -129,8 +140,9 @@ bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   outcome_.cpu.output += cpu_.lap();
   if (!wanted) outcome_.end = Outcome::End::broken_off;
   if (cycle.last.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
-  return outcome_.end == Outcome::End::done && (cycle.setpoints == kBatch || channel_.event_due() ||
-                                                channel_.pause_ahead() || channel_.waiting());
+  return outcome_.end == Outcome::End::done &&
+         (cycle.setpoints == static_cast<std::int64_t>(batch_) || channel_.event_due() ||
+          channel_.pause_ahead() || channel_.waiting());
 }
 
 bool Simulation::write(RowSink* rows) {

@@ -78,6 +78,13 @@ std::string axes(const Machine& machine, const Performance& performance) {
   return text;
 }
 
+/// What the other program should have got.
+std::string sent(const Performance& performance) {
+  if (!performance.tally) return {};
+  return fmt::format("\n\n  {} rows sent, xxh3 {}", performance.tally->rows,
+                     performance.tally->checksum);
+}
+
 std::string cost(const Outcome& outcome) {
   const double cpu = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
   return fmt::format("\n\n  CPU {:.3f} s: {:.0f} times faster than real time", cpu,
@@ -89,7 +96,7 @@ std::string cost(const Outcome& outcome) {
 std::string summary(const Job& job, const Performance& performance) {
   const Outcome& outcome = performance.outcome;
   return head(job, performance) + sizes(job, outcome) + held_by(outcome) +
-         axes(job.machine, performance) + cost(outcome);
+         axes(job.machine, performance) + sent(performance) + cost(outcome);
 }
 
 }  // namespace softcnc::app

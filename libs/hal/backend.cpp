@@ -6,6 +6,8 @@
 #include <iterator>
 #include <limits>
 
+#include "hal/hal_stream.hpp"
+#include "hal/port_edges.hpp"
 #include "hal/sim.hpp"
 #include "hal/stepdir.hpp"
 
@@ -25,21 +27,38 @@ class None final : public Backend {
   AxisVector position_ = AxisVector::Zero();
 };
 
+Result<std::unique_ptr<Backend>> open_parport(const Machine& machine, OpenPlayer open_player) {
+  std::unique_ptr<EdgeSink> edges;
+  if (open_player && !machine.parallel_port.device.empty()) {
+    auto player = open_player(machine);
+    if (!player) return tl::make_unexpected(std::move(player.error()));
+    edges = std::make_unique<PortEdges>(machine, std::move(*player));
+  }
+  return std::make_unique<StepDir>(machine, port_timing(machine).rules, std::move(edges));
+}
+
 struct BackendRow {
   BackendKind kind;
-  Result<std::unique_ptr<Backend>> (*open)(const Machine&);
+  Result<std::unique_ptr<Backend>> (*open)(const Machine&, OpenPlayer);
 };
 
 constexpr BackendRow kBackends[] = {
     {BackendKind::none,
-     [](const Machine&) -> Result<std::unique_ptr<Backend>> { return std::make_unique<None>(); }},
+     [](const Machine&, OpenPlayer) -> Result<std::unique_ptr<Backend>> {
+       return std::make_unique<None>();
+     }},
     {BackendKind::sim,
-     [](const Machine& machine) -> Result<std::unique_ptr<Backend>> {
+     [](const Machine& machine, OpenPlayer) -> Result<std::unique_ptr<Backend>> {
        return std::make_unique<SimulatedMill>(machine);
      }},
     {BackendKind::stepdir,
-     [](const Machine& machine) -> Result<std::unique_ptr<Backend>> {
+     [](const Machine& machine, OpenPlayer) -> Result<std::unique_ptr<Backend>> {
        return StepDir::open(machine);
+     }},
+    {BackendKind::parport, open_parport},
+    {BackendKind::hal_stream,
+     [](const Machine& machine, OpenPlayer) -> Result<std::unique_ptr<Backend>> {
+       return HalRows::open(machine);
      }},
 };
 
@@ -51,10 +70,17 @@ std::array<double, kAxes> Backend::following_error_max() const noexcept {
   return none;
 }
 
-Result<std::unique_ptr<Backend>> open_backend(const Machine& machine) {
+Machine without_port(Machine machine) {
+  machine.step_port.file.clear();
+  machine.hal_stream.file.clear();
+  machine.parallel_port.device.clear();
+  return machine;
+}
+
+Result<std::unique_ptr<Backend>> open_backend(const Machine& machine, OpenPlayer open_player) {
   const auto* row = std::find_if(std::begin(kBackends), std::end(kBackends),
                                  [&](const auto& r) { return r.kind == machine.control.backend; });
-  return row->open(machine);
+  return row->open(machine, open_player);
 }
 
 }  // namespace softcnc::hal

@@ -4,9 +4,11 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "hal/port_player.hpp"
 #include "motion/machine.hpp"
 #include "motion/result.hpp"
 #include "motion/setpoint.hpp"
@@ -31,15 +33,34 @@ class Backend {
   /// nothing is measured: axes the machine lacks, backends without feedback.
   virtual std::array<double, kAxes> following_error_max() const noexcept;
 
+  /// The machine stands, and the next exchange may be long in coming.
+  virtual void rest() noexcept {}
+
   /// Call once after the last exchange: what is left goes out. Without it a backend that writes a
-  /// file leaves none. Errors: SC6012, SC6013.
+  /// file leaves none. Errors: SC6012, SC6013, SC6071, and those of
+  /// PortPlayer::finish().
   virtual Status finish() { return {}; }
+
+  /// Rows that have gone to another program, so that it can be seen whether it got them all.
+  struct Tally {
+    std::int64_t rows = 0;
+    std::string checksum;  // hash_hex() of their lines
+  };
+  virtual std::optional<Tally> tally() const { return std::nullopt; }
 
   /// Where the axes come to rest if the last command stands, in mm. Leaves the backend as it is.
   virtual AxisVector settle() const noexcept = 0;
 };
 
-/// The backend that machine.control.backend names. Errors: those of the backend's own open().
-Result<std::unique_ptr<Backend>> open_backend(const Machine& machine);
+/// The machine with a backend that counts as before, but sends nothing anywhere.
+Machine without_port(Machine machine);
+
+/// Opens the port of a machine, and whoever writes to it when it is time.
+using OpenPlayer = Result<std::unique_ptr<PortPlayer>> (*)(const Machine&);
+
+/// The backend that machine.control.backend names. Without `open_player` the pulses of parport are
+/// counted and not sent. Errors: those of the backend's own open(), and of `open_player`.
+Result<std::unique_ptr<Backend>> open_backend(const Machine& machine,
+                                              OpenPlayer open_player = nullptr);
 
 }  // namespace softcnc::hal

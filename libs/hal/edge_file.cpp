@@ -138,10 +138,11 @@ Result<EdgeWriter> EdgeWriter::open(const std::string& file) {
   return EdgeWriter(std::move(format), std::move(*out));
 }
 
-void EdgeWriter::write(std::span<const Edge> edges) noexcept {
-  if (!ok()) return;
+Alarm EdgeWriter::take(std::span<const Edge> edges, std::int64_t /*until*/) noexcept {
+  if (!ok()) return Alarm::port;
   for (const Edge& edge : edges) format_->append(edge, bytes_);
   if (bytes_.size() >= kHandOn) hand_on();
+  return ok() ? Alarm::none : Alarm::port;
 }
 
 void EdgeWriter::hand_on() {

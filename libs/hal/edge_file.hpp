@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/edge_sink.hpp"
 #include "hal/output_file.hpp"
-#include "hal/step_edges.hpp"
 
 namespace softcnc::hal {
 
@@ -27,20 +27,20 @@ class EdgeFormat {
 /// ".edges": the 8 bytes "edges 1\n", then for each edge the ns since the one before, 7 bits a
 /// byte, low ones first, all but the last byte with bit 7 set, and a byte of 4 * axis, plus 2 for
 /// the direction line, plus 1 for high.
-class EdgeWriter {
+class EdgeWriter final : public EdgeSink {
  public:
   /// Errors: SC6011, SC6050 (unknown suffix).
   static Result<EdgeWriter> open(const std::string& file);
 
-  /// After an error edges are dropped, and finish() tells it.
-  void write(std::span<const Edge> edges) noexcept;
-  bool ok() const noexcept { return status_.has_value(); }
+  /// After an error, Alarm::port, edges are dropped.
+  Alarm take(std::span<const Edge> edges, std::int64_t until) noexcept override;
 
   /// Without it no file is left. Errors: SC6012, SC6013.
-  Status finish();
+  Status finish() override;
 
  private:
   EdgeWriter(std::unique_ptr<EdgeFormat> format, std::unique_ptr<ByteSink> out);
+  bool ok() const noexcept { return status_.has_value(); }
   void hand_on();
 
   std::unique_ptr<EdgeFormat> format_;

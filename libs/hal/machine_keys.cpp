@@ -15,8 +15,11 @@ namespace softcnc::hal {
 namespace {
 
 constexpr double same(double value) noexcept { return value; }
+constexpr double s_from_us(double us) noexcept { return us / 1e6; }
+constexpr double us_from_s(double s) noexcept { return s * 1e6; }
 
 constexpr Range at_least_0(double high) { return {0, high}; }
+constexpr Range kPins{-17, 17};
 constexpr Range above_0(double high) { return {0, high, true}; }
 
 template <auto Part, auto Member>
@@ -42,6 +45,12 @@ double& stock_size(Machine& machine, int) {
   return machine.stock.size[axis];
 }
 std::string& edge_file(Machine& machine, int) { return machine.step_port.file; }
+std::string& port_device(Machine& machine, int) { return machine.parallel_port.device; }
+template <auto Member, std::size_t axis>
+int& axis_pin(Machine& machine, int) {
+  return (machine.parallel_port.*Member)[axis];
+}
+std::string& stream_file(Machine& machine, int) { return machine.hal_stream.file; }
 
 template <auto Part, auto Member>
 constexpr Choice choice_in(std::span<const std::string_view> words) {
@@ -58,6 +67,12 @@ template <auto Member>
 constexpr auto drive = in_axis_part<&Axis::drive, Member>;
 template <auto Member>
 constexpr auto control = in_part<&Machine::control, Member>;
+template <auto Member>
+constexpr auto port = in_part<&Machine::parallel_port, Member>;
+template <std::size_t axis>
+constexpr auto step_pin = axis_pin<&ParallelPort::step_pin, axis>;
+template <std::size_t axis>
+constexpr auto direction_pin = axis_pin<&ParallelPort::direction_pin, axis>;
 template <auto Member>
 constexpr auto step_port = in_part<&Machine::step_port, Member>;
 
@@ -77,7 +92,7 @@ const MachineKey kKeys[] = {
      choice_in<&Machine::control, &Control::interpolation>(kMethodNames)},
     {"control.corner_tolerance_um", "um", "how far corners may be rounded by G64 without P; 0: the path is followed exactly",
      Number{control<&Control::corner_tolerance>, mm_from_um, um_from_mm, at_least_0(1e6)}},
-    {"control.backend", "", "what moves: nothing, the simulated mill, or drives with step and direction inputs",
+    {"control.backend", "", "what moves: nothing, the simulated mill, drives with step and direction inputs by a file of edges or a parallel port, or a machine behind LinuxCNC's HAL",
      choice_in<&Machine::control, &Control::backend>(kBackendNames)},
 
     {"limits.feed_mm_min", "mm/min", "caps the speed of cutting moves along the path; 0, or absent beside axes of your own: only the axes limit",
@@ -154,6 +169,34 @@ const MachineKey kKeys[] = {
      Number{step_port<&StepPort::direction_setup>, s_from_ns, ns_from_s, at_least_0(1e8)}},
     {"backend.stepdir.direction_hold_ns", "ns", "least time from the end of a step to a change of direction",
      Number{step_port<&StepPort::direction_hold>, s_from_ns, ns_from_s, at_least_0(1e8)}},
+
+    {"backend.parport.device", "", "the parallel port; empty: pulses are counted and not sent",
+     Text{port_device}},
+    {"backend.parport.base_period_us", "us", "time between two writes to the port; a step takes at least two",
+     Number{port<&ParallelPort::base_period>, s_from_us, us_from_s, {1, 1e6}}},
+    {"backend.parport.x_step_pin", "", "pin of the step line, 2 to 9; negative: inverted, 0: none. Timing is that of backend.stepdir",
+     Whole{step_pin<0>, kPins}},
+    {"backend.parport.x_direction_pin", "", "pin of the direction line, likewise; high is negative direction",
+     Whole{direction_pin<0>, kPins}},
+    {"backend.parport.y_step_pin", "", "the same for Y", Whole{step_pin<1>, kPins}},
+    {"backend.parport.y_direction_pin", "", "the same for Y", Whole{direction_pin<1>, kPins}},
+    {"backend.parport.z_step_pin", "", "the same for Z", Whole{step_pin<2>, kPins}},
+    {"backend.parport.z_direction_pin", "", "the same for Z", Whole{direction_pin<2>, kPins}},
+    {"backend.parport.enable_pin", "", "output, high while the drives are enabled: 1 to 9, 14, 16, 17; negative: inverted, 0: none",
+     Whole{port<&ParallelPort::enable_pin>, kPins}},
+    {"backend.parport.charge_pump_pin", "", "output that changes every base period as long as softcnc runs, likewise",
+     Whole{port<&ParallelPort::charge_pump_pin>, kPins}},
+    {"backend.parport.estop_pin", "", "input of the emergency stop, high is pressed: 10 to 13, 15; negative: low is pressed, 0: none",
+     Whole{port<&ParallelPort::estop_pin>, kPins}},
+    {"backend.parport.limit_pin", "", "input of the limit switches, likewise",
+     Whole{port<&ParallelPort::limit_pin>, kPins}},
+    {"backend.parport.fault_pin", "", "input of the drives' fault line, likewise",
+     Whole{port<&ParallelPort::fault_pin>, kPins}},
+
+    {"backend.hal-stream.file", "", "where rows for LinuxCNC's halstreamer go: a file, a FIFO, or - for standard output; empty: nowhere",
+     Text{stream_file}},
+    {"backend.hal-stream.patience_s", "s", "so long a full pipe may take no row; then the run ends",
+     Number{in_part<&Machine::hal_stream, &HalStream::patience>, same, same, {0.001, 1e6}}},
 
     {"stock.x_mm", "mm", "length of the stock along X; 0: as far as the program cuts and the tool radius around it",
      Number{stock_size<0>, same, same, at_least_0(1e5)}},

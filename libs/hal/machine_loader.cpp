@@ -9,6 +9,8 @@
 
 #include "hal/axis_name.hpp"
 #include "hal/number.hpp"
+#include "hal/port_pins.hpp"
+#include "hal/port_timing.hpp"
 #include "motion/units.hpp"
 #include "motion/utf8.hpp"
 
@@ -130,7 +132,9 @@ Result<LoadedMachine> MachineLoader::finish() {
     derive_servo_period();
     check_periods();
     for (int axis = 0; axis < kAxes; ++axis) check_travel(axis);
-    if (loaded_.machine.control.backend == BackendKind::stepdir) check_step_port();
+    const BackendKind backend = loaded_.machine.control.backend;
+    if (backend == BackendKind::stepdir || backend == BackendKind::parport) check_step_port();
+    if (backend == BackendKind::parport) check_parallel_port();
   }
   if (!errors_.empty()) return tl::make_unexpected(std::move(errors_.front()));
   return std::move(loaded_);
@@ -194,6 +198,58 @@ void MachineLoader::check_pulse_rate(int index) {
            " is more than " + name + ".blu_um = " + scaled_text(axis.blu, mm_from_um, um_from_mm) +
            " times backend.stepdir.max_rate_hz = " + hertz(rate) + ", which is " +
            number_text(std::round(mm_min_from_mm_s(most) * 1e3) / 1e3) + " mm/min");
+}
+
+void MachineLoader::check_parallel_port() {
+  const ParallelPort& port = loaded_.machine.parallel_port;
+  for (int axis = 0; axis < kAxes; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    if (!loaded_.machine.axes[i].present) continue;
+    check_port_rate(axis);
+    check_pin(axis_name(axis) + "_step_pin", port.step_pin[i], is_data_pin);
+    check_pin(axis_name(axis) + "_direction_pin", port.direction_pin[i], is_data_pin);
+  }
+  check_pin("enable_pin", port.enable_pin, is_output_pin);
+  check_pin("charge_pump_pin", port.charge_pump_pin, is_output_pin);
+  check_pin("estop_pin", port.estop_pin, is_input_pin);
+  check_pin("limit_pin", port.limit_pin, is_input_pin);
+  check_pin("fault_pin", port.fault_pin, is_input_pin);
+  used_pins_.clear();
+}
+
+void MachineLoader::check_port_rate(int index) {
+  const Axis& axis = loaded_.machine.axes[static_cast<std::size_t>(index)];
+  const double interval =
+      s_from_ns(static_cast<double>(port_timing(loaded_.machine).rules.interval));
+  const double most = axis.blu / interval;
+  if (axis.velocity <= most * kRoundedUp) return;
+  const std::string name = "axis." + axis_name(index);
+  fail(Code::SC7070,
+       place_of({name + ".velocity_mm_min", "backend.parport.base_period_us", name + ".blu_um",
+                 "control.backend"}),
+       name +
+           ".velocity_mm_min = " + scaled_text(axis.velocity, mm_s_from_mm_min, mm_min_from_mm_s) +
+           " is more than " + name + ".blu_um = " + scaled_text(axis.blu, mm_from_um, um_from_mm) +
+           " every " + number_text(ns_from_s(interval) / 1e3) +
+           " us, the shortest time between steps at backend.parport.base_period_us = " +
+           number_text(ns_from_s(loaded_.machine.parallel_port.base_period) / 1e3) + ", which is " +
+           number_text(std::round(mm_min_from_mm_s(most) * 1e3) / 1e3) + " mm/min");
+}
+
+/// A pin does what `fits` says, and one thing only.
+void MachineLoader::check_pin(const std::string& key, int pin, bool (*fits)(int)) {
+  if (pin == 0) return;
+  const std::string name = "backend.parport." + key;
+  const std::string text = name + " = " + std::to_string(pin);
+  const auto [used, is_new] = used_pins_.try_emplace(std::abs(pin), name);
+  if (!fits(pin))
+    fail(Code::SC7071, place_of({name, "control.backend"}),
+         text + (fits == is_input_pin    ? " is no input: 10, 11, 12, 13, 15"
+                 : fits == is_output_pin ? " is no output: 1 to 9, 14, 16, 17"
+                                         : " is no data pin: 2 to 9"));
+  else if (!is_new)
+    fail(Code::SC7071, place_of({name, used->second, "control.backend"}),
+         text + " is the pin of " + used->second);
 }
 
 /// Where the first of several keys was given that was given at all.

@@ -47,12 +47,16 @@ class MachineLoader {
   void check_travel(int index);
   void check_step_port();
   void check_pulse_rate(int index);
+  void check_parallel_port();
+  void check_port_rate(int index);
+  void check_pin(const std::string& key, int pin, bool (*fits)(int));
 
   bool has_axis_of(const KeyRef& ref) const;
   const Place& place_of(std::initializer_list<std::string> keys) const;
   void fail(Code code, const Place& place, std::string message);
 
   LoadedMachine loaded_;
+  std::map<int, std::string> used_pins_;  // of the parallel port, and by which key
   std::vector<Diagnostic> errors_;
 };
 

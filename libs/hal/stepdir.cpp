@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "hal/stepdir.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "hal/axis_name.hpp"
+#include "hal/edge_file.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -22,19 +24,17 @@ StepTiming step_timing(const StepPort& port) noexcept {
 }
 
 Result<std::unique_ptr<StepDir>> StepDir::open(const Machine& machine) {
-  std::optional<EdgeWriter> file;
+  std::unique_ptr<EdgeSink> file;
   if (!machine.step_port.file.empty()) {
     auto opened = EdgeWriter::open(machine.step_port.file);
     if (!opened) return tl::make_unexpected(std::move(opened.error()));
-    file = std::move(*opened);
+    file = std::make_unique<EdgeWriter>(std::move(*opened));
   }
-  return std::unique_ptr<StepDir>(new StepDir(machine, std::move(file)));
+  return std::make_unique<StepDir>(machine, step_timing(machine.step_port), std::move(file));
 }
 
-StepDir::StepDir(const Machine& machine, std::optional<EdgeWriter> file)
-    : period_(machine.control.period * kNsPerSecond),
-      edges_(step_timing(machine.step_port)),
-      file_(std::move(file)) {
+StepDir::StepDir(const Machine& machine, const StepTiming& timing, std::unique_ptr<EdgeSink> out)
+    : period_(machine.control.period * kNsPerSecond), edges_(timing), out_(std::move(out)) {
   for (int axis = 0; axis < kAxes; ++axis) {
     const Axis& described = machine.axes[static_cast<std::size_t>(axis)];
     if (!described.present) continue;
@@ -54,9 +54,9 @@ Feedback StepDir::exchange(const Setpoint& setpoint) noexcept {
       edges_.add(motor.axis, std::llround(begins + part * period_), direction);
     });
   last_ = setpoint.position;
-  write(edges_.release(std::llround(begins + period_)));
-  const bool writes = !file_ || file_->ok();
-  return {position(), writes ? Alarm::none : Alarm::port, -1};
+  const std::int64_t ends = std::llround(begins + period_);
+  const auto edges = edges_.release(ends);
+  return {position(), out_ ? out_->take(edges, ends) : Alarm::none, -1};
 }
 
 /// The counts begin where the machine stands, without pulses.
@@ -78,13 +78,20 @@ void StepDir::values(std::span<double> out) const noexcept {
     out[i] = static_cast<double>(motors_[i].pulses.counts());
 }
 
-void StepDir::write(std::span<const Edge> edges) noexcept {
-  if (file_) file_->write(edges);
+/// Time goes on until the last step is long over.
+void StepDir::rest() noexcept {
+  if (!out_) return;
+  const auto over = std::floor(static_cast<double>(edges_.end()) / period_) + 2;
+  periods_ = std::max(periods_, static_cast<std::int64_t>(over));
+  const std::int64_t ends = std::llround(static_cast<double>(periods_) * period_);
+  out_->take(edges_.release(ends), ends);
+  out_->rest();
 }
 
 Status StepDir::finish() {
-  write(edges_.release_all());
-  return file_ ? file_->finish() : Status{};
+  if (!out_) return {};
+  out_->take(edges_.release_all(), edges_.end() + 1);
+  return out_->finish();
 }
 
 }  // namespace softcnc::hal

@@ -2,22 +2,26 @@
 // The backend of drives with step and direction inputs: a timed list of edges.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "hal/backend.hpp"
-#include "hal/edge_file.hpp"
+#include "hal/edge_sink.hpp"
 #include "hal/fine_pulses.hpp"
 
 namespace softcnc::hal {
 
-/// Pulses by fine interpolation of the setpoints, put on wires as the driver allows, into a file.
-/// The file is the machine: where the axes are is what has been sent to them.
+/// Pulses by fine interpolation of the setpoints, put on wires as the driver allows, into a file or
+/// on a port. What takes the edges is the machine: where the axes are is what has been sent to
+/// them.
 class StepDir final : public Backend {
  public:
-  /// An empty file name: pulses are counted and not kept. Errors: those of EdgeWriter::open().
+  /// Into a file. An empty name: pulses are counted and not kept. Errors: those of
+  /// EdgeWriter::open().
   static Result<std::unique_ptr<StepDir>> open(const Machine& machine);
+  /// Where the edges go, which may be null, and the rules that they keep.
+  StepDir(const Machine& machine, const StepTiming& timing, std::unique_ptr<EdgeSink> out);
 
   Feedback exchange(const Setpoint& setpoint) noexcept override;
 
@@ -25,11 +29,10 @@ class StepDir final : public Backend {
   std::span<const std::string> columns() const noexcept override { return columns_; }
   void values(std::span<double> out) const noexcept override;
   AxisVector settle() const noexcept override { return position(); }
+  void rest() noexcept override;
   Status finish() override;
 
  private:
-  StepDir(const Machine& machine, std::optional<EdgeWriter> file);
-
   struct Motor {
     int axis;
     double blu;  // mm
@@ -38,7 +41,6 @@ class StepDir final : public Backend {
 
   void begin(const AxisVector& position);
   AxisVector position() const noexcept;
-  void write(std::span<const Edge> edges) noexcept;
 
   std::vector<Motor> motors_;
   std::vector<std::string> columns_;
@@ -47,7 +49,7 @@ class StepDir final : public Backend {
   bool started_ = false;
   AxisVector last_ = AxisVector::Zero();  // mm, commanded
   StepEdges edges_;
-  std::optional<EdgeWriter> file_;
+  std::unique_ptr<EdgeSink> out_;
 };
 
 /// What the machine's driver asks of its lines.

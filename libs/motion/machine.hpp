@@ -29,8 +29,9 @@ constexpr std::string_view name(Method method) noexcept {
   return kMethodNames[static_cast<std::size_t>(method)];
 }
 
-enum class BackendKind : std::uint8_t { none, sim, stepdir };
-inline constexpr std::array<std::string_view, 3> kBackendNames{"none", "sim", "stepdir"};
+enum class BackendKind : std::uint8_t { none, sim, stepdir, parport, hal_stream };
+inline constexpr std::array<std::string_view, 5> kBackendNames{"none", "sim", "stepdir", "parport",
+                                                               "hal-stream"};
 constexpr std::string_view name(BackendKind backend) noexcept {
   return kBackendNames[static_cast<std::size_t>(backend)];
 }
@@ -100,6 +101,25 @@ struct StepPort {
   double direction_hold = 5e-6;    // s
 };
 
+/// A PC's parallel port as step and direction lines, within the timing of StepPort. Pins are those
+/// of the 25-pole plug; a negative one is inverted, 0 is none.
+struct ParallelPort {
+  std::string device = "/dev/parport0";  // empty: none
+  double base_period = 50e-6;            // s between two writes to the port
+  std::array<int, kAxes> step_pin{2, 4, 6}, direction_pin{3, 5, 7};
+  int enable_pin = 8;       // out: high while it runs
+  int charge_pump_pin = 9;  // out: turns over every base period while it runs
+  int estop_pin = 10;       // in: high is pressed, so that a broken wire stops, too
+  int limit_pin = 0;        // in: high is an axis at the end of its travel
+  int fault_pin = 0;        // in: high is a drive that has switched itself off
+};
+
+/// Rows for LinuxCNC's halstreamer.
+struct HalStream {
+  std::string file = "setpoints.txt";  // or a FIFO; "-": standard output; empty: none
+  double patience = 5.0;               // s: so long a full pipe may take no row
+};
+
 struct ProgramLimits {
   int block_limit = 10'000'000;  // lines that one loop, or one call with all it calls, may run
 };
@@ -123,6 +143,8 @@ struct Machine {
   std::array<Axis, kAxes> axes;
   Spindle spindle;
   StepPort step_port;
+  ParallelPort parallel_port;
+  HalStream hal_stream;
   ProgramLimits program;
   Surfacing surfacing;
   Stock stock;

@@ -13,8 +13,9 @@ std::string_view name(Limit limit) noexcept {
 }
 
 std::string_view name(Alarm alarm) noexcept {
-  constexpr std::array<std::string_view, 5> names{"none", "following error", "counter overflow",
-                                                  "overrun", "port"};
+  constexpr std::array<std::string_view, 8> names{
+      "none", "following error", "counter overflow", "overrun",
+      "port", "emergency stop",  "limit switch",     "driver fault"};
   return names[static_cast<std::size_t>(alarm)];
 }
 

@@ -39,7 +39,16 @@ struct Setpoint {
   AxisVector position = AxisVector::Zero();  // mm, commanded
 };
 
-enum class Alarm : std::uint8_t { none, following_error, counter_overflow, overrun, port };
+enum class Alarm : std::uint8_t {
+  none,
+  following_error,
+  counter_overflow,
+  overrun,
+  port,
+  emergency_stop,
+  limit_switch,
+  driver_fault,
+};
 
 std::string_view name(Alarm alarm) noexcept;
 

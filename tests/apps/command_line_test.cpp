@@ -28,14 +28,14 @@ TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
 TEST_CASE("what does not exist is refused as wrong usage", "[apps][cli]") {
   for (const char* option :
        {"--realtime", "--from-line 3", "--dialect siemens", "--diagnostics xml", "--watch",
-        "--backend parport", "--progress maybe", "--quiet --verbose", "--set"}) {
+        "--backend printer", "--progress maybe", "--quiet --verbose", "--set"}) {
     CAPTURE(option);
     const Ended ended = call(std::string("run $data/square.nc ") + option);
     CHECK(ended.status == 2);
     CHECK(ended.out.empty());
     CHECK(ended.err.find("Run with --help for more information.") != std::string::npos);
   }
-  for (const char* command : {"report x", "surface x", "latency", "run", "check", "replay",
+  for (const char* command : {"report x", "surface x", "latency x", "run", "check", "replay",
                               "record $data/square.nc", "run a.nc b.nc", "machine x"}) {
     CAPTURE(command);
     CHECK(call(command).status == 2);

@@ -21,13 +21,12 @@ void expect(bool holds, const char* what, const std::string& text) {
   std::abort();
 }
 
-void try_machine(Machine machine) {
+void try_machine(const Machine& machine) {
   const std::string text = hal::machine_toml(machine);
   const auto again = hal::parse_machine(text, "again.toml", {});
   expect(again.has_value(), "a machine written out does not load", text);
   expect(hal::machine_toml(*again) == text, "a machine reads back as another", text);
-  machine.step_port.file.clear();  // no file of anybody's choice
-  const auto backend = hal::open_backend(machine);
+  const auto backend = hal::open_backend(hal::without_port(machine));  // no file of its choice
   expect(backend.has_value(), "a machine has no backend", text);
   Setpoint setpoint;
   for (int i = 0; i < 3; ++i) {

@@ -285,7 +285,7 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
                            "number, not a number\n"));
     CHECK(refused("control.backend = true")
               .starts_with("mill.toml:1:19: error SC7004: control.backend takes one of 'none', "
-                           "'sim', 'stepdir', not true or false\n"));
+                           "'sim', 'stepdir', 'parport', 'hal-stream', not true or false\n"));
     CHECK(refused("[control.period_ms]\nx = 1")
               .starts_with(
                   "mill.toml:1:1: error SC7004: control.period_ms takes a number, not a table\n"));
@@ -368,6 +368,40 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
     // No port, no pulses.
     CHECK(parsed("backend.stepdir.max_rate_hz = 50000").step_port.max_rate == 50000);
     CHECK(parsed(port + "step_length_ns = 7500").step_port.step_length == 7.5e-6);
+  }
+  SECTION("axes faster than a parallel port") {
+    const std::string port = "control.backend = 'parport'\nbackend.parport.base_period_us = ";
+    CHECK(refused(port + "50") ==
+          "mill.toml:2:34: error SC7070: axis.x.velocity_mm_min = 15000 is more than axis.x.blu_um "
+          "= 2.5 every 100 us, the shortest time between steps at backend.parport.base_period_us = "
+          "50, which is 1500 mm/min\n"
+          "    2 | backend.parport.base_period_us = 50\n"
+          "      |                                  ^~\n");
+    CHECK(parsed(port + "5").parallel_port.base_period == 5e-6);
+    CHECK(refused(port + "5.1").find("every 10.2 us") != std::string::npos);
+    CHECK(refused("control.backend = 'parport'\nbackend.stepdir.max_rate_hz = 50000")
+              .find("error SC7018") != std::string::npos);
+  }
+  SECTION("pins of a parallel port that cannot do what they should") {
+    const std::string port =
+        "control.backend = 'parport'\nbackend.parport.base_period_us = 5\nbackend.parport.";
+    CHECK(refused(port + "x_step_pin = 14")
+              .starts_with("mill.toml:3:30: error SC7071: backend.parport.x_step_pin = 14 is no "
+                           "data pin: 2 to 9\n"));
+    CHECK(refused(port + "enable_pin = -11")
+              .starts_with("mill.toml:3:30: error SC7071: backend.parport.enable_pin = -11 is no "
+                           "output: 1 to 9, 14, 16, 17\n"));
+    CHECK(refused(port + "limit_pin = 9")
+              .starts_with("mill.toml:3:29: error SC7071: backend.parport.limit_pin = 9 is no "
+                           "input: 10, 11, 12, 13, 15\n"));
+    CHECK(refused(port + "y_direction_pin = -2")
+              .starts_with("mill.toml:3:35: error SC7071: backend.parport.y_direction_pin = -2 is "
+                           "the pin of backend.parport.x_step_pin\n"));
+    CHECK(refused(port + "fault_pin = 10")
+              .starts_with("mill.toml:3:29: error SC7071: backend.parport.fault_pin = 10 is the "
+                           "pin of backend.parport.estop_pin\n"));
+    CHECK(parsed(port + "x_step_pin = 0").parallel_port.step_pin[0] == 0);
+    CHECK(parsed("backend.parport.x_step_pin = 14").parallel_port.step_pin[0] == 14);
   }
   SECTION("a key given twice") {
     CHECK(refused("[control]\nperiod_ms = 1\nperiod_ms = 2")

@@ -29,4 +29,19 @@ TEST_CASE("a period on the simulated mill with its trace allocates nothing", "[h
         }) == 0);
 }
 
+TEST_CASE("a period of rows for HAL allocates nothing", "[hal][realtime]") {
+  Machine machine;
+  machine.control.backend = BackendKind::hal_stream;
+  machine.hal_stream.file = "/dev/null";
+  const auto rows = open_backend(machine);
+  REQUIRE(rows);
+  Setpoint setpoint;
+  CHECK(test::allocations_during([&] {
+          for (int i = 0; i < 20'000; ++i) {
+            setpoint.position[0] = i / 3.0;
+            (*rows)->exchange(setpoint);
+          }
+        }) == 0);
+}
+
 }  // namespace softcnc::hal

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "hal/edge_file.hpp"
 #include "hal/pulse_rules.hpp"
 #include "support/folder.hpp"
 #include "support_hal.hpp"

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// How late a loop has been woken: percentiles of any number of wake-ups, in bounded memory.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace softcnc::app {
+
+class Lateness {
+ public:
+  /// `period` of the loop, ns.
+  explicit Lateness(std::int64_t period);
+
+  /// A wake-up `late` ns behind its instant. Realtime.
+  void add(std::int64_t late) noexcept;
+
+  std::int64_t wakeups() const noexcept { return wakeups_; }
+  std::int64_t largest() const noexcept { return largest_; }  // ns
+  /// Wake-ups that came no sooner than the next one was due.
+  std::int64_t overruns() const noexcept { return overruns_; }
+  /// ns, rounded up to whole us: `part` of the wake-ups, 0 to 1, were no later; at most the
+  /// largest.
+  std::int64_t percentile(double part) const noexcept;
+
+  /// The shortest period, ns, that would have been kept: whole us, and above the largest lateness.
+  std::int64_t shortest_period() const noexcept;
+
+ private:
+  std::int64_t period_;
+  std::int64_t wakeups_ = 0, overruns_ = 0, largest_ = 0;
+  std::vector<std::int64_t> by_us_;  // the last: and above
+};
+
+}  // namespace softcnc::app

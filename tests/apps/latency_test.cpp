@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// softcnc latency: the mechanism and its arithmetic. No test asks how late the computer is.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "apps/shell.hpp"
+#include "lateness.hpp"
+#include "realtime.hpp"
+
+using namespace softcnc::app;
+using namespace softcnc::app::test;
+
+TEST_CASE("percentiles, overruns and the shortest period follow from the wake-ups", "[apps]") {
+  Lateness lateness(50'000);
+  for (std::int64_t i = 1; i <= 1000; ++i) lateness.add(i * 10);  // 10 ns to 10 us
+  CHECK(lateness.percentile(0.5) == 5'000);
+  CHECK(lateness.percentile(0.9) == 9'000);
+  CHECK(lateness.percentile(0.991) == 10'000);
+  CHECK(lateness.percentile(1) == 10'000);
+  CHECK(lateness.overruns() == 0);
+  CHECK(lateness.shortest_period() == 11'000);
+  lateness.add(49'999);
+  CHECK(lateness.overruns() == 0);
+  CHECK(lateness.percentile(1) == 49'999);
+  CHECK(lateness.shortest_period() == 50'000);
+  lateness.add(50'000);
+  lateness.add(250'000'000);  // beyond all bins
+  lateness.add(-5);           // woken before: not late
+  CHECK(lateness.overruns() == 2);
+  CHECK(lateness.wakeups() == 1004);
+  CHECK(lateness.largest() == 250'000'000);
+  CHECK(lateness.percentile(1) == 250'000'000);
+}
+
+TEST_CASE("the clock is waited for", "[apps]") {
+  const std::int64_t begin = now_ns();
+  sleep_until(begin + 2'000'000);
+  CHECK(now_ns() >= begin + 2'000'000);
+  sleep_until(begin);  // past: at once
+}
+
+TEST_CASE("latency tells wake-ups, rates and the feed of each axis", "[apps]") {
+  const Folder folder;
+  const Ended ended =
+      call("latency --seconds 0.2 --period-us 500 --set axis.y.blu_um=10 --report " +
+           (folder / "r.json"));
+  CAPTURE(ended.err);
+  REQUIRE(ended.status == 0);
+  CHECK(ended.out.rfind("400 wake-ups, one every 500 us: ", 0) == 0);
+  const auto report = nlohmann::json::parse(read(folder / "r.json"));
+  CHECK(report["wakeups"] == 400);
+  CHECK(report["period_us"] == 500);
+  const auto& late = report["late_us"];
+  CHECK(late["p50"] <= late["p99"]);
+  CHECK(late["p99"] <= late["max"]);
+  CHECK(report["shortest_period_us"] > late["max"]);
+  const double steps = std::min(1e6 / (2 * report["shortest_period_us"].get<double>()), 100e3);
+  CHECK(report["steps_hz"].get<double>() == Approx(steps));
+  CHECK(report["feed_mm_min_max"]["x"].get<double>() == Approx(steps * 0.0025 * 60));
+  CHECK(report["feed_mm_min_max"]["y"].get<double>() == Approx(steps * 0.01 * 60));
+}
+
+TEST_CASE("latency says where it has no real-time rights", "[apps]") {
+  const Ended ended = shell(
+      "without=; setpriv --bounding-set -sys_nice,-ipc_lock,-sys_resource true 2>/dev/null && "
+      "without='setpriv --bounding-set -sys_nice,-ipc_lock,-sys_resource'; "
+      "prlimit --rtprio=0 --memlock=65536 $without $softcnc latency --seconds 0.01");
+  CHECK(ended.status == 0);
+  CHECK(ended.err.find("softcnc: warning SC6075: no real-time rights: SCHED_FIFO: Operation not "
+                       "permitted; mlockall: ") != std::string::npos);
+  CHECK(ended.out.find("an ordinary thread, memory not locked\n") != std::string::npos);
+}
+
+TEST_CASE("latency refuses times that make no sense", "[apps]") {
+  CHECK(call("latency --seconds 0").status == 2);
+  CHECK(call("latency --period-us 0.1").status == 2);
+  CHECK(call("latency extra").status == 2);
+}
+
+TEST_CASE("Ctrl-C ends a measurement with its figures", "[apps]") {
+  const Ended ended = shell("$softcnc latency --seconds 60 & sleep 0.5; kill -TERM $!; wait $!");
+  CHECK(ended.status == 143);
+  CHECK(ended.out.find("wake-ups, one every 1000 us: ") != std::string::npos);
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Backends that lead out of softcnc, from outside: what arrives, and what is told when it cannot.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "apps/shell.hpp"
+#include "hal/hash.hpp"
+
+using namespace softcnc::app::test;
+using softcnc::hal::hash_hex;
+
+namespace {
+
+const std::string kToHal = "$softcnc run --backend hal-stream --set backend.hal-stream.file=";
+
+/// The lines that are no comments.
+std::string rows_of(const std::string& text) {
+  std::istringstream in(text);
+  std::string rows;
+  for (std::string line; std::getline(in, line);)
+    if (line[0] != '#') rows += line + '\n';
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("the rows for HAL are those of the trace, counted and checksummed", "[apps][ports]") {
+  const Folder folder;
+  write(folder / "part.nc", "G1 X2.5 F1200\nG2 X3.5 Y1 J1\nG4 P0.01\nG0 X0 Y0 Z-1\nM30\n");
+  const Ended ended = shell(kToHal + "- " + (folder / "part.nc") + " --report " +
+                            (folder / "r.json") + " --trace " + (folder / "t.csv"));
+  CAPTURE(ended.err);
+  REQUIRE(ended.status == 0);
+  const std::string rows = rows_of(ended.out);
+  const Trace trace = parse_trace(read(folder / "t.csv"));
+  std::string expected, place;
+  for (std::size_t i = 0; i < trace.rows.size(); ++i) {
+    place = trace.word(i, "x_mm") + ' ' + trace.word(i, "y_mm") + ' ' + trace.word(i, "z_mm");
+    expected += place + " 1 " + std::to_string(i + 1) + '\n';
+  }
+  const std::size_t count = trace.rows.size() + 1;
+  expected += place + " 0 " + std::to_string(count) + '\n';
+  CHECK(rows == expected);
+  const auto report = nlohmann::json::parse(read(folder / "r.json"));
+  CHECK(report["stream_rows"] == count);
+  CHECK(report["stream_xxh3"] == hash_hex(rows));
+  CHECK(ended.err.find(std::to_string(count) + " rows sent, xxh3 " + hash_hex(rows)) !=
+        std::string::npos);
+}
+
+TEST_CASE("a reader of rows that goes away, or takes none, is status 5", "[apps][ports]") {
+  const std::string patience = "- --set backend.hal-stream.patience_s=0.1 -q $data/zigzag.nc";
+  const Ended gone = shell("{ " + kToHal + patience + "; echo status $? >&2; } | head -c 5000");
+  CHECK(gone.err.find("error SC6071: its reader has closed the pipe; HAL holds the last row it "
+                      "got\n") != std::string::npos);
+  CHECK(gone.err.find("status 5\n") != std::string::npos);
+  const Ended stuck = shell("{ " + kToHal + patience + "; echo status $? >&2; } | sleep 2");
+  CHECK(
+      stuck.err.find("error SC6071: the pipe is full, and its reader has taken nothing for 0.1 s; "
+                     "HAL holds the last row it got\n") != std::string::npos);
+  CHECK(stuck.err.find("status 5\n") != std::string::npos);
+}
+
+TEST_CASE("a FIFO that nobody reads is refused before anything moves", "[apps][ports]") {
+  const Folder folder;
+  const std::string fifo = folder / "rows";
+  const Ended ended = shell("mkfifo " + fifo + " && " + kToHal + fifo +
+                            " -q $data/square.nc --trace " + (folder / "t.csv"));
+  CHECK(ended.status == 5);
+  CHECK(ended.err == fifo + ": error SC6070: no program reads this pipe; start its reader first\n");
+  CHECK_FALSE(std::filesystem::exists(folder / "t.csv"));
+}
+
+TEST_CASE("a full disk ends a stream of rows with status 5", "[apps][ports]") {
+  const Ended ended = shell(kToHal + "/dev/full -q $data/square.nc");
+  CHECK(ended.status == 5);
+  CHECK(
+      ended.err.find("/dev/full: error SC6012: writing failed: No space left on device; HAL holds "
+                     "the last row it got\n") != std::string::npos);
+}
+
+TEST_CASE("replay and dry runs send no rows", "[apps][ports]") {
+  const Folder folder;
+  const std::string rows = folder / "rows";
+  const std::string rec = folder / "r.rec";
+  REQUIRE(shell("$softcnc record -q --backend hal-stream --set backend.hal-stream.file=" + rows +
+                " $data/square.nc -o " + rec)
+              .status == 0);
+  REQUIRE(std::filesystem::remove(rows));
+  CHECK(shell("$softcnc replay -q " + rec).status == 0);
+  CHECK(shell(kToHal + rows + " -q --dry-run $data/square.nc").status == 0);
+  CHECK_FALSE(std::filesystem::exists(rows));
+}

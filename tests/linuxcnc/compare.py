@@ -1,0 +1,172 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Runs a program on LinuxCNC's HAL, by programs/hal/mill.hal, and compares every row.
+
+HAL runs in user space, in name spaces of its own: a session that is there already is not touched.
+What streamer put on its pins is read exactly, as doubles, and held against softcnc's own trace.
+"""
+
+import argparse
+import csv
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+HERE = ROOT / "tests/linuxcnc"
+UNPRIVILEGED = 65534
+BLU = 0.0025  # mm
+MAX_STEP = 21e-3  # mm: limit.x.maxv for a period of 1 ms
+ASTRAY = 0.2  # mm
+
+failures = 0
+
+
+def check(holds, what):
+    global failures
+    print(("ok      " if holds else "FAILED  ") + what)
+    failures += not holds
+
+
+class Sample:
+    def __init__(self, line):
+        *pins, overruns = line.split()
+        self.row = tuple(float(pin) for pin in pins[0:3])
+        self.runs, self.number, self.ok = pins[3] == "True", int(pins[4]), pins[5] == "True"
+        self.limited = tuple(float(pin) for pin in pins[6:9])
+        self.actual = tuple(float(pin) for pin in pins[9:12])
+        self.error = tuple(float(pin) for pin in pins[12:15])
+        self.overruns = int(overruns)
+
+
+class Hal:
+    """One session of halrun in a folder of its own."""
+
+    def __init__(self, folder, rows):
+        self.samples = folder / "samples"
+        script = folder / "test.hal"
+        script.write_text(f"source {ROOT}/programs/hal/mill.hal\n"
+                          f"loadusr -w /usr/bin/python3 {HERE}/sample.py {self.samples}\n")
+        folder.chmod(0o777)  # HAL gives root's rights away before it makes its socket
+        isolated = ["unshare", "--ipc", "--mount", "--pid", "--fork", "--kill-child", "--mount-proc"]
+        if os.geteuid() != 0:
+            isolated += ["--user", "--map-current-user"]
+        self.log = folder / "halrun.log"
+        environment = dict(os.environ, ROWS=str(rows), HOME=str(folder),
+                           RTAPI_UID=str(UNPRIVILEGED), RTAPI_FIFO_PATH=str(folder / "rtapi"))
+        with self.log.open("w") as log:
+            self.process = subprocess.Popen(isolated + ["halrun", "-f", str(script)], cwd=folder,
+                                            env=environment, stdin=subprocess.DEVNULL,
+                                            stdout=log, stderr=log)
+
+    def finish(self):
+        try:
+            status = self.process.wait(timeout=150)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            status = self.process.wait()
+        if status != 0 or not self.samples.exists():
+            sys.exit(f"halrun ended with {status}:\n{self.log.read_text()}")
+        return [Sample(line) for line in self.samples.read_text().splitlines()]
+
+
+def softcnc(options, *arguments):
+    machine = ROOT / "programs/hal/mill.toml"
+    return subprocess.run([options.softcnc, "run", "-q", "--machine", machine, *arguments],
+                          capture_output=True, text=True, timeout=150, check=False)
+
+
+def run_live(options, folder):
+    """Through a FIFO, at the pace of HAL."""
+    rows, trace, report = folder / "rows", folder / "trace.csv", folder / "report.json"
+    os.mkfifo(rows)
+    arguments = (f"--set=backend.hal-stream.file={rows}", "--trace", trace, "--report", report,
+                 options.program)
+    early = softcnc(options, *arguments)
+    check(early.returncode == 5 and "error SC6070" in early.stderr,
+          "a FIFO that nobody reads is refused: status 5, SC6070")
+    hal = Hal(folder, rows)
+    for _ in range(100):
+        ended = softcnc(options, *arguments)
+        if "SC6070" not in ended.stderr:
+            break
+        time.sleep(0.1)
+    check(ended.returncode == 0, f"softcnc ran: status {ended.returncode} {ended.stderr}")
+    return hal.finish(), trace, json.loads(report.read_text())
+
+
+def trace_rows(trace):
+    with trace.open() as lines:
+        table = csv.DictReader(line for line in lines if not line.startswith("#"))
+        return [tuple(float(line[axis + "_mm"]) for axis in "xyz") for line in table]
+
+
+def compare(samples, expected, report):
+    ran = [s for s in samples if s.number > 0]
+    last = expected[-1]
+    numbers = [s.number for s in ran]
+    n = len(expected) + 1  # the last one says that the program rests
+    print(f"        {n} rows, {len(samples)} samples")
+    check(report["stream_rows"] == n, "softcnc counts as many rows as its trace has, and the last")
+    check(numbers[:n] == list(range(1, n + 1)), "HAL got every row once, one each period")
+    check(set(numbers[n:]) <= {n}, "and holds the last one")
+    check(all(s.row == e for s, e in zip(ran, expected + [last])), "all rows are equal, bit for bit")
+    check([s.runs for s in ran[:n]] == [True] * (n - 1) + [False], "the last row alone is at rest")
+    check(all(s.limited == s.row for s in samples), "limit3 changes nothing")
+    check(all(s.overruns == 0 for s in samples), "sampler lost nothing")
+    check(all(s.ok for s in ran), "the emergency stop stays off")
+    error = max(abs(e) for s in ran for e in s.error)
+    check(error < ASTRAY, f"stepgen follows within {error:.4f} mm")
+    off = max(abs(a - e) for a, e in zip(ran[-1].actual, last))
+    check(off < BLU, f"and comes to rest {off / BLU:.4f} BLU from the end")
+
+
+def written_rows(options, folder):
+    file = folder / "all_rows"
+    ended = softcnc(options, f"--set=backend.hal-stream.file={file}", options.program)
+    check(ended.returncode == 0, f"the same rows go into a file: status {ended.returncode}")
+    return file.read_text().splitlines()
+
+
+def run_file(folder, name, lines):
+    inner = folder / name
+    inner.mkdir()
+    (inner / "rows").write_text("\n".join(lines) + "\n")
+    return Hal(inner, inner / "rows").finish()
+
+
+def is_slow(places):
+    return all(abs(b - a) <= MAX_STEP + 1e-12
+               for p, q in zip(places, places[1:]) for a, b in zip(p, q))
+
+
+def with_damage(lines, at):
+    x, *others = lines[at].split()
+    return lines[:at] + [" ".join([str(float(x) + 5), *others])] + lines[at + 1:]
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--softcnc", required=True)
+    parser.add_argument("program", nargs="?", default=HERE / "rows.nc", type=Path)
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        samples, trace, report = run_live(options, folder)
+        compare(samples, trace_rows(trace), report)
+        lines = written_rows(options, folder)
+        broken = run_file(folder, "broken", lines[:len(lines) // 2])
+        check(broken[-1].runs and not broken[-1].ok,
+              "rows that break off latch the emergency stop")
+        damaged = run_file(folder, "damaged", with_damage(lines, len(lines) // 2))
+        check(not is_slow([s.row for s in damaged]) and is_slow([s.limited for s in damaged]),
+              "a damaged row makes no jump: limit3 keeps its speed")
+    print(f"{failures} failed")
+    return 1 if failures else 0
+
+
+sys.exit(main())
