@@ -130,7 +130,9 @@ Result<LoadedMachine> MachineLoader::finish() {
     derive_servo_period();
     check_periods();
     for (int axis = 0; axis < kAxes; ++axis) check_travel(axis);
-    if (loaded_.machine.control.backend == BackendKind::stepdir) check_step_port();
+    const Control& control = loaded_.machine.control;
+    if (control.backend == BackendKind::stepdir || is_by_pulses(control.interpolation))
+      check_step_port();
   }
   if (!errors_.empty()) return tl::make_unexpected(std::move(errors_.front()));
   return std::move(loaded_);
@@ -188,7 +190,7 @@ void MachineLoader::check_pulse_rate(int index) {
   const std::string name = "axis." + axis_name(index);
   fail(Code::SC7018,
        place_of({name + ".velocity_mm_min", "backend.stepdir.max_rate_hz", name + ".blu_um",
-                 "control.backend"}),
+                 "control.backend", "control.interpolation"}),
        name +
            ".velocity_mm_min = " + scaled_text(axis.velocity, mm_s_from_mm_min, mm_min_from_mm_s) +
            " is more than " + name + ".blu_um = " + scaled_text(axis.blu, mm_from_um, um_from_mm) +

@@ -8,12 +8,13 @@
 
 #include "hal/backend.hpp"
 #include "hal/edge_file.hpp"
-#include "hal/fine_pulses.hpp"
+#include "hal/pulse_source.hpp"
 
 namespace softcnc::hal {
 
-/// Pulses by fine interpolation of the setpoints, put on wires as the driver allows, into a file.
-/// The file is the machine: where the axes are is what has been sent to them.
+/// Pulses by fine interpolation of the setpoints or by a method of reference pulses, put on wires
+/// as the driver allows, into a file. The file is the machine: where the axes are is what has been
+/// sent to them.
 class StepDir final : public Backend {
  public:
   /// An empty file name: pulses are counted and not kept. Errors: those of EdgeWriter::open().
@@ -30,17 +31,11 @@ class StepDir final : public Backend {
  private:
   StepDir(const Machine& machine, std::optional<EdgeWriter> file);
 
-  struct Motor {
-    int axis;
-    double blu;  // mm
-    FinePulses pulses;
-  };
-
   void begin(const AxisVector& position);
   AxisVector position() const noexcept;
   void write(std::span<const Edge> edges) noexcept;
 
-  std::vector<Motor> motors_;
+  std::vector<PulseSource> motors_;
   std::vector<std::string> columns_;
   double period_;             // ns
   std::int64_t periods_ = 0;  // that have passed
