@@ -152,11 +152,19 @@ Performance check_first(Job& job, Messages& messages, Terminal& terminal, double
 }  // namespace
 
 bool is_of_axis(Alarm alarm) noexcept {
-  return alarm == Alarm::following_error || alarm == Alarm::counter_overflow;
+  return alarm == Alarm::following_error || alarm == Alarm::counter_overflow ||
+         alarm == Alarm::lost_pulses;
 }
 
 Diagnostic alarm_diagnostic(const Outcome& outcome) {
   const int axis = outcome.feedback.alarm_axis;
+  if (outcome.feedback.alarm == Alarm::lost_pulses)
+    return {Code::SC5020,
+            {outcome.last.line, 0, 1},
+            fmt::format("lost pulses of {}: its counter has missed one on the way to {:.4f} mm",
+                        kAxisLetters[static_cast<std::size_t>(axis)], outcome.last.position[axis]),
+            {},
+            {}};
   const double lag = outcome.last.position[axis] - outcome.feedback.position[axis];
   const bool overflow = outcome.feedback.alarm == Alarm::counter_overflow;
   return {overflow ? Code::SC5002 : Code::SC5001,

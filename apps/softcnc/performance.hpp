@@ -36,7 +36,7 @@ struct Performance {
 
 /// What the backend itself does not tell by finish().
 bool is_of_axis(Alarm alarm) noexcept;
-/// Such an alarm in words: SC5001, SC5002.
+/// Such an alarm in words: SC5001, SC5002, SC5020.
 Diagnostic alarm_diagnostic(const Outcome& outcome);
 
 /// Pre-flight (but for a dry run), then motion; the trace goes to `trace` unless that is empty.

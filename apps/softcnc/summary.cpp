@@ -28,13 +28,22 @@ std::string head(const Job& job, const Performance& performance) {
   return text;
 }
 
+/// Of rows on the curve their chords; pulses follow it between the rows.
+std::string closeness(const Machine& machine, const Measured& measured) {
+  if (is_by_pulses(machine.control.interpolation))
+    return fmt::format("staircase    {:.4f} um from the planned place",
+                       um_from_mm(measured.path_deviation));
+  return fmt::format("chord error  {:.4f} um, {:.6g} um allowed", um_from_mm(measured.chord_error),
+                     um_from_mm(machine.control.chord_tolerance));
+}
+
 std::string sizes(const Job& job, const Outcome& outcome) {
   return fmt::format(
       "\n  time         {}\n  path         {:.3f} mm in {} block{}\n"
-      "  rows         {}, one every {:.6g} ms\n  chord error  {:.4f} um, {:.6g} um allowed",
+      "  rows         {}, one every {:.6g} ms\n  {}",
       duration_text(outcome.time), outcome.last.s, outcome.last.block,
       outcome.last.block == 1 ? "" : "s", outcome.setpoints, ms_from_s(job.machine.control.period),
-      um_from_mm(outcome.measured.chord_error), um_from_mm(job.machine.control.chord_tolerance));
+      closeness(job.machine, outcome.measured));
 }
 
 /// The limits that held the feed down, longest first.

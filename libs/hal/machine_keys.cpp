@@ -90,6 +90,8 @@ const MachineKey kKeys[] = {
      Number{control<&Control::chord_tolerance>, mm_from_um, um_from_mm, above_0(1e6)}},
     {"control.interpolation", "", "how the next point on a curve is found",
      choice_in<&Machine::control, &Control::interpolation>(kMethodNames)},
+    {"control.pulse_clock", "", "when the clocks of an interpolation by pulses come: as the feed profile says, or as in paper 003",
+     choice_in<&Machine::control, &Control::pulse_clock>(kPulseClockNames)},
     {"control.corner_tolerance_um", "um", "how far corners may be rounded by G64 without P; 0: the path is followed exactly",
      Number{control<&Control::corner_tolerance>, mm_from_um, um_from_mm, at_least_0(1e6)}},
     {"control.backend", "", "what moves: nothing, the simulated mill, drives with step and direction inputs by a file of edges or a parallel port, or a machine behind LinuxCNC's HAL",
@@ -146,6 +148,8 @@ const MachineKey kKeys[] = {
      Number{drive<&Drive::current_limit>, same, same, above_0(1e4)}},
     {"axis.*.drive.following_error_um", "um", "a larger distance between command and axis is an alarm",
      Number{drive<&Drive::following_error>, mm_from_um, um_from_mm, above_0(1e8)}},
+    {"axis.*.drive.lost_pulse", "", "to try what happens: every so manieth command pulse does not reach the counter, an alarm; 0: none is lost",
+     Whole{drive<&Drive::lost_pulse>, {0, 1e9}}},
 
     {"spindle.min_rpm", "rpm", "a smaller S is clamped with a warning",
      Number{in_part<&Machine::spindle, &Spindle::min_rpm>, same, same, at_least_0(1e6)}},
@@ -159,7 +163,7 @@ const MachineKey kKeys[] = {
 
     {"backend.stepdir.file", "", "where the edges of the step and direction lines go: .vcd or .edges; empty: nowhere",
      Text{edge_file}},
-    {"backend.stepdir.max_rate_hz", "Hz", "largest rate of pulses of an axis",
+    {"backend.stepdir.max_rate_hz", "Hz", "largest rate of pulses of an axis; of the clocks, too, where interpolation is by pulses",
      Number{step_port<&StepPort::max_rate>, same, same, {1, 1e7}}},
     {"backend.stepdir.step_length_ns", "ns", "a step line stays high for so long",
      Number{step_port<&StepPort::step_length>, s_from_ns, ns_from_s, {1, 1e8}}},

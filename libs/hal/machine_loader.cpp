@@ -132,9 +132,11 @@ Result<LoadedMachine> MachineLoader::finish() {
     derive_servo_period();
     check_periods();
     for (int axis = 0; axis < kAxes; ++axis) check_travel(axis);
-    const BackendKind backend = loaded_.machine.control.backend;
-    if (backend == BackendKind::stepdir || backend == BackendKind::parport) check_step_port();
-    if (backend == BackendKind::parport) check_parallel_port();
+    const Control& control = loaded_.machine.control;
+    const bool steps =
+        control.backend == BackendKind::stepdir || control.backend == BackendKind::parport;
+    if (steps || is_by_pulses(control.interpolation)) check_step_port();
+    if (control.backend == BackendKind::parport) check_parallel_port();
   }
   if (!errors_.empty()) return tl::make_unexpected(std::move(errors_.front()));
   return std::move(loaded_);
@@ -192,7 +194,7 @@ void MachineLoader::check_pulse_rate(int index) {
   const std::string name = "axis." + axis_name(index);
   fail(Code::SC7018,
        place_of({name + ".velocity_mm_min", "backend.stepdir.max_rate_hz", name + ".blu_um",
-                 "control.backend"}),
+                 "control.backend", "control.interpolation"}),
        name +
            ".velocity_mm_min = " + scaled_text(axis.velocity, mm_s_from_mm_min, mm_min_from_mm_s) +
            " is more than " + name + ".blu_um = " + scaled_text(axis.blu, mm_from_um, um_from_mm) +

@@ -12,6 +12,7 @@ namespace softcnc::hal {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;  // rad
+constexpr double kSameInstant = 1e-9;             // of a servo period: rounding
 
 }  // namespace
 
@@ -70,19 +71,30 @@ void ServoAxis::reset(double position) noexcept {
   state_ = {};
   angle_ = position / mm_per_rad_;
   commanded_ = counts_(position);
+  pulses_ = 0;
   alarm_ = Alarm::none;
-  read_counter(commanded_);
+  read_counter();
 }
 
-void ServoAxis::advance(double command) noexcept {
-  const std::int64_t from = commanded_;
-  const std::int64_t pulses = counts_(command) - from;
+void ServoAxis::advance(std::span<const CommandPulse> pulses) noexcept {
+  auto next = pulses.begin();
   for (int i = 0; i < substeps_; ++i) {
-    read_counter(from + pulses * i / substeps_);
+    const double now = static_cast<double>(i) / substeps_ + kSameInstant;
+    for (; next != pulses.end() && next->part <= now; ++next) take(*next);
+    read_counter();
     step();
   }
-  commanded_ = from + pulses;
-  read_counter(commanded_);
+  for (; next != pulses.end(); ++next) take(*next);
+  read_counter();
+}
+
+void ServoAxis::take(const CommandPulse& pulse) noexcept {
+  ++pulses_;
+  if (drive_.lost_pulse > 0 && pulses_ % drive_.lost_pulse == 0) {
+    if (alarm_ == Alarm::none) alarm_ = Alarm::lost_pulses;
+    return;
+  }
+  commanded_ += pulse.direction;
 }
 
 std::int64_t ServoAxis::encoder_counts() const noexcept {
@@ -90,8 +102,8 @@ std::int64_t ServoAxis::encoder_counts() const noexcept {
   return static_cast<std::int64_t>(std::floor(edges * blu_per_count_ + 0.5));
 }
 
-void ServoAxis::read_counter(std::int64_t command_counts) noexcept {
-  const std::int64_t difference = command_counts - encoder_counts();
+void ServoAxis::read_counter() noexcept {
+  const std::int64_t difference = commanded_ - encoder_counts();
   counter_ = std::clamp(difference, -counter_limit_, counter_limit_ - 1);
   if (alarm_ != Alarm::none) return;
   if (counter_ != difference)

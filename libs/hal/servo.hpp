@@ -4,12 +4,19 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "motion/counts.hpp"
 #include "motion/machine.hpp"
 #include "motion/setpoint.hpp"
 
 namespace softcnc::hal {
+
+/// A command pulse: when it comes, as a part of a servo period, and which way it counts.
+struct CommandPulse {
+  double part = 0;
+  int direction = 0;
+};
 
 /// The servo axis of paper 003: command pulses and encoder pulses meet in an up/down counter; what
 /// it holds is the velocity command; an F/V converter measures the speed from the encoder's
@@ -34,9 +41,9 @@ class ServoAxis {
   /// At rest at `position`, which is also commanded. Realtime.
   void reset(double position) noexcept;
 
-  /// Runs one servo period in which the command pulses up to `command` (mm) come evenly spread.
-  /// Realtime.
-  void advance(double command) noexcept;
+  /// Runs one servo period in which these command pulses come, in order of time. Every so manieth
+  /// is lost before the counter where the drive says so, which is an alarm. Realtime.
+  void advance(std::span<const CommandPulse> pulses) noexcept;
 
   double position() const noexcept { return angle_ * mm_per_rad_; }         // mm
   double velocity() const noexcept { return state_[speed] * mm_per_rad_; }  // mm/s
@@ -71,7 +78,8 @@ class ServoAxis {
   Transition transition(bool clamped, bool stuck) const;
 
   std::int64_t encoder_counts() const noexcept;
-  void read_counter(std::int64_t command_counts) noexcept;
+  void take(const CommandPulse& pulse) noexcept;
+  void read_counter() noexcept;
   Amplifier amplifier() const noexcept;
   Friction friction() const noexcept;
   void step() noexcept;
@@ -86,8 +94,9 @@ class ServoAxis {
   std::array<Transition, 4> transitions_;
 
   std::array<double, kStates> state_{};
-  double angle_ = 0;  // rad
-  std::int64_t commanded_ = 0, counter_ = 0;
+  double angle_ = 0;                          // rad
+  std::int64_t pulses_ = 0;                   // on their way to the counter so far
+  std::int64_t commanded_ = 0, counter_ = 0;  // BLU: by the pulses that have arrived
   Alarm alarm_ = Alarm::none;
 };
 

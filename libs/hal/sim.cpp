@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fine interpolation between setpoints, and the mill's columns of the trace.
+// Pulses in servo periods, and the mill's columns of the trace.
 #include "hal/sim.hpp"
 
 #include <algorithm>
@@ -15,10 +15,11 @@ SimulatedMill::SimulatedMill(const Machine& machine)
           static_cast<int>(std::lround(machine.control.period / machine.control.servo_period))),
       servo_period_(machine.control.period / servo_periods_),
       error_max_(Backend::following_error_max()) {
+  pulses_.reserve(kPulses);
   for (int axis = 0; axis < kAxes; ++axis) {
     const Axis& described = machine.axes[static_cast<std::size_t>(axis)];
     if (!described.present) continue;
-    slides_.push_back({axis, ServoAxis(described, servo_period_)});
+    slides_.push_back({axis, ServoAxis(described, servo_period_), PulseSource(axis, machine)});
     error_max_[static_cast<std::size_t>(axis)] = 0;
     for (const char* quantity : {"_act_mm", "_err_um", "_current_a"})
       columns_.push_back(axis_name(axis) + quantity);
@@ -27,9 +28,9 @@ SimulatedMill::SimulatedMill(const Machine& machine)
 
 Feedback SimulatedMill::exchange(const Setpoint& setpoint) noexcept {
   if (started_)
-    run_period(setpoint.position);
+    for (Slide& slide : slides_) run_period(slide, setpoint);
   else
-    for (Slide& slide : slides_) slide.servo.reset(setpoint.position[slide.axis]);
+    begin(setpoint.position);
   started_ = true;
   commanded_ = setpoint.position;
 
@@ -45,13 +46,24 @@ Feedback SimulatedMill::exchange(const Setpoint& setpoint) noexcept {
   return feedback;
 }
 
-void SimulatedMill::run_period(const AxisVector& target) noexcept {
+void SimulatedMill::begin(const AxisVector& position) noexcept {
   for (Slide& slide : slides_) {
-    const double from = commanded_[slide.axis];
-    const double way = target[slide.axis] - from;
-    for (int i = 1; i <= servo_periods_; ++i)
-      slide.servo.advance(i == servo_periods_ ? target[slide.axis]
-                                              : from + way * i / servo_periods_);
+    slide.source.begin(position[slide.axis]);
+    slide.servo.reset(position[slide.axis]);
+  }
+}
+
+void SimulatedMill::run_period(Slide& slide, const Setpoint& setpoint) noexcept {
+  pulses_.clear();
+  slide.source.move(setpoint, [this](double part, int direction) {
+    pulses_.push_back({part * servo_periods_, direction});
+  });
+  auto next = pulses_.begin();
+  for (int i = 1; i <= servo_periods_; ++i) {
+    const auto first = next;
+    for (; next != pulses_.end() && (next->part <= i || i == servo_periods_); ++next)
+      next->part -= i - 1;
+    slide.servo.advance({first, next});
   }
 }
 
@@ -69,11 +81,10 @@ AxisVector SimulatedMill::settle() const noexcept {
   AxisVector settled = commanded_;
   for (const Slide& slide : slides_) {
     ServoAxis servo = slide.servo;
-    const double command = commanded_[slide.axis];
     const int longest = static_cast<int>(kSettleTime / servo_period_);
     int quiet = 0;  // servo periods for which the axis has stood with an empty counter
     for (int i = 0; i < longest && quiet * servo_period_ < 0.05; ++i) {
-      servo.advance(command);
+      servo.advance({});
       const bool quiet_now = servo.counter() == 0 && std::abs(servo.velocity()) < 1e-3;
       quiet = quiet_now ? quiet + 1 : 0;
     }

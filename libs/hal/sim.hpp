@@ -6,10 +6,13 @@
 #include <vector>
 
 #include "hal/backend.hpp"
+#include "hal/pulse_source.hpp"
 #include "hal/servo.hpp"
 
 namespace softcnc::hal {
 
+/// Its up/down counters count the very pulses that a drive with step and direction inputs would
+/// get.
 class SimulatedMill final : public Backend {
  public:
   explicit SimulatedMill(const Machine& machine);
@@ -26,17 +29,23 @@ class SimulatedMill final : public Backend {
   static constexpr double kSettleTime = 10.0;  // s
 
  private:
-  void run_period(const AxisVector& target) noexcept;
-
   struct Slide {
     int axis;
     ServoAxis servo;
+    PulseSource source;
   };
+
+  void begin(const AxisVector& position) noexcept;
+  void run_period(Slide& slide, const Setpoint& setpoint) noexcept;
+
+  static constexpr std::size_t kPulses = 4096;  // in a period without a further allocation
+
   std::vector<Slide> slides_;
   std::vector<std::string> columns_;
   int servo_periods_;  // in one period
   double servo_period_;
   bool started_ = false;
+  std::vector<CommandPulse> pulses_;  // of one axis and period
   AxisVector commanded_ = AxisVector::Zero();
   std::array<double, kAxes> error_max_;
 };

@@ -36,9 +36,8 @@ Result<std::unique_ptr<StepDir>> StepDir::open(const Machine& machine) {
 StepDir::StepDir(const Machine& machine, const StepTiming& timing, std::unique_ptr<EdgeSink> out)
     : period_(machine.control.period * kNsPerSecond), edges_(timing), out_(std::move(out)) {
   for (int axis = 0; axis < kAxes; ++axis) {
-    const Axis& described = machine.axes[static_cast<std::size_t>(axis)];
-    if (!described.present) continue;
-    motors_.push_back({axis, described.blu, FinePulses(described.blu, 0.0)});
+    if (!machine.axes[static_cast<std::size_t>(axis)].present) continue;
+    motors_.emplace_back(axis, machine);
     columns_.push_back(axis_name(axis) + "_count");
   }
 }
@@ -49,9 +48,9 @@ Feedback StepDir::exchange(const Setpoint& setpoint) noexcept {
     return {position(), Alarm::none, -1};
   }
   const auto begins = static_cast<double>(periods_++) * period_;
-  for (Motor& motor : motors_)
-    motor.pulses.move(setpoint.position[motor.axis], [&](double part, int direction) {
-      edges_.add(motor.axis, std::llround(begins + part * period_), direction);
+  for (PulseSource& motor : motors_)
+    motor.move(setpoint, [&](double part, int direction) {
+      edges_.add(motor.axis(), std::llround(begins + part * period_), direction);
     });
   last_ = setpoint.position;
   const std::int64_t ends = std::llround(begins + period_);
@@ -62,20 +61,19 @@ Feedback StepDir::exchange(const Setpoint& setpoint) noexcept {
 /// The counts begin where the machine stands, without pulses.
 void StepDir::begin(const AxisVector& position) {
   last_ = position;
-  for (Motor& motor : motors_) motor.pulses = FinePulses(motor.blu, position[motor.axis]);
+  for (PulseSource& motor : motors_) motor.begin(position[motor.axis()]);
 }
 
 /// What has been sent, or waits to be; an axis the machine lacks is where it is commanded.
 AxisVector StepDir::position() const noexcept {
   AxisVector position = last_;
-  for (const Motor& motor : motors_)
-    position[motor.axis] = static_cast<double>(motor.pulses.counts()) * motor.blu;
+  for (const PulseSource& motor : motors_) position[motor.axis()] = motor.position();
   return position;
 }
 
 void StepDir::values(std::span<double> out) const noexcept {
   for (std::size_t i = 0; i < motors_.size(); ++i)
-    out[i] = static_cast<double>(motors_[i].pulses.counts());
+    out[i] = static_cast<double>(motors_[i].counts());
 }
 
 /// Time goes on until the last step is long over.

@@ -8,13 +8,13 @@
 
 #include "hal/backend.hpp"
 #include "hal/edge_sink.hpp"
-#include "hal/fine_pulses.hpp"
+#include "hal/pulse_source.hpp"
 
 namespace softcnc::hal {
 
-/// Pulses by fine interpolation of the setpoints, put on wires as the driver allows, into a file or
-/// on a port. What takes the edges is the machine: where the axes are is what has been sent to
-/// them.
+/// Pulses by fine interpolation of the setpoints or by a method of reference pulses, put on wires
+/// as the driver allows, into a file or on a port. What takes the edges is the machine: where the
+/// axes are is what has been sent to them.
 class StepDir final : public Backend {
  public:
   /// Into a file. An empty name: pulses are counted and not kept. Errors: those of
@@ -33,16 +33,10 @@ class StepDir final : public Backend {
   Status finish() override;
 
  private:
-  struct Motor {
-    int axis;
-    double blu;  // mm
-    FinePulses pulses;
-  };
-
   void begin(const AxisVector& position);
   AxisVector position() const noexcept;
 
-  std::vector<Motor> motors_;
+  std::vector<PulseSource> motors_;
   std::vector<std::string> columns_;
   double period_;             // ns
   std::int64_t periods_ = 0;  // that have passed

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <deque>
+#include <memory>
 #include <vector>
 
 #include "ipo/piece.hpp"
 #include "ipo/profile.hpp"
+#include "ipo/pulse_walk.hpp"
 
 namespace softcnc::ipo {
 
@@ -15,10 +17,11 @@ namespace softcnc::ipo {
 struct TimedBlock {
   Block block;
   Profile profile;
-  double t_start = 0;         // s from the start of the program
-  double s_start = 0;         // mm of path from the start of the program
-  std::vector<Mark> marks{};  // where later blocks begin
-  double deviation = 0;       // mm: how far its path may lie from the programmed one
+  double t_start = 0;                   // s from the start of the program
+  double s_start = 0;                   // mm of path from the start of the program
+  std::vector<Mark> marks{};            // where later blocks begin
+  double deviation = 0;                 // mm: how far its path may lie from the programmed one
+  std::unique_ptr<PulseWalk> pulses{};  // of a move, by a method of reference pulses
 
   double t_end() const noexcept { return t_start + profile.duration(); }
   const Move* move() const noexcept { return std::get_if<Move>(&block.what); }
@@ -54,7 +57,8 @@ class BlockQueue {
 
   /// Realtime.
   bool empty() const noexcept { return current_ == blocks_.size(); }
-  const TimedBlock& front() const noexcept { return blocks_[current_]; }  // if not empty()
+  const TimedBlock& front() const noexcept { return blocks_[current_]; }   // if not empty()
+  PulseWalk* pulses() noexcept { return blocks_[current_].pulses.get(); }  // likewise
   void advance() noexcept { ++current_; }
 
   /// Calls visit(block) for what has been passed since trim() and for the present block.

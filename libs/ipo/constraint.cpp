@@ -23,8 +23,12 @@ Constraints::Constraints(const Machine& machine, double feed_override)
     : period_(machine.control.period), chord_tolerance_(machine.control.chord_tolerance) {
   caps_.push_back(make_feed_limit(machine, feed_override));
   caps_.push_back(make_axis_velocity(machine));
-  // The three-point method of paper 000 limits the chord error itself, at run time.
-  if (machine.control.interpolation != Method::curvature3p)
+  // The three-point method of paper 000 limits the chord error itself, at run time; pulses follow
+  // the path between the rows.
+  const Method method = machine.control.interpolation;
+  if (is_by_pulses(method))
+    caps_.push_back(make_pulse_rate(machine));
+  else if (method != Method::curvature3p)
     caps_.push_back(make_chord_error(machine));
   caps_.push_back(make_roughness_limit(machine));
   for (int i = 0; i < kAxes; ++i) {
@@ -32,8 +36,10 @@ Constraints::Constraints(const Machine& machine, double feed_override)
     acceleration_[i] = axis.present ? axis.acceleration : kUnlimited;
     jerk_[i] = axis.present && axis.jerk > 0 ? axis.jerk : kUnlimited;
   }
+  const bool by_paper =  // which knows acceleration alone
+      is_by_pulses(method) && machine.control.pulse_clock == PulseClock::paper;
   jerk_ = jerk_.cwiseMin(2 * acceleration_ / period_);
-  if (!ipo::limits_jerk(machine)) jerk_.setConstant(kUnlimited);
+  if (by_paper || !ipo::limits_jerk(machine)) jerk_.setConstant(kUnlimited);
 }
 
 bool limits_jerk(const Machine& machine) noexcept {

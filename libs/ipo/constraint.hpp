@@ -88,6 +88,7 @@ std::unique_ptr<Constraint> make_feed_limit(const Machine& machine, double feed_
 std::unique_ptr<Constraint> make_axis_velocity(const Machine& machine);
 std::unique_ptr<Constraint> make_chord_error(const Machine& machine);
 std::unique_ptr<Constraint> make_roughness_limit(const Machine& machine);
+std::unique_ptr<Constraint> make_pulse_rate(const Machine& machine);
 
 /// The longest step, in mm, whose chord stays within `tolerance` mm of an arc of curvature `kappa`
 /// (1/mm): 2 sqrt(2 rho eps - eps^2), paper 000 eq. (5) in its exact circle form; where rho <= eps

@@ -20,7 +20,8 @@ std::optional<Setpoint> Interpolator::step() noexcept {
   if (done_) return std::nullopt;
   if (periods_ == 0) enter_block();
   planned_ = 0;
-  if (control_.interpolation == Method::arc_length)
+  pulses_.clear();
+  if (follows_time())
     follow_time();
   else
     follow_method(periods_ == 0 ? 0.0 : control_.period);
@@ -30,9 +31,14 @@ std::optional<Setpoint> Interpolator::step() noexcept {
   return last_;
 }
 
+/// Otherwise a method of the literature goes its own way through the curve.
+bool Interpolator::follows_time() const noexcept {
+  return control_.interpolation == Method::arc_length || is_by_pulses(control_.interpolation);
+}
+
 double Interpolator::needs_until() const noexcept {
   const double same = 2 * kSameInstant * control_.period;
-  if (control_.interpolation == Method::arc_length || queue_.empty())
+  if (follows_time() || queue_.empty())
     return static_cast<double>(periods_) * control_.period + same;
   return queue_.front().t_start + t_ + control_.period + same;
 }
@@ -55,7 +61,7 @@ void Interpolator::enter_block() noexcept {
   t_ = 0;
   hint_ = 0;
   walk_.reset();
-  if (queue_.empty() || control_.interpolation == Method::arc_length) return;
+  if (queue_.empty() || follows_time()) return;
   if (const Nurbs* nurbs = nurbs_of(queue_.front()))
     walk_.emplace(*nurbs, control_.interpolation, control_.chord_tolerance);
 }
@@ -69,6 +75,7 @@ void Interpolator::leave_block() noexcept {
     s = block.profile.at(block.profile.duration(), hint_).s;
     last_.s += s;
     last_.position = position(move->path, s);
+    if (const PulseWalk* walk = queue_.pulses()) last_.position = walk->position();
   }
   const Mark mark = block.at(s);
   last_.line = mark.source.line;
@@ -82,8 +89,28 @@ void Interpolator::leave_block() noexcept {
 void Interpolator::follow_time() noexcept {
   const double t = static_cast<double>(periods_) * control_.period;
   const double same = kSameInstant * control_.period;
-  while (!queue_.empty() && t >= queue_.front().t_end() - same) leave_block();
-  if (!queue_.empty()) t_ = std::max(t - queue_.front().t_start, 0.0);
+  while (!queue_.empty() && t >= queue_.front().t_end() - same) {
+    const Profile& profile = queue_.front().profile;
+    walk_pulses(t, profile.at(profile.duration(), hint_).s);
+    leave_block();
+  }
+  if (queue_.empty()) return;
+  t_ = std::max(t - queue_.front().t_start, 0.0);
+  walk_pulses(t, queue_.front().profile.at(t_, hint_).s);
+}
+
+/// The clocks up to `s` mm of the front block, in the period that ends at `t`. The first setpoint
+/// ends none.
+void Interpolator::walk_pulses(double t, double s) noexcept {
+  PulseWalk* walk = queue_.pulses();
+  if (!walk || periods_ == 0) return;
+  const TimedBlock& block = queue_.front();
+  for (const auto* clock = walk->ahead(); clock && clock->due <= s; clock = walk->ahead()) {
+    const double before = t - block.t_start - block.profile.time_at(clock->due);
+    const double earliest = pulses_.empty() ? 0.0 : pulses_.back().part;
+    pulses_.push_back({std::clamp(1 - before / control_.period, earliest, 1.0), clock->step});
+    walk->pass();
+  }
 }
 
 /// A method of the literature: the planned advance from where the method stands, taken its way.
@@ -112,16 +139,26 @@ void Interpolator::follow_method(double left) noexcept {
   }
 }
 
+/// Where the machine is in the front block, mm. Under the paper's clock it keeps the plan's time
+/// but not its place.
+double Interpolator::place(const State& now) noexcept {
+  if (walk_) return walk_->s();
+  const PulseWalk* pulses = queue_.pulses();
+  return pulses && control_.pulse_clock == PulseClock::paper ? pulses->s() : now.s;
+}
+
 Setpoint Interpolator::setpoint() noexcept {
   Setpoint next = last_;
   next.period = periods_;
   next.v = 0;
   next.a = 0;
   next.limit = Limit::stop;
+  double planned = next.s;
   if (!queue_.empty()) {
     const TimedBlock& block = queue_.front();
     const State now = block.profile.at(t_, hint_);
-    const double s = walk_ ? walk_->s() : now.s;
+    planned = block.s_start + now.s;
+    const double s = place(now);
     const Mark mark = block.at(s);
     next.line = mark.source.line;
     next.block = mark.number;
@@ -129,13 +166,14 @@ Setpoint Interpolator::setpoint() noexcept {
     next.v = now.v;
     next.a = now.a;
     next.limit = now.limit;
-    if (const Move* move = block.move())
+    if (const PulseWalk* pulses = queue_.pulses())
+      next.position = pulses->position();
+    else if (const Move* move = block.move())
       next.position = walk_ ? walk_->position() : position(move->path, s);
   }
-  next.advance = control_.interpolation == Method::arc_length
-                     ? (periods_ > 0 ? next.s - planned_from_ : 0)
-                     : planned_;
-  planned_from_ = next.s;
+  next.pulses = pulses_;
+  next.advance = follows_time() ? (periods_ > 0 ? planned - planned_from_ : 0) : planned_;
+  planned_from_ = planned;
   return next;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "ipo/block_queue.hpp"
 #include "ipo/stepping.hpp"
@@ -14,8 +15,9 @@ namespace softcnc::ipo {
 class Interpolator {
  public:
   /// `queue` must outlive the interpolator.
-  Interpolator(BlockQueue& queue, const Control& control) noexcept
-      : queue_(queue), control_(control) {}
+  Interpolator(BlockQueue& queue, const Control& control) : queue_(queue), control_(control) {
+    if (is_by_pulses(control.interpolation)) pulses_.reserve(kPulses);
+  }
 
   /// Realtime. The next setpoint, nothing after the last, which rests at the end of the queue. The
   /// queue must hold every block up to needs_until(), or all there are.
@@ -35,10 +37,15 @@ class Interpolator {
   double time() const noexcept { return static_cast<double>(periods_ - 1) * control_.period; }
 
  private:
+  static constexpr std::size_t kPulses = 4096;  // in a period without a further allocation
+
   void enter_block() noexcept;
   void leave_block() noexcept;
+  bool follows_time() const noexcept;
   void follow_time() noexcept;
+  void walk_pulses(double t, double s) noexcept;
   void follow_method(double period) noexcept;
+  double place(const State& now) noexcept;
   Setpoint setpoint() noexcept;
 
   BlockQueue& queue_;
@@ -47,6 +54,7 @@ class Interpolator {
   double t_ = 0;                       // planned time within the front block
   std::size_t hint_ = 0;               // piece of its profile
   std::optional<ParameterWalk> walk_;  // through its NURBS, by a method of the literature
+  std::vector<TimedStep> pulses_;      // by a method of reference pulses: of the period
   double planned_ = 0;                 // integral of the planned speed since the last setpoint, mm
   double planned_from_ = 0;            // program length at the last setpoint, mm
   Setpoint last_;

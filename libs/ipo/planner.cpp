@@ -25,6 +25,7 @@ Planner::Planner(const Machine& machine, double feed_override, Diagnostics& diag
     : machine_(machine),
       diagnostics_(diagnostics),
       constraints_(machine, feed_override),
+      pulses_(machine),
       corners_(machine),
       window_(make_window(constraints_)),
       running_(feed_override),
@@ -34,12 +35,10 @@ Planner::Planner(const Machine& machine, double feed_override, Diagnostics& diag
 
 void Planner::push(Block block) {
   if (const Move* move = std::get_if<Move>(&block.what)) {
-    if (auto outside = check_travel(*move, machine_)) {
-      outside->pos = block.source;
-      diagnostics_.report(std::move(*outside));
-      return leave_out();
-    }
+    if (auto outside = check_travel(*move, machine_))
+      return leave_out(std::move(*outside), block.source);
   }
+  if (auto unable = pulses_.prepare(block)) return leave_out(std::move(*unable), block.source);
   if (corners_.passes(block)) return accept({std::move(block), {}, 0});
   corners_.push(std::move(block));
   while (auto piece = corners_.pop()) accept(std::move(*piece));
@@ -51,7 +50,9 @@ void Planner::finish() {
 }
 
 /// What came before ends at rest.
-void Planner::leave_out() {
+void Planner::leave_out(Diagnostic diagnostic, const SourcePos& place) {
+  diagnostic.pos = place;
+  diagnostics_.report(std::move(diagnostic));
   flush_corners();
   rest_ = true;
 }
@@ -157,6 +158,7 @@ TimedBlock Planner::take() {
   timed.s_start = s_;
   t_ = timed.t_end();
   if (const Move* move = timed.move()) s_ += length(move->path);
+  pulses_.attach(timed);
   return timed;
 }
 

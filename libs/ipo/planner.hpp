@@ -10,6 +10,7 @@
 #include "ipo/block_queue.hpp"
 #include "ipo/corner_stage.hpp"
 #include "ipo/feed_control.hpp"
+#include "ipo/pulse_stage.hpp"
 #include "ipo/stop.hpp"
 #include "ipo/window.hpp"
 #include "motion/machine.hpp"
@@ -29,8 +30,8 @@ class Planner {
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;
 
-  /// A move that leaves the travel of an axis is reported (SC4001) and left out: what came before
-  /// it ends at rest.
+  /// A move that leaves the travel of an axis (SC4001), or that its pulses cannot make (SC4020), is
+  /// reported and left out: what came before it ends at rest.
   void push(Block block);
   /// Nothing follows: the machine rests at the end of the last block.
   void finish();
@@ -50,7 +51,7 @@ class Planner {
 
  private:
   void accept(Piece piece);
-  void leave_out();
+  void leave_out(Diagnostic diagnostic, const SourcePos& place);
   void flush_corners();
   void take_back(PartlyPassed& rest);
   void halt(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
@@ -69,6 +70,7 @@ class Planner {
   const Machine& machine_;
   Diagnostics& diagnostics_;
   Constraints constraints_;
+  PulseStage pulses_;
   CornerStage corners_;
   std::unique_ptr<Window> window_;
   std::deque<TimedBlock> ready_;  // timed; before the pending ones

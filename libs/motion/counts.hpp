@@ -19,6 +19,11 @@ class Counts {
     return std::llround(std::round(position * kPerMm) / blu_);
   }
 
+  /// Where so many counts are, mm.
+  double position(std::int64_t counts) const noexcept {
+    return static_cast<double>(counts) * blu_ / kPerMm;
+  }
+
  private:
   static constexpr double kPerMm = 1e9;
   static double snap(double blu) noexcept {

@@ -17,17 +17,37 @@
 #include <vector>
 
 #include "motion/axes.hpp"
+#include "motion/pulse.hpp"
 #include "motion/surface.hpp"
 
 namespace softcnc {
 
-/// How the next point is found within a period.
-enum class Method : std::uint8_t { arc_length, taylor1, taylor2, curvature3p };
-inline constexpr std::array<std::string_view, 4> kMethodNames{"arc-length", "taylor1", "taylor2",
-                                                              "curvature3p"};
+/// How the next point is found within a period; the last five by reference pulses.
+enum class Method : std::uint8_t {
+  arc_length,
+  taylor1,
+  taylor2,
+  curvature3p,
+  sam,
+  m_sam,
+  dsm,
+  m_dsm,
+  dda
+};
+inline constexpr std::array<std::string_view, 9> kMethodNames{
+    "arc-length", "taylor1", "taylor2", "curvature3p", "sam", "m-sam", "dsm", "m-dsm", "dda"};
 constexpr std::string_view name(Method method) noexcept {
   return kMethodNames[static_cast<std::size_t>(method)];
 }
+constexpr bool is_by_pulses(Method method) noexcept { return method >= Method::sam; }
+/// Of a method by pulses.
+constexpr PulseMethod pulse_method(Method method) noexcept {
+  return static_cast<PulseMethod>(static_cast<int>(method) - static_cast<int>(Method::sam));
+}
+
+/// When the clocks of a method by pulses come: as the feed profile says, or as in paper 003.
+enum class PulseClock : std::uint8_t { profile, paper };
+inline constexpr std::array<std::string_view, 2> kPulseClockNames{"profile", "paper"};
 
 enum class BackendKind : std::uint8_t { none, sim, stepdir, parport, hal_stream };
 inline constexpr std::array<std::string_view, 5> kBackendNames{"none", "sim", "stepdir", "parport",
@@ -43,6 +63,7 @@ struct Control {
   Method interpolation = Method::arc_length;
   double corner_tolerance = 0.0;  // mm; 0: the path is followed exactly
   BackendKind backend = BackendKind::sim;
+  PulseClock pulse_clock = PulseClock::profile;
 };
 
 struct PathLimits {
@@ -70,6 +91,7 @@ struct Drive {
   double supply_voltage = 80.0;     // V
   double current_limit = 16.0;      // A
   double following_error = 12.0;    // mm: alarm beyond
+  int lost_pulse = 0;               // every so manieth command pulse is lost on its way; 0: none
 };
 
 struct Axis {

@@ -7,14 +7,14 @@ namespace softcnc {
 
 std::string_view name(Limit limit) noexcept {
   constexpr std::array<std::string_view, kLimits> names{
-      "feed",         "rapid", "chord",    "corner", "roughness", "axis_velocity",
-      "acceleration", "jerk",  "override", "hold",   "stop"};
+      "feed",         "rapid", "chord",      "corner",   "roughness", "axis_velocity",
+      "acceleration", "jerk",  "pulse_rate", "override", "hold",      "stop"};
   return names[static_cast<std::size_t>(limit)];
 }
 
 std::string_view name(Alarm alarm) noexcept {
-  constexpr std::array<std::string_view, 8> names{
-      "none", "following error", "counter overflow", "overrun",
+  constexpr std::array<std::string_view, 9> names{
+      "none", "following error", "counter overflow", "lost pulses", "overrun",
       "port", "emergency stop",  "limit switch",     "driver fault"};
   return names[static_cast<std::size_t>(alarm)];
 }

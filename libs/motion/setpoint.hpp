@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "motion/axes.hpp"
+#include "motion/pulse.hpp"
 
 namespace softcnc {
 
@@ -19,13 +21,20 @@ enum class Limit : std::uint8_t {
   axis_velocity,
   acceleration,
   jerk,
+  pulse_rate,
   override_,
   hold,
   stop,
 };
-inline constexpr int kLimits = 11;
+inline constexpr int kLimits = 12;
 
 std::string_view name(Limit limit) noexcept;
+
+/// A clock of a staircase, and when it comes: a part of the period that the setpoint ends.
+struct TimedStep {
+  double part = 0;
+  Step step;
+};
 
 struct Setpoint {
   std::int64_t period = 0;  // counts from 0; t = period * control.period
@@ -37,12 +46,16 @@ struct Setpoint {
   double advance = 0;       // mm: the planned speed integrated since the last setpoint
   Limit limit = Limit::stop;
   AxisVector position = AxisVector::Zero();  // mm, commanded
+  /// By a method of reference pulses: those that lead here from the last setpoint, in order. They
+  /// stand until the next setpoint is made.
+  std::span<const TimedStep> pulses{};
 };
 
 enum class Alarm : std::uint8_t {
   none,
   following_error,
   counter_overflow,
+  lost_pulses,
   overrun,
   port,
   emergency_stop,

@@ -24,6 +24,11 @@ std::size_t Staircase::fill(std::span<Step> out) noexcept {
   return std::visit([out](auto& pulses) { return pulses.fill(out); }, pulses_);
 }
 
+std::optional<double> Staircase::arc_length() const noexcept {
+  const auto* curve = std::get_if<CurvePulses>(&pulses_);
+  return curve ? std::optional(curve->arc_length()) : std::nullopt;
+}
+
 GridPoint Staircase::way() const noexcept {
   GridPoint way{};
   for (std::size_t i = 0; i < way.size(); ++i) way[i] = to_[i] - from_[i];

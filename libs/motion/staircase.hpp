@@ -2,6 +2,7 @@
 // Any path as a staircase of moves by one BLU.
 #pragma once
 
+#include <optional>
 #include <variant>
 
 #include "motion/path.hpp"
@@ -19,6 +20,10 @@ class Staircase {
 
   /// The next clocks, as many as there are and fit; 0 at the end. Realtime.
   std::size_t fill(std::span<Step> out) noexcept;
+
+  /// Of a curve without an equation in its coordinates: the arc length, mm, at which its leading
+  /// axis is where the staircase stands. Realtime.
+  std::optional<double> arc_length() const noexcept;
 
   const GridPoint& from() const noexcept { return from_; }
   const GridPoint& to() const noexcept { return to_; }

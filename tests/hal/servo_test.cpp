@@ -77,10 +77,33 @@ class Reference {
   double mm_per_rad_;
 };
 
+/// Led from place to place: within each servo period the pulses come evenly spread.
+class Led : public ServoAxis {
+ public:
+  Led(const Axis& axis, double servo_period) : ServoAxis(axis, servo_period), counts_(axis.blu) {}
+
+  void reset(double position) {
+    told_ = counts_(position);
+    ServoAxis::reset(position);
+  }
+  void advance(double position) {
+    const std::int64_t from = std::exchange(told_, counts_(position));
+    const std::int64_t n = std::abs(told_ - from);
+    std::vector<CommandPulse> pulses;
+    for (std::int64_t k = 1; k <= n; ++k)
+      pulses.push_back({static_cast<double>(k) / static_cast<double>(n), told_ < from ? -1 : 1});
+    ServoAxis::advance(pulses);
+  }
+
+ private:
+  Counts counts_;
+  std::int64_t told_ = 0;
+};
+
 /// The simulated axis at the end of each period.
 std::vector<double> simulate(const Axis& axis, const std::function<double(double)>& command,
                              double duration) {
-  ServoAxis servo(axis, kPeriod);
+  Led servo(axis, kPeriod);
   servo.reset(command(0));
   std::vector<double> positions{servo.position()};
   const auto periods = static_cast<int>(std::lround(duration / kPeriod));
@@ -158,7 +181,7 @@ TEST_CASE("a blocked motor's current rises to u / R", "[hal][servo]") {
   axis.drive.velocity_reset = 0;
   const double voltage = 60 * axis.blu / axis.screw_lead * 2 * std::numbers::pi * axis.drive.kv *
                          axis.drive.velocity_gain;
-  ServoAxis servo(axis, ServoAxis::kSubstep);
+  Led servo(axis, ServoAxis::kSubstep);
   servo.reset(0);
   servo.advance(60 * axis.blu);  // the pulses of this period are read in the next
   for (int i = 1; i < 40; ++i) {
@@ -176,7 +199,7 @@ TEST_CASE("the current never exceeds its limit by more than one part in a hundre
   Axis axis;
   axis.drive.following_error = 100;
   axis.drive.counter_bits = 20;
-  ServoAxis servo(axis, kPeriod);
+  Led servo(axis, kPeriod);
   servo.reset(0);
   double largest = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -193,7 +216,7 @@ TEST_CASE("the supply voltage bounds the speed", "[hal][servo]") {
   axis.drive.following_error = 1e4;
   axis.drive.counter_bits = 32;
   axis.drive.supply_voltage = 40;
-  ServoAxis servo(axis, kPeriod);
+  Led servo(axis, kPeriod);
   servo.reset(0);
   for (int i = 1; i <= 3000; ++i) servo.advance(0.4 * i);  // 400 mm/s
   const double top = 40 / axis.motor.emf_constant * axis.screw_lead / 2 / std::numbers::pi;
@@ -241,7 +264,7 @@ TEST_CASE("both directions are alike", "[hal][servo]") {
 TEST_CASE("pulses are spread evenly within a servo period", "[hal][servo]") {
   // The same line, told every 8 ms or every 1 ms, is the same stream of pulses.
   const Axis axis;
-  ServoAxis coarse(axis, 8 * kPeriod), fine(axis, kPeriod);
+  Led coarse(axis, 8 * kPeriod), fine(axis, kPeriod);
   coarse.reset(0);
   fine.reset(0);
   for (int i = 1; i <= 50; ++i) {
@@ -255,7 +278,7 @@ TEST_CASE("pulses are spread evenly within a servo period", "[hal][servo]") {
 TEST_CASE("the counter overflows with an alarm", "[hal][servo]") {
   Axis axis;
   axis.drive.counter_bits = 8;  // -128 .. 127
-  ServoAxis servo(axis, kPeriod);
+  Led servo(axis, kPeriod);
   servo.reset(0);
   servo.advance(127 * axis.blu);
   CHECK(servo.alarm() == Alarm::none);
@@ -274,7 +297,7 @@ TEST_CASE("the counter overflows with an alarm", "[hal][servo]") {
 TEST_CASE("too large a following error is an alarm", "[hal][servo]") {
   Axis axis;
   axis.drive.following_error = 100 * axis.blu;
-  ServoAxis servo(axis, kPeriod);
+  Led servo(axis, kPeriod);
   servo.reset(5);
   servo.advance(5 + 100 * axis.blu);
   CHECK(servo.alarm() == Alarm::none);

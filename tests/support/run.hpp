@@ -44,9 +44,11 @@ inline std::vector<Block> polyline(const std::vector<AxisVector>& points, double
 /// What is asked of the feed, by the number of rows after which it is.
 using Controls = std::map<int, ipo::FeedControl>;
 
-/// `chunk`: blocks pushed before the planner is asked; 0: all of them.
+/// `chunk`: blocks pushed before the planner is asked; 0: all of them. `visit` sees each row while
+/// its pulses stand.
 inline Run run(const Machine& machine, const std::vector<Block>& blocks, const Controls& controls,
-               std::size_t chunk = 1, double feed_override = 1) {
+               std::size_t chunk = 1, double feed_override = 1,
+               const std::function<void(const Setpoint&)>& visit = {}) {
   Run result;
   Diagnostics diagnostics;
   ipo::Planner planner(machine, feed_override, diagnostics);
@@ -88,6 +90,7 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
     if (control != controls.end() && !queue.empty()) ask(control->second);
     const auto setpoint = interpolator.step();
     if (!setpoint) break;
+    if (visit) visit(*setpoint);
     std::vector<Stretch> stretches;
     queue.for_each_recent([&](const ipo::TimedBlock& timed) {
       if (const Move* move = timed.move())
@@ -96,6 +99,7 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
     });
     verifier.row(*setpoint, stretches);
     result.rows.push_back(*setpoint);
+    result.rows.back().pulses = {};
   }
   verifier.finish();
   result.measured = verifier.measured();

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The command pulses of an axis, whichever way they are made.
+#pragma once
+
+#include "hal/fine_pulses.hpp"
+#include "motion/machine.hpp"
+#include "motion/setpoint.hpp"
+
+namespace softcnc::hal {
+
+/// By a method of reference pulses those of the staircase itself, otherwise those of fine
+/// interpolation between the setpoints. Either way the pulses so far are the counts of the
+/// position.
+class PulseSource {
+ public:
+  PulseSource(int axis, const Machine& machine) noexcept
+      : axis_(axis),
+        blu_(machine.axes[static_cast<std::size_t>(axis)].blu),
+        by_method_(is_by_pulses(machine.control.interpolation)),
+        fine_(blu_, 0) {}
+
+  /// The counts begin at `position`, mm, without pulses. Realtime.
+  void begin(double position) noexcept {
+    fine_ = FinePulses(blu_, position);
+    counts_ = fine_.counts();
+  }
+
+  /// Visits the pulses of the period, in order of time, as visit(part of the period, direction).
+  /// Realtime.
+  template <typename Visit>
+  void move(const Setpoint& setpoint, Visit&& visit) noexcept {
+    if (!by_method_) {
+      fine_.move(setpoint.position[axis_], visit);
+      counts_ = fine_.counts();
+      return;
+    }
+    for (const TimedStep& timed : setpoint.pulses) {
+      const int direction = timed.step[axis_];
+      if (direction == 0) continue;
+      counts_ += direction;
+      visit(timed.part, direction);
+    }
+  }
+
+  int axis() const noexcept { return axis_; }
+  std::int64_t counts() const noexcept { return counts_; }
+  double position() const noexcept { return Counts(blu_).position(counts_); }  // mm
+
+ private:
+  int axis_;
+  double blu_;
+  bool by_method_;
+  FinePulses fine_;
+  std::int64_t counts_ = 0;
+};
+
+}  // namespace softcnc::hal
