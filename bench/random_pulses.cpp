@@ -15,6 +15,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "hal/edge_file.hpp"
 #include "hal/pulse_rules.hpp"
 #include "hal/stepdir.hpp"
 #include "support/random_program.hpp"
