@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <span>
 #include <vector>
 
 namespace softcnc::app {
@@ -33,13 +34,7 @@ bool same(const std::string& a, const std::string& b) {
          info_a.st_ino == info_b.st_ino;
 }
 
-}  // namespace
-
-std::string file_clash(const Options& options) {
-  const NamedFile written[] = {{"--state", options.state},
-                               {"--trace", options.trace},
-                               {"--report", options.report},
-                               {"--output", options.output}};
+std::string clash(const Options& options, std::span<const NamedFile> written) {
   std::vector<NamedFile> others{{"--machine", options.machine_file}};
   for (const std::string& file : options.files)
     if (file != "-") others.push_back({"PART", file});
@@ -50,6 +45,33 @@ std::string file_clash(const Options& options) {
     others.push_back(file);
   }
   return {};
+}
+
+NamedFile written_by(const Machine& machine) {
+  const BackendKind backend = machine.control.backend;
+  if (backend == BackendKind::stepdir) return {"backend.stepdir.file", machine.step_port.file};
+  if (backend == BackendKind::hal_stream)
+    return {"backend.hal-stream.file", machine.hal_stream.file};
+  return {"the backend", {}};
+}
+
+}  // namespace
+
+std::string file_clash(const Options& options) {
+  const NamedFile written[] = {{"--state", options.state},
+                               {"--trace", options.trace},
+                               {"--report", options.report},
+                               {"--output", options.output}};
+  return clash(options, written);
+}
+
+std::string file_clash(const Options& options, const Machine& machine) {
+  const NamedFile written[] = {{"--state", options.state},
+                               {"--trace", options.trace},
+                               {"--report", options.report},
+                               {"--output", options.output},
+                               written_by(machine)};
+  return clash(options, written);
 }
 
 }  // namespace softcnc::app

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "motion/machine.hpp"
 #include "options.hpp"
 
 namespace softcnc::app {
@@ -12,5 +13,7 @@ namespace softcnc::app {
 /// that exist are compared by device and inode, others by path; what is no regular file may serve
 /// any number of times.
 std::string file_clash(const Options& options);
+/// The same with the file that the machine's backend writes; also where two write standard output.
+std::string file_clash(const Options& options, const Machine& machine);
 
 }  // namespace softcnc::app

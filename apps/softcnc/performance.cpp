@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "file_clash.hpp"
 #include "hal/machine_file.hpp"
 #include "machine_memory.hpp"
 #include "messages.hpp"
@@ -175,9 +176,16 @@ Diagnostic alarm_diagnostic(const Outcome& outcome) {
           {}};
 }
 
+/// A dry run opens no backend, and surface none that writes.
+bool moves(const Options& options) {
+  return !options.dry_run && options.command != Command::surface;
+}
+
 Result<Job> open_job(const Options& options) {
   auto machine = hal::load_machine(options.machine_file, options.settings);
   if (!machine) return tl::make_unexpected(std::move(machine.error()));
+  if (const std::string clash = file_clash(options, *machine); !clash.empty() && moves(options))
+    return tl::make_unexpected(Diagnostic{Code::SC7072, {}, clash, options.machine_file, {}});
   auto program =
       Program::open(options.files.front(), options.dry_run ? Readings::one : Readings::any);
   if (!program) return tl::make_unexpected(std::move(program.error()));

@@ -3,17 +3,23 @@
 // the lowest below it.
 #pragma once
 
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "surface_bands.hpp"
 
 namespace softcnc::app {
 
+/// From where the height of a region counts: from the ideal surface; or from its own lowest point,
+/// where the whole of it may be off by the error of a servo.
+enum class HeightFrom : std::uint8_t { ideal, lowest };
+
 /// A region holds at least one pick-feed by one feed per tooth.
 class RoughnessMap {
  public:
   /// `side` of a region in points.
-  RoughnessMap(const hal::StockGrid& grid, int side);
+  RoughnessMap(const hal::StockGrid& grid, int side, HeightFrom from = HeightFrom::ideal);
 
   void add(const SurfaceBand& band);
 
@@ -25,10 +31,16 @@ class RoughnessMap {
   /// where all of that is gouged. Call behind the last band.
   std::vector<float> rmax() const;
   /// um below the ideal surface, by region; 0 where nothing has cut deeper than the ideal surface
-  /// is known by. Likewise.
+  /// is known by, and with HeightFrom::lowest. Likewise.
   std::vector<float> gouges() const;
+  HeightFrom from() const noexcept { return from_; }
+  /// um above the ideal surface, lowest and highest of all; likewise.
+  std::pair<double, double> range() const noexcept;
 
  private:
+  float height(std::size_t region) const noexcept;
+
+  HeightFrom from_;
   int side_, columns_, rows_;
   std::vector<float> highest_;    // mm
   std::vector<float> lowest_;     // mm

@@ -99,7 +99,7 @@ int SurfaceJob::cut(hal::OutputFile& output) {
   const int side = region_side(cutting_, grid_.step);
   auto file = open_surface_file(options_.output, output, grid_, side);
   if (!file) return fail(file.error());
-  RoughnessMap map(grid_, side);
+  RoughnessMap map(grid_, side, options_.actual ? HeightFrom::lowest : HeightFrom::ideal);
   const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   const auto begin = std::chrono::steady_clock::now();
   const double cpu = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
@@ -135,8 +135,12 @@ std::string roughness_text(const RoughnessMap& map, double step) {
                      sum.largest, sum.mean, sum.regions, map.side() * step, map.side() * step);
 }
 
-/// Of a line of its own, where there are any.
-std::string gouges_text(const RoughnessMap& map) {
+/// A line of its own: gouges, where there are any, or what the servo is off.
+std::string form_text(const RoughnessMap& map) {
+  const auto [lowest, highest] = map.range();
+  if (map.from() == HeightFrom::lowest && lowest <= highest)
+    return fmt::format("\n  servo        {:.2f} to {:.2f} um off the commanded surface", lowest,
+                       highest);
   const RegionFigures sum = figures(map.gouges());
   if (sum.marked == 0) return {};
   return fmt::format("\n  gouges       up to {:.2f} um below the ideal surface, in {} regions",
@@ -156,7 +160,7 @@ void SurfaceJob::tell(const RoughnessMap& map, double seconds, double cpu) const
       (grid_.columns - 1) * grid_.step, (grid_.rows - 1) * grid_.step, grid_.top - grid_.corner[2],
       grid_.corner[0], grid_.corner[1], grid_.corner[2], grid_.columns, grid_.rows,
       um_from_mm(grid_.step), track_.passes().size(), roughness_text(map, grid_.step),
-      gouges_text(map), points, updates, seconds, cpu, updates / cpu / 1e6, memory_mb());
+      form_text(map), points, updates, seconds, cpu, updates / cpu / 1e6, memory_mb());
 }
 
 int SurfaceJob::run() {

@@ -17,8 +17,9 @@ constexpr double kTolerance = 0.03;
 double edge_rmax(const Move& move, double s, double v) noexcept {
   const Surface& surface = *move.surface;
   const double place = std::clamp(s, 0.0, length(move.path));
+  const PathPoint point = at(move.path, place);
   return rmax(RoughnessModel::guaranteed, surface, v / surface.tooth_rate(),
-              inclination_sine(at(move.path, place).dq));
+              inclination_sine(point.dq), hollow_bend(point.dq, point.ddq));
 }
 
 std::string of_target(double rmax, double target) {

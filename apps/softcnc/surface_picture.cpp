@@ -77,6 +77,14 @@ void title(Canvas& canvas, int left, int top, const std::string& text) {
   canvas.write(left, top - 12 * kScale, text, kScale, kInk);
 }
 
+/// The lowest value, if that is below 0.
+float base_of(const std::vector<float>& values) {
+  float least = 0;
+  for (const float value : values)
+    if (!std::isnan(value)) least = std::min(least, value);
+  return least;
+}
+
 float highest_of(const std::vector<float>& values) {
   float most = 0;
   for (const float value : values)
@@ -203,7 +211,7 @@ void SurfacePicture::draw_rmax(Canvas& canvas, const RoughnessMap& map) const {
     canvas.fill(left + kSide - kBar + i, top - 12 * kScale, 1, 7 * kScale, heat(i / (kBar - 1.0)));
   const bool gouged = figures(gouges).marked > 0;
   title(canvas, left, top,
-        fmt::format("rmax by region, 0 to {:.1f} um{}", most, gouged ? ", gouged red" : ""));
+        fmt::format("rmax, 0 to {:.1f} um{}", most, gouged ? ", gouged red" : ""));
 }
 
 void SurfacePicture::draw_profiles(Canvas& canvas) const {
@@ -237,7 +245,9 @@ void SurfacePicture::draw_profiles(Canvas& canvas) const {
        middle_rows_, [&](int i) { return middle(middle_columns_ / 2, i); });
 }
 
-Canvas SurfacePicture::draw(const RoughnessMap& map) const {
+Canvas SurfacePicture::draw(const RoughnessMap& map) {
+  if (map.from() == HeightFrom::lowest)
+    for (const float base = base_of(middle_); float& value : middle_) value -= base;
   Canvas canvas(kWidth, kHeight, kPaper);
   draw_whole(canvas);
   draw_middle(canvas);

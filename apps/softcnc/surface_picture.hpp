@@ -18,8 +18,8 @@ class SurfacePicture {
 
   void add(const SurfaceBand& band);
 
-  /// Behind the last band.
-  Canvas draw(const RoughnessMap& map) const;
+  /// Call once behind the last band.
+  Canvas draw(const RoughnessMap& map);
 
  private:
   void shade(const SurfaceBand& band);

@@ -82,7 +82,27 @@ bool IdealSurface::lay_deepest(std::span<const Centre> centres, std::span<const 
   if (!lay(deep, wide)) return false;
   auto balls = place(centres, wide, wide);
   std::erase_if(balls, [&](const Ball& ball) { return std::abs(height(ball) - ball.z) > kSmooth; });
-  return lay(balls, wide);
+  return lay(balls, wide) && lies_below(centres, at, reach);
+}
+
+/// No ball of a pass reaches below an ideal surface: where one does, it is not that of these
+/// passes.
+bool IdealSurface::lies_below(std::span<const Centre> centres, const AxisVector& at,
+                              double reach) const {
+  for (const double dx : {-reach, 0.0, reach})
+    for (const double dy : {-reach, 0.0, reach}) {
+      const double x = at[0] + dx, y = at[1] + dy;
+      const auto seen = [&](const Centre& centre) {
+        return Ball{centre.at[0] - x, centre.at[1] - y, centre.at[2]};
+      };
+      const Centre* found = deepest_of(centres, radius_, seen);
+      if (found == nullptr) return false;
+      const Ball ball = seen(*found);
+      const double bottom =
+          ball.z - std::sqrt(radius_ * radius_ - ball.a * ball.a - ball.b * ball.b);
+      if (this->at(x, y).z > bottom + kSmooth) return false;
+    }
+  return true;
 }
 
 Ball IdealSurface::place(const AxisVector& centre) const noexcept {

@@ -45,6 +45,7 @@ class IdealSurface {
   bool lay(std::span<const Ball> balls, double wide);
   bool lay_deepest(std::span<const Centre> centres, std::span<const Ball> beside,
                    const AxisVector& at, double edge, double reach);
+  bool lies_below(std::span<const Centre> centres, const AxisVector& at, double reach) const;
   void reach(std::span<const Ball> balls) noexcept;
   double height(const Ball& ball) const noexcept {
     return value(ball.a / unit_, ball.b / unit_) - z_;

@@ -14,6 +14,9 @@ constexpr double kCurveMargin = 3e-4;
 /// away it is: the cap falls steeply where the tip cuts, and little happens to it far from there.
 constexpr double kNear = 0.04, kFar = 0.2;
 
+/// How much a valley may bend more from node to node, times the radius.
+constexpr double kBendChange = 0.02;
+
 class RoughnessLimit final : public Constraint {
  public:
   explicit RoughnessLimit(RoughnessModel model) : model_(model) {}
@@ -24,7 +27,8 @@ class RoughnessLimit final : public Constraint {
     if (!limits(move)) return kUnlimited;
     const Surface& surface = *move.surface;
     double v =
-        surface.tooth_rate() * largest_feed_per_tooth(model_, surface, inclination_sine(point.dq));
+        surface.tooth_rate() * largest_feed_per_tooth(model_, surface, inclination_sine(point.dq),
+                                                      hollow_bend(point.dq, point.ddq));
     if (!point.ddq.isZero(0)) v *= 1 - kCurveMargin;
     return v * v;
   }
@@ -34,6 +38,10 @@ class RoughnessLimit final : public Constraint {
     if (!limits(move)) return true;
     const double scale = move.surface->tool_radius / move.surface->pick_feed;
     const double from = scale * left.dq[2], to = scale * right.dq[2];
+    const double bend = hollow_bend(left.dq, left.ddq) - hollow_bend(right.dq, right.ddq);
+    if (model_ == RoughnessModel::guaranteed &&
+        std::abs(bend) * move.surface->tool_radius > kBendChange)
+      return false;
     const double nearest = from * to > 0 ? std::min(std::abs(from), std::abs(to)) : 0;
     return std::abs(to - from) <= kNear + kFar * nearest;
   }

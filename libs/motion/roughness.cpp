@@ -80,19 +80,28 @@ double feed_at_tip(const Surface& surface, double sine) noexcept {
   return std::sqrt(square(surface.tool_radius * sine) + half_chord_squared(surface));
 }
 
-double rmax(RoughnessModel model, const Surface& surface, double feed_per_tooth,
-            double sine) noexcept {
-  if (model == RoughnessModel::guaranteed) return edge_rmax(surface, feed_per_tooth, sine);
+double hollow_bend(const AxisVector& tangent, const AxisVector& bend) noexcept {
+  const AxisVector up = AxisVector(0, 0, 1) - tangent[2] * tangent;
+  const double level = up.norm();
+  return level > 0 ? std::max(0.0, bend.dot(up) / level) : 0;
+}
+
+double rmax(RoughnessModel model, const Surface& surface, double feed_per_tooth, double sine,
+            double hollow) noexcept {
+  if (model == RoughnessModel::guaranteed)
+    return edge_rmax(surface, feed_per_tooth * std::sqrt(1 + surface.tool_radius * hollow), sine);
   return std::max(rmax_beside_tip(surface, feed_per_tooth),
                   rmax_at_tip(surface, feed_per_tooth, sine));
 }
 
-double largest_feed_per_tooth(RoughnessModel model, const Surface& surface, double sine) noexcept {
-  const double feed =
-      model == RoughnessModel::paper
-          ? std::min(feed_beside_tip(surface), feed_at_tip(surface, sine))
-          : surface.pick_feed * edge_feed(surface.teeth, height_over_cusp(surface),
-                                          surface.tool_radius * sine / surface.pick_feed);
+double largest_feed_per_tooth(RoughnessModel model, const Surface& surface, double sine,
+                              double hollow) noexcept {
+  const double feed = model == RoughnessModel::paper
+                          ? std::min(feed_beside_tip(surface), feed_at_tip(surface, sine))
+                          : surface.pick_feed *
+                                edge_feed(surface.teeth, height_over_cusp(surface),
+                                          surface.tool_radius * sine / surface.pick_feed) /
+                                std::sqrt(1 + surface.tool_radius * hollow);
   return std::max(feed, kLeastFeedPerTooth);
 }
 

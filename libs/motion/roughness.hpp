@@ -16,6 +16,10 @@ namespace softcnc {
 /// The tool axis is that of Z, whatever the plane of arcs is.
 inline double inclination_sine(const AxisVector& tangent) noexcept { return std::abs(tangent[2]); }
 
+/// 1/mm: how much a way bends upwards, as through a valley; 0 where it does not. By its unit
+/// tangent and second derivative.
+double hollow_bend(const AxisVector& tangent, const AxisVector& bend) noexcept;
+
 /// (1): both radii of curvature count, that along the feed and that across it; infinite: flat, and
 /// negative: hollow.
 double rmax_of_curved(const Surface& surface, double feed_per_tooth,
@@ -37,11 +41,15 @@ double feed_at_tip(const Surface& surface, double sine) noexcept;
 /// mm: teeth that are fed less rub; no target asks for less.
 inline constexpr double kLeastFeedPerTooth = 0.002;
 
-/// Rmax at a feed per tooth; it never falls with the feed.
-double rmax(RoughnessModel model, const Surface& surface, double feed_per_tooth,
-            double sine) noexcept;
+/// Rmax at a feed per tooth; it never falls with the feed. In a valley that bends by `hollow`,
+/// 1/mm, the surface is longer than the way of the tip: what the feed leaves is 1 + r hollow times
+/// as high (equation 1), as if the feed were sqrt(1 + r hollow) times as large. The formulas (2) to
+/// (6) of the paper do not know of it, and only the guaranteed model does.
+double rmax(RoughnessModel model, const Surface& surface, double feed_per_tooth, double sine,
+            double hollow = 0) noexcept;
 /// The largest feed per tooth at which Rmax is no higher than the target, but kLeastFeedPerTooth.
-double largest_feed_per_tooth(RoughnessModel model, const Surface& surface, double sine) noexcept;
+double largest_feed_per_tooth(RoughnessModel model, const Surface& surface, double sine,
+                              double hollow = 0) noexcept;
 /// The smallest of them over all inclinations.
 double least_feed_per_tooth(RoughnessModel model, const Surface& surface) noexcept;
 

@@ -127,7 +127,9 @@ void Verifier::roughness(const Setpoint& setpoint, const Stretch& here) noexcept
   const Surface& surface = *here.surface;
   const double feed = surface.tooth_rate() > 0 ? setpoint.v / surface.tooth_rate() : 0;
   const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
-  row_rmax_ = rmax(model_, surface, feed, inclination_sine(at(*here.path, s).dq));
+  const PathPoint point = at(*here.path, s);
+  row_rmax_ =
+      rmax(model_, surface, feed, inclination_sine(point.dq), hollow_bend(point.dq, point.ddq));
   if (feed <= kLeastFeedPerTooth * (1 + kRounding)) return;
   if (row_rmax_ * measured_.rmax_target <= measured_.rmax * surface.rmax &&
       measured_.rmax_target > 0)

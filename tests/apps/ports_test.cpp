@@ -93,3 +93,42 @@ TEST_CASE("replay and dry runs send no rows", "[apps][ports]") {
   CHECK(shell(kToHal + rows + " -q --dry-run $data/square.nc").status == 0);
   CHECK_FALSE(std::filesystem::exists(rows));
 }
+
+TEST_CASE("a backend does not write over what is read or written besides: SC7072",
+          "[apps][ports]") {
+  const Folder folder;
+  const std::string text = "G1 X1 F600\nM30\n";
+  const std::string part = folder / "part.vcd", machine = folder / "mill.toml";
+  write(part, text);
+  write(machine,
+        "[control]\nbackend = \"hal-stream\"\n[backend.hal-stream]\nfile = \"" + machine + "\"\n");
+  std::filesystem::create_symlink(part, folder / "link.vcd");
+  const auto refused = [](const std::string& command) {
+    const Ended ended = shell("$softcnc run -q " + command);
+    CAPTURE(command, ended.err);
+    CHECK(ended.status == 2);
+    CHECK(ended.err.find("error SC7072: ") != std::string::npos);
+    CHECK(ended.err.find("name the same file: ") != std::string::npos);
+  };
+  const std::string step = "--backend stepdir --set backend.stepdir.file=";
+  const std::string rows = "--backend hal-stream --set backend.hal-stream.file=";
+  refused(step + part + " " + part);
+  refused(step + (folder / "link.vcd") + " " + part);
+  refused(rows + part + " " + part);
+  refused("--machine " + machine + " " + part);
+  refused(rows + (folder / "r.json") + " --report " + (folder / "r.json") + " " + part);
+  refused(rows + (folder / "t.csv") + " --trace " + (folder / "t.csv") + " " + part);
+  refused(rows + "- --trace - " + part);
+  CHECK(read(part) == text);
+  CHECK(shell("$softcnc run -q --dry-run " + step + part + " " + part).status == 0);
+}
+
+TEST_CASE("a machine file without an end is refused", "[apps][ports]") {
+  const Folder folder;
+  write(folder / "part.nc", "G1 X1 F600\nM30\n");
+  const Ended ended = shell("$softcnc check --machine /dev/zero " + (folder / "part.nc"));
+  CHECK(ended.status == 2);
+  CHECK(ended.out.find("cannot be read: longer than 16 MiB") +
+            ended.err.find("cannot be read: longer than 16 MiB") !=
+        2 * std::string::npos);
+}

@@ -262,6 +262,18 @@ TEST_CASE("a gouge is no roughness", "[apps][surface]") {
   CHECK(figures(gouges).marked == 2);
 }
 
+TEST_CASE("where a servo is off, a region is as rough as it is high", "[apps][surface]") {
+  hal::StockGrid grid;
+  grid.columns = grid.rows = 2;
+  RoughnessMap map(grid, 2, HeightFrom::lowest);
+  SurfaceBand band{0, 2, 2, std::vector<float>(4), {-0.100F, -0.095F, -0.090F, -0.098F}};
+  map.add(band);
+  CHECK(map.rmax()[0] == Approx(10).epsilon(1e-5));
+  CHECK(map.gouges()[0] == 0);
+  CHECK(map.range().first == Approx(-100));
+  CHECK(map.range().second == Approx(-90));
+}
+
 TEST_CASE("heads of npy files end where data may begin", "[apps][surface]") {
   const std::int64_t shape[] = {3, 100000};
   const std::string head = npy_head("<f4", shape);

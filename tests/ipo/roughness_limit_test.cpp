@@ -82,6 +82,26 @@ TEST_CASE("over a cylinder the feed keeps the roughness in every row", "[ipo][ro
   }
 }
 
+TEST_CASE("in a valley the guaranteed feed is that of equation 1", "[ipo][roughness]") {
+  // Through the bottom of a circle of radius 10 the surface, 15 from its axis, is half as long
+  // again as the way of the tip.
+  const Path valley = Arc::make({{-6, 0, 2}, {6, 0, 2}, {0, 0, 10}, Plane::zx, false, 0}).value();
+  const auto fastest = [&](RoughnessModel model, const Path& path) {
+    const Machine machine = machine_with(model, 50000);
+    const auto result = run(machine, number_blocks({surface_move(path)}));
+    CHECK(result.measured.rmax <= 0.01066888 * 1.005);
+    double near_bottom = 0;
+    for (const Setpoint& row : result.rows)
+      if (std::abs(row.position[0]) < 0.05) near_bottom = std::max(near_bottom, row.v);
+    return near_bottom;
+  };
+  const Path level = Line({-6, 0, 0}, {6, 0, 0});
+  CHECK(fastest(RoughnessModel::guaranteed, valley) ==
+        Approx(fastest(RoughnessModel::guaranteed, level) / std::sqrt(1.5)).epsilon(0.01));
+  CHECK(fastest(RoughnessModel::paper, valley) ==
+        Approx(fastest(RoughnessModel::paper, level)).epsilon(0.01));
+}
+
 TEST_CASE("the roughness costs no more time than its cap asks for", "[ipo][roughness]") {
   for (const double jerk : {0.0, 1e7}) {
     CAPTURE(jerk);

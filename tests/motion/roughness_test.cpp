@@ -183,3 +183,28 @@ TEST_CASE("no target asks for teeth that rub", "[roughness]") {
   CHECK(least_feed_per_tooth(RoughnessModel::guaranteed, surface) == kLeastFeedPerTooth);
   CHECK(least_feed_per_tooth(RoughnessModel::paper, surface) > 0.07);
 }
+
+TEST_CASE("a valley bends upwards, a hill does not", "[motion][roughness]") {
+  const AxisVector level(1, 0, 0), steep(std::sqrt(0.5), 0, std::sqrt(0.5));
+  CHECK(hollow_bend(level, {0, 0, 0.1}) == Approx(0.1));
+  CHECK(hollow_bend(level, {0, 0, -0.1}) == 0);
+  CHECK(hollow_bend(level, {0, 0.1, 0}) == 0);
+  CHECK(hollow_bend(steep, 0.1 * AxisVector(-std::sqrt(0.5), 0, std::sqrt(0.5))) == Approx(0.1));
+  CHECK(hollow_bend({0, 0, 1}, {0.1, 0, 0}) == 0);
+}
+
+TEST_CASE("in a valley the marks of the feed are as high as equation 1 says",
+          "[motion][roughness]") {
+  // Without passes beside it: f^2 / 8r (1 - r / (rho + r)), rho being that of the surface, hollow.
+  const double radius = 5, way = 10, feed = 0.3;
+  const double flat = rmax_of_curved({radius, 0, 0, 2}, feed);
+  const double valley = rmax_of_curved({radius, 0, 0, 2}, feed, -(way + radius));
+  CHECK(valley / flat == Approx(1 + radius / way));
+  Surface surface = kPaper;
+  const double hollow = 1 / way;
+  CHECK(rmax(RoughnessModel::guaranteed, surface, feed, 0, hollow) ==
+        Approx(rmax(RoughnessModel::guaranteed, surface, feed * std::sqrt(valley / flat), 0)));
+  CHECK(largest_feed_per_tooth(RoughnessModel::guaranteed, surface, 0, hollow) ==
+        Approx(largest_feed_per_tooth(RoughnessModel::guaranteed, surface, 0) /
+               std::sqrt(valley / flat)));
+}
