@@ -14,8 +14,8 @@ constexpr double kCurveMargin = 3e-4;
 /// away it is: the cap falls steeply where the tip cuts, and little happens to it far from there.
 constexpr double kNear = 0.04, kFar = 0.2;
 
-/// How much a valley may bend more from node to node, times the radius.
-constexpr double kBendChange = 0.02;
+/// How much more the marks of a valley may grow from node to node.
+constexpr double kBendChange = 0.1;
 
 class RoughnessLimit final : public Constraint {
  public:
@@ -38,9 +38,9 @@ class RoughnessLimit final : public Constraint {
     if (!limits(move)) return true;
     const double scale = move.surface->tool_radius / move.surface->pick_feed;
     const double from = scale * left.dq[2], to = scale * right.dq[2];
-    const double bend = hollow_bend(left.dq, left.ddq) - hollow_bend(right.dq, right.ddq);
-    if (model_ == RoughnessModel::guaranteed &&
-        std::abs(bend) * move.surface->tool_radius > kBendChange)
+    const double before = hollow_bend(left.dq, left.ddq), after = hollow_bend(right.dq, right.ddq);
+    const double gentler = 1 / move.surface->tool_radius + std::min(before, after);
+    if (model_ == RoughnessModel::guaranteed && std::abs(after - before) > kBendChange * gentler)
       return false;
     const double nearest = from * to > 0 ? std::min(std::abs(from), std::abs(to)) : 0;
     return std::abs(to - from) <= kNear + kFar * nearest;
