@@ -32,7 +32,7 @@ class TemporaryPlace {
 }  // namespace
 
 TEST_CASE("a long list holds what was added, in memory or not", "[hal][long_list]") {
-  const std::size_t most = GENERATE(1, 7, 1000, 5000);
+  const auto most = GENERATE(std::size_t{1}, std::size_t{7}, std::size_t{1000}, std::size_t{5000});
   LongList<std::size_t> list(most);
   for (std::size_t i = 0; i < 2345; ++i) list.push_back(i * i);
   CHECK(list.size() == 2345);
