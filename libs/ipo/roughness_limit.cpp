@@ -16,6 +16,7 @@ constexpr double kNear = 0.04, kFar = 0.2;
 
 /// How much more the marks of a valley may grow from node to node.
 constexpr double kBendChange = 0.1;
+constexpr double kValleyMargin = 6e-3;  // kept free, since the bend jumps where curves join
 
 class RoughnessLimit final : public Constraint {
  public:
@@ -30,6 +31,8 @@ class RoughnessLimit final : public Constraint {
         surface.tooth_rate() * largest_feed_per_tooth(model_, surface, inclination_sine(point.dq),
                                                       hollow_bend(point.dq, point.ddq));
     if (!point.ddq.isZero(0)) v *= 1 - kCurveMargin;
+    if (model_ == RoughnessModel::guaranteed && hollow_bend(point.dq, point.ddq) > 0)
+      v *= 1 - kValleyMargin;
     return v * v;
   }
 
