@@ -18,10 +18,24 @@ namespace {
 constexpr double kSamePoint = 1e-9;  // mm
 constexpr double kShortest = 1e-6;   // mm: less of a move is none
 constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kAtEnd = 1e-3;    // mm: parallels that meet so near an end do so at the corner
+constexpr double kGrazing = 0.01;  // sine of an angle: what crosses at less, touches
 
 bool stays_in_plane(const Path& path, const PlaneAxes& axes) {
   if (!std::holds_alternative<softcnc::Line>(path)) return false;
   return (in_plane(end(path), axes) - in_plane(start(path), axes)).norm() < kSamePoint;
+}
+
+bool same_height(const Path& before, const Path& behind, const PlaneAxes& axes) {
+  const double height = start(before)[axes.across];
+  const auto is_level = [&](const AxisVector& point) {
+    return std::abs(point[axes.across] - height) < kSamePoint;
+  };
+  return is_level(end(before)) && is_level(start(behind)) && is_level(end(behind));
+}
+
+bool grazes(const PlaneCurve& before, const PlaneCurve& behind, const PlaneVector& at) {
+  return std::abs(cross(before.direction_at(at), behind.direction_at(at))) < kGrazing;
 }
 
 const Path& path_of(const Block& block) { return std::get<Move>(block.what).path; }
@@ -39,8 +53,14 @@ std::string tool_text(double radius) { return "the tool, radius " + number_text(
 
 }  // namespace
 
+/// Whether the tool passes there, mm from the parallel's start, and not just by its ends.
+bool Compensation::Along::keeps(double at) const noexcept {
+  return at > cut + kAtEnd && at < parallel.length() - cut_end - kAtEnd;
+}
+
 void Compensation::start(const CutterSide& mode) {
   mode_ = mode;
+  before_.reset();
   axes_ = plane_axes(mode.plane);
   entered_ = false;
 }
@@ -79,6 +99,7 @@ void Compensation::follow_move(Block block, std::string_view text, bool certain)
   }
   const bool first = !std::exchange(entered_, true);
   if (held_ && broken) let_out_whole();
+  if (broken) before_.reset();
   if (first || !held_) tool_ = from;
   if (!certain) return;
   if (first) return enter(std::move(block), text);
@@ -99,6 +120,7 @@ void Compensation::enter(Block block, std::string_view text) {
     return report(Code::SC2144, block, text,
                   "no arc leads from here to the side of the end of this arc");
   held_.emplace(Along{std::move(block), std::string(text), contour, *parallel, across});
+  held_->entry = true;
 }
 
 void Compensation::go_on(Block block, std::string_view text) {
@@ -151,6 +173,7 @@ void Compensation::cut_corner(Along& next) {
 
 /// Behind an error: what comes next is judged by itself.
 void Compensation::begin_at(const PlaneCurve& parallel) {
+  before_.reset();
   tool_[axes_.first] = parallel.from().x();
   tool_[axes_.second] = parallel.from().y();
 }
@@ -162,8 +185,25 @@ void Compensation::turn_around(const Along& next) {
 
 void Compensation::let_out_whole() { let_out(held_->parallel.to(), 0); }
 
+/// Where the parallels of neighbours cross elsewhere than at the corner, the tool cuts into both
+/// contours. Moves at other heights may pass over each other, and the entry is no contour.
+void Compensation::check_gouge() {
+  if (!before_ || before_->entry) return;
+  if (!same_height(path_of(before_->block), path_of(held_->block), axes_)) return;
+  const Meetings all = meetings(before_->parallel, held_->parallel);
+  for (std::size_t i = 0; i < all.count; ++i) {
+    const Meeting& at = all.of[i];
+    if (!before_->keeps(before_->parallel.length() - at.cut_before)) continue;
+    if (!held_->keeps(at.cut_behind) || grazes(before_->parallel, held_->parallel, at.at)) continue;
+    return report(Code::SC2150, held_->block, held_->text,
+                  tool_text(mode_->radius) + "does not fit between this move and the one before");
+  }
+}
+
 /// The held move as far as this point, and what has waited behind it.
 void Compensation::let_out(const PlaneVector& to, double cut) {
+  held_->cut_end = cut;
+  check_gouge();
   const PlaneCurve& beside = held_->parallel;
   const double left = 1 - (held_->cut + cut) / beside.length();
   if (beside.is_arc())
@@ -177,7 +217,7 @@ void Compensation::let_out(const PlaneVector& to, double cut) {
       ready_.push_back(std::move(block));
   }
   waiting_.clear();
-  held_.reset();
+  before_ = std::exchange(held_, std::nullopt);
 }
 
 void Compensation::move_to(const Block& like, const PlaneVector& to, double across) {

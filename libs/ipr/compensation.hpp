@@ -36,8 +36,12 @@ class Compensation {
     Block block;
     std::string text;  // of its line
     PlaneCurve contour, parallel;
-    double across;   // mm: where it ends across the plane
-    double cut = 0;  // mm: what the corner before takes off the parallel
+    double across;       // mm: where it ends across the plane
+    double cut = 0;      // mm: what the corner before takes off the parallel
+    double cut_end = 0;  // mm: what the corner behind takes off it
+    bool entry = false;
+
+    bool keeps(double at) const noexcept;
   };
 
   void follow_move(Block block, std::string_view text, bool certain);
@@ -48,6 +52,7 @@ class Compensation {
   void begin_at(const PlaneCurve& parallel);
   void turn_around(const Along& next);
   void let_out(const PlaneVector& to, double cut);
+  void check_gouge();
   void let_out_whole();
   void move_to(const Block& like, const PlaneVector& to, double across);
   void turn_to(const Block& like, const PlaneVector& to, double across, const PlaneVector& center,
@@ -62,7 +67,8 @@ class Compensation {
   AxisVector programmed_ = AxisVector::Zero();  // mm: the end of the last move that came in
   AxisVector tool_ = AxisVector::Zero();        // mm: the end of the last move let out
   std::optional<Along> held_;
-  std::vector<Block> waiting_;  // behind the held move
+  std::optional<Along> before_;  // the one let out last
+  std::vector<Block> waiting_;   // behind the held move
   std::deque<Block> ready_;
 };
 

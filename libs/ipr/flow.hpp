@@ -28,7 +28,7 @@ class CallObserver {
 
 struct FlowOptions {
   std::string folder;                // where called files lie; empty: nowhere
-  int block_limit = 10'000'000;      // lines that one loop, or one call with all it calls, may run
+  int block_limit = 2'000'000;       // lines that one loop, or one call with all it calls, may run
   CallObserver* observer = nullptr;  // must outlive the flow
 };
 

@@ -41,8 +41,16 @@ std::optional<int> read_order(Task& task) {
   return std::nullopt;
 }
 
+/// FANUC's curves are fed by G94 alone; G93 is refused where the feed is read.
+void check_feed_mode(Task& task) {
+  if (task.modal.feed_mode != FeedMode::per_turn) return;
+  task.out.report(Code::SC2220, task.word.pos,
+                  code_name(task.code) + " while G95 is in force: F cannot be its feed");
+}
+
 void begin_curve(Task& task) {
   begin_motion(task);
+  check_feed_mode(task);
   ask_for_surface_of_curve(task);
   PendingCurve& curve = task.modal.curve.emplace();
   curve.order = read_order(task).value_or(0);

@@ -2,7 +2,6 @@
 // Parallels and meeting points of lines and circles in a plane.
 #include "ipr/plane_curve.hpp"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -98,15 +97,14 @@ double PlaneCurve::curvature() const noexcept {
   return is_arc() ? std::copysign(1 / mean_radius(), sweep_) : 0;
 }
 
-PlaneVector PlaneCurve::start_direction() const noexcept {
+PlaneVector PlaneCurve::direction_at(const PlaneVector& point) const noexcept {
   if (!is_arc()) return (to_ - from_).normalized();
-  return std::copysign(1.0, sweep_) * left_of((from_ - center_).normalized());
+  return std::copysign(1.0, sweep_) * left_of((point - center_).normalized());
 }
 
-PlaneVector PlaneCurve::end_direction() const noexcept {
-  if (!is_arc()) return (to_ - from_).normalized();
-  return std::copysign(1.0, sweep_) * left_of((to_ - center_).normalized());
-}
+PlaneVector PlaneCurve::start_direction() const noexcept { return direction_at(from_); }
+
+PlaneVector PlaneCurve::end_direction() const noexcept { return direction_at(to_); }
 
 std::optional<PlaneCurve> PlaneCurve::parallel(double left) const {
   const PlaneVector from = from_ + left * left_of(start_direction());
@@ -136,17 +134,22 @@ PlaneCurve plane_curve(const Path& path, const PlaneAxes& axes) {
   return PlaneCurve::line(in_plane(start(path), axes), in_plane(end(path), axes));
 }
 
-std::optional<Meeting> meeting(const PlaneCurve& before, const PlaneCurve& behind) {
-  std::optional<Meeting> nearest;
+Meetings meetings(const PlaneCurve& before, const PlaneCurve& behind) {
+  Meetings all;
   const Points points = common_points(before, behind);
   for (std::size_t i = 0; i < points.count; ++i) {
     const PlaneVector& at = points.at[i];
     const Meeting found{at, before.before_end(at), behind.ahead_of_start(at)};
-    if (!within(found.cut_before, before) || !within(found.cut_behind, behind)) continue;
-    if (!nearest || found.cut_before + found.cut_behind < nearest->cut_before + nearest->cut_behind)
-      nearest = found;
+    if (within(found.cut_before, before) && within(found.cut_behind, behind)) all.add(found);
   }
-  return nearest;
+  return all;
+}
+
+std::optional<Meeting> meeting(const PlaneCurve& before, const PlaneCurve& behind) {
+  const auto cut = [](const Meeting& at) { return at.cut_before + at.cut_behind; };
+  const Meetings all = meetings(before, behind);
+  if (all.count == 0) return std::nullopt;
+  return all.count == 2 && cut(all.of[1]) < cut(all.of[0]) ? all.of[1] : all.of[0];
 }
 
 }  // namespace softcnc::ipr

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <optional>
 
 #include "motion/path.hpp"
@@ -31,6 +33,7 @@ class PlaneCurve {
   double curvature() const noexcept;  // 1/mm, positive to the left
   PlaneVector start_direction() const noexcept;
   PlaneVector end_direction() const noexcept;
+  PlaneVector direction_at(const PlaneVector& point) const noexcept;
 
   /// The curve at this distance to the left (negative: to the right), mm. Nothing, if an arc would
   /// have no radius any more.
@@ -63,13 +66,23 @@ inline PlaneVector in_plane(const AxisVector& point, const PlaneAxes& axes) noex
 /// The path as seen in the plane. Expects a line that moves in it, or an arc of this plane.
 PlaneCurve plane_curve(const Path& path, const PlaneAxes& axes);
 
-/// Where two curves end and begin that are cut off at each other, mm from end and start.
+/// A point of two curves, mm from the end of the one and from the start of the other.
 struct Meeting {
   PlaneVector at;
   double cut_before, cut_behind;
 };
 
-/// The point nearest to the corner in which both meet; nothing, if they do not.
+struct Meetings {
+  std::array<Meeting, 2> of;
+  std::size_t count = 0;
+  void add(const Meeting& meeting) noexcept { of[count++] = meeting; }
+};
+
+/// Every point in which both meet.
+Meetings meetings(const PlaneCurve& before, const PlaneCurve& behind);
+
+/// The one nearest to the corner, where the curves are cut off at each other; nothing, if they do
+/// not meet.
 std::optional<Meeting> meeting(const PlaneCurve& before, const PlaneCurve& behind);
 
 }  // namespace softcnc::ipr

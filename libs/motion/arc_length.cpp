@@ -65,7 +65,7 @@ class ArcLengthMap::Builder {
 
  private:
   Forward forward(const SpanPlace& first, double width) const;
-  void divide(const SpanPlace& first, double width, int depth);
+  void cover(const SpanPlace& first, double width, const Forward& forward, int depth);
   bool keep_if_exact(const SpanPlace& first, double width, const Forward& forward);
   void keep_linear(const SpanPlace& first, double width, double length);
   void keep(const Cell& cell, double length);
@@ -96,20 +96,24 @@ Forward ArcLengthMap::Builder::forward(const SpanPlace& first, double width) con
 }
 
 std::optional<ArcLengthMap> ArcLengthMap::Builder::build() {
-  for (int span = 0; span < spans_; ++span) scale_ += forward({span}, 1.0).length;
-  if (!std::isfinite(scale_) || !(scale_ > 0.0)) return std::nullopt;
+  std::vector<Forward> whole_spans;
+  whole_spans.reserve(static_cast<std::size_t>(spans_));
   for (int span = 0; span < spans_; ++span) {
+    whole_spans.push_back(forward({span}, 1.0));
+    scale_ += whole_spans.back().length;
+  }
+  if (!std::isfinite(scale_) || !(scale_ > 0.0)) return std::nullopt;
+  for (int span = 0; span < spans_ && !failed_; ++span) {
     map_.span_starts_.push_back(map_.length());
-    divide({span}, 1.0, 0);
+    cover({span}, 1.0, whole_spans[static_cast<std::size_t>(span)], 0);
   }
   map_.span_starts_.push_back(map_.length());
   if (failed_ || map_.cells_.empty()) return std::nullopt;
   return std::move(map_);
 }
 
-void ArcLengthMap::Builder::divide(const SpanPlace& first, double width, int depth) {
-  if (failed_) return;
-  const Forward f = forward(first, width);
+void ArcLengthMap::Builder::cover(const SpanPlace& first, double width, const Forward& f,
+                                  int depth) {
   if (keep_if_exact(first, width, f)) return;
   if (f.length + f.error <= kShortest * scale_) {
     keep_linear(first, width, f.length);
@@ -120,8 +124,8 @@ void ArcLengthMap::Builder::divide(const SpanPlace& first, double width, int dep
   SpanPlace middle = first;
   middle.offset += half;
   if (depth == 0) middle = {first.span, 1, -0.5};  // from here on counted from the end
-  divide(first, half, depth + 1);
-  divide(middle, half, depth + 1);
+  for (const SpanPlace& begin : {first, middle})
+    if (!failed_) cover(begin, half, forward(begin, half), depth + 1);
 }
 
 bool ArcLengthMap::Builder::keep_if_exact(const SpanPlace& first, double width, const Forward& f) {

@@ -142,8 +142,13 @@ std::string render(const Diagnostic& diagnostic) {
     text += fmt::format("{:>5} | {}\n", d.pos.line, d.source_line);
     if (d.pos.column > 0) text += fmt::format("      | {}\n", caret_line(d.source_line, d.pos));
   }
-  for (const CallPlace& call : d.calls)
-    text += fmt::format("{}:{}:{}: note: called from here\n", call.file, call.line, call.column);
+  for (std::size_t i = 0, same = 0; i < d.calls.size(); i += same) {
+    const CallPlace& call = d.calls[i];
+    for (same = 1; i + same < d.calls.size() && d.calls[i + same] == call;) ++same;
+    const std::string times = same > 1 ? fmt::format(", {} times", same) : "";
+    text += fmt::format("{}:{}:{}: note: called from here{}\n", call.file, call.line, call.column,
+                        times);
+  }
   return text;
 }
 

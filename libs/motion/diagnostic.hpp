@@ -53,6 +53,7 @@ struct CallPlace {
   std::string file;
   int line = 0;
   int column = 0;  // of bytes
+  bool operator==(const CallPlace&) const = default;
 };
 
 struct Diagnostic {

@@ -143,7 +143,7 @@ struct HalStream {
 };
 
 struct ProgramLimits {
-  int block_limit = 10'000'000;  // lines that one loop, or one call with all it calls, may run
+  int block_limit = 2'000'000;  // lines that one loop, or one call with all it calls, may run
 };
 
 struct Tool {

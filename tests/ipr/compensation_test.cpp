@@ -246,6 +246,17 @@ TEST_CASE("what the tool cannot reach is told at the move that it would gouge",
   CHECK(told("G41 G01 X5\nX20") == Places{"SC2143 2:1"});
 }
 
+TEST_CASE("a move that comes back to its neighbour is told", "[ipr][compensation]") {
+  const std::string entry = "G41.1 D4 G01 X10 Y0\nX50\n";
+  CHECK(told(entry + "G03 X30.05 Y1 R10\nG01 Y20") == Places{"SC2150 4:1"});
+  CHECK(told(entry + "G03 X31 Y2 Z-9 R10\nG01 Y20") == Places{});    // at another height
+  CHECK(told(entry + "G03 X31 Y4.1 R10\nG01 X28 Y20") == Places{});  // it just passes
+  CHECK(told("G42.1 D4 G01 X10 Y0\nX50\nG02 X30.05 Y-1 R10\nG01 Y-20") == Places{"SC2150 4:1"});
+  // A full circle and the arc that leaves it, which crosses the contour of its beginning.
+  CHECK(told("G41.1 D4 G01 X30 Y0\nG03 X30 Y0 I-20 J0\nG03 X20 Y10 R10\nG40 G01 X10 Y5") ==
+        Places{});
+}
+
 TEST_CASE("an error before the contour, or in it, causes no other", "[ipr][compensation]") {
   CHECK(told("G41 D77 G01 X10\nX11\nY10\nG42.1 D2 X30\nX50\nG40 Y9") == Places{"SC2142 2:5"});
   CHECK(told("G41 G01 X20\nX40\nX--1\nY10\nX39\nX38\nY50\nG40 X0") == Places{"SC1003 4:2"});
@@ -320,6 +331,65 @@ TEST_CASE("the tool is as far from the contour as its radius, all the way",
       },
       2000);
   CHECK(good > 600);
+}
+
+namespace {
+
+/// Points along the path, evenly; not its ends, where neighbours join.
+std::vector<AxisVector> points_within(const Path& path) {
+  constexpr int kParts = 80;
+  std::vector<AxisVector> points;
+  for (int i = 1; i < kParts; ++i) points.push_back(position(path, length(path) * i / kParts));
+  return points;
+}
+
+/// Twice the area of the triangle in the plane of X and Y, mm^2; its sign tells the turn.
+double turn_of(const AxisVector& a, const AxisVector& b, const AxisVector& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+bool chords_cross(const std::vector<AxisVector>& a, const std::vector<AxisVector>& b) {
+  for (std::size_t i = 1; i < a.size(); ++i)
+    for (std::size_t k = 1; k < b.size(); ++k)
+      if (turn_of(a[i - 1], a[i], b[k - 1]) * turn_of(a[i - 1], a[i], b[k]) < 0 &&
+          turn_of(b[k - 1], b[k], a[i - 1]) * turn_of(b[k - 1], b[k], a[i]) < 0)
+        return true;
+  return false;
+}
+
+std::string long_arc() {
+  const double chord = test::real(1, 30), angle = test::real(0, 6.28);
+  return (test::integer(0, 1) == 0 ? "G02 X" : "G03 X") + number_text(chord * std::cos(angle)) +
+         " Y" + number_text(chord * std::sin(angle)) + " R-" +
+         number_text(chord * test::real(0.6, 2));
+}
+
+}  // namespace
+
+TEST_CASE("paths beside neighbours that are not told of do not cross",
+          "[ipr][compensation][property]") {
+  int good = 0, told = 0;
+  test::holds(
+      [&] {
+        const std::string line = "G01 X" + number_text(test::real(5, 60)) + " Y0\n";
+        const auto beside = interpret((test::integer(0, 1) == 0 ? "G41.1 D4" : "G42.1 D4") +
+                                      std::string(" F100 G01 X20\nG91\n") + line + long_arc() +
+                                      "\n" + line + "M02\n");
+        if (!beside.diagnostics.empty()) {
+          told += beside.diagnostics.front().code == Code::SC2150 ? 1 : 0;
+          return;
+        }
+        ++good;
+        std::vector<std::vector<AxisVector>> along;  // of moves of the contour, by their lines
+        for (const Block& block : beside.blocks)
+          if (const auto* move = std::get_if<Move>(&block.what); move && block.source.line > 2)
+            along.push_back(points_within(move->path));
+        for (std::size_t i = 1; i < along.size(); ++i)
+          RC_ASSERT(!chords_cross(along[i - 1], along[i]));
+      },
+      1000);
+  CHECK(good > 100);
+  CHECK(told > 100);
 }
 
 TEST_CASE("in the fanuc dialect D stays in force", "[ipr][compensation][fanuc]") {

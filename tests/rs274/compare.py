@@ -106,11 +106,6 @@ def is_small_corner(move):
     return move.kind == "arc" and chord_in_radii(move) < 0.06
 
 
-def is_turn_back(move):
-    """An arc of almost half a turn."""
-    return move.kind == "arc" and chord_in_radii(move) > 1.99
-
-
 def compare_moves(name, ours, theirs, lines):
     """The first difference, in a list."""
     ours, theirs = ([m for m in moves if m.moves()] for moves in (ours, theirs))
@@ -122,8 +117,6 @@ def compare_moves(name, ours, theirs, lines):
         if what := unlike(a, b):
             if is_small_corner(a) and i + 1 < len(ours) and not unlike(ours[i + 1], b):
                 what = "a small corner arc more: " + what
-            elif any(map(is_turn_back, ours[i:i + 2])):
-                what = "where the contour turns back: " + what
             return finding(f"{what} ({b.call})", a.line)
     if len(ours) > len(theirs):
         extra = ours[len(theirs)]
