@@ -22,28 +22,31 @@ class CapDerivation {
   CapDerivation(Chain& chain, const Constraints& constraints)
       : chain_(chain), constraints_(constraints), period_(constraints.period()) {}
 
-  void run() {
-    reset();
-    find_shared_steps();
-    for (std::size_t i = 0; i < chain_.intervals.size(); ++i) spread_interval(i);
-    for (std::size_t n = 1; n + 1 < chain_.nodes.size(); ++n)
+  void run(std::size_t first) {
+    reset(first);
+    const std::size_t asking = chain_.felt_from(first, period_);
+    const std::size_t sharing = chain_.felt_from(asking, period_);
+    for (std::size_t i = asking; i < chain_.intervals.size(); ++i)
+      top_ = std::max(top_, chain_.intervals[i].left_cap.q);
+    find_shared_steps(sharing);
+    for (std::size_t i = asking; i < chain_.intervals.size(); ++i) spread_interval(i);
+    for (std::size_t n = std::max<std::size_t>(asking, 1); n + 1 < chain_.nodes.size(); ++n)
       if (chain_.nodes[n].passes_kink() || chain_.nodes[n].passes_bend()) pass_joint(n);
   }
 
  private:
-  void reset() {
-    chain_.inside.assign(chain_.intervals.size(), {});
-    for (std::size_t i = 0; i < chain_.intervals.size(); ++i) {
-      chain_.inside[i].cap = chain_.intervals[i].left_cap;
-      top_ = std::max(top_, chain_.intervals[i].left_cap.q);
-    }
-    for (Node& node : chain_.nodes) node.cap = node.own;
+  void reset(std::size_t first) {
+    chain_.inside.resize(first);
+    for (std::size_t i = first; i < chain_.intervals.size(); ++i)
+      chain_.inside.push_back({chain_.intervals[i].left_cap});
+    for (std::size_t n = first; n < chain_.nodes.size(); ++n)
+      chain_.nodes[n].cap = chain_.nodes[n].own;
   }
 
   /// Curves within a step of a turn leave it a part of the chord tolerance; q goes with it.
-  void find_shared_steps() {
+  void find_shared_steps(std::size_t first) {
     step_share_.assign(chain_.intervals.size(), 1.0);
-    for (std::size_t n = 0; n < chain_.nodes.size(); ++n)
+    for (std::size_t n = first; n < chain_.nodes.size(); ++n)
       if (chain_.nodes[n].turns())
         chain_.for_intervals_in_step(n, period_, [this](std::size_t i) {
           step_share_[i] = kTurnShare;
@@ -199,8 +202,8 @@ class CapDerivation {
 
 }  // namespace
 
-void derive_caps(Chain& chain, const Constraints& constraints) {
-  CapDerivation(chain, constraints).run();
+void derive_caps(Chain& chain, const Constraints& constraints, std::size_t first) {
+  CapDerivation(chain, constraints).run(first);
 }
 
 bool shares_its_step(const Chain& chain, std::size_t node, double period) noexcept {

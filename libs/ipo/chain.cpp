@@ -143,6 +143,12 @@ void Chain::split(std::size_t i, double s) {
   nodes.insert(nodes.begin() + n + 1, between);
 }
 
+std::size_t Chain::felt_from(std::size_t node, double period) const noexcept {
+  double time = 0;
+  while (node > 0 && time < kFeltPeriods * period) time += intervals[--node].shortest_time();
+  return node;
+}
+
 void Chain::drop_front(std::size_t count) {
   const auto n = static_cast<std::ptrdiff_t>(count);
   intervals.erase(intervals.begin(), intervals.begin() + n);

@@ -18,6 +18,10 @@ inline constexpr double kTangentTolerance = 0.01;
 /// Derivatives inside an interval, on which they are as good as linear; s in mm of its move.
 PathPoint point_inside(const Interval& interval, double s) noexcept;
 
+/// What a place asks of its neighbours is felt over a few steps: its own, those of the kinks around
+/// it, and those of theirs.
+inline constexpr double kFeltPeriods = 5;
+
 /// A place between two intervals.
 struct Node {
   Cap own;                               // of its two intervals and of the joint itself
@@ -56,6 +60,9 @@ struct Chain {
   /// Forgets the first `count` intervals.
   void drop_front(std::size_t count);
 
+  /// The last node at or before `node` behind which nothing that lies at it or ahead is felt.
+  std::size_t felt_from(std::size_t node, double period) const noexcept;
+
   /// Calls visit(i) for the intervals left and right of a node that one step, however fast, can
   /// touch together with it, nearest first on each side; on a side no further once visit returns
   /// false.
@@ -77,7 +84,8 @@ struct Chain {
 
 /// Finds Node::cap and Inside: spreads what each interval asks of the steps that touch it, and what
 /// joints ask of the speed, the acceleration and the jerk around them.
-void derive_caps(Chain& chain, const Constraints& constraints);
+/// Left of node `first` they stand already.
+void derive_caps(Chain& chain, const Constraints& constraints, std::size_t first = 0);
 
 /// So many steps are felt in a third difference.
 inline constexpr double kJerkSteps = 3;

@@ -37,9 +37,9 @@ void JerkWindow::split_long_intervals(bool ended) {
     const double longest = kLongest * stopping_distance(speed(cap), constraints_);
     const int parts =
         static_cast<int>(std::min(std::ceil(interval.length() / longest), kMostParts));
+    if (parts > 1) derived_to_ = std::min(derived_to_, chain_.felt_from(i, constraints_.period()));
     for (int k = 1; k < parts; ++k, ++i)
       chain_.split(i, interval.s0 + interval.length() * k / parts);
-    if (parts > 1) caps_derived_ = false;
     split_to_ = chain_.nodes[i + 1].s;
   }
 }
@@ -68,7 +68,7 @@ std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended, double slowi
 std::size_t JerkWindow::settle(bool ended) {
   if (size() == 0) return 0;
   split_long_intervals(ended);
-  if (!std::exchange(caps_derived_, true)) derive_caps(chain_, constraints_);
+  derive();
   const auto reach = look_ahead(ended);
   if (!reach) return 0;
   if (slows_) return slow_down(ended);
@@ -145,13 +145,13 @@ std::optional<std::size_t> JerkWindow::rest_early(double resolution) {
   if (size() == 0 || stands_still({chain_, constraints_, front_, front_ + 1, share_}, motion_))
     return std::nullopt;
   split_long_intervals(true);
-  derive_caps(chain_, constraints_);
+  derive_anew();
   const double all = first_rest() - chain_.nodes[front_].s;
   const double a = constraints_.tangential_u(chain_.intervals[front_].left);
   double way = std::max(resolution, kShortestStop * motion_.v * motion_.v / (2 * a));
   for (;; way *= kFurther) {
     const std::size_t end = node_at(chain_.nodes[front_].s + std::min(way, all), kNodePart);
-    derive_caps(chain_, constraints_);
+    derive_anew();
     if (auto plan = this->plan(end, end)) {
       take(std::move(*plan), end - front_);
       return planned_.size();

@@ -14,7 +14,7 @@ constexpr double kResolution = 1e-3;  // mm: of where the machine has slowed dow
 
 std::size_t ReachWindow::settle(bool ended) {
   if (size() == 0) return 0;
-  derive_caps(chain_, constraints_);
+  derive();
   if (slows_ && (ended || last_final_cap() > front_)) slow_down(ended);
   const std::size_t last = ended ? chain_.nodes.size() - 1 : last_final_cap();
   if (lost_ || last <= front_) return 0;
@@ -66,7 +66,7 @@ std::optional<std::size_t> ReachWindow::rest_early(double resolution) {
   while (chain_.intervals[front_ + no].length() > resolution) {
     const Interval& last = chain_.intervals[front_ + no];
     chain_.split(front_ + no, 0.5 * (last.s0 + last.s1));
-    derive_caps(chain_, constraints_);
+    derive_anew();
     yes = no + 2;
     halve_to(no + 1);
   }

@@ -1,22 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/window.hpp"
 
+#include <algorithm>
+
 #include "ipo/jerk_window.hpp"
 #include "ipo/reach_window.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
-/// What a place asks of its neighbours is felt over a few steps: its own, those of the kinks around
-/// it, and those of theirs.
-constexpr double kFeltPeriods = 5;
 constexpr double kNodePart = 1e-6;  // of an interval: nodes nearer to its end are there
 
 }  // namespace
 
 void Window::append(const Move& move, bool rest) {
+  if (!chain_.nodes.empty()) derived_to_ = std::min(derived_to_, last_final_cap());
   chain_.append(move, constraints_, rest);
-  caps_derived_ = false;
+}
+
+void Window::derive() {
+  if (derived_to_ < chain_.nodes.size()) derive_caps(chain_, constraints_, derived_to_);
+  derived_to_ = chain_.nodes.size();
+}
+
+void Window::derive_anew() {
+  derived_to_ = 0;
+  derive();
 }
 
 void Window::append(const Move& move, bool rest, const Cap& slower) {
@@ -33,16 +42,12 @@ void Window::skip(std::size_t moves, double s) {
     if (chain_.intervals[front_++].ends_move) return;
   if (front_ == chain_.intervals.size() || chain_.intervals[front_].s0 >= s) return;
   chain_.split(front_, s);
-  caps_derived_ = false;
+  derived_to_ = 0;
   ++front_;
 }
 
 std::size_t Window::last_final_cap() const noexcept {
-  std::size_t node = chain_.nodes.size() - 1;
-  double time = 0;
-  while (node > front_ && time < kFeltPeriods * constraints_.period())
-    time += chain_.intervals[--node].shortest_time();
-  return node;
+  return std::max(front_, chain_.felt_from(chain_.nodes.size() - 1, constraints_.period()));
 }
 
 std::span<const Interval> Window::last_move() const noexcept {
@@ -79,7 +84,7 @@ void Window::slow_from(const Chain& appended, double way) {
     chain_.nodes[i].own.lower_to(interval.slower_cap);
     chain_.nodes[i + 1].own.lower_to(interval.slower_cap);
   }
-  derive_caps(chain_, constraints_);
+  derive_anew();
 }
 
 bool Window::drop_front() {
@@ -97,11 +102,10 @@ Window::Turn Window::front_turn() const noexcept {
 /// Drops what lies so far behind the front that nothing ahead can feel it.
 void Window::forget() {
   std::size_t keep = front_;
-  double time = 0;
-  while (keep > 0 && time < 2 * kFeltPeriods * constraints_.period())
-    time += chain_.intervals[--keep].shortest_time();
+  for (int i = 0; i < 3; ++i) keep = chain_.felt_from(keep, constraints_.period());
   chain_.drop_front(keep);
   front_ -= keep;
+  derived_to_ -= std::min(derived_to_, keep);
 }
 
 std::unique_ptr<Window> make_window(const Constraints& constraints, double share) {

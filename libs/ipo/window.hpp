@@ -101,10 +101,15 @@ class Window {
   /// The chain as it was appended, slower from `way` mm ahead of the front on.
   void slow_from(const Chain& appended, double way);
 
+  /// Caps of what has been appended since.
+  void derive();
+  /// All caps, once intervals have been split or lowered.
+  void derive_anew();
+
   const Constraints& constraints_;
   double share_;
   Chain chain_;
-  bool caps_derived_ = false;
+  std::size_t derived_to_ = 0;  // nodes left of it have their caps
   bool slows_ = false, lost_ = false;
   double stop_ = 0, slowing_way_ = 0;
   std::size_t front_ = 0;  // what lies left of it is kept for what it asks of its neighbours
