@@ -34,6 +34,7 @@ bool is_well_given(Task& task, const PlaneAxes& axes) {
   const bool radius = values.has('R');
   const bool centre = values.letters().has_any(kOffsetLetters);
   const std::string name = code_name(task.code);
+  if (radius && task.options.dialect == Dialect::fanuc) return true;
   if (radius && centre) {
     task.out.report(Code::SC2106, span_of(values, "IJKR"), name + " takes R or a centre, not both");
   } else if (!radius && !centre) {

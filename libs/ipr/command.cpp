@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "ipr/faults.hpp"
+
 namespace softcnc::ipr {
 namespace {
 
@@ -63,13 +65,20 @@ void Command::read_value(const Word& word, Output& out) {
   values_.words_[Values::index(word.letter)] = &word;
 }
 
-/// O names the program; only a line number may stand beside it.
+/// O names the program; only a line number may stand beside it. Behind other words it is told
+/// itself, and what it was meant for is not known.
 void Command::check_program_number(const Line& line, Output& out) {
-  for (const Word& word : line.words) {
-    if (word.letter == 'O' || word.letter == 'N') continue;
-    out.report(Code::SC2006, word.pos, "O stands alone on its line");
-    return;
-  }
+  const auto& words = line.words;
+  const auto number =
+      std::find_if(words.begin(), words.end(), [](const Word& word) { return word.letter == 'O'; });
+  const auto other = std::find_if(words.begin(), words.end(), [](const Word& word) {
+    return word.letter != 'O' && word.letter != 'N';
+  });
+  if (other == words.end()) return;
+  const bool behind = other < number;
+  if (behind) uncertain_ |= kAfterUnknownCode;
+  out.report(Code::SC2006, behind ? number->pos : other->pos,
+             std::string("O stands alone on its line") + (behind ? kLetterForDigit : ""));
 }
 
 void Command::add(const GCode& code, const Word& word) {

@@ -19,7 +19,7 @@ constexpr double kSamePoint = 1e-9;  // mm
 constexpr double kShortest = 1e-6;   // mm: less of a move is none
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kAtEnd = 1e-3;    // mm: parallels that meet so near an end do so at the corner
-constexpr double kGrazing = 0.01;  // sine of an angle: what crosses at less, touches
+constexpr double kGrazing = 5e-3;  // mm: programs are rounded to less
 
 bool stays_in_plane(const Path& path, const PlaneAxes& axes) {
   if (!std::holds_alternative<softcnc::Line>(path)) return false;
@@ -34,8 +34,13 @@ bool same_height(const Path& before, const Path& behind, const PlaneAxes& axes) 
   return is_level(end(before)) && is_level(start(behind)) && is_level(end(behind));
 }
 
+/// What lies between two curves behind a point in which they cross at a small angle, is at most
+/// sin^2 / 2c wide, c being how much more the one bends than the other.
 bool grazes(const PlaneCurve& before, const PlaneCurve& behind, const PlaneVector& at) {
-  return std::abs(cross(before.direction_at(at), behind.direction_at(at))) < kGrazing;
+  const PlaneVector a = before.direction_at(at), b = behind.direction_at(at);
+  const double sine = cross(a, b);
+  const double bend = (before.curvature() * left_of(a) - behind.curvature() * left_of(b)).norm();
+  return sine * sine < 2 * bend * kGrazing;
 }
 
 const Path& path_of(const Block& block) { return std::get<Move>(block.what).path; }
@@ -110,7 +115,8 @@ void Compensation::follow_move(Block block, std::string_view text, bool certain)
 void Compensation::enter(Block block, std::string_view text) {
   const PlaneCurve contour = plane_curve(path_of(block), axes_);
   const double across = programmed_[axes_.across];
-  if ((contour.to() - contour.from()).norm() <= mode_->radius) {
+  const bool square = mode_->square_entry && !contour.is_arc();
+  if (!square && (contour.to() - contour.from()).norm() <= mode_->radius) {
     return report(Code::SC2143, block, text,
                   "the first move of cutter compensation must be longer than the tool's radius, " +
                       number_text(mode_->radius) + " mm");
@@ -142,7 +148,12 @@ void Compensation::go_on(Block block, std::string_view text) {
 }
 
 void Compensation::join(Along& next) {
-  switch (corner_between(held_->contour, next.contour, mode_->side, mode_->radius)) {
+  const Corner corner = corner_between(held_->contour, next.contour, mode_->side, mode_->radius);
+  if (held_->entry && !held_->contour.is_arc() && corner != Corner::none) {
+    contradictions_.note(Contradiction::entry, held_->block.source, held_->text);
+    if (mode_->square_entry) return let_out(next.parallel.from(), 0);
+  }
+  switch (corner) {
     case Corner::none:
       return let_out_whole();
     case Corner::outside:

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ipr/contradictions.hpp"
 #include "ipr/modes.hpp"
 #include "ipr/plane_curve.hpp"
 
@@ -17,7 +18,8 @@ namespace softcnc::ipr {
 /// contour, and what stands behind it, until the next one tells where the move ends.
 class Compensation {
  public:
-  explicit Compensation(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+  Compensation(Diagnostics& diagnostics, Contradictions& contradictions)
+      : diagnostics_(diagnostics), contradictions_(contradictions) {}
 
   bool on() const noexcept { return mode_.has_value(); }
   void start(const CutterSide& mode);
@@ -61,6 +63,7 @@ class Compensation {
   void report(Code code, const Block& block, std::string_view text, std::string message);
 
   Diagnostics& diagnostics_;
+  Contradictions& contradictions_;
   std::optional<CutterSide> mode_;
   PlaneAxes axes_{};
   bool entered_ = false;                        // the first move in the plane has been seen

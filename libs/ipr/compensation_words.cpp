@@ -175,7 +175,7 @@ void compensate(Task& task) {
   if (!radius) return;
   const bool right = task.code.number == kG42 || task.code.number == kG42Dynamic;
   const int side = right == (*radius < 0) ? 1 : -1;
-  const CutterSide wanted{side, std::abs(*radius), task.modal.plane};
+  const CutterSide wanted{side, std::abs(*radius), task.modal.plane, is_fanuc(task)};
   if (on && task.modal.cutter == wanted) return;
   if (on) return report_twice(task);
   task.modal.cutter = wanted;
@@ -204,9 +204,7 @@ bool may_act(Task& task) {
   if (!is_refused(task) || task.modal.curve || task.modal.points) return true;
   task.out.report(Code::SC2140, task.word.pos,
                   code_name(task.code) + " while cutter compensation is on");
-  if (task.code.group == Group::motion) return end_contour(task);
-  if (task.values.letters().has_any(kAxisWords)) task.modal.uncertain |= kAxisWords;
-  return false;
+  return end_contour(task);
 }
 
 }  // namespace softcnc::ipr

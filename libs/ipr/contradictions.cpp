@@ -40,7 +40,7 @@ constexpr std::array<ContradictionRow, kContradictions> kTable{{
     {C::work_system_in_g91, Code::SC2122, "G10 L2 in G91", "sets the origin to the values",
      "adds the values to the origin"},
     {C::tool_value, Code::SC2123, "G10 L1, L10, L11 with R alone", "sets the radius of tool P",
-     "L10 sets the length of offset P, L1 and L11 its wear"},
+     "sets the length of offset P (L10) or its wear (L1, L11)"},
     {C::length_number, Code::SC2124, "G43 without H", "takes the length of the tool in the spindle",
      "takes the last H"},
     {C::zero_radius, Code::SC2125, "G41, G42 with D0",
@@ -56,6 +56,8 @@ constexpr std::array<ContradictionRow, kContradictions> kTable{{
      "goes out to where the first of the row began"},
     {C::feed_out, Code::SC2131, "G74, G84, G89 with G98", "go out at the feed all the way",
      "go out at the feed to R, where the spindle of a tap turns back, and on as a rapid"},
+    {C::entry, Code::SC2132, "the line on which cutter compensation begins", "leads beside its end",
+     "leads square to the beginning of the next move"},
 }};
 
 constexpr bool in_order() {

@@ -43,8 +43,9 @@ enum class Contradiction : std::uint8_t {
   old_call,
   retract,
   feed_out,
+  entry,
 };
-inline constexpr std::size_t kContradictions = 23;
+inline constexpr std::size_t kContradictions = 24;
 
 struct ContradictionRow {
   Contradiction kind;

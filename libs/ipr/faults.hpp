@@ -19,6 +19,9 @@ std::string character_name(std::string_view character);
 /// Text in UTF-16 shows its byte order mark, or a zero byte beside its first character.
 bool looks_like_utf16(std::string_view first_line);
 
+/// Follows the text of what is told of a letter O that makes no sense.
+inline constexpr const char* kLetterForDigit = "; is the digit 0 meant?";
+
 struct TextFault {
   Code code;
   std::string message;

@@ -17,9 +17,9 @@ std::string name_of(const Subprogram& sub) {
 
 }  // namespace
 
-/// A definition is passed over where it stands.
+/// A definition is passed over where it stands. Without its end nobody knows which of the lines
+/// behind it are the program's.
 void Flow::pass_definition() {
-  const Spot here = library_.here();
   SourcePos nested;
   std::string nested_text, nested_name;
   while (const auto line = parser_.next_statement()) {
@@ -40,7 +40,7 @@ void Flow::pass_definition() {
   const std::string& label = statement_.label;
   report_once(Code::SC2303, statement_.pos,
               "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'", text_);
-  sought_in_vain(here, statement_.pos);
+  ended_ = broken_ = true;
 }
 
 /// The O of the main program, or of the one behind it.

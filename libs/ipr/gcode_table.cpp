@@ -88,6 +88,9 @@ constexpr std::array<std::string_view, kGroups> kGroupNames{
     "program number",
     "number of a radius",
     "number of a length",
+    "polar coordinates",
+    "scaling",
+    "rotated coordinates",
 };
 static_assert(!kGroupNames.back().empty());
 
@@ -120,6 +123,8 @@ constexpr GCode kTable[] = {
     {'G', 65, Group::surface, order::surface, "", cancel_surface, "No roughness asked for."},
     {'G', 100, Group::non_modal, order::offsets, "LPXYZR", set_offsets,
      "Sets tables: L2, L20 work system P; L1, L10, L11 tool P; fanuc: L10 to L13 offset P."},
+    {'G', 150, Group::polar, order::plane, "", cancel_nothing,
+     "fanuc: polar coordinates off, which they always are; G16 is not supported."},
     {'G', 170, Group::plane, order::plane, "", select_plane, "Arcs lie in the plane X Y."},
     {'G', 180, Group::plane, order::plane, "", select_plane, "Arcs lie in the plane Z X."},
     {'G', 190, Group::plane, order::plane, "", select_plane, "Arcs lie in the plane Y Z."},
@@ -161,6 +166,8 @@ constexpr GCode kTable[] = {
      "Length of tool H is added to what counts."},
     {'G', 490, Group::tool_length, order::tool_length, "", use_no_tool_length,
      "Tool length offset off, as at the start."},
+    {'G', 500, Group::scaling, order::plane, "", cancel_nothing,
+     "fanuc: scaling off, which it always is; G51 is not supported."},
     {'G', 520, Group::non_modal, order::offsets, "XYZ", set_local_shift,
      "Shifts all work systems by X Y Z."},
     {'G', 530, Group::non_modal, order::offsets, "", use_machine_coordinates,
@@ -188,6 +195,8 @@ constexpr GCode kTable[] = {
     {'G', 661, Group::non_modal, order::stopping, "PL", refuse_modal_macro,
      "Refused: a macro call after every block."},
     {'G', 670, Group::non_modal, order::stopping, "", nullptr, "No macro calls after moves."},
+    {'G', 690, Group::rotation, order::plane, "", cancel_nothing,
+     "fanuc: rotated coordinates off, which they always are; G68 is not supported."},
     {'G', 730, Group::motion, order::motion, "XYZRQLK", canned_cycle,
      "Drill to Z in pecks of Q, breaking the chip; the other words as G81; fanuc: P as G82.", "P"},
     {'G', 740, Group::motion, order::motion, "XYZRPLK", canned_cycle,

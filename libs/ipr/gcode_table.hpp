@@ -46,8 +46,11 @@ enum class Group : std::uint8_t {
   program_number,
   radius_number,
   length_number,
+  polar,
+  scaling,
+  rotation,
 };
-inline constexpr int kGroups = 29;
+inline constexpr int kGroups = 32;
 
 inline constexpr int kAnyNumber = -1;
 

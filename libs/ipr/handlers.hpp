@@ -74,6 +74,7 @@ void use_tool_length(Task& task);
 void use_given_length(Task& task);
 void add_tool_length(Task& task);
 void use_no_tool_length(Task& task);
+void cancel_nothing(Task& task);
 void select_length(Task& task);
 
 // reference_points.cpp

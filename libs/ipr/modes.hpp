@@ -18,6 +18,7 @@ struct CutterSide {
   int side = 1;       // 1: the tool runs left of the contour, -1: right of it
   double radius = 0;  // mm, from 0; at 0 moves stay as they are
   Plane plane = Plane::xy;
+  bool square_entry = false;  // FANUC: a first line leads to the beginning of the next move
 
   friend bool operator==(const CutterSide&, const CutterSide&) = default;
 };

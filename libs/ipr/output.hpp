@@ -18,7 +18,9 @@ namespace softcnc::ipr {
 class Output {
  public:
   Output(Diagnostics& diagnostics, Contradictions& contradictions)
-      : diagnostics_(diagnostics), contradictions_(contradictions), compensation_(diagnostics) {}
+      : diagnostics_(diagnostics),
+        contradictions_(contradictions),
+        compensation_(diagnostics, contradictions) {}
 
   void begin(const Line& line);
   void end();

@@ -106,6 +106,8 @@ class Parser {
   Token read_macro(Lexer& lexer, const Token& mark);
   Token read_percent(Lexer& lexer, const Token& percent);
   Token read_slash(Lexer& lexer, const Token& slash);
+  void lose_word_before(const Token& letter);
+  Token pass_letter_for_digit(Lexer& lexer, const Token& letter);
   void report_missing_number(const Token& letter, const Token& instead);
   Token read_exponent(Lexer& lexer, const Token& letter);
   void report_number(const Token& letter, const Token& number);

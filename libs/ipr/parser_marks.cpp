@@ -61,8 +61,26 @@ void Parser::report_missing_number(const Token& letter, const Token& instead) {
     return give_up(Code::SC1020, whole, quoted(letters) + " is no keyword and no function");
   }
   line_.lost.add(letter.letter);
-  if (!excused)
-    report(Code::SC1002, letter.column, 1, std::string("no number after ") + letter.letter);
+  lose_word_before(letter);
+  if (excused) return;
+  const bool zero = letter.letter == 'O' || instead.letter == 'O';
+  report(Code::SC1002, letter.column, 1,
+         std::string("no number after ") + letter.letter + (zero ? kLetterForDigit : ""));
+}
+
+/// `GO1`: the O belongs to the number. What the code would have done is not known.
+Token Parser::pass_letter_for_digit(Lexer& lexer, const Token& letter) {
+  line_.lost.add(letter.letter);
+  if (letter.letter == 'G') line_.lost |= Letters("XYZ");
+  const Token after = lexer.next();
+  return after.kind == Token::Kind::number ? lexer.next() : after;
+}
+
+/// What stands right behind a number may have been meant as a part of it.
+void Parser::lose_word_before(const Token& letter) {
+  if (words_.empty()) return;
+  const SourcePos& before = words_.back().pos;
+  if (before.column + before.length == letter.column) line_.lost.add(words_.back().letter);
 }
 
 void Parser::report_number(const Token& letter, const Token& number) {

@@ -35,7 +35,7 @@ Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) 
     if (const auto behind = read_keyword(lexer, letter)) return *behind;
   if (first.kind != Token::Kind::number) {
     report_missing_number(letter, first);
-    return first;
+    return first.letter == 'O' ? pass_letter_for_digit(lexer, letter) : first;
   }
   report_number(letter, first);
   return lexer.next();

@@ -30,6 +30,13 @@ void refuse_rigid_tapping(Task& task) {
   task.modal.uncertain.add('M');
 }
 
+/// G15, G50 and G69 stand in the first line of many a FANUC program; LinuxCNC does not know them.
+void cancel_nothing(Task& task) {
+  if (task.options.dialect == Dialect::fanuc) return;
+  task.out.report(Code::SC2001, task.word.pos,
+                  code_name(task.code) + " is not supported in the linuxcnc dialect");
+}
+
 /// M62 to M68.
 void refuse_signal(Task& task) {
   report(task, "softcnc has no inputs and outputs that a program could read or set");

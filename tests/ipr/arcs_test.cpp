@@ -135,6 +135,14 @@ TEST_CASE("in G90.1 the centre is a place", "[ipr][arcs]") {
   CHECK(center("G18 G90.1 G02 X10 I5 K0").x() == 5);
 }
 
+TEST_CASE("in the fanuc dialect R counts beside a centre", "[ipr][arcs][fanuc]") {
+  const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
+  const auto moves = moves_of("G17 G02 X10. Y0 I0. J0. K0. R5. F100\nM30\n", {}, fanuc);
+  REQUIRE(moves.size() == 1);
+  CHECK(std::get<Arc>(moves[0].path).radius() == Approx(5));
+  CHECK(places(interpret("G02 X10 R5 I5 F100\nM30\n")) == Places{"SC2106 1:9"});
+}
+
 TEST_CASE("in the fanuc dialect a 0 across the plane beside a centre is none",
           "[ipr][arcs][fanuc]") {
   const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
@@ -146,7 +154,7 @@ TEST_CASE("in the fanuc dialect a 0 across the plane beside a centre is none",
   CHECK(told("G02 X10 I5 K0", {}) == Places{"SC2105 2:12"});
   CHECK(told("G02 X10 I5 K1", fanuc) == Places{"SC2105 2:12"});
   CHECK(told("G02 X10 K0", fanuc) == Places{"SC2105 2:9"});
-  CHECK(told("G02 X10 R5 K0", fanuc) == Places{"SC2106 2:9"});
+  CHECK(told("G02 X10 R5 K0", {}) == Places{"SC2106 2:9"});
 }
 
 }  // namespace softcnc::ipr

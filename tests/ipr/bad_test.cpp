@@ -91,6 +91,8 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC1001, "unknown character '\u00d7' (U+00D7)"},
     {Code::SC1001, "unknown character byte 0x07"},
     {Code::SC1002, "no number after X"},
+    {Code::SC1002, "no number after O; is the digit 0 meant?"},
+    {Code::SC1002, "no number after G; is the digit 0 meant?"},
     {Code::SC1002, "no number after X, only '-'"},
     {Code::SC1003, "a sign inside the number '--1'"},
     {Code::SC1004, "two decimal points in '1.2.3'"},
@@ -167,8 +169,8 @@ const std::multimap<Code, std::string> kTexts{
      "G10 L2 in G91 sets the origin to the values; in the fanuc dialect: adds the values to the "
      "origin"},
     {Code::SC2123,
-     "G10 L1, L10, L11 with R alone sets the radius of tool P; in the fanuc dialect: L10 sets the "
-     "length of offset P, L1 and L11 its wear"},
+     "G10 L1, L10, L11 with R alone sets the radius of tool P; in the fanuc dialect: sets the length "
+     "of offset P (L10) or its wear (L1, L11)"},
     {Code::SC2124,
      "G43 without H takes the length of the tool in the spindle; in the fanuc dialect: takes the "
      "last H"},
@@ -191,7 +193,11 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC2131,
      "G74, G84, G89 with G98 go out at the feed all the way; in the fanuc dialect: go out at the "
      "feed to R, where the spindle of a tap turns back, and on as a rapid"},
+    {Code::SC2132,
+     "the line on which cutter compensation begins leads beside its end; in the fanuc dialect: "
+     "leads square to the beginning of the next move"},
     {Code::SC2001, "G48 is not supported"},
+    {Code::SC2001, "G69 is not supported in the linuxcnc dialect"},
     {Code::SC1050, "'line' is no command; there are l, pcw, pccw, dcw, dccw, s and f"},
     {Code::SC1051, "numbers without a command before them"},
     {Code::SC1052, "pcw takes 4 numbers, dx dy cx cy; here are 3"},
@@ -206,6 +212,7 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC2004, "Q is used by no code of this line"},
     {Code::SC2005, "G04 needs P, the time in seconds"},
     {Code::SC2006, "O stands alone on its line"},
+    {Code::SC2006, "O stands alone on its line; is the digit 0 meant?"},
     {Code::SC2007, "F must not be negative"},
     {Code::SC2007, "T takes a whole number from 0"},
     {Code::SC2007, "T takes a whole number up to 999999999"},

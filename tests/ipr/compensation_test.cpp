@@ -392,6 +392,26 @@ TEST_CASE("paths beside neighbours that are not told of do not cross",
   CHECK(told > 100);
 }
 
+TEST_CASE("in the fanuc dialect the first line leads square to the next move",
+          "[ipr][compensation][fanuc]") {
+  const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
+  const auto ends_by = [&](const std::string& text) {
+    std::vector<AxisVector> all;
+    for (const Move& move : moves_of("F100 D1\n" + text + "\nM30\n", mill(), fanuc))
+      all.push_back(end(move.path));
+    return all;
+  };
+  const auto inside = ends_by("G41 G01 X15\nG03 I-15\nG40 G01 X0");  // radius 5 in a bore of 15
+  REQUIRE(inside.size() == 3);
+  CHECK((inside[0] - AxisVector(10, 0, 0)).norm() < 1e-9);
+  CHECK((inside[1] - AxisVector(10, 0, 0)).norm() < 1e-9);
+  CHECK((inside[2] - AxisVector(0, 0, 0)).norm() < 1e-9);
+  const auto outside = ends_by("G41 G01 X3\nY-20\nG40 X20");  // shorter than the radius
+  REQUIRE(outside.size() == 3);
+  CHECK((outside[0] - AxisVector(8, 0, 0)).norm() < 1e-9);
+  CHECK((outside[1] - AxisVector(8, -20, 0)).norm() < 1e-9);
+}
+
 TEST_CASE("in the fanuc dialect D stays in force", "[ipr][compensation][fanuc]") {
   const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
   const auto place = [&](const std::string& text) {  // of the tool beside Y20

@@ -122,6 +122,8 @@ const std::vector<Case> kCases{
     {C::retract, "G0 Z20\nG81 X1 Z-1 R2 F100\nM30", "SC2129 2:1", ""},
     {C::retract, "G0 Z2\nG81 X1 Z-1 R2 F100\nM30", "", ""},
     {C::feed_out, "S500 M3 G0 Z20\nG98 G84 X1 Z-1 R2 F100\nM30", "SC2131 2:5", ""},
+    {C::entry, "T1 M6\nF100 G1 G41 D1 X20\nY20\nG40 X60\nM30", "SC2132 2:1", ""},
+    {C::entry, "T1 M6\nF100 G1 G41 D1 X20\nX40\nG40 X60\nM30", "", ""},
     {C::feed_out, "S500 M4 G0 Z20\nG98 G74 X1 Z-1 R2 F100\nM30", "SC2131 2:5", ""},
     {C::feed_out, "S500 M3 G0 Z20\nG99 G84 X1 Z-1 R2 F100\nM30", "", ""},
 };

@@ -84,4 +84,11 @@ TEST_CASE("M49 and M50 P0 take the feed override away, M48 and M50 give it back"
   for (std::size_t i = 0; i < expected.size(); ++i) CHECK(moves[i].feed_override == expected[i]);
 }
 
+TEST_CASE("in the fanuc dialect a line that switches all off is read", "[ipr][modes][fanuc]") {
+  const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
+  const auto read =
+      interpret("G0 G17 G40 G49 G50 G69 G80 G90 G15\nG50 G50 X1\nM30\n", {}, fanuc);
+  CHECK(places(read) == Places{"SC2002 2:5"});
+}
+
 }  // namespace softcnc::ipr
