@@ -27,12 +27,15 @@ class RowBuffer {
       : backend_(backend),
         columns_(backend.columns().size()),
         rows_(kBatch),
+        pulses_(kBatch),
         values_(kBatch * columns_) {}
 
   void clear() noexcept { used_ = 0; }
   void record(const Setpoint& setpoint, const Feedback&) noexcept {
     backend_.values(std::span(values_).subspan(used_ * columns_, columns_));
-    rows_[used_++] = setpoint;
+    rows_[used_] = setpoint;
+    if (!setpoint.pulses.empty()) keep_pulses(setpoint.pulses);
+    ++used_;
   }
 
   std::span<const Setpoint> rows() const noexcept { return std::span(rows_).first(used_); }
@@ -41,9 +44,16 @@ class RowBuffer {
   }
 
  private:
+  /// Those of the setpoint stand only until the next one is made.
+  void keep_pulses(std::span<const TimedStep> pulses) noexcept {
+    pulses_[used_].assign(pulses.begin(), pulses.end());
+    rows_[used_].pulses = pulses_[used_];
+  }
+
   const hal::Backend& backend_;
   std::size_t columns_, used_ = 0;
   std::vector<Setpoint> rows_;
+  std::vector<std::vector<TimedStep>> pulses_;
   std::vector<double> values_;
 };
 
@@ -76,7 +86,7 @@ class Simulation {
   Outcome run(RowSink* rows, Watcher* watcher) {
     do {
       channel_.answer_events();
-      wait(watcher);
+      wait(rows, watcher);
       if (channel_.waiting()) wait_for_more(rows, watcher);
       if (watcher && !panel_.stop) panel_.stop = watcher->wants_stop();
     } while (run_batch(rows, watcher));
@@ -85,7 +95,7 @@ class Simulation {
   }
 
  private:
-  void wait(Watcher* watcher);
+  void wait(RowSink* rows, Watcher* watcher);
   void wait_for_more(RowSink* rows, Watcher* watcher) const;
   bool run_batch(RowSink* rows, Watcher* watcher);
   bool write(RowSink* rows);
@@ -103,9 +113,10 @@ class Simulation {
 };
 
 /// All rows so far are out; the machine rests in the next one, whatever the answer.
-void Simulation::wait(Watcher* watcher) {
+void Simulation::wait(RowSink* rows, Watcher* watcher) {
   while (const Pause* pause = channel_.pause_ahead()) {
     backend_.rest();
+    if (rows) rows->rest();
     if (watcher) watcher->pause(pause->block);
     channel_.resume();
   }
