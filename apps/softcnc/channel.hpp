@@ -198,10 +198,13 @@ struct Outcome {
   Cpu cpu;
 };
 
+class PacedCycle;
+
 /// A run as fast as the computer goes: the same rows every time. `rows` and `watcher` may be null.
-/// `input` is where the reader reads.
+/// `input` is where the reader reads. With `paced`, which writes the rows then, as fast as the
+/// clock goes, and the same rows all the same.
 Outcome simulate(ipr::Reader& reader, int input, const Machine& machine,
                  const ChannelOptions& options, hal::Backend& backend, Diagnostics& diagnostics,
-                 RowSink* rows, Watcher* watcher);
+                 RowSink* rows, Watcher* watcher, PacedCycle* paced = nullptr);
 
 }  // namespace softcnc::app
