@@ -47,7 +47,7 @@ Feedback PacedCycle::exchange(const Setpoint& setpoint) noexcept {
 }
 
 bool PacedCycle::collect() {
-  for (Slot* slot = nullptr; done_.try_dequeue(slot); free_.push_back(slot))
+  for (Slot* slot = nullptr; done_.take(slot); free_.push_back(slot))
     if (slot->exchanged) write(*slot);
   return wanted_;
 }
@@ -82,7 +82,7 @@ void PacedCycle::run() noexcept {
     if (next != Queue::Next::item) continue;
     punctuality_.lateness.add(late);
     exchange(*slot);
-    done_.try_enqueue(slot);
+    done_.push(slot);
   }
   become_ordinary();
 }

@@ -76,7 +76,7 @@ class PacedCycle {
   std::int64_t period_;  // ns
   RowSink* row_sink_;
   Queue to_do_;
-  moodycamel::ReaderWriterQueue<Slot*> done_;
+  BoundedQueue<Slot*> done_;
   std::vector<Slot> slots_;
   std::vector<Slot*> free_;
   bool wanted_ = true;
