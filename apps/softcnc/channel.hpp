@@ -157,6 +157,8 @@ class RowSink {
   virtual ~RowSink() = default;
   /// False: no more rows are wanted.
   virtual bool row(const Setpoint& setpoint, std::span<const double> backend_values) = 0;
+  /// The machine stands before the program waits for a person.
+  virtual void rest() {}
   /// Hands on what there is: the next row may take long.
   virtual void flush() {}
 };
@@ -196,10 +198,13 @@ struct Outcome {
   Cpu cpu;
 };
 
+class PacedCycle;
+
 /// A run as fast as the computer goes: the same rows every time. `rows` and `watcher` may be null.
-/// `input` is where the reader reads.
+/// `input` is where the reader reads. With `paced`, which writes the rows then, as fast as the
+/// clock goes, and the same rows all the same.
 Outcome simulate(ipr::Reader& reader, int input, const Machine& machine,
                  const ChannelOptions& options, hal::Backend& backend, Diagnostics& diagnostics,
-                 RowSink* rows, Watcher* watcher);
+                 RowSink* rows, Watcher* watcher, PacedCycle* paced = nullptr);
 
 }  // namespace softcnc::app

@@ -25,13 +25,6 @@ constexpr double kNsPerUs = 1e3, kNsPerSecond = 1e9;
 constexpr std::int64_t kLook = 100'000'000;  // ns between two looks for Ctrl-C
 constexpr double kPeriodsPerStep = 2;        // one high, one low
 
-struct Percentile {
-  const char* name;
-  double part;
-};
-constexpr Percentile kPercentiles[] = {
-    {"p50", 0.5}, {"p90", 0.9}, {"p99", 0.99}, {"p99.9", 0.999}, {"max", 1}};
-
 std::int64_t to_ns(double seconds) noexcept { return std::llround(seconds * kNsPerSecond); }
 double us(std::int64_t ns) noexcept { return static_cast<double>(ns) / kNsPerUs; }
 

@@ -7,6 +7,14 @@
 
 namespace softcnc::app {
 
+/// How figures of lateness are told.
+struct Percentile {
+  const char* name;
+  double part;
+};
+inline constexpr Percentile kPercentiles[] = {
+    {"p50", 0.5}, {"p90", 0.9}, {"p99", 0.99}, {"p99.9", 0.999}, {"max", 1}};
+
 class Lateness {
  public:
   /// `period` of the loop, ns.

@@ -178,6 +178,8 @@ void add_run(CLI::App& command, Options& options, const char* state) {
   add_feed_override(command, options);
   add_events(command, options);
   add_interpreter(command, options);
+  command.add_flag("--realtime", options.realtime,
+                   "Keep pace with the clock, and tell which periods were missed");
   command.add_option("--report", options.report, "Write the figures of the run as JSON")
       ->type_name("FILE.json");
   add_diagnostics(command, options);

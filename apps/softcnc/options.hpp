@@ -42,6 +42,7 @@ struct Options {
   ipr::Format format = ipr::Format::automatic;
 
   bool dry_run = false, watch = false;
+  bool realtime = false;      // run, record: as fast as the clock goes
   std::string trace, report;  // files; empty: none
   std::string output;         // of record and surface
   bool actual = false;        // surface: cut by where the simulated mill is

@@ -13,9 +13,9 @@
 namespace softcnc::app {
 namespace {
 
-constexpr double kAhead = 0.5;               // s of words in the ring
+constexpr double kAhead = 0.5;               // s of words in the queue
 constexpr std::int64_t kLook = 1'000'000;    // ns from one look at the inputs to the next
-constexpr std::int64_t kBreath = 1'000'000;  // ns that whoever fills the ring waits for room
+constexpr std::int64_t kBreath = 1'000'000;  // ns that whoever fills the queue waits for room
 constexpr double kNsPerSecond = 1e9;
 
 std::size_t words_ahead(const hal::PortTiming& timing) {
@@ -45,9 +45,8 @@ PacedPlayer::PacedPlayer(const Machine& machine, std::unique_ptr<hal::PortRegist
     : timing_(hal::port_timing(machine)),
       tolerance_(std::llround(machine.control.period * kNsPerSecond)),
       ticks_to_look_(std::max<std::int64_t>(kLook / timing_.base, 1)),
-      lead_(words_ahead(timing_) / 2),
       output_(std::move(registers), machine),
-      ring_(words_ahead(timing_)) {
+      words_(words_ahead(timing_)) {
   rest_on_signal(this);
 }
 
@@ -58,14 +57,15 @@ PacedPlayer::~PacedPlayer() {
 }
 
 Alarm PacedPlayer::play(std::span<const hal::PortWord> words) noexcept {
-  for (;;) {
-    words = words.subspan(ring_.push(words));
-    if (words.empty() || ended_) return alarm_;
-    sleep_until(now_ns() + kBreath);
-  }
+  for (const hal::PortWord& word : words)
+    while (!words_.push(word)) {
+      if (ended_) return alarm_;
+      sleep_until(now_ns() + kBreath);
+    }
+  return alarm_;
 }
 
-void PacedPlayer::rest() noexcept { rest_at_ = ring_.pushed(); }
+void PacedPlayer::rest() noexcept { words_.rest(); }
 
 Status PacedPlayer::finish() {
   rest();
@@ -90,32 +90,25 @@ void PacedPlayer::run() noexcept {
   ended_ = true;
 }
 
-/// Whether there is lead enough to begin, or all that comes before a rest.
-bool PacedPlayer::may_move() const noexcept {
-  return ring_.pushed() - ring_.taken() >= lead_ || !all_played();
-}
-
 /// A word, if it moves and there is one. Where it may stand it waits for more.
-Alarm PacedPlayer::write_next(bool& moves) noexcept {
+Alarm PacedPlayer::write_next() noexcept {
+  using Next = PacedQueue<hal::PortWord>::Next;
   hal::PortWord word;
-  moves = moves || may_move();
-  if (!moves) return Alarm::none;
-  if (ring_.take(word)) return output_.write(word);
-  moves = false;
-  return all_played() ? Alarm::none : Alarm::overrun;
+  const Next next = words_.take(word);
+  if (next == Next::item) return output_.write(word);
+  return next == Next::stands ? Alarm::none : Alarm::overrun;
 }
 
 Alarm PacedPlayer::play_all() noexcept {
   Alarm alarm = output_.write(output_.pins().enabled());
-  bool moves = false;
   hal::TickPace pace(timing_.base, timing_.shortest, now_ns() + timing_.base);
   for (std::int64_t tick = 0; alarm == Alarm::none && !abandoned_; ++tick) {
-    if (finishing_ && all_played()) break;
+    if (finishing_ && words_.all_taken()) break;
     sleep_until(pace.due());
     const bool late = pace.come(now_ns()) > tolerance_;
     if (tick % ticks_to_look_ == 0) alarm = output_.look();
-    if (alarm == Alarm::none && late && moves) alarm = Alarm::overrun;
-    if (alarm == Alarm::none) alarm = write_next(moves);
+    if (alarm == Alarm::none && late && words_.moves()) alarm = Alarm::overrun;
+    if (alarm == Alarm::none) alarm = write_next();
   }
   return alarm;
 }

@@ -9,14 +9,13 @@
 #include "hal/port_output.hpp"
 #include "hal/port_player.hpp"
 #include "hal/port_timing.hpp"
+#include "paced_queue.hpp"
 #include "realtime.hpp"
-#include "word_ring.hpp"
 
 namespace softcnc::app {
 
-/// Words wait in a ring of half a second, and motion begins when that is half full, or all there is
-/// has come. An alarm, a port that fails, a period missed (SC5030) and the end, also by a signal
-/// that ends softcnc: the port is put at rest first.
+/// Words wait in a queue of half a second. An alarm, a port that fails, a period missed (SC5030)
+/// and the end, also by a signal that ends softcnc: the port is put at rest first.
 class PacedPlayer final : public hal::PortPlayer {
  public:
   /// On the port of the machine. Errors: those of hal::Ppdev::open(); SC5031 to SC5033 where an
@@ -41,17 +40,13 @@ class PacedPlayer final : public hal::PortPlayer {
 
   void run() noexcept;
   Alarm play_all() noexcept;
-  bool may_move() const noexcept;
-  Alarm write_next(bool& moves) noexcept;
-  bool all_played() const noexcept { return ring_.taken() == rest_at_.load(); }
+  Alarm write_next() noexcept;
 
   hal::PortTiming timing_;
   std::int64_t tolerance_;      // ns: later than this is an overrun
   std::int64_t ticks_to_look_;  // from one look at the inputs to the next
-  std::uint64_t lead_;          // words
   hal::PortOutput output_;
-  WordRing ring_;
-  std::atomic<std::uint64_t> rest_at_{0};  // words after which it may stand
+  PacedQueue<hal::PortWord> words_;
   std::atomic<bool> finishing_{false}, abandoned_{false}, ended_{false};
   std::atomic<Alarm> alarm_{Alarm::none};
   RealtimeRights rights_;

@@ -41,7 +41,9 @@ class Performer {
   Performance refused(const Diagnostic& diagnostic) const;
   Diagnostics::Sink sink();
   void run(hal::Backend& backend, TraceRows& rows);
+  bool by_the_clock() const;
   void judge(Diagnostics& diagnostics);
+  void judge_punctuality();
   void close(TraceRows& rows);
   void close(hal::Backend& backend);
   void failed_to_write(const Diagnostic& diagnostic);
@@ -84,12 +86,23 @@ void Performer::run(hal::Backend& backend, TraceRows& rows) {
   Diagnostics diagnostics(sink());
   diagnostics.set_file(job_.program.name());
   ipr::Reader reader = job_.program.reader();
-  performance_.outcome = simulate(reader, job_.program.descriptor(), job_.machine, job_.options,
-                                  backend, diagnostics, &rows, &terminal_);
+  std::optional<PacedCycle> paced;
+  if (by_the_clock()) paced.emplace(backend, job_.machine.control.period, &rows);
+  performance_.outcome =
+      simulate(reader, job_.program.descriptor(), job_.machine, job_.options, backend, diagnostics,
+               &rows, &terminal_, paced ? &*paced : nullptr);
   terminal_.end();
+  if (paced) performance_.punctuality = paced->punctuality();
   performance_.following_error = backend.following_error_max();
   performance_.settled = backend.settle();
   judge(diagnostics);
+  if (paced) judge_punctuality();
+}
+
+/// A parallel port keeps a clock of its own.
+bool Performer::by_the_clock() const {
+  return options_.realtime &&
+         (options_.dry_run || job_.machine.control.backend != BackendKind::parport);
 }
 
 void Performer::judge(Diagnostics& diagnostics) {
@@ -109,6 +122,26 @@ void Performer::judge(Diagnostics& diagnostics) {
     performance_.ending = Ending::done;
   if (outcome.end == Outcome::End::stopped)
     performance_.status = worse_status(performance_.status, kSignalled + terminal_.signal());
+}
+
+/// Without the rights nothing was promised.
+void Performer::judge_punctuality() {
+  const Punctuality& punctuality = *performance_.punctuality;
+  const RealtimeRights& rights = punctuality.rights;
+  if (!rights.all())
+    messages_.show({Code::SC6075, {}, "no real-time rights: " + rights.refusal, {}, {}});
+  const std::int64_t overruns = punctuality.overruns();
+  if (overruns == 0) return;
+  const Diagnostic missed{
+      rights.all() ? Code::SC5040 : Code::SC5041,
+      {},
+      fmt::format("{} of {} periods {} missed; the latest came {:.1f} us late", overruns,
+                  punctuality.lateness.wakeups(), overruns == 1 ? "was" : "were",
+                  static_cast<double>(punctuality.lateness.largest()) / 1e3),
+      job_.program.name(),
+      {}};
+  messages_.show(missed);
+  performance_.status = worse_status(performance_.status, exit_status(missed));
 }
 
 void Performer::close(TraceRows& rows) {

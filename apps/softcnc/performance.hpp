@@ -7,6 +7,7 @@
 
 #include "channel.hpp"
 #include "options.hpp"
+#include "paced_cycle.hpp"
 #include "program.hpp"
 
 namespace softcnc::app {
@@ -31,6 +32,7 @@ struct Performance {
   std::array<double, kAxes> following_error{};  // mm, largest; NaN: not measured
   AxisVector settled = AxisVector::Zero();      // mm, where a following error is measured
   std::optional<hal::Backend::Tally> tally;     // of rows sent elsewhere
+  std::optional<Punctuality> punctuality;       // of a run by the clock
   std::vector<Diagnostic> diagnostics;
 };
 

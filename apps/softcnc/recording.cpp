@@ -110,20 +110,20 @@ Status write_recording(hal::OutputFile& file, Program& program, const Machine& m
   meta.state_hash = hal::hash_hex(state_text);
   if (Status hashed = hash_called(program, meta.called); !hashed) return hashed;
 
-  ZipWriter zip(packed);
+  hal::ZipWriter zip(packed);
   zip.add_text("meta.json", meta_json(meta));
-  zip.add_file("program", copy, Packing::deflate);
+  zip.add_file("program", copy, hal::Packing::deflate);
   for (const CalledFile& called : meta.called)
-    zip.add_file(entry_of(called), path_of(program, called), Packing::deflate);
+    zip.add_file(entry_of(called), path_of(program, called), hal::Packing::deflate);
   zip.add_text("machine.toml", machine_text);
   zip.add_text("state.toml", state_text);
-  zip.add_file("trace.csv.zst", trace, Packing::store);
+  zip.add_file("trace.csv.zst", trace, hal::Packing::store);
   if (Status written = zip.finish(); !written) return written;
   return copy_to_output(packed, file);
 }
 
 Result<Recording> Recording::open(const std::string& file) {
-  auto zip = ZipReader::open(file);
+  auto zip = hal::ZipReader::open(file);
   if (!zip) return tl::make_unexpected(std::move(zip.error()));
   Recording recording(file, std::move(*zip));
   if (Status read = recording.read(); !read) {

@@ -12,8 +12,8 @@
 
 #include "channel.hpp"
 #include "hal/output_file.hpp"
+#include "hal/zip_file.hpp"
 #include "program.hpp"
-#include "zip_file.hpp"
 
 namespace softcnc::app {
 
@@ -74,18 +74,18 @@ class Recording {
   /// The files that the program called, in a folder of their own. Errors: SC6003, SC6021.
   Result<TemporaryFolder> called_files() const;
   /// trace.csv.zst
-  Result<ZipEntry> trace() const { return zip_.entry("trace.csv.zst"); }
+  Result<hal::ZipEntry> trace() const { return zip_.entry("trace.csv.zst"); }
   /// Errors: SC6021, where the trace is not what was recorded.
   Status check_trace() const { return check_hash("trace.csv.zst", meta_.trace_hash); }
 
  private:
-  Recording(std::string file, ZipReader zip) : file_(std::move(file)), zip_(std::move(zip)) {}
+  Recording(std::string file, hal::ZipReader zip) : file_(std::move(file)), zip_(std::move(zip)) {}
   Status read();
   Status read_state();
   Status check_hash(const std::string& entry, const std::string& expected) const;
 
   std::string file_;
-  ZipReader zip_;
+  hal::ZipReader zip_;
   RecordingMeta meta_;
   std::string machine_;
 };

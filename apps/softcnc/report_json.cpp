@@ -83,6 +83,17 @@ void add_axes(Json& report, const Machine& machine, const Performance& performan
   report["settled_counts"] = counts(machine, performance.settled);
 }
 
+void add_punctuality(Json& report, const Punctuality& punctuality) {
+  const Lateness& lateness = punctuality.lateness;
+  Json figures{{"periods", lateness.wakeups()},
+               {"scheduled_first", punctuality.rights.first},
+               {"memory_locked", punctuality.rights.locked}};
+  for (const auto& [name, part] : kPercentiles)
+    figures["late_us"][name] = static_cast<double>(lateness.percentile(part)) / 1e3;
+  figures["overruns"] = punctuality.overruns();
+  report["realtime"] = std::move(figures);
+}
+
 void add_cpu(Json& report, const Outcome::Cpu& cpu) {
   report["cpu_s"] = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
   report["cpu_planning_s"] = cpu.planning;
@@ -119,6 +130,7 @@ std::string report_json(Job& job, const Performance& performance) {
       report["stream_rows"] = performance.tally->rows;
       report["stream_xxh3"] = performance.tally->checksum;
     }
+    if (performance.punctuality) add_punctuality(report, *performance.punctuality);
     add_cpu(report, outcome.cpu);
   }
   report["diagnostics"] = diagnostics(performance);

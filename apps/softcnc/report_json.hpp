@@ -8,7 +8,8 @@
 
 namespace softcnc::app {
 
-/// Keys and units: docs/cli.md. All of it but the CPU times follows from program and machine alone.
+/// Keys and units: docs/cli.md. All of it but the CPU times and `realtime` follows from program and
+/// machine alone.
 std::string report_json(Job& job, const Performance& performance);
 
 }  // namespace softcnc::app

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A run without a clock: the cycle fills a batch of rows, which are then verified and written.
+// A run in batches: the cycle fills one with rows, which are then verified and written. With a
+// clock the rows come back later, and whoever keeps the clock writes them.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "channel.hpp"
 #include "cpu_clock.hpp"
 #include "descriptor.hpp"
+#include "paced_cycle.hpp"
 #include "verification.hpp"
 
 namespace softcnc::app {
@@ -20,19 +22,22 @@ std::size_t batch_of(const Machine& machine) {
   return static_cast<std::size_t>(std::clamp(rows, 1.0, static_cast<double>(kBatch)));
 }
 
-/// A Recorder that keeps the rows of a batch.
+/// A Recorder that keeps the rows of a batch, with what the backend says of them if there is one.
 class RowBuffer {
  public:
-  explicit RowBuffer(const hal::Backend& backend)
+  explicit RowBuffer(const hal::Backend* backend)
       : backend_(backend),
-        columns_(backend.columns().size()),
+        columns_(backend ? backend->columns().size() : 0),
         rows_(kBatch),
+        pulses_(kBatch),
         values_(kBatch * columns_) {}
 
   void clear() noexcept { used_ = 0; }
   void record(const Setpoint& setpoint, const Feedback&) noexcept {
-    backend_.values(std::span(values_).subspan(used_ * columns_, columns_));
-    rows_[used_++] = setpoint;
+    if (backend_) backend_->values(std::span(values_).subspan(used_ * columns_, columns_));
+    rows_[used_] = setpoint;
+    if (!setpoint.pulses.empty()) keep_pulses(setpoint.pulses);
+    ++used_;
   }
 
   std::span<const Setpoint> rows() const noexcept { return std::span(rows_).first(used_); }
@@ -41,9 +46,16 @@ class RowBuffer {
   }
 
  private:
-  const hal::Backend& backend_;
+  /// Those of the setpoint stand only until the next one is made.
+  void keep_pulses(std::span<const TimedStep> pulses) noexcept {
+    pulses_[used_].assign(pulses.begin(), pulses.end());
+    rows_[used_].pulses = pulses_[used_];
+  }
+
+  const hal::Backend* backend_;
   std::size_t columns_, used_ = 0;
   std::vector<Setpoint> rows_;
+  std::vector<std::vector<TimedStep>> pulses_;
   std::vector<double> values_;
 };
 
@@ -65,36 +77,41 @@ class Batch {
 class Simulation {
  public:
   Simulation(ipr::Reader& reader, int input, const Machine& machine, const ChannelOptions& options,
-             hal::Backend& backend, Diagnostics& diagnostics)
+             hal::Backend& backend, Diagnostics& diagnostics, PacedCycle* paced)
       : input_(input),
         channel_(reader, input, machine, options, diagnostics),
         backend_(backend),
-        buffer_(backend),
+        paced_(paced),
+        buffer_(paced ? nullptr : &backend),
         batch_(batch_of(machine)),
         verification_(machine) {}
 
   Outcome run(RowSink* rows, Watcher* watcher) {
     do {
       channel_.answer_events();
-      wait(watcher);
+      wait(rows, watcher);
       if (channel_.waiting()) wait_for_more(rows, watcher);
       if (watcher && !panel_.stop) panel_.stop = watcher->wants_stop();
     } while (run_batch(rows, watcher));
     channel_.rethrow();
+    if (paced_) end_paced();
     return finish();
   }
 
  private:
-  void wait(Watcher* watcher);
+  void wait(RowSink* rows, Watcher* watcher);
   void wait_for_more(RowSink* rows, Watcher* watcher) const;
   bool run_batch(RowSink* rows, Watcher* watcher);
-  bool write(RowSink* rows);
+  bool write(RowSink* rows, const CycleReport& cycle);
+  bool collect();
+  void end_paced();
   Outcome finish();
 
   int input_;
   Panel panel_;
   Channel channel_;
   hal::Backend& backend_;
+  PacedCycle* paced_;
   RowBuffer buffer_;
   std::size_t batch_;  // rows
   Verification verification_;
@@ -103,9 +120,11 @@ class Simulation {
 };
 
 /// All rows so far are out; the machine rests in the next one, whatever the answer.
-void Simulation::wait(Watcher* watcher) {
+void Simulation::wait(RowSink* rows, Watcher* watcher) {
   while (const Pause* pause = channel_.pause_ahead()) {
+    if (paced_) paced_->rest();
     backend_.rest();
+    if (rows) rows->rest();
     if (watcher) watcher->pause(pause->block);
     channel_.resume();
   }
@@ -113,6 +132,7 @@ void Simulation::wait(Watcher* watcher) {
 
 /// Whoever reads the rows sees what there is, however long the next line of the program takes.
 void Simulation::wait_for_more(RowSink* rows, Watcher* watcher) const {
+  if (paced_) paced_->rest();
   if (rows) rows->flush();
   if (watcher)
     watcher->wait_for_input(input_);
@@ -124,31 +144,49 @@ void Simulation::wait_for_more(RowSink* rows, Watcher* watcher) const {
 bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   buffer_.clear();
   Batch batch(channel_, batch_);
-  const CycleReport cycle = run_cycle(batch, backend_, buffer_, panel_);
+  const CycleReport cycle = paced_ ? run_cycle(batch, *paced_, buffer_, panel_)
+                                   : run_cycle(batch, backend_, buffer_, panel_);
   outcome_.cpu.cycle += cpu_.lap();
   verification_.add(buffer_.rows(), channel_.queue());
   outcome_.cpu.verification += cpu_.lap();
-  const bool wanted = write(rows);
-  outcome_.setpoints += cycle.setpoints;
-  if (cycle.setpoints > 0) {
-    outcome_.feedback = cycle.last;
-    outcome_.last = buffer_.rows().back();
-  }
+  const bool wanted = paced_ ? collect() : write(rows, cycle);
   if (watcher) watcher->sees(outcome_.last);
   channel_.feeder().states().pass(outcome_.last.block);
   channel_.forget_passed();
   outcome_.cpu.output += cpu_.lap();
   if (!wanted) outcome_.end = Outcome::End::broken_off;
-  if (cycle.last.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
+  if (outcome_.feedback.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
   return outcome_.end == Outcome::End::done &&
          (cycle.setpoints == static_cast<std::int64_t>(batch_) || channel_.event_due() ||
           channel_.pause_ahead() || channel_.waiting());
 }
 
-bool Simulation::write(RowSink* rows) {
+bool Simulation::write(RowSink* rows, const CycleReport& cycle) {
+  outcome_.setpoints += cycle.setpoints;
+  if (cycle.setpoints > 0) {
+    outcome_.feedback = cycle.last;
+    outcome_.last = buffer_.rows().back();
+  }
   for (std::size_t i = 0; rows && i < buffer_.rows().size(); ++i)
     if (!rows->row(buffer_.rows()[i], buffer_.values(i))) return false;
   return true;
+}
+
+/// What has come back so far.
+bool Simulation::collect() {
+  const bool wanted = paced_->collect();
+  outcome_.setpoints = paced_->rows();
+  outcome_.feedback = paced_->feedback();
+  outcome_.last = paced_->last();
+  return wanted;
+}
+
+void Simulation::end_paced() {
+  if (outcome_.end == Outcome::End::done) paced_->rest();
+  paced_->stop();
+  if (!collect()) outcome_.end = Outcome::End::broken_off;
+  if (outcome_.feedback.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
+  channel_.feeder().states().pass(outcome_.last.block);
 }
 
 Outcome Simulation::finish() {
@@ -173,8 +211,9 @@ Outcome Simulation::finish() {
 
 Outcome simulate(ipr::Reader& reader, int input, const Machine& machine,
                  const ChannelOptions& options, hal::Backend& backend, Diagnostics& diagnostics,
-                 RowSink* rows, Watcher* watcher) {
-  return Simulation(reader, input, machine, options, backend, diagnostics).run(rows, watcher);
+                 RowSink* rows, Watcher* watcher, PacedCycle* paced) {
+  return Simulation(reader, input, machine, options, backend, diagnostics, paced)
+      .run(rows, watcher);
 }
 
 }  // namespace softcnc::app

@@ -94,6 +94,14 @@ std::string sent(const Performance& performance) {
                      performance.tally->checksum);
 }
 
+std::string punctuality(const Performance& performance) {
+  if (!performance.punctuality) return {};
+  const Punctuality& kept = *performance.punctuality;
+  return fmt::format("\n\n  {} of {} periods missed, at most {:.1f} us late: {}", kept.overruns(),
+                     kept.lateness.wakeups(), static_cast<double>(kept.lateness.largest()) / 1e3,
+                     text(kept.rights));
+}
+
 std::string cost(const Outcome& outcome) {
   const double cpu = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
   return fmt::format("\n\n  CPU {:.3f} s: {:.0f} times faster than real time", cpu,
@@ -105,7 +113,8 @@ std::string cost(const Outcome& outcome) {
 std::string summary(const Job& job, const Performance& performance) {
   const Outcome& outcome = performance.outcome;
   return head(job, performance) + sizes(job, outcome) + held_by(outcome) +
-         axes(job.machine, performance) + sent(performance) + cost(outcome);
+         axes(job.machine, performance) + sent(performance) + punctuality(performance) +
+         cost(outcome);
 }
 
 }  // namespace softcnc::app

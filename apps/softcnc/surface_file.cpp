@@ -5,10 +5,10 @@
 #include <cctype>
 #include <string_view>
 
-#include "npz_file.hpp"
+#include "hal/npz_file.hpp"
+#include "hal/zip_file.hpp"
 #include "recording.hpp"
 #include "surface_picture.hpp"
-#include "zip_file.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -30,13 +30,13 @@ class SurfaceArrays final : public SurfaceFile {
     const std::int64_t axes[] = {kAxes};
     const double region = map.side() * grid_.step;
     const std::string packed = folder_.file("surface.npz");
-    ZipWriter zip(packed);
-    zip.add_file("heights_mm.npy", heights_file(), Packing::store);
-    zip.add_text("rmax_um.npy", npy(std::span<const float>(map.rmax()), regions));
-    zip.add_text("gouges_um.npy", npy(std::span<const float>(map.gouges()), regions));
-    zip.add_text("origin_mm.npy", npy(std::span(grid_.corner.data(), kAxes), axes));
-    zip.add_text("step_mm.npy", npy(std::span(&grid_.step, 1), {}));
-    zip.add_text("region_mm.npy", npy(std::span(&region, 1), {}));
+    hal::ZipWriter zip(packed);
+    zip.add_file("heights_mm.npy", heights_file(), hal::Packing::store);
+    zip.add_text("rmax_um.npy", hal::npy(std::span<const float>(map.rmax()), regions));
+    zip.add_text("gouges_um.npy", hal::npy(std::span<const float>(map.gouges()), regions));
+    zip.add_text("origin_mm.npy", hal::npy(std::span(grid_.corner.data(), kAxes), axes));
+    zip.add_text("step_mm.npy", hal::npy(std::span(&grid_.step, 1), {}));
+    zip.add_text("region_mm.npy", hal::npy(std::span(&region, 1), {}));
     if (Status written = zip.finish(); !written) return written;
     return copy_to_output(packed, output_);
   }
@@ -47,7 +47,7 @@ class SurfaceArrays final : public SurfaceFile {
   hal::OutputFile& output_;
   hal::StockGrid grid_;
   TemporaryFolder folder_;
-  NpyWriter heights_;
+  hal::NpyWriter heights_;
 };
 
 class SurfacePng final : public SurfaceFile {

@@ -7,7 +7,7 @@
 
 namespace softcnc::app {
 
-TraceLines::TraceLines(ZipEntry entry)
+TraceLines::TraceLines(hal::ZipEntry entry)
     : entry_(std::move(entry)),
       stream_(ZSTD_createDCtx(), ZSTD_freeDCtx),
       packed_(ZSTD_DStreamInSize(), '\0') {}

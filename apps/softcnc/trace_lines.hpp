@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "zip_file.hpp"
+#include "hal/zip_file.hpp"
 
 struct ZSTD_DCtx_s;
 
@@ -15,7 +15,7 @@ namespace softcnc::app {
 
 class TraceLines {
  public:
-  explicit TraceLines(ZipEntry entry);
+  explicit TraceLines(hal::ZipEntry entry);
 
   /// The next line that is no comment, valid until the next call; nothing at the end or after an
   /// error.
@@ -27,7 +27,7 @@ class TraceLines {
  private:
   bool fill();
 
-  ZipEntry entry_;
+  hal::ZipEntry entry_;
   std::unique_ptr<ZSTD_DCtx_s, std::size_t (*)(ZSTD_DCtx_s*)> stream_;
   std::string packed_, text_;
   std::size_t packed_begin_ = 0, packed_end_ = 0, begin_ = 0;

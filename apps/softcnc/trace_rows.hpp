@@ -19,6 +19,9 @@ class TraceRows final : public RowSink {
     if (writer_) writer_->row(setpoint, backend_values);
     return !writer_ || writer_->ok();
   }
+  void rest() override {
+    if (writer_) writer_->rest();
+  }
   void flush() override {
     if (writer_) writer_->flush();
   }

@@ -138,6 +138,10 @@ Result<EdgeWriter> EdgeWriter::open(const std::string& file) {
   return EdgeWriter(std::move(format), std::move(*out));
 }
 
+EdgeWriter EdgeWriter::vcd(std::unique_ptr<ByteSink> out) {
+  return {std::make_unique<Vcd>(), std::move(out)};
+}
+
 Alarm EdgeWriter::take(std::span<const Edge> edges, std::int64_t /*until*/) noexcept {
   if (!ok()) return Alarm::port;
   for (const Edge& edge : edges) format_->append(edge, bytes_);

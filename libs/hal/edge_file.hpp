@@ -31,6 +31,8 @@ class EdgeWriter final : public EdgeSink {
  public:
   /// Errors: SC6011, SC6050 (unknown suffix).
   static Result<EdgeWriter> open(const std::string& file);
+  /// Into `out`, as VCD.
+  static EdgeWriter vcd(std::unique_ptr<ByteSink> out);
 
   /// After an error, Alarm::port, edges are dropped.
   Alarm take(std::span<const Edge> edges, std::int64_t until) noexcept override;

@@ -52,13 +52,19 @@ Status OverflowFile::add(std::span<const std::byte> bytes) {
     if (opened < 0) return failure(-opened);
     descriptor_ = opened;
   }
+  const Status written = put(size_, bytes);
+  if (written) size_ += bytes.size();
+  return written;
+}
+
+Status OverflowFile::put(std::size_t place, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t written =
-        ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(size_));
+        ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(place));
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) return failure(errno);
     bytes = bytes.subspan(static_cast<std::size_t>(written));
-    size_ += static_cast<std::size_t>(written);
+    place += static_cast<std::size_t>(written);
   }
   return {};
 }

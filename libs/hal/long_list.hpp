@@ -23,10 +23,13 @@ class OverflowFile {
 
   /// Errors: SC6003.
   Status add(std::span<const std::byte> bytes);
+  /// Over what has been added at `place`. Errors: SC6003.
+  Status put(std::size_t place, std::span<const std::byte> bytes);
   /// Nothing may be added behind it. Errors: SC6003.
   Status map();
 
   bool is_open() const noexcept { return descriptor_ >= 0; }
+  int descriptor() const noexcept { return descriptor_; }
   std::span<const std::byte> bytes() const noexcept { return {data_, mapped_}; }
   /// Gives back what has been read of it: it can be read again.
   void release() const noexcept;

@@ -68,7 +68,7 @@ Status PipeSink::write(std::string_view bytes) {
     if (written >= 0)
       bytes.remove_prefix(static_cast<std::size_t>(written));
     else if (errno == EPIPE)
-      return failed(Code::SC6071, "its reader has closed the pipe");
+      return failed(Code::SC6013, "the reader closed the pipe");
     else if (errno != EINTR && errno != EAGAIN)
       return failed(Code::SC6012, std::string("writing failed: ") + std::strerror(errno));
   }

@@ -21,8 +21,7 @@ class PipeSink final : public ByteSink {
   PipeSink& operator=(const PipeSink&) = delete;
   ~PipeSink() override;
 
-  /// Errors: SC6071 (full for too long, or closed; the latter only where SIGPIPE is ignored),
-  /// SC6012.
+  /// Errors: SC6071 (full for too long), SC6013 (closed; only where SIGPIPE is ignored), SC6012.
   Status write(std::string_view bytes) override;
   Status finish() override;
 

@@ -7,6 +7,9 @@
 #include <string_view>
 
 #include "hal/trace_csv.hpp"
+#include "hal/trace_hal.hpp"
+#include "hal/trace_npz.hpp"
+#include "hal/trace_vcd.hpp"
 #include "hal/zstd_sink.hpp"
 
 namespace softcnc::hal {
@@ -20,6 +23,9 @@ struct TraceFormat {
 
 constexpr TraceFormat kFormats[] = {
     {".csv", csv_trace},
+    {".npz", npz_trace},
+    {".vcd", vcd_trace},
+    {".hal", hal_trace},
 };
 constexpr std::string_view kCompressed = ".zst";
 
@@ -60,11 +66,9 @@ Result<std::unique_ptr<TraceWriter>> TraceWriter::open(
 
 std::string trace_suffixes() {
   std::string text;
-  for (const TraceFormat& format : kFormats) {
-    const std::string suffix(format.suffix);
-    text += (text.empty() ? "" : ", ") + suffix + ", " + suffix + std::string(kCompressed);
-  }
-  return text;
+  for (const TraceFormat& format : kFormats)
+    text += (text.empty() ? "" : ", ") + std::string(format.suffix);
+  return text + ", each with or without a further " + std::string(kCompressed);
 }
 
 }  // namespace softcnc::hal

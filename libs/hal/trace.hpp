@@ -25,19 +25,23 @@ struct TraceHeader {
 
 class TraceWriter {
  public:
-  /// Known suffixes are those of trace_suffixes(); "-" and what is no regular file take CSV.
-  /// Errors: SC6011, SC6014.
+  /// Known suffixes are those of trace_suffixes(); "-" and what is no regular file and has none of
+  /// them take CSV. Errors: SC6011, SC6014.
   static Result<std::unique_ptr<TraceWriter>> open(const std::string& file,
                                                    const TraceHeader& header,
                                                    const Machine& machine,
                                                    std::span<const std::string> backend_columns);
   virtual ~TraceWriter() = default;
 
-  /// Takes as many values as there are backend columns. Allocates nothing as long as writing
-  /// succeeds. After an error rows are dropped and finish() tells it.
+  /// Takes as many values as there are backend columns, and the pulses of the setpoint. After an
+  /// error rows are dropped and finish() tells it.
   virtual void row(const Setpoint& setpoint, std::span<const double> backend_values) noexcept = 0;
 
-  /// Hands on what there is, for a reader that waits.
+  /// The machine stands, and the next row may be long in coming: before the program waits for a
+  /// person.
+  virtual void rest() noexcept {}
+
+  /// Hands on what there is, for a reader that waits, where the format allows it.
   virtual void flush() noexcept = 0;
 
   /// A program's hash that the header could not tell, behind the last row.
@@ -46,11 +50,11 @@ class TraceWriter {
   /// False once writing has failed: a caller may stop early.
   virtual bool ok() const noexcept = 0;
 
-  /// Writes what is left; without it no file is left. Errors: SC6012, SC6013.
+  /// Writes what is left; without it no file is left. Errors: SC6003, SC6012, SC6013.
   virtual Status finish() = 0;
 };
 
-/// ".csv", ".csv.zst", ...: for messages and help.
+/// ".csv, .npz, ...": for messages and help.
 std::string trace_suffixes();
 
 }  // namespace softcnc::hal

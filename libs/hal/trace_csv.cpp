@@ -27,12 +27,6 @@ std::string period_text(double period) {
   return number_text(s_from_ms(rounded) == period ? rounded : ms_from_s(period));
 }
 
-std::string comment(const TraceHeader& header) {
-  return "# schema: softcnc-trace " + std::to_string(kTraceSchema) +
-         "\n# period_ms: " + period_text(header.period) + "\n# program: " + header.program_hash +
-         "\n# machine: " + header.machine_hash + "\n";
-}
-
 class CsvTrace final : public TraceWriter {
  public:
   CsvTrace(std::unique_ptr<ByteSink> out, const TraceHeader& header, const Machine& machine,
@@ -62,7 +56,7 @@ CsvTrace::CsvTrace(std::unique_ptr<ByteSink> out, const TraceHeader& header, con
     if (machine.axes[static_cast<std::size_t>(axis)].present) axes_.push_back(axis);
   row_length_ = (kOwnColumns + axes_.size() + backend_columns.size()) * (kNumberLength + 1) + 1;
   buffer_.resize(kBuffer + row_length_);
-  const auto written = out_->write(comment(header));
+  const auto written = out_->write(trace_comment(header));
   if (!written) failure_ = written.error();
   names(backend_columns);
 }
@@ -127,6 +121,12 @@ std::unique_ptr<TraceWriter> csv_trace(std::unique_ptr<ByteSink> out, const Trac
                                        const Machine& machine,
                                        std::span<const std::string> backend_columns) {
   return std::make_unique<CsvTrace>(std::move(out), header, machine, backend_columns);
+}
+
+std::string trace_comment(const TraceHeader& header) {
+  return "# schema: softcnc-trace " + std::to_string(kTraceSchema) +
+         "\n# period_ms: " + period_text(header.period) + "\n# program: " + header.program_hash +
+         "\n# machine: " + header.machine_hash + "\n";
 }
 
 TraceTime::TraceTime(double period) noexcept : step_(period), per_second_(1) {

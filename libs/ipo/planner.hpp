@@ -30,7 +30,7 @@ class Planner {
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;
 
-  /// A move that leaves the travel of an axis (SC4001), or that its pulses cannot make (SC4020), is
+  /// A move that leaves the travel of an axis (SC4001), or that its pulses cannot make (SC7080), is
   /// reported and left out: what came before it ends at rest.
   void push(Block block);
   /// Nothing follows: the machine rests at the end of the last block.

@@ -48,7 +48,7 @@ std::optional<Diagnostic> PulseStage::check_blu(const Path& path) const {
     if (box.max[i] == box.min[i]) continue;
     if (first < 0) first = i;
     if (blu_[i] != blu_[first])
-      return Diagnostic{Code::SC4020,
+      return Diagnostic{Code::SC7080,
                         {},
                         fmt::format("one reference clock cannot serve a BLU of {} and one of {}",
                                     blu_text(first, blu_[first]), blu_text(i, blu_[i])),

@@ -20,7 +20,7 @@ class PulseStage {
   /// `machine` must outlive the stage.
   explicit PulseStage(const Machine& machine);
 
-  /// Makes of a move what the planner is to run. SC4020: the axes it moves have BLU of their own,
+  /// Makes of a move what the planner is to run. SC7080: the axes it moves have BLU of their own,
   /// which the paper's clock does not know. The place of the diagnostic is left to the caller.
   std::optional<Diagnostic> prepare(Block& block) const;
 

@@ -27,7 +27,7 @@ TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
 
 TEST_CASE("what does not exist is refused as wrong usage", "[apps][cli]") {
   for (const char* option :
-       {"--realtime", "--from-line 3", "--dialect siemens", "--diagnostics xml", "--watch",
+       {"--real-time", "--from-line 3", "--dialect siemens", "--diagnostics xml", "--watch",
         "--backend printer", "--progress maybe", "--quiet --verbose", "--set"}) {
     CAPTURE(option);
     const Ended ended = call(std::string("run $data/square.nc ") + option);
@@ -75,7 +75,7 @@ TEST_CASE("the input of paper 003 is known by its first line, or by --format", "
 }
 
 TEST_CASE("an unknown option is named, whatever follows it", "[apps][cli]") {
-  for (const char* words : {"--realtime", "--from-line 3", "--from-line=3",
+  for (const char* words : {"--real-time", "--from-line 3", "--from-line=3",
                             "--set control.backend=sim --watch", "-x"}) {
     CAPTURE(words);
     const std::string all = words;

@@ -50,12 +50,11 @@ TEST_CASE("the rows for HAL are those of the trace, counted and checksummed", "[
         std::string::npos);
 }
 
-TEST_CASE("a reader of rows that goes away, or takes none, is status 5", "[apps][ports]") {
+TEST_CASE("a reader of rows that goes away ends the run quietly; one that takes none is status 5",
+          "[apps][ports]") {
   const std::string patience = "- --set backend.hal-stream.patience_s=0.1 -q $data/zigzag.nc";
   const Ended gone = shell("{ " + kToHal + patience + "; echo status $? >&2; } | head -c 5000");
-  CHECK(gone.err.find("error SC6071: its reader has closed the pipe; HAL holds the last row it "
-                      "got\n") != std::string::npos);
-  CHECK(gone.err.find("status 5\n") != std::string::npos);
+  CHECK(gone.err == "status 141\n");
   const Ended stuck = shell("{ " + kToHal + patience + "; echo status $? >&2; } | sleep 2");
   CHECK(
       stuck.err.find("error SC6071: the pipe is full, and its reader has taken nothing for 0.1 s; "

@@ -80,8 +80,8 @@ TEST_CASE("a move that the paper's clock cannot make is told with its place", "[
   const Ended ended = call("check " + (folder / "p.nc") +
                            " --set control.interpolation=sam --set control.pulse_clock=paper"
                            " --set axis.y.blu_um=5");
-  CHECK(ended.status == 3);
-  CHECK(ended.out.find("p.nc:3:3: error SC4020: one reference clock cannot serve a BLU of 2.5 um "
+  CHECK(ended.status == 2);
+  CHECK(ended.out.find("p.nc:3:3: error SC7080: one reference clock cannot serve a BLU of 2.5 um "
                        "of X and one of 5 um of Y\n") != std::string::npos);
 }
 

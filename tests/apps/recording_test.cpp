@@ -8,13 +8,13 @@
 
 #include "apps/shell.hpp"
 #include "hal/hash.hpp"
-#include "zip_file.hpp"
+#include "hal/zip_file.hpp"
 
 using namespace softcnc::app::test;
 using nlohmann::json;
-using softcnc::app::Packing;
-using softcnc::app::ZipReader;
-using softcnc::app::ZipWriter;
+using softcnc::hal::Packing;
+using softcnc::hal::ZipReader;
+using softcnc::hal::ZipWriter;
 
 namespace {
 

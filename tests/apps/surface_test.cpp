@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "apps/shell.hpp"
-#include "npz_file.hpp"
+#include "hal/npz_file.hpp"
 #include "png_file.hpp"
 #include "roughness_map.hpp"
 #include "support/milled.hpp"
@@ -276,7 +276,7 @@ TEST_CASE("where a servo is off, a region is as rough as it is high", "[apps][su
 
 TEST_CASE("heads of npy files end where data may begin", "[apps][surface]") {
   const std::int64_t shape[] = {3, 100000};
-  const std::string head = npy_head("<f4", shape);
+  const std::string head = hal::npy_head("<f4", shape);
   CHECK(head.size() % 64 == 0);
   CHECK(head.substr(0, 6) == "\x93NUMPY");
   CHECK(head.find("'shape': (3, 100000, ), }") != std::string::npos);

@@ -92,7 +92,7 @@ void put_hashes(Entries& entries) {
 }
 
 void pack(Entries entries) {
-  app::ZipWriter zip(file());
+  hal::ZipWriter zip(file());
   zip.add_text("meta.json", entries.text[0]);
   zip.add_text("program", entries.text[1]);
   zip.add_text("machine.toml", entries.text[2]);

@@ -374,6 +374,25 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
               .starts_with("mill.toml:2:17: error SC7018: axis.y.velocity_mm_min = 15000 is more "
                            "than axis.y.blu_um = 1 times backend.stepdir.max_rate_hz = 100000, "
                            "which is 6000 mm/min\n"));
+    // Wherever softcnc makes the pulses of the drives itself, and nowhere else.
+    const std::vector<std::string> methods(kMethodNames.begin(), kMethodNames.end());
+    for (std::size_t method = 0; method < methods.size(); ++method)
+      for (const BackendKind kind : {BackendKind::none, BackendKind::sim, BackendKind::stepdir,
+                                     BackendKind::parport, BackendKind::hal_stream}) {
+        const std::vector<std::string> given{"control.interpolation=" + methods[method],
+                                             "control.backend=" + std::string(name(kind)),
+                                             "axis.y.velocity_mm_min=15001",
+                                             "backend.parport.base_period_us=1"};
+        const bool makes = kind == BackendKind::stepdir || kind == BackendKind::parport ||
+                           is_by_pulses(static_cast<Method>(method));
+        const auto loaded = load_machine("", given);
+        CAPTURE(methods[method], name(kind));
+        REQUIRE(loaded.has_value() != makes);
+        if (makes) {
+          CHECK(loaded.error().code == Code::SC7018);
+          CHECK(exit_status(loaded.error()) == 2);
+        }
+      }
     // No port, no pulses.
     CHECK(parsed("backend.stepdir.max_rate_hz = 50000").step_port.max_rate == 50000);
     CHECK(parsed(port + "step_length_ns = 7500").step_port.step_length == 7.5e-6);

@@ -191,7 +191,8 @@ TEST_CASE("an unknown suffix is refused and names those known", "[hal][trace]") 
     REQUIRE_FALSE(written);
     CHECK(render(written.error()) ==
           std::string(file) +
-              ": error SC6014: no trace format has this suffix; known are .csv, .csv.zst\n");
+              ": error SC6014: no trace format has this suffix; known are .csv, .npz, .vcd, .hal, "
+              "each with or without a further .zst\n");
     CHECK_FALSE(fs::exists(file));
   }
 }
@@ -231,12 +232,34 @@ TEST_CASE("a reader that closes the pipe ends a trace", "[hal][trace]") {
 
 TEST_CASE("a trace that is given up leaves no file", "[hal][trace]") {
   const test::Folder folder;
-  for (const char* name : {"t.csv", "t.csv.zst"}) {
+  for (const char* name : {"t.csv", "t.csv.zst", "t.npz", "t.vcd", "t.hal", "t.npz.zst"}) {
     auto trace = TraceWriter::open(folder / name, kHeader, Machine{}, {});
     REQUIRE(trace);
     for (int i = 0; i < 5'000; ++i) (*trace)->row(setpoint(i), {});
   }
   CHECK(fs::is_empty(folder.path()));
+}
+
+TEST_CASE("positions as a waveform stand where they change", "[hal][trace]") {
+  const test::Folder folder;
+  auto trace = TraceWriter::open(folder / "t.vcd", kHeader, two_axes(), {});
+  REQUIRE(trace);
+  for (const int i : {0, 3, 3, 3}) {
+    Setpoint row = setpoint(i);
+    row.period = i == 0 ? 0 : row.period;
+    (*trace)->row(row, {});
+  }
+  Setpoint last = setpoint(3);
+  last.period = 5;
+  (*trace)->row(last, {});
+  (*trace)->add_program_hash("cc33");
+  REQUIRE((*trace)->finish());
+  CHECK(test::read(folder / "t.vcd") ==
+        "$comment schema: softcnc-trace 1 $end\n$comment program: aa11 $end\n"
+        "$comment machine: bb22 $end\n$timescale 1 ns $end\n$scope module softcnc $end\n"
+        "$var real 64 ! x_mm $end\n$var real 64 # z_mm $end\n$upscope $end\n"
+        "$enddefinitions $end\n#0\n$dumpvars\nr0 !\nr-1e-07 #\n$end\n#3000000\nr1 !\n"
+        "$comment program: cc33 $end\n#5000000\n");
 }
 
 }  // namespace softcnc::hal

@@ -16,7 +16,7 @@ const std::map<std::string, std::set<std::string>> kKeepers{
     {"toml++/", {"hal/toml_reader.cpp"}},
     {"zstd.h", {"hal/zstd_sink.cpp"}},
     {"xxhash.h", {"hal/hash.cpp"}},
-    {"zip.h", {}},
+    {"zip.h", {"hal/zip_file.cpp"}},
     {"spdlog/", {}},
     {"CLI/", {}},
     {"nlohmann/", {}},

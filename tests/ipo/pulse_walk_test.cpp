@@ -241,7 +241,7 @@ TEST_CASE("the paper's clock knows one BLU alone", "[ipo][pulse]") {
   const auto blocks = test::polyline({{0, 0, 0}, {10, 0, 0}, {10, 5, 0}, {0, 0, 0}}, 50);
   const auto result = pulse_run(machine, blocks);
   REQUIRE(result.run.diagnostics.size() == 1);
-  CHECK(result.run.diagnostics[0].code == Code::SC4020);
+  CHECK(result.run.diagnostics[0].code == Code::SC7080);
   CHECK(result.run.diagnostics[0].pos.line == 3);
   CHECK(result.run.diagnostics[0].message ==
         "one reference clock cannot serve a BLU of 2.5 um of X and one of 5 um of Y");

@@ -4,12 +4,19 @@
 
 HAL runs in user space, in name spaces of its own: a session that is there already is not touched.
 What streamer put on its pins is read exactly, as doubles, and held against softcnc's own trace.
+
+Without a real-time kernel nobody promises the threads their time, and 10 ms of one without the other
+are a following error of 0.2 mm, which ends it all. So that watch is off while rows are compared, the
+error is held against how far the threads were apart, and the watch is tried by itself. What is left is
+halstreamer without its time until there is no row any more: seen by how long the program that takes
+the samples, an ordinary one too, was not let run. Such a run says nothing, and is begun anew.
 """
 
 import argparse
 import csv
 import json
 import os
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -21,7 +28,12 @@ HERE = ROOT / "tests/linuxcnc"
 UNPRIVILEGED = 65534
 BLU = 0.0025  # mm
 MAX_STEP = 21e-3  # mm: limit.x.maxv for a period of 1 ms
-ASTRAY = 0.2  # mm
+SERVO_BEATS = 10  # of charge_pump, in a period of the servo thread
+STEP_DELAY = 0.1  # mm: following error of a base thread that is in time
+RECOVERY = 100  # periods in which stepgen makes up for it
+STARVED = 0.2  # s: not let run for so long
+RUNS = 4  # at most
+ASTRAY = 0.2  # mm: near.x.max
 
 failures = 0
 
@@ -39,18 +51,33 @@ class Sample:
         self.runs, self.number, self.ok = pins[3] == "True", int(pins[4]), pins[5] == "True"
         self.limited = tuple(float(pin) for pin in pins[6:9])
         self.actual = tuple(float(pin) for pin in pins[9:12])
-        self.error = tuple(float(pin) for pin in pins[12:15])
-        self.overruns = int(overruns)
+        self.error = max(abs(float(pin)) for pin in pins[12:15])
+        self.beats, self.overruns = int(pins[15]), int(overruns)
+
+
+class Run:
+    """What a session of HAL leaves."""
+
+    def __init__(self, lines):
+        *samples, longest = lines
+        self.samples = [Sample(line) for line in samples]
+        self.longest_gap = float(longest.split()[1])
+
+    def starved(self):
+        """Broken off because programs that should have run were not let run."""
+        ran = [s for s in self.samples if s.number > 0]
+        return self.longest_gap > STARVED and not all(s.ok for s in ran)
 
 
 class Hal:
     """One session of halrun in a folder of its own."""
 
-    def __init__(self, folder, rows):
+    def __init__(self, folder, rows, settings=()):
         self.samples = folder / "samples"
         script = folder / "test.hal"
-        script.write_text(f"source {ROOT}/programs/hal/mill.hal\n"
-                          f"loadusr -w /usr/bin/python3 {HERE}/sample.py {self.samples}\n")
+        script.write_text("\n".join([
+            f"source {ROOT}/programs/hal/mill.hal", *settings,
+            f"loadusr -w /usr/bin/python3 {HERE}/sample.py {self.samples}", ""]))
         folder.chmod(0o777)  # HAL gives root's rights away before it makes its socket
         isolated = ["unshare", "--ipc", "--mount", "--pid", "--fork", "--kill-child", "--mount-proc"]
         if os.geteuid() != 0:
@@ -71,7 +98,20 @@ class Hal:
             status = self.process.wait()
         if status != 0 or not self.samples.exists():
             sys.exit(f"halrun ended with {status}:\n{self.log.read_text()}")
-        return [Sample(line) for line in self.samples.read_text().splitlines()]
+        return Run(self.samples.read_text().splitlines())
+
+
+UNWATCHED = [f"setp near.{axis}.{end} {sign}1e9"
+             for axis in "xyz" for end, sign in (("min", "-"), ("max", ""))]
+
+
+def anew(run):
+    """The first run that was not starved, or the last one."""
+    for count in range(1, RUNS + 1):
+        result = run(count)
+        if not result[0].starved() or count == RUNS:
+            return result
+        print(f"        programs were not let run for {result[0].longest_gap:.2f} s: begun anew")
 
 
 def softcnc(options, *arguments):
@@ -80,29 +120,44 @@ def softcnc(options, *arguments):
                           capture_output=True, text=True, timeout=150, check=False)
 
 
+def try_unread(options, folder):
+    os.mkfifo(folder / "unread")
+    early = softcnc(options, f"--set=backend.hal-stream.file={folder / 'unread'}", options.program)
+    check(early.returncode == 5 and "error SC6070" in early.stderr,
+          "a FIFO that nobody reads is refused: status 5, SC6070")
+
+
 def run_live(options, folder):
     """Through a FIFO, at the pace of HAL."""
+    folder.mkdir()
     rows, trace, report = folder / "rows", folder / "trace.csv", folder / "report.json"
     os.mkfifo(rows)
     arguments = (f"--set=backend.hal-stream.file={rows}", "--trace", trace, "--report", report,
                  options.program)
-    early = softcnc(options, *arguments)
-    check(early.returncode == 5 and "error SC6070" in early.stderr,
-          "a FIFO that nobody reads is refused: status 5, SC6070")
-    hal = Hal(folder, rows)
+    hal = Hal(folder, rows, UNWATCHED)
     for _ in range(100):
         ended = softcnc(options, *arguments)
         if "SC6070" not in ended.stderr:
             break
         time.sleep(0.1)
-    check(ended.returncode == 0, f"softcnc ran: status {ended.returncode} {ended.stderr}")
-    return hal.finish(), trace, json.loads(report.read_text())
+    return hal.finish(), ended, trace, report
 
 
 def trace_rows(trace):
     with trace.open() as lines:
         table = csv.DictReader(line for line in lines if not line.startswith("#"))
         return [tuple(float(line[axis + "_mm"]) for axis in "xyz") for line in table]
+
+
+def follows(samples):
+    """The largest error, and whether each follows from how far one thread was behind the other."""
+    shift = [i * SERVO_BEATS - s.beats for i, s in enumerate(samples)]
+    in_time = statistics.median(shift)
+    apart = [abs(s - in_time) / SERVO_BEATS for s in shift]  # ms
+    print(f"        the threads were up to {max(apart):.1f} ms apart")
+    late = [max(apart[max(i - RECOVERY, 0):i + 1]) for i in range(len(samples))]
+    return (max(s.error for s in samples),
+            all(s.error < STEP_DELAY + ms * MAX_STEP for s, ms in zip(samples, late)))
 
 
 def compare(samples, expected, report):
@@ -119,8 +174,8 @@ def compare(samples, expected, report):
     check(all(s.limited == s.row for s in samples), "limit3 changes nothing")
     check(all(s.overruns == 0 for s in samples), "sampler lost nothing")
     check(all(s.ok for s in ran), "the emergency stop stays off")
-    error = max(abs(e) for s in ran for e in s.error)
-    check(error < ASTRAY, f"stepgen follows within {error:.4f} mm")
+    error, explained = follows(samples)
+    check(explained, f"stepgen follows within {error:.4f} mm, as far as its thread is in time")
     off = max(abs(a - e) for a, e in zip(ran[-1].actual, last))
     check(off < BLU, f"and comes to rest {off / BLU:.4f} BLU from the end")
 
@@ -132,11 +187,11 @@ def written_rows(options, folder):
     return file.read_text().splitlines()
 
 
-def run_file(folder, name, lines):
+def run_file(folder, name, lines, settings=()):
     inner = folder / name
     inner.mkdir()
     (inner / "rows").write_text("\n".join(lines) + "\n")
-    return Hal(inner, inner / "rows").finish()
+    return Hal(inner, inner / "rows", settings).finish().samples
 
 
 def is_slow(places):
@@ -156,15 +211,22 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        samples, trace, report = run_live(options, folder)
-        compare(samples, trace_rows(trace), report)
+        folder.chmod(0o711)
+        try_unread(options, folder)
+        run, ended, trace, report = anew(lambda count: run_live(options, folder / f"live{count}"))
+        check(ended.returncode == 0, f"softcnc ran: status {ended.returncode} {ended.stderr}")
+        compare(run.samples, trace_rows(trace), json.loads(report.read_text()))
         lines = written_rows(options, folder)
-        broken = run_file(folder, "broken", lines[:len(lines) // 2])
+        broken = run_file(folder, "broken", lines[:len(lines) // 2], UNWATCHED)
         check(broken[-1].runs and not broken[-1].ok,
               "rows that break off latch the emergency stop")
-        damaged = run_file(folder, "damaged", with_damage(lines, len(lines) // 2))
+        damaged = run_file(folder, "damaged", with_damage(lines, len(lines) // 2),
+                           UNWATCHED)
         check(not is_slow([s.row for s in damaged]) and is_slow([s.limited for s in damaged]),
               "a damaged row makes no jump: limit3 keeps its speed")
+        astray = run_file(folder, "astray", lines, ["setp stepgen.0.maxvel 1"])
+        check(not astray[-1].ok and max(s.error for s in astray if s.ok) < ASTRAY,
+              "steps that lag behind latch it, too")
     print(f"{failures} failed")
     return 1 if failures else 0
 

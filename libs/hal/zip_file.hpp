@@ -12,7 +12,7 @@
 struct zip;
 struct zip_file;
 
-namespace softcnc::app {
+namespace softcnc::hal {
 
 enum class Packing { store, deflate };
 
@@ -27,6 +27,10 @@ class ZipWriter {
   void add_text(const std::string& name, std::string text);
   /// `path` is read by finish().
   void add_file(const std::string& name, const std::string& path, Packing packing);
+  /// The same of a file that is open, from its beginning.
+  void add_descriptor(const std::string& name, int descriptor, Packing packing);
+  /// Of the zip as a whole.
+  void set_comment(const std::string& text);
 
   /// Errors: SC6012.
   Status finish();
@@ -87,4 +91,4 @@ Status for_each_piece(ZipEntry entry, Take&& take) {
   }
 }
 
-}  // namespace softcnc::app
+}  // namespace softcnc::hal

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The only file that knows libzip.
-#include "zip_file.hpp"
+#include "hal/zip_file.hpp"
 
+#include <unistd.h>
 #include <zip.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <utility>
 
-namespace softcnc::app {
+namespace softcnc::hal {
 namespace {
 
 // 1980-01-01 00:00, where the calendar of zip files begins.
@@ -48,6 +50,19 @@ void ZipWriter::add_text(const std::string& name, std::string text) {
 
 void ZipWriter::add_file(const std::string& name, const std::string& path, Packing packing) {
   add(name, zip_source_file(zip_, path.c_str(), 0, -1), packing);
+}
+
+void ZipWriter::add_descriptor(const std::string& name, int descriptor, Packing packing) {
+  std::FILE* stream = ::fdopen(::dup(descriptor), "rb");
+  zip_source_t* source = stream ? zip_source_filep(zip_, stream, 0, -1) : nullptr;
+  if (stream && !source) std::fclose(stream);
+  add(name, source, packing);
+}
+
+void ZipWriter::set_comment(const std::string& text) {
+  const auto length = static_cast<zip_uint16_t>(text.size());
+  if (reason_.empty() && zip_set_archive_comment(zip_, text.data(), length) != 0)
+    reason_ = zip_strerror(zip_);
 }
 
 void ZipWriter::add(const std::string& name, void* source, Packing packing) {
@@ -131,4 +146,4 @@ Result<std::string> ZipReader::text(const std::string& name) const {
   return text;
 }
 
-}  // namespace softcnc::app
+}  // namespace softcnc::hal

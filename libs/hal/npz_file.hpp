@@ -9,7 +9,7 @@
 
 #include "motion/result.hpp"
 
-namespace softcnc::app {
+namespace softcnc::hal {
 
 /// The head of an .npy file: float32 ("<f4") or float64 ("<f8"), row by row.
 std::string npy_head(std::string_view type, std::span<const std::int64_t> shape);
@@ -32,4 +32,4 @@ class NpyWriter {
   std::ofstream out_;
 };
 
-}  // namespace softcnc::app
+}  // namespace softcnc::hal

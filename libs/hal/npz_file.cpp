@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "npz_file.hpp"
+#include "hal/npz_file.hpp"
 
 #include <bit>
 #include <cerrno>
 #include <system_error>
 
-namespace softcnc::app {
+namespace softcnc::hal {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the types named are little-endian");
@@ -66,4 +66,4 @@ Status NpyWriter::finish() {
   return written(out_);
 }
 
-}  // namespace softcnc::app
+}  // namespace softcnc::hal

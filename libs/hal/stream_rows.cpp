@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "hal/stream_rows.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "hal/axis_name.hpp"
+#include "hal/number.hpp"
+#include "motion/units.hpp"
+
+namespace softcnc::hal {
+namespace {
+
+constexpr std::size_t kRowLength = (kAxes + 2) * (kNumberLength + 1);
+
+}  // namespace
+
+std::string stream_config(const Machine& machine) {
+  std::string config;
+  for (const Axis& axis : machine.axes)
+    if (axis.present) config += 'f';
+  return config + "bu";
+}
+
+StreamRows::StreamRows(const Machine& machine, std::size_t lead)
+    : period_(number_text(ms_from_s(machine.control.servo_period))),
+      config_(stream_config(machine)),
+      parts_(static_cast<int>(std::lround(machine.control.period / machine.control.servo_period))) {
+  for (int axis = 0; axis < kAxes; ++axis)
+    if (machine.axes[static_cast<std::size_t>(axis)].present) axes_.push_back(axis);
+  bytes_.reserve(lead + static_cast<std::size_t>(parts_) * kRowLength);
+}
+
+std::string StreamRows::head() const {
+  std::string text =
+      "# softcnc rows 1 for halstreamer, one every " + period_ + " ms\n# cfg=" + config_ + ':';
+  for (const int axis : axes_) text += ' ' + axis_name(axis) + "_mm";
+  return text + " runs row\n";
+}
+
+std::string StreamRows::tail() const {
+  return "# " + std::to_string(rows_) + " rows, xxh3 " + checksum() + '\n';
+}
+
+void StreamRows::add(const Setpoint& setpoint) noexcept {
+  const AxisVector way = setpoint.position - last_;
+  if (std::exchange(started_, true))
+    for (int part = 1; part < parts_; ++part) row(last_ + way * part / parts_, true);
+  row(setpoint.position, true);
+  last_ = setpoint.position;
+}
+
+void StreamRows::rest() noexcept {
+  if (started_) row(last_, false);
+}
+
+void StreamRows::row(const AxisVector& position, bool runs) noexcept {
+  char text[kRowLength];
+  char* end = text;
+  for (const int axis : axes_) {
+    end = write_number(end, position[axis]);
+    *end++ = ' ';
+  }
+  *end++ = runs ? '1' : '0';
+  *end++ = ' ';
+  end = std::to_chars(end, text + kRowLength, ++rows_).ptr;
+  *end++ = '\n';
+  bytes_.append(text, end);
+}
+
+void StreamRows::pass() noexcept {
+  hasher_.add(bytes_);
+  bytes_.clear();
+}
+
+}  // namespace softcnc::hal
