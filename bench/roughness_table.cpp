@@ -18,19 +18,34 @@ constexpr std::size_t kFeeds = kSimulatedFeeds.size();
 constexpr double kScale = 1000, kRoundOff = 1e-6;
 constexpr double kLeastSlope = 0.5;  // by a^2: no feed leaps where heights do not grow
 constexpr double kBeyond = 1.001;    // of 1 + a^2, which no height far from the tip exceeds
+constexpr double kBetween = 1.02;    // of what is above 1: for what lies between what is simulated
+constexpr std::size_t kParts = 3;    // of an interval: at their ends edges are simulated
+constexpr std::size_t kTips = kParts * (kSimulatedTips - 1) + 1;
 
 double square(double x) { return x * x; }
 
-/// Nodes and the middles between them: values at 2 i are those of node i.
+/// A place between nodes, whose values are fine[kParts * i].
+struct Between {
+  explicit Between(std::size_t part)
+      : low(part / kParts),
+        high((part + kParts - 1) / kParts),
+        w(static_cast<double>(part % kParts) / kParts) {}
+  double of(double at_low, double at_high) const { return at_low + w * (at_high - at_low); }
+
+  std::size_t low, high;  // nodes
+  double w;
+};
+
+/// Nodes and some places between them.
 class FineTable {
  public:
   explicit FineTable(int teeth) {
-    for (std::size_t t = 0; t < 2 * kSimulatedTips - 1; ++t) simulate(teeth, t);
+    for (std::size_t t = 0; t < kTips; ++t) simulate(teeth, t);
     for (std::size_t t = 0; t < static_cast<std::size_t>(kSimulatedTips); ++t)
-      for (std::size_t f = 0; f <= kFeeds; ++f) node(t, f) = fine_[2 * t][2 * f];
+      for (std::size_t f = 0; f <= kFeeds; ++f) node(t, f) = fine_[kParts * t][kParts * f];
     for (std::size_t f = 1; f <= kFeeds; ++f) {
       double& last = node(kSimulatedTips - 1, f);
-      last = std::max(last, 1 + kBeyond * square(feed(2 * f)));
+      last = std::max(last, 1 + kBeyond * square(feed(kParts * f)));
     }
     cover();
   }
@@ -40,7 +55,7 @@ class FineTable {
       std::printf("{{");
       double below = 1;
       for (std::size_t f = 1; f <= kFeeds; ++f) {
-        const double end = square(feed(2 * f)), least = end - square(feed(2 * f - 2));
+        const double end = square(feed(kParts * f)), least = end - square(feed(kParts * (f - 1)));
         const double height = std::max(heights[f], below + kLeastSlope * least);
         const double part = std::ceil(kScale * (height - 1) / end - kRoundOff);
         below = 1 + part / kScale * end;
@@ -53,46 +68,49 @@ class FineTable {
  private:
   double& node(std::size_t tip, std::size_t feed) { return nodes_[tip][feed]; }
 
-  static double tip(std::size_t half) {
-    const int i = static_cast<int>(half / 2);
-    return half % 2 == 0 ? simulated_tip(i) : 0.5 * (simulated_tip(i) + simulated_tip(i + 1));
+  static double tip(std::size_t part) {
+    const Between at(part);
+    return at.of(simulated_tip(static_cast<int>(at.low)), simulated_tip(static_cast<int>(at.high)));
   }
-  static double feed(std::size_t half) {
-    const auto at = [](std::size_t i) { return i == 0 ? 0.0 : kSimulatedFeeds[i - 1]; };
-    return half % 2 == 0 ? at(half / 2) : 0.5 * (at(half / 2) + at(half / 2 + 1));
+  static double feed(std::size_t part) {
+    const auto node = [](std::size_t i) { return i == 0 ? 0.0 : kSimulatedFeeds[i - 1]; };
+    const Between at(part);
+    return at.of(node(at.low), node(at.high));
   }
 
   void simulate(int teeth, std::size_t t) {
     fine_[t][0] = 1;
-    for (std::size_t f = 1; f <= 2 * kFeeds; ++f)
-      fine_[t][f] =
-          std::max(fine_[t][f - 1], softcnc::test::EdgeSurface(feed(f), tip(t), teeth).rmax());
+    for (std::size_t f = 1; f <= kParts * kFeeds; ++f) {
+      const double height = softcnc::test::EdgeSurface(feed(f), tip(t), teeth).rmax();
+      fine_[t][f] = std::max(fine_[t][f - 1], 1 + kBetween * (height - 1));
+    }
   }
 
   /// Raises nodes until nothing simulated lies above what is interpolated; neither may a lower feed
   /// leave more.
   void cover() {
-    for (std::size_t t = 0; t + 1 < 2 * kSimulatedTips - 1; ++t)
-      for (std::size_t f = 1; f <= 2 * kFeeds; ++f) raise(t, f);
+    for (std::size_t t = 0; t < kTips; ++t)
+      for (std::size_t f = 1; f <= kParts * kFeeds; ++f) raise(t, f);
     for (auto& column : nodes_)
       for (std::size_t f = 1; f <= kFeeds; ++f) column[f] = std::max(column[f], column[f - 1]);
   }
 
   void raise(std::size_t t, std::size_t f) {
-    const std::size_t t0 = t / 2, t1 = (t + 1) / 2, f0 = f / 2, f1 = (f + 1) / 2;
-    const double low = square(feed(2 * f0)), high = square(feed(2 * f1));
+    const Between tip(t);
+    const std::size_t f0 = f / kParts, f1 = (f + kParts - 1) / kParts;
+    const double low = square(feed(kParts * f0)), high = square(feed(kParts * f1));
     const double w = f0 == f1 ? 0 : (square(feed(f)) - low) / (high - low);
     const auto between = [&](std::size_t at) {
       return nodes_[at][f0] + w * (nodes_[at][f1] - nodes_[at][f0]);
     };
-    const double lacks = fine_[t][f] - 0.5 * (between(t0) + between(t1));
+    const double lacks = fine_[t][f] - tip.of(between(tip.low), between(tip.high));
     if (lacks <= 0) return;
-    for (std::size_t at = t0; at <= t1; ++at)
+    for (std::size_t at = tip.low; at <= tip.high; ++at)
       for (std::size_t by = std::max(f0, std::size_t{1}); by <= f1; ++by)
         nodes_[at][by] += f0 == 0 ? lacks / w : lacks;  // at no feed it stays 1
   }
 
-  double fine_[2 * kSimulatedTips - 1][2 * kFeeds + 1] = {};
+  double fine_[kTips][kParts * kFeeds + 1] = {};
   double nodes_[kSimulatedTips][kFeeds + 1] = {};
 };
 

@@ -111,6 +111,7 @@ void BlockJson::write(const Surface& surface) {
   value("\"pick_feed_mm\":", surface.pick_feed);
   value("\"rmax_um\":", as_written(um_from_mm(surface.rmax)));
   value("\"teeth\":", surface.teeth);
+  if (surface.bend_across != 0) value("\"radius_across_mm\":", as_written(1 / surface.bend_across));
   text_.back() = '}';
   text_.add(',');
 }

@@ -2,8 +2,8 @@
 // `softcnc blocks`: the blocks as the interpreter leaves them.
 #include "block_json.hpp"
 #include "commands.hpp"
+#include "each_block.hpp"
 #include "hal/machine_file.hpp"
-#include "ipr/interpreter.hpp"
 #include "machine_memory.hpp"
 #include "messages.hpp"
 #include "preflight.hpp"
@@ -24,14 +24,16 @@ int write_blocks(Program& program, const Machine& machine, const Options& option
                                interpreter_options(options, program.folder()), std::move(*state));
   StandardOutput out;
   BlockJson json;
-  while (out.ok()) {
-    const auto block = interpreter.next();
-    if (block) out.write(json(*block, diagnostics.file(block->source.file)));
-    if (block) continue;
-    if (!interpreter.waiting()) break;
+  const auto take = [&](const Block& block) {
+    out.write(json(block, diagnostics.file(block.source.file)));
+    return out.ok();
+  };
+  const auto wait = [&] {
     out.flush();
-    wait_for_input(program.descriptor());
-  }
+    if (out.ok()) wait_for_input(program.descriptor());
+    return out.ok();
+  };
+  each_block(interpreter, take, wait);
   return worse_status(diagnostics.status(), out.finish());
 }
 

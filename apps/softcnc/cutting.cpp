@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "cutting.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "descriptor.hpp"
-#include "ipr/interpreter.hpp"
+#include "each_block.hpp"
+#include "motion/units.hpp"
 
 namespace softcnc::app {
 namespace {
 
 constexpr double kTurned = 0.7071;  // cosine: a sharper turn than 45 degrees begins another pass
-
-double spin_of(double rpm) noexcept { return -rpm * 2 * std::numbers::pi / 60; }
+constexpr int kBetweenLooks = 256;  // blocks, at whether the work is to stop
+constexpr int kMostTeeth = 100;     // the work of a second grows with their square
 
 class CuttingReader {
  public:
@@ -33,7 +34,7 @@ class CuttingReader {
 
  private:
   void act(const Action& action) {
-    if (action.kind == Action::Kind::spindle) spin_ = spin_of(action.value);
+    if (action.kind == Action::Kind::spindle) spin_ = -rad_s_from_rpm(action.value);
     if (action.kind != Action::Kind::tool) return;
     const auto found = machine_.tools.find(static_cast<int>(action.value));
     tool_ = found == machine_.tools.end() ? Tool{} : found->second;
@@ -41,12 +42,14 @@ class CuttingReader {
 
   void read(const Move& move, const Block& block) {
     const hal::Cutter cutter = cutter_of(move);
+    const double target = move.surface ? move.surface->rmax : 0;
     const bool begins = !move.rapid && begins_pass(move);
     if (!move.rapid) add(move, cutter, block);
     const auto& changes = cutting_.changes;
     if (begins || changes.empty() || changes.back().cutter != cutter ||
-        changes.back().cutting == move.rapid)
-      cutting_.changes.push_back({block.number, cutter, !move.rapid, start(move.path), begins});
+        changes.back().cutting == move.rapid || changes.back().target != target)
+      cutting_.changes.push_back(
+          {block.number, cutter, !move.rapid, start(move.path), target, begins});
     direction_ = at(move.path, length(move.path), Side::before).dq;
     after_rapid_ = move.rapid;
   }
@@ -63,6 +66,11 @@ class CuttingReader {
   void add(const Move& move, const hal::Cutter& cutter, const Block& block) {
     if (cutter.radius <= 0 || cutter.teeth <= 0)
       return tell_once(Code::SC2380, "no tool with a radius and teeth is in the spindle", block);
+    if (cutter.teeth > kMostTeeth)
+      return tell_once(Code::SC4041,
+                       fmt::format("a tool of {} teeth: surfaces are cut by {} at most",
+                                   cutter.teeth, kMostTeeth),
+                       block);
     if (cutter.spin == 0)
       return tell_once(Code::SC2381, "a cutting move while the spindle stands still", block);
     const Extent box = bounds(move.path);
@@ -75,9 +83,9 @@ class CuttingReader {
     if (move.surface) cutting_.pick_feed = std::max(cutting_.pick_feed, move.surface->pick_feed);
   }
 
-  void tell_once(Code code, const char* text, const Block& block) {
+  void tell_once(Code code, std::string text, const Block& block) {
     if (std::exchange(told_, true)) return;
-    diagnostics_.report({code, block.source, text, {}, {}});
+    diagnostics_.report({code, block.source, std::move(text), {}, {}});
   }
 
   const Machine& machine_;
@@ -92,18 +100,21 @@ class CuttingReader {
 }  // namespace
 
 Cutting read_cutting(Program& program, const Machine& machine, const ChannelOptions& options,
-                     Diagnostics& diagnostics) {
+                     Diagnostics& diagnostics, Watcher& watcher) {
   ipr::Reader text = program.reader();
   ipr::Parser parser(text, diagnostics);
   ipr::Interpreter interpreter(parser, machine, diagnostics, options.interpreter, options.state);
   CuttingReader reader(machine, diagnostics);
-  for (;;) {
-    const auto block = interpreter.next();
-    if (block) reader.read(*block);
-    if (block) continue;
-    if (!interpreter.waiting()) return reader.finish();
-    wait_for_input(program.descriptor());
-  }
+  const auto take = [&](const Block& block) {
+    reader.read(block);
+    return block.number % kBetweenLooks != 0 || !watcher.wants_stop();
+  };
+  const auto wait = [&] {
+    watcher.wait_for_input(program.descriptor());
+    return !watcher.wants_stop();
+  };
+  each_block(interpreter, take, wait);
+  return watcher.wants_stop() ? Cutting{} : reader.finish();
 }
 
 }  // namespace softcnc::app

@@ -18,6 +18,7 @@ struct CuttingChange {
   hal::Cutter cutter;
   bool cutting = false;                   // moves are no rapids
   AxisVector start = AxisVector::Zero();  // mm, of the block
+  double target = 0;                      // mm: the Rmax that is asked for; 0: none is
   bool begins_pass = false;  // the block is the first of a pass: it comes behind a rapid or a turn
 };
 
@@ -29,9 +30,10 @@ struct Cutting {
   double pick_feed = 0;                // mm, largest that is told; 0: none is
 };
 
-/// Reads the program as far as blocks. Errors, beside those of the interpreter: SC2380 (no tool),
-/// SC2381 (the spindle stands still), SC2382 (nothing to cut).
+/// Reads the program as far as blocks, or until the watcher wants it to stop. Errors, beside those
+/// of the interpreter: SC2380 (no tool), SC2381 (the spindle stands still), SC2382 (nothing to
+/// cut), SC4041 (too many teeth).
 Cutting read_cutting(Program& program, const Machine& machine, const ChannelOptions& options,
-                     Diagnostics& diagnostics);
+                     Diagnostics& diagnostics, Watcher& watcher);
 
 }  // namespace softcnc::app

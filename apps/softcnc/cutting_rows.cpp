@@ -51,6 +51,7 @@ bool CuttingRows::row(const Setpoint& setpoint, std::span<const double> backend_
     if (const int column = measured_[static_cast<std::size_t>(axis)]; column >= 0)
       row.tip[axis] = backend_values[static_cast<std::size_t>(column)];
   row.cutting = now_.cutting;
+  row.target = now_.target;
   track_.add(row);
   return track_.kept();
 }

@@ -249,6 +249,8 @@ void make_surface(CLI::App& command, Options& options) {
       ->type_name("FILE");
   command.add_flag("--actual", options.actual,
                    "Cut with the tool where the simulated mill is, not where it is told to be");
+  command.add_option("--report", options.report, "Write the figures of the surface as JSON")
+      ->type_name("FILE.json");
   add_diagnostics(command, options);
   add_progress(command, options);
   add_quiet(command, options);

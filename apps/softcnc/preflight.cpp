@@ -27,7 +27,7 @@ Machine without_backend(Machine machine) {
 Preflight preflight(Program& program, const Machine& machine, const ChannelOptions& options,
                     Messages& messages, Watcher* watcher, Tells tells) {
   auto backend = hal::open_backend(without_backend(machine));
-  if (!backend) return {messages.fail(backend.error()), {}};
+  if (!backend) return {messages.fail(backend.error()), Outcome()};
   Diagnostics diagnostics(messages.sink(program));
   diagnostics.set_file(program.name());
   ipr::Reader reader = program.reader();

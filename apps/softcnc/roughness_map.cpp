@@ -10,7 +10,11 @@
 namespace softcnc::app {
 namespace {
 
-constexpr float kGouge = 0.005F;  // mm: more than the ideal surface may be wrong by
+constexpr float kGouge = 0.005F;       // mm: more than the ideal surface may be wrong by
+constexpr float kResolved = 0.00001F;  // mm: what heights may be wrong by
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+
+float um(float mm) { return static_cast<float>(um_from_mm(static_cast<double>(mm))); }
 
 }  // namespace
 
@@ -22,6 +26,8 @@ RoughnessMap::RoughnessMap(const hal::StockGrid& grid, int side, HeightFrom from
   const auto regions = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   highest_.assign(regions, -std::numeric_limits<float>::infinity());
   lowest_.assign(regions, std::numeric_limits<float>::infinity());
+  target_.assign(regions, 0);
+  excess_.assign(regions, -std::numeric_limits<float>::infinity());
   known_.assign(regions, 0);
   all_.assign(regions, 0);
 }
@@ -38,22 +44,26 @@ void RoughnessMap::add(const SurfaceBand& band) {
       ++known_[region];
       highest_[region] = std::max(highest_[region], deviation);
       lowest_[region] = std::min(lowest_[region], deviation);
+      const float target = band.targets.empty() ? 0 : band.targets[band.block(column, row)];
+      if (target <= 0) continue;
+      float& least = target_[region];
+      least = least > 0 ? std::min(least, target) : target;
+      excess_[region] = std::max(excess_[region], deviation - target);
     }
   }
 }
 
 std::vector<float> RoughnessMap::rmax() const {
-  std::vector<float> rmax(highest_.size(), std::numeric_limits<float>::quiet_NaN());
+  std::vector<float> rmax(highest_.size(), kUnknown);
   for (std::size_t i = 0; i < rmax.size(); ++i)
-    if (2 * known_[i] >= all_[i] && known_[i] > 0)
-      rmax[i] = static_cast<float>(um_from_mm(static_cast<double>(height(i))));
+    if (2 * known_[i] >= all_[i] && known_[i] > 0) rmax[i] = um(height(i));
   return rmax;
 }
 
 /// mm.
 float RoughnessMap::height(std::size_t region) const noexcept {
   if (from_ == HeightFrom::lowest) return highest_[region] - lowest_[region];
-  if (highest_[region] < -kGouge) return std::numeric_limits<float>::quiet_NaN();
+  if (highest_[region] < -kGouge) return kUnknown;
   return std::max(0.0F, highest_[region]);
 }
 
@@ -66,9 +76,26 @@ std::vector<float> RoughnessMap::gouges() const {
   std::vector<float> gouges(lowest_.size(), 0);
   if (from_ == HeightFrom::lowest) return gouges;
   for (std::size_t i = 0; i < gouges.size(); ++i)
-    if (lowest_[i] < -kGouge)
-      gouges[i] = static_cast<float>(um_from_mm(static_cast<double>(-lowest_[i])));
+    if (lowest_[i] < -kGouge) gouges[i] = um(-lowest_[i]);
   return gouges;
+}
+
+std::vector<float> RoughnessMap::targets() const {
+  std::vector<float> targets(target_.size(), kUnknown);
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    if (target_[i] > 0) targets[i] = um(target_[i]);
+  return targets;
+}
+
+std::vector<float> RoughnessMap::met() const {
+  const std::vector<float> known = rmax();
+  std::vector<float> met(known.size(), kUnknown);
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    if (std::isnan(known[i]) || target_[i] <= 0) continue;
+    const float excess = from_ == HeightFrom::ideal ? excess_[i] : height(i) - target_[i];
+    met[i] = excess <= kResolved ? 1 : 0;
+  }
+  return met;
 }
 
 RegionFigures figures(const std::vector<float>& values) {
@@ -81,6 +108,23 @@ RegionFigures figures(const std::vector<float>& values) {
     if (value > 0) ++sum.marked;
   }
   if (sum.regions > 0) sum.mean /= static_cast<double>(sum.regions);
+  return sum;
+}
+
+TargetFigures target_figures(const RoughnessMap& map) {
+  const std::vector<float> rmax = map.rmax(), targets = map.targets(), met = map.met();
+  TargetFigures sum;
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    if (std::isnan(met[i])) continue;
+    ++sum.judged;
+    if (met[i] > 0) continue;
+    const auto here = static_cast<double>(rmax[i]), target = static_cast<double>(targets[i]);
+    if (++sum.missed == 1 || here / target > sum.rmax / sum.target) {
+      sum.worst = i;
+      sum.rmax = here;
+      sum.target = target;
+    }
+  }
   return sum;
 }
 

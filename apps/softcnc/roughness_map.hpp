@@ -34,6 +34,12 @@ class RoughnessMap {
   /// is known by, and with HeightFrom::lowest. Likewise.
   std::vector<float> gouges() const;
   HeightFrom from() const noexcept { return from_; }
+  /// um that are asked for, by region: of the points of it that are known the least; NaN where
+  /// nothing is asked for. Likewise.
+  std::vector<float> targets() const;
+  /// By region: 1 where no point is higher than what is asked for there, 0 where one is, NaN where
+  /// Rmax is not known or nothing is asked for. Likewise.
+  std::vector<float> met() const;
   /// um above the ideal surface, lowest and highest of all; likewise.
   std::pair<double, double> range() const noexcept;
 
@@ -44,6 +50,8 @@ class RoughnessMap {
   int side_, columns_, rows_;
   std::vector<float> highest_;    // mm
   std::vector<float> lowest_;     // mm
+  std::vector<float> target_;     // mm; 0: none
+  std::vector<float> excess_;     // mm: highest above what is asked for at each point
   std::vector<int> known_, all_;  // points
 };
 
@@ -54,5 +62,13 @@ struct RegionFigures {
   std::size_t marked = 0;        // of these, whose value is above 0
 };
 RegionFigures figures(const std::vector<float>& values);
+
+/// How far the targets are met.
+struct TargetFigures {
+  std::size_t judged = 0, missed = 0;  // regions
+  std::size_t worst = 0;               // the region whose Rmax is most above its target
+  double rmax = 0, target = 0;         // um, there
+};
+TargetFigures target_figures(const RoughnessMap& map);
 
 }  // namespace softcnc::app

@@ -17,6 +17,7 @@
 #include "progress.hpp"
 #include "surface_file.hpp"
 #include "surface_grid.hpp"
+#include "surface_report.hpp"
 #include "terminal.hpp"
 #include "verification.hpp"
 
@@ -38,6 +39,7 @@ class SurfaceJob {
   int read();
   int move();
   int judge(const Outcome& outcome, Diagnostics& diagnostics);
+  int report(const RoughnessMap& map);
   int cut(hal::OutputFile& output);
   int stopped() { return kSignalled + terminal_.signal(); }
   void tell(const RoughnessMap& map, double seconds, double cpu) const;
@@ -52,12 +54,13 @@ class SurfaceJob {
   std::int64_t updates_ = 0;
 };
 
-/// The first reading: what cuts, and what is wrong with the text.
+/// The first reading: what cuts, and what is wrong with the text. It takes a small part of the time
+/// of the run, and before that the size of the surface is known, and whether it can be cut at all.
 int SurfaceJob::read() {
   Diagnostics diagnostics(messages_.sink(job_.program));
   diagnostics.set_file(job_.program.name());
-  cutting_ = read_cutting(job_.program, job_.machine, job_.options, diagnostics);
-  return diagnostics.status();
+  cutting_ = read_cutting(job_.program, job_.machine, job_.options, diagnostics, terminal_);
+  return terminal_.signal() != 0 ? stopped() : diagnostics.status();
 }
 
 /// The run. What the first reading has told is not told again.
@@ -103,13 +106,15 @@ int SurfaceJob::cut(hal::OutputFile& output) {
   const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   const auto begin = std::chrono::steady_clock::now();
   const double cpu = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
-  const auto updates = cut_bands(hal::Workpiece(track_, grid_), threads,
-                                 [&](const SurfaceBand& band) -> Result<bool> {
-                                   map.add(band);
-                                   const Status added = (*file)->add(band);
-                                   if (!added) return tl::make_unexpected(added.error());
-                                   return terminal_.signal() == 0;
-                                 });
+  const auto updates = cut_bands(
+      hal::Workpiece(track_, grid_), threads,
+      [&](const SurfaceBand& band) -> Result<bool> {
+        map.add(band);
+        const Status added = (*file)->add(band);
+        if (!added) return tl::make_unexpected(added.error());
+        return true;
+      },
+      [&] { return terminal_.signal() != 0; });
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   const double cpu_taken = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
   if (!updates) return fail(updates.error());
@@ -117,7 +122,18 @@ int SurfaceJob::cut(hal::OutputFile& output) {
   updates_ = *updates;
   if (Status written = (*file)->finish(map); !written) return fail(written.error());
   tell(map, taken.count(), cpu_taken);
-  return 0;
+  return report(map);
+}
+
+/// What is rougher than asked for.
+int SurfaceJob::report(const RoughnessMap& map) {
+  const TargetFigures target = target_figures(map);
+  Diagnostics diagnostics(messages_.sink(job_.program));
+  if (target.missed > 0)
+    diagnostics.report({Code::SC4040, {}, missed_text(target, map, grid_), {}, {}});
+  if (options_.report.empty()) return 0;
+  const Status written = hal::write_file(options_.report, surface_report(job_, map, grid_));
+  return written ? 0 : fail(written.error());
 }
 
 /// Peak memory of this process, MB.
@@ -133,6 +149,14 @@ std::string roughness_text(const RoughnessMap& map, double step) {
     return "not known: nowhere do passes lie side by side on a smooth surface without gouges";
   return fmt::format("{:.2f} um, {:.2f} um in the mean of {} regions of {:.4g} x {:.4g} mm",
                      sum.largest, sum.mean, sum.regions, map.side() * step, map.side() * step);
+}
+
+/// A line of its own, where anything is asked for.
+std::string target_text(const RoughnessMap& map) {
+  const TargetFigures target = target_figures(map);
+  if (target.judged == 0) return {};
+  return fmt::format("\n  target       met in {} of {} regions that are asked for and known",
+                     target.judged - target.missed, target.judged);
 }
 
 /// A line of its own: gouges, where there are any, or what the servo is off.
@@ -153,14 +177,15 @@ void SurfaceJob::tell(const RoughnessMap& map, double seconds, double cpu) const
   spdlog::info(
       "surface of {} on {}{}\n  stock        {:.6g} x {:.6g} x {:.6g} mm from X{:.6g} Y{:.6g} "
       "Z{:.6g}\n  grid         {} x {} points, one every {:.6g} um\n  edges        {} passes\n"
-      "  Rmax         {}{}\n  cut          {:.0f} points, {:.3g} updates in {:.2f} s, CPU {:.2f} "
+      "  Rmax         {}{}{}\n  cut          {:.0f} points, {:.3g} updates in {:.2f} s, CPU {:.2f} "
       "s: "
       "{:.1f} million a second and core\n  memory       {:.0f} MB",
       job_.program.name(), job_.machine.name, options_.actual ? ", by its actual positions" : "",
       (grid_.columns - 1) * grid_.step, (grid_.rows - 1) * grid_.step, grid_.top - grid_.corner[2],
       grid_.corner[0], grid_.corner[1], grid_.corner[2], grid_.columns, grid_.rows,
       um_from_mm(grid_.step), track_.passes().size(), roughness_text(map, grid_.step),
-      form_text(map), points, updates, seconds, cpu, updates / cpu / 1e6, memory_mb());
+      target_text(map), form_text(map), points, updates, seconds, cpu, updates / cpu / 1e6,
+      memory_mb());
 }
 
 int SurfaceJob::run() {

@@ -18,6 +18,13 @@ void copy(const hal::Tile& tile, double bottom, SurfaceBand& band) {
       band.deviations[to + i] = tile.deviations[from + i];
     }
   }
+  auto target = tile.targets.begin();
+  for (std::size_t row = 0; row < SurfaceBand::blocks(tile.rows); ++row) {
+    const std::size_t to =
+        band.block(tile.first_column, static_cast<int>(row) * hal::Workpiece::kBlock);
+    for (std::size_t i = 0; i < SurfaceBand::blocks(tile.columns); ++i)
+      band.targets[to + i] = *target++;
+  }
 }
 
 /// Calls work(i) for 0 <= i < count, on some threads; passes an exception on.
@@ -43,18 +50,27 @@ void share(int count, unsigned threads, Work&& work) {
 }  // namespace
 
 Result<std::int64_t> cut_bands(const hal::Workpiece& workpiece, unsigned threads,
-                               const TakeBand& take) {
+                               const TakeBand& take, const WantsStop& wants_stop) {
   const hal::StockGrid& grid = workpiece.grid();
   std::atomic<std::int64_t> updates{0};
+  std::atomic<bool> stopped{false};
+  const auto caller = std::this_thread::get_id();
+  const auto stops = [&] {
+    if (wants_stop && std::this_thread::get_id() == caller && wants_stop()) stopped = true;
+    return stopped.load();
+  };
   for (int row = 0; row < grid.rows; row += kTileSide) {
-    SurfaceBand band{row, std::min(kTileSide, grid.rows - row), grid.columns, {}, {}};
+    SurfaceBand band{row, std::min(kTileSide, grid.rows - row), grid.columns, {}, {}, {}};
     band.heights.resize(band.index(0, band.rows));
     band.deviations.resize(band.heights.size());
+    band.targets.resize(SurfaceBand::blocks(band.rows) * SurfaceBand::blocks(band.columns));
     share((grid.columns + kTileSide - 1) / kTileSide, threads, [&](int i) {
-      const hal::Tile tile = workpiece.cut(i * kTileSide, row, kTileSide, kTileSide);
+      const hal::Tile tile = workpiece.cut(i * kTileSide, row, kTileSide, kTileSide, stops);
+      if (stopped) return;
       copy(tile, grid.corner[2], band);
       updates += tile.updates;
     });
+    if (stops()) break;
     const Result<bool> wanted = take(band);
     if (!wanted) return tl::make_unexpected(wanted.error());
     if (!*wanted) break;

@@ -13,7 +13,7 @@
 namespace softcnc::app {
 namespace {
 
-/// heights_mm, rmax_um, gouges_um, origin_mm, step_mm, region_mm.
+/// heights_mm, rmax_um, target_um, met, gouges_um, origin_mm, step_mm, region_mm.
 class SurfaceArrays final : public SurfaceFile {
  public:
   SurfaceArrays(hal::OutputFile& output, const hal::StockGrid& grid, TemporaryFolder folder)
@@ -33,6 +33,8 @@ class SurfaceArrays final : public SurfaceFile {
     hal::ZipWriter zip(packed);
     zip.add_file("heights_mm.npy", heights_file(), hal::Packing::store);
     zip.add_text("rmax_um.npy", hal::npy(std::span<const float>(map.rmax()), regions));
+    zip.add_text("target_um.npy", hal::npy(std::span<const float>(map.targets()), regions));
+    zip.add_text("met.npy", hal::npy(std::span<const float>(map.met()), regions));
     zip.add_text("gouges_um.npy", hal::npy(std::span<const float>(map.gouges()), regions));
     zip.add_text("origin_mm.npy", hal::npy(std::span(grid_.corner.data(), kAxes), axes));
     zip.add_text("step_mm.npy", hal::npy(std::span(&grid_.step, 1), {}));

@@ -15,11 +15,8 @@ namespace {
 constexpr double kTolerance = 0.03;
 
 double edge_rmax(const Move& move, double s, double v) noexcept {
-  const Surface& surface = *move.surface;
-  const double place = std::clamp(s, 0.0, length(move.path));
-  const PathPoint point = at(move.path, place);
-  return rmax(RoughnessModel::guaranteed, surface, v / surface.tooth_rate(),
-              inclination_sine(point.dq), hollow_bend(point.dq, point.ddq));
+  const PathPoint point = at(move.path, std::clamp(s, 0.0, length(move.path)));
+  return rmax(RoughnessModel::guaranteed, *move.surface, v / move.surface->tooth_rate(), point);
 }
 
 std::string of_target(double rmax, double target) {
@@ -41,7 +38,8 @@ void SurfaceNotes::add(const ipo::TimedBlock& timed, const Setpoint& row, double
     turned_back_ = note.source;
   if (last_ && (roughest_.block == 0 || note.part() > roughest_.part())) roughest_ = note;
 
-  const double left = edge_rmax(move, row.s - timed.s_start, row.v);
+  const double left =
+      model_ == RoughnessModel::guaranteed ? rmax : edge_rmax(move, row.s - timed.s_start, row.v);
   if (left <= target * (1 + kTolerance)) return;
   if (above_block_ != row.block) ++above_;
   above_block_ = row.block;

@@ -16,6 +16,8 @@ namespace softcnc::app {
 
 class SurfaceNotes {
  public:
+  explicit SurfaceNotes(RoughnessModel model = RoughnessModel::guaranteed) : model_(model) {}
+
   /// A row of a block that asks for a roughness, and the Rmax, mm, that it leaves by the model of
   /// the machine.
   void add(const ipo::TimedBlock& timed, const Setpoint& row, double rmax);
@@ -40,6 +42,7 @@ class SurfaceNotes {
   void begin(const ipo::TimedBlock& timed, const Setpoint& row, double target);
   static void tell(const Note& note, Diagnostics& diagnostics);
 
+  RoughnessModel model_;
   std::vector<Note> notes_;   // of the first blocks
   std::optional<Note> last_;  // of the present block, if it is not among them
   Note roughest_;             // of those that are not

@@ -20,7 +20,7 @@ constexpr int kScale = 2;          // of letters
 constexpr int kMiddleRegions = 6;  // along a side of what is enlarged
 constexpr double kRelief = 8;      // roughness is shown so much steeper than it is
 constexpr Colour kPaper{250, 250, 248}, kInk{30, 30, 34}, kFaint{205, 205, 208},
-    kNothing{226, 226, 230}, kLine{20, 80, 170}, kGouged{208, 38, 38};
+    kNothing{226, 226, 230}, kLine{20, 80, 170}, kGouged{208, 38, 38}, kMissed{240, 60, 40};
 
 std::uint8_t byte(double value) noexcept {
   return static_cast<std::uint8_t>(std::clamp(std::lround(255 * value), 0L, 255L));
@@ -75,6 +75,25 @@ void each_pixel(const Frame& frame, int columns, int rows, Paint&& paint) {
 
 void title(Canvas& canvas, int left, int top, const std::string& text) {
   canvas.write(left, top - 12 * kScale, text, kScale, kInk);
+}
+
+/// A red frame around each region that is rougher than asked for, as far as there is room for one.
+void frame_missed(Canvas& canvas, const Frame& frame, const RoughnessMap& map) {
+  const std::vector<float> met = map.met();
+  const auto at = [](int i, int pixels, int count) {
+    return static_cast<int>(static_cast<std::int64_t>(i) * pixels / count);
+  };
+  for (int j = 0; j < map.rows(); ++j)
+    for (int i = 0; i < map.columns(); ++i) {
+      const std::size_t region =
+          static_cast<std::size_t>(j) * static_cast<std::size_t>(map.columns()) +
+          static_cast<std::size_t>(i);
+      if (met[region] != 0) continue;
+      const int x0 = at(i, frame.width, map.columns()), x1 = at(i + 1, frame.width, map.columns());
+      const int y0 = at(j, frame.height, map.rows()), y1 = at(j + 1, frame.height, map.rows());
+      canvas.frame(frame.x + x0, frame.y + frame.height - y1, std::max(1, x1 - x0),
+                   std::max(1, y1 - y0), kMissed);
+    }
 }
 
 /// The lowest value, if that is below 0.
@@ -206,12 +225,17 @@ void SurfacePicture::draw_rmax(Canvas& canvas, const RoughnessMap& map) const {
       canvas.set(x, y, heat(most > 0 ? static_cast<double>(value) / most : 0));
   });
   canvas.frame(frame.x - 1, frame.y - 1, frame.width + 2, frame.height + 2, kInk);
-  constexpr int kBar = 200;
+  frame_missed(canvas, frame, map);
+  constexpr int kBar = 160;
   for (int i = 0; i < kBar; ++i)
     canvas.fill(left + kSide - kBar + i, top - 12 * kScale, 1, 7 * kScale, heat(i / (kBar - 1.0)));
   const bool gouged = figures(gouges).marked > 0;
+  const TargetFigures target = target_figures(map);
   title(canvas, left, top,
-        fmt::format("rmax, 0 to {:.1f} um{}", most, gouged ? ", gouged red" : ""));
+        fmt::format("rmax, 0 to {:.1f} um{}{}", most, gouged ? ", gouged red" : "",
+                    target.missed > 0   ? fmt::format(", {} missed", target.missed)
+                    : target.judged > 0 ? ", met"
+                                        : ""));
 }
 
 void SurfacePicture::draw_profiles(Canvas& canvas) const {

@@ -52,6 +52,7 @@ std::optional<IdealSurface> IdealSurface::near(std::span<const Centre> centres, 
   if (!(edge > 0)) return std::nullopt;
   IdealSurface surface;
   surface.radius_ = radius;
+  surface.target_ = from->target;
   surface.x_ = from->at[0];
   surface.y_ = from->at[1];
   surface.z_ = from->at[2];

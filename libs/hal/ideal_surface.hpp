@@ -18,9 +18,10 @@ namespace softcnc::hal {
 /// finishing do, those count that cut deepest.
 class IdealSurface {
  public:
-  /// A centre as commanded, and which way it goes.
+  /// A centre as commanded, which way it goes, and the Rmax asked for there (0: none is).
   struct Centre {
     AxisVector at, along;  // mm; along: over one pass of the edges
+    float target = 0;      // mm
   };
 
   /// Good for a square around (x, y), `reach` mm to each side. Nothing where there are no passes on
@@ -34,6 +35,8 @@ class IdealSurface {
     double a, b;              // where the centre is that makes this point
   };
   Point at(double x, double y) const noexcept;
+  /// That of the centre whose ball reaches deepest at (x, y) of near().
+  float target() const noexcept { return target_; }
   /// Whether passes lie all around a point.
   bool inside(double a, double b) const noexcept {
     return a >= a0_ && a <= a1_ && b >= b0_ && b <= b1_;
@@ -54,6 +57,7 @@ class IdealSurface {
   std::array<double, 2> slope(double a, double b) const noexcept;
 
   double radius_ = 0;
+  float target_ = 0;
   double x_ = 0, y_ = 0, z_ = 0;              // mm: origin of a and b; the centre there
   double along_x_ = 1, along_y_ = 0;          // direction of a
   double unit_ = 1;                           // mm, of a and b

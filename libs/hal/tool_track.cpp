@@ -49,6 +49,7 @@ void ToolTrack::start_stretch(const ToolRow& row) {
   pass_number_ = 0;
   pass_cutting_ = true;
   rests_ = false;
+  target_ = 0;
 }
 
 void ToolTrack::add(const ToolRow& row) {
@@ -65,6 +66,7 @@ void ToolTrack::close_passes(const ToolRow& row) {
   const Stretch& stretch = stretches_.back();
   const double period = tooth_period(stretch.cutter);
   pass_cutting_ = pass_cutting_ && row.cutting;
+  target_ = row.target;
   for (;;) {
     const double end = stretch.begin + static_cast<double>(pass_number_ + 1) * period;
     if (end > row.t) break;
@@ -96,8 +98,8 @@ void ToolTrack::close_pass(double end, const AxisVector& to, const AxisVector& c
   const double bulge = bulge_of(pass_from_, to);
   const bool rests = bulge == 0 && to == pass_from_;
   if (!rests || !rests_)
-    passes_.push_back(
-        {stretches_.size() - 1, pass_begin_, end, pass_from_, to, commanded, bulge, pass_cutting_});
+    passes_.push_back({stretches_.size() - 1, pass_begin_, end, pass_from_, to, commanded, bulge,
+                       pass_cutting_, static_cast<float>(target_)});
   rests_ = rests;
   pass_begin_ = end;
   pass_from_ = to;

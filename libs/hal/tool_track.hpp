@@ -27,6 +27,7 @@ struct ToolRow {
   AxisVector tip;        // mm, where it is
   AxisVector commanded;  // mm, where it should be
   bool cutting = false;  // no rapid
+  double target = 0;     // mm: the Rmax that is asked for; 0: none is
 };
 
 /// The time from one edge to the next: all edges together sweep the whole circle once.
@@ -37,6 +38,7 @@ struct EdgePass {
   AxisVector commanded;  // tip at the end, mm
   double bulge;          // mm: how far the tip strays from the line between
   bool cutting;          // all of it
+  float target;          // mm: the Rmax that is asked for at its end; 0: none is
 };
 
 /// A time over which the spindle turns evenly; it always begins in the same position.
@@ -108,6 +110,7 @@ class ToolTrack {
   std::vector<AxisVector> pass_tips_;  // behind its begin
   std::size_t pass_number_ = 0;        // in the stretch
   bool pass_cutting_ = true, rests_ = false;
+  double target_ = 0;
 };
 
 }  // namespace softcnc::hal

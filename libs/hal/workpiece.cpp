@@ -90,7 +90,7 @@ class Passes {
     ball_ = radius;
     AxisVector at = pass.commanded - grid_.corner;
     at[2] = pass.commanded[2] + radius;
-    centres_.push_back({at, pass.to - pass.from});
+    centres_.push_back({at, pass.to - pass.from, pass.target});
   }
 
   const ToolTrack& track_;
@@ -152,6 +152,7 @@ class BlockCutter {
     cut(close_.passes);
     if (reaches_above(close_)) cut(all_passes());
     if (ideal_) measure();
+    tile_.targets.push_back(ideal_ ? ideal_->target() : 0);
   }
 
  private:
@@ -299,14 +300,16 @@ void BlockCutter::measure() const {
 
 }  // namespace
 
-Tile Workpiece::cut(int first_column, int first_row, int columns, int rows) const {
+Tile Workpiece::cut(int first_column, int first_row, int columns, int rows,
+                    const std::function<bool()>& wants_stop) const {
   Tile tile{first_column,
             first_row,
             std::min(columns, grid_.columns - first_column),
             std::min(rows, grid_.rows - first_row),
             {},
             {},
-            0};
+            0,
+            {}};
   const auto points = static_cast<std::size_t>(tile.columns) * static_cast<std::size_t>(tile.rows);
   tile.heights.assign(points, grid_.top);
   tile.deviations.assign(points, kUnknown);
@@ -319,8 +322,10 @@ Tile Workpiece::cut(int first_column, int first_row, int columns, int rows) cons
       {first_column * grid_.step, first_row * grid_.step,
        (first_column + tile.columns) * grid_.step, (first_row + tile.rows) * grid_.step});
   for (int row = first_row; row < first_row + tile.rows; row += kBlock)
-    for (int column = first_column; column < first_column + tile.columns; column += kBlock)
+    for (int column = first_column; column < first_column + tile.columns; column += kBlock) {
+      if (wants_stop && wants_stop()) return tile;
       BlockCutter(grid_, tile, passes, close, column, row).run();
+    }
   track_.release();
   return tile;
 }

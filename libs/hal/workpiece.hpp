@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "hal/edge_lines.hpp"
@@ -26,6 +27,7 @@ struct Tile {
   std::vector<float>
       deviations;            // mm above the ideal surface, square to it; NaN where it is not known
   std::int64_t updates = 0;  // one edge pass tested against one point
+  std::vector<float> targets;  // mm, by block: the Rmax that is asked for; 0: none
 
   std::size_t index(int column, int row) const noexcept {
     return static_cast<std::size_t>(row - first_row) * static_cast<std::size_t>(columns) +
@@ -37,7 +39,7 @@ struct Tile {
 /// heights depend on the grid alone.
 class Workpiece {
  public:
-  /// Tiles begin at multiples of this many points.
+  /// Tiles begin at multiples of this many points; blocks are squares of them.
   static constexpr int kBlock = 32;
 
   /// The track must outlive it.
@@ -47,8 +49,10 @@ class Workpiece {
   const StockGrid& grid() const noexcept { return grid_; }
 
   /// Cuts the points from `first_column` and `first_row` on; at the far sides a tile is as small as
-  /// what is left.
-  Tile cut(int first_column, int first_row, int columns, int rows) const;
+  /// what is left. `wants_stop`, asked before every block, ends the work: then the tile is not to
+  /// be used.
+  Tile cut(int first_column, int first_row, int columns, int rows,
+           const std::function<bool()>& wants_stop = {}) const;
 
   /// Bytes, without tiles.
   std::size_t memory() const noexcept { return index_.memory() + track_.memory(); }

@@ -24,6 +24,7 @@ Halves cut(const Interval& interval, double s) {
   const double w = (s - interval.s0) / interval.length();
   cap.q = interval.left_cap.q + w * (interval.right_cap.q - interval.left_cap.q);
   halves.left.right_cap = halves.right.left_cap = cap;
+  halves.left.right_most = halves.right.left_most = interval.most_at(s);
   return halves;
 }
 

@@ -40,6 +40,9 @@ class Constraint {
   /// point, then keeps it.
   virtual bool holds_over_steps() const noexcept { return false; }
 
+  /// True if the cap holds between the nodes of the grid too, not but for what the grid tolerates.
+  virtual bool holds_everywhere() const noexcept { return false; }
+
   /// False if more may happen to the cap between two points of a move than their middle tells.
   virtual bool is_even(const PathPoint&, const PathPoint&, const Move&) const noexcept {
     return true;

@@ -10,8 +10,11 @@ namespace {
 
 constexpr int kMaxDepth = 40;
 constexpr double kStepParts = 8;
-constexpr double kEvenSteps = 0.01;  // of their q
-constexpr double kShortest = 1e-7;   // mm; shorter than any machine resolves
+constexpr double kEvenSteps = 0.01;   // of their q
+constexpr double kShortest = 1e-7;    // mm; shorter than any machine resolves
+constexpr int kLooks = 16;            // at a cap that holds everywhere, between two nodes
+constexpr double kUnseen = 1.2;       // of how far it sags, and
+constexpr double kUnseenPart = 2e-4;  // of q: a cap may have kinks between the looks
 
 /// How often a move is halved at least: a stretch between two stops has a node where it runs, and
 /// no interval of an arc goes round so far that its ends and its middle look like a straight line.
@@ -41,6 +44,35 @@ Interval make_interval(double s0, double s1, const PathPoint& left, const PathPo
   interval.step_cap = cap_at(left, move, constraints, true);
   interval.step_cap.lower_to(cap_at(right, move, constraints, true));
   return interval;
+}
+
+/// The lowest cap that holds everywhere.
+Cap firm_cap(const PathPoint& point, const Move& move, const Constraints& constraints) {
+  Cap cap;
+  for (const auto& constraint : constraints.caps())
+    if (constraint->holds_everywhere())
+      cap.lower_to({constraint->cap(point, move), constraint->limit(move)});
+  return cap;
+}
+
+/// Lowers the ends of an interval until the line between them lies nowhere above such a cap.
+void keep_everywhere(Interval& interval, const Move& move, const Constraints& constraints) {
+  const Cap left = firm_cap(interval.left, move, constraints);
+  const Cap right = firm_cap(interval.right, move, constraints);
+  if (left.q == kUnlimited) return;
+  interval.left_most = left.q;
+  interval.right_most = right.q;
+  double sag = 0;
+  for (int i = 1; i < kLooks && !interval.straight(); ++i) {
+    const double s = interval.s0 + interval.length() * i / kLooks;
+    const Cap cap = firm_cap(at(move.path, s), move, constraints);
+    sag = std::max(sag, interval.most_at(s) - cap.q);
+  }
+  if (!interval.straight()) sag = kUnseen * sag + kUnseenPart * std::min(left.q, right.q);
+  interval.left_most = std::max(left.q - sag, 0.5 * left.q);
+  interval.right_most = std::max(right.q - sag, 0.5 * right.q);
+  interval.left_cap.lower_to({interval.left_most, left.limit});
+  interval.right_cap.lower_to({interval.right_most, right.limit});
 }
 
 /// Halves intervals until the constraints are as good as linear on each.
@@ -73,6 +105,7 @@ class Refiner {
     const bool shortest = depth >= kMaxDepth || (depth >= least_depth_ && s1 - s0 < 2 * kShortest);
     if (fine || shortest) {
       out_.push_back(fine ? whole : straightened(whole));
+      keep_everywhere(out_.back(), move_, constraints_);
       return;
     }
     split(s0, middle, left, mid, depth + 1);
@@ -138,6 +171,7 @@ std::vector<Interval> make_grid(const Move& move, const Constraints& constraints
   std::vector<Interval> grid;
   if (std::holds_alternative<Line>(move.path)) {
     grid.push_back(make_interval(0, to, at(move.path, 0), at(move.path, to), move, constraints));
+    keep_everywhere(grid.back(), move, constraints);
   } else {
     Refiner refiner(move, constraints, grid);
     double s = 0;

@@ -31,18 +31,25 @@ struct Interval {
   Cap step_cap;             // for every step that touches it
   Cap slower_cap;           // from where the machine has slowed down to it: Window::slow_down()
   bool ends_move = false;
+  // q at its ends: whatever stays below the line between them keeps the caps that hold everywhere
+  double left_most = kUnlimited, right_most = kUnlimited;
 
   double length() const noexcept { return s1 - s0; }
   /// No motion crosses the interval faster, s.
   double shortest_time() const noexcept {
     return length() / std::sqrt(std::max(left_cap.q, right_cap.q));
   }
+  /// The q at `s`, mm of the move, that nothing may exceed.
+  double most_at(double s) const noexcept {
+    if (left_most == kUnlimited) return kUnlimited;
+    return left_most + (right_most - left_most) * ((s - s0) / length());
+  }
   bool straight() const noexcept { return left.ddq.isZero(0) && right.ddq.isZero(0); }
 };
 
 /// The intervals of a move. Between two nodes the caps and the accelerations that x' and x'' ask
 /// for exceed their linear interpolation by less than kGridTolerance of the limits; every break of
-/// the path is a node.
+/// the path is a node. Caps that hold everywhere are nowhere exceeded at all.
 std::vector<Interval> make_grid(const Move& move, const Constraints& constraints);
 
 inline constexpr double kGridTolerance = 3e-4;

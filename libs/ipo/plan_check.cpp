@@ -9,9 +9,10 @@ namespace {
 
 /// Rows are promised to a little more.
 constexpr double kJerkAllowed = 1.0045, kAccelerationAllowed = 1.0007, kCapAllowed = 1.0004;
-constexpr int kInstants = 4;             // beside the first
-constexpr double kStandstill = 1e-9;     // mm/s: slower is rounding
-constexpr Used kTooMuch{kUnlimited, 0};  // no motion ahead
+constexpr double kFirmAllowed = 1 + 1e-7;  // rounding of a cap that holds everywhere
+constexpr int kInstants = 4;               // beside the first
+constexpr double kStandstill = 1e-9;       // mm/s: slower is rounding
+constexpr Used kTooMuch{kUnlimited, 0};    // no motion ahead
 
 double most(const AxisVector& values, const AxisVector& limits) noexcept {
   return values.cwiseAbs().cwiseQuotient(limits).maxCoeff();
@@ -45,7 +46,8 @@ Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap) 
             ? interval.left
             : softcnc::at(*interval.path, at.s, k < kInstants ? Side::after : Side::before);
     used.rows = std::max(used.rows, used_rows(span, span.chain.inside[i], point, at));
-    used.cap = std::max(used.cap, at.v * at.v / (kCapAllowed * cap));
+    used.cap = std::max({used.cap, at.v * at.v / (kCapAllowed * cap),
+                         at.v * at.v / (kFirmAllowed * interval.most_at(at.s))});
   }
   return used;
 }

@@ -12,9 +12,9 @@ namespace {
 constexpr double kJerkPart = 0.995, kFirstJerkPart = 0.999;
 constexpr double kAccelerationPart = 0.998, kFirstAccelerationPart = 0.9995;
 constexpr double kCapPart = 0.9993, kFirstCapPart = 1.0003;
-constexpr double kSlopedCapPart = 0.996;  // where a plan may begin between the nodes of the last
-constexpr double kSame = 1e-9;            // relative: derivatives that do not jump
-constexpr double kBinds = 0.99;           // of a limit: it is what holds back
+constexpr double kFirmCapPart = 0.996, kFirstFirmCapPart = 0.9999;  // those that hold everywhere
+constexpr double kSame = 1e-9;   // relative: derivatives that do not jump
+constexpr double kBinds = 0.99;  // of a limit: it is what holds back
 
 std::vector<double> places(const std::vector<PlanNode>& nodes) {
   std::vector<double> s;
@@ -53,8 +53,9 @@ void PlanProblem::add_node(std::size_t p) {
   const PlanNode& node = nodes_[p];
   const bool is_last = p + 1 == nodes_.size();
   Cap most = cap(p);
-  const double usual = most.limit == Limit::roughness ? kSlopedCapPart : kCapPart;
-  const double part = usual + first_part(p) * (kFirstCapPart - usual);
+  const bool firm = most.limit == Limit::roughness;
+  const double usual = firm ? kFirmCapPart : kCapPart;
+  const double part = usual + first_part(p) * ((firm ? kFirstFirmCapPart : kFirstCapPart) - usual);
   // Both ends are given.
   problem_.add_node(p == 0    ? 2 * ends_.start.q
                     : is_last ? 2 * ends_.end.q

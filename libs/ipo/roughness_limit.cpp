@@ -7,16 +7,12 @@
 namespace softcnc::ipo {
 namespace {
 
-/// Kept free on curves, where the inclination changes a little between two nodes of the grid.
-constexpr double kCurveMargin = 3e-4;
-
 /// How far the place of the tip may move from node to node, as part of the pick-feed and of how far
 /// away it is: the cap falls steeply where the tip cuts, and little happens to it far from there.
 constexpr double kNear = 0.04, kFar = 0.2;
 
 /// How much more the marks of a valley may grow from node to node.
 constexpr double kBendChange = 0.1;
-constexpr double kValleyMargin = 6e-3;  // kept free, since the bend jumps where curves join
 
 class RoughnessLimit final : public Constraint {
  public:
@@ -24,15 +20,12 @@ class RoughnessLimit final : public Constraint {
 
   Limit limit(const Move&) const noexcept override { return Limit::roughness; }
 
+  bool holds_everywhere() const noexcept override { return true; }
+
   double cap(const PathPoint& point, const Move& move) const noexcept override {
     if (!limits(move)) return kUnlimited;
     const Surface& surface = *move.surface;
-    double v =
-        surface.tooth_rate() * largest_feed_per_tooth(model_, surface, inclination_sine(point.dq),
-                                                      hollow_bend(point.dq, point.ddq));
-    if (!point.ddq.isZero(0)) v *= 1 - kCurveMargin;
-    if (model_ == RoughnessModel::guaranteed && hollow_bend(point.dq, point.ddq) > 0)
-      v *= 1 - kValleyMargin;
+    const double v = surface.tooth_rate() * largest_feed_per_tooth(model_, surface, point);
     return v * v;
   }
 
@@ -41,9 +34,7 @@ class RoughnessLimit final : public Constraint {
     if (!limits(move)) return true;
     const double scale = move.surface->tool_radius / move.surface->pick_feed;
     const double from = scale * left.dq[2], to = scale * right.dq[2];
-    const double before = hollow_bend(left.dq, left.ddq), after = hollow_bend(right.dq, right.ddq);
-    const double gentler = 1 / move.surface->tool_radius + std::min(before, after);
-    if (model_ == RoughnessModel::guaranteed && std::abs(after - before) > kBendChange * gentler)
+    if (model_ == RoughnessModel::guaranteed && !is_evenly_hollow(left, right, *move.surface))
       return false;
     const double nearest = from * to > 0 ? std::min(std::abs(from), std::abs(to)) : 0;
     return std::abs(to - from) <= kNear + kFar * nearest;
@@ -52,6 +43,13 @@ class RoughnessLimit final : public Constraint {
  private:
   static bool limits(const Move& move) noexcept {
     return move.surface && move.surface->tooth_rate() > 0;
+  }
+
+  static bool is_evenly_hollow(const PathPoint& left, const PathPoint& right,
+                               const Surface& surface) noexcept {
+    const double before = hollow_bend(left.dq, left.ddq), after = hollow_bend(right.dq, right.ddq);
+    const double gentler = 1 / surface.tool_radius + std::min(before, after);
+    return std::abs(after - before) <= kBendChange * gentler;
   }
 
   RoughnessModel model_;

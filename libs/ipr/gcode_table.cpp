@@ -118,8 +118,8 @@ constexpr GCode kTable[] = {
     {'G', 62, Group::motion, order::motion, "XYZKRPQDJHL", nurbs,
      "NURBS of order P (4): one block a control point with knot K and weight R (1), then P blocks "
      "of K."},
-    {'G', 64, Group::surface, order::surface, "DJHL", ask_for_surface,
-     "Roughness asked for: tool radius D, pick-feed J, Rmax H in um, teeth L."},
+    {'G', 64, Group::surface, order::surface, "DJHLR", ask_for_surface,
+     "Roughness asked for: tool radius D, pick-feed J, Rmax H in um, teeth L; R bends across."},
     {'G', 65, Group::surface, order::surface, "", cancel_surface, "No roughness asked for."},
     {'G', 100, Group::non_modal, order::offsets, "LPXYZR", set_offsets,
      "Sets tables: L2, L20 work system P; L1, L10, L11 tool P; fanuc: L10 to L13 offset P."},

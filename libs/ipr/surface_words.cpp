@@ -10,15 +10,16 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr std::string_view kSurfaceWords = "DJHL";
+constexpr std::string_view kWordsOfCurve = "DJHL";  // R is the weight there
+constexpr std::string_view kSurfaceWords = "DJHLR";
 
-/// D, J, H and L are the surface's: no other code of the line may take them.
+/// D, J, H, L and R are the surface's: no other code of the line may take them.
 bool is_alone(Task& task) {
   for (const auto& [code, word] : task.command.codes()) {
     if (code == &task.code || !Letters(code->words).has_any(kSurfaceWords)) continue;
     task.out.report(
         Code::SC3123, task.word.pos,
-        code_name(task.code) + " beside " + code_name(*code) + ", which takes D, J, H or L too");
+        code_name(task.code) + " beside " + code_name(*code) + ", which takes D, J, H, L or R too");
     task.out.mute();
     return false;
   }
@@ -87,6 +88,22 @@ double read_rmax(Task& task) {
   return 0;
 }
 
+/// 1/mm, from the radius by which the surface bends square to the feed; nothing, and told, if no
+/// ball touches it.
+std::optional<double> read_bend_across(Task& task, double tool_radius) {
+  if (!task.values.has('R')) return 0;
+  const Word& word = task.values.word('R');
+  const double radius = word.value * task.modal.mm_per_unit;
+  if (radius > 0 || -radius > tool_radius) return 1 / radius;
+  task.out.report(
+      Code::SC3124, word.pos,
+      radius == 0
+          ? "R, the radius across the feed, must not be 0: leave it out on a flat surface"
+          : "R, a hollow of " + number_text(-radius) + " mm, is too tight for a tool radius of " +
+                number_text(tool_radius) + " mm");
+  return std::nullopt;
+}
+
 bool is_given(const Surface& surface) {
   return surface.tool_radius > 0 && surface.pick_feed > 0 && surface.rmax > 0 && surface.teeth > 0;
 }
@@ -99,7 +116,7 @@ bool is_possible(Task& task, const Surface& surface) {
                         number_text(surface.tool_radius) + " mm");
     return false;
   }
-  const double least = least_rmax(surface.tool_radius, surface.pick_feed);
+  const double least = least_rmax(surface);
   if (surface.rmax > least) return true;
   task.out.report(Code::SC3126, task.values.word('H').pos,
                   "an Rmax of " + number_text(um_from_mm(surface.rmax)) +
@@ -120,13 +137,16 @@ void check_feed(Task& task, const Surface& surface) {
                       " um per tooth, where teeth rub; it is not held there");
 }
 
-void read_surface(Task& task) {
-  const Surface surface{read_radius(task), read_pick_feed(task), read_rmax(task), read_teeth(task)};
-  task.modal.surface.reset();
+void keep_surface(Task& task, const Surface& surface) {
   if (!is_given(surface) || !is_possible(task, surface)) return;
   task.modal.surface = surface;
   task.modal.rest_told = false;
   check_feed(task, surface);
+}
+
+Surface read_surface(Task& task) {
+  task.modal.surface.reset();
+  return {read_radius(task), read_pick_feed(task), read_rmax(task), read_teeth(task)};
 }
 
 /// Why the spindle does not turn; nullptr if it does, or if an error hides it.
@@ -140,7 +160,11 @@ const char* rest_of_spindle(const Modal& modal) noexcept {
 }  // namespace
 
 void ask_for_surface(Task& task) {
-  if (is_alone(task)) read_surface(task);
+  if (!is_alone(task)) return;
+  Surface surface = read_surface(task);
+  const auto bend = read_bend_across(task, surface.tool_radius);
+  surface.bend_across = bend.value_or(0);
+  if (bend) keep_surface(task, surface);
 }
 
 void cancel_surface(Task& task) {
@@ -148,7 +172,7 @@ void cancel_surface(Task& task) {
 }
 
 void ask_for_surface_of_curve(Task& task) {
-  if (task.values.letters().has_any(kSurfaceWords)) read_surface(task);
+  if (task.values.letters().has_any(kWordsOfCurve)) keep_surface(task, read_surface(task));
 }
 
 bool has_surface_speed(Modal& modal, Output& out, SourcePos word, std::string_view line) {

@@ -17,9 +17,14 @@ constexpr double phase(const Surface& surface) noexcept {
   return surface.pick_feed / (2 * std::numbers::pi);
 }
 
+/// Of the pick-feed that leaves the same cusps on a flat surface.
+double cusp_square(const Surface& surface) noexcept {
+  return square(surface.pick_feed) * surface.cusp_part();
+}
+
 /// A of (4): of the cusp and the mark of the cutter, square mm.
 double squares(const Surface& surface, double feed_per_tooth) noexcept {
-  return square(surface.pick_feed) + square(std::max(feed_per_tooth - phase(surface), 0.0));
+  return cusp_square(surface) + square(std::max(feed_per_tooth - phase(surface), 0.0));
 }
 
 /// The height over the foot of a chord of the ball, mm, half of which is `half` mm long.
@@ -33,26 +38,51 @@ double half_chord_squared(const Surface& surface) noexcept {
   return height * (2 * surface.tool_radius - height);
 }
 
-/// Passes alone leave the sagitta of half the pick-feed.
-double height_over_cusp(const Surface& surface) noexcept {
-  return 4 * half_chord_squared(surface) / square(surface.pick_feed);
+/// A flat surface on which edges leave no less than on one that bends. Where it bends by a factor k
+/// (1 + r/R along, equation 1 across) a ball lies over it as over a flat one on which all lengths
+/// that way are sqrt(k) times as long; but edges turn on the ball, where they are k times as long.
+/// What that may add is kept free by powers of k that simulated edges never exceed.
+struct Flattened {
+  double pick_feed;   // mm
+  double feed_scale;  // of the feed per tooth
+  double tip;         // of the way from the tip to where the ball touches, pick-feeds
+
+  Flattened(const Surface& surface, double sine, double hollow) noexcept {
+    const double across = surface.cusp_part();
+    const double along = hollow > 0 ? 1 + surface.tool_radius * hollow : 1;
+    pick_feed = surface.pick_feed * std::sqrt(across);
+    feed_scale = along == 1 ? 1 : std::pow(along, kAlong);
+    if (across != 1) feed_scale *= std::pow(across, across > 1 ? kHollow : kHill);
+    tip = surface.tool_radius * sine / (pick_feed * std::sqrt(along));
+  }
+
+  static constexpr double kAlong = 2.0 / 3;                     // 1/2 by equation 1
+  static constexpr double kHollow = 1.0 / 3, kHill = -1.0 / 6;  // across, where it is 0
+};
+
+double edge_rmax(const Surface& surface, double feed_per_tooth, const Flattened& flat) noexcept {
+  const double height =
+      edge_height(surface.teeth, feed_per_tooth * flat.feed_scale / flat.pick_feed, flat.tip);
+  return sagitta(surface.tool_radius,
+                 std::min(height * square(flat.pick_feed) / 4, square(surface.tool_radius)));
 }
 
-double edge_rmax(const Surface& surface, double feed_per_tooth, double sine) noexcept {
-  const double pick_feed = surface.pick_feed;
-  const double height = edge_height(surface.teeth, feed_per_tooth / pick_feed,
-                                    surface.tool_radius * sine / pick_feed);
-  return sagitta(surface.tool_radius,
-                 std::min(height * square(pick_feed) / 4, square(surface.tool_radius)));
+/// Passes alone leave the sagitta of half the pick-feed.
+double largest_edge_feed(const Surface& surface, const Flattened& flat) noexcept {
+  const double height = 4 * half_chord_squared(surface) / square(flat.pick_feed);
+  return flat.pick_feed * edge_feed(surface.teeth, height, flat.tip) / flat.feed_scale;
+}
+
+/// Of a way that passes a point, 1/mm, where the model asks for it.
+double hollow_at(RoughnessModel model, const PathPoint& point) noexcept {
+  return model == RoughnessModel::guaranteed ? hollow_bend(point.dq, point.ddq) : 0;
 }
 
 }  // namespace
 
-double rmax_of_curved(const Surface& surface, double feed_per_tooth, double along,
-                      double across) noexcept {
+double rmax_of_curved(const Surface& surface, double feed_per_tooth, double along) noexcept {
   const double r = surface.tool_radius;
-  return square(feed_per_tooth) / (8 * r) * (1 - r / (along + r)) +
-         square(surface.pick_feed) / (8 * r) * (1 - r / (across + r));
+  return (square(feed_per_tooth) * (1 - r / (along + r)) + cusp_square(surface)) / (8 * r);
 }
 
 double rmax_beside_tip(const Surface& surface, double feed_per_tooth) noexcept {
@@ -72,7 +102,7 @@ double critical_inclination(const Surface& surface, double feed_per_tooth) noexc
 }
 
 double feed_beside_tip(const Surface& surface) noexcept {
-  const double left = 8 * surface.tool_radius * surface.rmax - square(surface.pick_feed);
+  const double left = 8 * surface.tool_radius * surface.rmax - cusp_square(surface);
   return phase(surface) + std::sqrt(std::max(left, 0.0));
 }
 
@@ -89,7 +119,7 @@ double hollow_bend(const AxisVector& tangent, const AxisVector& bend) noexcept {
 double rmax(RoughnessModel model, const Surface& surface, double feed_per_tooth, double sine,
             double hollow) noexcept {
   if (model == RoughnessModel::guaranteed)
-    return edge_rmax(surface, feed_per_tooth * std::sqrt(1 + surface.tool_radius * hollow), sine);
+    return edge_rmax(surface, feed_per_tooth, Flattened(surface, sine, hollow));
   return std::max(rmax_beside_tip(surface, feed_per_tooth),
                   rmax_at_tip(surface, feed_per_tooth, sine));
 }
@@ -98,18 +128,26 @@ double largest_feed_per_tooth(RoughnessModel model, const Surface& surface, doub
                               double hollow) noexcept {
   const double feed = model == RoughnessModel::paper
                           ? std::min(feed_beside_tip(surface), feed_at_tip(surface, sine))
-                          : surface.pick_feed *
-                                edge_feed(surface.teeth, height_over_cusp(surface),
-                                          surface.tool_radius * sine / surface.pick_feed) /
-                                std::sqrt(1 + surface.tool_radius * hollow);
+                          : largest_edge_feed(surface, Flattened(surface, sine, hollow));
   return std::max(feed, kLeastFeedPerTooth);
+}
+
+double rmax(RoughnessModel model, const Surface& surface, double feed_per_tooth,
+            const PathPoint& point) noexcept {
+  return rmax(model, surface, feed_per_tooth, inclination_sine(point.dq), hollow_at(model, point));
+}
+
+double largest_feed_per_tooth(RoughnessModel model, const Surface& surface,
+                              const PathPoint& point) noexcept {
+  return largest_feed_per_tooth(model, surface, inclination_sine(point.dq),
+                                hollow_at(model, point));
 }
 
 double least_feed_per_tooth(RoughnessModel model, const Surface& surface) noexcept {
   double least = largest_feed_per_tooth(model, surface, 0);
   if (model == RoughnessModel::paper) return least;
   for (int node = 1; node < kSimulatedTips; ++node) {
-    const double sine = simulated_tip(node) * surface.pick_feed / surface.tool_radius;
+    const double sine = simulated_tip(node) * std::sqrt(cusp_square(surface)) / surface.tool_radius;
     least = std::min(least, largest_feed_per_tooth(model, surface, sine));
   }
   return least;

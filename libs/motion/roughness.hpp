@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "motion/axes.hpp"
+#include "motion/curve.hpp"
 #include "motion/surface.hpp"
 
 namespace softcnc {
@@ -20,14 +21,13 @@ inline double inclination_sine(const AxisVector& tangent) noexcept { return std:
 /// tangent and second derivative.
 double hollow_bend(const AxisVector& tangent, const AxisVector& bend) noexcept;
 
-/// (1): both radii of curvature count, that along the feed and that across it; infinite: flat, and
-/// negative: hollow.
+/// (1): both radii of curvature count, that across the feed as the surface has it, and that along
+/// it; infinite: flat, and negative: hollow.
 double rmax_of_curved(const Surface& surface, double feed_per_tooth,
-                      double along = std::numeric_limits<double>::infinity(),
-                      double across = std::numeric_limits<double>::infinity()) noexcept;
+                      double along = std::numeric_limits<double>::infinity()) noexcept;
 
 /// (2), beside the tip, with the phase that (4) and (5) have too; there it never falls with the
-/// feed.
+/// feed. Cusps are those of (1), where the surface bends across the feed; in (4) and (5) too.
 double rmax_beside_tip(const Surface& surface, double feed_per_tooth) noexcept;
 /// (3), of what the tip leaves uncut; 0 where it leaves nothing, the radius where it leaves all.
 double rmax_at_tip(const Surface& surface, double feed_per_tooth, double sine) noexcept;
@@ -42,14 +42,20 @@ double feed_at_tip(const Surface& surface, double sine) noexcept;
 inline constexpr double kLeastFeedPerTooth = 0.002;
 
 /// Rmax at a feed per tooth; it never falls with the feed. In a valley that bends by `hollow`,
-/// 1/mm, the surface is longer than the way of the tip: what the feed leaves is 1 + r hollow times
-/// as high (equation 1), as if the feed were sqrt(1 + r hollow) times as large. The formulas (2) to
-/// (6) of the paper do not know of it, and only the guaranteed model does.
+/// 1/mm, the surface is longer than the way of the tip, and the feed leaves more (equation 1). The
+/// formulas (2) to (6) of the paper do not know of it, and only the guaranteed model does.
 double rmax(RoughnessModel model, const Surface& surface, double feed_per_tooth, double sine,
             double hollow = 0) noexcept;
 /// The largest feed per tooth at which Rmax is no higher than the target, but kLeastFeedPerTooth.
 double largest_feed_per_tooth(RoughnessModel model, const Surface& surface, double sine,
                               double hollow = 0) noexcept;
+
+/// Both where a way is at a point of its path.
+double rmax(RoughnessModel model, const Surface& surface, double feed_per_tooth,
+            const PathPoint& point) noexcept;
+double largest_feed_per_tooth(RoughnessModel model, const Surface& surface,
+                              const PathPoint& point) noexcept;
+
 /// The smallest of them over all inclinations.
 double least_feed_per_tooth(RoughnessModel model, const Surface& surface) noexcept;
 

@@ -128,8 +128,7 @@ void Verifier::roughness(const Setpoint& setpoint, const Stretch& here) noexcept
   const double feed = surface.tooth_rate() > 0 ? setpoint.v / surface.tooth_rate() : 0;
   const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
   const PathPoint point = at(*here.path, s);
-  row_rmax_ =
-      rmax(model_, surface, feed, inclination_sine(point.dq), hollow_bend(point.dq, point.ddq));
+  row_rmax_ = rmax(model_, surface, feed, point);
   if (feed <= kLeastFeedPerTooth * (1 + kRounding)) return;
   if (row_rmax_ * measured_.rmax_target <= measured_.rmax * surface.rmax &&
       measured_.rmax_target > 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // softcnc surface: what it writes, what it says, what it refuses.
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "apps/shell.hpp"
@@ -13,8 +14,13 @@
 using namespace softcnc;
 using namespace softcnc::app;
 using namespace softcnc::app::test;
+using json = nlohmann::json;
 
 namespace {
+
+std::string programs(const std::string& name) {
+  return std::string(SOFTCNC_SOURCE_DIR) + "/programs/" + name;
+}
 
 const std::string kTool = " --set tool.1.radius_mm=5 --set tool.1.teeth=2 ";
 const std::string kStock =
@@ -48,7 +54,10 @@ TEST_CASE("a surface as arrays is what numpy reads", "[apps][surface]") {
   CHECK(ended.err.empty());
   CHECK(folder.files() == std::vector<std::string>{"plane.npz"});
   CHECK(numpy(file, "sorted(f.files)") ==
-        "['gouges_um', 'heights_mm', 'origin_mm', 'region_mm', 'rmax_um', 'step_mm']\n");
+        "['gouges_um', 'heights_mm', 'met', 'origin_mm', 'region_mm', 'rmax_um', 'step_mm', "
+        "'target_um']\n");
+  CHECK(numpy(file, "numpy.isnan(f['met']).all(), numpy.isnan(f['target_um']).all()") ==
+        "True True\n");
   CHECK(numpy(file, "f['heights_mm'].shape, f['heights_mm'].dtype") == "(101, 201) float32\n");
   CHECK(numpy(file, "f['origin_mm'].tolist(), f['step_mm'], f['region_mm']") ==
         "[2.0, 1.0, -1.0] 0.01 0.5\n");
@@ -144,6 +153,95 @@ TEST_CASE("the target and the teeth may stand in the program", "[apps][surface]"
   CHECK(number(folder / "own.npz", "f['rmax_um'][:2, :4].max()") == Approx(24.9).epsilon(0.05));
 }
 
+TEST_CASE("a surface tells by region whether its target is met", "[apps][surface]") {
+  const Folder folder;
+  const auto cut_for = [&](const std::string& target) {
+    std::string text = read(softcnc::app::test::data("plane.nc"));
+    text.replace(text.find("#1 = 0"), 6, "G06.4 D5 J0.5 H" + target + " L2\n#1 = 0");
+    write(folder / "own.nc", text);
+    return call("surface " + (folder / "own.nc") + kStock + "--set surface.model=paper -o " +
+                (folder / "own.npz") + " --report " + (folder / "own.json"));
+  };
+  const Ended met = cut_for("26");
+  CHECK(met.status == 0);
+  CHECK(met.err.find("SC4040") == std::string::npos);
+  CHECK(met.err.find("\n  target       met in 15 of 15 regions that are asked for and known\n") !=
+        std::string::npos);
+  CHECK(number(folder / "own.npz", "numpy.nansum(f['met'])") == 15);
+  CHECK(number(folder / "own.npz", "numpy.nanmax(f['target_um'])") == 26);
+  json report = json::parse(read(folder / "own.json"));
+  CHECK(report["regions_judged"] == 15);
+  CHECK(report["regions_missed"] == 0);
+  CHECK(report["missed"] == json::array());
+
+  // The feed of the paper's model leaves 7 % more than these 9 um, where the tip has just begun to
+  // cut.
+  const Ended missed = cut_for("9");
+  CHECK(missed.status == 0);
+  const double most = number(folder / "own.npz", "numpy.nanmax(f['rmax_um'])");
+  CHECK(most > 9);
+  CHECK(missed.err.find("warning SC4040: an Rmax of 9.") != std::string::npos);
+  CHECK(missed.err.find("where 9 um are asked for; ") != std::string::npos);
+  CHECK(number(folder / "own.npz", "int(((f['met'] == 0) == (f['rmax_um'] > 9.00001)).all())") ==
+        1);
+  report = json::parse(read(folder / "own.json"));
+  CHECK(report["regions_missed"] ==
+        static_cast<int>(number(folder / "own.npz", "(f['met'] == 0).sum()")));
+  CHECK(report["missed"].size() == report["regions_missed"]);
+  CHECK(report["missed"][0]["rmax_target_um"] == 9);
+  CHECK(report["rmax_um_max"].get<double>() == Approx(most));
+}
+
+TEST_CASE("the surfaces of paper 004 are as rough as it says", "[apps][surface][paper004]") {
+  const Folder folder;
+  const std::string file = folder / "surface.npz";
+  const auto cut_program = [&](const std::string& name, const std::string& options,
+                               const std::string& text) {
+    write(folder / "program.nc", text);
+    const Ended ended =
+        call("surface -q " + (folder / "program.nc") + " --machine $programs/" + name +
+             ".toml --set 'stock.origin_mm=[-25, 0, -10]' --set stock.x_mm=100 --set "
+             "stock.y_mm=1.5 --set stock.z_mm=80 --set stock.grid_um=12.5 " +
+             options + " -o " + file);
+    CHECK(ended.status == 0);
+    return ended;
+  };
+  const std::string cylinder = "20_paper004_cylinder", hill = "21_paper004_surface";
+  const std::string most = "numpy.nanmax(f['rmax_um'])";
+  const std::string known = "(~numpy.isnan(f['rmax_um'])).sum()";
+  const std::string tip = "numpy.nanmax(f['rmax_um'][:, 49:51])";  // at X0
+  for (const std::string& name : {cylinder, hill}) {
+    CAPTURE(name);
+    const std::string text = read(programs(name + ".nc"));
+    cut_program(name, "", text);
+    CHECK(number(file, known) > 200);
+    CHECK(number(file, most) <= 10.67 + 2);
+    const Ended guaranteed = cut_program(name, "--set surface.model=guaranteed", text);
+    CHECK(guaranteed.err.find("SC4040") == std::string::npos);
+    CHECK(number(file, known) > 200);
+    CHECK(number(file, most) <= 10.67);
+    CHECK(number(file, most) > 10);
+    CHECK(number(file, "(f['met'] == 0).sum()") == 0);
+  }
+  std::string fixed = read(programs(cylinder + ".nc"));
+  fixed.replace(fixed.find("H10.67 L2\n"), 9, "H100 L2");
+  cut_program(cylinder, "", fixed);
+  CHECK(number(file, tip) > 2 * 10.67);
+  CHECK(number(file, tip) < 2.5 * 10.67);
+  CHECK(number(file, "numpy.nanmax(f['rmax_um'][:, :30])") < 10.67 + 0.5);
+}
+
+TEST_CASE("Ctrl-C ends the cutting at once and leaves no file", "[apps][surface]") {
+  const Folder folder;
+  const Ended ended = shell(
+      "$softcnc surface -q $data/plane.nc --set tool.1.radius_mm=5 --set tool.1.teeth=90 --set "
+      "stock.grid_um=1 -o " +
+      (folder / "x.npz") + " & pid=$!; sleep 1; kill -INT $pid; wait $pid");
+  CHECK(ended.status == 130);
+  CHECK(ended.err.empty());
+  CHECK(folder.files().empty());
+}
+
 TEST_CASE("a surface that cannot be cut is refused, and no file is left", "[apps][surface]") {
   const Folder folder;
   const std::string file = folder / "x.npz";
@@ -161,6 +259,8 @@ TEST_CASE("a surface that cannot be cut is refused, and no file is left", "[apps
   };
   refused("$data/plane.nc -o " + file, 1,
           "plane.nc:9:3: error SC2380: no tool with a radius and teeth is in the spindle");
+  refused("$data/plane.nc --set tool.1.radius_mm=5 --set tool.1.teeth=101 -o " + file, 3,
+          "plane.nc:9:3: error SC4041: a tool of 101 teeth: surfaces are cut by 100 at most");
   refused(program("T1 M06\nG01 X5 F100\nM30\n") + kTool + "-o " + file, 1,
           ":2:1: error SC2381: a cutting move while the spindle stands still");
   refused(program("T1 M06\nS100 M03\nG00 X5\nM30\n") + kTool + "-o " + file, 1,
@@ -222,6 +322,49 @@ TEST_CASE("whoever takes bands may end the work", "[apps][surface]") {
   CHECK(bands == 2);
 }
 
+TEST_CASE("a stop ends the work within a band", "[apps][surface]") {
+  const auto track = softcnc::test::milled({}, 3, 2);
+  const auto grid = softcnc::test::grid_of(0, 0, 4, 4, 0.01);
+  const hal::Workpiece workpiece(track, grid);
+  for (const unsigned threads : {1U, 3U}) {
+    int asked = 0, bands = 0;
+    const TakeBand take = [&](const SurfaceBand&) -> Result<bool> { return ++bands > 0; };
+    CHECK(cut_bands(workpiece, threads, take, [&] { return ++asked > 10; }));
+    CHECK(bands == 0);
+    CHECK(asked < 16);
+  }
+}
+
+TEST_CASE("a region meets its target if every point of it does", "[apps][surface]") {
+  constexpr int kBlock = hal::Workpiece::kBlock;
+  hal::StockGrid grid;
+  grid.columns = 4 * kBlock;
+  grid.rows = kBlock;
+  SurfaceBand band{0, kBlock, 4 * kBlock, {}, {}, {0.008F, 0.020F, 0.010F, 0}};
+  band.deviations.assign(static_cast<std::size_t>(4 * kBlock * kBlock), 0.009F);
+  const auto judged = [&](int side, HeightFrom from) {
+    RoughnessMap map(grid, side, from);
+    map.add(band);
+    return map;
+  };
+  const auto met = judged(kBlock, HeightFrom::ideal).met();
+  CHECK(met[0] == 0);
+  CHECK(met[1] == 1);
+  CHECK(met[2] == 1);
+  CHECK(std::isnan(met[3]));
+  CHECK(judged(kBlock, HeightFrom::lowest).met()[0] == 1);  // it is flat
+  const RoughnessMap wide = judged(2 * kBlock, HeightFrom::ideal);
+  CHECK(wide.met()[0] == 0);
+  CHECK(wide.targets()[0] == Approx(8));
+  CHECK(wide.met()[1] == 1);
+  const TargetFigures target = target_figures(wide);
+  CHECK(target.judged == 2);
+  CHECK(target.missed == 1);
+  CHECK(target.worst == 0);
+  CHECK(target.rmax == Approx(9));
+  CHECK(target.target == Approx(8));
+}
+
 TEST_CASE("a region is as rough as its highest point, and unknown where most of it is",
           "[apps][surface]") {
   hal::StockGrid grid;
@@ -229,7 +372,7 @@ TEST_CASE("a region is as rough as its highest point, and unknown where most of 
   grid.rows = 3;
   RoughnessMap map(grid, 3);
   const float unknown = std::numeric_limits<float>::quiet_NaN();
-  SurfaceBand band{0, 3, 6, std::vector<float>(18), std::vector<float>(18, unknown)};
+  SurfaceBand band{0, 3, 6, std::vector<float>(18), std::vector<float>(18, unknown), {}};
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column) band.deviations[band.index(column, row)] = 0.001F;
   band.deviations[band.index(1, 2)] = 0.004F;
@@ -249,7 +392,7 @@ TEST_CASE("a gouge is no roughness", "[apps][surface]") {
   grid.columns = 4;
   grid.rows = 2;
   RoughnessMap map(grid, 2);
-  SurfaceBand band{0, 2, 4, std::vector<float>(8), std::vector<float>(8, 0.001F)};
+  SurfaceBand band{0, 2, 4, std::vector<float>(8), std::vector<float>(8, 0.001F), {}};
   band.deviations[band.index(0, 0)] = -0.02F;  // in the first region one point, in the other all
   for (const int column : {2, 3})
     for (const int row : {0, 1}) band.deviations[band.index(column, row)] = -0.3F;
@@ -266,7 +409,7 @@ TEST_CASE("where a servo is off, a region is as rough as it is high", "[apps][su
   hal::StockGrid grid;
   grid.columns = grid.rows = 2;
   RoughnessMap map(grid, 2, HeightFrom::lowest);
-  SurfaceBand band{0, 2, 2, std::vector<float>(4), {-0.100F, -0.095F, -0.090F, -0.098F}};
+  SurfaceBand band{0, 2, 2, std::vector<float>(4), {-0.100F, -0.095F, -0.090F, -0.098F}, {}};
   map.add(band);
   CHECK(map.rmax()[0] == Approx(10).epsilon(1e-5));
   CHECK(map.gouges()[0] == 0);

@@ -17,8 +17,10 @@ namespace softcnc::test {
 /// phase.
 class EdgeSurface {
  public:
-  EdgeSurface(double feed, double tip, int teeth)
-      : feed_(feed), tip_(tip), share_(teeth / (2 * std::numbers::pi)) {}
+  /// `stretch`: on a surface that bends all lengths are those that make the ball lie over it as
+  /// over a flat one; seen from the axis those along the feed are longer than those across by this.
+  EdgeSurface(double feed, double tip, int teeth, double stretch = 1)
+      : feed_(feed), tip_(tip), share_(teeth / (2 * std::numbers::pi)), stretch_(stretch) {}
 
   /// Above the ideal surface at `x` along the feed and `y` across it, from the line of a pass.
   double height(double x, double y) const {
@@ -74,13 +76,13 @@ class EdgeSurface {
   /// Whole where an edge passes a point that lies `w` before the axis and `dy` beside it, which the
   /// axis was at x - w. One slope between two places of turns().
   double phase(double x, double w, double dy) const {
-    return (x - w) / feed_ - share_ * std::atan2(dy, w);
+    return (x - w) / feed_ - share_ * std::atan2(dy, stretch_ * w);
   }
 
   /// Where the axis passes close, an edge and the point turn about it equally fast twice.
   double turn(double dy) const {
-    const double square = dy > 0 ? dy * (feed_ * share_ - dy) : 0;
-    return square > 0 ? std::sqrt(square) : 0;
+    const double square = dy > 0 ? dy * (feed_ * share_ * stretch_ - dy) : 0;
+    return square > 0 ? std::sqrt(square) / stretch_ : 0;
   }
 
   double cut_by_pass(double x, double dy) const {
@@ -133,6 +135,7 @@ class EdgeSurface {
 
   double feed_, tip_;
   double share_;  // teeth / 2 pi
+  double stretch_;
 };
 
 }  // namespace softcnc::test

@@ -9,6 +9,7 @@
 #include "ipo/interpolator.hpp"
 #include "ipo/planner.hpp"
 #include "ipo/stop.hpp"
+#include "motion/roughness.hpp"
 #include "motion/verify.hpp"
 
 namespace softcnc::test {
@@ -20,7 +21,19 @@ struct Run {
   std::map<Limit, double> time_by_limit;
   std::vector<Diagnostic> diagnostics;
   ipo::PlannerCounts counts;
+  double roughness_used = 0;  // largest part of the speed that a roughness allows at a row
 };
+
+/// What a row takes of the speed that the roughness of its path allows where it is.
+inline double roughness_used(const Machine& machine, const Setpoint& row, const Stretch& stretch) {
+  if (stretch.surface == nullptr || !(stretch.surface->tooth_rate() > 0)) return 0;
+  const double s = std::clamp(row.s - stretch.s_start, 0.0, length(*stretch.path));
+  double cap = 0;  // where derivatives jump, the row is on either side
+  for (const Side side : {Side::before, Side::after})
+    cap = std::max(cap, largest_feed_per_tooth(machine.surfacing.model, *stretch.surface,
+                                               at(*stretch.path, s, side)));
+  return row.v / (cap * stretch.surface->tooth_rate());
+}
 
 inline std::vector<Block> number_blocks(std::vector<std::variant<Move, Dwell, Action>> whats) {
   std::vector<Block> blocks;
@@ -98,6 +111,9 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
             {&move->path, timed.s_start, move->surface ? &*move->surface : nullptr});
     });
     verifier.row(*setpoint, stretches);
+    if (!stretches.empty())
+      result.roughness_used =
+          std::max(result.roughness_used, roughness_used(machine, *setpoint, stretches.back()));
     result.rows.push_back(*setpoint);
     result.rows.back().pulses = {};
   }
