@@ -8,9 +8,9 @@ G10 L1 P1 Z0 R3      (tool 1: no length, a radius of 3 mm; most often the tool t
 T1 M06
 S6000 M03
 
-G00 X-15 Y-15 Z5     (begin away from the contour: the entry must be longer than the radius)
+G00 X0 Y-15 Z5       (begin away from the contour: the entry must be longer than the radius)
 G01 Z-2 F300
-G41 D1 X0 Y0 F900    (D1: by the radius of tool 1; at the end the tool stands left of the next line)
+G41 D1 X0 Y0 F900    (D1: by the radius of tool 1. Straight on into the next line, all controls enter alike)
 Y30                  (clockwise around a part: left is outside)
 G02 X10 Y40 I10 J0   (an outside arc: the tool's own has a radius of 13 mm)
 G01 X50              (an outside corner: the tool goes round it on an arc)
