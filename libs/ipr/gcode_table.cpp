@@ -121,6 +121,8 @@ constexpr GCode kTable[] = {
     {'G', 64, Group::surface, order::surface, "DJHLR", ask_for_surface,
      "Roughness asked for: tool radius D, pick-feed J, Rmax H in um, teeth L; R bends across."},
     {'G', 65, Group::surface, order::surface, "", cancel_surface, "No roughness asked for."},
+    {'G', 90, Group::non_modal, order::path_control, "", stop_once,
+     "fanuc: the block of this line ends at rest."},
     {'G', 100, Group::non_modal, order::offsets, "LPXYZR", set_offsets,
      "Sets tables: L2, L20 work system P; L1, L10, L11 tool P; fanuc: L10 to L13 offset P."},
     {'G', 150, Group::polar, order::plane, "", cancel_nothing,

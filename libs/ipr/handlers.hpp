@@ -75,6 +75,7 @@ void use_given_length(Task& task);
 void add_tool_length(Task& task);
 void use_no_tool_length(Task& task);
 void cancel_nothing(Task& task);
+void stop_once(Task& task);
 void select_length(Task& task);
 
 // reference_points.cpp
@@ -189,6 +190,7 @@ void emit_move(Task& task, Path&& path, bool rapid = false);
 Move cutting_move(const Modal& modal, Path&& path, double feed);
 /// False, and told or muted, if there is no feed.
 bool has_feed(Task& task);
+bool is_of_fanuc(Task& task);
 /// False, and told, if the machine lacks an axis of the plane.
 bool has_plane_axes(Task& task, const PlaneAxes& axes);
 /// What a curve over several lines keeps of its first one.

@@ -212,7 +212,7 @@ void Interpreter::execute() {
     if ((out_.compensating() || modal_.beside) && !may_act(task)) continue;
     if (code->act != nullptr) code->act(task);
   }
-  modal_.machine_coordinates = false;
+  modal_.machine_coordinates = modal_.stops_once = false;
 }
 
 /// The text has ended without M02 or M30.

@@ -91,6 +91,7 @@ struct Modal : Modes {
   AxisVector shift_of_g52 = AxisVector::Zero();  // mm: in linuxcnc, what of the shift G52 has set
   Coordinates coordinates;                       // made of these by update_coordinates()
   bool machine_coordinates = false;              // on this line: G53
+  bool stops_once = false;                       // on this line: G09
   const GCode* motion = nullptr;                 // the motion code in force
   const GCode* motion_below = nullptr;           // G00 to G03: in force but for a cycle
   std::optional<int> tool;                       // as selected by T

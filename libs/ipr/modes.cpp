@@ -46,6 +46,9 @@ void use_incremental_centres(Task& task) { task.modal.absolute_centres = false; 
 void follow_path(Task& task) { join_within(task.modal, Join::follow, 0, 0); }
 void stop_exactly(Task& task) { join_within(task.modal, Join::stop, 0, 0); }
 
+/// G09.
+void stop_once(Task& task) { task.modal.stops_once = is_of_fanuc(task); }
+
 /// G64 P Q; Q is P where it is missing, whether P is written or the machine's.
 void follow_path_within(Task& task) {
   const double corner = tolerance(task, 'P', task.machine.control.corner_tolerance);

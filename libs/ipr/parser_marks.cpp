@@ -33,6 +33,12 @@ bool is_name(std::string_view line, const Token& letter, std::string_view letter
   return behind != std::string_view::npos && line[behind] == '[';
 }
 
+/// Of FANUC's ,C and ,R.
+std::string meant_by(std::string_view mark, Lexer lexer) {
+  const bool corner = mark == "," && (lexer.peek() == 'C' || lexer.peek() == 'R');
+  return corner ? "; chamfers and roundings within a line are not supported" : "";
+}
+
 }  // namespace
 
 /// `X1E5`: an E right behind a number was meant as its exponent.
@@ -112,7 +118,8 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
       give_up(Code::SC1014, mark, "a byte 0; the file is damaged or no text");
       break;
     default:
-      give_up(Code::SC1001, mark, "unknown character " + character_name(text));
+      give_up(Code::SC1001, mark,
+              "unknown character " + character_name(text) + meant_by(text, lexer));
       break;
   }
   return {};

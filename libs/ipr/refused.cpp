@@ -13,6 +13,14 @@ void report(Task& task, const std::string& why) {
 
 }  // namespace
 
+/// Told if not: LinuxCNC does not know the code.
+bool is_of_fanuc(Task& task) {
+  if (task.options.dialect == Dialect::fanuc) return true;
+  task.out.report(Code::SC2001, task.word.pos,
+                  code_name(task.code) + " is not supported in the linuxcnc dialect");
+  return false;
+}
+
 /// G33, G33.1, G76. Where they would have led is not known.
 void refuse_thread(Task& task) {
   constexpr int kG76 = 760;  // a thread of LinuxCNC's, fine boring of FANUC's
@@ -30,12 +38,8 @@ void refuse_rigid_tapping(Task& task) {
   task.modal.uncertain.add('M');
 }
 
-/// G15, G50 and G69 stand in the first line of many a FANUC program; LinuxCNC does not know them.
-void cancel_nothing(Task& task) {
-  if (task.options.dialect == Dialect::fanuc) return;
-  task.out.report(Code::SC2001, task.word.pos,
-                  code_name(task.code) + " is not supported in the linuxcnc dialect");
-}
+/// G15, G50 and G69 stand in the first line of many a FANUC program.
+void cancel_nothing(Task& task) { is_of_fanuc(task); }
 
 /// M62 to M68.
 void refuse_signal(Task& task) {

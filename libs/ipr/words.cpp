@@ -37,6 +37,8 @@ namespace {
 
 constexpr int kG01 = 10, kG02 = 20, kG03 = 30;
 
+Join join_of(const Modal& modal) { return modal.stops_once ? Join::stop : modal.join; }
+
 /// Only moves whose length is known on their line have a time of their own.
 bool has_inverse_time(Task& task) {
   const int number = task.code.number;
@@ -96,7 +98,7 @@ void emit_move(Task& task, Path&& path, bool rapid) {
     if (!has_surface_speed(modal, task.out, task.word.pos, task.out.text())) task.out.mute();
     return task.out.emit(cutting_move(modal, std::move(path), modal.feed));
   }
-  task.out.emit(Move{std::move(path), true, 0, modal.join, modal.corner_tolerance,
+  task.out.emit(Move{std::move(path), true, 0, join_of(modal), modal.corner_tolerance,
                      modal.chord_tolerance, modal.feed_override, std::nullopt});
 }
 
@@ -104,7 +106,7 @@ Move cutting_move(const Modal& modal, Path&& path, double feed) {
   return {std::move(path),
           false,
           feed,
-          modal.join,
+          join_of(modal),
           modal.corner_tolerance,
           modal.chord_tolerance,
           modal.feed_override,

@@ -327,9 +327,11 @@ TEST_CASE("a stop ends the work within a band", "[apps][surface]") {
   const auto grid = softcnc::test::grid_of(0, 0, 4, 4, 0.01);
   const hal::Workpiece workpiece(track, grid);
   for (const unsigned threads : {1U, 3U}) {
+    // Only the caller's thread asks; among others it may come to no tile but its first.
+    const int patience = threads == 1 ? 10 : 0;
     int asked = 0, bands = 0;
     const TakeBand take = [&](const SurfaceBand&) -> Result<bool> { return ++bands > 0; };
-    CHECK(cut_bands(workpiece, threads, take, [&] { return ++asked > 10; }));
+    CHECK(cut_bands(workpiece, threads, take, [&] { return ++asked > patience; }));
     CHECK(bands == 0);
     CHECK(asked < 16);
   }

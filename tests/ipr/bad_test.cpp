@@ -197,6 +197,7 @@ const std::multimap<Code, std::string> kTexts{
      "the line on which cutter compensation begins leads beside its end; in the fanuc dialect: "
      "leads square to the beginning of the next move"},
     {Code::SC2001, "G48 is not supported"},
+    {Code::SC1001, "unknown character ','; chamfers and roundings within a line are not supported"},
     {Code::SC2001, "G69 is not supported in the linuxcnc dialect"},
     {Code::SC1050, "'line' is no command; there are l, pcw, pccw, dcw, dccw, s and f"},
     {Code::SC1051, "numbers without a command before them"},

@@ -86,9 +86,18 @@ TEST_CASE("M49 and M50 P0 take the feed override away, M48 and M50 give it back"
 
 TEST_CASE("in the fanuc dialect a line that switches all off is read", "[ipr][modes][fanuc]") {
   const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
-  const auto read =
-      interpret("G0 G17 G40 G49 G50 G69 G80 G90 G15\nG50 G50 X1\nM30\n", {}, fanuc);
+  const auto read = interpret("G0 G17 G40 G49 G50 G69 G80 G90 G15\nG50 G50 X1\nM30\n", {}, fanuc);
   CHECK(places(read) == Places{"SC2002 2:5"});
+}
+
+TEST_CASE("in the fanuc dialect G09 ends its own block at rest", "[ipr][modes][fanuc]") {
+  const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
+  const auto moves = moves_of("F100\nG09 G1 X1\nX2\nG09 G0 X3\nG1 X4\nM30\n", {}, fanuc);
+  REQUIRE(moves.size() == 4);
+  CHECK(moves[0].join == Join::stop);
+  CHECK(moves[1].join == Join::follow);
+  CHECK(moves[2].join == Join::stop);
+  CHECK(moves[3].join == Join::follow);
 }
 
 }  // namespace softcnc::ipr
