@@ -30,7 +30,8 @@ constexpr Method kMethods[] = {Method::arc_length, Method::sam,   Method::m_sam,
 constexpr double kDrivers[][4] = {{500, 4000, 1000, 20000},
                                   {5000, 5000, 10000, 10000},
                                   {22000, 22000, 100000, 100000},
-                                  {2000, 1000, 200, 200}};
+                                  {2000, 1000, 200, 200},
+                                  {500, 500, 0, 0}};
 
 struct Totals {
   std::int64_t programs = 0, halted = 0, aborted = 0, rows = 0, pulses = 0;

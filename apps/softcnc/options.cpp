@@ -3,9 +3,11 @@
 #include "options.hpp"
 
 #include <fmt/format.h>
+#include <cmath>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <iterator>
 #include <span>
@@ -265,16 +267,29 @@ void make_machine(CLI::App& command, Options& options) {
   add_verbose(command, options, "Say what each value means");
 }
 
+/// CLI::Range would let "nan" pass.
+CLI::Validator between(double least, double most) {
+  const CLI::Range range(least, most);
+  return CLI::Validator(
+      [range](std::string& text) {
+        double value = 0;
+        if (CLI::detail::lexical_cast(text, value) && std::isnan(value))
+          return text + " is no number";
+        return range(text);
+      },
+      "");
+}
+
 void make_latency(CLI::App& command, Options& options) {
   add_machine(command, options);
   command.add_option("--seconds", options.seconds, "How long to measure (default 10)")
-      ->check(CLI::Range(kShortest, kLongest).description(""))
+      ->check(between(kShortest, kLongest))
       ->type_name("SECONDS");
   command
       .add_option_function<double>(
           "--period-us", [&options](double us) { options.period = s_from_ms(us / 1000); },
           "Period of the loop (default: control.servo_period_ms)")
-      ->check(CLI::Range(1.0, 1e6).description(""))
+      ->check(between(1, 1e6))
       ->type_name("MICROSECONDS");
   command.add_option("--report", options.report, "Write the figures as JSON")
       ->type_name("FILE.json");

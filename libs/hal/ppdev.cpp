@@ -63,13 +63,13 @@ std::optional<std::uint8_t> Ppdev::read_status() noexcept {
   return call(PPRSTATUS, &bits) ? std::optional(bits) : std::nullopt;
 }
 
+/// The first error is what is told; a port that has failed may still take what puts it at rest.
 bool Ppdev::call(unsigned long request, void* argument) noexcept {
-  if (error_ != 0) return false;
-  while (::ioctl(descriptor_, request, argument) < 0)
-    if (errno != EINTR) {
-      error_ = errno;
-      return false;
-    }
+  while (::ioctl(descriptor_, request, argument) < 0) {
+    if (errno == EINTR) continue;
+    if (error_ == 0) error_ = errno;
+    return false;
+  }
   return true;
 }
 

@@ -6,6 +6,15 @@
 #include <tuple>
 
 namespace softcnc::hal {
+namespace {
+
+/// At one instant a step ends before its direction turns, and that before the next one begins.
+int rank(const Edge& edge) noexcept {
+  if (edge.wire == Wire::direction) return 1;
+  return edge.high ? 2 : 0;
+}
+
+}  // namespace
 
 void StepEdges::add(int axis, std::int64_t time, int direction) {
   Line& line = lines_[static_cast<std::size_t>(axis)];
@@ -32,7 +41,7 @@ std::int64_t StepEdges::turn(int axis, Line& line, std::int64_t time) {
 }
 
 std::span<const Edge> StepEdges::release(std::int64_t until) {
-  const auto order = [](const Edge& edge) { return std::tuple(edge.time, edge.axis, edge.high); };
+  const auto order = [](const Edge& edge) { return std::tuple(edge.time, edge.axis, rank(edge)); };
   const auto later = [&](const Edge& edge) { return edge.time >= until; };
   out_.clear();
   std::remove_copy_if(waiting_.begin(), waiting_.end(), std::back_inserter(out_), later);

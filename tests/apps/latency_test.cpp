@@ -77,6 +77,8 @@ TEST_CASE("latency says where it has no real-time rights", "[apps]") {
 
 TEST_CASE("latency refuses times that make no sense", "[apps]") {
   CHECK(call("latency --seconds 0").status == 2);
+  CHECK(call("latency --seconds nan").status == 2);
+  CHECK(call("latency --seconds 0.1 --period-us nan").status == 2);
   CHECK(call("latency --period-us 0.1").status == 2);
   CHECK(call("latency extra").status == 2);
 }

@@ -18,6 +18,8 @@ constexpr StepTiming kGecko201{500, 4000, 4500, 1000, 20000};
 constexpr StepTiming kGecko540{5000, 5000, 10000, 10000, 10000};
 constexpr StepTiming kSherline{22000, 22000, 44000, 100000, 100000};
 constexpr StepTiming kXylotex{2000, 1000, 3000, 200, 200};
+/// One that takes the direction at the very instant of the step.
+constexpr StepTiming kAtOnce{500, 500, 1000, 0, 0};
 
 Edge step(std::int64_t time, bool high, std::uint8_t axis = 0) {
   return {time, axis, Wire::step, high};
@@ -113,7 +115,7 @@ TEST_CASE("what is less than a pulse is carried to later periods", "[hal][pulse]
 }
 
 TEST_CASE("no rule is broken and no pulse lost in random motion", "[hal][pulse][property]") {
-  const StepTiming timing = GENERATE(kGecko201, kGecko540, kSherline, kXylotex);
+  const StepTiming timing = GENERATE(kGecko201, kGecko540, kSherline, kXylotex, kAtOnce);
   constexpr double kBlu = 0.0025;
   constexpr std::int64_t kPeriod = 1'000'000;                             // ns
   const double most = kBlu * 1e6 / static_cast<double>(timing.interval);  // mm a period
