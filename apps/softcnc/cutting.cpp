@@ -54,8 +54,13 @@ class CuttingReader {
     after_rapid_ = move.rapid;
   }
 
-  hal::Cutter cutter_of(const Move& move) const {
-    if (move.surface) return {move.surface->tool_radius, move.surface->teeth, spin_};
+  /// What a program says of its tool counts until it changes it: on rapids too, so that the spindle
+  /// turns on between passes.
+  hal::Cutter cutter_of(const Move& move) {
+    if (move.surface) {
+      tool_.radius = move.surface->tool_radius;
+      tool_.teeth = move.surface->teeth;
+    }
     return {tool_.radius, tool_.teeth, spin_};
   }
 

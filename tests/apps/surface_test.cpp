@@ -153,6 +153,18 @@ TEST_CASE("the target and the teeth may stand in the program", "[apps][surface]"
   CHECK(number(folder / "own.npz", "f['rmax_um'][:2, :4].max()") == Approx(24.9).epsilon(0.05));
 }
 
+TEST_CASE("a tool that stands in the program turns on between its passes", "[apps][surface]") {
+  const Folder folder;
+  std::string text = read(softcnc::app::test::data("plane.nc"));
+  text.replace(text.find("#1 = 0"), 6, "G06.4 D5 J0.5 H25.1 L2\n#1 = 0");
+  write(folder / "own.nc", text);
+  for (const char* phase : {"aligned", "time"})
+    REQUIRE(call("surface -q " + (folder / "own.nc") + kStock + "--set surface.phase=" + phase +
+                 " -o " + (folder / (std::string(phase) + ".npz")))
+                .status == 0);
+  CHECK((read(folder / "aligned.npz") != read(folder / "time.npz")));
+}
+
 TEST_CASE("a surface tells by region whether its target is met", "[apps][surface]") {
   const Folder folder;
   const auto cut_for = [&](const std::string& target) {
