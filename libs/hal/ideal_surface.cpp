@@ -3,6 +3,7 @@
 #include "hal/ideal_surface.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,7 +20,8 @@ constexpr double kEdges = 1.6;     // feeds per tooth around a place, that count
 constexpr double kDiagonal = 1.5;  // of half a side: out to the corners
 constexpr double kSmooth = 0.002;  // mm: centres that stray further are on no smooth surface
 constexpr double kRidge = 1e-9;    // keeps what too few passes leave open small
-constexpr int kSteps = 6;
+constexpr int kSteps = 12;         // of Newton's method
+constexpr double kFound = 1e-10;   // of half a side
 constexpr int kAcross = 48, kAround = 6;  // steps of lattices to each side
 
 Six terms(double a, double b) { return (Six() << 1, a, b, a * a, a * b, b * b).finished(); }
@@ -101,7 +103,8 @@ bool IdealSurface::lies_below(std::span<const Centre> centres, const AxisVector&
       const Ball ball = seen(*found);
       const double bottom =
           ball.z - std::sqrt(radius_ * radius_ - ball.a * ball.a - ball.b * ball.b);
-      if (this->at(x, y).z > bottom + kSmooth) return false;
+      const auto point = this->at(x, y);
+      if (!point || point->z > bottom + kSmooth) return false;
     }
   return true;
 }
@@ -162,20 +165,32 @@ std::array<double, 2> IdealSurface::slope(double a, double b) const noexcept {
   return {(c_[1] + 2 * a * c_[3] + b * c_[4]) / unit_, (c_[2] + a * c_[4] + 2 * b * c_[5]) / unit_};
 }
 
-IdealSurface::Point IdealSurface::at(double x, double y) const noexcept {
+/// The centre whose ball touches the surface here, by Newton's method: steeply bent hollows too.
+std::optional<IdealSurface::Point> IdealSurface::at(double x, double y) const noexcept {
   const double dx = x - x_, dy = y - y_;
   const double pa = (dx * along_x_ + dy * along_y_) / unit_;
   const double pb = (dy * along_x_ - dx * along_y_) / unit_;
-  double a = pa, b = pb, long_ = 1;
-  std::array<double, 2> g{};
-  for (int i = 0; i < kSteps; ++i) {
-    g = slope(a, b);
-    long_ = std::sqrt(1 + g[0] * g[0] + g[1] * g[1]);
-    a = pa - radius_ * g[0] / long_ / unit_;
-    b = pb - radius_ * g[1] / long_ / unit_;
+  const Eigen::Vector2d wanted(pa, pb);
+  const Eigen::Matrix2d bend{{2 * c_[3] / unit_, c_[4] / unit_},
+                             {c_[4] / unit_, 2 * c_[5] / unit_}};
+  const double part = radius_ / unit_;
+  Eigen::Vector2d ab = wanted, g;
+  double step = std::numeric_limits<double>::infinity(), long_ = 1;
+  for (int i = 0; i < kSteps && step > kFound; ++i) {
+    const auto [ga, gb] = slope(ab[0], ab[1]);
+    g = {ga, gb};
+    long_ = std::sqrt(1 + g.squaredNorm());
+    const Eigen::Vector2d miss = ab - wanted + part / long_ * g;
+    const Eigen::Matrix2d turned = bend - g * (g.transpose() * bend) / (long_ * long_);
+    const Eigen::Matrix2d slopes = Eigen::Matrix2d::Identity() + part / long_ * turned;
+    if (!(slopes.determinant() > 0)) break;  // the ball would cut what it has left
+    const Eigen::Vector2d way = slopes.inverse() * miss;
+    ab -= way;
+    step = way.norm();
   }
-  return {value(a, b) - radius_ / long_, g[0] * along_x_ - g[1] * along_y_,
-          g[0] * along_y_ + g[1] * along_x_, a, b};
+  if (!(step <= kFound)) return std::nullopt;
+  return Point{value(ab[0], ab[1]) - radius_ / long_, g[0] * along_x_ - g[1] * along_y_,
+               g[0] * along_y_ + g[1] * along_x_, ab[0], ab[1]};
 }
 
 }  // namespace softcnc::hal

@@ -34,7 +34,8 @@ class IdealSurface {
     double slope_x, slope_y;  // of the surface
     double a, b;              // where the centre is that makes this point
   };
-  Point at(double x, double y) const noexcept;
+  /// Nothing where no ball on the surface of centres leaves this point.
+  std::optional<Point> at(double x, double y) const noexcept;
   /// That of the centre whose ball reaches deepest at (x, y) of near().
   float target() const noexcept { return target_; }
   /// Whether passes lie all around a point.

@@ -115,10 +115,10 @@ ClosePasses close_passes(const Passes& passes, const StockGrid& grid, const Rect
   ClosePasses close;
   const double x = (tile.x0 + tile.x1) / 2, y = (tile.y0 + tile.y1) / 2;
   const auto ideal = IdealSurface::near(passes.centres(), passes.ball(), x, y, grid.step);
-  if (!ideal) return close;
-  const auto point = ideal->at(x, y);
-  close.plane = {point.slope_x, point.slope_y};
-  close.height = point.z - close.plane.at(x, y) + kClose * passes.ball();
+  const auto point = ideal ? ideal->at(x, y) : std::nullopt;
+  if (!point) return close;
+  close.plane = {point->slope_x, point->slope_y};
+  close.height = point->z - close.plane.at(x, y) + kClose * passes.ball();
   for (std::size_t i = 0; i < passes.size(); ++i) {
     const Bound bound = bound_of(passes[i], passes.radius(i), grid.corner, close.plane);
     if (bound.over(square_distance(bound.lowest, tile)) <= close.height) close.passes.push_back(i);
@@ -143,10 +143,8 @@ class BlockCutter {
 
   void run() {
     ideal_ = IdealSurface::near(passes_.centres(), passes_.ball(), middle_x(), middle_y(), reach());
-    if (ideal_) {
-      const auto point = ideal_->at(middle_x(), middle_y());
-      plane_ = {point.slope_x, point.slope_y};
-    }
+    const auto point = ideal_ ? ideal_->at(middle_x(), middle_y()) : std::nullopt;
+    if (point) plane_ = {point->slope_x, point->slope_y};
     for (int i = 0; i < Workpiece::kBlock; ++i) rise_[i] = plane_.slope_x * (i * step_);
     for (int row = row0_; row < row1_; ++row) highest_.push_back(highest_of(row));
     cut(close_.passes);
@@ -272,8 +270,11 @@ void BlockCutter::measure() const {
   const double wide = step_ * (column1_ - 1 - column0_), high = step_ * (row1_ - 1 - row0_);
   IdealSurface::Point at[3][3];
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      at[i][j] = ideal_->at(column0_ * step_ + wide * i / 2, row0_ * step_ + high * j / 2);
+    for (int j = 0; j < 3; ++j) {
+      const auto point = ideal_->at(column0_ * step_ + wide * i / 2, row0_ * step_ + high * j / 2);
+      if (!point) return;
+      at[i][j] = *point;
+    }
   const auto over_row = [&](double IdealSurface::Point::*value, double y) {
     const auto column = [&](int i) {
       return Parabola(at[i][0].*value, at[i][1].*value, at[i][2].*value, high)(y);
