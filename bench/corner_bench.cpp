@@ -43,7 +43,8 @@ void round_corners(benchmark::State& state) {
 BENCHMARK(round_corners)->Unit(benchmark::kMillisecond);
 
 void plan(benchmark::State& state) {
-  const Machine machine;
+  Machine machine;
+  machine.axes[0].max = 10'000;
   const auto blocks = chords();
   std::size_t nodes = 0;
   for (auto _ : state) {
@@ -56,6 +57,7 @@ void plan(benchmark::State& state) {
     planner.finish();
     while (auto timed = planner.pop()) benchmark::DoNotOptimize(timed);
     nodes = planner.counts().nodes;
+    if (diagnostics.errors() > 0) return state.SkipWithError("chords are left out");
   }
   state.counters["nodes"] = static_cast<double>(nodes);
   state.SetItemsProcessed(state.iterations() * kChords);

@@ -28,6 +28,7 @@ class CapDerivation {
     const std::size_t sharing = chain_.felt_from(asking, period_);
     for (std::size_t i = asking; i < chain_.intervals.size(); ++i)
       top_ = std::max(top_, chain_.intervals[i].left_cap.q);
+    find_times(sharing);
     find_shared_steps(sharing);
     for (std::size_t i = asking; i < chain_.intervals.size(); ++i) spread_interval(i);
     for (std::size_t n = std::max<std::size_t>(asking, 1); n + 1 < chain_.nodes.size(); ++n)
@@ -38,9 +39,15 @@ class CapDerivation {
   void reset(std::size_t first) {
     chain_.inside.resize(first);
     for (std::size_t i = first; i < chain_.intervals.size(); ++i)
-      chain_.inside.push_back({chain_.intervals[i].left_cap});
+      chain_.inside.push_back({chain_.left_cap(i)});
     for (std::size_t n = first; n < chain_.nodes.size(); ++n)
-      chain_.nodes[n].cap = chain_.nodes[n].own;
+      chain_.nodes[n].cap = chain_.own_cap(n);
+  }
+
+  void find_times(std::size_t first) {
+    times_.assign(chain_.intervals.size(), 0.0);
+    for (std::size_t i = first; i < times_.size(); ++i)
+      times_[i] = chain_.intervals[i].shortest_time();
   }
 
   /// Curves within a step of a turn leave it a part of the chord tolerance; q goes with it.
@@ -73,7 +80,7 @@ class CapDerivation {
       if (n == 0 || time >= steps * period_ || chain_.nodes[from].s - chain_.nodes[n].s >= step)
         return;
       chain_.inside[n - 1].cap.lower_to(cap);
-      time += chain_.intervals[n - 1].shortest_time();
+      time += times_[n - 1];
     }
   }
 
@@ -86,7 +93,7 @@ class CapDerivation {
           chain_.nodes[n].s - chain_.nodes[from].s >= step)
         return;
       chain_.inside[n].cap.lower_to(cap);
-      time += chain_.intervals[n].shortest_time();
+      time += times_[n];
     }
   }
 
@@ -97,7 +104,7 @@ class CapDerivation {
   void pass_joint(std::size_t n) {
     const double tolerance = constraints_.chord_tolerance() * (1 - kMargin) *
                              (shares_its_step(chain_, n, period_) ? kTurnShare : 1.0);
-    const double planned = std::sqrt(chain_.nodes[n].own.q);
+    const double planned = std::sqrt(chain_.own_cap(n).q);
     double v = planned;
     Load load = joint_load(n, v, tolerance);
     for (int i = 0; i < 60 && load.exceeds(); ++i) {
@@ -197,6 +204,7 @@ class CapDerivation {
   const Constraints& constraints_;
   double period_;
   double top_ = 0;                  // the highest q any interval allows
+  std::vector<double> times_;       // s, by interval: the shortest
   std::vector<double> step_share_;  // by interval
 };
 

@@ -144,6 +144,20 @@ void Chain::split(std::size_t i, double s) {
   nodes.insert(nodes.begin() + n + 1, between);
 }
 
+Cap Chain::left_cap(std::size_t interval) const noexcept {
+  Cap cap = intervals[interval].left_cap;
+  if (nodes[interval].s >= slower_from) cap.lower_to(intervals[interval].slower_cap);
+  return cap;
+}
+
+Cap Chain::own_cap(std::size_t node) const noexcept {
+  Cap cap = nodes[node].own;
+  if (node < intervals.size() && nodes[node].s >= slower_from)
+    cap.lower_to(intervals[node].slower_cap);
+  if (node > 0 && nodes[node - 1].s >= slower_from) cap.lower_to(intervals[node - 1].slower_cap);
+  return cap;
+}
+
 std::size_t Chain::felt_from(std::size_t node, double period) const noexcept {
   double time = 0;
   while (node > 0 && time < kFeltPeriods * period) time += intervals[--node].shortest_time();

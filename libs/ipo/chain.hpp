@@ -49,6 +49,11 @@ struct Chain {
   std::vector<Interval> intervals;
   std::vector<Inside> inside;
   std::vector<Node> nodes;
+  double slower_from = kUnlimited;  // mm: where the slower caps of intervals begin to count
+
+  /// Of two intervals and their joint, or slower where that counts.
+  Cap own_cap(std::size_t node) const noexcept;
+  Cap left_cap(std::size_t interval) const noexcept;
 
   /// Appends a move; `rest`: the machine rests where it begins. Intervals are split towards a joint
   /// until what is asked for across it need not slow long stretches.

@@ -25,24 +25,31 @@ int least_depth(const Path& path) {
   return depth;
 }
 
-Cap cap_at(const PathPoint& point, const Move& move, const Constraints& constraints,
-           bool over_steps) {
-  Cap cap;
-  for (const auto& constraint : constraints.caps())
-    if (constraint->holds_over_steps() == over_steps)
-      cap.lower_to({constraint->cap(point, move), constraint->limit(move)});
-  return cap;
+/// A point of a move, and what is asked of it.
+struct Look {
+  PathPoint point;
+  Cap asked;    // of the point
+  Cap cap;      // of the point, and no higher than what the axes can turn there
+  Cap of_step;  // of every step that touches it
+};
+
+Look look_at(const PathPoint& point, const Move& move, const Constraints& constraints) {
+  Look look{point, {}, {}, {}};
+  for (const auto& constraint : constraints.caps()) {
+    Cap& cap = constraint->holds_over_steps() ? look.of_step : look.asked;
+    if (const double q = constraint->cap(point, move); q < cap.q)
+      cap = {q, constraint->limit(move)};
+  }
+  look.cap = look.asked;
+  look.cap.lower_to({constraints.centripetal_q(point), Limit::acceleration});
+  return look;
 }
 
-Interval make_interval(double s0, double s1, const PathPoint& left, const PathPoint& right,
-                       const Move& move, const Constraints& constraints) {
-  Interval interval{&move.path, s0, s1, left, right, {}, {}, {}, {}, false};
-  interval.left_cap = cap_at(left, move, constraints, false);
-  interval.right_cap = cap_at(right, move, constraints, false);
-  interval.left_cap.lower_to({constraints.centripetal_q(left), Limit::acceleration});
-  interval.right_cap.lower_to({constraints.centripetal_q(right), Limit::acceleration});
-  interval.step_cap = cap_at(left, move, constraints, true);
-  interval.step_cap.lower_to(cap_at(right, move, constraints, true));
+Interval make_interval(double s0, double s1, const Look& left, const Look& right,
+                       const Move& move) {
+  Interval interval{&move.path, s0,        s1,           left.point, right.point,
+                    left.cap,   right.cap, left.of_step, {},         false};
+  interval.step_cap.lower_to(right.of_step);
   return interval;
 }
 
@@ -80,7 +87,7 @@ class Refiner {
  public:
   Refiner(const Move& move, const Constraints& constraints, std::vector<Interval>& out)
       : move_(move), constraints_(constraints), out_(out), least_depth_(least_depth(move.path)) {
-    const double q = cap_at(at(move.path, 0), move, constraints, false).q;
+    const double q = look(0, Side::after).asked.q;
     // A ramp from rest to the highest speed spans four intervals or more, unless it takes but a
     // few periods.
     ramp_part_ = std::max(0.25 * q / (2 * constraints.acceleration_limits().minCoeff()),
@@ -91,65 +98,75 @@ class Refiner {
   void refine(double s0, double s1) {
     start_ = s0;
     end_ = s1;
-    split(s0, s1, at(move_.path, s0, Side::after), at(move_.path, s1, Side::before), 0);
+    const Look left = look(s0, Side::after), right = look(s1, Side::before);
+    split({s0, s1, left, right}, 0);
   }
 
  private:
-  void split(double s0, double s1, const PathPoint& left, const PathPoint& right, int depth) {
-    const double middle = 0.5 * (s0 + s1);
-    const PathPoint mid = at(move_.path, middle);
-    Interval whole = make_interval(s0, s1, left, right, move_, constraints_);
-    whole.step_cap.lower_to(cap_at(mid, move_, constraints_, true));  // bends are sharpest inside
+  struct Stretch {
+    double s0, s1;
+    const Look &left, &right;
+    double length() const noexcept { return s1 - s0; }
+  };
+
+  Look look(double s, Side side) const {
+    return look_at(at(move_.path, s, side), move_, constraints_);
+  }
+
+  void split(const Stretch& whole, int depth) {
+    const double middle = 0.5 * (whole.s0 + whole.s1);
+    const Look mid = look(middle, Side::after);
     const bool fine = depth >= least_depth_ && follows_ramps(whole) && follows_steps(whole, mid) &&
                       as_good_as_linear(whole, mid);
-    const bool shortest = depth >= kMaxDepth || (depth >= least_depth_ && s1 - s0 < 2 * kShortest);
-    if (fine || shortest) {
-      out_.push_back(fine ? whole : straightened(whole));
-      keep_everywhere(out_.back(), move_, constraints_);
-      return;
-    }
-    split(s0, middle, left, mid, depth + 1);
-    split(middle, s1, mid, right, depth + 1);
+    const bool shortest =
+        depth >= kMaxDepth || (depth >= least_depth_ && whole.length() < 2 * kShortest);
+    if (fine || shortest) return keep(whole, mid, fine);
+    split({whole.s0, middle, whole.left, mid}, depth + 1);
+    split({middle, whole.s1, mid, whole.right}, depth + 1);
+  }
+
+  void keep(const Stretch& whole, const Look& mid, bool fine) {
+    out_.push_back(make_interval(whole.s0, whole.s1, whole.left, whole.right, move_));
+    out_.back().step_cap.lower_to(mid.of_step);  // bends are sharpest inside
+    if (!fine) straighten(out_.back());
+    keep_everywhere(out_.back(), move_, constraints_);
   }
 
   /// A bend too sharp for any machine to resolve: as a straight stretch it leaves its turn to the
   /// joint behind it.
-  Interval straightened(Interval interval) const {
+  static void straighten(Interval& interval) {
     interval.right.dq = interval.left.dq;
     interval.left.ddq.setZero();
     interval.right.ddq.setZero();
     interval.right_cap = interval.left_cap;
     interval.step_cap = {};
-    return interval;
   }
 
   /// Ramps begin and end at the ends of a stretch, or where a cap changes.
-  bool follows_ramps(const Interval& whole) const {
+  bool follows_ramps(const Stretch& whole) const {
     const double to_end = std::min(whole.s0 - start_, end_ - whole.s1);
     return whole.length() <= std::max(ramp_part_, to_end);
   }
 
   /// Where steps are what binds, either they hardly change or an interval is a part of them.
-  bool follows_steps(const Interval& whole, const PathPoint& mid) const {
-    const double lower = whole.step_cap.q;
-    if (lower >= whole.left_cap.q) return true;
-    double upper = cap_at(mid, move_, constraints_, true).q;
-    for (const PathPoint* end : {&whole.left, &whole.right})
-      upper = std::max(upper, cap_at(*end, move_, constraints_, true).q);
+  bool follows_steps(const Stretch& whole, const Look& mid) const {
+    const auto [lower, upper] =
+        std::minmax({whole.left.of_step.q, mid.of_step.q, whole.right.of_step.q});
+    if (lower >= whole.left.cap.q) return true;
     const double step = std::sqrt(lower) * constraints_.period();
     return upper <= lower * (1 + kEvenSteps) || whole.length() <= step / kStepParts;
   }
 
   /// What the middle asks for beyond the mean of the ends is a small part of each limit.
-  bool as_good_as_linear(const Interval& whole, const PathPoint& mid) const {
+  bool as_good_as_linear(const Stretch& whole, const Look& middle) const {
+    const PathPoint &left = whole.left.point, &right = whole.right.point, &mid = middle.point;
     for (const auto& constraint : constraints_.caps())
-      if (!constraint->is_even(whole.left, whole.right, move_)) return false;
-    const Cap cap = cap_at(mid, move_, constraints_, false);
-    const double mean = 0.5 * (whole.left_cap.q + whole.right_cap.q);
-    if (mean > cap.q * (1 + kGridTolerance)) return false;
+      if (!constraint->is_even(left, right, move_)) return false;
+    const double mean = 0.5 * (whole.left.cap.q + whole.right.cap.q);
+    if (mean > middle.asked.q * (1 + kGridTolerance)) return false;
     const AxisVector& a = constraints_.acceleration_limits();
-    const AxisVector bend = mid.ddq - 0.5 * (whole.left.ddq + whole.right.ddq);
-    const AxisVector turn = mid.dq - 0.5 * (whole.left.dq + whole.right.dq);
+    const AxisVector bend = mid.ddq - 0.5 * (left.ddq + right.ddq);
+    const AxisVector turn = mid.dq - 0.5 * (left.dq + right.dq);
     const double u = constraints_.tangential_u(mid);
     for (int i = 0; i < kAxes; ++i)
       if (std::abs(bend[i]) * mean + std::abs(turn[i]) * u > kGridTolerance * a[i]) return false;
@@ -170,7 +187,10 @@ std::vector<Interval> make_grid(const Move& move, const Constraints& constraints
   const double to = length(move.path);
   std::vector<Interval> grid;
   if (std::holds_alternative<Line>(move.path)) {
-    grid.push_back(make_interval(0, to, at(move.path, 0), at(move.path, to), move, constraints));
+    const Look begin = look_at(at(move.path, 0), move, constraints);
+    Look end = begin;
+    end.point = at(move.path, to);
+    grid.push_back(make_interval(0, to, begin, end, move));
     keep_everywhere(grid.back(), move, constraints);
   } else {
     Refiner refiner(move, constraints, grid);

@@ -40,7 +40,7 @@ InteriorPoint::InteriorPoint(SpeedProblem problem)
   }
   rows_.reserve(problem_.rows().size());
   for (const SpeedRow& row : problem_.rows())
-    rows_.push_back({row.factor.q, row.factor.dq, row.factor.ddq, 0, row.bound, {}, {}});
+    rows_.push_back({row.factor.q, row.factor.dq, row.factor.ddq, 0, row.bound, {}});
 }
 
 /// Speeds under the caps and about half of what the rows allow: a place to begin, no more.
@@ -74,8 +74,9 @@ void InteriorPoint::for_each_measured_bound(Act act) {
     act(caps_[i], over_cap(i), cap_[i]);
     for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
       TwoBounds& row = rows_[r];
-      act(row.upper, row.value(at_[i]) + row.rest(at_[i]), row.bound);
-      act(row.lower, -row.value(at_[i]) + row.rest(at_[i]), row.bound);
+      const double value = row.value(at_[i]), rest = row.rest(at_[i]);
+      act(row.upper, rest + value, row.bound);
+      act(row.lower, rest - value, row.bound);
     }
   }
 }
@@ -126,12 +127,12 @@ bool InteriorPoint::is_solved() {
   return gradient_left() <= kGradientTolerance;
 }
 
-/// Gap and violation. A slack smaller than the row leaves is made as large.
+/// Gap and violation.
 void InteriorPoint::measure() {
   gap_ = violation_ = 0;
   for_each_measured_bound([this](Bound& bound, double g, double scale) {
-    bound.slack = std::max(bound.slack, -g);
-    violation_ = std::max(violation_, (g + bound.slack) / scale);
+    bound.measure(g);
+    raise(violation_, bound.over, scale);
     gap_ += bound.slack * bound.multiplier;
   });
 }
@@ -180,10 +181,9 @@ SpeedSolution InteriorPoint::run(const std::vector<double>& begin_at, int most) 
     const bool kept = violation_ < kTangentTolerance;
     const double aim = gap_ / bounds;
     assemble();
-    const StepLength predicted = find_step(0, false);
-    const double part = gap_after(predicted) / gap_;
+    const double part = find_step(0, 0).gap_after(gap_) / gap_;
     const double sigma = std::clamp(part * part * part, 1e-3, 0.5);
-    take(find_step(sigma * aim, true));
+    take(find_step(sigma * aim, 1));
     if (!kept && iteration % kStubborn != kStubborn - 1) continue;
     move_tangents(speeds());
   }

@@ -37,19 +37,9 @@ class InteriorPoint {
   double gradient_left();
   void add_to_step(std::size_t node, const SpeedSquare& y, double sign);
   void assemble();
-  void gradient(double aim, bool corrector);
-  StepLength find_step(double aim, bool corrector);
-  double gap_after(const StepLength& step) const;
+  void gradient(double aim, double corrected);
+  StepLength find_step(double aim, double corrected);
   void take(const StepLength& step);
-
-  template <typename Visit>
-  void for_each_bound(Visit&& visit) {
-    for (Bound& bound : caps_) visit(bound);
-    for (TwoBounds& row : rows_) {
-      visit(row.upper);
-      visit(row.lower);
-    }
-  }
 
   const SpeedProblem problem_;
   std::size_t n_;

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "ipo/rest_to_rest.hpp"
+
 namespace softcnc::ipo {
 namespace {
 
@@ -20,6 +22,8 @@ constexpr double kSlowingPart = 0.04;  // of the way of a stop: so near the shor
 constexpr double kResolution = 1e-3;   // mm: of where the machine has slowed down
 constexpr double kNodePart = 0.1;      // of an interval: a stop nearer to its end is there
 constexpr double kShortestStop = 0.8;  // of v^2 / 2A with all axes together
+
+constexpr double kRounding = 1e-6;  // of a speed
 
 double speed(const Cap& cap) noexcept { return std::sqrt(cap.q); }
 
@@ -65,10 +69,60 @@ std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended, double slowi
   return Reach{last, last};
 }
 
+/// The answer does not depend on how much is known of what follows.
+JerkWindow::Straight JerkWindow::straight_to_rest(bool ended) const noexcept {
+  if (motion_.v > 0 || motion_.a != 0 || slows_ || share_ != 1) return {};
+  const std::size_t last = ended ? chain_.nodes.size() - 1 : last_final_cap();
+  for (std::size_t i = front_; i < last; ++i) {
+    const Inside& inside = chain_.inside[i];
+    if (!chain_.intervals[i].straight() || inside.share < 1 || inside.jerk_share.minCoeff() < 1)
+      return {};
+    if (chain_.nodes[i + 1].cap.q == 0 || i + 2 == chain_.nodes.size()) return {i + 1};
+    if (chain_.intervals[i].ends_move) return {};
+  }
+  return {std::nullopt, true};
+}
+
+/// False where the line is slower in places, and the motion would have to know it.
+bool JerkWindow::run_straight(std::size_t rest) {
+  Cap most{0, Limit::feed};
+  for (std::size_t i = front_; i < rest; ++i)
+    if (chain_.inside[i].cap.q > most.q) most = chain_.inside[i].cap;
+  const Interval& first = chain_.intervals[front_];
+  const LineLimits limits{speed(most) * (1 - kRounding),
+                          along(constraints_.acceleration_limits(), first.left.dq),
+                          along(constraints_.jerk_limits(), first.left.dq)};
+  Ramps ramps(rest - front_);
+  ramps.back() = rest_to_rest(first.s0, chain_.intervals[rest - 1].s1, limits, most.limit);
+  if (!keeps_caps(ramps.back(), rest)) return false;
+  effort_.nodes += ramps.back().size();
+  take(std::move(ramps), rest - front_);
+  return true;
+}
+
+bool JerkWindow::keeps_caps(const std::vector<Ramp>& ramps, std::size_t rest) const noexcept {
+  const double middle = 0.5 * (ramps.front().s0 + ramps.back().s1);
+  double fastest = 0;
+  for (const Ramp& ramp : ramps) fastest = std::max(fastest, ramp.v1);
+  const auto keeps = [&](const Cap& cap, double s) {
+    const double most = speed(cap) * (1 + kRounding);
+    return fastest <= most || speed_at(ramps, s) <= most;
+  };
+  for (std::size_t i = front_; i < rest; ++i) {
+    const Interval& interval = chain_.intervals[i];
+    if (!keeps(chain_.inside[i].cap, std::clamp(middle, interval.s0, interval.s1))) return false;
+    if (i > front_ && !keeps(chain_.nodes[i].cap, interval.s0)) return false;
+  }
+  return true;
+}
+
 std::size_t JerkWindow::settle(bool ended) {
   if (size() == 0) return 0;
   split_long_intervals(ended);
   derive();
+  const Straight straight = straight_to_rest(ended);
+  if (straight.waits) return 0;
+  if (straight.rest && run_straight(*straight.rest)) return planned_.size();
   const auto reach = look_ahead(ended);
   if (!reach) return 0;
   if (slows_) return slow_down(ended);

@@ -22,6 +22,7 @@ class JerkWindow final : public Window {
   using Window::Window;
 
   std::size_t settle(bool ended) override;
+  bool settles_by_stretches() const noexcept override { return true; }
   std::optional<std::size_t> rest_early(double resolution) override;
   bool run_front(Profile& profile, std::optional<Limit> as) override;
   void set_front(double v, double a) noexcept override { motion_ = {v, a}; }
@@ -34,6 +35,15 @@ class JerkWindow final : public Window {
     std::size_t end, taken;
   };
   std::optional<Reach> look_ahead(bool ended, double slowing = 0) const noexcept;
+  /// A straight line of one move between two rests: its end, a node of the chain; `waits`: what
+  /// follows is still to tell whether there is one.
+  struct Straight {
+    std::optional<std::size_t> rest;
+    bool waits = false;
+  };
+  Straight straight_to_rest(bool ended) const noexcept;
+  bool run_straight(std::size_t rest);
+  bool keeps_caps(const std::vector<Ramp>& ramps, std::size_t rest) const noexcept;
   std::size_t slow_down(bool ended);
   std::optional<Ramps> plan(std::size_t end, std::size_t taken);
   bool ends_interval(std::size_t count) const noexcept;

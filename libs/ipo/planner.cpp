@@ -66,10 +66,18 @@ void Planner::accept(Piece piece) {
   pending_.push_back({std::move(piece.block), {}, 0, 0, std::move(piece.marks), piece.deviation});
   const Move* move = pending_.back().move();
   if (move && !feed_.halts()) {
-    window_->append(*move, rest_);
-    counts_.nodes += window_->last_move().size();
+    append(*move, rest_);
   }
   rest_ = !move || move->join == Join::stop;
+}
+
+/// A move is the same to the window whether it comes before an override or after it.
+void Planner::append(const Move& move, bool rest) {
+  if (slower_)
+    window_->append(move, rest, {slower_->cap({}, move), slower_->limit(move)});
+  else
+    window_->append(move, rest);
+  counts_.nodes += window_->last_move().size();
 }
 
 PlannerCounts Planner::counts() const noexcept {
@@ -115,7 +123,8 @@ void Planner::report_no_speed(Profile& profile) {
   profile = {};
 }
 
-/// Passes over the window are worth their while only when it has grown.
+/// Where nothing more was found, passes over the window are worth their while only when it has
+/// grown.
 bool Planner::settle() {
   if (!finished_ && !hurried_ && window_->size() < std::max(kFewIntervals, 2 * last_size_))
     return false;
@@ -125,7 +134,8 @@ bool Planner::settle() {
     slow_until_ = begun_ + window_->slowing_way();
     way_out_.clear();
   }
-  last_size_ = window_->size() - settled_;
+  const bool go_on = settled_ > 0 && window_->settles_by_stretches();
+  last_size_ = go_on ? 0 : window_->size() - settled_;
   ++counts_.passes;
   return settled_ > 0;
 }

@@ -58,7 +58,8 @@ class Planner {
   void go_on(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
   StopPlan stop_from(const PartlyPassed& rest, const State& now, double t, Limit as);
   double stopping_way(double s) const;
-  void lay_out(const std::deque<TimedBlock>& passed, double s, const Constraint* slower);
+  void lay_out(const std::deque<TimedBlock>& passed, double s);
+  void append(const Move& move, bool rest);
   bool stop_first();
   std::optional<TimedBlock> take_ready();
   bool run_move();
@@ -73,7 +74,8 @@ class Planner {
   PulseStage pulses_;
   CornerStage corners_;
   std::unique_ptr<Window> window_;
-  std::deque<TimedBlock> ready_;  // timed; before the pending ones
+  std::unique_ptr<Constraint> slower_;  // the feed that the moves of the window are to slow down to
+  std::deque<TimedBlock> ready_;        // timed; before the pending ones
   std::deque<TimedBlock> pending_;
   PlannerCounts counts_;
   std::size_t settled_ = 0;    // intervals at the front of the window whose speeds are final

@@ -82,15 +82,14 @@ void Planner::go_on(PartlyPassed& rest, const State& now, double t, const FeedCo
     pending_.push_front(std::move(rest.blocks.back()));
     pending_.front().profile = {};
   }
-  const auto slower = make_feed_limit(machine_, asked.feed_override);
-  lay_out(rest.blocks, now.s, moves ? slower.get() : nullptr);
+  slower_ = moves ? make_feed_limit(machine_, asked.feed_override) : nullptr;
+  lay_out(rest.blocks, now.s);
   window_->set_front(now.v, now.a);
   if (moves) window_->slow_down(stopping_way(now.s));
   if (pending_.front().move()) pending_.front().profile.rest_at(now.s);
   if (pending_.front().move() && at_end(pending_.front(), now.s)) ready_.push_back(take());
   running_ = asked.feed_override;
   slow_until_ = moves ? kUnlimited : 0;
-  constraints_.set_feed_override(machine_, asked.feed_override);
 }
 
 /// mm from `s` in the first pending block to the end of the way out.
@@ -103,25 +102,22 @@ double Planner::stopping_way(double s) const {
 
 /// A window of the moves of all pending blocks, and of what has been passed just before; its front
 /// is `s` mm inside the first pending one.
-void Planner::lay_out(const std::deque<TimedBlock>& passed, double s, const Constraint* slower) {
+void Planner::lay_out(const std::deque<TimedBlock>& passed, double s) {
   counts_.effort += window_->effort();
   window_ = make_window(constraints_, constraints_.limits_jerk() ? 1 : kAccelerationShare);
   settled_ = last_size_ = 0;
   std::size_t moves_passed = 0;
   bool at_rest = false;
-  const auto append = [&](const TimedBlock& timed) {
+  const auto add = [&](const TimedBlock& timed) {
     const Move* move = timed.move();
-    if (move && slower)
-      window_->append(*move, at_rest, {slower->cap({}, *move), slower->limit(*move)});
-    if (move && !slower) window_->append(*move, at_rest);
-    if (move) counts_.nodes += window_->last_move().size();
+    if (move) append(*move, at_rest);
     at_rest = !move || move->join == Join::stop;
   };
   for (const TimedBlock& timed : passed) {
-    append(timed);
+    add(timed);
     if (timed.move()) ++moves_passed;
   }
-  for (const TimedBlock& timed : pending_) append(timed);
+  for (const TimedBlock& timed : pending_) add(timed);
   window_->skip(moves_passed, s);
 }
 
@@ -139,7 +135,9 @@ bool Planner::stop_first() {
     s = 0;
   }
   slow_until_ = s_ + s;
-  lay_out(ready_, s, nullptr);
+  slower_.reset();
+  constraints_.set_feed_override(machine_, feed_.feed_override);
+  lay_out(ready_, s);
   return ready_.empty() && settle();
 }
 

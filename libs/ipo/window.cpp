@@ -14,7 +14,9 @@ constexpr double kNodePart = 1e-6;  // of an interval: nodes nearer to its end a
 }  // namespace
 
 void Window::append(const Move& move, bool rest) {
-  if (!chain_.nodes.empty()) derived_to_ = std::min(derived_to_, last_final_cap());
+  // What is appended changes these caps, and more behind it none before them.
+  const bool stand = derived_to_ == chain_.nodes.size() && derived_to_ > 0;
+  if (stand) derived_to_ = last_final_cap();
   chain_.append(move, constraints_, rest);
 }
 
@@ -77,13 +79,7 @@ void Window::slow_from(const Chain& appended, double way) {
   chain_ = appended;
   slowing_way_ = way;
   const std::size_t from = way > 0 ? node_at(chain_.nodes[front_].s + way, kNodePart) : front_;
-  for (std::size_t i = from; i < chain_.intervals.size(); ++i) {
-    Interval& interval = chain_.intervals[i];
-    interval.left_cap.lower_to(interval.slower_cap);
-    interval.right_cap.lower_to(interval.slower_cap);
-    chain_.nodes[i].own.lower_to(interval.slower_cap);
-    chain_.nodes[i + 1].own.lower_to(interval.slower_cap);
-  }
+  chain_.slower_from = chain_.nodes[from].s;
   derive_anew();
 }
 

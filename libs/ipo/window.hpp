@@ -39,8 +39,8 @@ class Window {
   /// until the front has passed it.
   void append(const Move& move, bool rest);
 
-  /// The same where the feed is to be another one: `slower` caps the move as soon as slow_down()
-  /// has found where the machine can have slowed down to it.
+  /// The same where the feed is to be another one: `slower` caps the move from the place on
+  /// at which, as slow_down() finds, the machine can have slowed down to it.
   void append(const Move& move, bool rest, const Cap& slower);
   /// The next settle() looks for the shortest way in which the machine can slow down; it could stop
   /// within `stop` mm.
@@ -64,6 +64,9 @@ class Window {
   /// Finds the speeds and returns the number of intervals, from the front, whose speeds are final.
   /// `ended`: nothing follows the window, so all are, and the machine rests at its end.
   virtual std::size_t settle(bool ended) = 0;
+  /// Whether settle() goes on a stretch at a time: where it has found speeds it may find more at
+  /// once.
+  virtual bool settles_by_stretches() const noexcept { return false; }
 
   /// After settle(true): plans rest at the nearest node, to within `resolution` mm, at which the
   /// machine can stand, and returns the number of intervals up to it; nothing if it cannot stand

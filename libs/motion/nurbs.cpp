@@ -128,8 +128,10 @@ AxisVector Nurbs::position(double s) const noexcept {
 PathPoint Nurbs::at(double s, Side side) const noexcept {
   const SpanPlace place = map_.place(s, side);
   const auto c = evaluate<3>(place);
-  PathPoint point = c[1].norm() > standstill(place.span) ? by_arc_length(c) : past(place, side);
-  point.q = position(s);
+  const bool moves = c[1].norm() > standstill(place.span);
+  PathPoint point = moves ? by_arc_length(c) : past(place, side);
+  const bool inside = s > 0.0 && s < length();
+  if (!moves || !inside || side == Side::before) point.q = position(s);
   return point;
 }
 

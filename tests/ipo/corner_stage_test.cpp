@@ -343,6 +343,27 @@ TEST_CASE("rounding a corner never costs time, however small the tolerance", "[c
   }
 }
 
+TEST_CASE("a spiral of 200 sides with stops takes the least time from rest to rest, and waits",
+          "[corner_stage][feed][jerk]") {
+  const Machine machine = machine_with(1000, 50'000);
+  std::vector<AxisVector> points{{0, 0, 0}};
+  double stops = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double side = 1 + 0.25 * (i / 2);
+    const double angle = std::numbers::pi / 2 * i;
+    points.push_back(points.back() + side * AxisVector(std::round(std::cos(angle)),
+                                                       std::round(std::sin(angle)), 0));
+    // v^2 / a + v a / j = 12 mm to 100 mm/s and back, 2 a^3 / j^2 = 0.8 mm to hold 1000 mm/s^2.
+    stops += side >= 12 ? side / 100 + 0.12 : 0.02 + std::sqrt(0.02 * 0.02 + 4 * side / 1000);
+  }
+  auto exact = polyline(points, 0, 0);
+  for (Block& block : exact) std::get<Move>(block.what).join = Join::stop;
+  const auto result = test::run(machine, exact);
+  CHECK(test::exceeded(machine, result) == "");
+  CHECK(result.time >= stops * (1 - 1e-5));
+  CHECK(result.time <= stops * 1.001);
+}
+
 TEST_CASE("a spiral of 200 sides: stops at G61.1, rounded corners at G64 P0.05",
           "[corner_stage][feed]") {
   const Machine machine = machine_with(1000);

@@ -343,6 +343,40 @@ TEST_CASE("the plan does not depend on how the blocks arrive", "[planner][proper
   }
 }
 
+TEST_CASE("however long a program, the planner holds a few of its blocks", "[planner][jerk]") {
+  Machine machine = machine_with(1000);
+  const auto waiting = [&machine](const auto& move_of, int count) {
+    Diagnostics diagnostics;
+    ipo::Planner planner(machine, 1, diagnostics);
+    int most = 0, gone = 0;
+    for (int i = 0; i < count; ++i) {
+      planner.push({move_of(i), {i + 1, 1, 1}, i + 1});
+      while (const auto timed = planner.pop())
+        gone = timed->marks.empty() ? timed->block.number : timed->marks.back().number;
+      most = std::max(most, i + 1 - gone);
+    }
+    CHECK(diagnostics.errors() == 0);
+    return most;
+  };
+  const auto stops = [](int i) {
+    const AxisVector from(i % 2 == 0 ? 0 : 10, 0, 0), to(i % 2 == 0 ? 10 : 0, 0, 0);
+    return Move{Line(from, to), false, 50, Join::follow};
+  };
+  const auto chords = [](int i) {
+    const auto at = [](int k) {
+      return AxisVector(5 * std::cos(0.02 * k), 5 * std::sin(0.02 * k), 0);
+    };
+    return Move{Line(at(i), at(i + 1)), false, 50, Join::follow, 0.005, 0.005};
+  };
+  for (const double jerk : {0.0, 50'000.0}) {
+    for (Axis& axis : machine.axes) axis.jerk = jerk;
+    CAPTURE(jerk);
+    CHECK(waiting(stops, 3000) < 100);
+    CHECK(waiting(chords, 3000) < 1500);
+    CHECK(waiting(chords, 12'000) < 1500);
+  }
+}
+
 TEST_CASE("a stop at any moment ends at rest on the path, within the limits", "[planner][stop]") {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     std::mt19937 random(seed);

@@ -113,8 +113,11 @@ TEST_CASE("a dwell that is held lasts as long in all", "[ipo][replan]") {
 
 TEST_CASE("override and hold at the same moments give the same rows however the blocks arrive",
           "[ipo][replan]") {
-  std::mt19937 random(7);
-  const Machine machine = machine_with(true);
+  const bool limits_jerk = GENERATE(true, false);
+  const auto seed = static_cast<unsigned>(GENERATE(7, 8, 9));
+  CAPTURE(limits_jerk, seed);
+  std::mt19937 random(seed);
+  const Machine machine = machine_with(limits_jerk);
   const auto blocks = random_program(random, 12);
   const Controls controls{{300, override_of(0.4)}, {700, kHold}, {900, kGo}};
   const auto whole = run(machine, blocks, controls, 0);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// From rest to rest along a straight line, in closed form.
+#pragma once
+
+#include <vector>
+
+#include "ipo/ramp.hpp"
+
+namespace softcnc::ipo {
+
+/// Of a motion along a line: mm/s, mm/s^2, mm/s^3; all above 0.
+struct LineLimits {
+  double v = 0, a = 0, j = 0;
+};
+
+/// The fastest motion from rest at s0 to rest at s1 > s0, mm: up to seven stretches of constant
+/// jerk, the same forwards and backwards. `cruising` is what holds back at the speed limit.
+std::vector<Ramp> rest_to_rest(double s0, double s1, const LineLimits& limits, Limit cruising);
+
+/// mm/s where such a motion is at s, mm between its ends.
+double speed_at(const std::vector<Ramp>& ramps, double s) noexcept;
+
+}  // namespace softcnc::ipo
