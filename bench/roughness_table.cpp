@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "loose_passes.hpp"
 #include "motion/roughness_table.hpp"
 #include "support/edge_surface.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 
 using softcnc::kSimulatedFeeds;
 using softcnc::kSimulatedTips;
+using softcnc::Passes;
 using softcnc::simulated_tip;
 
 constexpr std::size_t kFeeds = kSimulatedFeeds.size();
@@ -39,8 +41,8 @@ struct Between {
 /// Nodes and some places between them.
 class FineTable {
  public:
-  explicit FineTable(int teeth) {
-    for (std::size_t t = 0; t < kTips; ++t) simulate(teeth, t);
+  FineTable(Passes passes, int teeth) {
+    for (std::size_t t = 0; t < kTips; ++t) simulate(passes, teeth, t);
     for (std::size_t t = 0; t < static_cast<std::size_t>(kSimulatedTips); ++t)
       for (std::size_t f = 0; f <= kFeeds; ++f) node(t, f) = fine_[kParts * t][kParts * f];
     for (std::size_t f = 1; f <= kFeeds; ++f) {
@@ -78,10 +80,15 @@ class FineTable {
     return at.of(node(at.low), node(at.high));
   }
 
-  void simulate(int teeth, std::size_t t) {
+  static double rmax(Passes passes, double feed, double tip, int teeth) {
+    return passes == Passes::in_phase ? softcnc::test::EdgeSurface(feed, tip, teeth).rmax()
+                                      : softcnc::LoosePasses(feed, tip, teeth).rmax();
+  }
+
+  void simulate(Passes passes, int teeth, std::size_t t) {
     fine_[t][0] = 1;
     for (std::size_t f = 1; f <= kParts * kFeeds; ++f) {
-      const double height = softcnc::test::EdgeSurface(feed(f), tip(t), teeth).rmax();
+      const double height = rmax(passes, feed(f), tip(t), teeth);
       fine_[t][f] = std::max(fine_[t][f - 1], 1 + kBetween * (height - 1));
     }
   }
@@ -118,9 +125,13 @@ class FineTable {
 
 int main() {
   std::puts("// SPDX-License-Identifier: MIT\n// Made by scripts/roughness_table: do not edit.");
-  for (int teeth = 1; teeth <= softcnc::kSimulatedTeeth; ++teeth) {
-    std::printf("{{  // teeth: %d\n", teeth);
-    FineTable(teeth).print();
+  for (const Passes passes : {Passes::in_phase, Passes::at_any_phase}) {
+    std::printf("{{  // %s\n", passes == Passes::in_phase ? "in phase" : "at any phase");
+    for (int teeth = 1; teeth <= softcnc::kSimulatedTeeth; ++teeth) {
+      std::printf("{{  // teeth: %d\n", teeth);
+      FineTable(passes, teeth).print();
+      std::puts("}},");
+    }
     std::puts("}},");
   }
 }

@@ -3,21 +3,10 @@
 
 #include <algorithm>
 
+#include "elapsed.hpp"
 #include "hal/axis_name.hpp"
 
 namespace softcnc::app {
-namespace {
-
-/// How long ago a move began that has come so far, s: exact from rest at a constant acceleration or
-/// a constant jerk, and at a constant speed.
-double elapsed(double distance, const Setpoint& now) {
-  if (!(now.v > 0)) return 0;
-  const double gained = distance * std::max(0.0, now.a) / (now.v * now.v);  // 1/2, 2/3, 0
-  const double factor = gained > 0.5 ? 2 + 6 * (gained - 0.5) : 1 + 2 * gained;
-  return std::min(factor, 3.0) * distance / now.v;
-}
-
-}  // namespace
 
 CuttingRows::CuttingRows(const Cutting& cutting, SpindlePhase phase, double period,
                          std::span<const std::string> columns)

@@ -37,7 +37,7 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
   if (diagnostics.errors() == 0) {
     report_excess(result.outcome.measured, machine, diagnostics);
     if (tells == Tells::surface_too) result.outcome.surface.tell_blocks(diagnostics);
-    result.outcome.surface.warn(machine.surfacing.phase, diagnostics);
+    result.outcome.surface.warn(diagnostics);
   }
   result.status = diagnostics.status();
   return result;

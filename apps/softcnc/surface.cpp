@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "cpu_clock.hpp"
 #include "cutting_rows.hpp"
+#include "hal/ideal_surface.hpp"
 #include "messages.hpp"
 #include "motion/units.hpp"
 #include "performance.hpp"
@@ -143,8 +144,11 @@ double memory_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-std::string roughness_text(const RoughnessMap& map, double step) {
+std::string roughness_text(const RoughnessMap& map, double step, const Cutting& cutting) {
   const RegionFigures sum = figures(map.rmax());
+  if (sum.regions == 0 && cutting.pick_feed > hal::IdealSurface::kWidestPick * cutting.radius)
+    return fmt::format("not known: a pick-feed above {:.2g} of the tool radius",
+                       hal::IdealSurface::kWidestPick);
   if (sum.regions == 0)
     return "not known: nowhere do passes lie side by side on a smooth surface without gouges";
   return fmt::format("{:.2f} um, {:.2f} um in the mean of {} regions of {:.4g} x {:.4g} mm",
@@ -183,7 +187,7 @@ void SurfaceJob::tell(const RoughnessMap& map, double seconds, double cpu) const
       job_.program.name(), job_.machine.name, options_.actual ? ", by its actual positions" : "",
       (grid_.columns - 1) * grid_.step, (grid_.rows - 1) * grid_.step, grid_.top - grid_.corner[2],
       grid_.corner[0], grid_.corner[1], grid_.corner[2], grid_.columns, grid_.rows,
-      um_from_mm(grid_.step), track_.passes().size(), roughness_text(map, grid_.step),
+      um_from_mm(grid_.step), track_.passes().size(), roughness_text(map, grid_.step, cutting_),
       target_text(map), form_text(map), points, updates, seconds, cpu, updates / cpu / 1e6,
       memory_mb());
 }

@@ -10,13 +10,14 @@
 #include "motion/diagnostic.hpp"
 #include "motion/machine.hpp"
 #include "motion/setpoint.hpp"
-#include "pass_directions.hpp"
+#include "pass_neighbours.hpp"
 
 namespace softcnc::app {
 
 class SurfaceNotes {
  public:
-  explicit SurfaceNotes(RoughnessModel model = RoughnessModel::guaranteed) : model_(model) {}
+  explicit SurfaceNotes(const Machine& machine = {})
+      : surfacing_(machine.surfacing), neighbours_(machine.control.period) {}
 
   /// A row of a block that asks for a roughness, and the Rmax, mm, that it leaves by the model of
   /// the machine.
@@ -24,9 +25,10 @@ class SurfaceNotes {
 
   /// SC4010 for each block, of many for the first ones and the roughest.
   void tell_blocks(Diagnostics& diagnostics) const;
-  /// SC4011 for the block that by simulated edges exceeds its target most; SC4012 where passes are
-  /// not in phase, which no model knows.
-  void warn(SpindlePhase phase, Diagnostics& diagnostics) const;
+  /// SC4011 for the block that by simulated edges may exceed its target most; SC4012 where passes
+  /// side by side are not in phase, and SC4042 where the surface slopes from one to the next, if
+  /// the feed knows of neither.
+  void warn(Diagnostics& diagnostics) const;
 
  private:
   struct Note {
@@ -38,11 +40,16 @@ class SurfaceNotes {
   };
   static constexpr std::size_t kTold = 100;  // blocks
 
-  void warn_of_phase(SpindlePhase phase, Diagnostics& diagnostics) const;
+  void judge(const ipo::TimedBlock& timed, const Setpoint& row, const SourcePos& source,
+             double rmax);
+  void look_beside(const ipo::TimedBlock& timed, const Setpoint& row);
+  void judge_slope(const Move& move, const Setpoint& row, double s, const Beside& beside);
+  void warn_of_phase(Diagnostics& diagnostics) const;
+  void warn_of_slope(Diagnostics& diagnostics) const;
   void begin(const ipo::TimedBlock& timed, const Setpoint& row, double target);
   static void tell(const Note& note, Diagnostics& diagnostics);
 
-  RoughnessModel model_;
+  Surfacing surfacing_;
   std::vector<Note> notes_;   // of the first blocks
   std::optional<Note> last_;  // of the present block, if it is not among them
   Note roughest_;             // of those that are not
@@ -50,9 +57,12 @@ class SurfaceNotes {
   Note worst_;             // by simulated edges
   std::size_t above_ = 0;  // blocks that exceed their target by them
   int above_block_ = 0;
-  PassDirections directions_;
-  std::optional<SourcePos> first_;        // block that asks for a roughness
-  std::optional<SourcePos> turned_back_;  // first pass beside another one, the other way
+  PassNeighbours neighbours_;
+  std::optional<SourcePos> beside_;     // first pass beside another one,
+  std::optional<SourcePos> opposite_;   // the other way,
+  std::optional<SourcePos> lagging_;    // or out of phase with it
+  Note steepest_;                       // where a slope that is not stated leaves most
+  double slope_ = 0, slope_there_ = 0;  // rad: the largest that is not stated; that there
 };
 
 }  // namespace softcnc::app

@@ -56,10 +56,9 @@ std::string surface_report(Job& job, const RoughnessMap& map, const hal::StockGr
   report["region_mm"] = map.side() * grid.step;
   report["regions"] = map.columns() * static_cast<std::int64_t>(map.rows());
   report["regions_known"] = rough.regions;
-  if (rough.regions > 0) {
-    report["rmax_um_max"] = rough.largest;
-    report["rmax_um_mean"] = rough.mean;
-  }
+  const bool known = rough.regions > 0;
+  report["rmax_um_max"] = known ? Json(rough.largest) : Json();
+  report["rmax_um_mean"] = known ? Json(rough.mean) : Json();
   report["regions_gouged"] = gouges.marked;
   report["gouge_um_max"] = gouges.largest;
   report["regions_judged"] = target.judged;

@@ -14,8 +14,7 @@ namespace softcnc::app {
 /// Hands rows to the verifier together with the paths between them.
 class Verification {
  public:
-  explicit Verification(const Machine& machine) noexcept
-      : verifier_(machine), surface_(machine.surfacing.model) {}
+  explicit Verification(const Machine& machine) noexcept : verifier_(machine), surface_(machine) {}
 
   /// `queue` still holds every block from that of the row before.
   void add(std::span<const Setpoint> rows, const ipo::BlockQueue& queue);

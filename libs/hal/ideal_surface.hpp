@@ -24,6 +24,9 @@ class IdealSurface {
     float target = 0;      // mm
   };
 
+  /// Of the radius: passes further apart leave a place with too few around it.
+  static constexpr double kWidestPick = 0.76;
+
   /// Good for a square around (x, y), `reach` mm to each side. Nothing where there are no passes on
   /// both sides, or no smooth surface through them.
   static std::optional<IdealSurface> near(std::span<const Centre> centres, double radius, double x,

@@ -118,8 +118,9 @@ constexpr GCode kTable[] = {
     {'G', 62, Group::motion, order::motion, "XYZKRPQDJHL", nurbs,
      "NURBS of order P (4): one block a control point with knot K and weight R (1), then P blocks "
      "of K."},
-    {'G', 64, Group::surface, order::surface, "DJHLR", ask_for_surface,
-     "Roughness asked for: tool radius D, pick-feed J, Rmax H in um, teeth L; R bends across."},
+    {'G', 64, Group::surface, order::surface, "DJHLRQ", ask_for_surface,
+     "Roughness asked for: tool radius D, pick-feed J, Rmax H in um, teeth L; across the feed it "
+     "bends by R and slopes by up to Q degrees."},
     {'G', 65, Group::surface, order::surface, "", cancel_surface, "No roughness asked for."},
     {'G', 90, Group::non_modal, order::path_control, "", stop_once,
      "fanuc: the block of this line ends at rest."},

@@ -11,15 +11,15 @@ namespace softcnc::ipr {
 namespace {
 
 constexpr std::string_view kWordsOfCurve = "DJHL";  // R is the weight there
-constexpr std::string_view kSurfaceWords = "DJHLR";
+constexpr std::string_view kSurfaceWords = "DJHLRQ";
 
-/// D, J, H, L and R are the surface's: no other code of the line may take them.
+/// D, J, H, L, R and Q are the surface's: no other code of the line may take them.
 bool is_alone(Task& task) {
   for (const auto& [code, word] : task.command.codes()) {
     if (code == &task.code || !Letters(code->words).has_any(kSurfaceWords)) continue;
-    task.out.report(
-        Code::SC3123, task.word.pos,
-        code_name(task.code) + " beside " + code_name(*code) + ", which takes D, J, H, L or R too");
+    task.out.report(Code::SC3123, task.word.pos,
+                    code_name(task.code) + " beside " + code_name(*code) +
+                        ", which takes D, J, H, L, R or Q too");
     task.out.mute();
     return false;
   }
@@ -104,6 +104,16 @@ std::optional<double> read_bend_across(Task& task, double tool_radius) {
   return std::nullopt;
 }
 
+/// rad; 0 where it is level across; nothing, and told, if it is no slope.
+std::optional<double> read_slope_across(Task& task) {
+  if (!task.values.has('Q')) return 0;
+  const Word& word = task.values.word('Q');
+  if (word.value >= 0 && word.value < 90) return rad_from_deg(word.value);
+  task.out.report(Code::SC3124, word.pos,
+                  "Q, the largest slope across the feed, is from 0 to below 90 degrees");
+  return std::nullopt;
+}
+
 bool is_given(const Surface& surface) {
   return surface.tool_radius > 0 && surface.pick_feed > 0 && surface.rmax > 0 && surface.teeth > 0;
 }
@@ -116,13 +126,22 @@ bool is_possible(Task& task, const Surface& surface) {
                         number_text(surface.tool_radius) + " mm");
     return false;
   }
+  if (surface.pick_on_slope() >= 2 * surface.tool_radius) {
+    task.out.report(Code::SC3124, task.values.word('Q').pos,
+                    "Q, the slope across the feed, sets passes " +
+                        number_text(surface.pick_on_slope()) +
+                        " mm apart: that must be below twice the tool radius of " +
+                        number_text(surface.tool_radius) + " mm");
+    return false;
+  }
   const double least = least_rmax(surface);
   if (surface.rmax > least) return true;
   task.out.report(Code::SC3126, task.values.word('H').pos,
                   "an Rmax of " + number_text(um_from_mm(surface.rmax)) +
                       " um is out of reach: it must be more than the " +
-                      number_text(um_from_mm(least)) +
-                      " um that this pick-feed and radius leave however slow the feed");
+                      number_text(um_from_mm(least)) + " um that this pick-feed" +
+                      (surface.slope_across > 0 ? ", slope" : "") +
+                      " and radius leave however slow the feed");
   return false;
 }
 
@@ -163,8 +182,10 @@ void ask_for_surface(Task& task) {
   if (!is_alone(task)) return;
   Surface surface = read_surface(task);
   const auto bend = read_bend_across(task, surface.tool_radius);
+  const auto slope = read_slope_across(task);
   surface.bend_across = bend.value_or(0);
-  if (bend) keep_surface(task, surface);
+  surface.slope_across = slope.value_or(0);
+  if (bend && slope) keep_surface(task, surface);
 }
 
 void cancel_surface(Task& task) {

@@ -19,7 +19,11 @@ constexpr double phase(const Surface& surface) noexcept {
 
 /// Of the pick-feed that leaves the same cusps on a flat surface.
 double cusp_square(const Surface& surface) noexcept {
-  return square(surface.pick_feed) * surface.cusp_part();
+  return square(surface.pick_on_slope()) * surface.cusp_part();
+}
+
+Passes passes_of(const Surface& surface) noexcept {
+  return surface.slope_across > 0 ? Passes::at_any_phase : Passes::in_phase;
 }
 
 /// A of (4): of the cusp and the mark of the cutter, square mm.
@@ -50,7 +54,7 @@ struct Flattened {
   Flattened(const Surface& surface, double sine, double hollow) noexcept {
     const double across = surface.cusp_part();
     const double along = hollow > 0 ? 1 + surface.tool_radius * hollow : 1;
-    pick_feed = surface.pick_feed * std::sqrt(across);
+    pick_feed = surface.pick_on_slope() * std::sqrt(across);
     feed_scale = along == 1 ? 1 : std::pow(along, kAlong);
     if (across != 1) feed_scale *= std::pow(across, across > 1 ? kHollow : kHill);
     tip = surface.tool_radius * sine / (pick_feed * std::sqrt(along));
@@ -61,8 +65,8 @@ struct Flattened {
 };
 
 double edge_rmax(const Surface& surface, double feed_per_tooth, const Flattened& flat) noexcept {
-  const double height =
-      edge_height(surface.teeth, feed_per_tooth * flat.feed_scale / flat.pick_feed, flat.tip);
+  const double height = edge_height(passes_of(surface), surface.teeth,
+                                    feed_per_tooth * flat.feed_scale / flat.pick_feed, flat.tip);
   return sagitta(surface.tool_radius,
                  std::min(height * square(flat.pick_feed) / 4, square(surface.tool_radius)));
 }
@@ -70,12 +74,15 @@ double edge_rmax(const Surface& surface, double feed_per_tooth, const Flattened&
 /// Passes alone leave the sagitta of half the pick-feed.
 double largest_edge_feed(const Surface& surface, const Flattened& flat) noexcept {
   const double height = 4 * half_chord_squared(surface) / square(flat.pick_feed);
-  return flat.pick_feed * edge_feed(surface.teeth, height, flat.tip) / flat.feed_scale;
+  return flat.pick_feed * edge_feed(passes_of(surface), surface.teeth, height, flat.tip) /
+         flat.feed_scale;
 }
 
 /// Of a way that passes a point, 1/mm, where the model asks for it.
-double hollow_at(RoughnessModel model, const PathPoint& point) noexcept {
-  return model == RoughnessModel::guaranteed ? hollow_bend(point.dq, point.ddq) : 0;
+double hollow_at(RoughnessModel model, const Surface& surface, const PathPoint& point) noexcept {
+  return model == RoughnessModel::guaranteed
+             ? hollow_bend(point.dq, point.ddq, surface.slope_across)
+             : 0;
 }
 
 }  // namespace
@@ -110,10 +117,14 @@ double feed_at_tip(const Surface& surface, double sine) noexcept {
   return std::sqrt(square(surface.tool_radius * sine) + half_chord_squared(surface));
 }
 
-double hollow_bend(const AxisVector& tangent, const AxisVector& bend) noexcept {
+double hollow_bend(const AxisVector& tangent, const AxisVector& bend, double slope) noexcept {
   const AxisVector up = AxisVector(0, 0, 1) - tangent[2] * tangent;
   const double level = up.norm();
-  return level > 0 ? std::max(0.0, bend.dot(up) / level) : 0;
+  if (!(level > 0)) return 0;
+  const double upwards = bend.dot(up) / level;
+  const double aside = std::sqrt(std::max(0.0, bend.squaredNorm() - square(upwards)));
+  const double turned = std::min(slope, std::atan2(aside, upwards));  // where most lies in it
+  return std::max(0.0, upwards * std::cos(turned) + aside * std::sin(turned));
 }
 
 double rmax(RoughnessModel model, const Surface& surface, double feed_per_tooth, double sine,
@@ -134,13 +145,14 @@ double largest_feed_per_tooth(RoughnessModel model, const Surface& surface, doub
 
 double rmax(RoughnessModel model, const Surface& surface, double feed_per_tooth,
             const PathPoint& point) noexcept {
-  return rmax(model, surface, feed_per_tooth, inclination_sine(point.dq), hollow_at(model, point));
+  return rmax(model, surface, feed_per_tooth, inclination_sine(point.dq),
+              hollow_at(model, surface, point));
 }
 
 double largest_feed_per_tooth(RoughnessModel model, const Surface& surface,
                               const PathPoint& point) noexcept {
   return largest_feed_per_tooth(model, surface, inclination_sine(point.dq),
-                                hollow_at(model, point));
+                                hollow_at(model, surface, point));
 }
 
 double least_feed_per_tooth(RoughnessModel model, const Surface& surface) noexcept {

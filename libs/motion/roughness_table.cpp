@@ -23,8 +23,9 @@ double bound(int teeth, double feed) noexcept {
 /// The table at one distance of the tip.
 class Column {
  public:
-  Column(int teeth, double tip) noexcept
-      : heights_(kSimulatedHeights[static_cast<std::size_t>(teeth - 1)]) {
+  Column(Passes passes, int teeth, double tip) noexcept
+      : heights_(kSimulatedHeights[static_cast<std::size_t>(passes)]
+                                  [static_cast<std::size_t>(teeth - 1)]) {
     const double fine = kFineTip * kFineTips;
     const double place = tip <= fine ? tip / kFineTip : kFineTips + (tip - fine) / kCoarseTip;
     const double last = kSimulatedTips - 1;
@@ -66,15 +67,15 @@ class Column {
 
 }  // namespace
 
-const std::array<SimulatedHeights, kSimulatedTeeth> kSimulatedHeights{{
+const std::array<std::array<SimulatedHeights, kSimulatedTeeth>, 2> kSimulatedHeights{{
 // clang-format off
 #include "motion/roughness_table.inc"
     // clang-format on
 }};
 
-double edge_height(int teeth, double feed, double tip) noexcept {
+double edge_height(Passes passes, int teeth, double feed, double tip) noexcept {
   if (teeth > kSimulatedTeeth) return bound(teeth, feed);
-  const Column column(teeth, tip);
+  const Column column(passes, teeth, tip);
   constexpr double kRoundOff = 1e-9;
   if (feed > kSimulatedFeeds.back() * (1 + kRoundOff))
     return std::max(column(kFeeds - 1), bound(teeth, feed));
@@ -85,11 +86,11 @@ double edge_height(int teeth, double feed, double tip) noexcept {
   return column(node - 1) + w * (column(node) - column(node - 1));
 }
 
-double edge_feed(int teeth, double height, double tip) noexcept {
+double edge_feed(Passes passes, int teeth, double height, double tip) noexcept {
   if (!(height > 1)) return 0;
   const double surely = 0.5 * std::sqrt(height - 1) / reach(teeth);
   if (teeth > kSimulatedTeeth) return surely;
-  const Column column(teeth, tip);
+  const Column column(passes, teeth, tip);
   const int node = column.first_above(height);
   if (node == kFeeds) return std::max(kSimulatedFeeds.back(), surely);
   const double low = Column::square(node - 1), high = Column::square(node);

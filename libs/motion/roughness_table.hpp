@@ -6,12 +6,20 @@
 // b = r sin|alpha| / f_p of the tool axis from where the ball touches, and on the number of teeth.
 // Heights are parts of what passes leave without feed, f_p^2 / 8r on a shallow ball. Between its
 // nodes the table is linear in b and a^2, and nowhere lower than what was simulated.
+//
+// Where the surface slopes across the feed too, the axis stands beside the pass, and where passes
+// begin is nowhere alike. Then it is the highest that passes leave at any phase, either way, and
+// with the axis anywhere beside them.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
 namespace softcnc {
+
+/// How passes stand to each other: all alike on a surface level across the feed, or at any phase,
+/// either way, and however the surface slopes across.
+enum class Passes : std::uint8_t { in_phase, at_any_phase };
 
 inline constexpr int kSimulatedTeeth = 4;  // from 1
 inline constexpr std::array<double, 28> kSimulatedFeeds{
@@ -27,14 +35,15 @@ constexpr double simulated_tip(int node) noexcept {
                            : kFineTip * kFineTips + kCoarseTip * (node - kFineTips);
 }
 
-/// Above 1, as part of a^2, in thousandths, by teeth, b and a: made by scripts/roughness_table.
+/// Above 1, as part of a^2, in thousandths, by passes, teeth, b and a: made by
+/// scripts/roughness_table.
 using SimulatedHeights = std::array<std::array<std::uint16_t, kSimulatedFeeds.size()>,
                                     static_cast<std::size_t>(kSimulatedTips)>;
-extern const std::array<SimulatedHeights, kSimulatedTeeth> kSimulatedHeights;
+extern const std::array<std::array<SimulatedHeights, kSimulatedTeeth>, 2> kSimulatedHeights;
 
 /// The largest height at feeds up to `feed`, above what is simulated by a bound.
-double edge_height(int teeth, double feed, double tip) noexcept;
+double edge_height(Passes passes, int teeth, double feed, double tip) noexcept;
 /// The largest feed up to which no height is above `height`; 0 for heights of 1 and less.
-double edge_feed(int teeth, double height, double tip) noexcept;
+double edge_feed(Passes passes, int teeth, double height, double tip) noexcept;
 
 }  // namespace softcnc

@@ -2,7 +2,9 @@
 // The surface a program asks for (paper 004): what a feed that keeps its roughness depends on.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -17,6 +19,8 @@ struct Surface {
   double spindle = 0;      // 1/s, revolutions of the spindle as the move begins
   double bend_across = 0;  // 1/mm, of the surface square to the feed: above 0 on a hill, below 0 in
                            // a hollow, above -1 / tool_radius
+  double slope_across = 0;  // rad, the largest, of the surface square to the feed as seen from
+                            // above; 0: it is level there, and passes are in phase
 
   /// mm/s at a feed per tooth of 1 mm.
   double tooth_rate() const noexcept { return teeth * spindle; }
@@ -24,6 +28,10 @@ struct Surface {
   /// What passes leave between them, as part of that on a flat surface: 1 - r/(rho_p + r) of paper
   /// 004, equation 1.
   double cusp_part() const noexcept { return 1 / (1 + tool_radius * bend_across); }
+
+  /// mm, from pass to pass along the surface, where it slopes most; the pick-feed is that from
+  /// above.
+  double pick_on_slope() const noexcept { return pick_feed / std::cos(slope_across); }
 
   bool operator==(const Surface&) const = default;
 };
@@ -48,15 +56,12 @@ struct Surfacing {
   SpindlePhase phase = SpindlePhase::aligned;
 };
 
-/// What neighbouring passes leave between them on a flat surface however slow the feed, mm: Rmax
-/// must be above it (paper 004, equation 5: 8 r Rmax > f_p^2).
-constexpr double least_rmax(double tool_radius, double pick_feed) noexcept {
-  return pick_feed * pick_feed / (8 * tool_radius);
-}
-
-/// The same on the surface as it bends across the feed.
+/// What neighbouring passes leave between them however slow the feed, mm: Rmax must be above it. It
+/// is what lies over the chord of a ball; f_p^2 / 8r of paper 004 is a little less.
 inline double least_rmax(const Surface& surface) noexcept {
-  return least_rmax(surface.tool_radius, surface.pick_feed) * surface.cusp_part();
+  const double r = surface.tool_radius, pick = surface.pick_on_slope();
+  const double half_squared = pick * pick * surface.cusp_part() / 4;
+  return half_squared / (r + std::sqrt(std::max(r * r - half_squared, 0.0)));
 }
 
 }  // namespace softcnc

@@ -66,6 +66,12 @@ TEST_CASE("blocks shows by what radius a surface bends across the feed", "[apps]
   CHECK(good.out.find("\"teeth\":2,\"radius_across_mm\":-20}") != std::string::npos);
 }
 
+TEST_CASE("blocks shows how much a surface slopes across the feed", "[apps][blocks]") {
+  const Ended good = call("blocks -", "S6000 M03\nF60 G06.4 D5 J.5 H10.7 L2 Q20\nG01 X1\nM30\n");
+  REQUIRE(good.status == 0);
+  CHECK(good.out.find("\"teeth\":2,\"slope_across_deg\":20}") != std::string::npos);
+}
+
 TEST_CASE("blocks shows what it has while its input pipe is open", "[apps][blocks]") {
   const Folder folder;
   const std::string out = folder / "out";

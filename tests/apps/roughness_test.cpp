@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The roughness asked for, from outside: what check says of it, and what the report and trace show.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -17,6 +20,39 @@ std::string cylinder(const std::string& words) {
          "G03 X21.1309 I21.1309 K-45.3154 F6000\nM30\n";
 }
 const std::string kWords = "G06.4 D5 J0.5 H10.67 L2\n";
+
+/// The same at another Y, behind it.
+std::string cylinder_pass(const std::string& y) {
+  return "G03 X21.1309 I21.1309 K-45.3154 F6000\nG00 Z60\nX-21.1309 Y" + y + "\nZ45.3154\n";
+}
+
+/// Passes along X, each as far from X0 as told.
+std::string one_way(const std::vector<double>& begins) {
+  std::string program;
+  for (std::size_t i = 0; i < begins.size(); ++i)
+    program +=
+        fmt::format("G00 Z5\nX{} Y{}\nZ0\nG01 X20\n", begins[i], 0.5 * static_cast<double>(i));
+  return program + "M30\n";
+}
+
+/// A plane that rises by 8 degrees along X and 20 along Y, one way, each pass begun alike.
+std::string tilted(const std::string& words) {
+  std::string program = "S600 M03 F6000\nG06.4 D5 J0.5 H10.67 L2 " + words + "\n";
+  for (int i = 0; i < 9; ++i) {
+    const double y = 0.5 * i, z = y * std::tan(20 * std::acos(-1) / 180);
+    program += fmt::format("G00 Z30\nX0 Y{0}\nZ{1:.6f}\nG01 X8 Z{2:.6f}\n", y, z,
+                           z + 8 * std::tan(8 * std::acos(-1) / 180));
+  }
+  return program + "G00 Z30\nM30\n";
+}
+
+bool warns_of_phase(const std::string& program, const std::string& place, const std::string& what,
+                    const std::string& options = {}) {
+  const std::string text = "<stdin>:" + place + ": warning SC4012: " + what;
+  const Ended ended = call("check " + options + " -", program);
+  UNSCOPED_INFO(ended.out);
+  return ended.status == 0 && ended.out.find(text) != std::string::npos;
+}
 
 json report_of(const std::string& program, const std::string& options) {
   const Folder folder;
@@ -42,7 +78,7 @@ TEST_CASE("check notes the roughness of every block that asks for one", "[apps][
 TEST_CASE("check warns where the formulas of the paper miss the target", "[apps][roughness]") {
   const Ended ended = call("check --set surface.model=paper -", cylinder(kWords));
   CHECK(ended.status == 0);
-  CHECK(ended.out.find("<stdin>:5:1: warning SC4011: edges leave an Rmax of 1") !=
+  CHECK(ended.out.find("<stdin>:5:1: warning SC4011: edges may leave an Rmax of up to 1") !=
         std::string::npos);
 }
 
@@ -50,18 +86,75 @@ TEST_CASE("check warns of passes that are not in phase", "[apps][roughness]") {
   const std::string head = "S6000 M03 F6000\n" + kWords;
   const std::string to_and_fro = head + "G01 X20\nY0.5\nX0\nY1\nX20\nM30\n";
   const std::string round = head + "G01 X20\nG03 Y0.5 J0.25\nG01 X0\nM30\n";
-  const std::string one_way =
-      head + "G01 X20\nG00 Z5\nX0 Y0.5\nZ0\nG01 X20\nG00 Z5\nX0 Y1\nZ0\nG01 X20\nM30\n";
+  const std::string staggered = head + one_way({0, 0.13, 0.31, 0.07});
   const std::string contour = head + "G01 X20\nY20\nX0\nY0\nX0.5 Y0.5\nX19.5\nY19.5\nM30\n";
-  const std::string warning = "warning SC4012: ";
-  CHECK(call("check -", to_and_fro).out.find("<stdin>:5:1: " + warning) != std::string::npos);
-  CHECK(call("check -", round).out.find(warning) != std::string::npos);
-  CHECK(call("check -", one_way).out.find(warning) == std::string::npos);
-  CHECK(call("check -", contour).out.find(warning) == std::string::npos);
-  CHECK(call("check -", cylinder(kWords)).out.find(warning) == std::string::npos);
-  CHECK(call("check --set surface.phase=time -", cylinder(kWords))
-            .out.find("<stdin>:5:1: " + warning + "the spindle begins passes at any phase") !=
+  CHECK(warns_of_phase(to_and_fro, "5:1", "passes run to and fro"));
+  CHECK(warns_of_phase(round, "5:1", "passes run to and fro"));
+  CHECK(warns_of_phase(staggered, "10:1", "this pass is out of phase with the one beside it"));
+  CHECK(warns_of_phase(contour, "8:1", "this pass is out of phase with the one beside it"));
+  const std::string twice = cylinder(kWords + cylinder_pass("0.5"));
+  CHECK(warns_of_phase(twice, "9:1", "the spindle begins passes at any phase",
+                       "--set surface.phase=time"));
+}
+
+TEST_CASE("check does not warn where passes are in phase, in the air or alone",
+          "[apps][roughness]") {
+  const std::string head = "S6000 M03 F6000\n" + kWords;
+  const std::string returns =
+      "G01 X20\nZ5\nX0 Y0\nZ0\nX20\nZ5\nX0 Y0.5\nZ0\nX20\nZ5\nX0 Y1\nZ0\nX20\nM30\n";
+  for (const std::string& program :
+       {head + one_way({0, 0, 0}), head + returns, head + "G01 X20\nX0\nM30\n",
+        head + "G01 X20\nG03 Y4 J2\nG01 X0\nM30\n", cylinder(kWords)}) {
+    CAPTURE(program);
+    CHECK(call("check -", program).out.find("SC4012") == std::string::npos);
+  }
+  CHECK(call("check --set surface.phase=time -", cylinder(kWords)).out.find("SC4012") ==
         std::string::npos);
+}
+
+TEST_CASE("where Q stands for any phase check does not warn of it", "[apps][roughness]") {
+  const std::string program =
+      "S6000 M03 F6000\nG06.4 D5 J0.5 H10.67 L2 Q1\nG01 X20\nY0.5\nX0\nY1\nX20\nM30\n";
+  CHECK(call("check -", program).out.find("SC4012") == std::string::npos);
+  CHECK(warns_of_phase(program, "5:1", "passes run to and fro", "--set surface.model=paper"));
+}
+
+TEST_CASE("a plunge leaves no surface", "[apps][roughness]") {
+  const Ended ended =
+      call("check --set surface.phase=time -", "S6000 M03 F6000\n" + kWords + "G01 Z-5\nX5\nM30\n");
+  CHECK(ended.out.find("<stdin>:3:1") == std::string::npos);
+  CHECK(ended.out.find("<stdin>:4:1: note SC4010") != std::string::npos);
+  CHECK(ended.out.find("SC4012") == std::string::npos);
+}
+
+TEST_CASE("check warns of slopes across the feed that are not stated, and says which Q to write",
+          "[apps][roughness]") {
+  const Ended without = call("check -", tilted(""));
+  CHECK(without.status == 0);
+  CHECK(without.out.find("warning SC4042: the surface slopes by 20.0 degrees across the feed, "
+                         "which is not stated: edges may leave an Rmax of up to 1") !=
+        std::string::npos);
+  CHECK(without.out.find("; Q20 in G06.4 states all of its slopes") != std::string::npos);
+  CHECK(call("check -", tilted("Q20")).out.find("SC4042") == std::string::npos);
+  CHECK(call("check -", tilted("Q10")).out.find("SC4042") != std::string::npos);
+  CHECK(call("check -", "S6000 M03 F6000\n" + kWords + one_way({0, 0, 0})).out.find("SC4042") ==
+        std::string::npos);
+}
+
+TEST_CASE("with the Q that check names the surface meets its target", "[apps][roughness]") {
+  const Folder folder;
+  const std::string stock =
+      " --set 'stock.origin_mm=[3, 3.2, -3]' --set stock.x_mm=1 --set stock.y_mm=0.5 --set "
+      "stock.z_mm=9 --set stock.grid_um=5 ";
+  const std::string call_surface = "surface -q -" + stock + "-o " + (folder / "tilted.npz");
+  CHECK(call(call_surface, tilted("")).err.find("SC4040") != std::string::npos);
+  const Ended stated = call(call_surface + " --report " + (folder / "report.json"), tilted("Q20"));
+  CHECK(stated.err.empty());
+  std::ifstream stream(folder / "report.json");
+  const json report = json::parse(stream);
+  CHECK(report["regions_judged"].get<int>() > 0);
+  CHECK(report["regions_missed"] == 0);
+  CHECK(report["rmax_um_max"].get<double>() > 0.7 * 10.67);
 }
 
 TEST_CASE("of many blocks check notes a hundred and the roughest of the others",

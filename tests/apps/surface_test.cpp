@@ -204,6 +204,22 @@ TEST_CASE("a surface tells by region whether its target is met", "[apps][surface
   CHECK(report["rmax_um_max"].get<double>() == Approx(most));
 }
 
+TEST_CASE("a report says null of what is not known, and the summary why", "[apps][surface]") {
+  const Folder folder;
+  const std::string files = "-o " + (folder / "own.npz") + " --report " + (folder / "own.json");
+  const std::string head = "S600 M03 F600\nG06.4 D1 J0.77 H200 L2\n";
+  const std::string pass = "G01 X4\nG00 Z5\nX0 Y0.77\nZ0\n";
+  const Ended ended =
+      call("surface --set stock.grid_um=50 - " + files, head + pass + pass + "M30\n");
+  CHECK(ended.status == 0);
+  CHECK(ended.err.find("Rmax         not known: a pick-feed above 0.76 of the tool radius") !=
+        std::string::npos);
+  const json report = json::parse(read(folder / "own.json"));
+  CHECK(report.contains("rmax_um_max"));
+  CHECK(report["rmax_um_max"].is_null());
+  CHECK(report["rmax_um_mean"].is_null());
+}
+
 TEST_CASE("the surfaces of paper 004 are as rough as it says", "[apps][surface][paper004]") {
   const Folder folder;
   const std::string file = folder / "surface.npz";

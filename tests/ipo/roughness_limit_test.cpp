@@ -187,7 +187,8 @@ TEST_CASE("random curves keep their roughness with both models, with jerk limits
           for (Axis& axis : machine.axes) axis.jerk = 0;
         Surface surface = paper_surface();
         surface.pick_feed = real(0.05, 0.6);
-        surface.rmax = least_rmax(5, surface.pick_feed) * real(1.05, 4);
+        if (integer(0, 2) == 0) surface.slope_across = real(0.01, 0.6);
+        surface.rmax = least_rmax(surface) * real(1.05, 4);
         surface.teeth = integer(1, 5);
         surface.spindle = real(5, 400);
         std::vector<Block> blocks = random_program(random, integer(1, 4));

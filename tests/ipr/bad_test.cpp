@@ -169,7 +169,8 @@ const std::multimap<Code, std::string> kTexts{
      "G10 L2 in G91 sets the origin to the values; in the fanuc dialect: adds the values to the "
      "origin"},
     {Code::SC2123,
-     "G10 L1, L10, L11 with R alone sets the radius of tool P; in the fanuc dialect: sets the length "
+     "G10 L1, L10, L11 with R alone sets the radius of tool P; in the fanuc dialect: sets the "
+     "length "
      "of offset P (L10) or its wear (L1, L11)"},
     {Code::SC2124,
      "G43 without H takes the length of the tool in the spindle; in the fanuc dialect: takes the "
@@ -380,7 +381,7 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC3120, "a spline goes through 10000 points at most, its start among them"},
     {Code::SC3121, "G05.3 ends no curve: G05.2 does not stand before"},
     {Code::SC3122, "the program ends, and the curve has no G05.3"},
-    {Code::SC3123, "G06.4 beside G02, which takes D, J, H, L or R too"},
+    {Code::SC3123, "G06.4 beside G02, which takes D, J, H, L, R or Q too"},
     {Code::SC3124, "D, the tool radius, must be above 0"},
     {Code::SC3124, "J, the pick-feed, must be above 0"},
     {Code::SC3124, "H, the target Rmax, must be above 0"},
@@ -393,14 +394,21 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC3125, "D, the tool radius, is missing, and no tool is in the spindle"},
     {Code::SC3125, "L, the number of teeth, is missing, and the machine file has none for tool 7"},
     {Code::SC3126,
-     "an Rmax of 5 um is out of reach: it must be more than the 6.25 um that this pick-feed and "
+     "an Rmax of 5 um is out of reach: it must be more than the 6.254 um that this pick-feed and "
      "radius leave however slow the feed"},
+    {Code::SC3126,
+     "an Rmax of 25 um is out of reach: it must be more than the 25.063 um that this pick-feed, "
+     "slope and radius leave however slow the feed"},
+    {Code::SC3124, "Q, the largest slope across the feed, is from 0 to below 90 degrees"},
+    {Code::SC3124,
+     "Q, the slope across the feed, sets passes 12 mm apart: that must be below twice the tool "
+     "radius of 5 mm"},
     {Code::SC3128, "a roughness is asked for, and the spindle does not turn: S is not set"},
     {Code::SC3128,
      "a roughness is asked for, and the spindle does not turn: neither M03 nor M04 is in force"},
     {Code::SC3128, "a roughness is asked for, and the spindle does not turn: S is 0"},
     {Code::SC3129,
-     "an Rmax of 6.251 um asks for less than 2 um per tooth, where teeth rub; it is not held "
+     "an Rmax of 6.254 um asks for less than 2 um per tooth, where teeth rub; it is not held "
      "there"},
 };
 

@@ -63,6 +63,32 @@ TEST_CASE("R bends the surface across the feed, in program units", "[ipr][surfac
   CHECK(places(interpret("G06.4 D5 J.5 H6 L2 R20\nM30\n")) == Places{});
 }
 
+TEST_CASE("Q is the largest slope across the feed, in degrees", "[ipr][surface]") {
+  const auto moves = moves_at_speed(
+      "F600 G06.4 D5 J.5 H10 L2\nG01 X1\nG06.4 D5 J.5 H10 L2 Q20\nX2\nG20 G06.4 D.2 J.02 H10 L2 "
+      "Q5 R-1\nX3\nG21 G06.4 D5 J.5 H10 L2 Q0\nX80\nG06.5\nM30\n");
+  CHECK(moves[0].surface->slope_across == 0);
+  CHECK(moves[1].surface->slope_across == Approx(20 * 3.14159265 / 180));
+  CHECK(moves[2].surface->slope_across == Approx(5 * 3.14159265 / 180));
+  CHECK(moves[3].surface->slope_across == 0);
+  CHECK(places(interpret("G06.4 D5 J.5 H10 L2 Q90\nM30\n")) == Places{"SC3124 1:21"});
+  CHECK(places(interpret("G06.4 D5 J.5 H10 L2 Q-1\nM30\n")) == Places{"SC3124 1:21"});
+}
+
+TEST_CASE("what is out of reach is what lies over the chord of the ball, on its slope too",
+          "[ipr][surface]") {
+  // 5 - sqrt(25 - 1/16) mm are 6.2539 um; 0.5^2 / 8 5 would be 6.25.
+  CHECK(places(interpret("G06.4 D5 J.5 H6.2538 L2\nM30\n")) == Places{"SC3126 1:14"});
+  CHECK(places(interpret("S600 M03 G06.4 D5 J.5 H6.28 L2\nM30\n")) == Places{});
+  // A ball of 1 mm, passes 1.6 mm apart: 0.4 mm, not 0.32.
+  CHECK(places(interpret("G06.4 D1 J1.6 H399.9 L2\nM30\n")) == Places{"SC3126 1:15"});
+  CHECK(places(interpret("G06.4 D1 J1.6 H401 L2\nM30\n")) == Places{});
+  // At 60 degrees passes 0.5 mm apart from above are 1 mm apart: 25.06 um.
+  CHECK(places(interpret("G06.4 D5 J.5 H25 L2 Q60\nM30\n")) == Places{"SC3126 1:14"});
+  CHECK(places(interpret("G06.4 D5 J.5 H25.5 L2 Q60\nM30\n")) == Places{});
+  CHECK(places(interpret("G06.4 D5 J6 H1000 L2 Q60\nM30\n")) == Places{"SC3124 1:22"});
+}
+
 TEST_CASE("in the first block of a NURBS R is the weight", "[ipr][surface]") {
   const auto moves = moves_at_speed("F600 G06.2 P2 K0 X0 D5 J.5 H10 L2 R2\nK0 X1\nK1\nK1\nM30\n");
   REQUIRE(moves[0].surface);
@@ -136,7 +162,7 @@ TEST_CASE("an S that is wrong is not told again by what needs it", "[ipr][surfac
 }
 
 TEST_CASE("the model of the machine decides whether teeth would rub", "[ipr][surface]") {
-  const std::string program = "S6000 M03 F600\nG06.4 D5 J.5 H6.251 L2\nG01 X1\nM30\n";
+  const std::string program = "S6000 M03 F600\nG06.4 D5 J.5 H6.25393 L2\nG01 X1\nM30\n";
   CHECK(places(interpret(program)) == Places{"SC3129 2:14"});
   Machine machine;
   machine.surfacing.model = RoughnessModel::paper;

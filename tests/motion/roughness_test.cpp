@@ -31,8 +31,15 @@ constexpr auto kBoth = {RoughnessModel::paper, RoughnessModel::guaranteed};
 Surface random_surface() {
   Surface surface{real(0.5, 10), 0, 0, integer(1, 4)};
   surface.pick_feed = surface.tool_radius * real(0.02, 0.2);
-  surface.rmax = least_rmax(surface.tool_radius, surface.pick_feed) * real(1.1, 6);
+  surface.rmax = least_rmax(surface) * real(1.1, 6);
   return surface;
+}
+
+Strewn random_passes() {
+  Strewn strewn{.aside = real(-2, 2) * real(0, 1)};
+  for (double& phase : strewn.phases) phase = real(0, 1);
+  for (bool& backwards : strewn.backwards) backwards = integer(0, 1) == 1;
+  return strewn;
 }
 
 double sine_of(double degrees) { return std::sin(rad_from_deg(degrees)); }
@@ -96,6 +103,7 @@ TEST_CASE("where a surface bends, simulated edges leave no more than the guarant
   holds(
       [] {
         Surface s = random_surface();
+        if (integer(0, 1) == 1) s.slope_across = 1e-6;  // at any phase
         const bool is_across = integer(0, 1) == 1;
         const double bend = real(0, 1) * (is_across && integer(0, 1) == 1 ? -0.5 : 1);
         if (is_across) s.bend_across = bend / s.tool_radius;
@@ -105,9 +113,9 @@ TEST_CASE("where a surface bends, simulated edges leave no more than the guarant
         if (feed <= kLeastFeedPerTooth) return;
         const double along = 1 + s.tool_radius * hollow, part = s.cusp_part();
         const double pick = s.pick_feed * std::sqrt(part);
-        const EdgeSurface edges(feed * std::sqrt(along) / pick,
-                                s.tool_radius * sine / (pick * std::sqrt(along)), s.teeth,
-                                std::sqrt(along / part));
+        const EdgeSurface edges(
+            feed * std::sqrt(along) / pick, s.tool_radius * sine / (pick * std::sqrt(along)),
+            s.teeth, s.slope_across > 0 ? random_passes() : Strewn(), std::sqrt(along / part));
         const double r = s.tool_radius, chord = pick * std::sqrt(edges.rmax()) / 2;
         RC_ASSERT(r - std::sqrt(r * r - chord * chord) <= s.rmax * 1.001);
       },
@@ -178,7 +186,7 @@ TEST_CASE("no simulated edges leave more than the table says, nor much less",
         const int teeth = integer(1, kSimulatedTeeth);
         const double feed = real(0.1, 1) * (integer(0, 3) == 0 ? 4 : 1), tip = real(0, 3);
         const double simulated = EdgeSurface(feed, tip, teeth).rmax();
-        const double table = edge_height(teeth, feed, tip);
+        const double table = edge_height(Passes::in_phase, teeth, feed, tip);
         RC_ASSERT(simulated <= table * 1.001);
         if (feed > 0.6) return;   // beyond, heights need not grow, and those of the table do
         double most = simulated;  // at any lower feed
@@ -194,9 +202,37 @@ TEST_CASE("beyond the table a bound holds", "[roughness][property]") {
       [] {
         const int teeth = integer(1, 8);
         const double feed = real(0.2, 1) * (teeth > kSimulatedTeeth ? 1 : 20), tip = real(0, 12);
-        RC_ASSERT(EdgeSurface(feed, tip, teeth).rmax() <= edge_height(teeth, feed, tip) * 1.01);
+        RC_ASSERT(EdgeSurface(feed, tip, teeth).rmax() <=
+                  edge_height(Passes::in_phase, teeth, feed, tip) * 1.01);
       },
       30);
+}
+
+TEST_CASE(
+    "at any phase, either way and on any slope across edges leave no more than the table says",
+    "[roughness][property]") {
+  holds(
+      [] {
+        const int teeth = integer(1, kSimulatedTeeth + 2);
+        const double feed = real(0.1, 1) * (integer(0, 3) == 0 ? 4 : 1), tip = real(0, 3);
+        RC_ASSERT(EdgeSurface(feed, tip, teeth, random_passes()).rmax() <=
+                  edge_height(Passes::at_any_phase, teeth, feed, tip) * 1.001);
+      },
+      200);
+}
+
+TEST_CASE("at any phase the table says hardly more than edges may leave", "[roughness]") {
+  for (const int teeth : {1, 2, 3})
+    for (const double tip : {0.0, 0.5, 2.0}) {
+      const double feed = 0.5;
+      double most = 0;
+      for (int i = 0; i < 60; ++i)
+        for (const double phase : {0.0, 0.25, 0.5, 0.75})
+          most = std::max(
+              most, EdgeSurface(feed, tip, teeth, Strewn{0.08 * i, {0, phase, 0, phase}}).rmax());
+      CAPTURE(teeth, tip);
+      CHECK(edge_height(Passes::at_any_phase, teeth, feed, tip) < 1 + 1.15 * (most - 1));
+    }
 }
 
 TEST_CASE("by the guaranteed model simulated edges keep the target at every inclination",
@@ -227,7 +263,7 @@ TEST_CASE("the formulas under-predict where the tip begins to cut", "[roughness]
 
 TEST_CASE("no target asks for teeth that rub", "[roughness]") {
   Surface surface = kPaper;
-  surface.rmax = least_rmax(5, 0.5) * (1 + 1e-9);
+  surface.rmax = least_rmax(surface) * (1 + 1e-9);
   CHECK(least_feed_per_tooth(RoughnessModel::guaranteed, surface) == kLeastFeedPerTooth);
   CHECK(least_feed_per_tooth(RoughnessModel::paper, surface) > 0.07);
 }
@@ -239,6 +275,12 @@ TEST_CASE("a valley bends upwards, a hill does not", "[motion][roughness]") {
   CHECK(hollow_bend(level, {0, 0.1, 0}) == 0);
   CHECK(hollow_bend(steep, 0.1 * AxisVector(-std::sqrt(0.5), 0, std::sqrt(0.5))) == Approx(0.1));
   CHECK(hollow_bend({0, 0, 1}, {0.1, 0, 0}) == 0);
+  // On a surface that slopes across, a way that bends to the side may bend up it.
+  CHECK(hollow_bend(level, {0, 0.1, 0}, 0.5) == Approx(0.1 * std::sin(0.5)));
+  CHECK(hollow_bend(level, {0, -0.06, 0.08}, 0.2) ==
+        Approx(0.08 * std::cos(0.2) + 0.06 * std::sin(0.2)));
+  CHECK(hollow_bend(level, {0, -0.06, 0.08}, 1.5) == Approx(0.1));
+  CHECK(hollow_bend(level, {0, 0.06, -0.08}, 0.2) == 0);
 }
 
 TEST_CASE("in a valley the marks of the feed are as high as equation 1 says",

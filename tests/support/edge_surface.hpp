@@ -12,9 +12,16 @@
 
 namespace softcnc::test {
 
+/// Of four passes next to each other, and of those beyond them again.
+struct Strewn {
+  double aside = 0;                 // of the tool axis, from where the ball touches
+  std::array<double, 4> phases{};   // feeds per tooth
+  std::array<bool, 4> backwards{};  // against the others
+};
+
 /// `feed`: per tooth; `tip`: how far the tool axis stands from where the ball touches, r
 /// sin|alpha|. The ball is shallow where it cuts, and edges are rays from the axis. Passes are in
-/// phase.
+/// phase, if they are not strewn.
 class EdgeSurface {
  public:
   /// `stretch`: on a surface that bends all lengths are those that make the ball lie over it as
@@ -22,13 +29,19 @@ class EdgeSurface {
   EdgeSurface(double feed, double tip, int teeth, double stretch = 1)
       : feed_(feed), tip_(tip), share_(teeth / (2 * std::numbers::pi)), stretch_(stretch) {}
 
+  EdgeSurface(double feed, double tip, int teeth, const Strewn& strewn, double stretch = 1)
+      : EdgeSurface(feed, tip, teeth, stretch) {
+    strewn_ = strewn;
+  }
+
   /// Above the ideal surface at `x` along the feed and `y` across it, from the line of a pass.
   double height(double x, double y) const {
     double least = std::numeric_limits<double>::infinity();
     const double pass = std::floor(y);
     for (const double side : {0.0, 1.0, -1.0, 2.0}) {
       const double dy = y - pass - side;
-      if (4 * dy * dy < least) least = std::min(least, cut_by_pass(x, dy == 0 ? kOffLine : dy));
+      if (4 * dy * dy < least)
+        least = std::min(least, cut_by_pass(x, dy, static_cast<int>(pass + side) & 3));
     }
     return least;
   }
@@ -85,7 +98,15 @@ class EdgeSurface {
     return square > 0 ? std::sqrt(square) / stretch_ : 0;
   }
 
-  double cut_by_pass(double x, double dy) const {
+  /// Which way a pass goes is which way its edges turn, but for its phase.
+  double cut_by_pass(double x, double dy, int pass) const {
+    const auto number = static_cast<std::size_t>(pass);
+    const double beside = (strewn_.backwards[number] ? -1 : 1) * (dy + strewn_.aside);
+    const double from = x + strewn_.phases[number] * feed_;
+    return 4 * (nearest_cut(from, beside == 0 ? kOffLine : beside) + dy * dy);
+  }
+
+  double nearest_cut(double x, double dy) const {
     const double far = tip_ + feed_ * (2 + 4 * share_) + 1, close = turn(dy);
     double least = std::numeric_limits<double>::infinity();
     const auto seek = [&](double from, double to) {
@@ -98,7 +119,7 @@ class EdgeSurface {
       seek(-close, close);
       seek(close, far);
     }
-    return 4 * (least + dy * dy);
+    return least;
   }
 
   /// The least square distance along the feed from the lowest point of the ball, -tip, to a cut.
@@ -136,6 +157,7 @@ class EdgeSurface {
   double feed_, tip_;
   double share_;  // teeth / 2 pi
   double stretch_;
+  Strewn strewn_;
 };
 
 }  // namespace softcnc::test

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "hal/workpiece.hpp"
 
@@ -19,6 +20,8 @@ struct Milling {
   double incline = 0;  // degrees, of the feed
   double tilt = 0;     // degrees, across the feed
   double spin = 600;   // rad/s
+  double lag = 0;      // of each pass behind the one before, feeds per tooth
+  bool to_and_fro = false;
 };
 
 inline double radians(double degrees) { return degrees * std::numbers::pi / 180; }
@@ -44,7 +47,9 @@ inline void mill(hal::ToolTrack& track, double& t, const Milling& milling, int p
   const AxisVector up = above * normal(milling);
   for (int pass = 0; pass < passes; ++pass) {
     const double y = (first + pass * milling.pick) * std::cos(radians(milling.tilt));
-    const AxisVector from = tip_over(milling, 0, y) + up, to = tip_over(milling, length, y) + up;
+    const double lag = pass * milling.lag * milling.feed * std::cos(radians(milling.incline));
+    AxisVector from = tip_over(milling, lag, y) + up, to = tip_over(milling, length + lag, y) + up;
+    if (milling.to_and_fro && pass % 2 == 1) std::swap(from, to);
     const double taken = (to - from).norm() / speed;
     track.add({t, from, from, false});
     track.begin(cutter);
@@ -77,7 +82,9 @@ inline hal::StockGrid grid_of(double x, double y, double side_x, double side_y, 
 inline double rmax(const Milling& milling, double step) {
   const double length = 6 * milling.feed + 4 * milling.radius * 0.3;
   const auto track = milled(milling, 7, length);
-  const auto grid = grid_of(length / 2, 3 * milling.pick, milling.feed, milling.pick, step);
+  const double level = std::cos(radians(milling.tilt));
+  const auto grid =
+      grid_of(length / 2, 3 * milling.pick * level, milling.feed, milling.pick * level, step);
   const auto tile = hal::Workpiece(track, grid).cut(0, 0, grid.columns, grid.rows);
   return *std::max_element(tile.deviations.begin(), tile.deviations.end());
 }
