@@ -12,6 +12,7 @@
 #include "hal/machine_file.hpp"
 #include "lateness.hpp"
 #include "messages.hpp"
+#include "motion/step_rate.hpp"
 #include "motion/units.hpp"
 #include "realtime.hpp"
 #include "signals.hpp"
@@ -22,22 +23,36 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kNsPerUs = 1e3, kNsPerSecond = 1e9;
-constexpr std::int64_t kLook = 100'000'000;  // ns between two looks for Ctrl-C
-constexpr double kPeriodsPerStep = 2;        // one high, one low
+constexpr std::int64_t kLook = 100'000'000;   // ns between two looks for Ctrl-C
+constexpr std::int64_t kGrace = 500'000'000;  // ns to catch up, beyond the time asked for
+constexpr double kPeriodsPerStep = 2;         // one high, one low
+
+constexpr const char* kTooShort =
+    "\nThis computer does not keep pace with this period at all; measure with a longer one.\n";
 
 std::int64_t to_ns(double seconds) noexcept { return std::llround(seconds * kNsPerSecond); }
 double us(std::int64_t ns) noexcept { return static_cast<double>(ns) / kNsPerUs; }
 
-/// Wakes once a period for so many s, or until a signal comes.
+/// So many wake-ups fit into the time asked for.
+std::int64_t wakeups_in(double seconds, std::int64_t period) noexcept {
+  return static_cast<std::int64_t>(seconds * kNsPerSecond) / period;
+}
+
+/// Wakes once a period for so many s, or until a signal comes. Where it cannot keep pace, it makes
+/// fewer wake-ups.
 Lateness measure(double seconds, std::int64_t period, StopSignals& signals) {
   Lateness lateness(period);
-  const std::int64_t look_after = std::max<std::int64_t>(kLook / period, 1);
-  const auto wakeups = static_cast<std::int64_t>(seconds * kNsPerSecond) / period;
-  const std::int64_t begin = now_ns() + period;
-  for (std::int64_t i = 0; i < wakeups; ++i) {
-    if (i % look_after == 0 && signals.poll() != 0) break;
+  const std::int64_t wakeups = wakeups_in(seconds, period);
+  std::int64_t now = now_ns(), look = now;
+  const std::int64_t begin = now + period, end = now + to_ns(seconds) + kGrace;
+  for (std::int64_t i = 0; i < wakeups && now < end; ++i) {
+    if (now >= look) {
+      if (signals.poll() != 0) break;
+      look = now + kLook;
+    }
     sleep_until(begin + i * period);
-    lateness.add(now_ns() - begin - i * period);
+    now = now_ns();
+    lateness.add(now - begin - i * period);
   }
   return lateness;
 }
@@ -52,17 +67,20 @@ struct Pace {
 Pace pace_of(const Lateness& lateness, const Machine& machine) {
   const double period = static_cast<double>(lateness.shortest_period()) / kNsPerSecond;
   const double steps = 1 / (kPeriodsPerStep * period);
-  return {period, std::min(steps, machine.step_port.max_rate), steps > machine.step_port.max_rate};
+  const double most = step_rate(machine.step_port);
+  return {period, std::min(steps, most), steps > most};
 }
 
 double feed_of(const Pace& pace, const Axis& axis) { return pace.steps * axis.blu; }
 
-std::string figures(const Lateness& lateness, std::int64_t period, const RealtimeRights& rights) {
+std::string figures(const Lateness& lateness, std::int64_t period, std::int64_t left_out,
+                    const RealtimeRights& rights) {
   std::string text = fmt::format("{} wake-ups, one every {:.6g} us: {}\n\n  late by, us",
                                  lateness.wakeups(), us(period), app::text(rights));
   for (const auto& [name, part] : kPercentiles)
     text += fmt::format("   {} {:.1f}", name, us(lateness.percentile(part)));
-  return text + fmt::format("\n  overruns      {}\n", lateness.overruns());
+  text += fmt::format("\n  overruns      {}\n", lateness.overruns());
+  return left_out > 0 ? text + fmt::format("  no time for   {} more\n", left_out) : text;
 }
 
 std::string consequences(const Pace& pace, const Machine& machine) {
@@ -82,8 +100,8 @@ std::string consequences(const Pace& pace, const Machine& machine) {
   return text;
 }
 
-std::string report_of(const Lateness& lateness, std::int64_t period, const RealtimeRights& rights,
-                      const Machine& machine) {
+std::string report_of(const Lateness& lateness, std::int64_t period, std::int64_t left_out,
+                      const RealtimeRights& rights, const Machine& machine) {
   const Pace pace = pace_of(lateness, machine);
   Json report{{"wakeups", lateness.wakeups()},
               {"period_us", us(period)},
@@ -92,6 +110,7 @@ std::string report_of(const Lateness& lateness, std::int64_t period, const Realt
   for (const auto& [name, part] : kPercentiles)
     report["late_us"][name] = us(lateness.percentile(part));
   report["overruns"] = lateness.overruns();
+  report["left_out"] = left_out;
   report["shortest_period_us"] = us(lateness.shortest_period());
   report["steps_hz"] = pace.steps;
   for (int i = 0; i < kAxes; ++i)
@@ -117,12 +136,16 @@ int latency(const Options& options) {
   int status = signals.poll() != 0 ? kSignalled + signals.poll() : 0;
   if (lateness.wakeups() == 0) return status;
   StandardOutput out;
-  out.write(figures(lateness, period, rights) +
-            consequences(pace_of(lateness, *machine), *machine));
+  // Ctrl-C leaves none out: it shortens the time.
+  const std::int64_t left_out =
+      status == 0 ? wakeups_in(options.seconds, period) - lateness.wakeups() : 0;
+  out.write(figures(lateness, period, left_out, rights) +
+            (left_out > 0 ? std::string(kTooShort)
+                          : consequences(pace_of(lateness, *machine), *machine)));
   status = worse_status(status, out.finish());
   if (options.report.empty()) return status;
   const auto written =
-      hal::write_file(options.report, report_of(lateness, period, rights, *machine));
+      hal::write_file(options.report, report_of(lateness, period, left_out, rights, *machine));
   return written ? status : worse_status(status, failed(written.error()));
 }
 

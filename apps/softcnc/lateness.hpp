@@ -27,8 +27,8 @@ class Lateness {
   std::int64_t largest() const noexcept { return largest_; }  // ns
   /// Wake-ups that came no sooner than the next one was due.
   std::int64_t overruns() const noexcept { return overruns_; }
-  /// ns, rounded up to whole us: `part` of the wake-ups, 0 to 1, were no later; at most the
-  /// largest.
+  /// ns, rounded up to whole us, beyond 0.1 s by at most one part in 2048: `part` of the wake-ups,
+  /// 0 to 1, were no later; at most the largest.
   std::int64_t percentile(double part) const noexcept;
 
   /// The shortest period, ns, that would have been kept: whole us, and above the largest lateness.
@@ -37,7 +37,7 @@ class Lateness {
  private:
   std::int64_t period_;
   std::int64_t wakeups_ = 0, overruns_ = 0, largest_ = 0;
-  std::vector<std::int64_t> by_us_;  // the last: and above
+  std::vector<std::int64_t> bins_;
 };
 
 }  // namespace softcnc::app

@@ -13,9 +13,10 @@
 namespace softcnc::app {
 namespace {
 
-constexpr double kAhead = 0.5;               // s of words in the queue
-constexpr std::int64_t kLook = 1'000'000;    // ns from one look at the inputs to the next
-constexpr std::int64_t kBreath = 1'000'000;  // ns that whoever fills the queue waits for room
+constexpr double kAhead = 0.5;                  // s of words in the queue
+constexpr std::int64_t kLook = 1'000'000;       // ns from one look at the inputs to the next
+constexpr std::int64_t kBreath = 1'000'000;     // ns that whoever fills the queue waits for room
+constexpr std::int64_t kPatience = 20'000'000;  // ns for the thread to end by itself
 constexpr double kNsPerSecond = 1e9;
 
 std::size_t words_ahead(const hal::PortTiming& timing) {
@@ -77,9 +78,13 @@ Status PacedPlayer::finish() {
   return tl::make_unexpected(output_.diagnostic(alarm_));
 }
 
+/// The thread writes no more once it has ended. It is waited for, unless the signal is its own or
+/// something holds it up.
 void PacedPlayer::abandon() noexcept {
   abandoned_ = true;
-  if (!ended_) sleep_until(now_ns() + 2 * timing_.base);
+  const bool own = thread_.get_id() == std::this_thread::get_id();
+  const std::int64_t patience = now_ns() + std::max(2 * timing_.base, kPatience);
+  while (!ended_ && !own && now_ns() < patience) sleep_until(now_ns() + kBreath / 10);
   output_.rest();
 }
 

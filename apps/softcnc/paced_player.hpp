@@ -32,7 +32,8 @@ class PacedPlayer final : public hal::PortPlayer {
   void rest() noexcept override;
   Status finish() override;
 
-  /// The port at rest, at once; nothing is written any more. For signal handlers.
+  /// The port at rest, as soon as the word being written is out; nothing is written any more. For
+  /// signal handlers.
   void abandon() noexcept;
 
  private:

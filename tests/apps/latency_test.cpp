@@ -32,6 +32,39 @@ TEST_CASE("percentiles, overruns and the shortest period follow from the wake-up
   CHECK(lateness.percentile(1) == 250'000'000);
 }
 
+TEST_CASE("percentiles tell lateness of any size", "[apps]") {
+  constexpr std::int64_t kMs = 1'000'000;
+  for (const std::int64_t unit : {kMs, 100 * kMs, 3'600'000 * kMs}) {
+    CAPTURE(unit);
+    Lateness lateness(kMs);
+    for (std::int64_t i = 1; i <= 1000; ++i) lateness.add(i * unit);
+    for (const double part : {0.001, 0.5, 0.9, 0.999}) {
+      const double exact = 1000 * part * static_cast<double>(unit);
+      CAPTURE(part);
+      CHECK(static_cast<double>(lateness.percentile(part)) >= exact);
+      CHECK(static_cast<double>(lateness.percentile(part)) <= exact * (1 + 1.0 / 2048));
+    }
+    CHECK(lateness.percentile(1) == 1000 * unit);
+  }
+  Lateness exact(kMs);
+  for (std::int64_t us = 1; us <= 131'071; ++us) exact.add(us * 1000);
+  CHECK(exact.percentile(0.5) == 65'536'000);
+  CHECK(exact.percentile(0.999) == 130'940'000);
+}
+
+TEST_CASE("the time to measure is a bound, however short the period", "[apps]") {
+  const Folder folder;
+  const std::int64_t begin = now_ns();
+  const Ended ended = call("latency --seconds 0.3 --period-us 1 --report " + (folder / "r.json"));
+  CHECK(now_ns() - begin < 5'000'000'000);  // 0.3 s, and whatever this computer does besides
+  CHECK(ended.status == 0);
+  const auto report = nlohmann::json::parse(read(folder / "r.json"));
+  CHECK(report["wakeups"].get<int>() + report["left_out"].get<int>() == 300'000);
+  const bool told = ended.out.find("  no time for   ") != std::string::npos;
+  CHECK(told == (report["left_out"] > 0));
+  CHECK(told != (ended.out.find("this computer keeps ") != std::string::npos));
+}
+
 TEST_CASE("the clock is waited for", "[apps]") {
   const std::int64_t begin = now_ns();
   sleep_until(begin + 2'000'000);

@@ -4,6 +4,7 @@
 
 #include <sys/wait.h>
 #include <unistd.h>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <csignal>
 
@@ -143,6 +144,40 @@ TEST_CASE("a player that goes away leaves the port at rest", "[apps][parport]") 
     sleep_until(now_ns() + 20'000'000);
   }
   CHECK(is_at_rest(record));
+}
+
+namespace {
+
+/// A port whose writes take as long as a hundred base periods, but for that of the rest.
+class SlowPort final : public hal::PortRegisters {
+ public:
+  explicit SlowPort(std::atomic<int>& written) : written_(written) {}
+  bool write_data(std::uint8_t bits) noexcept override {
+    if (bits != 0) sleep_until(now_ns() + 5'000'000);
+    ++written_;
+    return true;
+  }
+  bool write_control(std::uint8_t) noexcept override { return true; }
+  std::optional<std::uint8_t> read_status() noexcept override { return 0; }
+  Diagnostic failure() const override { return {Code::SC6074, {}, "", "", {}}; }
+
+ private:
+  std::atomic<int>& written_;
+};
+
+}  // namespace
+
+TEST_CASE("behind an abandoned player nothing is written any more", "[apps][parport]") {
+  std::atomic<int> written{0};
+  auto player = PacedPlayer::open(on_port(), std::make_unique<SlowPort>(written));
+  REQUIRE(player);
+  (*player)->play(words(6'000));
+  for (int i = 0; i < 1000 && written < 5; ++i) sleep_until(now_ns() + 1'000'000);
+  REQUIRE(written >= 5);
+  (*player)->abandon();
+  const int before = written;
+  sleep_until(now_ns() + 20'000'000);
+  CHECK(written == before);
 }
 
 namespace {

@@ -80,6 +80,24 @@ TEST_CASE("a run under nohup survives a hang-up", "[apps][stop]") {
   CHECK(folder.files() == std::vector<std::string>{"t.csv"});
 }
 
+TEST_CASE("a second signal ends at once and leaves no half-written file", "[apps][stop]") {
+  const Folder folder;
+  std::string part = "G90 G00 X0 Y100\nG02 F6000\n";
+  for (int i = 0; i < 20; ++i) part += "I50\n";
+  write(folder / "long.nc", part + "M30\n");
+  write(folder / "old.csv", "of a run before\n");
+  // By the clock the stop takes half a second, and the signals after the first one come before.
+  const Ended ended = shell(
+      "$softcnc run --realtime --backend stepdir --set backend.stepdir.file=" + (folder / "e.vcd") +
+      " " + (folder / "long.nc") + " --trace " + (folder / "old.csv") + " & pid=$!; until [ -e " +
+      (folder / "old.csv.part") + " ] && [ -e " + (folder / "e.vcd.part") +
+      " ]; do sleep 0.02; done; sleep 0.2; " +
+      "for i in 1 2 3 4 5 6; do kill -TERM $pid; sleep 0.04; done; wait $pid");
+  CHECK(ended.status == 143);
+  CHECK(folder.files() == std::vector<std::string>{"long.nc", "old.csv"});
+  CHECK(read(folder / "old.csv") == "of a run before\n");
+}
+
 TEST_CASE("a stop during the pre-flight moves nothing", "[apps][stop]") {
   const Folder folder;
   std::string part = "G90 G01 F60\n";
