@@ -15,9 +15,10 @@
 #include <fstream>
 #include <iterator>
 
-#include "hal/edge_file.hpp"
+#include "hal/edge_reader.hpp"
 #include "hal/pulse_rules.hpp"
 #include "hal/stepdir.hpp"
+#include "motion/step_rate.hpp"
 #include "support/random_program.hpp"
 
 namespace {
@@ -70,7 +71,7 @@ Machine Trial::machine() {
   for (Axis& axis : machine.axes) {
     axis.blu = std::round(std::pow(10.0, uniform(2.5, 4))) * 1e-6;  // whole nm
     if (paper) axis.blu = machine.axes[0].blu;
-    axis.velocity = axis.blu * port.max_rate * uniform(0.3, 1);
+    axis.velocity = axis.blu * step_rate(port) * uniform(0.3, 1);
     axis.acceleration = std::pow(10.0, uniform(2, 4));
     axis.jerk = jerk ? 20 * axis.acceleration : 0;
   }

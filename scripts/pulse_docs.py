@@ -9,7 +9,6 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs/pulses.md"
 FIGURE = ROOT / "docs/pulses.svg"
-PAPER_RADIUS = "4000"
 NAMES = {"sam": "SAM", "m-sam": "M_SAM", "dda": "DDA", "dsm": "DSM", "m-dsm": "M_DSM"}
 COLOURS = {"sam": "#b5651d", "m-sam": "#1f77b4", "dda": "#7f7f7f", "dsm": "#2ca02c", "m-dsm": "#d62728"}
 
@@ -24,16 +23,22 @@ def table(head, lines):
     return "\n".join(f"| {' | '.join(cells)} |" for cells in [head, ["---"] * len(head), *lines]) + "\n"
 
 
-def table_3(radii):
-    of = {method: figures for radius, method, *figures in radii if radius == PAPER_RADIUS}
+def table_3(paper):
+    of = {method: figures for _, method, *figures in paper}
     return table(["method", "places", "mean error", "largest error"],
                  [[NAMES[m], of[m][0], of[m][2], of[m][3]] for m in NAMES])
 
 
-def table_of_radii(radii):
-    lines = [[radius, NAMES[method], moves, mean, largest]
-             for radius, method, _, moves, mean, largest in radii if radius != PAPER_RADIUS]
-    return table(["R, BLU", "method", "pulses", "mean error", "largest error"], lines)
+def spread(least, most):
+    return least if least == most else f"{least} … {most}"
+
+
+def table_of_circles(circles):
+    lines = [[radius, NAMES[method], *(spread(*figures[i:i + 2]) for i in range(0, 10, 2)),
+              "exact" if figures[10] == "0" else f"{figures[10]} BLU off"]
+             for radius, method, *figures in circles]
+    return table(["R, BLU", "method", "pulses of a quadrant", "mean error", "largest error",
+                  "mean error across", "largest error across", "ends"], lines)
 
 
 def curves(feeds, path):
@@ -101,8 +106,8 @@ def main(arguments):
     action.add_argument("--write", action="store_true")
     parser.add_argument("pulse_table", help="the program that measures")
     options = parser.parse_args(arguments)
-    radii, feeds = rows(options.pulse_table, "radii"), rows(options.pulse_table, "feeds")
-    tables = {"paper": table_3(radii), "radii": table_of_radii(radii), "feeds": table_of_feeds(feeds)}
+    paper, circles, feeds = (rows(options.pulse_table, what) for what in ("paper", "circles", "feeds"))
+    tables = {"paper": table_3(paper), "circles": table_of_circles(circles), "feeds": table_of_feeds(feeds)}
     if not (options.check or options.write):
         print("\n".join(tables.values()), end="")
         return 0

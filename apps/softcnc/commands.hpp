@@ -14,6 +14,7 @@ int replay(const Options& options);
 int surface(const Options& options);
 int machine(const Options& options);
 int latency(const Options& options);
+int pulses(const Options& options);
 int codes(const Options& options);
 /// The codes of programs, one a line: name, words, what it does.
 std::string list_of_codes();

@@ -47,6 +47,13 @@ std::string clash(const Options& options, std::span<const NamedFile> written) {
   return {};
 }
 
+std::vector<NamedFile> written_by(const Options& options) {
+  return {{"--state", options.state},
+          {"--trace", options.trace},
+          {"--report", options.report},
+          {"--output", options.output}};
+}
+
 NamedFile written_by(const Machine& machine) {
   const BackendKind backend = machine.control.backend;
   if (backend == BackendKind::stepdir) return {"backend.stepdir.file", machine.step_port.file};
@@ -57,21 +64,16 @@ NamedFile written_by(const Machine& machine) {
 
 }  // namespace
 
-std::string file_clash(const Options& options) {
-  const NamedFile written[] = {{"--state", options.state},
-                               {"--trace", options.trace},
-                               {"--report", options.report},
-                               {"--output", options.output}};
+std::string file_clash(const Options& options) { return clash(options, written_by(options)); }
+
+std::string file_clash(const Options& options, const Machine& machine) {
+  auto written = written_by(options);
+  written.push_back(written_by(machine));
   return clash(options, written);
 }
 
-std::string file_clash(const Options& options, const Machine& machine) {
-  const NamedFile written[] = {{"--state", options.state},
-                               {"--trace", options.trace},
-                               {"--report", options.report},
-                               {"--output", options.output},
-                               written_by(machine)};
-  return clash(options, written);
+std::vector<std::string> written_files(const Options& options, const Machine& machine) {
+  return {options.trace, options.report, options.output, written_by(machine).name};
 }
 
 }  // namespace softcnc::app

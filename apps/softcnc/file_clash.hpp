@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "motion/machine.hpp"
 #include "options.hpp"
@@ -15,5 +16,8 @@ namespace softcnc::app {
 std::string file_clash(const Options& options);
 /// The same with the file that the machine's backend writes; also where two write standard output.
 std::string file_clash(const Options& options, const Machine& machine);
+
+/// The files that this makes, by their names; empty ones are none.
+std::vector<std::string> written_files(const Options& options, const Machine& machine);
 
 }  // namespace softcnc::app

@@ -49,6 +49,8 @@ int dispatch(const Options& options) {
       return machine(options);
     case Command::latency:
       return latency(options);
+    case Command::pulses:
+      return pulses(options);
     case Command::codes:
       return codes(options);
   }

@@ -40,7 +40,7 @@ void add_machine(CLI::App& command, Options& options) {
       ->allow_extra_args(false);
 }
 
-void add_backend(CLI::App& command, Options& options) {
+void add_backend(CLI::App& command, Options& options, const char* says = "Where setpoints go") {
   const std::vector<std::string> names(kBackendNames.begin(), kBackendNames.end());
   command
       .add_option_function<std::string>(
@@ -48,7 +48,7 @@ void add_backend(CLI::App& command, Options& options) {
           [&options](const std::string& name) {
             options.settings.push_back("control.backend=" + name);
           },
-          "Where setpoints go")
+          says)
       ->check(CLI::IsMember(names).description(""))
       ->type_name(CLI::detail::join(names, "|"));
 }
@@ -297,6 +297,21 @@ void make_latency(CLI::App& command, Options& options) {
   add_quiet(command, options);
 }
 
+void make_pulses(CLI::App& command, Options& options) {
+  command
+      .add_option("FILE", options.files,
+                  "List of edges: .vcd or .edges, also with .zst; - is standard input")
+      ->required()
+      ->type_name("")
+      ->expected(1);
+  add_machine(command, options);
+  add_backend(command, options, "With parport the drivers' times are whole base periods");
+  command.add_option("--report", options.report, "Write the figures as JSON")
+      ->type_name("FILE.json");
+  add_diagnostics(command, options);
+  add_quiet(command, options);
+}
+
 void make_codes(CLI::App& command, Options& options) {
   command
       .add_option("CODE", options.files,
@@ -327,6 +342,8 @@ constexpr CommandRow kCommands[] = {
      make_machine},
     {Command::latency, "latency", "Show how late this computer wakes, and what feed that allows",
      make_latency},
+    {Command::pulses, "pulses", "Judge step and direction pulses by what the machine's drivers ask",
+     make_pulses},
     {Command::codes, "codes", "Say what codes of programs and of diagnostics mean", make_codes},
 };
 

@@ -22,6 +22,7 @@ enum class Command : std::uint8_t {
   surface,
   machine,
   latency,
+  pulses,
   codes
 };
 enum class DiagnosticsFormat : std::uint8_t { text, json, sarif };
@@ -29,7 +30,7 @@ enum class ProgressMode : std::uint8_t { automatic, none, json };
 
 struct Options {
   Command command = Command::run;
-  std::vector<std::string> files;  // PART or FILE.rec; "-": standard input
+  std::vector<std::string> files;  // PART, FILE.rec or a list of edges; "-": standard input
 
   std::string machine_file;           // empty: the built-in machine
   std::vector<std::string> settings;  // KEY=VALUE, on top of it

@@ -14,6 +14,7 @@
 #include "paced_player.hpp"
 #include "preflight.hpp"
 #include "report_json.hpp"
+#include "rest_on_signal.hpp"
 #include "summary.hpp"
 #include "terminal.hpp"
 #include "trace_rows.hpp"
@@ -219,6 +220,7 @@ Result<Job> open_job(const Options& options) {
   if (!machine) return tl::make_unexpected(std::move(machine.error()));
   if (const std::string clash = file_clash(options, *machine); !clash.empty() && moves(options))
     return tl::make_unexpected(Diagnostic{Code::SC7072, {}, clash, options.machine_file, {}});
+  leave_no_parts_on_signal(written_files(options, moves(options) ? *machine : Machine()));
   auto program =
       Program::open(options.files.front(), options.dry_run ? Readings::one : Readings::any);
   if (!program) return tl::make_unexpected(std::move(program.error()));

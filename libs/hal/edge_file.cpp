@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "hal/edge_file.hpp"
 
-#include <charconv>
-
-#include "hal/axis_name.hpp"
+#include "hal/edge_form.hpp"
 
 namespace softcnc::hal {
 namespace {
 
 constexpr std::size_t kHandOn = 1U << 16U;  // bytes
-constexpr std::string_view kBinaryHead = "edges 1\n";
 constexpr unsigned kMore = 0x80;
-
-/// The number of a line: 4 axis + 2 for its direction, as in the binary form.
-constexpr unsigned line_of(const Edge& edge) noexcept {
-  return 4U * edge.axis + (edge.wire == Wire::direction ? 2U : 0U);
-}
-Edge edge_of(unsigned line, std::int64_t time, bool high) noexcept {
-  return {time, static_cast<std::uint8_t>(line / 4), line & 2U ? Wire::direction : Wire::step,
-          high};
-}
-constexpr unsigned kLines = 4 * kAxes;
 
 /// How VCD calls a line: one printable character.
 constexpr char vcd_name(unsigned line) noexcept { return static_cast<char>('!' + line / 2); }
@@ -30,10 +17,8 @@ class Vcd final : public EdgeFormat {
   std::string head() const override {
     std::string text = "$timescale 1 ns $end\n$scope module softcnc $end\n";
     std::string zeros;
-    for (unsigned line = 0; line < kLines; line += 2) {
-      const auto* wire = line & 2U ? "_direction" : "_step";
-      const auto axis = axis_name(static_cast<int>(line / 4));
-      text += std::string("$var wire 1 ") + vcd_name(line) + ' ' + axis + wire + " $end\n";
+    for (unsigned line = 0; line < kLineNumbers; line += 2) {
+      text += std::string("$var wire 1 ") + vcd_name(line) + ' ' + line_name(line) + " $end\n";
       zeros += std::string("0") + vcd_name(line) + '\n';
     }
     return text + "$upscope $end\n$enddefinitions $end\n#0\n$dumpvars\n" + zeros + "$end\n";
@@ -73,56 +58,6 @@ std::unique_ptr<EdgeFormat> format_of(std::string_view file) {
   return nullptr;
 }
 
-std::optional<std::vector<Edge>> read_binary(std::string_view bytes) {
-  std::vector<Edge> edges;
-  std::int64_t time = 0;
-  std::uint64_t since = 0;
-  unsigned shift = 0;
-  bool is_line = false;
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (is_line) {
-      if (byte >= kLines) return std::nullopt;
-      time += static_cast<std::int64_t>(since);
-      edges.push_back(edge_of(byte, time, byte & 1U));
-      since = 0;
-      shift = 0;
-      is_line = false;
-      continue;
-    }
-    if (shift > 56) return std::nullopt;
-    since |= static_cast<std::uint64_t>(byte & 0x7FU) << shift;
-    shift += 7;
-    is_line = byte < kMore;
-  }
-  if (is_line || shift > 0) return std::nullopt;
-  return edges;
-}
-
-/// One line of VCD behind its definitions. False if it is none.
-bool read_vcd_line(std::string_view line, std::int64_t& time, std::vector<Edge>& edges) {
-  if (line.starts_with('#')) {
-    const auto [end, error] = std::from_chars(line.data() + 1, line.data() + line.size(), time);
-    return error == std::errc{} && end == line.data() + line.size();
-  }
-  const bool is_level = line.size() == 2 && (line[0] == '0' || line[0] == '1');
-  const unsigned wire = is_level ? 2 * static_cast<unsigned>(line[1] - '!') : kLines;
-  if (wire >= kLines) return false;
-  edges.push_back(edge_of(wire, time, line[0] == '1'));
-  return true;
-}
-
-std::optional<std::vector<Edge>> read_vcd(std::string_view text) {
-  std::vector<Edge> edges;
-  std::int64_t time = 0;
-  while (!text.empty()) {
-    const auto end = text.find('\n');
-    if (end == text.npos || !read_vcd_line(text.substr(0, end), time, edges)) return std::nullopt;
-    text.remove_prefix(end + 1);
-  }
-  return edges;
-}
-
 }  // namespace
 
 EdgeWriter::EdgeWriter(std::unique_ptr<EdgeFormat> format, std::unique_ptr<ByteSink> out)
@@ -158,13 +93,6 @@ Status EdgeWriter::finish() {
   if (ok()) hand_on();
   if (ok()) status_ = out_->finish();
   return status_;
-}
-
-std::optional<std::vector<Edge>> read_edges(std::string_view bytes) {
-  if (bytes.starts_with(kBinaryHead)) return read_binary(bytes.substr(kBinaryHead.size()));
-  const std::string head = Vcd().head();
-  if (bytes.starts_with(head)) return read_vcd(bytes.substr(head.size()));
-  return std::nullopt;
 }
 
 }  // namespace softcnc::hal

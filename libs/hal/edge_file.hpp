@@ -3,11 +3,8 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "hal/edge_sink.hpp"
 #include "hal/output_file.hpp"
@@ -50,8 +47,5 @@ class EdgeWriter final : public EdgeSink {
   std::string bytes_;
   Status status_;
 };
-
-/// The edges of a file that EdgeWriter wrote, by its text; nothing if it is none.
-std::optional<std::vector<Edge>> read_edges(std::string_view bytes);
 
 }  // namespace softcnc::hal

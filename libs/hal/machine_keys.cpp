@@ -97,7 +97,7 @@ const MachineKey kKeys[] = {
     {"control.backend", "", "what moves: nothing, the simulated mill, drives with step and direction inputs by a file of edges or a parallel port, or a machine behind LinuxCNC's HAL",
      choice_in<&Machine::control, &Control::backend>(kBackendNames)},
 
-    {"limits.feed_mm_min", "mm/min", "caps the speed of cutting moves along the path; 0, or absent beside axes of your own: only the axes limit",
+    {"limits.feed_mm_min", "mm/min", "caps the speed of cutting moves along the path; 0, or absent beside axes of your own: only the axes limit. Where softcnc makes pulses, at most what they allow the fastest axis, and that if absent",
      Number{in_part<&Machine::limits, &PathLimits::feed>, mm_s_from_mm_min, mm_min_from_mm_s, at_least_0(1e7)}},
 
     {"axis.*.velocity_mm_min", "mm/min", "largest speed of the axis",

@@ -9,22 +9,11 @@
 
 #include "hal/axis_name.hpp"
 #include "hal/number.hpp"
-#include "hal/port_pins.hpp"
-#include "hal/port_timing.hpp"
 #include "motion/units.hpp"
 #include "motion/utf8.hpp"
 
 namespace softcnc::hal {
 namespace {
-
-/// What rounding may add to a product.
-constexpr double kRoundedUp = 1 + 1e-9;
-
-/// A rate, Hz, without an exponent where it is whole.
-std::string hertz(double rate) {
-  const double whole = std::round(rate);
-  return whole == rate ? std::to_string(std::llround(whole)) : number_text(rate);
-}
 
 std::string unknown(std::string_view key, const std::string& nearest) {
   return "unknown key '" + std::string(key) + "'; did you mean '" + nearest + "'?";
@@ -54,6 +43,12 @@ Setting split(std::string_view setting) {
   const auto equals = setting.find('=');
   if (equals == setting.npos) return {trimmed(setting), setting.substr(setting.size())};
   return {trimmed(setting.substr(0, equals)), trimmed(setting.substr(equals + 1))};
+}
+
+/// Whether a value may be the empty text.
+bool takes_text(std::string_view key) {
+  const auto ref = find_key(key);
+  return ref && std::holds_alternative<Text>(ref->key->value);
 }
 
 Place place_in(const std::string& setting, std::string_view part) {
@@ -110,7 +105,8 @@ void MachineLoader::keep_named_axes(const std::vector<TomlEntry>& entries) {
 
 void MachineLoader::set(const std::string& setting) {
   const auto [key, value] = split(setting);
-  if (key.empty() || value.empty())
+  const bool has_value = !value.empty() || (takes_text(key) && setting.find('=') != setting.npos);
+  if (key.empty() || !has_value)
     return fail(Code::SC7011, place_in(setting, value), "a setting reads KEY=VALUE");
   if (!is_utf8(value))
     return fail(Code::SC7002, place_in(setting, value), "not TOML: a value that is not UTF-8");
@@ -170,88 +166,6 @@ void MachineLoader::check_travel(int index) {
   fail(Code::SC7008, place_of({name + ".max_mm", name + ".min_mm"}),
        name + ".min_mm = " + number_text(axis.min) + " is not below " + name +
            ".max_mm = " + number_text(axis.max));
-}
-
-void MachineLoader::check_step_port() {
-  const StepPort& port = loaded_.machine.step_port;
-  const double fastest = 1.0 / (port.step_length + port.step_space);
-  if (port.max_rate > fastest * kRoundedUp)
-    fail(Code::SC7019,
-         place_of({"backend.stepdir.max_rate_hz", "backend.stepdir.step_length_ns",
-                   "backend.stepdir.step_space_ns"}),
-         "backend.stepdir.max_rate_hz = " + hertz(port.max_rate) +
-             " is more than step_length_ns and step_space_ns leave: " + hertz(std::round(fastest)) +
-             " Hz");
-  for (int axis = 0; axis < kAxes; ++axis) check_pulse_rate(axis);
-}
-
-/// An axis is no faster than its pulses can be.
-void MachineLoader::check_pulse_rate(int index) {
-  const Axis& axis = loaded_.machine.axes[static_cast<std::size_t>(index)];
-  const double rate = loaded_.machine.step_port.max_rate;
-  const double most = axis.blu * rate;
-  if (!axis.present || axis.velocity <= most * kRoundedUp) return;
-  const std::string name = "axis." + axis_name(index);
-  fail(Code::SC7018,
-       place_of({name + ".velocity_mm_min", "backend.stepdir.max_rate_hz", name + ".blu_um",
-                 "control.backend", "control.interpolation"}),
-       name +
-           ".velocity_mm_min = " + scaled_text(axis.velocity, mm_s_from_mm_min, mm_min_from_mm_s) +
-           " is more than " + name + ".blu_um = " + scaled_text(axis.blu, mm_from_um, um_from_mm) +
-           " times backend.stepdir.max_rate_hz = " + hertz(rate) + ", which is " +
-           number_text(std::round(mm_min_from_mm_s(most) * 1e3) / 1e3) + " mm/min");
-}
-
-void MachineLoader::check_parallel_port() {
-  const ParallelPort& port = loaded_.machine.parallel_port;
-  for (int axis = 0; axis < kAxes; ++axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    if (!loaded_.machine.axes[i].present) continue;
-    check_port_rate(axis);
-    check_pin(axis_name(axis) + "_step_pin", port.step_pin[i], is_data_pin);
-    check_pin(axis_name(axis) + "_direction_pin", port.direction_pin[i], is_data_pin);
-  }
-  check_pin("enable_pin", port.enable_pin, is_output_pin);
-  check_pin("charge_pump_pin", port.charge_pump_pin, is_output_pin);
-  check_pin("estop_pin", port.estop_pin, is_input_pin);
-  check_pin("limit_pin", port.limit_pin, is_input_pin);
-  check_pin("fault_pin", port.fault_pin, is_input_pin);
-  used_pins_.clear();
-}
-
-void MachineLoader::check_port_rate(int index) {
-  const Axis& axis = loaded_.machine.axes[static_cast<std::size_t>(index)];
-  const double interval =
-      s_from_ns(static_cast<double>(port_timing(loaded_.machine).rules.interval));
-  const double most = axis.blu / interval;
-  if (axis.velocity <= most * kRoundedUp) return;
-  const std::string name = "axis." + axis_name(index);
-  fail(Code::SC7070,
-       place_of({name + ".velocity_mm_min", "backend.parport.base_period_us", name + ".blu_um",
-                 "control.backend"}),
-       name +
-           ".velocity_mm_min = " + scaled_text(axis.velocity, mm_s_from_mm_min, mm_min_from_mm_s) +
-           " is more than " + name + ".blu_um = " + scaled_text(axis.blu, mm_from_um, um_from_mm) +
-           " every " + number_text(ns_from_s(interval) / 1e3) +
-           " us, the shortest time between steps at backend.parport.base_period_us = " +
-           number_text(ns_from_s(loaded_.machine.parallel_port.base_period) / 1e3) + ", which is " +
-           number_text(std::round(mm_min_from_mm_s(most) * 1e3) / 1e3) + " mm/min");
-}
-
-/// A pin does what `fits` says, and one thing only.
-void MachineLoader::check_pin(const std::string& key, int pin, bool (*fits)(int)) {
-  if (pin == 0) return;
-  const std::string name = "backend.parport." + key;
-  const std::string text = name + " = " + std::to_string(pin);
-  const auto [used, is_new] = used_pins_.try_emplace(std::abs(pin), name);
-  if (!fits(pin))
-    fail(Code::SC7071, place_of({name, "control.backend"}),
-         text + (fits == is_input_pin    ? " is no input: 10, 11, 12, 13, 15"
-                 : fits == is_output_pin ? " is no output: 1 to 9, 14, 16, 17"
-                                         : " is no data pin: 2 to 9"));
-  else if (!is_new)
-    fail(Code::SC7071, place_of({name, used->second, "control.backend"}),
-         text + " is the pin of " + used->second);
 }
 
 /// Where the first of several keys was given that was given at all.

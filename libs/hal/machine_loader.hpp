@@ -47,6 +47,7 @@ class MachineLoader {
   void check_travel(int index);
   void check_step_port();
   void check_pulse_rate(int index);
+  void check_feed(double rate, const std::string& in_words);
   void check_parallel_port();
   void check_port_rate(int index);
   void check_pin(const std::string& key, int pin, bool (*fits)(int));

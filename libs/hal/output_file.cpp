@@ -103,6 +103,11 @@ Status OutputFile::failed() const {
   return failure(Code::SC6012, name_, "writing failed");
 }
 
+std::string part_of(const std::string& file) {
+  return file.empty() || file == "-" || written_directly(file) ? std::string()
+                                                               : resolved(file) + ".part";
+}
+
 Status write_file(const std::string& file, std::string_view text) {
   auto output = OutputFile::open(file);
   if (!output) return tl::make_unexpected(output.error());

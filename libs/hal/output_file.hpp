@@ -46,6 +46,9 @@ class OutputFile final : public ByteSink {
   int descriptor_;
 };
 
+/// FILE.part, as which `file` is written; empty where it is written directly.
+std::string part_of(const std::string& file);
+
 /// All of `text` into `file`, by the same rules.
 Status write_file(const std::string& file, std::string_view text);
 

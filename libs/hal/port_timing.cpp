@@ -19,7 +19,8 @@ PortTiming port_timing(const Machine& machine) noexcept {
   const StepTiming driver = step_timing(machine.step_port);
   timing.rules.length = whole(driver.length, 1);
   timing.rules.space = whole(driver.space, 1);
-  timing.rules.interval = whole(driver.interval, 2);
+  timing.rules.interval =
+      std::max(whole(driver.interval, 2), timing.rules.length + timing.rules.space);
   timing.rules.setup = whole(driver.setup, 1);
   timing.rules.hold = whole(driver.hold, 1);
   return timing;

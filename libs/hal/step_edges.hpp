@@ -16,7 +16,7 @@ namespace softcnc::hal {
 struct StepTiming {
   std::int64_t length = 0;    // the step line stays high
   std::int64_t space = 0;     // and low
-  std::int64_t interval = 0;  // from rising edge to rising edge: one over the largest rate
+  std::int64_t interval = 0;  // from rising edge to rising edge: one over the largest rate, or more
   std::int64_t setup = 0;     // from an edge of the direction line to a step
   std::int64_t hold = 0;      // from the end of a step to an edge of the direction line
 };

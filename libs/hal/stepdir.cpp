@@ -7,20 +7,14 @@
 
 #include "hal/axis_name.hpp"
 #include "hal/edge_file.hpp"
+#include "motion/step_rate.hpp"
+#include "motion/units.hpp"
 
 namespace softcnc::hal {
-namespace {
-
-constexpr double kNsPerSecond = 1e9;
-
-std::int64_t ns(double seconds) noexcept { return std::llround(seconds * kNsPerSecond); }
-
-}  // namespace
 
 StepTiming step_timing(const StepPort& port) noexcept {
-  return {ns(port.step_length), ns(port.step_space),
-          static_cast<std::int64_t>(std::floor(kNsPerSecond / port.max_rate)),
-          ns(port.direction_setup), ns(port.direction_hold)};
+  return {least_ns(port.step_length), least_ns(port.step_space), step_interval(port),
+          least_ns(port.direction_setup), least_ns(port.direction_hold)};
 }
 
 Result<std::unique_ptr<StepDir>> StepDir::open(const Machine& machine) {
@@ -34,7 +28,7 @@ Result<std::unique_ptr<StepDir>> StepDir::open(const Machine& machine) {
 }
 
 StepDir::StepDir(const Machine& machine, const StepTiming& timing, std::unique_ptr<EdgeSink> out)
-    : period_(machine.control.period * kNsPerSecond), edges_(timing), out_(std::move(out)) {
+    : period_(ns_from_s(machine.control.period)), edges_(timing), out_(std::move(out)) {
   for (int axis = 0; axis < kAxes; ++axis) {
     if (!machine.axes[static_cast<std::size_t>(axis)].present) continue;
     motors_.emplace_back(axis, machine);

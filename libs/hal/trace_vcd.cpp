@@ -11,12 +11,12 @@
 #include "hal/number.hpp"
 #include "hal/port_timing.hpp"
 #include "hal/stepdir.hpp"
+#include "motion/units.hpp"
 
 namespace softcnc::hal {
 namespace {
 
 constexpr std::size_t kBuffer = 1U << 16U;  // bytes
-constexpr double kNsPerSecond = 1e9;
 
 class EdgeTrace final : public TraceWriter {
  public:
@@ -67,7 +67,7 @@ class PositionTrace final : public TraceWriter {
 
 PositionTrace::PositionTrace(std::unique_ptr<ByteSink> out, const TraceHeader& header,
                              const Machine& machine)
-    : out_(std::move(out)), period_(header.period * kNsPerSecond) {
+    : out_(std::move(out)), period_(ns_from_s(header.period)) {
   text_.reserve(kBuffer + 16 * kNumberLength);
   comment("schema: softcnc-trace " + std::to_string(kTraceSchema));
   comment("program: " + header.program_hash);

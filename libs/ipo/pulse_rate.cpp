@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reference pulses: the clocks of a staircase come no faster than pulses may.
 #include "ipo/constraint.hpp"
+#include "motion/step_rate.hpp"
 
 namespace softcnc::ipo {
 namespace {
@@ -13,7 +14,7 @@ class PulseRate final : public Constraint {
   explicit PulseRate(const Machine& machine)
       : method_(pulse_method(machine.control.interpolation)),
         paper_(machine.control.pulse_clock == PulseClock::paper),
-        rate_(machine.step_port.max_rate) {
+        rate_(step_rate(machine.step_port)) {
     for (int i = 0; i < kAxes; ++i) blu_[i] = machine.axes[static_cast<std::size_t>(i)].blu;
   }
 

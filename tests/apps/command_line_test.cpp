@@ -15,8 +15,8 @@ TEST_CASE("without a command there is a hint, and exit status 2", "[apps][cli]")
 
 TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
   CHECK(call("--version").out == "softcnc " SOFTCNC_VERSION "\n");
-  for (const char* command :
-       {"", "run", "check", "blocks", "record", "replay", "surface", "machine", "codes"}) {
+  for (const char* command : {"", "run", "check", "blocks", "record", "replay", "surface",
+                              "machine", "latency", "pulses", "codes"}) {
     CAPTURE(command);
     const Ended ended = call(std::string(command) + " --help");
     CHECK(ended.status == 0);

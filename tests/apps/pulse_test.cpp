@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
-#include "hal/edge_file.hpp"
+#include "hal/edge_reader.hpp"
 #include "hal/pulse_rules.hpp"
 #include "hal/stepdir.hpp"
 

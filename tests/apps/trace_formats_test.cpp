@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "apps/shell.hpp"
-#include "hal/edge_file.hpp"
+#include "hal/edge_reader.hpp"
 #include "hal/port_timing.hpp"
 #include "hal/pulse_rules.hpp"
 

@@ -393,11 +393,57 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
           CHECK(exit_status(loaded.error()) == 2);
         }
       }
+    // Steps come in whole ns: what those leave of the rate is what an axis can have.
+    const std::string odd = port + "max_rate_hz = 300000\nbackend.stepdir.step_length_ns = 500\n" +
+                            "backend.stepdir.step_space_ns = 500\naxis.x.velocity_mm_min = ";
+    CHECK(refused(odd + "45000")
+              .starts_with("mill.toml:5:26: error SC7018: axis.x.velocity_mm_min = 45000 is more "
+                           "than axis.x.blu_um = 2.5 times backend.stepdir.max_rate_hz = 300000, "
+                           "in whole ns a step every 3334 ns, which is 44991.001 mm/min\n"));
+    CHECK(parsed(odd + "44991.001").axes[0].velocity == 44991.001 / 60);
     // No port, no pulses.
     CHECK(parsed("backend.stepdir.max_rate_hz = 50000").step_port.max_rate == 50000);
     CHECK(parsed(port + "step_length_ns = 7500").step_port.step_length == 7.5e-6);
   }
+  SECTION("a feed that no axis could have") {
+    const std::string port = "control.backend = 'stepdir'\nlimits.feed_mm_min = ";
+    CHECK(refused(port + "15000.001") ==
+          "mill.toml:2:22: error SC7090: limits.feed_mm_min = 15000.001 is more than axis.x.blu_um "
+          "= 2.5 times backend.stepdir.max_rate_hz = 100000, which is 15000 mm/min\n"
+          "    2 | limits.feed_mm_min = 15000.001\n"
+          "      |                      ^~~~~~~~~\n");
+    CHECK(parsed(port + "15000").limits.feed == 250);
+    CHECK(parsed(port + "0").limits.feed == 0);
+    // The axis with the largest steps counts, of those the machine has.
+    CHECK(parsed(port + "30000\naxis.y.blu_um = 5").limits.feed == 500);
+    CHECK(refused(port + "60000\n[axis.x]\n[axis.y]\nblu_um = 5")
+              .starts_with("mill.toml:2:22: error SC7090: limits.feed_mm_min = 60000 is more than "
+                           "axis.y.blu_um = 5 times backend.stepdir.max_rate_hz = 100000, which is "
+                           "30000 mm/min\n"));
+    CHECK(refused("", {"control.interpolation=dsm", "limits.feed_mm_min=20000"})
+              .starts_with("--set:1:20: error SC7090: limits.feed_mm_min = 20000 is more than "));
+    CHECK(parsed("limits.feed_mm_min = 20000").limits.feed == 20000 / 60.0);  // no pulses
+    const std::string slow =
+        "axis.x.velocity_mm_min = 1500\naxis.y.velocity_mm_min = 1500\n"
+        "axis.z.velocity_mm_min = 1500\ncontrol.backend = 'parport'\n";
+    CHECK(refused(slow + "limits.feed_mm_min = 1501")
+              .starts_with("mill.toml:5:22: error SC7090: limits.feed_mm_min = 1501 is more than "
+                           "axis.x.blu_um = 2.5 every 100 us, the shortest time between steps at "
+                           "backend.parport.base_period_us = 50, which is 1500 mm/min\n"));
+    // Nobody has asked for the default, so it gives way; and the machine reads back as it is.
+    const Machine machine =
+        parsed("", {"control.backend=parport", "axis.x.velocity_mm_min=1500",
+                    "axis.y.velocity_mm_min=1500", "axis.z.velocity_mm_min=1500"});
+    CHECK(machine.limits.feed == Approx(25));
+    CHECK(parsed(machine_toml(machine)).limits.feed == machine.limits.feed);
+  }
   SECTION("axes faster than a parallel port") {
+    // A step of two base periods high and one low takes three, whatever the rate.
+    CHECK(refused("control.backend = 'parport'\nbackend.stepdir.step_length_ns = 60000\n"
+                  "backend.stepdir.max_rate_hz = 14000\naxis.x.velocity_mm_min = 1500\n"
+                  "axis.y.velocity_mm_min = 1000\naxis.z.velocity_mm_min = 1000")
+              .find("error SC7070: axis.x.velocity_mm_min = 1500 is more than axis.x.blu_um = 2.5 "
+                    "every 150 us, ") != std::string::npos);
     const std::string port = "control.backend = 'parport'\nbackend.parport.base_period_us = ";
     CHECK(refused(port + "50") ==
           "mill.toml:2:34: error SC7070: axis.x.velocity_mm_min = 15000 is more than axis.x.blu_um "
@@ -453,6 +499,10 @@ TEST_CASE("a wrong setting is refused with its place", "[hal][machine]") {
   CHECK(refused("", {"control.period_ms"})
             .starts_with("--set:1:18: error SC7011: a setting reads KEY=VALUE\n"));
   CHECK(refused("", {"control.period_ms="}).starts_with("--set:1:19: error SC7011: "));
+  CHECK(refused("", {"control.backend="}).starts_with("--set:1:17: error SC7011: "));
+  CHECK(refused("", {"backend.parport.device"}).starts_with("--set:1:23: error SC7011: "));
+  CHECK(parsed("", {"backend.parport.device="}).parallel_port.device.empty());  // a text may be
+  CHECK(parsed("", {"backend.stepdir.file = "}).step_port.file.empty());
   CHECK(refused("", {"=3"}).starts_with("--set:1:2: error SC7011: "));
   CHECK(refused("", {"name=mill\x80"})
             .starts_with("--set:1:6: error SC7002: not TOML: a value that is not UTF-8\n"));

@@ -43,26 +43,63 @@ TEST_CASE("the validator finds each rule that is broken", "[hal][pulse]") {
   CHECK(fault({turn(0, true), step(10000, true), step(15000, false), turn(25000, false)}) ==
         "none");
   CHECK(fault({step(0, true), step(4999, false)}) ==
-        "x at 4999 ns: step length (4999, at least 5000)");
+        "x at 4999 ns: step length 4999 ns, at least 5000 ns is asked for");
   CHECK(fault({step(0, true), step(5001, false), step(10000, true)}) ==
-        "x at 10000 ns: step space (4999, at least 5000)");
+        "x at 10000 ns: step space 4999 ns, at least 5000 ns is asked for");
   CHECK(fault({step(0, true, 1), step(6000, false, 1), step(9999, true, 1)}) ==
-        "y at 9999 ns: step space (3999, at least 5000)");
+        "y at 9999 ns: step space 3999 ns, at least 5000 ns is asked for");
   CHECK(fault({turn(0, true), step(9999, true)}) ==
-        "x at 9999 ns: direction set-up (9999, at least 10000)");
+        "x at 9999 ns: direction set-up 9999 ns, at least 10000 ns is asked for");
   CHECK(fault({step(0, true), step(5000, false), turn(14999, true)}) ==
-        "x at 14999 ns: direction hold (9999, at least 10000)");
+        "x at 14999 ns: direction hold 9999 ns, at least 10000 ns is asked for");
   CHECK(fault({step(0, true), turn(4000, true)}) ==
-        "x at 4000 ns: direction during a step (0, at least 0)");
-  CHECK(fault({step(0, true), step(7000, true)}) == "x at 7000 ns: is no change (1, at least 0)");
+        "x at 4000 ns: the direction changes during a step");
+  CHECK(fault({step(0, true), step(7000, true)}) == "x at 7000 ns: the line is high already");
   CHECK(fault({step(10, true), step(9, true, 2)}) ==
-        "z at 9 ns: comes before the edge ahead of it (9, at least 10)");
+        "z at 9 ns: comes before the edge ahead of it, at 10 ns");
+}
+
+TEST_CASE("the validator tells every broken rule, and measures each axis", "[hal][pulse]") {
+  std::vector<std::string> told;
+  PulseRules rules(kGecko540, [&](const BrokenRule& broken) { told.push_back(text(broken)); });
+  rules.read(std::vector{step(0, true), step(4000, false), step(7000, true), turn(8000, true),
+                         step(12000, false), turn(20000, false), step(22000, true),
+                         step(30000, true, 1), step(36000, false, 1)});
+  rules.finish();
+  CHECK(told == std::vector<std::string>{
+                    "x at 4000 ns: step length 4000 ns, at least 5000 ns is asked for",
+                    "x at 7000 ns: step space 3000 ns, at least 5000 ns is asked for",
+                    "x at 7000 ns: step interval 7000 ns, at least 10000 ns is asked for",
+                    "x at 8000 ns: the direction changes during a step",
+                    "x at 20000 ns: direction hold 8000 ns, at least 10000 ns is asked for",
+                    "x at 22000 ns: direction set-up 2000 ns, at least 10000 ns is asked for",
+                    "x at 22000 ns: the step that begins here has no end"});
+  const PulseRules::Figures& x = rules.figures(0);
+  CHECK(x.steps == 3);
+  CHECK(x.broken == 7);
+  CHECK(x.shortest ==
+        std::array<std::optional<std::int64_t>, kTimedRules>{4000, 3000, 7000, 2000, 8000});
+  CHECK(rules.figures(1).shortest[0] == 6000);
+  CHECK_FALSE(rules.figures(1).shortest[1]);
+  CHECK(rules.figures(2).steps == 0);
+  CHECK(rules.steps() == 4);
+  CHECK(rules.edges() == 9);
+}
+
+TEST_CASE("a line may begin high, and an edge out of order is told once", "[hal][pulse]") {
+  std::vector<PulseRule> told;
+  PulseRules rules(kGecko540, [&](const BrokenRule& broken) { told.push_back(broken.rule); });
+  rules.begin(turn(0, true));
+  rules.read(std::vector{step(0, true), step(6000, false), step(5000, true), step(20000, false)});
+  rules.finish();
+  CHECK(told == std::vector{PulseRule::order, PulseRule::interval});
+  CHECK(rules.counts()[0] == -2);
 }
 
 TEST_CASE("the validator knows the largest rate apart from length and space", "[hal][pulse]") {
   PulseRules rules({1000, 1000, 10000, 0, 0});
   rules.read(std::vector{step(0, true), step(1000, false), step(9000, true)});
-  CHECK(rules.broken() == "x at 9000 ns: step interval (9000, at least 10000)");
+  CHECK(rules.broken() == "x at 9000 ns: step interval 9000 ns, at least 10000 ns is asked for");
 }
 
 TEST_CASE("pulses with room between them come when they should", "[hal][pulse]") {

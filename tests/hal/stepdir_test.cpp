@@ -3,10 +3,12 @@
 #include "hal/stepdir.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <filesystem>
 
-#include "hal/edge_file.hpp"
+#include "hal/edge_reader.hpp"
 #include "hal/pulse_rules.hpp"
+#include "motion/step_rate.hpp"
 #include "support/folder.hpp"
 #include "support_hal.hpp"
 
@@ -67,6 +69,37 @@ TEST_CASE("the file of edges keeps the driver's rules and the commanded counts",
   }
   CHECK(rules.steps() > 8000);
   CHECK(((*backend)->settle() - place).cwiseAbs().maxCoeff() <= 0.00125 + 1e-12);
+}
+
+TEST_CASE("at the fastest speed that is accepted no pulse is late", "[hal][pulse]") {
+  const test::Folder folder;
+  std::vector<std::int64_t> rates{300'000, 7'000'000, 333'333};
+  for (std::uint32_t i = 0; i < 20; ++i) rates.push_back(2000 + (i * 2654435761U) % 3'000'000);
+  for (const std::int64_t hertz : rates) {
+    CAPTURE(hertz);
+    Machine machine = stepper(folder / "fast.edges");
+    const auto rate = static_cast<double>(hertz);
+    machine.step_port = {machine.step_port.file, rate, 60e-9, 60e-9, 0, 0};
+    machine.axes[0].blu = 0.001;
+    const auto interval = static_cast<double>(step_interval(machine.step_port));  // ns
+    auto backend = StepDir::open(machine);
+    REQUIRE(backend);
+    (*backend)->exchange(at(0, 0, 0));
+    for (int period = 1; period <= 50; ++period)
+      (*backend)->exchange(at(period * 1e6 / interval * 0.001, 0, 0));
+    REQUIRE((*backend)->finish());
+    const auto edges = read_edges(test::read(machine.step_port.file));
+    REQUIRE(edges);
+    std::vector<std::int64_t> rises;
+    for (const Edge& edge : *edges)
+      if (edge.high) rises.push_back(edge.time);
+    REQUIRE(static_cast<double>(rises.size()) >= 50e6 / interval - 1);
+    for (std::size_t i = 0; i < rises.size(); ++i) {
+      if (i > 0) REQUIRE((rises[i] - rises[i - 1]) * hertz >= 1'000'000'000);
+      const double due = (static_cast<double>(i) + 0.5) * interval;
+      REQUIRE(std::abs(static_cast<double>(rises[i]) - due) <= 2);
+    }
+  }
 }
 
 TEST_CASE("both forms of the file hold the same edges", "[hal][pulse]") {

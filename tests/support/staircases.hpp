@@ -53,15 +53,29 @@ inline PulseArc arc_about_origin(std::array<std::int64_t, 2> from, std::array<st
   return {{0, 1}, from, to, {0, 0}, radius * PulseArc::kPart, sweep};
 }
 
-/// One quadrant from (R, 0) counter-clockwise to (0, R): that of Table 3 of paper 003.
-inline Walk walk_quadrant(std::int64_t radius, PulseMethod method) {
-  const PulseArc arc = arc_about_origin({radius, 0}, {0, radius}, radius, std::numbers::pi / 2);
+/// Where a circle about the origin crosses an axis: by quarters of a turn from that of +X.
+inline std::array<std::int64_t, 2> crossing(std::int64_t radius, int quarter) {
+  constexpr std::int64_t kX[] = {1, 0, -1, 0}, kY[] = {0, 1, 0, -1};
+  const auto i = static_cast<std::size_t>(quarter & 3);
+  return {kX[i] * radius, kY[i] * radius};
+}
+
+/// An arc about the origin, with distances from its circle.
+inline Walk walk_arc(const PulseArc& arc, std::int64_t radius, PulseMethod method) {
   const auto r = static_cast<double>(radius);
-  return Walk::along(ArcPulses(arc, method), {radius, 0, 0}, [r](const GridPoint& p) {
-    // |p| - r without cancellation
-    const auto x = static_cast<double>(p[0]), y = static_cast<double>(p[1]);
-    return std::abs(x * x + y * y - r * r) / (std::hypot(x, y) + r);
-  });
+  return Walk::along(ArcPulses(arc, method), {arc.from[0], arc.from[1], 0},
+                     [r](const GridPoint& p) {
+                       // |p| - r without cancellation
+                       const auto x = static_cast<double>(p[0]), y = static_cast<double>(p[1]);
+                       return std::abs(x * x + y * y - r * r) / (std::hypot(x, y) + r);
+                     });
+}
+
+/// One quadrant from that crossing on, with `turn` 1 counter-clockwise or -1 clockwise. The one
+/// from (R, 0) counter-clockwise to (0, R) is that of Table 3 of paper 003.
+inline Walk walk_quadrant(std::int64_t radius, PulseMethod method, int quarter = 0, int turn = 1) {
+  const auto from = crossing(radius, quarter), to = crossing(radius, quarter + turn);
+  return walk_arc(arc_about_origin(from, to, radius, turn * std::numbers::pi / 2), radius, method);
 }
 
 }  // namespace softcnc::test

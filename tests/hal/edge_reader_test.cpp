@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// Lists of edges out of files: those of others, and those that are damaged.
+#include "hal/edge_reader.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "hal/edge_file.hpp"
+#include "hal/packed_file.hpp"
+#include "hal/zstd_sink.hpp"
+#include "support/folder.hpp"
+#include "support_hal.hpp"
+
+namespace softcnc::hal {
+namespace {
+
+/// A dump of another program: its own order, names and scale, with variables that are no lines.
+const std::string kHead =
+    "$date\n  Sunday $end\n$version logic analyser 3 $end\n$timescale 10us $end\n"
+    "$scope module top $end\n$scope module port $end\n"
+    "$var wire 8 data bus [7:0] $end\n$var reg 1 s1 z_step $end\n$var wire 1 d1 z_dir $end\n"
+    "$var real 64 v speed $end\n$upscope $end\n$upscope $end\n$enddefinitions $end\n";
+
+struct Reading {
+  std::vector<Edge> edges, begins;
+  std::vector<SourcePos> places;
+  std::vector<std::string> lines;
+  std::string error;
+};
+
+Reading read_in_pieces(std::string_view text, std::size_t piece) {
+  Reading reading;
+  EdgeReader reader([&](const ReadEdge& read) {
+    (read.begins ? reading.begins : reading.edges).push_back(read.edge);
+    reading.places.push_back(read.pos);
+    reading.lines.emplace_back(read.line);
+  });
+  Status status;
+  for (std::size_t i = 0; status && i < text.size(); i += piece)
+    status = reader.read(text.substr(i, piece));
+  if (status) status = reader.finish();
+  if (!status) {
+    CHECK(status.error().code == Code::SC6091);
+    reading.error = status.error().message;
+  }
+  return reading;
+}
+
+Reading read_all(std::string_view text) {
+  return read_in_pieces(text, std::max<std::size_t>(text.size(), 1));
+}
+
+std::string error_of(std::string_view text) { return read_all(text).error; }
+
+Edge step(std::int64_t time, bool high, std::uint8_t axis = 0) {
+  return {time, axis, Wire::step, high};
+}
+
+}  // namespace
+
+TEST_CASE("a dump of another program is read, wherever it is cut", "[hal][pulse]") {
+  const std::string text = kHead +
+                           "#3\n$dumpvars b00xx data xs1 1d1 r0.5 v $end\n"
+                           "#4 0s1 b1 data\n$comment 1s1 $end\n#10\n1s1\n\n#12 b0 s1\n0d1\r\n";
+  for (const std::size_t piece : {1UL, 2UL, 3UL, 7UL, text.size()}) {
+    CAPTURE(piece);
+    const Reading reading = read_in_pieces(text, piece);
+    CHECK(reading.error.empty());
+    CHECK(reading.begins ==
+          std::vector{Edge{30'000, 2, Wire::direction, true}, step(40'000, false, 2)});
+    CHECK(reading.edges == std::vector{step(100'000, true, 2), step(120'000, false, 2),
+                                       Edge{120'000, 2, Wire::direction, false}});
+    CHECK(reading.places[2].line == 19);
+    CHECK(reading.places[2].column == 1);
+    CHECK(reading.places[2].length == 3);
+    CHECK(reading.places[3].line == 21);
+    CHECK(reading.places[3].column == 8);
+    CHECK(reading.places[4].line == 22);
+  }
+  CHECK(read_all(text).lines[3] == "#12 b0 s1");
+  CHECK(read_all(text).lines[4] == "0d1");
+}
+
+TEST_CASE("times finer than ns are rounded, coarser ones exact", "[hal][pulse]") {
+  const auto time_of = [](const std::string& scale, const std::string& time) {
+    const Reading reading = read_all("$timescale " + scale +
+                                     " $end $var wire 1 ! x_step $end "
+                                     "$enddefinitions $end\n#" +
+                                     time + " 1!\n");
+    REQUIRE(reading.error.empty());
+    return reading.edges.at(0).time;
+  };
+  CHECK(time_of("1 s", "7") == 7'000'000'000);
+  CHECK(time_of("100 ms", "7") == 700'000'000);
+  CHECK(time_of("100ns", "7") == 700);
+  CHECK(time_of("1 ps", "1499") == 1);
+  CHECK(time_of("1 ps", "1500") == 2);
+  CHECK(time_of("10ps", "149") == 1);
+  CHECK(time_of("10 fs", "150000") == 2);
+}
+
+TEST_CASE("a dump that is damaged or says nothing of pulses is refused", "[hal][pulse][code]") {
+  CHECK(error_of("") == "empty");
+  CHECK(error_of("\n \n") == "not whole: it ends within its definitions");
+  CHECK(error_of("steps") == "neither a Value Change Dump nor a list that begins with 'edges 1'");
+  CHECK(error_of(std::string("PK\3\4 something else", 20)) ==
+        "neither a Value Change Dump nor a list that begins with 'edges 1'");
+  CHECK(error_of("edges 2\nxx") ==
+        "a list of edges, but not of form 1, the only one this version reads");
+  CHECK(error_of("edges") == "neither a Value Change Dump nor a list that begins with 'edges 1'");
+  CHECK(error_of("$timescale 1 ns $end\n") == "not whole: it ends within its definitions");
+  CHECK(error_of("$timescale 3 ns $end\n") ==
+        "$timescale takes 1, 10 or 100 s, ms, us, ns, ps or fs, not '3ns'");
+  CHECK(error_of("$timescale 1 ns $end $enddefinitions $end\n") ==
+        "no variable is called x_step, x_direction, y_step, ...");
+  CHECK(error_of("$var wire 1 ! x_step $end $enddefinitions $end\n") == "no $timescale");
+  CHECK(error_of("$var wire 2 ! x_step $end\n") == "x_step is not one bit");
+  CHECK(error_of("$var wire 1 ! x_step $end $var wire 1 ? x_step $end\n") ==
+        "x_step is there twice");
+  CHECK(error_of("$var wire 1 $end\n") == "$var takes a type, a size and two names");
+  CHECK(error_of("$end\n") == "an $end of nothing");
+  CHECK(error_of("$date $end\n#1\n") == "'#1' among the definitions");
+  CHECK(error_of(kHead + "#4 1s") == "not whole: it ends within a line");
+  CHECK(error_of(kHead + "#4 b1\n") == "not whole: it ends within a value");
+  CHECK(error_of(kHead + "#4 $comment\n") == "not whole: it ends within $comment");
+  CHECK(error_of(kHead + "$dumpvars 1s1\n") == "not whole: it ends within a dump of all values");
+  CHECK(error_of(kHead + "#-4\n") == "'#-4' is no time");
+  CHECK(error_of(kHead + "#9223372036854775807\n") == "'#9223372036854775807' is no time");
+  CHECK(error_of(kHead + "#4 hello\n") == "'hello' is no value of a variable");
+  CHECK(error_of(kHead + std::string(1000, 'q') + '\n') ==
+        "'" + std::string(40, 'q') + "...' is no value of a variable");
+  CHECK(error_of(kHead + "#4 1s1 #5 xs1\n") == "z_step is neither high nor low");
+  CHECK(error_of(kHead + "#4 1s1 #5 b00 s1\n") == "z_step is neither high nor low");
+}
+
+TEST_CASE("the place of what is wrong in a dump is told", "[hal][pulse]") {
+  EdgeReader reader([](const ReadEdge&) {});
+  const Status read = reader.read(kHead + "#4\n1s1\n#5 ?!\n");
+  REQUIRE_FALSE(read);
+  CHECK(read.error().pos.line == 16);
+  CHECK(read.error().pos.column == 4);
+  CHECK(read.error().pos.length == 2);
+  CHECK(read.error().source_line == "#5 ?!");
+}
+
+TEST_CASE("a binary list is read wherever it is cut, and refused where it is damaged",
+          "[hal][pulse]") {
+  const std::string text("edges 1\n\x85\x01\x06\x05\x01\x00\x00", 15);
+  for (const std::size_t piece : {1UL, 3UL, 15UL}) {
+    const Reading reading = read_in_pieces(text, piece);
+    CHECK(reading.error.empty());
+    CHECK(reading.edges ==
+          std::vector{Edge{133, 1, Wire::direction, false}, step(138, true), step(138, false)});
+  }
+  CHECK(error_of(text.substr(0, 14)) == "not whole: it ends within an edge");
+  CHECK(error_of(text.substr(0, 10)) == "not whole: it ends within an edge");
+  CHECK(error_of(text + "\x01\x0c") == "damaged: byte 17 names no line");
+  CHECK(error_of(text + std::string(10, '\xff')) == "damaged: byte 25 makes no time");
+  CHECK(error_of(text + "\xff\xff\xff\xff\xff\xff\xff\xff\x7f") ==
+        "damaged: byte 24 makes no time");
+}
+
+TEST_CASE("a compressed file is unpacked, and must be whole", "[hal]") {
+  const test::Folder folder;
+  std::string text;
+  for (int i = 0; i < 100'000; ++i) text += std::to_string(i * 7919 % 100'003) + '\n';
+  auto out = OutputFile::open(folder / "a.zst");
+  REQUIRE(out);
+  const auto sink = zstd_sink(std::move(*out));
+  REQUIRE(sink->write(text));
+  REQUIRE(sink->finish());
+  const std::string packed = test::read(folder / "a.zst");
+  REQUIRE(packed.size() < text.size());
+  const auto unpacked = [&](const std::string& bytes) -> std::string {
+    REQUIRE(write_file(folder / "b", bytes));
+    auto file = PackedFile::open(folder / "b", Code::SC6090, Code::SC6091);
+    REQUIRE(file);
+    std::string all;
+    for (;;) {
+      const auto piece = file->next();
+      if (!piece) {
+        CHECK(piece.error().code == Code::SC6091);
+        CHECK(piece.error().file == folder / "b");
+        return piece.error().message;
+      }
+      if (piece->empty()) return all;
+      all += *piece;
+    }
+  };
+  CHECK(unpacked(packed) == text);
+  CHECK(unpacked(text) == text);
+  CHECK(unpacked(packed + packed) == text + text);
+  CHECK(unpacked("").empty());
+  for (const std::size_t size :
+       {packed.size() - 1, packed.size() / 2, std::size_t{70'000}, std::size_t{5}})
+    CHECK(unpacked(packed.substr(0, size)) == "not whole: it ends within its compressed part");
+  std::string damaged = packed;
+  damaged[packed.size() / 2] = static_cast<char>(~damaged[packed.size() / 2]);
+  CHECK(unpacked(damaged).starts_with("damaged: "));
+}
+
+TEST_CASE("a file that cannot be read is told from one that is damaged", "[hal][code]") {
+  const auto missing = PackedFile::open("/no/such/list", Code::SC6090, Code::SC6091);
+  REQUIRE_FALSE(missing);
+  CHECK(missing.error().code == Code::SC6090);
+  CHECK(missing.error().message == "cannot be read: No such file or directory");
+  auto folder = PackedFile::open("/", Code::SC6090, Code::SC6091);
+  REQUIRE(folder);
+  const auto bytes = folder->next();
+  REQUIRE_FALSE(bytes);
+  CHECK(bytes.error().code == Code::SC6090);
+  CHECK(bytes.error().message == "cannot be read: Is a directory");
+}
+
+}  // namespace softcnc::hal
