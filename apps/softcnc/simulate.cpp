@@ -66,12 +66,18 @@ class Batch {
   std::optional<Setpoint> step(const Panel& panel) noexcept {
     if (left_ == 0 || channel_.event_due() || channel_.pause_ahead()) return std::nullopt;
     --left_;
-    return channel_.step(panel);
+    auto next = channel_.step(panel);
+    at_end_ = !next && !channel_.waiting();
+    return next;
   }
+
+  /// Nothing follows the batch.
+  bool at_end() const noexcept { return at_end_; }
 
  private:
   Channel& channel_;
   std::size_t left_;
+  bool at_end_ = false;
 };
 
 class Simulation {
@@ -156,9 +162,7 @@ bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   outcome_.cpu.output += cpu_.lap();
   if (!wanted) outcome_.end = Outcome::End::broken_off;
   if (outcome_.feedback.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
-  return outcome_.end == Outcome::End::done &&
-         (cycle.setpoints == static_cast<std::int64_t>(batch_) || channel_.event_due() ||
-          channel_.pause_ahead() || channel_.waiting());
+  return outcome_.end == Outcome::End::done && !batch.at_end();
 }
 
 bool Simulation::write(RowSink* rows, const CycleReport& cycle) {

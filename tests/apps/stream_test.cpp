@@ -1,16 +1,72 @@
 // SPDX-License-Identifier: MIT
 // Programs that pass but once: output comes as soon as the input allows.
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <csignal>
 
 #include "apps/shell.hpp"
 #include "apps/talk.hpp"
+#include "channel.hpp"
+#include "hal/backend.hpp"
 #include "hal/hash.hpp"
 #include "stream_memory.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;
 using namespace softcnc::app::test;
+
+namespace {
+
+/// Writes the first line of a program at once, and the next one whenever the run looks up, or waits
+/// for one.
+class LineWriter final : public Watcher {
+ public:
+  LineWriter(int pipe, std::vector<std::string> lines) : pipe_(pipe), lines_(std::move(lines)) {
+    write_line();  // the form of the program is told by it
+  }
+
+  bool wants_stop() override { return false; }
+  void sees(const Setpoint&) override { write_line(); }
+  void pause(const Block&) override {}
+  void wait_for_input(int) override { write_line(); }
+
+ private:
+  void write_line() {
+    if (next_ == lines_.size()) return;
+    const std::string& line = lines_[next_++];
+    REQUIRE(::write(pipe_, line.data(), line.size()) == static_cast<ssize_t>(line.size()));
+    if (next_ == lines_.size()) ::close(pipe_);
+  }
+
+  int pipe_;
+  std::vector<std::string> lines_;
+  std::size_t next_ = 0;
+};
+
+struct Positions final : RowSink {
+  std::vector<AxisVector> all;
+  bool row(const Setpoint& setpoint, std::span<const double>) override {
+    all.push_back(setpoint.position);
+    return true;
+  }
+};
+
+Positions rows_of(ipr::Reader& reader, int input, Watcher* watcher) {
+  Machine machine;
+  machine.control.backend = BackendKind::none;
+  const auto backend = hal::open_backend(machine);
+  REQUIRE(backend);
+  Diagnostics diagnostics;
+  Positions rows;
+  const Outcome outcome =
+      simulate(reader, input, machine, {}, **backend, diagnostics, &rows, watcher);
+  CHECK(outcome.end == Outcome::End::done);
+  CHECK(diagnostics.errors() == 0);
+  return rows;
+}
+
+}  // namespace
 
 TEST_CASE("blocks shows each block before the next line is written", "[apps][stream]") {
   Talk talk({"blocks", "-"});
@@ -66,6 +122,27 @@ TEST_CASE("a streamed program gives the rows of the file, and its hash at the en
     piped.replace(piped.find("# program: -\n"), std::string("# program: -\n").size(), line);
     CHECK(piped == file);
   }
+}
+
+TEST_CASE("lines that come while rows are written are not the end of the program",
+          "[apps][stream]") {
+  std::vector<std::string> lines{"G61 F3000\n"};
+  for (int i = 1; i < 150; ++i)
+    lines.push_back("G01 X" + std::to_string(0.1 * i) + " Y" + std::to_string(0.05 * (i % 2)) +
+                    "\n");
+  std::string text;
+  for (const std::string& line : lines) text += line;
+  ipr::Reader whole = ipr::Reader::from_text(text);
+  const Positions expected = rows_of(whole, -1, nullptr);
+
+  int ends[2];
+  REQUIRE(::pipe(ends) == 0);
+  LineWriter writer(ends[1], lines);
+  ipr::Reader reader(ends[0]);
+  const Positions rows = rows_of(reader, ends[0], &writer);
+  ::close(ends[0]);
+  CHECK(expected.all.size() > 1000);
+  CHECK(rows.all == expected.all);
 }
 
 TEST_CASE("what is wrong with a streamed program is shown with its line", "[apps][stream]") {
