@@ -17,6 +17,8 @@ constexpr double kJerkTolerance = 5e-3;
 constexpr double kRoughnessTolerance = 1e-3;
 /// What rounding may add to a chord error.
 constexpr double kChordTolerance = 1e-6;
+/// What rounding may put a row beside the path, where the method promises to stay on it; mm.
+constexpr double kPathTolerance = 1e-5;
 /// BLU: how far a staircase may be from the planned place at the instant of a row.
 constexpr double kStray = 1.5;
 
@@ -67,9 +69,12 @@ void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& qu
   for (const Setpoint& row : rows) {
     while (first < stretches_.size() && block_numbers_[first].last < block_before_) ++first;
     while (end < stretches_.size() && block_numbers_[end].first <= row.block) ++end;
-    verifier_.row(row, std::span(stretches_).subspan(first, end - first));
-    if (verifier_.row_rmax() > 0 && row.block <= block_numbers_[end - 1].last)
-      surface_.add(*blocks_[end - 1], row, verifier_.row_rmax());
+    const std::span touched = std::span(stretches_).subspan(first, end - first);
+    verifier_.row(row, touched);
+    if (verifier_.row_rmax() > 0 && row.block <= block_numbers_[end - 1].last) {
+      const auto here = &stretch_at(touched, row.s) - stretches_.data();
+      surface_.add(*blocks_[static_cast<std::size_t>(here)], row, verifier_.row_rmax());
+    }
     block_before_ = row.block;
   }
 }
@@ -95,6 +100,9 @@ void report_excess(const Measured& measured, const Machine& machine, Diagnostics
   if (!by_pulses)  // pulses follow the path between the rows
     judge("the chord error", um_from_mm(measured.chord_error),
           um_from_mm(machine.control.chord_tolerance), kChordTolerance, "um");
+  if (machine.control.interpolation == Method::arc_length)
+    judge("the distance from the path", um_from_mm(measured.path_deviation),
+          um_from_mm(kPathTolerance), 0, "um");
   if (measured.rmax_target > 0)
     judge("Rmax", um_from_mm(measured.rmax), um_from_mm(measured.rmax_target), kRoughnessTolerance,
           "um");

@@ -64,6 +64,13 @@ double distance_to_chord(const AxisVector& p, const AxisVector& a, const AxisVec
 
 }  // namespace
 
+const Stretch& stretch_at(std::span<const Stretch> stretches, double s) noexcept {
+  constexpr double kRounding = 1e-9;  // mm
+  std::size_t i = stretches.size() - 1;
+  while (i > 0 && stretches[i].s_start > s + kRounding) --i;
+  return stretches[i];
+}
+
 Verifier::Verifier(const Machine& machine) noexcept
     : period_(machine.control.period), model_(machine.surfacing.model) {}
 
@@ -110,7 +117,7 @@ void Verifier::geometry(const Setpoint& setpoint, std::span<const Stretch> stret
     travelled += integrated_length(*stretch.path, s0, s1);
   }
   if (!stretches.empty()) {
-    const Stretch& here = stretches.back();
+    const Stretch& here = stretch_at(stretches, setpoint.s);
     const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
     measured_.path_deviation =
         std::max(measured_.path_deviation, (position(*here.path, s) - setpoint.position).norm());

@@ -20,6 +20,10 @@ struct Stretch {
   const Surface* surface = nullptr;  // that it is to leave
 };
 
+/// The one on which the path is at s, mm along the program, in stretches that follow one another;
+/// at a joint the later one. There must be one.
+const Stretch& stretch_at(std::span<const Stretch> stretches, double s) noexcept;
+
 /// The largest values seen so far. Differences are those of the commanded rows, padded with rest.
 struct Measured {
   AxisVector velocity = AxisVector::Zero();      // mm/s

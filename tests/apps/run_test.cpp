@@ -74,6 +74,15 @@ TEST_CASE("the report tells the figures of the run", "[apps][run]") {
     CHECK(report[cpu].get<double>() > 0);
 }
 
+TEST_CASE("rounded corners leave the programmed path, and no row leaves the rounded one",
+          "[apps][run]") {
+  const Folder folder;
+  write(folder / "corner.nc", "G64 P0.5 F1200\nG01 X10\nY10\nM02\n");
+  const json report = report_of(folder / "corner.nc");
+  CHECK(report["corner_deviation_um_max"].get<double>() == Approx(500).epsilon(1e-3));
+  CHECK(report["path_deviation_um_max"].get<double>() < 1e-6);
+}
+
 TEST_CASE("a straight line takes the time that the trapezium of its speed takes", "[apps][run]") {
   const Folder folder;
   write(folder / "line.nc", "G01 X100 F6000\nM30\n");

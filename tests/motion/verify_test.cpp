@@ -87,6 +87,20 @@ TEST_CASE("a row off its path is a deviation", "[verify]") {
   CHECK(verifier.measured().path_deviation == Approx(0.0025));
 }
 
+TEST_CASE("a row lies on the path that is there, however far the paths of its block go on",
+          "[verify]") {
+  const Path first = Line({0, 0, 0}, {1, 0, 0}), second = Line({1, 0, 0}, {1, 9, 0});
+  const std::vector<Stretch> stretches{{&first, 0}, {&second, 1}};
+  Verifier verifier(machine_at(1e-3));
+  verifier.row(at_position(0, {0.2, 0, 0}, 0.2, 0), stretches);
+  verifier.row(at_position(1, {0.4, 0, 0}, 0.4, 0.2), stretches);
+  verifier.row(at_position(2, {1, 0, 0}, 1, 0.6), stretches);
+  verifier.row(at_position(3, {1, 0.5, 0}, 1.5, 0.5), stretches);
+  CHECK(verifier.measured().path_deviation == 0);
+  CHECK(&stretch_at(stretches, 0.4) == &stretches[0]);
+  CHECK(&stretch_at(stretches, 1) == &stretches[1]);
+}
+
 TEST_CASE("feed fluctuates where the advance is not the planned one", "[verify]") {
   const Path path = test::curve("butterfly");
   const Stretch stretch{&path, 0};
