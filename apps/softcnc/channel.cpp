@@ -62,9 +62,11 @@ void Feeder::fill(ipo::BlockQueue& queue, double until) {
 
 void Feeder::replan(ipo::BlockQueue& queue, const ipo::State& now, double t,
                     const ipo::FeedControl& asked) {
+  CpuLaps cpu;
   pauses_.clear();
   ended_ = ended_ || asked.stop;
   queue.begin_again(planner_.replan(queue.take_rest(), now, t, asked), t);
+  cpu_ += cpu.lap();
 }
 
 void Feeder::finish(ipo::BlockQueue& queue) {
