@@ -9,6 +9,7 @@
 #include "support/curves.hpp"
 #include "support/quad_nurbs.hpp"
 #include "support/random_nurbs.hpp"
+#include "support/sanitized.hpp"
 
 namespace softcnc {
 namespace {
@@ -20,11 +21,7 @@ using test::QuadSpan;
 using test::QuadVector;
 using test::Random;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kPoints = 40'000;  // quadruple precision under a sanitizer takes its time
-#else
-constexpr int kPoints = 1'000'000;
-#endif
+constexpr int kPoints = test::kSanitized ? 40'000 : 1'000'000;
 constexpr int kPointsPerCurve = 1000;
 
 Nurbs make(NurbsSpec spec) {

@@ -8,15 +8,13 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "support/sanitized.hpp"
+
 namespace softcnc::test {
 
 /// With sanitizers everything takes some ten times as long: there a third of the values has to do,
-/// since the other builds try them all.
-#ifdef __SANITIZE_ADDRESS__
-inline constexpr int kPart = 3;
-#else
-inline constexpr int kPart = 1;
-#endif
+/// since the release build tries them all.
+inline constexpr int kPart = kSanitized ? 3 : 1;
 
 /// Holds for `times` random values. `testable` draws them with real(), integer() or rc::gen, and
 /// states what must hold with RC_ASSERT.
