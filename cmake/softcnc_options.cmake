@@ -20,6 +20,15 @@ if(SOFTCNC_FUZZ)
                                                    -fno-sanitize-coverage=trace-cmp)
 endif()
 
+# softcnc_for_link_time(TARGET): compiled for both ways of linking, as the program is and as tests are.
+function(softcnc_for_link_time target)
+  if(SOFTCNC_LTO)
+    target_compile_options(${target} PRIVATE -flto=auto -ffat-lto-objects)
+    target_link_options(${target} INTERFACE
+      $<IF:$<BOOL:$<TARGET_PROPERTY:SOFTCNC_LINK_TIME>>,-O2;-flto=auto,-fno-lto>)
+  endif()
+endfunction()
+
 # softcnc_room(NAME STANDS_ON targets...): one room of the house, made of the sources in its folder.
 function(softcnc_room name)
   cmake_parse_arguments(ROOM "" "" "STANDS_ON" ${ARGN})
@@ -27,6 +36,7 @@ function(softcnc_room name)
   add_library(softcnc_${name} STATIC ${sources})
   add_library(softcnc::${name} ALIAS softcnc_${name})
   target_link_libraries(softcnc_${name} PUBLIC softcnc_options ${ROOM_STANDS_ON})
+  softcnc_for_link_time(softcnc_${name})
   if(SOFTCNC_COVERAGE STREQUAL name)
     target_compile_options(softcnc_${name} PRIVATE --coverage -fprofile-abs-path)
     target_link_options(softcnc_${name} PUBLIC --coverage)

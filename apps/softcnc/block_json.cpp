@@ -129,12 +129,13 @@ void BlockJson::word(std::string_view key, std::string_view value) {
 template <typename Key>
 void BlockJson::place(const Key& key, const AxisVector& value) {
   text_.add(key);
-  if (value == last_) {
-    text_.add(last_text_);
+  if (value == last_ && last_text_.size() > 0) {
+    text_.add(last_text_.text());
   } else {
     const std::size_t begin = text_.size();
     add(value);
-    last_text_ = text_.text().substr(begin);
+    last_text_.clear();
+    last_text_.add(text_.text().substr(begin));
     last_ = value;
   }
   text_.add(',');

@@ -42,7 +42,7 @@ class BlockJson {
 
   TextBuffer text_;
   AxisVector last_ = AxisVector::Zero();  // the place written last, most often the next `from`
-  std::string last_text_ = "[0,0,0]";
+  TextBuffer last_text_;                  // how it is written; empty before the first
   std::string file_, file_text_;  // named last, and as a string of JSON
 };
 

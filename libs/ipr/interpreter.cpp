@@ -21,6 +21,12 @@ const Word* first_of(const Values& values, Letters letters) noexcept {
   return first;
 }
 
+std::string lacks_axis(char letter) {
+  std::string message = "the machine has no axis ";
+  message += letter;
+  return message;
+}
+
 bool is_straight(const GCode& code) noexcept {
   constexpr int kG01 = 10;
   return code.letter == 'G' && code.number <= kG01;
@@ -172,8 +178,7 @@ void Interpreter::check_axes() {
   for (std::size_t i = 0; i < kAxes; ++i) {
     const char letter = kAxisLetters[i];
     if (machine_.axes[i].present || !values.has(letter)) continue;
-    out_.report(Code::SC2008, values.word(letter).pos,
-                std::string("the machine has no axis ") + letter);
+    out_.report(Code::SC2008, values.word(letter).pos, lacks_axis(letter));
   }
 }
 
@@ -200,7 +205,7 @@ void Interpreter::check_unused() {
     if (!unused.has(letter)) continue;
     const SourcePos& pos = command_.values().word(letter).pos;
     if (Letters("ABCUVW").has(letter))
-      out_.report(Code::SC2008, pos, std::string("the machine has no axis ") + letter);
+      out_.report(Code::SC2008, pos, lacks_axis(letter));
     else
       out_.report(Code::SC2004, pos, std::string(1, letter) + " is used by no code of this line");
   }

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string_view>
 
 namespace softcnc::ipr {
@@ -29,8 +31,46 @@ constexpr bool is_number_part(char c) noexcept {
 inline constexpr std::array<double, 23> kPowersOfTen{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+/// Eight characters at once, the first one in the lowest byte.
+struct EightCharacters {
+  static constexpr bool kFits = std::endian::native == std::endian::little;
+  static constexpr std::uint64_t kEach = 0x0101'0101'0101'0101;  // one in each byte
+
+  std::uint64_t values;  // in each byte that of the digit, if it is one
+
+  explicit EightCharacters(const char* at) noexcept {
+    std::memcpy(&values, at, sizeof values);
+    values ^= kEach * '0';
+  }
+  /// How many are digits before the first that is none. Beyond 9, or with the highest bit, is none; a
+  /// carry only goes to bytes behind it.
+  std::size_t digits() const noexcept {
+    const std::uint64_t others = ((values + kEach * (0x7F - 9)) | values) & (kEach * 0x80);
+    return static_cast<std::size_t>(std::countr_zero(others)) / 8;
+  }
+  /// The number that the first `count` are, 1 to 8: by pairs, by fours, by eights.
+  std::uint64_t number(std::size_t count) const noexcept {
+    const std::uint64_t aligned = values << (64 - 8 * count);
+    const std::uint64_t pairs = aligned * 10 + (aligned >> 8U);
+    constexpr std::uint64_t kPairs = 0x0000'00FF'0000'00FF;
+    constexpr std::uint64_t kFirst = 100 + (std::uint64_t{1'000'000} << 32U);
+    constexpr std::uint64_t kSecond = 1 + (std::uint64_t{10'000} << 32U);
+    return ((pairs & kPairs) * kFirst + ((pairs >> 16U) & kPairs) * kSecond) >> 32U;
+  }
+};
+
 /// Passes digits, which are added to `digits`; more than fit are lost.
 inline const char* pass_digits(const char* at, const char* end, std::uint64_t& digits) noexcept {
+  constexpr std::array<std::uint64_t, 9> kTens{1,      10,      100,      1000,     10000,
+                                               100000, 1000000, 10000000, 100000000};
+  if (EightCharacters::kFits && end - at >= 8) {
+    const EightCharacters eight(at);
+    const std::size_t count = eight.digits();
+    if (count == 0) return at;
+    digits = digits * kTens[count] + eight.number(count);
+    at += count;
+    if (count < 8) return at;
+  }
   for (; at != end && is_digit(*at); ++at)
     digits = digits * 10 + static_cast<unsigned char>(*at - '0');
   return at;

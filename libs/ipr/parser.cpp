@@ -108,8 +108,12 @@ bool Parser::is_readable() {
 
 void Parser::read_words() {
   Lexer lexer(line_.text);
-  for (PlainWord word; lexer.take_plain_word(word);)
-    words_.push_back({word.letter, word.value, {line_.number, word.column, word.length}});
+  for (PlainWord plain; lexer.take_plain_word(plain);) {
+    Word& word = words_.emplace_back();
+    word.letter = plain.letter;
+    word.value = plain.value;
+    word.pos = {line_.number, plain.column, plain.length};
+  }
   Token token = lexer.next();
   while (token.kind != Token::Kind::end && !given_up_ && !ended_)
     token = token.kind == Token::Kind::letter ? read_word(lexer, token) : read_mark(lexer, token);
