@@ -61,11 +61,31 @@ PathPoint point_inside(const Interval& interval, double s) noexcept {
 
 void Chain::append(const Move& move, const Constraints& constraints, bool rest) {
   if (nodes.empty()) nodes.emplace_back();
-  const std::vector<Interval> grid = make_grid(move, constraints);
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    add(std::span(grid).subspan(i, i == 0 ? grid.size() : 1), constraints, rest);
-    rest = false;
-  }
+  const double whole = length(move.path);
+  // What lies further ahead of the joint is not asked by it.
+  const double felt =
+      intervals.empty() ? 0 : std::sqrt(intervals.back().right_cap.q) * constraints.period();
+  make_grid(move, constraints, grid_, [&](double s) {
+    const double begin = grid_.front().s0;
+    if (s < whole && s - begin < felt) return;
+    make_room(static_cast<double>(grid_.size()) * (whole - begin) / (s - begin));
+    for (std::size_t i = 0; i < grid_.size(); ++i) {
+      add(std::span<const Interval>(grid_).subspan(i), constraints, rest);
+      rest = false;
+    }
+    grid_.clear();
+  });
+}
+
+/// At once, for so many intervals as are likely to come: a long curve has thousands.
+void Chain::make_room(double more) {
+  constexpr double kMost = 1e5;
+  const std::size_t needed = intervals.size() + static_cast<std::size_t>(std::min(more, kMost)) + 1;
+  if (needed <= intervals.capacity()) return;
+  const std::size_t room = std::max(needed, 2 * intervals.capacity());
+  intervals.reserve(room);
+  inside.reserve(room);
+  nodes.reserve(room + 1);
 }
 
 /// Adds the first of `ahead`; behind it stand those that are known to follow.

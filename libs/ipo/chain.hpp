@@ -82,9 +82,12 @@ struct Chain {
   }
 
  private:
+  void make_room(double more);
   void add(std::span<const Interval> ahead, const Constraints& constraints, bool rest);
   double bend(const Interval& before, const Interval& interval, const Constraints& constraints);
   void push(const Interval& interval);
+
+  std::vector<Interval> grid_;  // of a part of the move that is appended; kept for its room
 };
 
 /// Finds Node::cap and Inside: spreads what each interval asks of the steps that touch it, and what

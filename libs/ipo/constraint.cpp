@@ -31,6 +31,8 @@ Constraints::Constraints(const Machine& machine, double feed_override)
   else if (method != Method::curvature3p)
     caps_.push_back(make_chord_error(machine));
   caps_.push_back(make_roughness_limit(machine));
+  for (const auto& constraint : caps_)
+    if (constraint->holds_everywhere()) firm_caps_.push_back(constraint.get());
   for (int i = 0; i < kAxes; ++i) {
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
     acceleration_[i] = axis.present ? axis.acceleration : kUnlimited;

@@ -62,6 +62,9 @@ class Constraints {
 
   const std::vector<std::unique_ptr<Constraint>>& caps() const noexcept { return caps_; }
 
+  /// Those that hold everywhere.
+  const std::vector<const Constraint*>& firm_caps() const noexcept { return firm_caps_; }
+
   /// Axis acceleration |x'' q + x' u| <= A.
   Strips acceleration(const PathPoint& point) const noexcept;
 
@@ -79,6 +82,7 @@ class Constraints {
 
  private:
   std::vector<std::unique_ptr<Constraint>> caps_;
+  std::vector<const Constraint*> firm_caps_;
   AxisVector acceleration_, jerk_;
   double period_, chord_tolerance_;
 };

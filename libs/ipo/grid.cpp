@@ -56,9 +56,8 @@ Interval make_interval(double s0, double s1, const Look& left, const Look& right
 /// The lowest cap that holds everywhere.
 Cap firm_cap(const PathPoint& point, const Move& move, const Constraints& constraints) {
   Cap cap;
-  for (const auto& constraint : constraints.caps())
-    if (constraint->holds_everywhere())
-      cap.lower_to({constraint->cap(point, move), constraint->limit(move)});
+  for (const Constraint* constraint : constraints.firm_caps())
+    cap.lower_to({constraint->cap(point, move), constraint->limit(move)});
   return cap;
 }
 
@@ -183,9 +182,10 @@ class Refiner {
 
 }  // namespace
 
-std::vector<Interval> make_grid(const Move& move, const Constraints& constraints) {
+void make_grid(const Move& move, const Constraints& constraints, std::vector<Interval>& grid,
+               const std::function<void(double s)>& take) {
+  grid.clear();
   const double to = length(move.path);
-  std::vector<Interval> grid;
   if (std::holds_alternative<Line>(move.path)) {
     const Look begin = look_at(at(move.path, 0), move, constraints);
     Look end = begin;
@@ -197,12 +197,13 @@ std::vector<Interval> make_grid(const Move& move, const Constraints& constraints
     double s = 0;
     for (const double node : breaks(move.path)) {
       refiner.refine(s, node);
+      take(node);
       s = node;
     }
     refiner.refine(s, to);
   }
   grid.back().ends_move = true;
-  return grid;
+  take(to);
 }
 
 }  // namespace softcnc::ipo

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "ipo/constraint.hpp"
@@ -47,10 +48,13 @@ struct Interval {
   bool straight() const noexcept { return left.ddq.isZero(0) && right.ddq.isZero(0); }
 };
 
-/// The intervals of a move. Between two nodes the caps and the accelerations that x' and x'' ask
-/// for exceed their linear interpolation by less than kGridTolerance of the limits; every break of
-/// the path is a node. Caps that hold everywhere are nowhere exceeded at all.
-std::vector<Interval> make_grid(const Move& move, const Constraints& constraints);
+/// Puts the intervals of a move into `grid`, and calls take(s) when they reach as far as a break of
+/// the path, or its end, at s mm; take() may remove what is there. Between two nodes the caps and
+/// the accelerations that x' and x'' ask for exceed their linear interpolation by less than
+/// kGridTolerance of the limits; every break of the path is a node. Caps that hold everywhere are
+/// nowhere exceeded at all.
+void make_grid(const Move& move, const Constraints& constraints, std::vector<Interval>& grid,
+               const std::function<void(double s)>& take);
 
 inline constexpr double kGridTolerance = 3e-4;
 

@@ -11,7 +11,9 @@ using namespace softcnc::ipo;
 namespace {
 
 std::vector<Interval> grid_of(const Machine& machine, const Path& path, double feed) {
-  return make_grid({path, false, feed, Join::follow}, Constraints(machine, 1));
+  std::vector<Interval> grid;
+  make_grid({path, false, feed, Join::follow}, Constraints(machine, 1), grid, [](double) {});
+  return grid;
 }
 
 }  // namespace
