@@ -12,6 +12,7 @@ namespace softcnc::ipo {
 namespace {
 
 constexpr double kAhead = 10;          // stopping distances in a plan
+constexpr double kAheadTime = 0.5;     // s that it lasts at least while its cap stays the same
 constexpr double kLeft = 1.5;          // of them that are planned anew
 constexpr double kLongest = 0.25;      // stopping distance: longest interval
 constexpr double kMostParts = 32;      // of an interval
@@ -60,7 +61,8 @@ std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended, double slowi
     if (way <= 0) continue;
     top = std::max({top, speed(nodes[n].cap), speed(chain_.inside[n].cap)});
     const double distance = stopping_distance(top, constraints_);
-    if (way < kAhead * distance) continue;
+    const bool steady = nodes[n + 1].cap.q == nodes[n].cap.q;  // which takes few nodes
+    if (way < kAhead * distance || (steady && way < kAheadTime * top)) continue;
     std::size_t taken = n + 1;
     while (taken > front_ + 1 && nodes[n + 1].s - nodes[taken].s < kLeft * distance) --taken;
     return Reach{n + 1, taken};

@@ -14,6 +14,7 @@ constexpr double kGrowth = 0.1;        // of the speed from node to node
 constexpr double kAccelerationPart = 0.8;
 constexpr double kGrading = 0.15;  // of the way since the speed has stood still
 constexpr double kSlowest = 1e-3;  // of the speed at the start
+constexpr double kHardly = 0.1;    // of the acceleration and the jerk of an axis, at a steady speed
 
 /// No q is larger at this point of a curve at constant speed.
 double jerk_cap(const PathPoint& point, const AxisVector& jerk) noexcept {
@@ -21,6 +22,12 @@ double jerk_cap(const PathPoint& point, const AxisVector& jerk) noexcept {
   for (int i = 0; i < kAxes; ++i)
     if (point.dddq[i] != 0) most = std::min(most, jerk[i] / std::abs(point.dddq[i]));
   return std::cbrt(most);
+}
+
+bool hardly_felt(const PathPoint& point, double v, const Constraints& constraints) noexcept {
+  const AxisVector a = point.ddq.cwiseAbs() * (v * v), j = point.dddq.cwiseAbs() * (v * v * v);
+  return (a.array() <= kHardly * constraints.acceleration_limits().array()).all() &&
+         (j.array() <= kHardly * constraints.jerk_limits().array()).all();
 }
 
 }  // namespace
@@ -55,11 +62,18 @@ SpeedGuess::Cell SpeedGuess::cell(const PlanSpan& span, std::size_t i) const noe
             kAccelerationPart *
                 (straight ? along(acceleration, interval.left.dq) : acceleration.minCoeff()),
             straight ? along(jerk, interval.left.dq) : jerk.minCoeff(),
-            straight};
-  if (!straight) {
-    cell.begin_v = std::min(cell.begin_v, jerk_cap(interval.left, jerk));
-    cell.end_v = std::min(cell.end_v, jerk_cap(interval.right, jerk));
+            straight,
+            kUnlimited};
+  if (straight) {
+    cell.steady_v = cell.inside_v;
+    return cell;
   }
+  cell.begin_v = std::min(cell.begin_v, jerk_cap(interval.left, jerk));
+  cell.end_v = std::min(cell.end_v, jerk_cap(interval.right, jerk));
+  const double v = cell.begin_v;
+  if (v == cell.end_v && hardly_felt(interval.left, v, span.constraints) &&
+      hardly_felt(interval.right, v, span.constraints))
+    cell.steady_v = v;
   return cell;
 }
 
@@ -79,7 +93,7 @@ std::vector<SpeedGuess::Sample> SpeedGuess::walk(const std::vector<Cell>& cells,
   for (const Cell& cell : cells) {
     const double end = std::min(begin + cell.length, way);
     while (s < end) {
-      const bool cruises = cell.straight && at.v >= cell.inside_v;
+      const bool cruises = at.v >= cell.steady_v;
       const double steady = cruises ? kGrading * std::max(s - steady_from, 0.0) : 0;
       double dt = time_step(at, cell.j) + steady / at.v;
       samples.push_back({s, at.v, at.v * dt});

@@ -34,6 +34,7 @@ class SpeedGuess {
   struct Cell {  // an interval as a walk sees it
     double length, begin_v, end_v, inside_v, a, j;
     bool straight;
+    double steady_v;  // at its caps all along, and there hardly anything is asked of the axes
 
     /// mm/s, at a part of its length.
     double cap_at(double part) const noexcept {

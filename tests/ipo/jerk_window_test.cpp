@@ -56,6 +56,20 @@ TEST_CASE("curves are as fast as the independent optimum but for two per cent, a
   }
 }
 
+TEST_CASE("a slow arc takes few nodes however short its stopping distances are", "[ipo][jerk]") {
+  const AxisVector from(1, 0, 0), to(4, 3, 0), centre(1, 3, 0);
+  const Machine machine = machine_with(250, 1000, 50000);
+  for (const double feed : {0.05, 0.5, 5.0}) {
+    CAPTURE(feed);
+    const Path arc = *Arc::make({from, to, centre});
+    const auto result = run(machine, one(arc, feed));
+    CHECK(static_cast<double>(result.counts.effort.nodes) < 600 * result.time + 200);
+    CHECK(result.counts.effort.fallbacks == 0);
+    CHECK(result.time == Approx(length(arc) / feed).epsilon(1e-3).margin(0.1));
+    CHECK(exceeded(machine, result) == "");
+  }
+}
+
 TEST_CASE("a limit of the jerk that no row can reach costs nothing", "[ipo][jerk]") {
   const auto path = one(curve("butterfly"), 100);
   const auto machine = [](double jerk) {
