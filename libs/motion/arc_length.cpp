@@ -12,9 +12,15 @@ constexpr int kDeepest = 200;        // halvings of a span
 constexpr double kShortest = 1e-14;  // of the length: cells below are taken linear
 constexpr std::size_t kTail = 3;     // terms that must have died away
 constexpr int kNewtonSteps = 8;
+constexpr double kTrifle = 0.02;       // of a tolerance: terms that change nothing
+constexpr double kSlopeTrifle = 1e-9;  // of the speed: in the slope of Newton's method
 
 std::span<const double> terms(const auto& series) noexcept {
   return {series.data(), static_cast<std::size_t>(series.size())};
+}
+
+std::span<const double> without_trifles(const auto& series, double trifle) noexcept {
+  return terms(series).first(chebyshev_terms(terms(series), trifle));
 }
 
 /// The largest of the last coefficients: what the polynomial does not follow.
@@ -33,13 +39,16 @@ struct Forward {
   double length_error() const noexcept { return error * std::sqrt(std::min(1.0, error / length)); }
 };
 
-/// x(s) as a series in y = 2 s / length - 1, by Newton's method at all nodes together.
+/// x(s) as a series in y = 2 s / length - 1, by Newton's method at all nodes together. Trailing
+/// terms that change nothing are left out: most of a cell that is nearly straight.
 ChebyshevSeries invert(const Forward& forward, double tolerance) {
+  const auto s_terms = without_trifles(forward.s, kTrifle * tolerance);
+  const auto ds_terms = without_trifles(forward.ds, kSlopeTrifle * forward.fastest);
   const ChebyshevSamples s = 0.5 * forward.length * (1.0 + chebyshev_nodes());
   ChebyshevSamples x = chebyshev_nodes();
   for (int i = 0; i < kNewtonSteps; ++i) {
-    const ChebyshevSamples miss = evaluate_chebyshev(terms(forward.s), x) - s;
-    x = (x - miss / evaluate_chebyshev(terms(forward.ds), x)).max(-1.0).min(1.0);
+    const ChebyshevSamples miss = evaluate_chebyshev(s_terms, x) - s;
+    x = (x - miss / evaluate_chebyshev(ds_terms, x)).max(-1.0).min(1.0);
     if ((miss.abs() <= tolerance).all()) break;
   }
   return chebyshev_series(x);
@@ -135,7 +144,7 @@ bool ArcLengthMap::Builder::keep_if_exact(const SpanPlace& first, double width, 
   if (!(f.error <= 0.3 * tolerance && f.length_error() <= share)) return false;
   ChebyshevSeries t = invert(f, 0.1 * tolerance);
   if (!(inverse_error(f, t) <= 0.3 * tolerance)) return false;
-  const double trifle = 0.02 * tolerance;
+  const double trifle = kTrifle * tolerance;
   const std::size_t t_terms = chebyshev_terms(terms(t), trifle / f.fastest);
   t[0] += 1.0;
   t *= 0.5 * width;

@@ -47,6 +47,11 @@ template <int order>
 std::array<Homogeneous, order + 1> bezier_derivatives(const Homogeneous* points, int degree,
                                                       const SpanPlace& place) noexcept;
 
+/// The derivative of that order alone. `degree` >= order.
+template <int order>
+Homogeneous bezier_derivative(const Homogeneous* points, int degree,
+                              const SpanPlace& place) noexcept;
+
 /// Derivatives of the quotient A / w from those of (A, w), by Leibniz' rule (The NURBS Book, eq.
 /// 4.8). Relative to the origin of the homogeneous points.
 template <int order>
@@ -55,29 +60,57 @@ std::array<AxisVector, order + 1> projected(
 
 // ------------------------------------------------------------------------------------------------
 
+/// The Bernstein polynomials of one degree after the other, from 0 on.
+class BernsteinBasis {
+ public:
+  explicit BernsteinBasis(const SpanPlace& place) noexcept
+      : rise_(place.from_first()), fall_(place.from_last()) {
+    values_[0] = 1.0;
+  }
+
+  void raise() noexcept {
+    const std::size_t top = ++degree_;
+    values_[top] = rise_ * values_[top - 1];
+    for (std::size_t i = top - 1; i > 0; --i)
+      values_[i] = fall_ * values_[i] + rise_ * values_[i - 1];
+    values_[0] *= fall_;
+  }
+
+  Homogeneous sum(const Homogeneous* points) const noexcept {
+    Homogeneous sum = Homogeneous::Zero();
+    for (std::size_t i = 0; i <= degree_; ++i) sum += values_[i] * points[i];
+    return sum;
+  }
+
+ private:
+  double rise_, fall_;
+  std::size_t degree_ = 0;
+  std::array<double, kMaxBezierDegree + 1> values_;
+};
+
 template <int order>
 std::array<Homogeneous, order + 1> bezier_derivatives(const Homogeneous* points, int degree,
                                                       const SpanPlace& place) noexcept {
   static_assert(0 <= order && order <= kBezierOrders);
-  const double rise = place.from_first();
-  const double fall = place.from_last();
   std::array<Homogeneous, order + 1> derivatives;
   for (auto& derivative : derivatives) derivative.setZero();
-  std::array<double, kMaxBezierDegree + 1> basis;  // Bernstein polynomials, degree by degree
-  basis[0] = 1.0;
-  for (int low = 0; low <= degree; ++low) {
-    if (const int k = degree - low; k <= order) {
-      const Homogeneous* b = points + bezier_points_begin(degree, k);
-      auto& sum = derivatives[static_cast<std::size_t>(k)];
-      for (int i = 0; i <= low; ++i) sum += basis[static_cast<std::size_t>(i)] * b[i];
-    }
+  BernsteinBasis basis(place);
+  for (int low = 0;; ++low) {
+    if (const int k = degree - low; k <= order)
+      derivatives[static_cast<std::size_t>(k)] = basis.sum(points + bezier_points_begin(degree, k));
     if (low == degree) break;
-    const auto top = static_cast<std::size_t>(low) + 1;
-    basis[top] = rise * basis[top - 1];
-    for (std::size_t i = top - 1; i > 0; --i) basis[i] = fall * basis[i] + rise * basis[i - 1];
-    basis[0] *= fall;
+    basis.raise();
   }
   return derivatives;
+}
+
+template <int order>
+Homogeneous bezier_derivative(const Homogeneous* points, int degree,
+                              const SpanPlace& place) noexcept {
+  static_assert(0 <= order && order <= kBezierOrders);
+  BernsteinBasis basis(place);
+  for (int low = 0; low < degree - order; ++low) basis.raise();
+  return basis.sum(points + bezier_points_begin(degree, order));
 }
 
 template <int order>

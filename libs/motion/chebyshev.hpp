@@ -23,17 +23,25 @@ inline const ChebyshevSamples& chebyshev_nodes() {
   return nodes;
 }
 
-/// sum c_j T_j(x), -1 <= x <= 1, by Clenshaw's recurrence: for one x, or an array of them at once.
+/// sum c_j T_j(x), -1 <= x <= 1, for one x, or an array of them at once. Even and odd terms are two
+/// sums by Clenshaw's recurrence in y = 2 x^2 - 1 = T_2(x), which need not wait for each other:
+/// T_2k(x) = T_k(y), and T_2k+1(x) = x P_k(y) with P_0 = 1, P_1 = 2 y - 1 and the same recurrence.
 template <typename X>
 X evaluate_chebyshev(std::span<const double> c, const X& x) noexcept {
-  X next = 0.0 * x;
-  X after = next;
-  for (std::size_t j = c.size() - 1; j > 0; --j) {
-    const X current = (c[j] - after) + 2.0 * x * next;
-    after = next;
-    next = current;
+  const X twice = 4.0 * x * x - 2.0;  // 2 y
+  X even = 0.0 * x, even_after = even, odd = even, odd_after = even;
+  for (std::size_t k = (c.size() - 1) / 2; k > 0; --k) {
+    const double odd_term = 2 * k + 1 < c.size() ? c[2 * k + 1] : 0.0;
+    const X even_now = (c[2 * k] - even_after) + twice * even;
+    const X odd_now = (odd_term - odd_after) + twice * odd;
+    even_after = even;
+    even = even_now;
+    odd_after = odd;
+    odd = odd_now;
   }
-  return (c[0] - after) + x * next;
+  const double first_odd = c.size() > 1 ? c[1] : 0.0;
+  return ((c[0] - even_after) + 0.5 * twice * even) +
+         x * ((first_odd - odd_after) + (twice - 1.0) * odd);
 }
 
 /// The coefficients of the polynomial through samples at the nodes (discrete cosine transform).

@@ -20,12 +20,19 @@ PathPoint by_arc_length(const std::array<AxisVector, 4>& c) noexcept {
   return {c[0], dq, ddq, (c[3] - ddv * dq - 3.0 * v * dv * ddq) / (v * v * v)};
 }
 
+/// That of all; 0 where they differ.
+double common_weight(const std::vector<double>& weights) noexcept {
+  const auto differs = [&](double weight) { return weight != weights.front(); };
+  return std::any_of(weights.begin(), weights.end(), differs) ? 0.0 : weights.front();
+}
+
 }  // namespace
 
 Result<Nurbs> Nurbs::make(NurbsSpec spec) {
   if (Status status = check(spec); !status) return tl::unexpected(status.error());
   Nurbs nurbs;
   nurbs.spec_ = std::move(spec);
+  nurbs.weight_ = common_weight(nurbs.spec_.weights);
   nurbs.make_segments();
   const auto speed = [&](const SpanPlace& place) { return nurbs.span_speed(place); };
   auto map = ArcLengthMap::measure(speed, static_cast<int>(nurbs.origins_.size()));
@@ -74,7 +81,10 @@ std::array<AxisVector, order + 1> Nurbs::evaluate(const SpanPlace& place) const 
 }
 
 double Nurbs::span_speed(const SpanPlace& place) const noexcept {
-  return evaluate<1>(place)[1].norm();
+  if (weight_ == 0) return evaluate<1>(place)[1].norm();
+  const auto* points =
+      segments_.data() + static_cast<std::size_t>(place.span) * bezier_point_count(spec_.degree);
+  return bezier_derivative<1>(points, spec_.degree, place).head<3>().norm() / weight_;
 }
 
 // By the parameter --------------------------------------------------------------------------------

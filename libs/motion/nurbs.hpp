@@ -70,6 +70,7 @@ class Nurbs {
   std::vector<double> span_knots_;     // distinct knots: span i is [i, i + 1]
   std::vector<Homogeneous> segments_;  // Bezier points of each span, about its origin
   std::vector<AxisVector> origins_;
+  double weight_ = 0;  // of all control points; 0 where they differ
   ArcLengthMap map_;
   std::vector<double> breaks_;
 };
