@@ -49,6 +49,7 @@ void LineRun::begin(const AxisVector& point) {
   vertices_.back().point = point_ = point;
   reaches_ = widths_ = 1;
   t_ = 0;
+  edge_ = passed_ = 0;
 }
 
 void LineRun::append(const Chord& chord) {
@@ -178,6 +179,8 @@ void LineRun::forget() {
     vertices_.pop_front();
     --reaches_;
     --widths_;
+    edge_ -= std::min<std::size_t>(edge_, 1);
+    passed_ -= std::min<std::size_t>(passed_, 1);
   }
 }
 

@@ -67,6 +67,7 @@ class LineRun {
 
   double settled_until() const;
   void emit();
+  void pass();
   double next_hat() const;
   double end_of_curve() const;
   void emit_line(double t1);
@@ -84,6 +85,7 @@ class LineRun {
   std::deque<PlacedMark> marks_;
   std::size_t reaches_ = 0, widths_ = 0;  // vertices whose reach and width are settled
   double t_ = 0;                          // pieces are out up to here
+  std::size_t edge_ = 0, passed_ = 0;     // the line before there; vertices whose hats end before
   AxisVector point_ = AxisVector::Zero();
   bool ended_ = false;
   std::vector<Edge> edges_;  // of the piece being made

@@ -17,6 +17,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 void LineRun::emit() {
   const double until = settled_until();
   while (t_ < until - kSamePlace) {
+    pass();
     const double hat = next_hat();
     const bool straight = hat > t_ + kSamePlace;
     const double t1 = straight ? std::min(hat, vertices_[edge_at(t_) + 1].t) : end_of_curve();
@@ -25,10 +26,16 @@ void LineRun::emit() {
   }
 }
 
+/// Nothing that lies behind is looked at again.
+void LineRun::pass() {
+  edge_ = edge_at(t_);
+  while (passed_ < widths_ && vertices_[passed_].t + vertices_[passed_].width <= t_) ++passed_;
+}
+
 /// Where the first hat begins that does not end before here; perhaps before here.
 double LineRun::next_hat() const {
   double next = kNever;
-  for (std::size_t i = 0; i < widths_; ++i) {
+  for (std::size_t i = passed_; i < widths_; ++i) {
     const Vertex& v = vertices_[i];
     if (v.width > 0 && v.t + v.width > t_ + kSamePlace) next = std::min(next, v.t - v.width);
   }
@@ -39,7 +46,7 @@ double LineRun::next_hat() const {
 double LineRun::end_of_curve() const {
   double end = t_ + kSamePlace;
   std::size_t passed = 0;
-  for (std::size_t i = 0; i < widths_; ++i) {
+  for (std::size_t i = passed_; i < widths_; ++i) {
     const Vertex& v = vertices_[i];
     if (v.width > 0 && v.t - v.width < end && v.t + v.width > end) end = v.t + v.width;
   }
@@ -65,7 +72,7 @@ void LineRun::emit_curve(double t1) {
   turns_.clear();
   double off = 0;
   const std::size_t first = edge_at(t_);
-  for (std::size_t i = 0; i < widths_; ++i) {
+  for (std::size_t i = passed_; i < widths_; ++i) {
     const Vertex& v = vertices_[i];
     if (v.width > 0 && v.t + v.width > t_ && v.t - v.width < t1)
       turns_.push_back({v.t, v.width, v.kink});
@@ -119,16 +126,16 @@ void LineRun::emit_piece(Path path, double t1, double deviation) {
   t_ = t1;
 }
 
-/// The line on which the path is just behind t.
+/// The line on which the path is just behind t >= t_.
 std::size_t LineRun::edge_at(double t) const {
-  std::size_t i = 0;
+  std::size_t i = edge_;
   while (i + 2 < vertices_.size() && vertices_[i + 1].t <= t + kSamePlace) ++i;
   return i;
 }
 
 const LineRun::Vertex* LineRun::vertex_at(double t) const {
-  for (const Vertex& vertex : vertices_)
-    if (std::abs(vertex.t - t) < kSamePlace) return &vertex;
+  for (std::size_t i = edge_; i < vertices_.size() && vertices_[i].t < t + kSamePlace; ++i)
+    if (std::abs(vertices_[i].t - t) < kSamePlace) return &vertices_[i];
   return nullptr;
 }
 
