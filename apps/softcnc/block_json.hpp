@@ -43,7 +43,7 @@ class BlockJson {
   TextBuffer text_;
   AxisVector last_ = AxisVector::Zero();  // the place written last, most often the next `from`
   TextBuffer last_text_;                  // how it is written; empty before the first
-  std::string file_, file_text_;  // named last, and as a string of JSON
+  std::string file_, file_text_;          // named last, and as a string of JSON
 };
 
 }  // namespace softcnc::app

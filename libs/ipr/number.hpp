@@ -42,8 +42,8 @@ struct EightCharacters {
     std::memcpy(&values, at, sizeof values);
     values ^= kEach * '0';
   }
-  /// How many are digits before the first that is none. Beyond 9, or with the highest bit, is none; a
-  /// carry only goes to bytes behind it.
+  /// How many are digits before the first that is none. Beyond 9, or with the highest bit, is none;
+  /// a carry only goes to bytes behind it.
   std::size_t digits() const noexcept {
     const std::uint64_t others = ((values + kEach * (0x7F - 9)) | values) & (kEach * 0x80);
     return static_cast<std::size_t>(std::countr_zero(others)) / 8;

@@ -32,6 +32,21 @@ TEST_CASE("a number ends where something else begins", "[ipr][number]") {
   CHECK(number.length == 4);
 }
 
+TEST_CASE("whatever byte follows a number, near or far from the end of the text", "[ipr][number]") {
+  for (int byte = 0; byte < 256; ++byte) {
+    const char c = static_cast<char>(byte);
+    if (is_number_part(c) || is_blank(c)) continue;
+    CAPTURE(byte);
+    for (const std::string digits : {"7", "1234567", "12345678", "123456789"})
+      for (const std::string behind : {"", "1", "99999999999"}) {
+        const Number number = read_number("-" + digits + ".25" + c + behind);
+        CHECK(number.fault == NumberFault::none);
+        CHECK(number.length == digits.size() + 4);
+        CHECK(number.value == -(std::stod(digits) + 0.25));
+      }
+  }
+}
+
 TEST_CASE("every fault of a number has its name", "[ipr][number]") {
   CHECK(read_number("-").fault == NumberFault::no_digits);
   CHECK(read_number(".").fault == NumberFault::no_digits);
