@@ -20,12 +20,16 @@ if(SOFTCNC_FUZZ)
                                                    -fno-sanitize-coverage=trace-cmp)
 endif()
 
+if(SOFTCNC_LTO AND NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  message(FATAL_ERROR "SOFTCNC_LTO is for g++ alone, and this is ${CMAKE_CXX_COMPILER_ID}")
+endif()
+
 # softcnc_for_link_time(TARGET): compiled for both ways of linking, as the program is and as tests are.
 function(softcnc_for_link_time target)
   if(SOFTCNC_LTO)
     target_compile_options(${target} PRIVATE -flto=auto -ffat-lto-objects)
     target_link_options(${target} INTERFACE
-      $<IF:$<BOOL:$<TARGET_PROPERTY:SOFTCNC_LINK_TIME>>,-O2;-flto=auto,-fno-lto>)
+      $<IF:$<BOOL:$<TARGET_PROPERTY:SOFTCNC_LINK_TIME>>,-flto=auto,-fno-lto>)
   endif()
 endfunction()
 

@@ -63,7 +63,7 @@ void Chain::append(const Move& move, const Constraints& constraints, bool rest) 
   if (nodes.empty()) nodes.emplace_back();
   const double whole = length(move.path);
   // What lies further ahead of the joint is not asked by it.
-  const double felt =
+  double felt =
       intervals.empty() ? 0 : std::sqrt(intervals.back().right_cap.q) * constraints.period();
   make_grid(move, constraints, grid_, [&](double s) {
     const double begin = grid_.front().s0;
@@ -74,13 +74,15 @@ void Chain::append(const Move& move, const Constraints& constraints, bool rest) 
       rest = false;
     }
     grid_.clear();
+    felt = 0;
   });
 }
 
-/// At once, for so many intervals as are likely to come: a long curve has thousands.
+/// At once, for so many intervals as come if all of the move is like its first stretch; a long
+/// curve has thousands.
 void Chain::make_room(double more) {
-  constexpr double kMost = 1e5;
-  const std::size_t needed = intervals.size() + static_cast<std::size_t>(std::min(more, kMost)) + 1;
+  constexpr double kMost = 1e4;
+  const std::size_t needed = intervals.size() + static_cast<std::size_t>(std::min(kMost, more)) + 1;
   if (needed <= intervals.capacity()) return;
   const std::size_t room = std::max(needed, 2 * intervals.capacity());
   intervals.reserve(room);

@@ -12,7 +12,7 @@ namespace softcnc::ipo {
 namespace {
 
 constexpr double kAhead = 10;          // stopping distances in a plan
-constexpr double kAheadTime = 0.5;     // s that it lasts at least while its cap stays the same
+constexpr double kAheadTime = 0.5;     // s that it lasts while its cap stays, if it can be found
 constexpr double kLeft = 1.5;          // of them that are planned anew
 constexpr double kLongest = 0.25;      // stopping distance: longest interval
 constexpr double kMostParts = 32;      // of an interval
@@ -50,8 +50,10 @@ void JerkWindow::split_long_intervals(bool ended) {
 }
 
 /// The end of a plan: the first rest, or as many stopping distances away as it takes. `slowing`: mm
-/// ahead of the front in which the machine slows down first.
-std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended, double slowing) const noexcept {
+/// ahead of the front in which the machine slows down first. `time`: s that it is to last where its
+/// cap stays the same.
+std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended, double slowing,
+                                                        double time) const noexcept {
   const auto& nodes = chain_.nodes;
   const std::size_t last = ended ? nodes.size() - 1 : last_final_cap();
   double top = slowing > 0 ? 0 : motion_.v;
@@ -61,8 +63,8 @@ std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended, double slowi
     if (way <= 0) continue;
     top = std::max({top, speed(nodes[n].cap), speed(chain_.inside[n].cap)});
     const double distance = stopping_distance(top, constraints_);
-    const bool steady = nodes[n + 1].cap.q == nodes[n].cap.q;  // which takes few nodes
-    if (way < kAhead * distance || (steady && way < kAheadTime * top)) continue;
+    const bool steady = nodes[n + 1].cap.q == nodes[n].cap.q;
+    if (way < kAhead * distance || (steady && way < time * top)) continue;
     std::size_t taken = n + 1;
     while (taken > front_ + 1 && nodes[n + 1].s - nodes[taken].s < kLeft * distance) --taken;
     return Reach{n + 1, taken};
@@ -125,10 +127,14 @@ std::size_t JerkWindow::settle(bool ended) {
   const Straight straight = straight_to_rest(ended);
   if (straight.waits) return 0;
   if (straight.rest && run_straight(*straight.rest)) return planned_.size();
-  const auto reach = look_ahead(ended);
+  auto reach = look_ahead(ended, 0, kAheadTime);
   if (!reach) return 0;
   if (slows_) return slow_down(ended);
   auto plan = this->plan(reach->end, reach->taken);
+  if (!plan) {
+    const auto farther = std::exchange(reach, look_ahead(ended, 0, 0));
+    if (reach->end < farther->end) plan = this->plan(reach->end, reach->taken);
+  }
   if (!plan) return fall_back(reach->end);
   take(std::move(*plan), reach->taken - front_);
   return planned_.size();
@@ -179,7 +185,7 @@ std::size_t JerkWindow::slow_down(bool ended) {
   const Chain appended = chain_;
   const auto plan_from = [&](double way) {
     slow_from(appended, way);
-    const auto reach = look_ahead(ended, slowing_way_);
+    const auto reach = look_ahead(ended, slowing_way_, kAheadTime);
     auto plan = reach ? this->plan(reach->end, reach->taken) : std::nullopt;
     if (plan) take(std::move(*plan), reach->taken - front_);
     return plan.has_value();

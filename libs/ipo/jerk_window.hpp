@@ -34,7 +34,7 @@ class JerkWindow final : public Window {
   struct Reach {
     std::size_t end, taken;
   };
-  std::optional<Reach> look_ahead(bool ended, double slowing = 0) const noexcept;
+  std::optional<Reach> look_ahead(bool ended, double slowing, double time) const noexcept;
   /// A straight line of one move between two rests: its end, a node of the chain; `waits`: what
   /// follows is still to tell whether there is one.
   struct Straight {

@@ -85,7 +85,8 @@ class LineRun {
   std::deque<PlacedMark> marks_;
   std::size_t reaches_ = 0, widths_ = 0;  // vertices whose reach and width are settled
   double t_ = 0;                          // pieces are out up to here
-  std::size_t edge_ = 0, passed_ = 0;     // the line before there; vertices whose hats end before
+  std::size_t edge_ = 0,
+              passed_ = 0;  // line at t_; all vertices before this end their hats before t_
   AxisVector point_ = AxisVector::Zero();
   bool ended_ = false;
   std::vector<Edge> edges_;  // of the piece being made

@@ -45,14 +45,14 @@ double LineRun::next_hat() const {
 /// Where no hat follows at once, or the manner changes, or there is enough for one piece.
 double LineRun::end_of_curve() const {
   double end = t_ + kSamePlace;
-  std::size_t passed = 0;
+  std::size_t taken = 0;
   for (std::size_t i = passed_; i < widths_; ++i) {
     const Vertex& v = vertices_[i];
     if (v.width > 0 && v.t - v.width < end && v.t + v.width > end) end = v.t + v.width;
   }
   for (std::size_t i = edge_at(t_) + 1; i < vertices_.size() && vertices_[i].t < end; ++i) {
     const bool last = i + 1 == vertices_.size();
-    if (!last && ++passed < kMostInPiece && vertices_[i].manner == vertices_[i - 1].manner)
+    if (!last && ++taken < kMostInPiece && vertices_[i].manner == vertices_[i - 1].manner)
       continue;
     return vertices_[i].t;
   }

@@ -70,6 +70,17 @@ TEST_CASE("a slow arc takes few nodes however short its stopping distances are",
   }
 }
 
+TEST_CASE("where half a second ahead cannot be planned, a shorter way is", "[ipo][jerk]") {
+  Machine machine = machine_with(250, 1000, 50000);
+  machine.axes[1].jerk = 15000;
+  machine.control.period = 0.008;
+  ArcSpec spec{{0, 0, 0}, {-1.679246188, 1.080192886, 0}, {4.543326109, 8.908321271, 0}};
+  spec.ccw = false;
+  const auto result = run(machine, one(*Arc::make(spec), 1));
+  CHECK(result.counts.effort.fallbacks == 0);
+  CHECK(exceeded(machine, result) == "");
+}
+
 TEST_CASE("a limit of the jerk that no row can reach costs nothing", "[ipo][jerk]") {
   const auto path = one(curve("butterfly"), 100);
   const auto machine = [](double jerk) {
