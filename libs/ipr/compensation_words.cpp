@@ -141,11 +141,15 @@ bool is_refused(const Task& task) {
   return !is_fanuc(task) && among(number, kNotInLinuxcnc);
 }
 
-/// The move behind G40 begins beside the contour, where no arc or curve was meant to begin.
-void check_beside(Task& task) {
+bool is_curve(const Task& task) {
   constexpr std::array kCurves{20, 30, 50, 51, 52, 61, 62};
-  if (task.code.letter != 'G' || !among(task.code.number, kCurves)) return;
-  if (!task.values.letters().has_any(task.code.words)) return;
+  return task.code.letter == 'G' && among(task.code.number, kCurves) &&
+         task.values.letters().has_any(task.code.words);
+}
+
+/// The move behind G40 begins beside the contour, where no arc or curve was meant to begin: not
+/// even where G41 or G42 follows.
+void report_beside(Task& task) {
   task.out.report(Code::SC2149, task.word.pos,
                   code_name(task.code) + " behind G40; the first move leads away on a line");
   task.out.mute();
@@ -197,13 +201,13 @@ void end_compensation(Task& task) {
 }
 
 bool may_act(Task& task) {
-  if (!task.out.compensating()) {
-    check_beside(task);
+  const bool leaves_on_curve = task.modal.beside && is_curve(task);
+  if (leaves_on_curve) report_beside(task);
+  if (!task.out.compensating() || !is_refused(task) || task.modal.curve || task.modal.points)
     return true;
-  }
-  if (!is_refused(task) || task.modal.curve || task.modal.points) return true;
-  task.out.report(Code::SC2140, task.word.pos,
-                  code_name(task.code) + " while cutter compensation is on");
+  if (!leaves_on_curve)
+    task.out.report(Code::SC2140, task.word.pos,
+                    code_name(task.code) + " while cutter compensation is on");
   return end_contour(task);
 }
 

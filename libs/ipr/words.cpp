@@ -88,10 +88,7 @@ AxisVector end_point(const Task& task) {
 void emit_move(Task& task, Path&& path, bool rapid) {
   Modal& modal = task.modal;
   if (modal.uncertain.has_any(kAxisWords)) task.out.mark_uncertain();
-  if (modal.beside) {
-    path = softcnc::Line(modal.beside->tool, end(path));
-    modal.beside.reset();
-  }
+  modal.beside.reset();
   if (!rapid && modal.feed_mode == FeedMode::inverse_time)
     modal.feed = held_feed(task, mm_s_from_mm_min(length(path) * modal.feed_word));
   if (!rapid) {
