@@ -117,7 +117,7 @@ Expression::Operand Expression::combine(const Operator& op, const Operand& left,
 Expression::Operand Expression::operand() {
   const int begin = lexer_.column();
   const char first = lexer_.peek();
-  if (++depth_ > kDeepest)
+  if (++depth_ > kDeepest && first != 0)
     stop(Code::SC1027, begin, begin + 1,
          "more than " + std::to_string(kDeepest) + " brackets, signs or '#' within one another");
   const double value = broke_off_ ? kUncertain : unsigned_operand(first, begin);
