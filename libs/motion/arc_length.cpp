@@ -8,9 +8,9 @@
 namespace softcnc {
 namespace {
 
+constexpr int kFew = 8;              // samples that may do for a span
 constexpr int kDeepest = 200;        // halvings of a span
 constexpr double kShortest = 1e-14;  // of the length: cells below are taken linear
-constexpr std::size_t kTail = 3;     // terms that must have died away
 constexpr int kNewtonSteps = 8;
 constexpr double kTrifle = 0.02;       // of a tolerance: terms that change nothing
 constexpr double kSlopeTrifle = 1e-9;  // of the speed: in the slope of Newton's method
@@ -23,13 +23,17 @@ std::span<const double> without_trifles(const auto& series, double trifle) noexc
   return terms(series).first(chebyshev_terms(terms(series), trifle));
 }
 
-/// The largest of the last coefficients: what the polynomial does not follow.
-double tail(const ChebyshevSeries& c) noexcept { return c.tail<kTail>().abs().maxCoeff(); }
+/// The largest of the last coefficients, even and odd ones: what the polynomial does not follow.
+template <int n>
+double tail(const Eigen::Array<double, n, 1>& c) noexcept {
+  return c.template tail<1 + n / 8>().abs().maxCoeff();
+}
 
-/// A cell in -1 <= x <= 1: its speed, and how far the curve has come.
+/// A cell in -1 <= x <= 1, by n samples: its speed, and how far the curve has come.
+template <int n>
 struct Forward {
-  ChebyshevSeries ds;   // mm per unit of x
-  ChebyshevIntegral s;  // mm from the beginning of the cell
+  ChebyshevSeries<n> ds;   // mm per unit of x
+  ChebyshevIntegral<n> s;  // mm from the beginning of the cell
   double length;
   double error;  // of s inside the cell, estimated
   double fastest;
@@ -41,22 +45,27 @@ struct Forward {
 
 /// x(s) as a series in y = 2 s / length - 1, by Newton's method at all nodes together. Trailing
 /// terms that change nothing are left out: most of a cell that is nearly straight.
-ChebyshevSeries invert(const Forward& forward, double tolerance) {
+template <int n>
+ChebyshevSeries<n> invert(const Forward<n>& forward, double tolerance) {
+  using Samples = ChebyshevSamples<n>;
   const auto s_terms = without_trifles(forward.s, kTrifle * tolerance);
   const auto ds_terms = without_trifles(forward.ds, kSlopeTrifle * forward.fastest);
-  const ChebyshevSamples s = 0.5 * forward.length * (1.0 + chebyshev_nodes());
-  ChebyshevSamples x = chebyshev_nodes();
+  const Samples s = 0.5 * forward.length * (1.0 + chebyshev_nodes<n>());
+  Samples x = chebyshev_nodes<n>();
   for (int i = 0; i < kNewtonSteps; ++i) {
-    const ChebyshevSamples miss = evaluate_chebyshev(s_terms, x) - s;
+    const Samples miss = evaluate_chebyshev(s_terms, x) - s;
     x = (x - miss / evaluate_chebyshev(ds_terms, x)).max(-1.0).min(1.0);
     if ((miss.abs() <= tolerance).all()) break;
   }
   return chebyshev_series(x);
 }
 
-/// The largest miss in s, looked for between the nodes.
-double inverse_error(const Forward& forward, const ChebyshevSeries& x_of_s) noexcept {
-  const Eigen::Array4d y(-0.99, -0.45, 0.5, 0.98);
+/// The largest miss in s, looked for between the nodes, where polynomials through 8 or 16 of them
+/// swing out furthest: cos(k pi / 8).
+template <int n>
+double inverse_error(const Forward<n>& forward, const ChebyshevSeries<n>& x_of_s) noexcept {
+  static_assert(n == 8 || n == 16);
+  const Eigen::Array4d y(-1.0, -0.38268343236509, 0.70710678118655, 0.92387953251129);
   const Eigen::Array4d x = evaluate_chebyshev(terms(x_of_s), y);
   const Eigen::Array4d s = evaluate_chebyshev(terms(forward.s), x);
   const double miss = (s - 0.5 * forward.length * (1.0 + y)).abs().maxCoeff();
@@ -73,10 +82,17 @@ class ArcLengthMap::Builder {
   std::optional<ArcLengthMap> build();
 
  private:
-  Forward forward(const SpanPlace& first, double width) const;
-  void cover(const SpanPlace& first, double width, const Forward& forward, int depth);
-  bool keep_if_exact(const SpanPlace& first, double width, const Forward& forward);
+  template <int n>
+  Forward<n> forward(const SpanPlace& first, double width) const;
+  void cover(const SpanPlace& first, double width, int depth);
+  template <int n>
+  bool keep_if_exact(const SpanPlace& first, double width, const Forward<n>& forward);
   void keep_linear(const SpanPlace& first, double width, double length);
+  static Cell empty_cell(const SpanPlace& first, double width) {
+    return {
+        first, width, decltype(Cell::s_from_first)::Zero(), decltype(Cell::t_from_first)::Zero(),
+        0,     0};
+  }
   void keep(const Cell& cell, double length);
 
   const Speed& speed_;
@@ -88,12 +104,13 @@ class ArcLengthMap::Builder {
   ArcLengthMap map_;
 };
 
-Forward ArcLengthMap::Builder::forward(const SpanPlace& first, double width) const {
+template <int n>
+Forward<n> ArcLengthMap::Builder::forward(const SpanPlace& first, double width) const {
   const auto ds_at = [&](double x) {
     return 0.5 * width * speed_({first.span, first.end, first.offset + 0.5 * width * (1.0 + x)});
   };
-  const ChebyshevSamples samples = chebyshev_nodes().unaryExpr(ds_at);
-  Forward f;
+  const ChebyshevSamples<n> samples = chebyshev_nodes<n>().unaryExpr(ds_at);
+  Forward<n> f;
   f.ds = chebyshev_series(samples);
   f.s = integrate_chebyshev(f.ds);
   f.length = evaluate_chebyshev(terms(f.s), 1.0);
@@ -105,24 +122,25 @@ Forward ArcLengthMap::Builder::forward(const SpanPlace& first, double width) con
 }
 
 std::optional<ArcLengthMap> ArcLengthMap::Builder::build() {
-  std::vector<Forward> whole_spans;
+  std::vector<Forward<kFew>> whole_spans;
   whole_spans.reserve(static_cast<std::size_t>(spans_));
   for (int span = 0; span < spans_; ++span) {
-    whole_spans.push_back(forward({span}, 1.0));
+    whole_spans.push_back(forward<kFew>({span}, 1.0));
     scale_ += whole_spans.back().length;
   }
   if (!std::isfinite(scale_) || !(scale_ > 0.0)) return std::nullopt;
   for (int span = 0; span < spans_ && !failed_; ++span) {
     map_.span_starts_.push_back(map_.length());
-    cover({span}, 1.0, whole_spans[static_cast<std::size_t>(span)], 0);
+    const Forward<kFew>& whole_span = whole_spans[static_cast<std::size_t>(span)];
+    if (!keep_if_exact({span}, 1.0, whole_span)) cover({span}, 1.0, 0);
   }
   map_.span_starts_.push_back(map_.length());
   if (failed_ || map_.cells_.empty()) return std::nullopt;
   return std::move(map_);
 }
 
-void ArcLengthMap::Builder::cover(const SpanPlace& first, double width, const Forward& f,
-                                  int depth) {
+void ArcLengthMap::Builder::cover(const SpanPlace& first, double width, int depth) {
+  const Forward<kTerms> f = forward<kTerms>(first, width);
   if (keep_if_exact(first, width, f)) return;
   if (f.length + f.error <= kShortest * scale_) {
     keep_linear(first, width, f.length);
@@ -134,26 +152,32 @@ void ArcLengthMap::Builder::cover(const SpanPlace& first, double width, const Fo
   middle.offset += half;
   if (depth == 0) middle = {first.span, 1, -0.5};  // from here on counted from the end
   for (const SpanPlace& begin : {first, middle})
-    if (!failed_) cover(begin, half, forward(begin, half), depth + 1);
+    if (!failed_) cover(begin, half, depth + 1);
 }
 
-bool ArcLengthMap::Builder::keep_if_exact(const SpanPlace& first, double width, const Forward& f) {
+template <int n>
+bool ArcLengthMap::Builder::keep_if_exact(const SpanPlace& first, double width,
+                                          const Forward<n>& f) {
   // Errors of the length add up, so that each cell may have its share only.
   const double tolerance = kTolerance * scale_;
   const double share = 0.5 * (kTolerance * f.length + tolerance * width / spans_);
   if (!(f.error <= 0.3 * tolerance && f.length_error() <= share)) return false;
-  ChebyshevSeries t = invert(f, 0.1 * tolerance);
+  ChebyshevSeries<n> t = invert(f, 0.1 * tolerance);
   if (!(inverse_error(f, t) <= 0.3 * tolerance)) return false;
   const double trifle = kTrifle * tolerance;
-  const std::size_t t_terms = chebyshev_terms(terms(t), trifle / f.fastest);
+  Cell cell = empty_cell(first, width);
+  cell.s_terms = chebyshev_terms(terms(f.s), trifle);
+  cell.t_terms = chebyshev_terms(terms(t), trifle / f.fastest);
   t[0] += 1.0;
-  t *= 0.5 * width;
-  keep({first, width, f.s, t, chebyshev_terms(terms(f.s), trifle), t_terms}, f.length);
+  cell.s_from_first.head<n + 1>() = f.s;
+  cell.t_from_first.head<n>() = 0.5 * width * t;
+  keep(cell, f.length);
   return true;
 }
 
 void ArcLengthMap::Builder::keep_linear(const SpanPlace& first, double width, double length) {
-  Cell cell{first, width, ChebyshevIntegral::Zero(), ChebyshevSeries::Zero(), 2, 2};
+  Cell cell = empty_cell(first, width);
+  cell.s_terms = cell.t_terms = 2;
   cell.s_from_first.head<2>().setConstant(0.5 * length);
   cell.t_from_first.head<2>().setConstant(0.5 * width);
   keep(cell, length);

@@ -50,12 +50,13 @@ class ArcLengthMap {
  private:
   class Builder;
 
+  static constexpr int kTerms = 16;
   struct Cell {
     SpanPlace first;
-    double width;                    // in t
-    ChebyshevIntegral s_from_first;  // mm, by t
-    ChebyshevSeries t_from_first;    // by s
-    std::size_t s_terms, t_terms;    // of these, so many matter
+    double width;                            // in t
+    ChebyshevIntegral<kTerms> s_from_first;  // mm, by t
+    ChebyshevSeries<kTerms> t_from_first;    // by s
+    std::size_t s_terms, t_terms;            // of these, so many matter
   };
 
   std::vector<double> starts_{0.0};  // of the cells, strictly ascending, and the length

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "motion/axes.hpp"
@@ -38,7 +40,7 @@ constexpr std::size_t bezier_point_count(int degree) noexcept {
 /// The points, as above, of the knot span knots[index] < knots[index + 1]. `polygon` are the
 /// degree + 1 de Boor points of that span in homogeneous space. Derivatives of a spline: Piegl and
 /// Tiller, The NURBS Book, eq. 3.8; Bezier points by blossoming: Ramshaw 1989.
-std::vector<Homogeneous> bezier_points(std::vector<Homogeneous> polygon,
+std::vector<Homogeneous> bezier_points(std::span<const Homogeneous> polygon,
                                        std::span<const double> knots, std::size_t index);
 
 /// Value and derivatives by t, up to the order asked for, in homogeneous space. `points` are those
@@ -58,59 +60,102 @@ template <int order>
 std::array<AxisVector, order + 1> projected(
     const std::array<Homogeneous, order + 1>& derivatives) noexcept;
 
+/// The same where all points have this weight.
+template <int order>
+std::array<AxisVector, order + 1> projected(const std::array<Homogeneous, order + 1>& derivatives,
+                                            double weight) noexcept;
+
 // ------------------------------------------------------------------------------------------------
 
-/// The Bernstein polynomials of one degree after the other, from 0 on.
-class BernsteinBasis {
- public:
-  explicit BernsteinBasis(const SpanPlace& place) noexcept
-      : rise_(place.from_first()), fall_(place.from_last()) {
-    values_[0] = 1.0;
-  }
+namespace detail {
 
-  void raise() noexcept {
-    const std::size_t top = ++degree_;
-    values_[top] = rise_ * values_[top - 1];
-    for (std::size_t i = top - 1; i > 0; --i)
-      values_[i] = fall_ * values_[i] + rise_ * values_[i - 1];
-    values_[0] *= fall_;
+/// The Bernstein polynomials of one degree at t; rise: t, fall: 1 - t.
+template <int degree>
+struct Bernstein {
+  double rise, fall;
+  std::array<double, degree + 1> values;
+
+  Bernstein<degree + 1> raised() const noexcept {
+    Bernstein<degree + 1> above{rise, fall, {}};
+    above.values[0] = fall * values[0];
+    for (std::size_t i = 1; i <= degree; ++i)
+      above.values[i] = fall * values[i] + rise * values[i - 1];
+    above.values[degree + 1] = rise * values[degree];
+    return above;
   }
 
   Homogeneous sum(const Homogeneous* points) const noexcept {
-    Homogeneous sum = Homogeneous::Zero();
-    for (std::size_t i = 0; i <= degree_; ++i) sum += values_[i] * points[i];
+    Homogeneous sum = values[0] * points[0];
+    for (std::size_t i = 1; i <= degree; ++i) sum += values[i] * points[i];
     return sum;
   }
-
- private:
-  double rise_, fall_;
-  std::size_t degree_ = 0;
-  std::array<double, kMaxBezierDegree + 1> values_;
 };
+
+template <int degree>
+Bernstein<degree> bernstein(const SpanPlace& place) noexcept {
+  if constexpr (degree == 0)
+    return {place.from_first(), place.from_last(), {1.0}};
+  else
+    return bernstein<degree - 1>(place).raised();
+}
+
+/// The derivative of order `degree - low`, and all of lower order, into `out`.
+template <int degree, int low, typename Derivatives>
+void sum_up(const Bernstein<low>& basis, const Homogeneous* points, Derivatives& out) noexcept {
+  constexpr int order = degree - low;
+  out[order] = basis.sum(points + bezier_points_begin(degree, order));
+  if constexpr (order > 0) sum_up<degree>(basis.raised(), points, out);
+}
+
+/// use(std::integral_constant<int, degree>), so that its loops have no bounds to be looked at.
+template <typename Use>
+auto with_degree(int degree, Use&& use) noexcept {
+  static_assert(kMaxBezierDegree == 9);
+  switch (degree) {
+    case 1:
+      return use(std::integral_constant<int, 1>{});
+    case 2:
+      return use(std::integral_constant<int, 2>{});
+    case 3:
+      return use(std::integral_constant<int, 3>{});
+    case 4:
+      return use(std::integral_constant<int, 4>{});
+    case 5:
+      return use(std::integral_constant<int, 5>{});
+    case 6:
+      return use(std::integral_constant<int, 6>{});
+    case 7:
+      return use(std::integral_constant<int, 7>{});
+    case 8:
+      return use(std::integral_constant<int, 8>{});
+    default:
+      return use(std::integral_constant<int, 9>{});
+  }
+}
+
+}  // namespace detail
 
 template <int order>
 std::array<Homogeneous, order + 1> bezier_derivatives(const Homogeneous* points, int degree,
                                                       const SpanPlace& place) noexcept {
   static_assert(0 <= order && order <= kBezierOrders);
-  std::array<Homogeneous, order + 1> derivatives;
-  for (auto& derivative : derivatives) derivative.setZero();
-  BernsteinBasis basis(place);
-  for (int low = 0;; ++low) {
-    if (const int k = degree - low; k <= order)
-      derivatives[static_cast<std::size_t>(k)] = basis.sum(points + bezier_points_begin(degree, k));
-    if (low == degree) break;
-    basis.raise();
-  }
-  return derivatives;
+  return detail::with_degree(degree, [&](auto constant) {
+    constexpr int fixed = decltype(constant)::value, highest = std::min(order, fixed);
+    std::array<Homogeneous, order + 1> derivatives;
+    for (auto& derivative : derivatives) derivative.setZero();
+    detail::sum_up<fixed>(detail::bernstein<fixed - highest>(place), points, derivatives);
+    return derivatives;
+  });
 }
 
 template <int order>
 Homogeneous bezier_derivative(const Homogeneous* points, int degree,
                               const SpanPlace& place) noexcept {
   static_assert(0 <= order && order <= kBezierOrders);
-  BernsteinBasis basis(place);
-  for (int low = 0; low < degree - order; ++low) basis.raise();
-  return basis.sum(points + bezier_points_begin(degree, order));
+  return detail::with_degree(degree, [&](auto constant) -> Homogeneous {
+    constexpr int fixed = decltype(constant)::value, low = std::max(fixed - order, 0);
+    return detail::bernstein<low>(place).sum(points + bezier_points_begin(fixed, order));
+  });
 }
 
 template <int order>
@@ -125,6 +170,15 @@ std::array<AxisVector, order + 1> projected(
     for (std::size_t i = 1; i <= k; ++i) c[k] -= binomial[k][i] * derivatives[i][3] * c[k - i];
     c[k] *= inverse;
   }
+  return c;
+}
+
+template <int order>
+std::array<AxisVector, order + 1> projected(const std::array<Homogeneous, order + 1>& derivatives,
+                                            double weight) noexcept {
+  const double inverse = 1.0 / weight;
+  std::array<AxisVector, order + 1> c;
+  for (std::size_t k = 0; k <= order; ++k) c[k] = inverse * derivatives[k].template head<3>();
   return c;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chebyshev series of a fixed number of terms: from samples, integrated, evaluated.
+// Chebyshev series of so many terms: from samples, integrated, evaluated.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,17 +9,20 @@
 
 namespace softcnc {
 
-/// Samples, and terms, of a series.
-inline constexpr int kChebyshevTerms = 16;
-using ChebyshevSamples = Eigen::Array<double, kChebyshevTerms, 1>;
-using ChebyshevSeries = Eigen::Array<double, kChebyshevTerms, 1>;
-using ChebyshevIntegral = Eigen::Array<double, kChebyshevTerms + 1, 1>;
+/// At the nodes, as many as the series has terms.
+template <int terms>
+using ChebyshevSamples = Eigen::Array<double, terms, 1>;
+template <int terms>
+using ChebyshevSeries = Eigen::Array<double, terms, 1>;
+template <int terms>
+using ChebyshevIntegral = Eigen::Array<double, terms + 1, 1>;
 
 /// The nodes of the first kind, ascending in -1 < x < 1: x_k = -cos(pi (k + 1/2) / n).
-inline const ChebyshevSamples& chebyshev_nodes() {
-  static const ChebyshevSamples nodes = ChebyshevSamples::NullaryExpr([](Eigen::Index k) {
-    return -std::cos(std::numbers::pi * (double(k) + 0.5) / kChebyshevTerms);
-  });
+template <int terms>
+const ChebyshevSamples<terms>& chebyshev_nodes() {
+  using Samples = ChebyshevSamples<terms>;
+  static const Samples nodes = Samples::NullaryExpr(
+      [](Eigen::Index k) { return -std::cos(std::numbers::pi * (double(k) + 0.5) / terms); });
   return nodes;
 }
 
@@ -45,21 +48,23 @@ X evaluate_chebyshev(std::span<const double> c, const X& x) noexcept {
 }
 
 /// The coefficients of the polynomial through samples at the nodes (discrete cosine transform).
-inline ChebyshevSeries chebyshev_series(const ChebyshevSamples& samples) {
-  using Matrix = Eigen::Matrix<double, kChebyshevTerms, kChebyshevTerms>;
+template <int terms>
+ChebyshevSeries<terms> chebyshev_series(const Eigen::Array<double, terms, 1>& samples) {
+  using Matrix = Eigen::Matrix<double, terms, terms>;
   static const Matrix transform = Matrix::NullaryExpr([](Eigen::Index j, Eigen::Index k) {
-    const double angle = std::numbers::pi * double(j) * (double(kChebyshevTerms - k) - 0.5);
-    return (j == 0 ? 1.0 : 2.0) / kChebyshevTerms * std::cos(angle / kChebyshevTerms);
+    const double angle = std::numbers::pi * double(j) * (double(terms - k) - 0.5);
+    return (j == 0 ? 1.0 : 2.0) / terms * std::cos(angle / terms);
   });
   return (transform * samples.matrix()).array();
 }
 
 /// The integral of a series from -1 to x.
-inline ChebyshevIntegral integrate_chebyshev(const ChebyshevSeries& c) noexcept {
-  ChebyshevIntegral integral = ChebyshevIntegral::Zero();
-  for (int j = kChebyshevTerms; j > 0; --j) {
+template <int terms>
+ChebyshevIntegral<terms> integrate_chebyshev(const Eigen::Array<double, terms, 1>& c) noexcept {
+  ChebyshevIntegral<terms> integral = ChebyshevIntegral<terms>::Zero();
+  for (int j = terms; j > 0; --j) {
     const double below = j == 1 ? 2.0 * c[0] : c[j - 1];
-    const double above = j + 1 < kChebyshevTerms ? c[j + 1] : 0.0;
+    const double above = j + 1 < terms ? c[j + 1] : 0.0;
     integral[j] = (below - above) / (2.0 * j);
     integral[0] += j % 2 == 0 ? -integral[j] : integral[j];  // zero at x = -1
   }

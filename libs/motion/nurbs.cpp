@@ -52,6 +52,7 @@ void Nurbs::make_segments() {
   const auto& knots = spec_.knots;
   const auto degree = static_cast<std::size_t>(spec_.degree);
   std::vector<Homogeneous> polygon(degree + 1);
+  segments_.reserve((knots.size() - 2 * degree - 1) * bezier_point_count(spec_.degree));
   for (std::size_t k = degree; k + degree + 1 < knots.size(); ++k) {
     if (knots[k] == knots[k + 1]) continue;
     const AxisVector& origin = spec_.control[k - degree / 2];
@@ -75,7 +76,8 @@ template <int order>
 std::array<AxisVector, order + 1> Nurbs::evaluate(const SpanPlace& place) const noexcept {
   const auto span = static_cast<std::size_t>(place.span);
   const auto* points = segments_.data() + span * bezier_point_count(spec_.degree);
-  auto c = projected<order>(bezier_derivatives<order>(points, spec_.degree, place));
+  const auto derivatives = bezier_derivatives<order>(points, spec_.degree, place);
+  auto c = weight_ == 0 ? projected<order>(derivatives) : projected<order>(derivatives, weight_);
   c[0] += origins_[span];
   return c;
 }

@@ -28,7 +28,8 @@ TEST_CASE("a line has no points for higher derivatives", "[motion][bezier]") {
   CHECK(bezier_point_count(1) == 3);
   CHECK(bezier_point_count(2) == 6);
   CHECK(bezier_point_count(9) == 34);
-  const auto b = bezier_points({{0, 0, 0, 1}, {4, 8, 0, 1}}, std::vector<double>{0, 0, 2, 2}, 1);
+  const std::vector<Homogeneous> ends{{0, 0, 0, 1}, {4, 8, 0, 1}};
+  const auto b = bezier_points(ends, std::vector<double>{0, 0, 2, 2}, 1);
   const auto d = bezier_derivatives<3>(b.data(), 1, {0, 0, 0.25});
   CHECK(d[0].isApprox(Homogeneous(1, 2, 0, 1)));
   CHECK(d[1].isApprox(Homogeneous(4, 8, 0, 0)));
