@@ -3,30 +3,56 @@
 // both.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
+#include <type_traits>
 
 #include "ipo/speed_spline.hpp"
 
 namespace softcnc::ipo {
 
-/// A bound g(q) + slack = 0 with its multiplier, and the step of both.
+/// Of the upper and the lower bound of a row, which are worked out together.
+using Both = Eigen::Array2d;
+
+/// What is alike for one bound and for two.
+inline double larger(double a, double b) noexcept { return std::max(a, b); }
+inline Both larger(const Both& a, const Both& b) noexcept { return a.max(b); }
+inline double largest(double a) noexcept { return a; }
+inline double largest(const Both& a) noexcept { return std::max(a[0], a[1]); }
+inline double magnitude(double a) noexcept { return std::abs(a); }
+inline Both magnitude(const Both& a) noexcept { return a.abs(); }
+inline double sum(double a) noexcept { return a; }
+inline double sum(const Both& a) noexcept { return a[0] + a[1]; }
+/// What +x and -x are for the two.
+inline Both opposite(double x) noexcept { return {x, -x}; }
+
+/// A bound g(q) + slack = 0 with its multiplier, and the step of both. Value: double or Both.
+template <typename Value>
 struct Bound {
-  double slack = 1, multiplier = 1;
-  double per_slack = 1;  // 1 / slack
-  double over = 0;       // g + slack
-  double slack_step = 0, multiplier_step = 0;
+  Value slack = uniform(1), multiplier = uniform(1);
+  Value per_slack = uniform(1);  // 1 / slack
+  Value over = uniform(0);       // g + slack
+  Value slack_step = uniform(0), multiplier_step = uniform(0);
+
+  static Value uniform(double value) noexcept {
+    if constexpr (std::is_same_v<Value, double>)
+      return value;
+    else
+      return Value::Constant(value);
+  }
 
   /// A slack smaller than what g leaves is made as large.
-  void measure(double g) noexcept {
-    slack = std::max(slack, -g);
-    per_slack = 1 / slack;
+  void measure(const Value& g) noexcept {
+    slack = larger(slack, -g);
+    per_slack = 1.0 / slack;
     over = g + slack;
   }
-  double weight() const noexcept { return multiplier * per_slack; }
+  Value weight() const noexcept { return multiplier * per_slack; }
 
   /// What the row asks of the gradient for the complementarity `aim`.
-  double pull(double aim) const noexcept { return (aim + multiplier * over) * per_slack; }
-  void find_step(double g_step, double aim) noexcept {
+  Value pull(const Value& aim) const noexcept { return (aim + multiplier * over) * per_slack; }
+  void find_step(const Value& g_step, const Value& aim) noexcept {
     slack_step = -over - g_step;
     multiplier_step = (aim - multiplier * slack_step) * per_slack - multiplier;
   }
@@ -35,7 +61,7 @@ struct Bound {
     multiplier += dual * multiplier_step;
   }
   /// `aim`, less `part` of what the last step found would have left.
-  double corrected(double aim, double part) const noexcept {
+  Value corrected(double aim, double part) const noexcept {
     return aim - part * slack_step * multiplier_step;
   }
 };
@@ -50,12 +76,19 @@ inline void raise(double& most, double numerator, double denominator) noexcept {
 /// The longest step within all bounds, and the gap behind it, the sum of slack times multiplier.
 class StepLength {
  public:
-  void include(const Bound& bound) noexcept {
-    raise(slack_loss_, -bound.slack_step, bound.slack);
-    raise(multiplier_loss_, -bound.multiplier_step, bound.multiplier);
+  void include(const Bound<Both>& bound) noexcept {
+    slack_loss_ = slack_loss_.max(-bound.slack_step * bound.per_slack);
+    multiplier_loss_ = multiplier_loss_.max(-bound.multiplier_step / bound.multiplier);
     by_slack_ += bound.slack_step * bound.multiplier;
     by_multiplier_ += bound.slack * bound.multiplier_step;
     by_both_ += bound.slack_step * bound.multiplier_step;
+  }
+  void include(const Bound<double>& bound) noexcept {
+    slack_loss_[0] = std::max(slack_loss_[0], -bound.slack_step * bound.per_slack);
+    multiplier_loss_[0] = std::max(multiplier_loss_[0], -bound.multiplier_step / bound.multiplier);
+    by_slack_[0] += bound.slack_step * bound.multiplier;
+    by_multiplier_[0] += bound.slack * bound.multiplier_step;
+    by_both_[0] += bound.slack_step * bound.multiplier_step;
   }
   /// A value above 0 stays there.
   void keep_positive(double value, double step) noexcept {
@@ -65,26 +98,39 @@ class StepLength {
   double primal() const noexcept { return std::min(positive_, within(slack_loss_)); }
   double dual() const noexcept { return within(multiplier_loss_); }
   double gap_after(double gap) const noexcept {
-    return gap + primal() * by_slack_ + dual() * by_multiplier_ + primal() * dual() * by_both_;
+    return gap + primal() * sum(by_slack_) + dual() * sum(by_multiplier_) +
+           primal() * dual() * sum(by_both_);
   }
 
  private:
-  static double within(double loss) noexcept {
-    return loss > kToBoundary ? kToBoundary / loss : 1.0;
+  static double within(const Both& loss) noexcept {
+    return largest(loss) > kToBoundary ? kToBoundary / largest(loss) : 1.0;
   }
 
   double positive_ = 1;
-  double slack_loss_ = 0, multiplier_loss_ = 0;  // parts of either
-  double by_slack_ = 0, by_multiplier_ = 0, by_both_ = 0;
+  Both slack_loss_ = Both::Zero(), multiplier_loss_ = Both::Zero();  // parts of either
+  Both by_slack_ = Both::Zero(), by_multiplier_ = Both::Zero(), by_both_ = Both::Zero();
 };
 
 /// A row as it is used: upper: +(a q + b q' + c q'') + tangent q <= bound, lower likewise with -.
 struct TwoBounds {
   double a, b, c, tangent, bound;
-  Bound upper{}, lower{};
+  Bound<Both> bounds{};
 
-  double value(const SpeedSquare& at) const noexcept { return a * at.q + b * at.dq + c * at.ddq; }
-  double rest(const SpeedSquare& at) const noexcept { return tangent * at.q - bound; }
+  /// What both sides are over their bound where (q, q', q'') is `at`.
+  Both over(const SpeedSquare& at) const noexcept { return change(at) - bound; }
+  /// By how much both sides change where (q, q', q'') changes by `step`.
+  Both change(const SpeedSquare& step) const noexcept {
+    return opposite(a * step.q + b * step.dq + c * step.ddq) + tangent * step.q;
+  }
+  /// The derivative of both sides by q; that by q' is opposite(b), that by q'' opposite(c).
+  Both by_q() const noexcept { return opposite(a) + tangent; }
+  /// Adds the gradients of both sides, each times its part of `pull`.
+  void add_gradients(const Both& pull, SpeedSquare& out) const noexcept {
+    out.q += sum(pull * by_q());
+    out.dq += (pull[0] - pull[1]) * b;
+    out.ddq += (pull[0] - pull[1]) * c;
+  }
 };
 
 /// Symmetric, in (q, q', q'').
@@ -92,12 +138,11 @@ struct Curvature {
   double qq = 0, qd = 0, qe = 0, dd = 0, de = 0, ee = 0;
 
   void add(const TwoBounds& row) noexcept {
-    const double up = row.upper.weight(), down = row.lower.weight(), both = up + down;
-    const double a_up = row.a + row.tangent, a_down = row.a - row.tangent;
-    const double slope = up * a_up + down * a_down;
-    qq += up * a_up * a_up + down * a_down * a_down;
-    qd += slope * row.b;
-    qe += slope * row.c;
+    const Both weight = row.bounds.weight(), slope = row.by_q(), pull = weight * slope;
+    const double both = sum(weight), by_q = pull[0] - pull[1];
+    qq += sum(pull * slope);
+    qd += by_q * row.b;
+    qe += by_q * row.c;
     dd += both * row.b * row.b;
     de += both * row.b * row.c;
     ee += both * row.c * row.c;

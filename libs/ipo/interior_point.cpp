@@ -16,10 +16,13 @@ constexpr double kRowTolerance = 1e-7;       // of each bound
 constexpr double kGradientTolerance = 1e-3;  // of the gradient of the time
 constexpr double kTangentTolerance = 1e-2;   // rows are kept well enough to move the tangents
 constexpr int kStubborn = 5;                 // iterations after which tangents move all the same
-constexpr double kFirstGap = 100;            // of the time: how far from the bounds to begin
-constexpr double kFirstSlack = 0.1;          // of each bound
-constexpr double kFirstSpeed = 0.25;         // of the guess, in q
-constexpr double kAccelerationPart = 0.7;    // the guess leaves the rest to the curve
+// What a step aims for, as a part of the gap: with more, whole curves take up to twice as many
+// steps.
+constexpr double kLeastCentred = 1e-3, kMostCentred = 0.1;
+constexpr double kFirstGap = 100;          // of the time: how far from the bounds to begin
+constexpr double kFirstSlack = 0.1;        // of each bound
+constexpr double kFirstSpeed = 0.25;       // of the guess, in q
+constexpr double kAccelerationPart = 0.7;  // the guess leaves the rest to the curve
 
 }  // namespace
 
@@ -74,9 +77,7 @@ void InteriorPoint::for_each_measured_bound(Act act) {
     act(caps_[i], over_cap(i), cap_[i]);
     for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
       TwoBounds& row = rows_[r];
-      const double value = row.value(at_[i]), rest = row.rest(at_[i]);
-      act(row.upper, rest + value, row.bound);
-      act(row.lower, rest - value, row.bound);
+      act(row.bounds, row.over(at_[i]), row.bound);
     }
   }
 }
@@ -94,8 +95,8 @@ void InteriorPoint::begin(const std::vector<double>& guess) {
   move_tangents(guess);
   evaluate();
   const double aim = kFirstGap * time_ / static_cast<double>(caps_.size() + 2 * rows_.size());
-  for_each_measured_bound([aim](Bound& bound, double g, double scale) {
-    bound.slack = std::max(kFirstSlack * std::abs(g), kFirstSlack * scale);
+  for_each_measured_bound([aim]<typename Value>(Bound<Value>& bound, const Value& g, double scale) {
+    bound.slack = kFirstSlack * larger(magnitude(g), Bound<Value>::uniform(scale));
     bound.multiplier = aim / bound.slack;
   });
 }
@@ -130,11 +131,12 @@ bool InteriorPoint::is_solved() {
 /// Gap and violation.
 void InteriorPoint::measure() {
   gap_ = violation_ = 0;
-  for_each_measured_bound([this](Bound& bound, double g, double scale) {
-    bound.measure(g);
-    raise(violation_, bound.over, scale);
-    gap_ += bound.slack * bound.multiplier;
-  });
+  for_each_measured_bound(
+      [this]<typename Value>(Bound<Value>& bound, const Value& g, double scale) {
+        bound.measure(g);
+        raise(violation_, largest(bound.over), scale);
+        gap_ += sum(Value(bound.slack * bound.multiplier));
+      });
 }
 
 /// What the multipliers alone leave of the gradient of the time, as a part of it.
@@ -146,11 +148,7 @@ double InteriorPoint::gradient_left() {
     SpeedSquare y{pull, 0, 0};
     step_[i + 1] += caps_[i].multiplier;
     for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
-      const TwoBounds& row = rows_[r];
-      const double both = row.upper.multiplier - row.lower.multiplier;
-      y.q += both * row.a + (row.upper.multiplier + row.lower.multiplier) * row.tangent;
-      y.dq += both * row.b;
-      y.ddq += both * row.c;
+      rows_[r].add_gradients(rows_[r].bounds.multiplier, y);
     }
     add_to_step(i, y, 1);
     of_time -= pull * at_[i].q;
@@ -182,7 +180,7 @@ SpeedSolution InteriorPoint::run(const std::vector<double>& begin_at, int most) 
     const double aim = gap_ / bounds;
     assemble();
     const double part = find_step(0, 0).gap_after(gap_) / gap_;
-    const double sigma = std::clamp(part * part * part, 1e-3, 0.5);
+    const double sigma = std::clamp(part * part * part, kLeastCentred, kMostCentred);
     take(find_step(sigma * aim, 1));
     if (!kept && iteration % kStubborn != kStubborn - 1) continue;
     move_tangents(speeds());

@@ -44,10 +44,10 @@ class InteriorPoint {
   const SpeedProblem problem_;
   std::size_t n_;
   std::vector<double> coefficients_, step_;
-  std::vector<SpeedSquare> at_;  // by node
-  std::vector<double> weight_;   // of 1 / sqrt(q) at each node in the time
-  std::vector<Bound> caps_;      // by node
-  std::vector<double> cap_;      // by node
+  std::vector<SpeedSquare> at_;      // by node
+  std::vector<double> weight_;       // of 1 / sqrt(q) at each node in the time
+  std::vector<Bound<double>> caps_;  // by node
+  std::vector<double> cap_;          // by node
   std::vector<TwoBounds> rows_;
   Pentadiagonal matrix_;
   double time_ = 0, gap_ = 0, violation_ = 0;

@@ -38,12 +38,8 @@ void InteriorPoint::gradient(double aim, double corrected) {
     y.q = -0.5 * weight_[i] / (q * std::sqrt(q));
     step_[i + 1] -= caps_[i].pull(caps_[i].corrected(aim, corrected));
     for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
-      const TwoBounds& row = rows_[r];
-      const double up = row.upper.pull(row.upper.corrected(aim, corrected));
-      const double down = row.lower.pull(row.lower.corrected(aim, corrected));
-      y.q += up * (row.a + row.tangent) - down * (row.a - row.tangent);
-      y.dq += (up - down) * row.b;
-      y.ddq += (up - down) * row.c;
+      const Bound<Both>& bounds = rows_[r].bounds;
+      rows_[r].add_gradients(bounds.pull(bounds.corrected(aim, corrected)), y);
     }
     add_to_step(i, y, -1);
   }
@@ -55,7 +51,7 @@ StepLength InteriorPoint::find_step(double aim, double corrected) {
   step_[0] = step_[1] = step_[n_] = step_[n_ + 1] = 0;
   matrix_.solve(step_);
   StepLength length;
-  const auto find = [&](Bound& bound, double g_step) {
+  const auto find = [&]<typename Value>(Bound<Value>& bound, const Value& g_step) {
     bound.find_step(g_step, bound.corrected(aim, corrected));
     length.include(bound);
   };
@@ -65,9 +61,7 @@ StepLength InteriorPoint::find_step(double aim, double corrected) {
     find(caps_[i], step_[i + 1]);
     for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
       TwoBounds& row = rows_[r];
-      const double value_step = row.value(d), rest_step = row.tangent * d.q;
-      find(row.upper, rest_step + value_step);
-      find(row.lower, rest_step - value_step);
+      find(row.bounds, row.change(d));
     }
   }
   return length;
@@ -76,11 +70,8 @@ StepLength InteriorPoint::find_step(double aim, double corrected) {
 void InteriorPoint::take(const StepLength& step) {
   const double primal = step.primal(), dual = step.dual();
   for (std::size_t k = 2; k < n_; ++k) coefficients_[k] += primal * step_[k];
-  for (Bound& cap : caps_) cap.take(primal, dual);
-  for (TwoBounds& row : rows_) {
-    row.upper.take(primal, dual);
-    row.lower.take(primal, dual);
-  }
+  for (Bound<double>& cap : caps_) cap.take(primal, dual);
+  for (TwoBounds& row : rows_) row.bounds.take(primal, dual);
   evaluate();
 }
 

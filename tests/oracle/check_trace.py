@@ -21,6 +21,7 @@ import curves
 CHORD_SAMPLES = 65          # per period and smooth stretch of the path
 SMALLEST_ADVANCE = 1e-3     # mm; the fluctuation is asked for above it
 DEVIATION = 1e-6            # mm; rows lie on the path
+SAME_PLACE = 1e-9           # mm: s_mm, added up otherwise
 ROUNDING = 1e-3             # part of an axis limit
 JERK_ROUNDING = 5e-3        # the same of a jerk
 
@@ -131,8 +132,8 @@ class Survey:
     def add(self, stretch):
         """The rows on the stretch, and one on either side."""
         s = self.trace.s
-        rows = np.arange(max(np.searchsorted(s, stretch.s[0]) - 1, 0),
-                         min(np.searchsorted(s, stretch.s[-1], side="right") + 1, len(s)))
+        rows = np.arange(max(np.searchsorted(s, stretch.s[0] - SAME_PLACE) - 1, 0),
+                         min(np.searchsorted(s, stretch.s[-1] + SAME_PLACE, side="right") + 1, len(s)))
         u = stretch.foot(s[rows], self.trace.position[rows])
         self._add_rows(stretch, rows, u)
         moves = u[1:] > u[:-1]
