@@ -35,6 +35,8 @@ constexpr std::array<ContradictionRow, kContradictions> kTable{{
      "are those of the system: tools, alarm, stop, modes, positions"},
     {C::local_variable, Code::SC1038, "#31 to #33 in a called program", "belong to all programs",
      "belong to the call"},
+    {C::assigned_offset, Code::SC1039, "an offset assigned to (#5211 to #5382)",
+     "counts from the next code that selects or changes one", "counts at once"},
     {C::dwell, Code::SC2120, "G04 P", "counts seconds", "counts milliseconds"},
     {C::cycle_dwell, Code::SC2121, "P of a canned cycle", "counts seconds", "counts milliseconds"},
     {C::work_system_in_g91, Code::SC2122, "G10 L2 in G91", "sets the origin to the values",

@@ -31,6 +31,7 @@ enum class Contradiction : std::uint8_t {
   assignment,
   system_variable,
   local_variable,
+  assigned_offset,
   dwell,
   cycle_dwell,
   work_system_in_g91,
@@ -45,7 +46,7 @@ enum class Contradiction : std::uint8_t {
   feed_out,
   entry,
 };
-inline constexpr std::size_t kContradictions = 24;
+inline constexpr std::size_t kContradictions = 25;
 
 struct ContradictionRow {
   Contradiction kind;

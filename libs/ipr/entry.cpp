@@ -2,6 +2,7 @@
 // How the tool comes beside the contour.
 #include "ipr/entry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,11 +12,14 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kFlat = 1e-9;  // mm: an arc that rises less from its chord's line has no centre
 
-/// Rad, of an arc in the direction of `like`.
+constexpr double kSameAngle = 1e-9;  // rad
+
+/// Rad, of an arc in the direction of the sweep `like`, with as many turns before its last one.
 double sweep_of(const PlaneVector& from, const PlaneVector& to, double like) {
   const double direction = std::copysign(1.0, like);
   const double angle = std::atan2(direction * cross(from, to), from.dot(to));
-  return direction * (angle < 0 ? angle + kTurn : angle);
+  const double turns = std::max(std::floor((std::abs(like) - kSameAngle) / kTurn), 0.0);
+  return direction * ((angle < 0 ? angle + kTurn : angle) + turns * kTurn);
 }
 
 }  // namespace

@@ -264,8 +264,9 @@ double Expression::exists(int open) {
   const std::optional<Variable> named = variable();
   close(open);
   if (broke_off_ || !named) return kUncertain;
-  const auto value =
-      named->name.empty() ? parameters_.read(named->number) : parameters_.read(named->name);
+  auto value = in_other_dialect() ? read_there(*named) : std::nullopt;
+  if (!value)
+    value = named->name.empty() ? parameters_.read(named->number) : parameters_.read(named->name);
   if (value && is_uncertain(*value)) return kUncertain;
   return value && !is_vacant(*value) ? 1 : 0;
 }

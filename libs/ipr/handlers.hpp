@@ -176,6 +176,8 @@ constexpr Letters plane_letters(const PlaneAxes& axes) noexcept {
 // words.cpp: what several handlers need
 /// Where the axis words lead, in mm and machine coordinates, from the position in force.
 AxisVector end_point(const Task& task);
+/// Notes where an offset that has been assigned to makes a difference between the dialects.
+void compare_offsets(const Task& task);
 /// Calls use(axis, mm) for every axis word of the line.
 template <typename Use>
 void for_named_axes(const Task& task, Use&& use) {

@@ -90,12 +90,14 @@ struct Modal : Modes {
   AxisVector local_shift = AxisVector::Zero();  // mm: of G52 in the fanuc dialect
   AxisVector shift_of_g52 = AxisVector::Zero();  // mm: in linuxcnc, what of the shift G52 has set
   Coordinates coordinates;                       // made of these by update_coordinates()
-  bool machine_coordinates = false;              // on this line: G53
-  bool stops_once = false;                       // on this line: G09
-  const GCode* motion = nullptr;                 // the motion code in force
-  const GCode* motion_below = nullptr;           // G00 to G03: in force but for a cycle
-  std::optional<int> tool;                       // as selected by T
-  std::optional<int> loaded_tool;                // in the spindle
+  /// What the other dialect goes by, once an offset has been assigned to.
+  std::optional<Coordinates> coordinates_there;
+  bool machine_coordinates = false;     // on this line: G53
+  bool stops_once = false;              // on this line: G09
+  const GCode* motion = nullptr;        // the motion code in force
+  const GCode* motion_below = nullptr;  // G00 to G03: in force but for a cycle
+  std::optional<int> tool;              // as selected by T
+  std::optional<int> loaded_tool;       // in the spindle
   std::optional<Beside> beside;
   std::optional<PendingCurve> curve;
   std::optional<PendingPoints> points;
@@ -126,7 +128,16 @@ struct Modal : Modes {
     return state.shift_on ? AxisVector(state.shift + local_shift) : local_shift;
   }
   /// After a change of an offset. The position of the machine stays.
-  void update_coordinates() noexcept { coordinates = Coordinates(work(), shift(), tool_offset); }
+  void update_coordinates() noexcept {
+    coordinates = Coordinates(work(), shift(), tool_offset);
+    coordinates_there.reset();
+  }
+  /// After an assignment to an offset, which counts at once or when coordinates are updated next.
+  void assign_offset(bool at_once) noexcept {
+    const Coordinates assigned(work(), shift(), tool_offset);
+    if (!coordinates_there) coordinates_there = coordinates;
+    (at_once ? coordinates : *coordinates_there) = assigned;
+  }
 
   void doubt_offsets() noexcept {
     offsets_uncertain = true;

@@ -288,7 +288,7 @@ bool ModalVariables::write(int number, double value) {
   }
   if (!is_offset(number)) return dialect_ == Dialect::fanuc && write_fanuc(number, value);
   write_offset(number, is_vacant(value) ? 0 : value);
-  if (dialect_ == Dialect::fanuc) modal_.update_coordinates();
+  modal_.assign_offset(dialect_ == Dialect::fanuc);
   return true;
 }
 

@@ -103,8 +103,10 @@ bool has_control_words(Task& task) {
   return false;
 }
 
+/// In G91 a distance from the start of the curve, as in LinuxCNC, whose position stays there.
 void add_control_point(Task& task, PendingPoints& curve) {
   const bool given = has_control_words(task);
+  if (task.modal.incremental) task.modal.position = curve.points.front();
   task.modal.position = end_point(task);
   curve.points.push_back(task.modal.position);
   curve.weights.push_back(given ? read_control_weight(task) : 1);

@@ -66,8 +66,20 @@ bool sets_feed_per_turn(Task& task) {
 
 }  // namespace
 
+void compare_offsets(const Task& task) {
+  if (!task.modal.coordinates_there) return;
+  const Coordinates &here = task.modal.coordinates, &there = *task.modal.coordinates_there;
+  const bool turned = here.rotated() || there.rotated();
+  for (int i = 0; i < kAxes; ++i) {
+    const char letter = axis_letter(i);
+    if (!task.values.has(letter) || (!turned && here.sum()[i] == there.sum()[i])) continue;
+    return task.out.contradict(Contradiction::assigned_offset, task.values.word(letter).pos);
+  }
+}
+
 AxisVector end_point(const Task& task) {
   if (task.modal.machine_coordinates) return end_in_machine(task);
+  if (!task.modal.incremental) compare_offsets(task);
   const Coordinates& coordinates = task.modal.coordinates;
   const AxisVector& position = task.modal.position;
   AxisVector end = coordinates.rotated() ? coordinates.to_program(position) : position;

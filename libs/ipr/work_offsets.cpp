@@ -86,6 +86,7 @@ void set_local_shift(Task& task) {
 /// G92: the position gets the coordinates given.
 void name_position(Task& task) {
   if (!names_axes(task)) return;
+  compare_offsets(task);
   Modal& modal = task.modal;
   const AxisVector now = modal.coordinates.to_program(modal.position);
   AxisVector shift = shift_in_force(modal.state);

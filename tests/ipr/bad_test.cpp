@@ -161,6 +161,9 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC1038,
      "#31 to #33 in a called program belong to all programs; in the fanuc dialect: belong to the "
      "call (0 here, vacant there)"},
+    {Code::SC1039,
+     "an offset assigned to (#5211 to #5382) counts from the next code that selects or changes "
+     "one; in the fanuc dialect: counts at once"},
     {Code::SC2120,
      "G04 P counts milliseconds; in the linuxcnc dialect: counts seconds (here and on 1 more "
      "line)"},

@@ -202,6 +202,17 @@ TEST_CASE("a turned work system tilts the other planes", "[ipr][compensation]") 
         "G41.1 in a plane that the rotation of the work system tilts");
 }
 
+TEST_CASE("an arc that enters keeps its turns", "[ipr][compensation]") {
+  const auto sweep = [](const std::string& turns) {
+    const std::vector<Move> all =
+        moves("G0 X-10 Y-20\nG41 D4\nG3 X20 Y0 Z-6 R40" + turns + "\nG1 Y40");
+    return std::get<Arc>(all[1].path).sweep();
+  };
+  const double last = sweep("");
+  CHECK((last > 0 && last < 2 * std::numbers::pi));
+  CHECK(sweep(" P3") == Approx(last + 4 * std::numbers::pi));
+}
+
 TEST_CASE("behind G40 the tool leaves on a line", "[ipr][compensation]") {
   check_ends("G41 G01 X20\nX40\nG40\nG00 Z10\nX40 Y0\nX50",
              {{20, 5, 0}, {40, 5, 0}, {40, 5, 10}, {40, 0, 10}, {50, 0, 10}});

@@ -46,6 +46,13 @@ TEST_CASE("P alone beside G05.2 is the weight of the start, and the order is 3",
   check_point(curve, 1.7, {11.24, 0.4769230769230774, 0});
 }
 
+TEST_CASE("in G91 control points of G05.2 count from its start", "[ipr][points]") {
+  const auto moves = moves_of("F600 G91\nG00 X1\nG05.2 X2 Y8 P1\nX9 Y7 P1\nG05.3\nG01 Y1\nM30\n");
+  CHECK(std::get<Nurbs>(moves[1].path).spec().control ==
+        std::vector<AxisVector>{{1, 0, 0}, {3, 8, 0}, {10, 7, 0}});
+  CHECK(end(moves[2].path) == AxisVector(10, 8, 0));
+}
+
 TEST_CASE("after G05.3 motion needs a code, and the position is the last point", "[ipr][points]") {
   const std::string curve = "F600\nG05.2 X2 Y8 P2\nX9 Y7 P1\nG05.3\n";
   CHECK(places(interpret(curve + "X1\nM30\n")) == Places{"SC2101 5:1"});
