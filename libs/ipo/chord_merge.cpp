@@ -8,7 +8,7 @@
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kPart = 1.0 / 3;       // of the tolerance, for chords
+constexpr double kPart = 1.0 / 16;      // of the tolerance, for chords
 constexpr std::size_t kMostLines = 64;  // in one chord
 constexpr double kMargin = 1 - 1e-9;
 

@@ -21,8 +21,8 @@ struct Chord {
 std::vector<Mark> cut_front(Chord& chord, double length);
 std::vector<Mark> cut_back(Chord& chord, double length);
 
-/// Chords may take up at most a part of the tolerance, so that most is left to corners: all that
-/// corners do not need, and otherwise a third.
+/// Chords may take up at most a part of the tolerance: all that corners do not need, and otherwise
+/// a sixteenth. A curve through few long chords bends unevenly; one through many follows the shape.
 double merge_tolerance(const Manner& manner) noexcept;
 
 /// The tolerance, mm, that is left to a corner between chords that deviate by so much. All together

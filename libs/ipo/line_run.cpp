@@ -11,14 +11,13 @@
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kLongest = 10;     // mm: a wider hat would help nobody
-constexpr std::size_t kMost = 24;   // vertices on either side that a hat may reach over
-constexpr double kStraight = 1e-9;  // rad: no turn
+constexpr double kLongest = 10;          // mm: a wider hat would help nobody
+constexpr std::size_t kMost = 24;        // vertices on either side that a hat may reach over
+constexpr double kStraight = 1e-9;       // rad: no turn
+constexpr std::size_t kForgotten = 256;  // vertices at a time
 constexpr int kNewtonSteps = 40;
-constexpr double kEnough = 1e-6;  // of the tolerance
-/// Knots this part of a hat apart, or nearer, are avoided.
-constexpr double kCrowded = 1.0 / 256;
-constexpr int kTries = 48;
+constexpr double kLookAgain = 1.5;  // times as much of the lines must be known as at the last look
+constexpr double kEnough = 1e-6;    // of the tolerance
 
 }  // namespace
 
@@ -30,7 +29,9 @@ void LineRun::add(const Chord& chord) {
   if (empty()) begin(chord.from);
   append(chord);
   settle();
-  emit();
+  const std::size_t bends = pieces_.bends().size();
+  bend();
+  if (pieces_.bends().size() > bends) pieces_.emit(settled_until());
   forget();
 }
 
@@ -38,18 +39,20 @@ void LineRun::end() {
   if (empty()) return;
   ended_ = true;
   settle();
-  emit();
+  bend();
+  pieces_.end();
   vertices_.clear();
-  marks_.clear();
   ended_ = false;
 }
 
 void LineRun::begin(const AxisVector& point) {
   vertices_.emplace_back();
-  vertices_.back().point = point_ = point;
+  vertices_.back().point = point;
+  look_again_ = 0;
   reaches_ = widths_ = 1;
-  t_ = 0;
-  edge_ = passed_ = 0;
+  densities_ = bent_ = 0;
+  mesh_.reset();
+  pieces_.begin(point);
 }
 
 void LineRun::append(const Chord& chord) {
@@ -66,7 +69,8 @@ void LineRun::append(const Chord& chord) {
     if (from.turn < kStraight) from.turn = 0;
     from.tolerance = std::min(from.tolerance, corner_tolerance(before.manner, before.deviation));
   }
-  for (const Mark& mark : chord.marks) marks_.push_back({from.t + mark.s, mark});
+  pieces_.add_vertex(from.t, from.point, from.deviation);
+  for (const Mark& mark : chord.marks) pieces_.add_mark(from.t + mark.s, mark);
   Vertex to;
   to.point = chord.to;
   to.t = from.t + length;
@@ -75,7 +79,9 @@ void LineRun::append(const Chord& chord) {
 
 void LineRun::settle() {
   const std::size_t known = vertices_.size() - (ended_ ? 0 : 1);
-  while (reaches_ < known && find_reach(reaches_)) ++reaches_;
+  while (reaches_ < known && find_reach(reaches_)) {
+    look_again_ = vertices_[reaches_++].reach;
+  }
   while (widths_ < reaches_ && find_width(widths_)) ++widths_;
 }
 
@@ -83,17 +89,25 @@ void LineRun::settle() {
 bool LineRun::find_reach(std::size_t i) {
   Vertex& vertex = vertices_[i];
   if (i + 1 == vertices_.size()) return true;  // the end: 0
-  double w = longest_reach(i);
-  if (vertex.turn > 0) w = std::min(w, 6 * vertex.tolerance / vertex.turn);
-  // The sum is convex in w: from above Newton's method stays above, and comes as near as is asked.
+  const double known = vertices_.back().t - vertex.t;
+  if (!ended_ && known < look_again_ && i + kMost >= vertices_.size()) return false;
+  double longest = longest_reach(i);
+  if (vertex.turn > 0) longest = std::min(longest, 6 * vertex.tolerance / vertex.turn);
+  // The sum is convex in w: one step of Newton's method leads above the root, from where it stays
+  // above, and comes as near as is asked.
+  const double before = vertices_[i - 1].reach;
+  double w = before > 0 ? std::min(longest, before) : longest;
   for (int step = 0; step < kNewtonSteps && w > 0; ++step) {
-    double slope = 0;
-    const double over = sum_of_roundings(i, w, slope) - vertex.tolerance;
-    if (over <= 0) break;
-    w -= (over + kEnough * vertex.tolerance) / slope;
+    const Sum sum = sum_of_roundings(i, w);
+    const double over = sum.value - vertex.tolerance;
+    if (over <= 0 && (step > 0 || w == longest)) break;
+    const double root = w - (over + kEnough * vertex.tolerance) / sum.slope;
+    w = sum.slope > 0 ? std::min(root, longest) : longest;
   }
   vertex.reach = std::max(w, 0.0);
-  return ended_ || vertex.t + vertex.reach <= vertices_.back().t;
+  if (ended_ || vertex.reach <= known) return true;
+  look_again_ = std::min(vertex.reach, kLookAgain * known);
+  return false;
 }
 
 double LineRun::longest_reach(std::size_t i) const {
@@ -104,29 +118,26 @@ double LineRun::longest_reach(std::size_t i) const {
   return longest;
 }
 
-/// What the curve is off at vertex i, at most, if all turns near it had this width; mm. `slope`:
-/// its derivative by the width.
-double LineRun::sum_of_roundings(std::size_t i, double width, double& slope) const {
-  double sum = 0;
-  slope = 0;
+/// What the curve is off at vertex i, at most, if all turns near it had this width.
+LineRun::Sum LineRun::sum_of_roundings(std::size_t i, double width) const {
+  double squares = 0, cubes = 0;
   const auto include = [&](const Vertex& vertex) {
-    const double x = std::abs(vertex.t - vertices_[i].t);
-    if (x >= width) return false;
-    sum += vertex.turn * rounding(x, width);
-    const double part = (width - x) / width;
-    slope += vertex.turn * part * part * (width + 2 * x) / (6 * width);
+    const double inside = width - std::abs(vertex.t - vertices_[i].t);
+    if (inside <= 0) return false;
+    const double square = vertex.turn * inside * inside;
+    squares += square;
+    cubes += square * inside;
     return true;
   };
   for (std::size_t j = i; j < vertices_.size() && include(vertices_[j]);) ++j;
   for (std::size_t j = i; j > 0 && include(vertices_[j - 1]);) --j;
-  return sum;
+  const double part = 1 / (6 * width * width);
+  return {part * cubes, part * (3 * squares - 2 * cubes / width)};
 }
 
 /// False while the reach of a vertex that counts is still unknown.
 bool LineRun::find_width(std::size_t i) {
   Vertex& vertex = vertices_[i];
-  vertex.width = 0;
-  if (vertex.turn == 0) return true;
   double w = vertex.reach;
   const auto narrow_for = [&](const Vertex& other) {
     const double x = std::abs(other.t - vertex.t);
@@ -138,50 +149,20 @@ bool LineRun::find_width(std::size_t i) {
   std::size_t j = i + 1;
   while (j < reaches_ && narrow_for(vertices_[j])) ++j;
   if (j == reaches_ && j < vertices_.size() && vertices_[j].t - vertex.t < w) return false;
-  double narrower = w;
-  for (int k = 1; k <= kTries && crowds(i, narrower); ++k) narrower = w * (1 - k * kCrowded);
-  vertex.width = narrower;
+  vertex.width = w;
   return true;
 }
 
-/// Whether a knot of this hat would lie close beside another knot: on it, or well away, is fine.
-bool LineRun::crowds(std::size_t i, double width) const {
-  const double least = kCrowded * width;
-  const double t = vertices_[i].t;
-  const auto close = [&](double knot) {
-    const double off = std::min(std::abs(knot - t + width), std::abs(knot - t - width));
-    return off < least && off > kSamePlace;
-  };
-  const auto near = [&](std::size_t j) {
-    const Vertex& other = vertices_[j];
-    return close(other.t) ||
-           (j < i && (close(other.t - other.width) || close(other.t + other.width)));
-  };
-  for (std::size_t j = i + 1; j < vertices_.size() && vertices_[j].t < t + width + least; ++j)
-    if (near(j)) return true;
-  const std::size_t first = i > 3 * kMost ? i - 3 * kMost : 0;
-  for (std::size_t j = i; j-- > first;)
-    if (near(j)) return true;
-  return false;
-}
-
-/// Hats that are still to be settled begin behind this: they are no wider than the reach of the
-/// last settled vertex, or than it is far.
-double LineRun::settled_until() const {
-  if (widths_ == vertices_.size()) return vertices_.back().t;
-  const Vertex& last = vertices_[widths_ - 1];
-  return std::min(last.t, vertices_[widths_].t - last.reach);
-}
-
-/// What lies behind and can no longer be felt.
+/// What lies behind and can no longer be felt, many at a time.
 void LineRun::forget() {
-  while (widths_ > 4 * kMost && vertices_[1].t <= t_ && vertices_[0].t + vertices_[0].width <= t_) {
-    vertices_.pop_front();
-    --reaches_;
-    --widths_;
-    edge_ -= std::min<std::size_t>(edge_, 1);
-    passed_ -= std::min<std::size_t>(passed_, 1);
-  }
+  if (bent_ < kForgotten + 4 * kMost) return;
+  std::size_t behind = 0;
+  while (behind + 4 * kMost < bent_ && vertices_[behind + 1].t <= pieces_.reached()) ++behind;
+  vertices_.erase(vertices_.begin(), vertices_.begin() + static_cast<std::ptrdiff_t>(behind));
+  for (std::size_t* index : {&reaches_, &widths_, &densities_, &bent_}) *index -= behind;
+  if (!mesh_) return;
+  mesh_->edge -= behind;
+  if (mesh_->stop) *mesh_->stop -= behind;
 }
 
 }  // namespace softcnc::ipo

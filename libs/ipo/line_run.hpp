@@ -12,12 +12,21 @@
 // (rounding.hpp) is within its tolerance. Where a run begins and ends W is 0, and no turn reaches
 // beyond. So corners between long lines have what their tolerance gives them, neighbours share the
 // line between them, and along a chopped curve many turns run into each other.
+//
+// Where many do, a hat for each would be more than the curve needs. There a mesh of knots is laid
+// along the lines, no two neighbours further apart than half the width of any turn nearby, and the
+// lines are replaced by those through their own points at the means of three knots in a row, with a
+// hat over these three at each (the variation diminishing spline of Schoenberg, 1967). Each turn is
+// so shared out to the hats on either side of it, about the same mean; what that is off anywhere is
+// no more than with the hat of its own width.
 #pragma once
 
 #include <cstddef>
 #include <deque>
+#include <optional>
 #include <vector>
 
+#include "ipo/bend_pieces.hpp"
 #include "ipo/chord_merge.hpp"
 #include "ipo/piece.hpp"
 #include "ipo/rounding.hpp"
@@ -27,7 +36,7 @@ namespace softcnc::ipo {
 class LineRun {
  public:
   /// Pieces are appended to `out`, which must outlive the run.
-  explicit LineRun(std::deque<Piece>& out) : out_(out) {}
+  explicit LineRun(std::deque<Piece>& out) : pieces_(out) {}
 
   bool empty() const noexcept { return vertices_.empty(); }
 
@@ -49,11 +58,27 @@ class LineRun {
     double deviation = 0;  // mm, of the line behind from the programmed ones
     double reach = 0;      // W
     double width = 0;      // w
+    bool dense = false;
     Manner manner;
   };
-  struct PlacedMark {
-    double t;
-    Mark mark;
+  struct Sum {
+    double value, slope;  // mm, and by the width
+  };
+  /// The last three knots of a mesh; the hat over them is made when the next one is known.
+  struct Mesh {
+    double before, last, next;
+    std::optional<Bend> bend;         // of the hat before, the line behind it still unknown
+    AxisVector direction;             // of the line before that
+    std::size_t edge;                 // on which the mean of the hat before lies
+    std::optional<std::size_t> stop;  // the last vertex of the mesh
+
+    double mean() const { return (before + last + next) / 3; }
+    void lay(double spacing) { before = last, last = next, next += spacing; }
+  };
+  /// How far the next knot may be; nothing while lines that are still to come could change it.
+  struct Spacing {
+    double most = 0;
+    std::optional<std::size_t> stop;  // the last vertex that is dense, if that is near
   };
 
   void begin(const AxisVector& point);
@@ -62,35 +87,36 @@ class LineRun {
   bool find_reach(std::size_t i);
   bool find_width(std::size_t i);
   double longest_reach(std::size_t i) const;
-  double sum_of_roundings(std::size_t i, double width, double& slope) const;
-  bool crowds(std::size_t i, double width) const;
+  Sum sum_of_roundings(std::size_t i, double width) const;
+
+  void bend();
+  void find_density();
+  bool is_dense(std::size_t i) const;
+  void bend_at_vertex();
+  double uncrowded(double t, double width) const;
+  bool crowds(double t, double width) const;
+  bool is_close_to_knots(double t, double least) const;
+  double uncrowded_spacing(double from, double spacing) const;
+
+  bool begin_mesh();
+  bool extend_mesh();
+  double last_spacing(double most) const;
+  void add_hat();
+  void finish_bend(const AxisVector& direction);
+  void end_mesh();
+  std::optional<Spacing> spacing(double from, double back, double most) const;
 
   double settled_until() const;
-  void emit();
-  void pass();
-  double next_hat() const;
-  double end_of_curve() const;
-  void emit_line(double t1);
-  void emit_curve(double t1);
-  void emit_corners(const AxisVector& to, double t1, double deviation);
-  void emit_piece(Path path, double t1, double deviation);
-  double deviation(std::size_t i) const;
   void forget();
 
-  std::size_t edge_at(double t) const;
-  const Vertex* vertex_at(double t) const;
-
-  std::deque<Piece>& out_;
-  std::deque<Vertex> vertices_;  // the last one ends the last line
-  std::deque<PlacedMark> marks_;
+  std::vector<Vertex> vertices_;  // the last one ends the last line
+  double look_again_ = 0;         // mm of lines behind the next vertex that has no reach yet
   std::size_t reaches_ = 0, widths_ = 0;  // vertices whose reach and width are settled
-  double t_ = 0;                          // pieces are out up to here
-  std::size_t edge_ = 0,
-              passed_ = 0;  // line at t_; all vertices before this end their hats before t_
-  AxisVector point_ = AxisVector::Zero();
+  std::size_t densities_ = 0;             // vertices known to be dense or not
+  std::size_t bent_ = 0;                  // vertices that the path has its bends for
+  std::optional<Mesh> mesh_;
+  BendPieces pieces_;
   bool ended_ = false;
-  std::vector<Edge> edges_;  // of the piece being made
-  std::vector<Turn> turns_;
 };
 
 }  // namespace softcnc::ipo

@@ -20,15 +20,21 @@ struct Cubic {
   }
 };
 
-/// Adds k g, which is a cubic on each side of the turn.
+/// Adds what the turn puts between the polyline and the curve: a cubic on each side of the peak.
 void add(Cubic& cubic, const Turn& turn) {
-  const double side = cubic.origin < turn.t ? 1 : -1;
-  const double e = side > 0 ? cubic.origin - turn.begin() : turn.end() - cubic.origin;
-  const AxisVector k = turn.kink / (6 * turn.width * turn.width);
+  const double side = cubic.origin < turn.peak ? 1 : -1;
+  const double edge = side > 0 ? turn.begin : turn.end;
+  const double e = side * (cubic.origin - edge);
+  const AxisVector k = turn.kink / (3 * (turn.end - turn.begin) * side * (turn.peak - edge));
   cubic.c[0] += e * e * e * k;
   cubic.c[1] += side * 3 * e * e * k;
   cubic.c[2] += 3 * e * k;
   cubic.c[3] += side * k;
+  const bool is_behind_peak = side < 0, is_behind_turn = cubic.origin >= turn.t;
+  if (is_behind_peak == is_behind_turn) return;
+  const double sign = is_behind_peak ? 1 : -1;
+  cubic.c[0] += sign * (cubic.origin - turn.t) * turn.kink;
+  cubic.c[1] += sign * turn.kink;
 }
 
 /// The curve between two neighbouring knots.
@@ -40,7 +46,7 @@ Cubic piece(std::span<const Edge> edges, std::span<const Turn> turns, double t0,
   cubic.c = {edge->point + (middle - edge->t) * edge->direction, edge->direction,
              AxisVector::Zero(), AxisVector::Zero()};
   for (const Turn& turn : turns)
-    if (std::abs(middle - turn.t) < turn.width) add(cubic, turn);
+    if (turn.begin < middle && middle < turn.end) add(cubic, turn);
   return cubic;
 }
 
@@ -48,7 +54,7 @@ Cubic piece(std::span<const Edge> edges, std::span<const Turn> turns, double t0,
 std::vector<double> knots_between(std::span<const Turn> turns, double t0, double t1) {
   std::vector<double> knots{t0};
   for (const Turn& turn : turns)
-    for (const double t : {turn.begin(), turn.t, turn.end()})
+    for (const double t : {turn.begin, turn.peak, turn.end})
       if (t > t0 + kSamePlace && t < t1 - kSamePlace) knots.push_back(t);
   std::sort(knots.begin(), knots.end());
   const auto same = [](double a, double b) { return b - a < kSamePlace; };
@@ -58,6 +64,10 @@ std::vector<double> knots_between(std::span<const Turn> turns, double t0, double
 }
 
 }  // namespace
+
+Turn spread_evenly(double t, const AxisVector& kink, double width) {
+  return {t, kink, t - width, t, t + width};
+}
 
 double rounding(double distance, double width) noexcept {
   const double inside = width - std::abs(distance);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A polyline with its turns spread out: a cubic spline whose second derivative is a sum of hats.
 //
-// A polyline p(t), t its own length, turns by jumps of its direction at its vertices: p'' is a sum
-// of impulses, k_i at t_i. Each is spread over the hat of half-width w_i around it, of the same
-// area. The curve c(t) whose second derivative that is, is a cubic spline with continuous
-// curvature, and differs from p(t) by the sum of k_i g_i(t), with
+// A polyline p(t) turns by jumps of p' at its vertices: p'' is a sum of impulses, k_i at t_i. Each
+// is spread over a hat, a triangle of the same area from `begin` over `peak` to `end` whose
+// centroid is t_i. The curve c(t) whose second derivative that is, is a cubic spline with
+// continuous curvature, and the polyline again where no hat is. Hats that are symmetric, of
+// half-width w_i, make c(t) differ from p(t) by the sum of k_i g_i(t), with
 //
 //     g_i(t) = (w_i - |t - t_i|)^3 / (6 w_i^2)   within w_i of t_i, and 0 elsewhere.
 //
@@ -19,14 +20,15 @@
 
 namespace softcnc::ipo {
 
+/// A turn and its hat; all but the kink in mm along the polyline.
 struct Turn {
-  double t = 0;      // mm along the polyline
-  double width = 0;  // mm: half of the hat
+  double t = 0;
   AxisVector kink = AxisVector::Zero();
-
-  double begin() const noexcept { return t - width; }
-  double end() const noexcept { return t + width; }
+  double begin = 0, peak = 0, end = 0;  // t is their mean
 };
+
+/// A turn with a symmetric hat.
+Turn spread_evenly(double t, const AxisVector& kink, double width);
 
 /// g, for a turn at such a distance, mm.
 double rounding(double distance, double width) noexcept;

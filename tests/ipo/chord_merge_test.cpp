@@ -30,13 +30,14 @@ std::vector<AxisVector> circle(double radius, double chord, int count) {
 }  // namespace
 
 TEST_CASE("chords are joined up to the sagitta of the tolerance", "[chord_merge]") {
-  // A third of P = 0.03: a sagitta of 0.01 mm on a radius of 50 mm is a chord of 2 mm.
+  // A sixteenth of P = 0.16: a sagitta of 0.01 mm on a radius of 50 mm is a chord of 2 mm.
   const auto points = circle(50, 0.1, 100);
-  CHECK(merged(points, within(0.03, 0.03)) == 20);
-  CHECK(merged(points, within(0.03, 0.0025)) == 10);  // Q below that counts as it is
-  CHECK(merged(points, within(0.03, 0)) == 1);
-  CHECK(merged(points, within(0, 0.01)) == 20);     // no corner needs any of it
-  CHECK(merged(points, within(0.03, 0.04)) == 23);  // 0.0133: a third of the larger
+  CHECK(merged(points, within(0.16, 0.16)) == 20);
+  CHECK(merged(points, within(0.16, 0.0025)) == 10);  // Q below that counts as it is
+  CHECK(merged(points, within(0.16, 0)) == 1);
+  CHECK(merged(points, within(0, 0.01)) == 20);      // no corner needs any of it
+  CHECK(merged(points, within(0.03, 0.04)) == 20);   // nor what Q is more than P
+  CHECK(merged(points, within(0.21, 0.216)) == 23);  // 0.0135: a sixteenth of the larger
 }
 
 TEST_CASE("all that chords and corners deviate stays within the larger of P and Q",
@@ -53,7 +54,7 @@ TEST_CASE("all that chords and corners deviate stays within the larger of P and 
 
 TEST_CASE("a chord knows its lines and how far they lie from it", "[chord_merge]") {
   ChordMerge merge;
-  const Manner manner = within(0.3, 0.3);
+  const Manner manner = within(1.6, 1.6);
   CHECK(merge.add(Line({0, 0, 0}, {1, 0.03, 0}), manner, {0, {7}, 3}));
   CHECK(merge.add(Line({1, 0.03, 0}, {2, -0.05, 0}), manner, {0, {8}, 4}));
   CHECK(merge.add(Line({2, -0.05, 0}, {4, 0, 0}), manner, {0, {9}, 5}));
@@ -70,7 +71,7 @@ TEST_CASE("a chord knows its lines and how far they lie from it", "[chord_merge]
 }
 
 TEST_CASE("lines that go back, or differ in how they are run, are not joined", "[chord_merge]") {
-  const Manner manner = within(1, 1);
+  const Manner manner = within(5, 5);
   CHECK(merged({{0, 0, 0}, {1, 0, 0}, {0.9, 0, 0}}, manner) == 1);
   CHECK(merged({{0, 0, 0}, {1, 0, 0}, {1, 0.1, 0}, {0.95, 0.2, 0}, {3, 0.2, 0}}, manner) == 2);
   ChordMerge merge;

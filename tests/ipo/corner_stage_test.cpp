@@ -121,6 +121,72 @@ TEST_CASE("lines in every direction, long and short, stay within P of the progra
       40);
 }
 
+TEST_CASE("chopped curves, fine and coarse, stay within P of the program",
+          "[corner_stage][property]") {
+  test::holds(
+      [] {
+        using test::real;
+        const double p = random_size(-3, -1), radius = random_size(-0.5, 1.5);
+        const double chord = std::sqrt(8 * radius * p * random_size(-3, 0.3));
+        const double even = random_size(-3, 0), noise = p * random_size(-4, -1);
+        std::vector<AxisVector> points{AxisVector::Zero()};
+        double angle = real(0, 6), bend = 1 / radius;
+        for (int i = 0; i < 60; ++i) {
+          if (test::integer(0, 15) == 0) bend = real(-1, 1) / radius;  // straight, or the other way
+          if (test::integer(0, 25) == 0) angle += real(-1, 1);         // a corner
+          const double length = chord * (1 + even * real(-0.9, 3));
+          angle += 0.5 * bend * length;
+          const AxisVector way(std::cos(angle), std::sin(angle), 0.1);
+          angle += 0.5 * bend * length;
+          points.push_back(points.back() + length * way + random_step(noise));
+        }
+        auto blocks = polyline(points, p, test::integer(0, 2) * 0.5 * p);
+        if (test::integer(0, 1) == 0) std::get<Move>(blocks[30].what).feed = 90;
+        const auto pieces = rounded(machine_with(1000), blocks);
+        RC_ASSERT(test::apart(blocks, pieces) <= p * (1 + 1e-6));
+        for (const Piece& piece : pieces) RC_ASSERT(piece.deviation <= p * (1 + 1e-6));
+        const auto jumps = test::jumps(pieces);
+        RC_ASSERT(jumps.gap < 1e-12);
+        RC_ASSERT(jumps.turn < 1e-7);
+        RC_ASSERT(jumps.bend < 1e-3);
+        RC_ASSERT(test::in_order(pieces));
+        check_ends(blocks, pieces);
+      },
+      60);
+}
+
+TEST_CASE("a chopped circle becomes a spline of few spans, through means of its lines",
+          "[corner_stage]") {
+  const double radius = 3.5, p = 0.005;
+  const auto blocks = polyline(serpentine(radius, 0.04, 270, 0), p, 0);
+  const auto pieces = rounded(machine_with(1000), blocks);
+  int spans = 0;
+  std::vector<double> knots, bends;  // of the middle of the way, by mm
+  double s = 0;
+  for (const Piece& piece : pieces) {
+    const Path& path = path_of(piece.block);
+    const auto* curve = std::get_if<Nurbs>(&path);
+    if (curve) spans += static_cast<int>(curve->breaks().size()) + 1;
+    for (const double at_s : breaks(path)) {
+      if (s + at_s < 3 || s + at_s > 8) continue;
+      knots.push_back(s + at_s);
+      bends.push_back(at(path, at_s).ddq.norm() * radius);
+    }
+    s += length(path);
+  }
+  // Spaced by half the width w of a hat, w^2 / 12 rho = P, a spline of evenly spaced knots through
+  // means of three of them bends like the circle, and is h^2 / 6 rho off.
+  const double h = 0.5 * std::sqrt(12 * p * radius);
+  CHECK(spans < 1.5 * s / h);  // with those at the ends, where they are closer
+  REQUIRE(knots.size() > 10);
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const double gap = knots[i] - knots[i - 1];
+    CHECK(gap == Approx(h * std::round(gap / h)).epsilon(0.02));  // twice, where a piece ends
+  }
+  for (const double bend : bends) CHECK(bend == Approx(1).epsilon(0.03));
+  for (const Piece& piece : pieces) CHECK(piece.deviation < 0.6 * p);
+}
+
 TEST_CASE("lines, arcs and NURBS stay within P of the program", "[corner_stage][property]") {
   test::holds(
       [] {
