@@ -19,7 +19,6 @@
 namespace softcnc::hal {
 namespace {
 
-constexpr double kFarthest = 1e6;  // mm
 constexpr std::array<std::string_view, kWorkSystems> kWorkNames{
     "G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
 constexpr std::array<std::string_view, 2> kNoYes{"no", "yes"};
@@ -54,8 +53,7 @@ std::optional<Slot> axis_slot(AxisVector& vector, std::string_view key) {
 }
 
 std::optional<Slot> work_slot(WorkOffset& work, std::string_view key) {
-  constexpr double kFullTurns = 36000;  // degrees
-  if (key == "rotation_deg") return Slot{&work.rotation, rad_from_deg, kFullTurns};
+  if (key == "rotation_deg") return Slot{&work.rotation, rad_from_deg, kMostTurned};
   return axis_slot(work.origin, key);
 }
 

@@ -77,6 +77,10 @@ void dwell(Task& task) {
         Code::SC2007, time->pos,
         std::string(1, time->letter) + ", the time of G04, must not be negative");
   if (time->value == 0) return;
+  if (dwell_time(task, *time) > kLongestDwell)
+    return task.out.report(
+        Code::SC2007, time->pos,
+        std::string(1, time->letter) + ", the time of G04, must be 1000000000 s at most");
   check_dwell_unit(task, *time);
   task.out.emit(Dwell{dwell_time(task, *time)});
 }

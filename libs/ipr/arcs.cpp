@@ -141,10 +141,11 @@ void arc(Task& task, bool ccw) {
   const Letters at_start = task.modal.uncertain;
   const AxisVector to = end_point(task);
   const Letters found = at_start.without(task.modal.uncertain);
+  const Letters lost = task.modal.uncertain.without(at_start);
   task.modal.uncertain = at_start;
   const int turns = further_turns(task);
-  if (has_plane_axes(task, axes) && is_well_given(task, axes) && lies_in_plane(task) &&
-      has_feed(task)) {
+  if (lost.empty() && has_plane_axes(task, axes) && is_well_given(task, axes) &&
+      has_near_lengths(task, "IJKR") && lies_in_plane(task) && has_feed(task)) {
     const auto center = task.values.has('R') ? center_by_radius(task, axes, to, ccw)
                                              : center_by_offsets(task, axes);
     if (center)
@@ -154,6 +155,7 @@ void arc(Task& task, bool ccw) {
                axes);
   }
   task.modal.uncertain = task.modal.uncertain.without(found);
+  task.modal.uncertain |= lost;
   task.modal.position = to;
 }
 

@@ -81,10 +81,16 @@ std::optional<double> radius_by_number(Task& task) {
   return report_no_radius(task, *tool, word.pos);
 }
 
+std::optional<double> radius_by_diameter(Task& task) {
+  double radius = 0;
+  const double given = task.values['D'] * task.modal.mm_per_unit / 2;
+  return keep_offset(task, 'D', radius, given) ? std::optional(radius) : std::nullopt;
+}
+
 std::optional<double> tool_radius(Task& task) {
   if (!is_dynamic(task.code))
     return task.values.has('D') ? radius_by_number(task) : radius_without_number(task);
-  if (task.values.has('D')) return task.values['D'] * task.modal.mm_per_unit / 2;
+  if (task.values.has('D')) return radius_by_diameter(task);
   task.out.report(Code::SC2005, task.word.pos,
                   code_name(task.code) + " needs D, the diameter of the tool");
   return std::nullopt;

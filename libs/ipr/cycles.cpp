@@ -103,11 +103,37 @@ SourcePos place_of(const Task& task, char letter) {
   return task.values.has(letter) ? task.values.word(letter).pos : task.word.pos;
 }
 
+bool lies_near(const Task& task, const Holes& holes, AxisVector at, double height) {
+  at[holes.axes.across] = height;
+  return is_near(task.modal.coordinates.to_machine(at));
+}
+
+/// The first and the last hole of the line, from R to the bottom.
+bool are_near(Task& task, const Holes& holes) {
+  const char across = across_letter(holes.axes);
+  const AxisVector last = holes.first + std::max(0, holes.count - 1) * holes.step;
+  for (const char letter : {'R', across}) {
+    const double height = letter == 'R' ? holes.retract : holes.bottom;
+    if (is_near(height)) continue;
+    return refuse_once(task, letter, Code::SC3008, place_of(task, letter), leads_far({letter}));
+  }
+  for (const AxisVector& hole : {holes.first, last})
+    for (const double height : {holes.retract, holes.bottom})
+      if (!lies_near(task, holes, hole, height))
+        return refuse(task, Code::SC3008, span_of(task.values, "XYZ"),
+                      leads_far(code_name(task.code)));
+  return true;
+}
+
 bool is_possible(Task& task, const Holes& holes) {
   const std::string name = code_name(task.code);
+  if (!are_near(task, holes)) return false;
   if (holes.dwell < 0)
     return refuse_once(task, 'P', Code::SC2007, place_of(task, 'P'),
                        "P, the time at the bottom, must not be negative");
+  if (holes.dwell > kLongestDwell)
+    return refuse_once(task, 'P', Code::SC2007, place_of(task, 'P'),
+                       "P, the time at the bottom, must be 1000000000 s at most");
   if (pecks(task.code) && holes.peck <= 0)
     return refuse_once(task, 'Q', Code::SC2007, place_of(task, 'Q'),
                        "Q, the depth of a peck, must be above 0");

@@ -234,7 +234,8 @@ bool Expression::take_second_bracket() {
 /// ROUND.
 double Expression::rounded(double value, Dialect dialect) const noexcept {
   const double per_unit = dialect == Dialect::fanuc ? rounding_ : 1;
-  return std::round(value * per_unit) / per_unit;
+  const double whole = std::round(value * per_unit);
+  return std::isfinite(whole) ? whole / per_unit : value;
 }
 
 /// What a function gives; its arguments stand from column `begin` on.

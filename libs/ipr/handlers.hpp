@@ -173,6 +173,19 @@ constexpr Letters plane_letters(const PlaneAxes& axes) noexcept {
   return letters;
 }
 
+inline constexpr double kLongestDwell = 1e9;  // s
+
+// reach.cpp: what lies too far off is told at its word
+/// The place, where it is near enough; otherwise told, and what of it is.
+AxisVector near_place(const Task& task, const AxisVector& place);
+std::string leads_far(const std::string& who);
+/// Sets an offset. False, and told, where it is too large: then it stays.
+bool keep_offset(Task& task, AxisVector& offset, const AxisVector& wanted);
+bool keep_offset(Task& task, char letter, double& offset, double wanted);
+/// False, and told, where one of these words gives a length that is too large: of the radius or the
+/// centre of an arc, or a handle of a curve.
+bool has_near_lengths(Task& task, std::string_view letters);
+
 // words.cpp: what several handlers need
 /// Where the axis words lead, in mm and machine coordinates, from the position in force.
 AxisVector end_point(const Task& task);

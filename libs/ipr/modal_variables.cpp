@@ -2,6 +2,8 @@
 // A table of names; numbers by their ranges.
 #include "ipr/modal_variables.hpp"
 
+#include <limits>
+
 #include "ipr/gcode_table.hpp"
 #include "ipr/offset_variables.hpp"
 #include "motion/units.hpp"
@@ -276,6 +278,12 @@ bool ModalVariables::is_read_only(int number) const {
   if (is_offset(number)) return false;
   return dialect_ != Dialect::fanuc ||
          !((number >= kKept && number < kKeptEnd) || number == kNoSingleBlock || number == kNoHold);
+}
+
+double ModalVariables::limit(int number) const {
+  if (!is_offset(number)) return std::numeric_limits<double>::max();
+  const auto offset = offset_variable(number, modal_.state, dialect_);
+  return offset ? offset->limit : kFarthest;
 }
 
 /// A vacant offset is 0.

@@ -22,6 +22,7 @@ class ModalVariables final : public SystemVariables {
   std::optional<double> read(std::string_view name) const override;
   bool has(int number, Dialect dialect) const override;
   bool is_read_only(int number) const override;
+  double limit(int number) const override;
   bool write(int number, double value) override;
   void keep(int number, double value) override;
 

@@ -19,10 +19,25 @@ void join_within(Modal& modal, Join join, double corner, double chord) {
 double tolerance(Task& task, char letter, double otherwise) {
   if (!task.values.has(letter)) return otherwise;
   const Word& word = task.values.word(letter);
-  if (word.value >= 0) return word.value * task.modal.mm_per_unit;
+  const double given = word.value * task.modal.mm_per_unit;
+  if (given >= 0 && is_near(given)) return given;
   task.out.report(Code::SC2007, word.pos,
-                  std::string(1, letter) + ", a tolerance of G64, must not be negative");
+                  std::string(1, letter) + ", a tolerance of G64, must " +
+                      (given < 0 ? "not be negative" : "be 1000000 mm at most"));
   return otherwise;
+}
+
+/// False, and told, if no machine could keep it.
+bool is_possible_feed(Task& task, double feed) {
+  constexpr double kLeast = 1e-6, kMost = 1e9;  // mm/min
+  const double per_minute = mm_min_from_mm_s(feed);
+  if (feed == 0 || (per_minute >= kLeast && per_minute <= kMost)) return true;
+  const bool given = task.command.has(Group::feed);
+  task.out.report(Code::SC2007, given ? task.command.find_word(Group::feed).pos : task.word.pos,
+                  std::string("a feed ") +
+                      (per_minute < kLeast ? "below 0.000001" : "above 1000000000") + " mm/min");
+  task.modal.uncertain.add('F');
+  return false;
 }
 
 }  // namespace
@@ -86,7 +101,7 @@ void refuse_surface_speed(Task& task) {
 /// mm/s, held at the machine's limit.
 double held_feed(Task& task, double feed) {
   const double limit = task.machine.limits.feed;
-  if (limit <= 0 || feed <= limit) return feed;
+  if (limit <= 0 || feed <= limit) return is_possible_feed(task, feed) ? feed : 0;
   if (!task.modal.feed_warned)
     task.out.report(Code::SC2201, task.word.pos,
                     "F is above the machine's " + number_text(mm_min_from_mm_s(limit)) +

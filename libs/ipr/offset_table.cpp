@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // G10: writes into the tables of work systems and tools.
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -63,33 +64,44 @@ void compare_system(Task& task, std::size_t system) {
 
 bool adds(const Task& task) { return is_fanuc(task) && task.modal.incremental; }
 
+bool set_rotation(Task& task, double& rotation) {
+  if (!task.values.has('R')) return true;
+  const Word& word = task.values.word('R');
+  if (std::abs(word.value) <= kMostTurned) {
+    rotation = word.value * kRadPerDegree;
+    return true;
+  }
+  task.out.report(Code::SC3008, word.pos,
+                  "R turns the work system by more than " + number_text(kMostTurned) + " degrees");
+  return false;
+}
+
 /// L2: origin and rotation as given.
 bool set_system(Task& task) {
   const auto system = read_system(task);
   if (!system || (is_fanuc(task) && !lacks(task, "R"))) return false;
   compare_system(task, *system);
   WorkOffset& work = task.modal.state.work[*system];
+  AxisVector origin = work.origin;
   for_named_axes(task, [&](int axis, double value) {
-    work.origin[axis] = adds(task) ? work.origin[axis] + value : value;
+    origin[axis] = adds(task) ? origin[axis] + value : value;
   });
-  if (task.values.has('R')) work.rotation = task.values['R'] * kRadPerDegree;
-  return true;
+  return set_rotation(task, work.rotation) && keep_offset(task, work.origin, origin);
 }
 
 /// Moves what is subtracted from the position, as `with` takes it, so that the axes named get the
 /// coordinates given, and the others keep theirs.
 template <typename With>
-void rename_position(const Task& task, AxisVector& offset, With&& with) {
+bool rename_position(Task& task, AxisVector& offset, With&& with) {
   const Coordinates before = with(offset);
   const AxisVector& position = task.modal.position;
   AxisVector wanted = before.to_program(position);
   for_named_axes(task, [&](int axis, double value) { wanted[axis] = value; });
   const AxisVector moved = position - with(AxisVector::Zero()).to_machine(wanted);
-  if (before.rotated()) {
-    offset = moved;
-  } else {
-    for_named_axes(task, [&](int axis, double) { offset[axis] = moved[axis]; });
-  }
+  if (before.rotated()) return keep_offset(task, offset, moved);
+  AxisVector renamed = offset;
+  for_named_axes(task, [&](int axis, double) { renamed[axis] = moved[axis]; });
+  return keep_offset(task, offset, renamed);
 }
 
 /// L20: such an origin that the position has the coordinates given.
@@ -98,16 +110,16 @@ bool set_system_by_position(Task& task) {
   if (!system || !lacks(task, "R")) return false;
   const Modal& modal = task.modal;
   WorkOffset& work = task.modal.state.work[*system];
-  rename_position(task, work.origin, [&](const AxisVector& origin) {
+  return rename_position(task, work.origin, [&](const AxisVector& origin) {
     return Coordinates({origin, work.rotation}, modal.shift(), modal.tool_offset);
   });
-  return true;
 }
 
 std::optional<int> read_tool(Task& task) { return read_p(task, 1, kLastTool, "the tool number"); }
 
-void set_radius(Task& task, ToolOffset& tool) {
-  if (task.values.has('R')) tool.radius = task.values['R'] * task.modal.mm_per_unit;
+bool set_radius(Task& task, ToolOffset& tool) {
+  return !task.values.has('R') ||
+         keep_offset(task, 'R', tool.radius, task.values['R'] * task.modal.mm_per_unit);
 }
 
 /// L1: lengths and radius as given.
@@ -115,9 +127,9 @@ bool set_tool(Task& task) {
   const auto number = read_tool(task);
   if (!number || !needs(task, "XYZR", "X, Y, Z or R")) return false;
   ToolOffset& tool = tools_of(task).row(*number);
-  for_named_axes(task, [&](int axis, double value) { tool.length[axis] = value; });
-  set_radius(task, tool);
-  return true;
+  AxisVector length = tool.length;
+  for_named_axes(task, [&](int axis, double value) { length[axis] = value; });
+  return keep_offset(task, tool.length, length) && set_radius(task, tool);
 }
 
 /// L10, and L11 by way of G59.3: such lengths that the position has the coordinates given.
@@ -128,18 +140,17 @@ bool set_tool_by_position(Task& task, bool fixture) {
   ToolOffset& tool = tools_of(task).row(*number);
   const WorkOffset& work = fixture ? modal.state.work[kG593] : modal.work();
   const AxisVector shift = fixture ? AxisVector::Zero() : modal.shift();
-  rename_position(task, tool.length,
-                  [&](const AxisVector& length) { return Coordinates(work, shift, length); });
-  set_radius(task, tool);
-  return true;
+  return rename_position(
+             task, tool.length,
+             [&](const AxisVector& length) { return Coordinates(work, shift, length); }) &&
+         set_radius(task, tool);
 }
 
 /// The fanuc dialect: one value of the tables of H and D.
 bool set_compensation(Task& task, double& value) {
   if (!lacks(task, "XYZ") || !needs(task, "R", "R, the value")) return false;
   const double given = task.values['R'] * task.modal.mm_per_unit;
-  value = adds(task) ? value + given : given;
-  return true;
+  return keep_offset(task, 'R', value, adds(task) ? value + given : given);
 }
 
 bool write_compensation(Task& task, int table) {

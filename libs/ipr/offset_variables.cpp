@@ -40,7 +40,7 @@ std::optional<OffsetVariable> offset_variable(int number, MachineState& state, D
   const int which = (number - kWork) % kWorkStep;
   if (which < kAxes) return OffsetVariable{&work.origin[which]};
   if (which != kRotation || dialect == Dialect::fanuc) return std::nullopt;
-  return OffsetVariable{&work.rotation, kRadPerDegree};
+  return OffsetVariable{&work.rotation, kRadPerDegree, kMostTurned};
 }
 
 std::optional<ToolVariable> tool_variable(int number) {

@@ -10,10 +10,12 @@
 
 namespace softcnc::ipr {
 
-/// A value of the tables, in mm or degrees: `*value` is that times `unit`.
+/// A value of the tables, in mm or degrees: `*value` is that times `unit`, and at most `limit` from
+/// 0.
 struct OffsetVariable {
   double* value;
   double unit = 1;
+  double limit = kFarthest;
 };
 
 /// Reference points, the shift of G92, work systems.

@@ -113,6 +113,11 @@ Parameters::Access Parameters::access(std::string_view name) const {
   return taken ? Access::read_only : Access::granted;
 }
 
+double Parameters::limit(int number) const {
+  const bool of_system = is_system(number) && system_ != nullptr;
+  return of_system ? system_->limit(number) : std::numeric_limits<double>::max();
+}
+
 void Parameters::write(int number, double value) {
   assert(access(number) == Access::granted);
   if (number <= locals_)

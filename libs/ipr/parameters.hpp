@@ -36,6 +36,8 @@ class SystemVariables {
   virtual bool has(int number, Dialect dialect) const = 0;
   virtual std::optional<double> read(std::string_view name) const = 0;
   virtual bool is_read_only(int number) const = 0;
+  /// How far from 0 an assigned value may lie.
+  virtual double limit(int number) const = 0;
   /// False: no variable of the system has this number. Expects one that may be written.
   virtual bool write(int number, double value) = 0;
   /// Remembers the value of an ordinary variable for the next program.
@@ -76,7 +78,9 @@ class Parameters {
   /// Whether an assignment is possible.
   Access access(int number) const;
   Access access(std::string_view name) const;
-  /// Expects that access is granted.
+  /// How far from 0 a value may lie that is assigned.
+  double limit(int number) const;
+  /// Expects that access is granted, and a value within the limit.
   void write(int number, double value);
   void write(std::string_view name, double value);
 

@@ -96,6 +96,7 @@ class Parser {
   Token read_order(Lexer& lexer, const Token& sign, int number);
   std::string comment_behind(const Lexer& lexer) const;
   bool may_assign(const Variable& variable, SourcePos at);
+  double within_limit(const Variable& variable, double value, SourcePos at);
   void assign(Variable variable, double value);
   void keep_before(const Variable& variable);
   std::span<const Assigned> assigned_there() const noexcept;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The lines of a program that are no words: assignments and statements.
+#include <cmath>
 #include <utility>
 
 #include "ipr/contradictions.hpp"
@@ -117,8 +118,8 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
     note(Contradiction::system_variable, sign.column, lexer.end() - sign.column);
   if (variable && is_order(*variable) && options_.dialect == Dialect::fanuc)
     return read_order(lexer, sign, variable->number);
-  const bool assignable =
-      variable && may_assign(*variable, {line_.number, sign.column, lexer.end() - sign.column});
+  const SourcePos at{line_.number, sign.column, lexer.end() - sign.column};
+  const bool assignable = variable && may_assign(*variable, at);
   if (!expression.broke_off() && !lexer.take('='))
     expression.refuse_next(Code::SC1028, "'=' and a value");
   const bool bare = options_.dialect == Dialect::fanuc;  // RS274 wants brackets around operators
@@ -133,7 +134,7 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
   }
   report(expression.fault());
   if (is_uncertain(value) || !variable) line_.broken = true;
-  if (assignable) assign(std::move(*variable), value);
+  if (assignable) assign(std::move(*variable), within_limit(*variable, value, at));
   if (!variable) parameters_.doubt();
   return lexer.next();
 }
@@ -176,6 +177,16 @@ bool Parser::may_assign(const Variable& variable, SourcePos at) {
   else if (access == Access::no_such)
     report(Code::SC1025, at.column, at.length, "there is no variable " + name_of(variable));
   return access == Access::granted;
+}
+
+/// The value; otherwise told, and unknown.
+double Parser::within_limit(const Variable& variable, double value, SourcePos at) {
+  if (!variable.name.empty() || is_vacant(value) || is_uncertain(value)) return value;
+  const double limit = parameters_.limit(variable.number);
+  if (std::abs(value) <= limit) return value;
+  report(Code::SC3008, at.column, at.length,
+         name_of(variable) + " takes from " + number_text(-limit) + " to " + number_text(limit));
+  return kUncertain;
 }
 
 /// FANUC: an assignment takes effect at once; RS274: when all of the line has been read.

@@ -50,9 +50,11 @@ void report_missing(Task& task, char letter, const char* what) {
 /// A length above 0 by its word, mm; 0, and told, if it is none.
 double read_length(Task& task, char letter, const char* what, double mm_per_unit) {
   const Word& word = task.values.word(letter);
-  if (word.value > 0) return word.value * mm_per_unit;
+  const double length = word.value * mm_per_unit;
+  if (length > 0 && is_near(length)) return length;
   task.out.report(Code::SC3124, word.pos,
-                  std::string(1, letter) + ", " + what + ", must be above 0");
+                  std::string(1, letter) + ", " + what + ", must be " +
+                      (length > 0 ? "1000000 mm at most" : "above 0"));
   return 0;
 }
 

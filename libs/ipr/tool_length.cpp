@@ -8,8 +8,7 @@ namespace softcnc::ipr {
 namespace {
 
 void use_offset(Task& task, const AxisVector& offset) {
-  task.modal.tool_offset = offset;
-  task.modal.update_coordinates();
+  if (keep_offset(task, task.modal.tool_offset, offset)) task.modal.update_coordinates();
 }
 
 /// The tool that H names, or the one in force without H.

@@ -77,8 +77,9 @@ void compare_offsets(const Task& task) {
   }
 }
 
-AxisVector end_point(const Task& task) {
-  if (task.modal.machine_coordinates) return end_in_machine(task);
+namespace {
+
+AxisVector end_in_program(const Task& task) {
   if (!task.modal.incremental) compare_offsets(task);
   const Coordinates& coordinates = task.modal.coordinates;
   const AxisVector& position = task.modal.position;
@@ -95,6 +96,13 @@ AxisVector end_point(const Task& task) {
   }
   if (!coordinates.rotated()) return end;
   return named ? coordinates.to_machine(end) : position;
+}
+
+}  // namespace
+
+AxisVector end_point(const Task& task) {
+  return near_place(task,
+                    task.modal.machine_coordinates ? end_in_machine(task) : end_in_program(task));
 }
 
 void emit_move(Task& task, Path&& path, bool rapid) {

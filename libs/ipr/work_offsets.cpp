@@ -13,10 +13,10 @@ AxisVector shift_in_force(const MachineState& state) {
   return state.shift_on ? state.shift : AxisVector::Zero();
 }
 
-void set_shift(Modal& modal, const AxisVector& shift) {
-  modal.state.shift = shift;
-  modal.state.shift_on = true;
-  modal.update_coordinates();
+void set_shift(Task& task, const AxisVector& shift) {
+  if (!keep_offset(task, task.modal.state.shift, shift)) return;
+  task.modal.state.shift_on = true;
+  task.modal.update_coordinates();
 }
 
 bool names_axes(Task& task) {
@@ -77,10 +77,9 @@ void set_local_shift(Task& task) {
   for_named_axes(task, [&](int axis, double value) { shift[axis] = value; });
   if (!own) {
     for_named_axes(task, [&](int axis, double value) { modal.shift_of_g52[axis] = value; });
-    return set_shift(modal, shift);
+    return set_shift(task, shift);
   }
-  modal.local_shift = shift;
-  modal.update_coordinates();
+  if (keep_offset(task, modal.local_shift, shift)) modal.update_coordinates();
 }
 
 /// G92: the position gets the coordinates given.
@@ -95,7 +94,7 @@ void name_position(Task& task) {
     modal.local_shift[axis] = modal.shift_of_g52[axis] = 0;
     modal.uncertain.remove(axis_letter(axis));
   });
-  set_shift(modal, shift);
+  set_shift(task, shift);
 }
 
 /// G92.1: no shift, and none to come back to.

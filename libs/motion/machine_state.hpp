@@ -10,6 +10,17 @@
 
 namespace softcnc {
 
+/// How far places and offsets may lie from 0, either way: what is kept is within.
+inline constexpr double kFarthest = 1e6;  // mm
+/// How far a work system may be turned, either way.
+inline constexpr double kMostTurned = 36000;  // degrees
+
+/// False for what is no number, too.
+inline bool is_near(double mm) noexcept { return mm >= -kFarthest && mm <= kFarthest; }
+inline bool is_near(const AxisVector& place) noexcept {
+  return is_near(place[0]) && is_near(place[1]) && is_near(place[2]);
+}
+
 /// A work coordinate system: G54 to G59.3.
 struct WorkOffset {
   AxisVector origin = AxisVector::Zero();  // mm, in machine coordinates

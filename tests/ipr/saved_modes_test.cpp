@@ -34,8 +34,7 @@ Places told(std::string text) {
 
 const std::string kRead =
     "G0 X[#<_metric>+2*#<_absolute>+4*#<_ijk_absolute_mode>+8*#<_retract_r_plane>]"
-    "Y[#<_plane>+#<_units_per_minute>+2*#<_units_per_rev>+4*#<_feed_override>+#<_coord_system>*"
-    "1000]"
+    "Y[#<_plane>+#<_units_per_minute>+2*#<_units_per_rev>+4*#<_feed_override>+#<_coord_system>*10]"
     "Z[#<_feed>+1000*#<_rpm>]\n";
 
 }  // namespace
