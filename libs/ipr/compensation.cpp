@@ -18,7 +18,8 @@ namespace {
 constexpr double kSamePoint = 1e-9;  // mm
 constexpr double kShortest = 1e-6;   // mm: less of a move is none
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kAtEnd = 1e-3;    // mm: parallels that meet so near an end do so at the corner
+constexpr double kAtEnd = 1e-3;  // mm: parallels that meet so near an end do so at the corner
+constexpr std::size_t kMostWaiting = 10'000;
 constexpr double kGrazing = 5e-3;  // mm: programs are rounded to less
 
 bool stays_in_plane(const Path& path, const PlaneAxes& axes) {
@@ -81,7 +82,7 @@ void Compensation::follow(Block block, std::string_view text, bool certain) {
   const bool move = std::holds_alternative<Move>(block.what);
   if (move && on() && mode_->radius > 0) return follow_move(std::move(block), text, certain);
   if (held_)
-    waiting_.push_back(std::move(block));
+    wait(std::move(block), text);
   else
     ready_.push_back(std::move(block));
 }
@@ -93,12 +94,22 @@ std::optional<Block> Compensation::pop() {
   return block;
 }
 
+/// Until the next move of the contour tells where the one before ends.
+void Compensation::wait(Block block, std::string_view text) {
+  if (waiting_.size() < kMostWaiting) return waiting_.push_back(std::move(block));
+  report(Code::SC2151, block, text,
+         "more than " + std::to_string(kMostWaiting) +
+             " blocks without a move in the plane of the contour");
+  let_out_whole();
+  before_.reset();
+}
+
 void Compensation::follow_move(Block block, std::string_view text, bool certain) {
   const AxisVector from = softcnc::start(path_of(block)), to = softcnc::end(path_of(block));
   const bool broken = !certain || (from - programmed_).norm() > kShortest;
   programmed_ = to;
   if (stays_in_plane(path_of(block), axes_)) {
-    if (held_) return waiting_.push_back(std::move(block));
+    if (held_) return wait(std::move(block), text);
     if (!entered_) return ready_.push_back(std::move(block));
     return move_to(block, in_plane(tool_, axes_), to[axes_.across]);
   }

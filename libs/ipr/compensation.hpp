@@ -46,6 +46,7 @@ class Compensation {
     bool keeps(double at) const noexcept;
   };
 
+  void wait(Block block, std::string_view text);
   void follow_move(Block block, std::string_view text, bool certain);
   void enter(Block block, std::string_view text);
   void go_on(Block block, std::string_view text);

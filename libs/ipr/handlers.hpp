@@ -210,6 +210,9 @@ bool is_of_fanuc(Task& task);
 bool has_plane_axes(Task& task, const PlaneAxes& axes);
 /// What a curve over several lines keeps of its first one.
 CurveHead curve_head(Task& task);
+/// As many control points as a curve can have: all of it is held until its end.
+inline constexpr std::size_t kMostCurvePoints = 10'000;
+void report_too_many(Task& task);
 /// How far the first point of a curve may lie off the position, mm.
 double start_tolerance(const Machine& machine);
 /// Whether the line has another motion code, or one that stops or ends the program.

@@ -32,6 +32,7 @@ struct PendingCurve {
   Letters axes;                  // of the curve; empty until a block names one
   bool broken = false;           // something in it was reported: no block is made
   bool knots_uncertain = false;  // the same for its knots: no more is said about them
+  bool full = false;             // it has been told that there are too many points
   bool repeats = false;          // LinuxCNC's form: G06.2 in its second block too
   double order_word = 0;         // P as written; 0: left out
   CurveHead head;

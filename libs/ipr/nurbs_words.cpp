@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "ipr/handlers.hpp"
 
@@ -101,8 +102,9 @@ void read_knot(Task& task, PendingCurve& curve) {
     curve.knots_uncertain = true;
     return;
   }
+  if (curve.knots_uncertain) return;
   curve.spec.knots.push_back(task.values['K']);
-  if (!curve.knots_uncertain) check_knot(task, curve);
+  check_knot(task, curve);
 }
 
 double read_weight(Task& task) {
@@ -136,6 +138,14 @@ AxisVector first_point(Task& task) {
   return task.modal.position;
 }
 
+/// False, and told once, if the curve has as many points as it can have.
+bool has_room(Task& task, PendingCurve& curve) {
+  if (curve.spec.control.size() < kMostCurvePoints) return true;
+  if (!std::exchange(curve.full, true)) report_too_many(task);
+  curve.knots_uncertain = true;
+  return false;
+}
+
 void read_control_point(Task& task, PendingCurve& curve) {
   if (curve.closing_knots > 0 && !curve.knots_uncertain) {
     task.out.report(Code::SC3104, span_of(task.values, "XYZ"),
@@ -146,6 +156,7 @@ void read_control_point(Task& task, PendingCurve& curve) {
   const bool first = is_first(curve);
   check_curve_axes(task, curve);
   if (!first) task.modal.position = end_point(task);
+  if (!has_room(task, curve)) return;
   curve.spec.control.push_back(first ? first_point(task) : task.modal.position);
   curve.spec.weights.push_back(read_weight(task));
   read_knot(task, curve);

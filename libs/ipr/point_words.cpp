@@ -108,8 +108,13 @@ void add_control_point(Task& task, PendingPoints& curve) {
   const bool given = has_control_words(task);
   if (task.modal.incremental) task.modal.position = curve.points.front();
   task.modal.position = end_point(task);
+  const double weight = given ? read_control_weight(task) : 1;
+  if (curve.points.size() == kMostCurvePoints) {
+    if (!curve.broken) report_too_many(task);
+    return;
+  }
   curve.points.push_back(task.modal.position);
-  curve.weights.push_back(given ? read_control_weight(task) : 1);
+  curve.weights.push_back(weight);
 }
 
 // G06.1

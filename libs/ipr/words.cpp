@@ -158,6 +158,11 @@ CurveHead curve_head(Task& task) {
   return {task.modal.feed, task.out.source(), task.word.pos, std::string(task.out.text())};
 }
 
+void report_too_many(Task& task) {
+  task.out.report(Code::SC3120, span_of(task.values, "XYZ"),
+                  "a curve has " + std::to_string(kMostCurvePoints) + " control points at most");
+}
+
 double start_tolerance(const Machine& machine) {
   double tolerance = kSameStart;
   for (const Axis& axis : machine.axes)
