@@ -94,9 +94,11 @@ void CommandFile::read_line() {
 }
 
 bool CommandFile::is_readable() {
-  if (line_ == 1 && looks_like_utf16(text_)) {
+  const auto encoding = line_ == 1 ? wide_encoding(text_) : std::string_view{};
+  if (!encoding.empty()) {
     text_ = {};  // nothing that could be shown
-    report(Code::SC1013, {1, 1, 1}, "the file is in UTF-16; save it as UTF-8 or ASCII");
+    TextFault fault = wide_fault(encoding);
+    report(fault.code, {1, 1, 1}, std::move(fault.message));
     finish();
     return false;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ipr/faults.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -8,6 +9,14 @@ namespace softcnc::ipr {
 namespace {
 
 constexpr int kLongestShown = 24;  // bytes of a bad word repeated in a message
+constexpr std::string_view kUtf16 = "UTF-16", kUtf32 = "UTF-32";
+constexpr std::size_t kZerosOfUtf32 = 3;  // beside a character of ASCII
+
+/// How many zero bytes stand there in a row.
+std::size_t zeros_at(std::string_view text, std::size_t place) {
+  const std::size_t end = std::min(text.find_first_not_of('\0', place), text.size());
+  return end - std::min(place, end);
+}
 
 }  // namespace
 
@@ -30,9 +39,23 @@ std::string character_name(std::string_view character) {
   return quoted(character) + text.data();
 }
 
-bool looks_like_utf16(std::string_view first_line) {
-  if (first_line.starts_with("\xFF\xFE") || first_line.starts_with("\xFE\xFF")) return true;
-  return first_line.size() > 1 && (first_line[0] == '\0') != (first_line[1] == '\0');
+std::string_view wide_encoding(std::string_view first_line) {
+  const std::string_view utf32_mark("\0\0\xFE\xFF", 4);
+  if (first_line.starts_with(utf32_mark)) return kUtf32;
+  if (first_line.starts_with("\xFF\xFE") || first_line.starts_with("\xFE\xFF"))
+    return zeros_at(first_line, 2) >= 2 ? kUtf32 : kUtf16;
+  if (first_line.size() < 2 || (first_line[0] == '\0') == (first_line[1] == '\0')) return {};
+  return zeros_at(first_line, 1) == kZerosOfUtf32 ? kUtf32 : kUtf16;
+}
+
+std::string_view wide_encoding_at(std::string_view text, std::size_t nul) {
+  const std::size_t zeros = zeros_at(text, nul);
+  if (zeros_at(text, nul + zeros + 1) == 0) return {};
+  return zeros == 1 ? kUtf16 : zeros == kZerosOfUtf32 ? kUtf32 : std::string_view{};
+}
+
+TextFault wide_fault(std::string_view encoding) {
+  return {Code::SC1013, "the file is in " + std::string(encoding) + "; save it as UTF-8 or ASCII"};
 }
 
 TextFault number_fault(NumberFault fault, std::string_view written, std::string_view behind) {

@@ -16,8 +16,11 @@ std::string quoted(std::string_view text);
 /// A character by its looks, its code point or its byte.
 std::string character_name(std::string_view character);
 
-/// Text in UTF-16 shows its byte order mark, or a zero byte beside its first character.
-bool looks_like_utf16(std::string_view first_line);
+/// "UTF-16" or "UTF-32" if the text shows its byte order mark, or a zero byte beside its first
+/// character; otherwise empty.
+std::string_view wide_encoding(std::string_view first_line);
+/// The same by what surrounds the first zero byte of a text.
+std::string_view wide_encoding_at(std::string_view text, std::size_t nul);
 
 /// Follows the text of what is told of a letter O that makes no sense.
 inline constexpr const char* kLetterForDigit = "; is the digit 0 meant?";
@@ -26,6 +29,9 @@ struct TextFault {
   Code code;
   std::string message;
 };
+
+/// `encoding` is one of those above.
+TextFault wide_fault(std::string_view encoding);
 
 /// A number that could not be read, as it is written; `behind` is what it belongs to. Expects a
 /// fault.

@@ -95,15 +95,22 @@ void Parser::read_line(Depth depth) {
 }
 
 bool Parser::is_readable() {
-  if (line_.number == 1 && looks_like_utf16(line_.text)) {
-    line_.text = {};  // nothing that could be shown
-    give_up(Code::SC1013, Token{}, "the file is in UTF-16; save it as UTF-8 or ASCII");
-    ended_ = broke_off_ = true;
+  const auto encoding = line_.number == 1 ? wide_encoding(line_.text) : std::string_view{};
+  if (!encoding.empty()) {
+    refuse_file(encoding);
   } else if (reader_->line_was_cut()) {
     give_up(Code::SC1015, Token{},
             "the line is longer than " + std::to_string(Reader::kLongestLine) + " bytes");
   }
   return !given_up_;
+}
+
+/// No line of it can be read, or shown.
+void Parser::refuse_file(std::string_view encoding) {
+  line_.text = {};
+  TextFault fault = wide_fault(encoding);
+  give_up(fault.code, Token{}, std::move(fault.message));
+  ended_ = broke_off_ = true;
 }
 
 void Parser::read_words() {

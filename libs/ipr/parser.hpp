@@ -85,6 +85,8 @@ class Parser {
   void read_outline();
   Token pass_slash(Lexer& lexer, const Token& token);
   bool is_readable();
+  void refuse_file(std::string_view encoding);
+  void read_nul(const Token& nul);
   void read_words();
   Token read_word(Lexer& lexer, const Token& letter);
   Token read_value(Lexer& lexer, const Token& letter, const Token& first);
@@ -133,6 +135,7 @@ class Parser {
   Statement statement_;
   Depth depth_ = Depth::usual;
   bool started_ = false, given_up_ = false, ended_ = false, broke_off_ = false;
+  bool nul_seen_ = false;
 };
 
 }  // namespace softcnc::ipr

@@ -115,7 +115,7 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
       give_up(Code::SC1010, mark, "a comment inside a comment");
       break;
     case Token::Kind::nul:
-      give_up(Code::SC1014, mark, "a byte 0; the file is damaged or no text");
+      read_nul(mark);
       break;
     default:
       give_up(Code::SC1001, mark,
@@ -123,6 +123,18 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
       break;
   }
   return {};
+}
+
+/// What surrounds the first one tells whether the file is no text, or none that can be read.
+void Parser::read_nul(const Token& nul) {
+  const bool first = !std::exchange(nul_seen_, true);
+  const auto at = static_cast<std::size_t>(nul.column) - 1;
+  const std::string_view encoding =
+      first ? wide_encoding_at(reader_->text_from(line_.text), at) : std::string_view{};
+  if (encoding.empty())
+    give_up(Code::SC1014, nul, "a byte 0; the file is damaged or no text");
+  else
+    refuse_file(encoding);
 }
 
 Token Parser::read_macro(Lexer& lexer, const Token& mark) {

@@ -54,6 +54,10 @@ class Reader {
   /// What comes next and is in memory, as it is written; read_ahead() adds to it. False: no more,
   /// or no more fits.
   std::string_view unread() const noexcept { return {buffer_.data() + begin_, end_ - begin_}; }
+  /// From the line last read on, given what next() has returned.
+  std::string_view text_from(std::string_view last) const noexcept {
+    return {last.data(), static_cast<std::size_t>(buffer_.data() + end_ - last.data())};
+  }
   bool read_ahead() { return end_ - begin_ < buffer_.size() / 2 && fill(); }
   /// From here on next() gives nothing, and waiting() is true, where a pipe has nothing more yet.
   void do_not_wait() noexcept { waits_ = false; }

@@ -105,6 +105,7 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC1012, "'%' within a line; it stands on a line of its own"},
     {Code::SC1012, "'%' with more behind it; it stands on a line of its own"},
     {Code::SC1013, "the file is in UTF-16; save it as UTF-8 or ASCII"},
+    {Code::SC1013, "the file is in UTF-32; save it as UTF-8 or ASCII"},
     {Code::SC1014, "a byte 0; the file is damaged or no text"},
     {Code::SC1015, "the line is longer than 16384 bytes"},
     {Code::SC1016, "a number, '#', '[' or a function is expected instead of ']'"},
