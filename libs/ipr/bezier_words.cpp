@@ -30,8 +30,10 @@ bool is_switch(const Task& task) {
   constexpr int kG05 = 50;
   const Letters words = task.values.letters();
   if (words.has_any("IJK")) return false;
-  if (task.code.number != kG05) return words.has('Q');
-  return words.has('P') && !words.has('Q') && !words.has_any(kAxisWords);
+  if (task.code.number == kG05)
+    return words.has('P') && !words.has('Q') && !words.has_any(kAxisWords);
+  const bool fanuc = task.options.dialect == Dialect::fanuc;
+  return words.has('Q') && !(fanuc && words.has_any(kAxisWords));
 }
 
 void note_switch(Task& task) {
@@ -103,7 +105,7 @@ std::optional<AxisVector> first_handle(Task& task, const PlaneAxes& axes, bool g
 
 bool follows_cubic(const Task& task) {
   const Modal& modal = task.modal;
-  return modal.motion == &task.code && modal.curve_end &&
+  return modal.motion == &task.code && modal.curve_end && modal.curve_end->plane == modal.plane &&
          modal.curve_end->position == modal.position;
 }
 
@@ -154,7 +156,8 @@ void cubic(Task& task) {
   if (!is_curve(task)) return;
   draw(task, cubic_curve);
   const PlaneAxes axes = plane_axes(task.modal.plane);
-  task.modal.curve_end = CurveEnd{task.modal.position, -way(task, axes, {'P', 'Q'})};
+  task.modal.curve_end =
+      CurveEnd{task.modal.position, -way(task, axes, {'P', 'Q'}), task.modal.plane};
 }
 
 void quadratic(Task& task) {

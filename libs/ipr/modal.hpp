@@ -53,6 +53,7 @@ struct PendingPoints {
 struct CurveEnd {
   AxisVector position;  // mm, machine coordinates
   AxisVector handle;    // mm: from there to the first control point of the curve that goes on
+  Plane plane;          // in which it lies
 };
 
 /// Where G40 has left the tool: beside the programmed position, until a move leads away.

@@ -1,0 +1,5 @@
+(expect SC3118 4:1)
+G5 X20 Y-3 I3 J6 P-4 Q5 F1200
+G18
+G5 X30 Z1 P-2 Q-7
+M2
