@@ -358,6 +358,8 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC3008, "R turns the work system by more than 36000 degrees"},
     {Code::SC3008, "#5221 takes from -1000000 to 1000000"},
     {Code::SC3009, "all control points of the NURBS are the same"},
+    {Code::SC3010,
+     "the NURBS cannot be computed: its weights, knots or coordinates differ too much in size"},
     {Code::SC3102, "a block of a curve needs its knot, K"},
     {Code::SC3103, "Y is missing in the first block of the curve"},
     {Code::SC3104, "G01 too early: the curve has 2 of its 3 closing knots"},
