@@ -148,7 +148,8 @@ bool is_possible(Task& task, const Holes& holes) {
   const double each = pecks(task.code) ? (holes.retract - holes.bottom) / holes.peck : 1;
   if (each * holes.count > kMostPecks)
     return refuse(task, Code::SC2007, task.word.pos,
-                  name + " on this line would take more than 10000 pecks");
+                  name + " on this line would take more than 10000 " +
+                      (pecks(task.code) ? "pecks" : "holes"));
   return true;
 }
 

@@ -95,6 +95,14 @@ class Flow {
     std::int64_t since = 0;
   };
 
+  /// Where a jump has led, and from where.
+  struct Landing {
+    SourcePos pos;  // of the jump
+    std::string text;
+    Spot spot;
+    std::size_t level = 0;  // of calls
+  };
+
   // flow.cpp
   void doubt(const Line& line);
   bool obey(const Line& line);
@@ -122,6 +130,7 @@ class Flow {
   void leave(std::optional<double> value, const SourcePos& pos);
   void go_to_line(int number, const SourcePos& pos);
   bool find_line(int number, int last);
+  void land(const SourcePos& pos);
   void go_back(const Spot& from, const Spot& to, const SourcePos& pos);
 
   // flow_loops.cpp
@@ -131,6 +140,7 @@ class Flow {
   void close_within(const Open& open, bool tell);
   void tell_open(const Open& open);
   void tell_not_begun();
+  bool has_jumped_into(Kind begin);
   bool is_open_already();
   void pass_top();
   bool pass_to_end(const Open& open);
@@ -159,12 +169,13 @@ class Flow {
   std::vector<Call> calls_;  // the main program first
   std::vector<Open> opens_;  // of all calls
   std::optional<Jump> jump_;
-  Statement statement_;     // in work
-  std::string text_;        // of its line, or of the one that asked for a jump
-  Spot head_;               // before it
-  bool uncertain_ = false;  // what is open is not known after an error
-  Spot before_;             // before the line that pass_to() has found
-  bool new_round_ = false;  // the next line is the head of the loop on top
+  std::optional<Landing> landing_;  // of the last jump
+  Statement statement_;             // in work
+  std::string text_;                // of its line, or of the one that asked for a jump
+  Spot head_;                       // before it
+  bool uncertain_ = false;          // what is open is not known after an error
+  Spot before_;                     // before the line that pass_to() has found
+  bool new_round_ = false;          // the next line is the head of the loop on top
   bool ended_ = false, broken_ = false;
   int program_line_ = 0;                                // of the main program's own O
   std::int64_t executed_ = 0;                           // lines

@@ -188,7 +188,7 @@ void Flow::go_to_line(int number, const SourcePos& pos) {
   if (const auto known = backward_.find(key); known != backward_.end())
     return go_back(here, known->second, pos);
   if (find_line(number, std::numeric_limits<int>::max())) {
-    go(before_);
+    if (go(before_)) land(pos);
     return;
   }
   const int end = parser_.line();
@@ -228,7 +228,11 @@ void Flow::go_back(const Spot& from, const Spot& to, const SourcePos& pos) {
     return;
   diagnostics_.lines_repeat();
   while (opens_.size() > calls_.back().opens && opens_.back().pos.line > line) opens_.pop_back();
-  go(to);
+  if (go(to)) land(pos);
+}
+
+void Flow::land(const SourcePos& pos) {
+  landing_ = Landing{pos, text_, library_.here(), calls_.size()};
 }
 
 }  // namespace softcnc::ipr

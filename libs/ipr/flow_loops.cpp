@@ -127,8 +127,32 @@ void Flow::tell_open(const Open& open) {
               open.text);
 }
 
+/// Whether the last jump has led from outside to between the beginning and the end in work.
+bool Flow::has_jumped_into(Kind begin) {
+  if (!landing_ || landing_->level != calls_.size()) return false;
+  const Spot here = library_.here();
+  const int last = landing_->spot.place.line;
+  int begun = 0;  // the line of the beginning that has no end before the landing
+  if (landing_->spot.file != here.file || !go(calls_.back().sub.begin)) return false;
+  pass_to([&](const Line& line) {
+    const bool behind = line.number > last;
+    if (!behind && line.statement && line.statement->label == statement_.label) {
+      if (line.statement->kind == begin) begun = line.number;
+      if (line.statement->kind == statement_.kind) begun = 0;
+    }
+    return behind;
+  });
+  const int from = landing_->pos.line;
+  return go(here) && begun > 0 && (from < begun || from > here.place.line);
+}
+
 void Flow::tell_not_begun() {
   const Kind begin = begin_of(statement_.kind);
+  if (!uncertain_ && has_jumped_into(begin))
+    return report_once(Code::SC2304, landing_->pos,
+                       "the jump leads past " + spelled(begin, statement_.label) + " to before " +
+                           spelled(statement_.kind, statement_.label),
+                       landing_->text);
   report_once(
       Code::SC2304, statement_.pos,
       spelled(statement_.kind, statement_.label) + " without " + spelled(begin, statement_.label),

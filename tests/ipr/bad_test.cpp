@@ -317,6 +317,7 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC2304, "'o1 else' without 'o1 if'"},
     {Code::SC2304, "'o1 else' after 'o1 else'"},
     {Code::SC2304, "'END 1' without 'DO 1'"},
+    {Code::SC2304, "the jump leads past 'DO 1' to before 'END 1'"},
     {Code::SC2305, "'o2 break' outside of a loop o2"},
     {Code::SC2306, "'o1 return' outside of 'o1 sub'"},
     {Code::SC2307, "'o2 sub' within 'o1 sub'"},

@@ -1,0 +1,6 @@
+(expect SC2304 2:1; fanuc)
+GOTO 10
+WHILE [#1 LT 3] DO 1
+N10 #1=5
+END 1
+M30
