@@ -3,6 +3,7 @@
 
 #include <poll.h>
 #include <sys/inotify.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -21,6 +22,15 @@ constexpr int kQuiet = 50;  // ms: what is saved in several steps is one change
 tl::unexpected<Diagnostic> unwatched(const std::string& file) {
   return tl::make_unexpected(Diagnostic{
       Code::SC6041, {}, std::string("cannot be watched: ") + std::strerror(errno), file, {}});
+}
+
+constexpr int kLook = 1000;  // ms
+
+FileStamp stamp_of(const std::string& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return {};
+  return {status.st_dev, status.st_ino, status.st_size, status.st_mtim.tv_sec,
+          status.st_mtim.tv_nsec};
 }
 
 bool is_readable(int descriptor, int timeout) {
@@ -49,6 +59,8 @@ Status FileWatch::add(const std::string& file) {
     if (watched < 0) return unwatched(file);
     names_[watched].insert(path.filename());
   }
+  const FileStamp stamp = stamp_of(file);
+  seen_.try_emplace(file, Seen{stamp, stamp});
   return {};
 }
 
@@ -71,12 +83,35 @@ bool FileWatch::has_changed() {
   return changed;
 }
 
+/// What is there now has been told.
+void FileWatch::look() {
+  for (auto& [file, seen] : seen_) seen.told = seen.last = stamp_of(file);
+}
+
+/// Something is there that was not told, and has been left alone since the last time.
+bool FileWatch::looks_changed() {
+  bool changed = false;
+  for (auto& [file, seen] : seen_) {
+    const FileStamp before = std::exchange(seen.last, stamp_of(file));
+    changed = changed || (seen.last == before && !(seen.last == seen.told));
+  }
+  return changed;
+}
+
+/// Where the files lie now, and links lead to.
+void FileWatch::watch_again() {
+  for (const auto& [file, seen] : seen_) static_cast<void>(add(file));
+}
+
 bool FileWatch::wait(StopSignals& signals) {
   bool changed = false;
   while (signals.poll() == 0) {
     changed = has_changed() || changed;
-    if (changed && !is_readable(*queue_, kQuiet)) return true;
-    if (!changed) signals.wait_for_input(*queue_);
+    if (!changed && !signals.wait_for_input(*queue_, kLook)) changed = looks_changed();
+    if (!changed || is_readable(*queue_, kQuiet)) continue;
+    watch_again();
+    look();
+    return true;
   }
   return false;
 }

@@ -2,6 +2,7 @@
 // Tells when files change, also where an editor saves by renaming.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <set>
 #include <span>
@@ -12,7 +13,17 @@
 
 namespace softcnc::app {
 
-/// Watches the folders of files by inotify: a file may vanish and come again.
+/// What is there under the name of a file, links followed; all 0 for nothing.
+struct FileStamp {
+  std::uint64_t device = 0, number = 0;
+  std::int64_t size = 0, second = 0, nanosecond = 0;
+
+  friend bool operator==(const FileStamp&, const FileStamp&) = default;
+};
+
+/// Watches the folders of files by inotify: a file may vanish and come again. What that does not
+/// see, as of a folder that is made anew or a link that leads elsewhere, is looked for once a
+/// second.
 class FileWatch {
  public:
   /// Errors: SC6041.
@@ -29,9 +40,16 @@ class FileWatch {
   explicit FileWatch(Descriptor queue) : queue_(std::move(queue)) {}
   Status add(const std::string& file);
   bool has_changed();
+  void look();
+  bool looks_changed();
+  void watch_again();
 
   Descriptor queue_;
   std::map<int, std::set<std::string>> names_;  // in each watched folder
+  struct Seen {
+    FileStamp told, last;  // what wait() has returned for; what was there a second ago
+  };
+  std::map<std::string, Seen> seen_;
 };
 
 }  // namespace softcnc::app

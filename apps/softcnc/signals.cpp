@@ -49,9 +49,9 @@ void StopSignals::interrupt() noexcept {
   unblock();
 }
 
-void StopSignals::wait_for_input(int descriptor) noexcept {
+bool StopSignals::wait_for_input(int descriptor, int time) noexcept {
   std::array<pollfd, 2> sources{{{descriptor, POLLIN, 0}, {*descriptor_, POLLIN, 0}}};
-  ::poll(sources.data(), sources.size(), -1);
+  return ::poll(sources.data(), sources.size(), time) != 0;
 }
 
 }  // namespace softcnc::app

@@ -24,8 +24,9 @@ class StopSignals {
   /// As if SIGINT had come, unless a signal has.
   void interrupt() noexcept;
 
-  /// Waits for input on a descriptor, or for a signal.
-  void wait_for_input(int descriptor) noexcept;
+  /// Waits for input on a descriptor, or for a signal; false if none has come within the time, in
+  /// ms, which is without end if it is negative.
+  bool wait_for_input(int descriptor, int time = -1) noexcept;
 
  private:
   void unblock() noexcept;

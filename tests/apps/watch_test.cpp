@@ -43,6 +43,53 @@ TEST_CASE("a program is checked again when it changes, until Ctrl-C", "[apps][wa
   CHECK(talk.status() == 130);
 }
 
+TEST_CASE("a program is found again where its folder is made anew", "[apps][watch]") {
+  const Folder folder;
+  const std::filesystem::path parts = folder / "parts";
+  std::filesystem::create_directory(parts);
+  const std::string part = parts / "p.nc";
+  write(part, kGood);
+  Talk talk({"check", "--watch", part});
+  CHECK(talk.hear("---").back() == kNothing);
+  std::filesystem::remove_all(parts);
+  CHECK(talk.hear("---").front().starts_with(part + ": error SC6001: "));
+  std::filesystem::create_directory(parts);
+  write(part, kBad);
+  CHECK(talk.hear("---").back() == kOne);
+  write(part, kGood);
+  CHECK(talk.hear("---").back() == kNothing);
+  std::filesystem::rename(parts, folder / "away");
+  CHECK(talk.hear("---").front().starts_with(part + ": error SC6001: "));
+  std::filesystem::rename(folder / "away", parts);
+  CHECK(talk.hear("---").back() == kNothing);
+  talk.send(SIGINT);
+  CHECK(talk.status() == 130);
+}
+
+TEST_CASE("a program is checked where a link leads to now", "[apps][watch]") {
+  const Folder folder;
+  const std::filesystem::path there = folder / "there";
+  std::filesystem::create_directory(there);
+  write(there / "a.nc", kGood);
+  write(there / "b.nc", kBad);
+  const std::string part = folder / "p.nc";
+  write(part, kGood);
+  Talk talk({"check", "--watch", part});
+  CHECK(talk.hear("---").back() == kNothing);
+  std::filesystem::create_symlink(there / "b.nc", folder / "link");
+  std::filesystem::rename(folder / "link", part);
+  CHECK(talk.hear("---").back() == kOne);
+  write(there / "b.nc", kGood);
+  CHECK(talk.hear("---").back() == kNothing);
+  std::filesystem::create_symlink(there / "a.nc", folder / "link");
+  std::filesystem::rename(folder / "link", part);
+  CHECK(talk.hear("---").back() == kNothing);
+  write(there / "a.nc", kBad);
+  CHECK(talk.hear("---").back() == kOne);
+  talk.send(SIGINT);
+  CHECK(talk.status() == 130);
+}
+
 TEST_CASE("programs are checked again when their machine or state changes", "[apps][watch]") {
   const Folder folder;
   write(folder / "p.nc", "G00 X10\nM30\n");
