@@ -60,6 +60,8 @@ constexpr std::array<ContradictionRow, kContradictions> kTable{{
      "go out at the feed to R, where the spindle of a tap turns back, and on as a rapid"},
     {C::entry, Code::SC2132, "the line on which cutter compensation begins", "leads beside its end",
      "leads square to the beginning of the next move"},
+    {C::exact_stop, Code::SC2133, "G61", "follows the path exactly, without a stop",
+     "stops at the end of every block"},
 }};
 
 constexpr bool in_order() {

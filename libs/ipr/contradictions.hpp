@@ -45,8 +45,9 @@ enum class Contradiction : std::uint8_t {
   retract,
   feed_out,
   entry,
+  exact_stop,
 };
-inline constexpr std::size_t kContradictions = 25;
+inline constexpr std::size_t kContradictions = 26;
 
 struct ContradictionRow {
   Contradiction kind;

@@ -123,7 +123,7 @@ void use_incremental(Task& task);
 void use_absolute_centres(Task& task);
 void use_incremental_centres(Task& task);
 void switch_override(Task& task);
-void follow_path(Task& task);
+void follow_exactly(Task& task);
 void follow_path_within(Task& task);
 void stop_exactly(Task& task);
 void set_feed(Task& task);

@@ -58,7 +58,13 @@ void use_incremental(Task& task) { task.modal.incremental = true; }
 void use_absolute_centres(Task& task) { task.modal.absolute_centres = true; }
 void use_incremental_centres(Task& task) { task.modal.absolute_centres = false; }
 
-void follow_path(Task& task) { join_within(task.modal, Join::follow, 0, 0); }
+/// G61: FANUC's is G09 in every block.
+void follow_exactly(Task& task) {
+  task.out.contradict(Contradiction::exact_stop, task.word.pos);
+  const bool fanuc = task.options.dialect == Dialect::fanuc;
+  join_within(task.modal, fanuc ? Join::stop : Join::follow, 0, 0);
+}
+
 void stop_exactly(Task& task) { join_within(task.modal, Join::stop, 0, 0); }
 
 /// G09.

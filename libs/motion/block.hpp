@@ -15,7 +15,7 @@ namespace softcnc {
 /// How a move goes over into the next one.
 enum class Join : std::uint8_t {
   follow,  // G61, G64 without tolerance: the path exactly, rest only where the tangent turns
-  stop,    // G61.1: rest at the end of the block
+  stop,    // G61.1, and FANUC's G61: rest at the end of the block
 };
 
 struct Move {

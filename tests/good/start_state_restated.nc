@@ -1,7 +1,6 @@
 (expect 2 blocks, 1 mm, to 1 0 0)
 G17 G21 G40 G49 G54 G64 G80 G90 G94
 G64 P0
-G61
 G61.1
 G64
 G00 X1

@@ -44,6 +44,7 @@ Interpreted run(const std::string& text, Dialect dialect, bool compare = true) {
 struct Print {
   std::string operator()(const Move& move) const {
     std::string text = move.rapid ? "rapid" : "feed " + std::to_string(move.feed);
+    if (move.join == Join::stop) text += " stop";
     for (const double value : end(move.path)) text += ' ' + std::to_string(value);
     return text + ' ' + std::to_string(length(move.path)) + '\n';
   }
@@ -132,6 +133,8 @@ const std::vector<Case> kCases{
     {C::feed_out, "S500 M3 G0 Z20\nG98 G84 X1 Z-1 R2 F100\nM30", "SC2131 2:5", ""},
     {C::entry, "T1 M6\nF100 G1 G41 D1 X20\nY20\nG40 X60\nM30", "SC2132 2:1", ""},
     {C::entry, "T1 M6\nF100 G1 G41 D1 X20\nX40\nG40 X60\nM30", "", ""},
+    {C::exact_stop, "G61\nG0 X1\nM30", "SC2133 1:1", ""},
+    {C::exact_stop, "G61.1\nG0 X1\nG64\nM30", "", ""},
     {C::feed_out, "S500 M4 G0 Z20\nG98 G74 X1 Z-1 R2 F100\nM30", "SC2131 2:5", ""},
     {C::feed_out, "S500 M3 G0 Z20\nG99 G84 X1 Z-1 R2 F100\nM30", "", ""},
 };

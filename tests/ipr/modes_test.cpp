@@ -31,6 +31,13 @@ TEST_CASE("G91 adds to the position, G90 does not", "[ipr][modes]") {
   CHECK(end(moves[2].path) == AxisVector(1, 1, 5));
 }
 
+TEST_CASE("in the fanuc dialect G61 stops at every end", "[ipr][modes][fanuc]") {
+  const auto moves = moves_of("G61 G00 X1\nX2\nG64 X3\nM30\n", {}, {.dialect = Dialect::fanuc});
+  CHECK(moves[0].join == Join::stop);
+  CHECK(moves[1].join == Join::stop);
+  CHECK(moves[2].join == Join::follow);
+}
+
 TEST_CASE("G61.1 stops at every end, G61 and G64 follow the path", "[ipr][modes]") {
   const auto moves = moves_of("G00 X1\nG61.1 X2\nX3\nG61 X4\nG61.1\nG64 X5\nM30\n");
   CHECK(moves[0].join == Join::follow);
