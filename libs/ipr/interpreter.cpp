@@ -226,9 +226,10 @@ void Interpreter::finish() {
   Line line;
   line.number = parser_.line();
   out_.begin(line);
-  if (modal_.curve) end_pending_curve(modal_, out_);
-  if (modal_.points) end_pending_points(modal_, out_);
-  if (!flow_.broke_off())
+  const bool broke_off = flow_.broke_off();
+  if (modal_.curve && !broke_off) end_pending_curve(modal_, out_);
+  if (modal_.points && !broke_off) end_pending_points(modal_, out_);
+  if (!broke_off)
     out_.report(Code::SC2205, {line.number, 0, 1}, "the program ends without M02 or M30");
   out_.end();
   out_.begin(line);

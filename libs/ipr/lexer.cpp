@@ -174,6 +174,7 @@ bool Lexer::pass_comment(Token& broken) noexcept {
       return false;
     }
   }
+  comment_column_ = static_cast<int>(at_) + 1;
   at_ = close;
   return true;
 }

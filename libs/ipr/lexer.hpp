@@ -62,6 +62,8 @@ class Lexer {
   bool at_letter() const noexcept;
   /// Column of the last character passed that is no blank.
   int last_column() const noexcept;
+  /// Column of the comment in ( ) that was passed last; 0: none was.
+  int comment_column() const noexcept { return comment_column_; }
   /// Goes back to before a token.
   void back_to(const Token& token) noexcept { at_ = static_cast<std::size_t>(token.column) - 1; }
   /// Passes the character that peek() has shown.
@@ -85,6 +87,7 @@ class Lexer {
 
   std::string_view line_;
   std::size_t at_ = 0;
+  int comment_column_ = 0;
 };
 
 /// Bytes of the UTF-8 character at the beginning of `text`; 1 if it is none. Expects some text.

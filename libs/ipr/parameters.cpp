@@ -15,6 +15,8 @@ constexpr int kLocals = 30, kFirstSystem = 5000, kEnd = 5602;
 constexpr int kFanucLocals = 33, kFanucFirstCommon = 100, kFanucEndVolatile = 200;
 constexpr int kFanucFirstKept = 500, kFanucEnd = 1000;
 
+constexpr int kDebugSwitch = 5599;  // LinuxCNC: (DEBUG,text) is shown unless it is 0
+
 constexpr bool is_fanuc_ordinary(int number) noexcept {
   return (number >= 1 && number <= kFanucLocals) ||
          (number >= kFanucFirstCommon && number < kFanucEndVolatile) ||
@@ -55,7 +57,8 @@ std::optional<double> Parameters::read(int number) const {
     if (const auto value = system_->read(number)) return value;
   if (!is_ordinary(number)) return std::nullopt;
   const double value = stored(number);
-  return dialect_ == Dialect::linuxcnc && is_vacant(value) ? 0 : value;
+  if (dialect_ == Dialect::fanuc || !is_vacant(value)) return value;
+  return number == kDebugSwitch ? 1 : 0;
 }
 
 std::optional<double> Parameters::read_as(int number, Dialect other) const {

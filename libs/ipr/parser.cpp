@@ -125,6 +125,7 @@ void Parser::read_words() {
   while (token.kind != Token::Kind::end && !given_up_ && !ended_)
     token = token.kind == Token::Kind::letter ? read_word(lexer, token) : read_mark(lexer, token);
 }
+  if (lexer.comment_column() > 0) obey_comment(lexer.comment_column());
 
 /// Returns the first token that does not belong to the word.
 Token Parser::read_word(Lexer& lexer, const Token& letter) {

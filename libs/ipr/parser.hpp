@@ -106,6 +106,8 @@ class Parser {
   void note(const std::optional<OtherValue>& other);
   void apply_assignments();
   Token read_mark(Lexer& lexer, const Token& mark);
+  void obey_comment(int column);
+  void end_by_alarm(int column, int length, std::string message);
   Token read_macro(Lexer& lexer, const Token& mark);
   Token read_percent(Lexer& lexer, const Token& percent);
   Token read_slash(Lexer& lexer, const Token& slash);

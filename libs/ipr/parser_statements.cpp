@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The lines of a program that are no words: assignments and statements.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,6 +22,26 @@ bool is_order(const Variable& variable) noexcept {
 /// In the fanuc dialect it is the system's, of the numbers that linuxcnc has too.
 bool is_tool_value(const Variable& variable) noexcept {
   return variable.number >= kToolValues && variable.number < kToolValuesEnd;
+}
+
+std::string_view without_blanks_around(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+/// The text of "ABORT,text": blanks may stand before the word, none in it; nothing for any other
+/// comment.
+std::optional<std::string_view> text_of_abort(std::string_view comment) {
+  constexpr std::string_view kAbort = "ABORT,";
+  const std::string_view said = without_blanks_around(comment);
+  const bool aborts =
+      said.size() >= kAbort.size() &&
+      std::equal(kAbort.begin(), kAbort.end(), said.begin(), [](char wanted, char c) {
+        return wanted == (c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c);
+      });
+  if (!aborts) return std::nullopt;
+  return without_blanks_around(said.substr(kAbort.size()));
 }
 
 /// " (1 here, 0 there)"; nothing where the values are not what differs.
@@ -153,10 +174,28 @@ Token Parser::read_order(Lexer& lexer, const Token& sign, int number) {
   if (is_uncertain(value))
     line_.broken = true;
   else if (number == kAlarm)
-    report(Code::SC1031, sign.column, length, "alarm of the program" + comment_behind(lexer));
+    end_by_alarm(sign.column, length, "alarm of the program" + comment_behind(lexer));
   else
     words_.push_back({'M', 0, {line_.number, sign.column, length}});
   return lexer.next();
+}
+
+/// LinuxCNC's (ABORT,text), as the last comment of a line that is no statement.
+void Parser::obey_comment(int column) {
+  const bool passed_over = line_.broken || line_.statement != nullptr || ended_;
+  if (passed_over || options_.dialect != Dialect::linuxcnc) return;
+  const std::string_view behind = line_.text.substr(static_cast<std::size_t>(column));
+  const std::string_view comment = behind.substr(0, behind.find(')'));
+  const auto text = text_of_abort(comment);
+  if (!text) return;
+  end_by_alarm(column, static_cast<int>(comment.size()) + 2,
+               "the program aborts" + (text->empty() ? "" : ": " + std::string(*text)));
+}
+
+/// What stands behind it is not executed, and so not told.
+void Parser::end_by_alarm(int column, int length, std::string message) {
+  report(Code::SC1031, column, length, std::move(message));
+  ended_ = broke_off_ = true;
 }
 
 /// ": text" of the comment that follows, if there is one.

@@ -141,6 +141,7 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC1032,
      "AND, OR, XOR ask whether numbers are 0; in the fanuc dialect: join the bits of whole numbers "
      "(1 here, 2 there)"},
+    {Code::SC1031, "the program aborts: wrong tool"},
     {Code::SC1032,
      "MOD is never negative; in the fanuc dialect: rounds its operands and has the sign of the "
      "first (1 here, -3 there)"},

@@ -154,10 +154,30 @@ TEST_CASE("what an error has made unknown is not read as if it were known", "[ip
   CHECK(places(interpret("#500=[1/0]\nG0 X[1/#500]\nM30\n", {}, kFanuc)) == Places{"SC1021 1:9"});
 }
 
+TEST_CASE("the switch of debug comments is on at first", "[ipr][variables]") {
+  const auto moves = moves_of("G0 X#5599\n#5599=0\nY#5599\nM30\n");
+  CHECK(end(moves.front().path) == AxisVector(1, 0, 0));
+  CHECK(moves.size() == 1);
+}
+
+TEST_CASE("(ABORT,text) ends the program where it is executed", "[ipr][variables]") {
+  const Interpreted aborted = interpret("G0 X1\nG0 X2 (abort, no way )\nG0 X3 Q1\nM2\n");
+  CHECK(places(aborted) == Places{"SC1031 2:7"});
+  CHECK(aborted.diagnostics.front().message == "the program aborts: no way");
+  CHECK(aborted.blocks.size() == 2);
+  CHECK(places(interpret("#1=2 (ABORT,)\nM2\n")) == Places{"SC1031 1:6"});
+  CHECK(places(interpret("F100\nG6.2 P2 K0 X0\n(ABORT,x)\nM2\n")) == Places{"SC1031 3:1"});
+  CHECK(blocks_of("(ABORT,x)\nG0 X1\nM30\n", {}, kFanuc).size() == 2);
+}
+
 TEST_CASE("#3000 of FANUC is an alarm, #3006 a stop", "[ipr][variables]") {
   const Interpreted alarm = interpret("#3000=1 (NO TOOL)\nM30\n", {}, kFanuc);
   CHECK(places(alarm) == Places{"SC1031 1:1"});
   CHECK(alarm.diagnostics.front().message == "alarm of the program: NO TOOL");
+  const Interpreted guarded = interpret(
+      "IF [#1 EQ #0] THEN #3000=1 (A IS MISSING)\n#2=10/#1\nG0 X#2 Q1\nM30\n", {}, kFanuc);
+  CHECK(places(guarded) == Places{"SC1031 1:20"});
+  CHECK(guarded.blocks.size() == 1);
   const auto blocks = blocks_of("#3006=1 (TURN THE PART)\nM30\n", {}, kFanuc);
   REQUIRE(blocks.size() == 2);
   CHECK(std::get<Action>(blocks[0].what).kind == Action::Kind::stop);
