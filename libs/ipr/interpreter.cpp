@@ -114,6 +114,7 @@ void Interpreter::interpret(const Line& line) {
   command_.read(line, options_.dialect, out_);
   if (modal_.curve) check_pending_curve(command_, options_.dialect, modal_, out_);
   if (modal_.points) check_pending_points(command_, modal_, out_);
+  if (!modal_.words_of_left_curve.empty()) excuse_left_curve();
   if (!command_.has(Group::motion)) find_motion();
   if (!modal_.curve && !modal_.points) command_.add_lone_letters(options_.dialect);
   check_axes();
@@ -133,6 +134,16 @@ void Interpreter::interpret(const Line& line) {
 void Interpreter::break_curves() {
   if (modal_.curve) modal_.curve->broken = true;
   if (modal_.points) modal_.points->broken = true;
+}
+
+/// Blocks of a curve that was left too early: they end at a motion code that has none of their
+/// words.
+void Interpreter::excuse_left_curve() {
+  const bool of_curve = command_.unused(options_.dialect).has_any(modal_.words_of_left_curve);
+  if (of_curve) return out_.mute();
+  const GCode* motion = command_.find(Group::motion);
+  const bool leaves = out_.failed() || (motion != nullptr && motion->act == end_control_points);
+  if (motion != nullptr && !leaves) modal_.words_of_left_curve = {};
 }
 
 /// What an error leaves unknown. A motion code that could be read is known all the same.

@@ -63,6 +63,7 @@ class Interpreter {
   bool fanuc_goes_to_machine_point() const noexcept;
   void check_unused();
   void execute();
+  void excuse_left_curve();
   void remember_uncertain();
   bool tell_restored(const Line& next);
   void break_curves();

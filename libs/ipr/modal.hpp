@@ -116,6 +116,11 @@ struct Modal : Modes {
   /// An offset is wrong by an error: where the machine is in its own coordinates does not tell
   /// where it is in those of the program.
   bool offsets_uncertain = false;
+  Letters doubted_axes;  // along which
+
+  /// A curve that was left too early, which has been told: words that only its blocks have. Blocks
+  /// of it that follow are not told for that.
+  Letters words_of_left_curve;
 
   // Told once a file.
   bool feed_warned = false, spindle_warned = false, dwell_warned = false;

@@ -15,6 +15,7 @@ constexpr int kDefaultOrder = 4;
 constexpr int kLeastOrder = 2;
 constexpr int kFanucOrder = 4;  // the largest of a FANUC control
 constexpr std::string_view kSurfaceWords = "DJHL";
+constexpr Letters kWordsOfBlocks{"KR"};
 
 bool is_first(const PendingCurve& curve) { return curve.spec.control.empty(); }
 
@@ -120,9 +121,8 @@ void check_curve_axes(Task& task, PendingCurve& curve) {
   const bool naming = curve.axes.empty() && curve.spec.control.size() <= 1;
   for (const char letter : kAxisLetters) {
     if (!task.values.has(letter) || curve.axes.has(letter)) continue;
-    if (naming)
-      curve.axes.add(letter);
-    else
+    curve.axes.add(letter);
+    if (!naming)
       task.out.report(Code::SC3103, task.values.word(letter).pos,
                       std::string(1, letter) + " is missing in the first block of the curve");
   }
@@ -169,8 +169,7 @@ void read_closing_knot(Task& task, PendingCurve& curve) {
                     "the curve ends after " + std::to_string(points) +
                         " control points; its order asks for " + std::to_string(curve.order));
     curve.knots_uncertain = true;
-  }
-  if (task.values.has('R'))
+  } else if (task.values.has('R'))
     task.out.report(Code::SC3111, task.values.word('R').pos, "a closing knot takes K alone");
   read_knot(task, curve);
 }
@@ -228,6 +227,14 @@ void forget_curve(Modal& modal) {
   modal.motion = nullptr;
 }
 
+/// That has been told; that blocks of the curve follow, which nobody can tell apart from others,
+/// has not to be.
+void leave_curve(Modal& modal) {
+  forget_curve(modal);
+  modal.uncertain.add('G');
+  modal.words_of_left_curve = kWordsOfBlocks;
+}
+
 std::string unfinished(const PendingCurve& curve) {
   return "the curve has " + std::to_string(curve.closing_knots) + " of its " +
          std::to_string(curve.order) + " closing knots";
@@ -243,11 +250,16 @@ void report_left_early(const PendingCurve& curve, const GCode& code, const Word&
 }
 
 /// LinuxCNC's form: G06.2 stands in the second block too. With another P it begins a new curve.
-bool goes_on(const PendingCurve& curve, const Command& command, Dialect dialect) {
-  if (dialect == Dialect::fanuc) return false;
+bool goes_on(const PendingCurve& curve, const Command& command) {
   if (!curve.repeats && curve.spec.control.size() != 1) return false;
   const Values& values = command.values();
   return !values.has('P') || values['P'] == curve.order_word;
+}
+
+/// LinuxCNC's form in the fanuc dialect is told once, and read on as what it is.
+void refuse_repetition(PendingCurve& curve, const Word& word, Output& out) {
+  if (!curve.knots_uncertain) out.report(Code::SC3105, word.pos, "G06.2 within a curve of G06.2");
+  curve.knots_uncertain = true;
 }
 
 }  // namespace
@@ -258,7 +270,8 @@ void nurbs(Task& task) {
   read_block(task, curve);
   curve.broken = curve.broken || task.out.failed();
   if (curve.order == 0 || curve.closing_knots < curve.order) return;
-  if (!curve.broken) finish_curve(task, curve);
+  if (curve.broken) return leave_curve(task.modal);
+  finish_curve(task, curve);
   forget_curve(task.modal);
 }
 
@@ -267,7 +280,8 @@ void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, 
   const bool left = ends_curve(command, *modal.motion);
   for (const auto& [code, word] : command.codes()) {
     if (code->group == Group::line_number) continue;
-    if (code == modal.motion && goes_on(curve, command, dialect)) {
+    if (code == modal.motion && goes_on(curve, command)) {
+      if (dialect == Dialect::fanuc && !curve.repeats) refuse_repetition(curve, *word, out);
       curve.repeats = true;
       continue;
     }
@@ -276,10 +290,10 @@ void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, 
       continue;
     }
     if (!curve.knots_uncertain) report_left_early(curve, *code, *word, out);
-    if (left || code == modal.motion) return forget_curve(modal);
+    if (left || code == modal.motion) return leave_curve(modal);
     curve.knots_uncertain = true;
   }
-  if (command.uncertain().has('G')) forget_curve(modal);
+  if (command.uncertain().has('G')) leave_curve(modal);
 }
 
 void end_pending_curve(Modal& modal, Output& out) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "ipr/handlers.hpp"
 #include "motion/spline.hpp"
@@ -26,6 +27,14 @@ PendingPoints& begin_points(Task& task) {
 void forget_points(Modal& modal) {
   modal.points.reset();
   modal.motion = nullptr;
+}
+
+/// That has been told; that points of the curve follow has not to be.
+void leave_points(Modal& modal) {
+  const bool by_control = modal.points->code->number == kControlPoints;
+  forget_points(modal);
+  modal.uncertain.add('G');
+  if (by_control) modal.words_of_left_curve = "PL";
 }
 
 std::string name_of(const PendingPoints& curve) { return code_name(*curve.code); }
@@ -171,7 +180,12 @@ void end_control_points(Task& task) {
     if (task.out.failed()) task.modal.points->broken = true;
     return finish_points(task.modal, task.out);
   }
-  task.out.report(Code::SC3121, task.word.pos, "G05.3 ends no curve: G05.2 does not stand before");
+  const bool left = !std::exchange(task.modal.words_of_left_curve, {}).empty();
+  if (left || task.modal.uncertain.has('G'))
+    task.out.mute();
+  else
+    task.out.report(Code::SC3121, task.word.pos,
+                    "G05.3 ends no curve: G05.2 does not stand before");
   task.modal.motion = nullptr;
 }
 
@@ -191,9 +205,9 @@ void check_pending_points(const Command& command, Modal& modal, Output& out) {
   for (const auto& [code, word] : command.codes()) {
     if (belongs(*code, curve)) continue;
     report_stranger(curve, *code, *word, out);
-    if (ends) return forget_points(modal);
+    if (ends) return leave_points(modal);
   }
-  if (command.uncertain().has('G')) forget_points(modal);
+  if (command.uncertain().has('G')) leave_points(modal);
 }
 
 void end_pending_spline(Modal& modal, Output& out) {

@@ -121,7 +121,9 @@ TEST_CASE("to FANUC, G06.2 stands once, Q means nothing, and the order is 4 at m
           "[ipr][nurbs]") {
   const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
   CHECK(places(interpret("F600\nG06.2 P2 K0 X0\nG06.2 K0 X1\nM30\n", {}, fanuc)) ==
-        Places{"SC3105 3:1", "SC3105 4:1"});
+        Places{"SC3105 3:1"});
+  CHECK(places(interpret("F600\nG06.2 P2 K0 X0\nG06.2 K0 X1\nG06.2 K1\nG06.2 K1\nG01 X3\nM30\n", {},
+                         fanuc)) == Places{"SC3105 3:1"});
   CHECK(places(interpret("F600\nG06.2 P2 K0 X0 Q1\nK0 X1\nK1\nK1\nM30\n", {}, fanuc)) ==
         Places{"SC2004 2:16"});
   const std::string fifth =
@@ -132,6 +134,26 @@ TEST_CASE("to FANUC, G06.2 stands once, Q means nothing, and the order is 4 at m
 TEST_CASE("a code that does not end motion spoils a curve once", "[ipr][nurbs]") {
   CHECK(places(interpret("F600\nG06.2 P2 K0 X0\nM08\nK0 X1\nK1\nK1\nG01 X5\nM30\n")) ==
         Places{"SC3105 3:1"});
+}
+
+TEST_CASE("blocks of a curve that was left too early are not told", "[ipr][nurbs]") {
+  const std::string head = "F600\nG06.2 P2 K0 X0\nK0 X1\n";
+  for (const char* code : {"G1", "G2"})
+    CHECK(places(interpret(head + code +
+                           " K.5 X2 Y2\nK.6 X3\nX4 K.7 R2\nK1\nK1\nG1 X5\nX6 K1\nM30\n")) ==
+          Places{"SC3105 4:1", "SC2004 10:4"});
+  CHECK(places(interpret(head + "M98 P7\nK1\nK1\nG1 X5\nM30\nO7\nX8\nM99\n")) ==
+        Places{"SC3105 4:1"});
+}
+
+TEST_CASE("of a curve that ends too early only that is told", "[ipr][nurbs]") {
+  CHECK(places(interpret("F600\nG06.2 P3 K0 X0\nK0 R2\nK0 X2\nK1\nK1\nK1\nG1 X5\nM30\n")) ==
+        Places{"SC3002 3:1"});
+}
+
+TEST_CASE("an axis that the first block of a curve lacks is told once", "[ipr][nurbs]") {
+  CHECK(places(interpret("F600\nG06.2 P2 K0 X0\nK0 X1 Y1\nK.5 X2 Y2\nK1\nK1\nM30\n")) ==
+        Places{"SC3103 3:7"});
 }
 
 TEST_CASE("control points count work offsets and rotation", "[ipr][nurbs]") {

@@ -123,6 +123,13 @@ TEST_CASE("a bad line within a spline leaves no block, and nothing follows from 
   }
 }
 
+TEST_CASE("points of a curve that was left too early are not told", "[ipr][points]") {
+  const std::string head = "F600\nG5.2 P1\nX1 Y1 P1\n";
+  CHECK(places(interpret(head + "G1 X2 Y2 P1\nX3 Y3 P1\nG5.3\nG1 X4\nG5.3\nM2\n")) ==
+        Places{"SC3105 4:1", "SC3121 8:1"});
+  CHECK(places(interpret("F600\nG5.4 P3\nX1 Y1 P1\nX2 Y3 P1\nG5.3\nM2\n")) == Places{"SC2001 2:1"});
+}
+
 TEST_CASE("a spline takes the most points that are promised, and no more", "[ipr][points]") {
   const auto program = [](std::size_t points, const std::string& end) {
     std::string text = "F600\nG06.1\n";
