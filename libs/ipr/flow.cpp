@@ -7,6 +7,8 @@
 namespace softcnc::ipr {
 namespace {
 
+constexpr std::size_t kMostLost = 10000;  // bytes
+
 /// Behind '/' and a line number stands a letter with which statements begin.
 bool looks_like_statement(std::string_view line) {
   const auto at = line.find_first_not_of(" \t/Nn0123456789");
@@ -47,7 +49,11 @@ std::optional<Line> Flow::next() {
 
 /// What cannot be read may have begun or ended something.
 void Flow::doubt(const Line& line) {
-  if (line.statement != nullptr || looks_like_statement(line.text)) uncertain_ = true;
+  if (line.statement == nullptr && !looks_like_statement(line.text)) return;
+  uncertain_ = true;
+  if (line.statement != nullptr || lost_o_words_.size() > kMostLost) return;
+  for (const char c : line.text)
+    if (!is_blank(c)) lost_o_words_ += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
 /// True if the line has words as well.

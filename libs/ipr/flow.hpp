@@ -24,6 +24,8 @@ class CallObserver {
   virtual void begin_call() = 0;
   /// `pos`: of what ends it.
   virtual void end_call(const SourcePos& pos) = 0;
+  /// What is called is missing, and with it all that it would have done.
+  virtual void miss_call() = 0;
 };
 
 struct FlowOptions {
@@ -122,6 +124,7 @@ class Flow {
   void begin_program();
   void call();
   std::optional<Subprogram> find(const std::string& label, bool program, const SourcePos& call);
+  void miss_call(bool has_level);
   void perform_jump();
   void enter(Subprogram sub, Jump jump, bool has_level);
   void start();
@@ -131,6 +134,7 @@ class Flow {
   void go_to_line(int number, const SourcePos& pos);
   bool find_line(int number, int last);
   void land(const SourcePos& pos);
+  bool is_misspelt(int number, const Spot& here);
   void go_back(const Spot& from, const Spot& to, const SourcePos& pos);
 
   // flow_loops.cpp
@@ -174,6 +178,7 @@ class Flow {
   std::string text_;                // of its line, or of the one that asked for a jump
   Spot head_;                       // before it
   bool uncertain_ = false;          // what is open is not known after an error
+  std::string lost_o_words_;        // text of lines that could not be read: labels may stand there
   Spot before_;                     // before the line that pass_to() has found
   bool new_round_ = false;          // the next line is the head of the loop on top
   bool ended_ = false, broken_ = false;

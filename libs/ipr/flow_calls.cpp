@@ -15,6 +15,22 @@ std::string name_of(const Subprogram& sub) {
                                       : "'" + o_word(sub.label, "sub") + "'";
 }
 
+/// The N of a line, read with letters O as digits; nothing where it has none of these.
+std::optional<int> number_with_letter(std::string_view line) {
+  constexpr int kLargest = 99'999'999;
+  std::size_t at = line.find_first_not_of(" \t/");
+  if (at == std::string_view::npos || (line[at] != 'N' && line[at] != 'n')) return std::nullopt;
+  int number = 0;
+  bool letter = false;
+  for (++at; at < line.size() && number <= kLargest; ++at) {
+    const bool is_letter = line[at] == 'O' || line[at] == 'o';
+    if (!is_letter && !is_digit(line[at])) break;
+    letter = letter || is_letter;
+    number = number * 10 + (is_letter ? 0 : line[at] - '0');
+  }
+  return letter ? std::optional(number) : std::nullopt;
+}
+
 }  // namespace
 
 /// A definition is passed over where it stands. Without its end nobody knows which of the lines
@@ -66,7 +82,10 @@ void Flow::call() {
   if (statement_.uncertain)
     jump.arguments.resize(static_cast<std::size_t>(parameters().locals()), kUncertain);
   jump.pos = statement_.pos;
-  if (const auto sub = find(statement_.label, false, jump.pos)) enter(*sub, std::move(jump), true);
+  if (const auto sub = find(statement_.label, false, jump.pos))
+    enter(*sub, std::move(jump), true);
+  else
+    miss_call(true);
 }
 
 /// Nothing: told.
@@ -76,12 +95,19 @@ std::optional<Subprogram> Flow::find(const std::string& label, bool program,
   auto sub = library_.find(label, program, call, text_);
   if (library_.is_lost()) ended_ = broken_ = true;
   if (sub || diagnostics_.errors() > errors) return sub;
+  if (!program && lost_o_words_.find(label) != std::string::npos) return sub;
   const std::string nearest = library_.nearest(label);
   report(Code::SC2301, call,
          "no subprogram " + (program ? program_name(label) : o_word(label)) + " in this program" +
              (library_.folder().empty() ? "" : " or beside it") +
              (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
   return sub;
+}
+
+/// After what is called and missing nothing is known that it might have changed.
+void Flow::miss_call(bool has_level) {
+  parser_.parameters().doubt_all(!has_level);
+  if (options_.observer != nullptr) options_.observer->miss_call();
 }
 
 void Flow::perform_jump() {
@@ -92,6 +118,8 @@ void Flow::perform_jump() {
   if (jump.times <= 0) return;
   if (auto sub = find(std::to_string(jump.number), true, jump.pos))
     enter(std::move(*sub), std::move(jump), macro);
+  else
+    miss_call(macro);
 }
 
 void Flow::enter(Subprogram sub, Jump jump, bool has_level) {
@@ -197,11 +225,26 @@ void Flow::go_to_line(int number, const SourcePos& pos) {
     if (backward_.size() < kMostTargets) backward_.emplace(key, before_);
     return go_back(here, before_, pos);
   }
+  if (is_misspelt(number, here) || ended_) return;
   report(Code::SC2308, pos,
          "no line N" + std::to_string(number) + " in " +
              (in_subprogram() ? name_of(calls_.back().sub) : "the program"));
   vain_ += end;
   sought_in_vain(here, pos);
+}
+
+/// True if there is a line whose number is meant, with a letter O in it for a digit 0. That is told
+/// where it is read: the program goes on there, or here if it lies behind.
+bool Flow::is_misspelt(int number, const Spot& here) {
+  const auto is_meant = [&](const Line& line) { return number_with_letter(line.text) == number; };
+  if (!go(calls_.back().sub.begin)) return false;
+  if (!pass_to(is_meant)) {
+    go(here);
+    return false;
+  }
+  uncertain_ = true;
+  go(before_.place.line < here.place.line ? here : before_);
+  return true;
 }
 
 /// Passes to the line of this number; loops whose end is passed are no longer open.

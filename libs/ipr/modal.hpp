@@ -146,9 +146,16 @@ struct Modal : Modes {
     (at_once ? coordinates : *coordinates_there) = assigned;
   }
 
-  void doubt_offsets() noexcept {
+  void doubt_offsets(Letters axes = kAxisWords) noexcept {
     offsets_uncertain = true;
     uncertain |= kAxisWords;
+    doubted_axes |= axes;
+  }
+  /// Where the machine is along these is not known.
+  Letters unknown_axes() const noexcept {
+    Letters unknown = doubted_axes;
+    unknown |= uncertain;
+    return coordinates.rotated() && unknown.has_any(kAxisWords) ? Letters(kAxisWords) : unknown;
   }
 };
 

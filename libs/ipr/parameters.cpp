@@ -41,13 +41,13 @@ bool Parameters::is_ordinary(int number) const noexcept {
 double Parameters::stored(int number) const noexcept {
   const auto index = static_cast<std::size_t>(number);
   if (number <= locals_) return levels_.back().numbered[index];
-  return index < numbered_.size() ? numbered_[index] : kVacant;
+  return index < numbered_.size() ? numbered_[index] : unset_;
 }
 
 /// Keeps it as one that outlives its call. Expects an ordinary variable.
 void Parameters::store(int number, double value) {
   const auto index = static_cast<std::size_t>(number);
-  if (index >= numbered_.size()) numbered_.resize(index + 1, kVacant);
+  if (index >= numbered_.size()) numbered_.resize(index + 1, unset_);
   numbered_[index] = value;
 }
 
@@ -148,6 +148,17 @@ void Parameters::write(std::string_view name, double value) {
     found->second = value;
   else
     names.emplace(name, value);
+}
+
+void Parameters::doubt_all(bool locals) {
+  doubt();
+  unset_ = kUncertain;
+  std::fill(numbered_.begin(), numbered_.end(), kUncertain);
+  for (auto& [name, value] : global_) value = kUncertain;
+  give_back(kUncertain);
+  if (!locals) return;
+  levels_.back().numbered.fill(kUncertain);
+  for (auto& [name, value] : levels_.back().named) value = kUncertain;
 }
 
 void Parameters::push(std::span<const double> arguments) {

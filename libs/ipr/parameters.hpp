@@ -86,6 +86,8 @@ class Parameters {
 
   /// An assignment has been lost by an error, and with it, whose it was.
   void doubt() noexcept { doubtful_ = true; }
+  /// So have been all that a subprogram might have done; `locals`: to those of its caller too.
+  void doubt_all(bool locals);
 
   /// Begins a level of calls: local variables of its own, the arguments in #1 and up.
   void push(std::span<const double> arguments);
@@ -117,7 +119,8 @@ class Parameters {
   Dialect dialect_;
   int locals_, first_system_;
   SystemVariables* system_ = nullptr;
-  std::vector<double> numbered_;  // by number, vacant behind the last; local ones lie in levels_
+  std::vector<double> numbered_;  // by number, unset_ behind the last; local ones lie in levels_
+  double unset_ = kVacant;
   std::set<int> kept_;
   std::vector<Level> levels_;
   Names global_;

@@ -143,6 +143,7 @@ Token Parser::read_word(Lexer& lexer, const Token& letter) {
   } else {
     report_number(letter, number);
   }
+    return pass_value(lexer);
   return lexer.next();
 }
 

@@ -91,6 +91,7 @@ class Parser {
   Token read_word(Lexer& lexer, const Token& letter);
   Token read_value(Lexer& lexer, const Token& letter, const Token& first);
   Token read_expression(Lexer& lexer, const Token& letter);
+  Token pass_value(Lexer& lexer);
   bool read_o_word(Lexer& lexer, const Token& letter);
   std::optional<Token> read_keyword(Lexer& lexer, const Token& letter);
   void settle(const StatementReader& reader, Lexer& lexer);
@@ -105,9 +106,9 @@ class Parser {
   void note(Contradiction why, int column, int length, const std::string& detail = {});
   void note(const std::optional<OtherValue>& other);
   void apply_assignments();
-  Token read_mark(Lexer& lexer, const Token& mark);
   void obey_comment(int column);
   void end_by_alarm(int column, int length, std::string message);
+  Token read_mark(Lexer& lexer, const Token& mark);
   Token read_macro(Lexer& lexer, const Token& mark);
   Token read_percent(Lexer& lexer, const Token& percent);
   Token read_slash(Lexer& lexer, const Token& slash);

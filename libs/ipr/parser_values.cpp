@@ -41,6 +41,17 @@ Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) 
   return lexer.next();
 }
 
+/// Behind signs that have been told: the value they were meant for, if one stands there.
+Token Parser::pass_value(Lexer& lexer) {
+  const char begin = lexer.peek();
+  if (begin != '#' && begin != '[') return lexer.next();
+  Expression expression(lexer, parameters_);
+  expression.value();
+  if (!expression.broke_off()) return lexer.next();
+  give_up(expression.fault(), lexer);
+  return {};
+}
+
 Token Parser::read_expression(Lexer& lexer, const Token& letter) {
   Expression expression(lexer, parameters_);
   const bool may_round = options_.dialect == Dialect::fanuc || parameters_.watching();

@@ -70,6 +70,12 @@ void SavedLevels::end_call(const SourcePos& pos) {
   restore(modal_, *ended);
 }
 
+void SavedLevels::miss_call() {
+  modal_.motion = modal_.motion_below = nullptr;
+  modal_.uncertain |= "FGMST";
+  modal_.doubt_offsets();
+}
+
 /// M70, M73.
 void save_modes(Task& task) {
   const Modal& modal = task.modal;

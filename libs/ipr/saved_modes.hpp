@@ -16,6 +16,7 @@ class SavedLevels final : public CallObserver {
 
   void begin_call() override { modal_.saved.emplace_back(); }
   void end_call(const SourcePos& pos) override;
+  void miss_call() override;
 
  private:
   Modal& modal_;

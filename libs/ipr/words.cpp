@@ -37,6 +37,16 @@ namespace {
 
 constexpr int kG01 = 10, kG02 = 20, kG03 = 30;
 
+/// As of Move.
+std::uint8_t unknown_axes(const Modal& modal) noexcept {
+  const Letters unknown = modal.unknown_axes();
+  if (!unknown.has_any(kAxisWords)) return 0;
+  unsigned bits = 0;
+  for (int i = 0; i < kAxes; ++i)
+    if (unknown.has(axis_letter(i))) bits |= 1U << static_cast<unsigned>(i);
+  return static_cast<std::uint8_t>(bits);
+}
+
 Join join_of(const Modal& modal) { return modal.stops_once ? Join::stop : modal.join; }
 
 /// Only moves whose length is known on their line have a time of their own.
@@ -116,7 +126,8 @@ void emit_move(Task& task, Path&& path, bool rapid) {
     return task.out.emit(cutting_move(modal, std::move(path), modal.feed));
   }
   task.out.emit(Move{std::move(path), true, 0, join_of(modal), modal.corner_tolerance,
-                     modal.chord_tolerance, modal.feed_override, std::nullopt});
+                     modal.chord_tolerance, modal.feed_override, std::nullopt,
+                     unknown_axes(modal)});
 }
 
 Move cutting_move(const Modal& modal, Path&& path, double feed) {
@@ -127,7 +138,8 @@ Move cutting_move(const Modal& modal, Path&& path, double feed) {
           modal.corner_tolerance,
           modal.chord_tolerance,
           modal.feed_override,
-          surface_at_speed(modal)};
+          surface_at_speed(modal),
+          unknown_axes(modal)};
 }
 
 bool has_feed(Task& task) {

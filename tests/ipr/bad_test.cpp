@@ -202,10 +202,6 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC2132,
      "the line on which cutter compensation begins leads beside its end; in the fanuc dialect: "
      "leads square to the beginning of the next move"},
-    {Code::SC2001, "G48 is not supported"},
-    {Code::SC1001, "unknown character ','; chamfers and roundings within a line are not supported"},
-    {Code::SC2001, "G69 is not supported in the linuxcnc dialect"},
-    {Code::SC1050, "'line' is no command; there are l, pcw, pccw, dcw, dccw, s and f"},
     {Code::SC2133,
      "G61 follows the path exactly, without a stop; in the fanuc dialect: stops at the end of "
      "every "
@@ -213,6 +209,10 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC1051, "numbers without a command before them"},
     {Code::SC1052, "pcw takes 4 numbers, dx dy cx cy; here are 3"},
     {Code::SC1052, "l takes 2 to 3 numbers, dx dy [dz]; here is 1"},
+    {Code::SC2001, "G48 is not supported"},
+    {Code::SC1001, "unknown character ','; chamfers and roundings within a line are not supported"},
+    {Code::SC2001, "G69 is not supported in the linuxcnc dialect"},
+    {Code::SC1050, "'line' is no command; there are l, pcw, pccw, dcw, dccw, s and f"},
     {Code::SC1052, "f takes 1 number, mm/min; here are 2"},
     {Code::SC1052, "s takes a number and points, n dx dy ...; here are 0"},
     {Code::SC1053, "'l' within a line; a command begins one"},

@@ -331,6 +331,23 @@ TEST_CASE("a call does not lead out of the folder", "[ipr][flow]") {
   CHECK(places(folder.run("o<../" + name + "/a> call\nM2\n")) == Places{"SC2301 1:1"});
 }
 
+TEST_CASE("what a subprogram that is missing would have done is not missed", "[ipr][flow]") {
+  const std::string missing = "1:1 SC2301 no subprogram O1000 in this program";
+  CHECK(told("M98 P1000\nG1 X1\nX[1/#100] Y[1/#1]\nG0 X[1/#5420] F#<_depth>\nM2") == Told{missing});
+  CHECK(told("M98 P1000\nX1\nM6\nM3\nM72\nM2") == Told{missing});
+  CHECK(told("#1=0\no<init> call\n#2=[1/#<_depth>]\n#3=[1/#1]\nM2") ==
+        Told{"2:1 SC2301 no subprogram o<init> in this program", "4:7 SC1021 division by zero"});
+}
+
+TEST_CASE("a subprogram whose beginning cannot be read is not missed", "[ipr][flow]") {
+  CHECK(told("o1 subx\nG0 X1\no1 endsub\no1 call\nM2").size() == 1);
+}
+
+TEST_CASE("a line whose number has a letter O is not missed", "[ipr][flow]") {
+  CHECK(told("IF [1 EQ 1] GOTO 10\nN1O G0 X2\nM2").size() == 1);
+  CHECK(told("N1O G0 X2\nIF [1 EQ 1] GOTO 10\nM2").size() == 1);
+}
+
 TEST_CASE("an error in a loop is told once", "[ipr][flow]") {
   CHECK(told("o1 repeat [100]\nG1 X1\nG0 X1 Q1\no1 endrepeat\nM2") ==
         Told{"2:1 SC2102 G01 needs a feed, and F is not set",

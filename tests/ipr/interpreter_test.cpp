@@ -112,6 +112,8 @@ TEST_CASE("what an error has left uncertain is not held against later lines", "[
   CHECK(places(interpret("G01 F1.2.3 X1\nX2\nG02 X4 I1\nM30\n")) == Places{"SC1004 1:6"});
   CHECK(places(interpret("G0.0.1 X1\nX2 Y3\nX3 I2 J1\nM30\n")) == Places{"SC1004 1:2"});
   CHECK(places(interpret("T--1\nM06\nM30\n")) == Places{"SC1003 1:2"});
+  CHECK(places(interpret("G0X--#1\nX+-[1] Q1.2.3\nM30\n")) ==
+        Places{"SC1003 1:4", "SC1003 2:2", "SC1004 2:9"});
   CHECK(places(interpret("S1E3\nM03\nM30\n")) == Places{"SC1006 1:1"});
   CHECK(places(interpret("F100\nG99.1 X5\nG03 X9 I1\nM30\n")) == Places{"SC2001 2:1"});
   CHECK(places(interpret("F100 G91\nG01 X1$\nG90 G02 Y1 R.1\nM30\n")) == Places{"SC1001 2:7"});
