@@ -58,6 +58,7 @@ std::optional<Line> Parser::next_line(Read read) {
     if (!text && reader_->waiting()) return std::nullopt;
     if (!text) break;
     begin_line(*text);
+    if (lone_percent_.line > 0 && goes_on_behind_end()) break;
     read();
     if (ended_) break;
     if (words_.empty() && line_.statement == nullptr && !line_.broken) continue;
@@ -124,8 +125,8 @@ void Parser::read_words() {
   Token token = lexer.next();
   while (token.kind != Token::Kind::end && !given_up_ && !ended_)
     token = token.kind == Token::Kind::letter ? read_word(lexer, token) : read_mark(lexer, token);
-}
   if (lexer.comment_column() > 0) obey_comment(lexer.comment_column());
+}
 
 /// Returns the first token that does not belong to the word.
 Token Parser::read_word(Lexer& lexer, const Token& letter) {
@@ -142,8 +143,8 @@ Token Parser::read_word(Lexer& lexer, const Token& letter) {
     words_.push_back({letter.letter, number.value, {line_.number, letter.column, length}});
   } else {
     report_number(letter, number);
-  }
     return pass_value(lexer);
+  }
   return lexer.next();
 }
 

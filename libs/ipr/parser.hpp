@@ -111,6 +111,7 @@ class Parser {
   Token read_mark(Lexer& lexer, const Token& mark);
   Token read_macro(Lexer& lexer, const Token& mark);
   Token read_percent(Lexer& lexer, const Token& percent);
+  bool goes_on_behind_end();
   Token read_slash(Lexer& lexer, const Token& slash);
   void lose_word_before(const Token& letter);
   Token pass_letter_for_digit(Lexer& lexer, const Token& letter);
@@ -137,6 +138,8 @@ class Parser {
   std::vector<Assigned> before_;       // what they have replaced on the line
   Statement statement_;
   Depth depth_ = Depth::usual;
+  bool opened_ = false;       // by a '%'
+  SourcePos lone_percent_{};  // that ends a program which none has begun; line 0: none
   bool started_ = false, given_up_ = false, ended_ = false, broke_off_ = false;
   bool nul_seen_ = false;
 };

@@ -33,8 +33,10 @@ bool is_name(std::string_view line, const Token& letter, std::string_view letter
   return behind != std::string_view::npos && line[behind] == '[';
 }
 
-/// Of FANUC's ,C and ,R.
+/// Of FANUC's ,C and ,R; LinuxCNC's polar coordinates, and the number of a spindle.
 std::string meant_by(std::string_view mark, Lexer lexer) {
+  if (mark == "@" || mark == "^") return "; polar coordinates are not supported";
+  if (mark == "$") return "; no spindle can be chosen, there is one";
   const bool corner = mark == "," && (lexer.peek() == 'C' || lexer.peek() == 'R');
   return corner ? "; chamfers and roundings within a line are not supported" : "";
 }
@@ -156,14 +158,31 @@ Token Parser::read_percent(Lexer& lexer, const Token& percent) {
     return {};
   }
   if (started_) {
-    ended_ = true;
+    ended_ = opened_ || file_ != 0;
+    if (!ended_) lone_percent_ = {line_.number, percent.column, percent.length};
     return {};
   }
   started_ = true;
+  opened_ = opened_ || file_ == 0;
   const Token after = lexer.next();
   if (after.kind != Token::Kind::end)
     give_up(Code::SC1012, percent, "'%' with more behind it; it stands on a line of its own");
   return after;
+}
+
+/// Whether the line is of a program that a '%' has ended and none has begun, which is told: one of
+/// the two is missing, or out of place.
+bool Parser::goes_on_behind_end() {
+  if (file_ != 0) return false;
+  using Kind = Token::Kind;
+  const Token first = Lexer(line_.text).next();
+  if (first.kind != Kind::letter && first.kind != Kind::macro && first.kind != Kind::slash)
+    return false;
+  report(Code::SC1012, first.column, first.length,
+         "the '%' on line " + std::to_string(lone_percent_.line) +
+             " ends the program, and no '%' has begun it: this would be lost");
+  ended_ = broke_off_ = true;
+  return true;
 }
 
 /// '/' or '/2', before or behind the line number.

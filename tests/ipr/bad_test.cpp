@@ -87,7 +87,8 @@ Told told_by(const std::filesystem::path& file) {
 
 /// For every code one of the texts it is told by.
 const std::multimap<Code, std::string> kTexts{
-    {Code::SC1001, "unknown character '$'"},
+    {Code::SC1001, "unknown character '$'; no spindle can be chosen, there is one"},
+    {Code::SC1001, "unknown character '@'; polar coordinates are not supported"},
     {Code::SC1001, "unknown character '\u00d7' (U+00D7)"},
     {Code::SC1001, "unknown character byte 0x07"},
     {Code::SC1002, "no number after X"},
@@ -104,6 +105,8 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC1011, "'/' (block skip) within a line; it stands at its beginning"},
     {Code::SC1012, "'%' within a line; it stands on a line of its own"},
     {Code::SC1012, "'%' with more behind it; it stands on a line of its own"},
+    {Code::SC1012,
+     "the '%' on line 3 ends the program, and no '%' has begun it: this would be lost"},
     {Code::SC1013, "the file is in UTF-16; save it as UTF-8 or ASCII"},
     {Code::SC1013, "the file is in UTF-32; save it as UTF-8 or ASCII"},
     {Code::SC1014, "a byte 0; the file is damaged or no text"},
@@ -138,10 +141,10 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC1030, "this '<' has no '>'"},
     {Code::SC1030, "the name of a variable is empty"},
     {Code::SC1031, "alarm of the program: NO TOOL"},
+    {Code::SC1031, "the program aborts: wrong tool"},
     {Code::SC1032,
      "AND, OR, XOR ask whether numbers are 0; in the fanuc dialect: join the bits of whole numbers "
      "(1 here, 2 there)"},
-    {Code::SC1031, "the program aborts: wrong tool"},
     {Code::SC1032,
      "MOD is never negative; in the fanuc dialect: rounds its operands and has the sign of the "
      "first (1 here, -3 there)"},
@@ -204,15 +207,14 @@ const std::multimap<Code, std::string> kTexts{
      "leads square to the beginning of the next move"},
     {Code::SC2133,
      "G61 follows the path exactly, without a stop; in the fanuc dialect: stops at the end of "
-     "every "
-     "block"},
-    {Code::SC1051, "numbers without a command before them"},
-    {Code::SC1052, "pcw takes 4 numbers, dx dy cx cy; here are 3"},
-    {Code::SC1052, "l takes 2 to 3 numbers, dx dy [dz]; here is 1"},
+     "every block"},
     {Code::SC2001, "G48 is not supported"},
     {Code::SC1001, "unknown character ','; chamfers and roundings within a line are not supported"},
     {Code::SC2001, "G69 is not supported in the linuxcnc dialect"},
     {Code::SC1050, "'line' is no command; there are l, pcw, pccw, dcw, dccw, s and f"},
+    {Code::SC1051, "numbers without a command before them"},
+    {Code::SC1052, "pcw takes 4 numbers, dx dy cx cy; here are 3"},
+    {Code::SC1052, "l takes 2 to 3 numbers, dx dy [dz]; here is 1"},
     {Code::SC1052, "f takes 1 number, mm/min; here are 2"},
     {Code::SC1052, "s takes a number and points, n dx dy ...; here are 0"},
     {Code::SC1053, "'l' within a line; a command begins one"},

@@ -254,10 +254,10 @@ TEST_CASE("what may be no label or argument of a call is told", "[ipr][flow]") {
 
 TEST_CASE("a condition that fails in a later round is told there, once", "[ipr][flow]") {
   const std::string failing = "[1/[2-#1] GT 0]", count = "#1=[#1+1]\nG0 X#1\n";
-  CHECK(told("o1 while " + failing + "\n" + count + "o1 endwhile\nG0 X$\nM2") ==
-        Told{"1:13 SC1021 division by zero", "5:5 SC1001 unknown character '$'"});
-  CHECK(told("o1 do\n" + count + "o1 while " + failing + "\nG0 X$\nM2") ==
-        Told{"4:13 SC1021 division by zero", "5:5 SC1001 unknown character '$'"});
+  CHECK(told("o1 while " + failing + "\n" + count + "o1 endwhile\nG0 X?\nM2") ==
+        Told{"1:13 SC1021 division by zero", "5:5 SC1001 unknown character '?'"});
+  CHECK(told("o1 do\n" + count + "o1 while " + failing + "\nG0 X?\nM2") ==
+        Told{"4:13 SC1021 division by zero", "5:5 SC1001 unknown character '?'"});
 }
 
 TEST_CASE("an alarm of FANUC that cannot be read is told", "[ipr][flow]") {

@@ -71,7 +71,7 @@ TEST_CASE("a word has the place of its letter and its length with blanks", "[ipr
 
 TEST_CASE("the program stands between two '%', of which each may be missing", "[ipr][parser]") {
   CHECK(parse("%\nG0\n%\nG1\n") == "2: G0.\n");
-  CHECK(parse("G0\n%\nG1\n") == "1: G0.\n");
+  CHECK(parse("G0\n%\n\n(c)\n") == "1: G0.\n");
   CHECK(parse("%\nG0\nG1\n") == "2: G0.\n3: G1.\n");
   CHECK(parse("(name)\n\n % (c) \nG0\n") == "4: G0.\n");
   CHECK(parse("%\n%\nG0\n").empty());
