@@ -118,7 +118,7 @@ void BlockJson::write(const Surface& surface) {
   text_.add(',');
 }
 
-void BlockJson::word(std::string_view key, std::string_view value) {
+[[gnu::hot]] void BlockJson::word(std::string_view key, std::string_view value) {
   text_.add(key);
   text_.add('"');
   text_.add(value);
@@ -153,7 +153,7 @@ void BlockJson::list(const Key& key, const Range& range) {
   text_.add(',');
 }
 
-void BlockJson::add(const AxisVector& value) {
+[[gnu::hot]] void BlockJson::add(const AxisVector& value) {
   text_.add('[');
   for (const double component : value) {
     text_.add(component);

@@ -99,7 +99,7 @@ void end_document(int status) {
   if (document) document->finish(status);
 }
 
-void StandardOutput::write(std::string_view text) {
+[[gnu::hot]] void StandardOutput::write(std::string_view text) {
   buffer_ += text;
   if (buffer_.size() >= kBuffer) flush();
 }

@@ -55,7 +55,7 @@ void Command::read_arguments(std::span<const Word> words, Output& out) {
     if (word.letter == 'P' || word.letter == 'L') read_value(word, out);
 }
 
-void Command::read_value(const Word& word, Output& out) {
+[[gnu::hot]] void Command::read_value(const Word& word, Output& out) {
   if (values_.has(word.letter)) {
     out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
     uncertain_.add(word.letter);
@@ -81,7 +81,7 @@ void Command::check_program_number(const Line& line, Output& out) {
              std::string("O stands alone on its line") + (behind ? kLetterForDigit : ""));
 }
 
-void Command::add(const GCode& code, const Word& word) {
+[[gnu::hot]] void Command::add(const GCode& code, const Word& word) {
   std::size_t at = count_++;
   for (; at > 0 && codes_[at - 1].code->order > code.order; --at) codes_[at] = codes_[at - 1];
   codes_[at] = {&code, &word};
@@ -120,7 +120,7 @@ const Word& Command::find_word(Group group) const noexcept {
           })->word;
 }
 
-Letters Command::unused(Dialect dialect) const noexcept {
+[[gnu::hot]] Letters Command::unused(Dialect dialect) const noexcept {
   Letters used;
   for (const CodeWord& code : codes()) {
     used |= Letters(code.code->words);

@@ -60,7 +60,7 @@ void Interpreter::choose_format() {
     commands_.emplace(parser_.reader(), machine_, diagnostics_);
 }
 
-std::optional<Block> Interpreter::next() {
+[[gnu::hot]] std::optional<Block> Interpreter::next() {
   diagnostics_.hold();
   const bool found = read_on();
   diagnostics_.release();
@@ -109,7 +109,7 @@ bool Interpreter::tell_restored(const Line& next) {
   return true;
 }
 
-void Interpreter::interpret(const Line& line) {
+[[gnu::hot]] void Interpreter::interpret(const Line& line) {
   out_.begin(line);
   command_.read(line, options_.dialect, out_);
   if (modal_.curve) check_pending_curve(command_, options_.dialect, modal_, out_);

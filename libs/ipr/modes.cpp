@@ -105,7 +105,7 @@ void refuse_surface_speed(Task& task) {
 }
 
 /// mm/s, held at the machine's limit.
-double held_feed(Task& task, double feed) {
+[[gnu::hot]] double held_feed(Task& task, double feed) {
   const double limit = task.machine.limits.feed;
   if (limit <= 0 || feed <= limit) return is_possible_feed(task, feed) ? feed : 0;
   if (!task.modal.feed_warned)

@@ -44,7 +44,7 @@ void line(Task& task, bool rapid) {
 
 }  // namespace
 
-void move_straight(Task& task, const AxisVector& to, bool rapid) {
+[[gnu::hot]] void move_straight(Task& task, const AxisVector& to, bool rapid) {
   if (stays_beside(task)) {
     move_beside(task, to, rapid);
     task.modal.position = to;
@@ -57,7 +57,7 @@ void move_straight(Task& task, const AxisVector& to, bool rapid) {
 }
 
 void rapid(Task& task) { line(task, true); }
-void feed_line(Task& task) { line(task, false); }
+[[gnu::hot]] void feed_line(Task& task) { line(task, false); }
 
 /// In the fanuc dialect G80 ends cycles only.
 void cancel_motion(Task& task) {

@@ -7,7 +7,7 @@
 
 namespace softcnc::ipr {
 
-void Output::begin(const Line& line) {
+[[gnu::hot]] void Output::begin(const Line& line) {
   text_ = line.text;
   source_ = line.words.empty() ? SourcePos{line.number, 1, 1} : line.words.front().pos;
   source_ = diagnostics_.in_calls(source_);

@@ -76,7 +76,7 @@ std::optional<Line> Parser::next_line(Read read) {
   return std::nullopt;
 }
 
-void Parser::begin_line(std::string_view text) {
+[[gnu::hot]] void Parser::begin_line(std::string_view text) {
   words_.clear();
   assignments_.clear();
   before_.clear();
@@ -114,7 +114,7 @@ void Parser::refuse_file(std::string_view encoding) {
   ended_ = broke_off_ = true;
 }
 
-void Parser::read_words() {
+[[gnu::hot]] void Parser::read_words() {
   Lexer lexer(line_.text);
   for (PlainWord plain; lexer.take_plain_word(plain);) {
     Word& word = words_.emplace_back();

@@ -86,7 +86,7 @@ Reader Reader::from_text(std::string text) {
   return reader;
 }
 
-std::optional<std::string_view> Reader::next() {
+[[gnu::hot]] std::optional<std::string_view> Reader::next() {
   waiting_ = false;
   std::size_t searched = 0;  // bytes of the line that hold no line end
   for (;;) {
@@ -194,7 +194,7 @@ Diagnostic Reader::seek_failure() const {
   return cannot_read(Code::SC6002, "it again", seek_error_);
 }
 
-std::string_view Reader::take(std::size_t line_end) noexcept {
+[[gnu::hot]] std::string_view Reader::take(std::size_t line_end) noexcept {
   std::string_view line(buffer_.data() + begin_, line_end - begin_);
   line_feed_belongs_to_cr_ = line_end < end_ && buffer_[line_end] == '\r';
   begin_ = std::min(line_end + 1, end_);

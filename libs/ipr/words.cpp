@@ -110,12 +110,12 @@ AxisVector end_in_program(const Task& task) {
 
 }  // namespace
 
-AxisVector end_point(const Task& task) {
+[[gnu::hot]] AxisVector end_point(const Task& task) {
   return near_place(task,
                     task.modal.machine_coordinates ? end_in_machine(task) : end_in_program(task));
 }
 
-void emit_move(Task& task, Path&& path, bool rapid) {
+[[gnu::hot]] void emit_move(Task& task, Path&& path, bool rapid) {
   Modal& modal = task.modal;
   if (modal.uncertain.has_any(kAxisWords)) task.out.mark_uncertain();
   modal.beside.reset();
@@ -126,11 +126,11 @@ void emit_move(Task& task, Path&& path, bool rapid) {
     return task.out.emit(cutting_move(modal, std::move(path), modal.feed));
   }
   task.out.emit(Move{std::move(path), true, 0, join_of(modal), modal.corner_tolerance,
-                     modal.chord_tolerance, modal.feed_override, std::nullopt,
-                     unknown_axes(modal)});
+                     modal.chord_tolerance, modal.feed_override, unknown_axes(modal),
+                     std::nullopt});
 }
 
-Move cutting_move(const Modal& modal, Path&& path, double feed) {
+[[gnu::hot]] Move cutting_move(const Modal& modal, Path&& path, double feed) {
   return {std::move(path),
           false,
           feed,
@@ -138,11 +138,11 @@ Move cutting_move(const Modal& modal, Path&& path, double feed) {
           modal.corner_tolerance,
           modal.chord_tolerance,
           modal.feed_override,
-          surface_at_speed(modal),
-          unknown_axes(modal)};
+          unknown_axes(modal),
+          surface_at_speed(modal)};
 }
 
-bool has_feed(Task& task) {
+[[gnu::hot]] bool has_feed(Task& task) {
   Modal& modal = task.modal;
   if (modal.feed_mode == FeedMode::inverse_time) return has_inverse_time(task);
   if (modal.feed_mode == FeedMode::per_turn && modal.feed_word > 0) return sets_feed_per_turn(task);

@@ -15,7 +15,7 @@ double length_of(const AxisVector& way) {
 
 }  // namespace
 
-Line::Line(const AxisVector& from, const AxisVector& to)
+[[gnu::hot]] Line::Line(const AxisVector& from, const AxisVector& to)
     : from_(from), to_(to), direction_(to - from), length_(length_of(direction_)) {
   assert(length_ > 0);
   direction_ /= length_;
