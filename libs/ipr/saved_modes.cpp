@@ -71,7 +71,9 @@ void SavedLevels::end_call(const SourcePos& pos) {
 }
 
 void SavedLevels::miss_call() {
-  modal_.motion = modal_.motion_below = nullptr;
+  if (modal_.curve) modal_.curve->broken = modal_.curve->knots_uncertain = true;
+  if (modal_.points) modal_.points->broken = true;
+  if (!modal_.curve && !modal_.points) modal_.motion = modal_.motion_below = nullptr;
   modal_.uncertain |= "FGMST";
   modal_.doubt_offsets();
 }

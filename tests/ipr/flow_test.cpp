@@ -355,6 +355,13 @@ TEST_CASE("an error in a loop is told once", "[ipr][flow]") {
   CHECK(told("N1 G0 X1 Q1\nGOTO 1\nM2").size() == 2);
 }
 
+TEST_CASE("a subprogram that is missing within a curve leaves the curve in force", "[ipr][flow]") {
+  CHECK(told("F100\nG06.2 P2 K0 X0\no<gone> call\nK0 X1\nK1\nK1\nM2") ==
+        Told{"3:1 SC2301 no subprogram o<gone> in this program"});
+  CHECK(told("F100\nG05.2 X1 Y1 P1\no<gone> call\nX2 Y1 P1\nX3 Y2 P1\nG05.3\nM2") ==
+        Told{"3:1 SC2301 no subprogram o<gone> in this program"});
+}
+
 TEST_CASE("the search for many things that are missing comes to an end", "[ipr][flow]") {
   std::string ifs, definitions, jumps;
   for (int i = 1; i <= 100; ++i) {
