@@ -41,7 +41,8 @@ inline Manner manner_of(const Move& move) {
 
 inline Move make_move(Path path, const Manner& manner) {
   return {std::move(path),         manner.rapid,           manner.feed,          Join::follow,
-          manner.corner_tolerance, manner.chord_tolerance, manner.feed_override, 0, manner.surface};
+          manner.corner_tolerance, manner.chord_tolerance, manner.feed_override, 0,
+          manner.surface};
 }
 
 }  // namespace softcnc::ipo

@@ -99,10 +99,6 @@ bool refuse(Task& task, Code code, SourcePos pos, std::string message) {
   return false;
 }
 
-SourcePos place_of(const Task& task, char letter) {
-  return task.values.has(letter) ? task.values.word(letter).pos : task.word.pos;
-}
-
 bool lies_near(const Task& task, const Holes& holes, AxisVector at, double height) {
   at[holes.axes.across] = height;
   return is_near(task.modal.coordinates.to_machine(at));

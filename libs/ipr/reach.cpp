@@ -13,10 +13,6 @@ constexpr double kLongest = 1e9;  // mm
 
 std::string beyond(double limit) { return " beyond " + number_text(limit) + " mm"; }
 
-SourcePos place_of(const Task& task, char letter) {
-  return task.values.has(letter) ? task.values.word(letter).pos : task.word.pos;
-}
-
 std::string gives_far_offset(const std::string& who) {
   return who + " gives an offset" + beyond(kFarthest);
 }

@@ -110,6 +110,10 @@ AxisVector end_in_program(const Task& task) {
 
 }  // namespace
 
+SourcePos place_of(const Task& task, char letter) {
+  return task.values.has(letter) ? task.values.word(letter).pos : task.word.pos;
+}
+
 [[gnu::hot]] AxisVector end_point(const Task& task) {
   return near_place(task,
                     task.modal.machine_coordinates ? end_in_machine(task) : end_in_program(task));

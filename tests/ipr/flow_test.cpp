@@ -374,7 +374,7 @@ TEST_CASE("the search for many things that are missing comes to an end", "[ipr][
   // 100 lines behind the first, 99 behind the second, ... 90 behind the eleventh
   CHECK(told(ifs + "M2") == Told{"1:1 SC2302 'o1 if' has no 'o1 endif'", "11:1 " + too_long});
   CHECK(told(definitions + "M2") ==
-        Told{"1:1 SC2303 'o1 sub' has no 'o1 endsub'"});  // and nothing behind it
+        Told{"1:1 SC2303 'o1 sub' has no 'o1 endsub'"});      // and nothing behind it
   const Told of_jumps = told(jumps + "M30", Dialect::fanuc);  // 101 lines for each
   REQUIRE(of_jumps.size() == 11);
   CHECK(of_jumps.front() == "1:1 SC2308 no line N1001 in the program");
