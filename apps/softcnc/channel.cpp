@@ -48,14 +48,15 @@ void Feeder::fill(ipo::BlockQueue& queue, double until) {
   CpuLaps cpu;
   waiting_ = false;
   while (queue.t_end() <= until) {
-    auto timed = planner_.pop();
-    if (!timed && ended_) break;
-    if (!timed && read_block()) continue;
-    if (!timed) timed = planner_.pop_now();
-    waiting_ = !timed;
+    auto part = planner_.pop_part();
+    if (!part && ended_) break;
+    if (!part && read_block()) continue;
+    if (!part) part = planner_.pop_part_now();
+    waiting_ = !part;
     if (waiting_) break;
-    if (is_pause(timed->block)) pauses_.push_back({timed->block, timed->t_end()});
-    queue.push(std::move(*timed));
+    const auto* timed = std::get_if<ipo::TimedBlock>(&*part);
+    if (timed && is_pause(timed->block)) pauses_.push_back({timed->block, timed->t_end()});
+    queue.push(std::move(*part));
   }
   cpu_ += cpu.lap();
 }
@@ -72,7 +73,7 @@ void Feeder::replan(ipo::BlockQueue& queue, const ipo::State& now, double t,
 void Feeder::finish(ipo::BlockQueue& queue) {
   waiting_ = false;
   if (!std::exchange(ended_, true)) planner_.finish();
-  while (auto timed = planner_.pop()) queue.push(std::move(*timed));
+  while (auto part = planner_.pop_part()) queue.push(std::move(*part));
 }
 
 /// False if that would have to wait.

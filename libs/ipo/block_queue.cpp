@@ -5,6 +5,15 @@
 
 namespace softcnc::ipo {
 
+void BlockQueue::push(TimedPart part) {
+  std::visit([this](auto&& timed) { push(std::forward<decltype(timed)>(timed)); }, std::move(part));
+}
+
+void BlockQueue::push(const Continuation& more) {
+  blocks_.back().profile.append(more.profile);
+  t_end_ = blocks_.back().t_end();
+}
+
 void BlockQueue::push(TimedBlock block) {
   t_end_ = block.t_end();
   blocks_.push_back(std::move(block));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <deque>
 #include <memory>
+#include <variant>
 #include <vector>
 
 #include "ipo/piece.hpp"
@@ -35,6 +36,13 @@ struct TimedBlock {
   int last_number() const noexcept { return marks.empty() ? block.number : marks.back().number; }
 };
 
+/// More of the block before, of which only a part was timed.
+struct Continuation {
+  Profile profile;
+};
+
+using TimedPart = std::variant<TimedBlock, Continuation>;
+
 /// Blocks of which the first `passed` lie behind the machine.
 struct PartlyPassed {
   std::deque<TimedBlock> blocks;
@@ -48,6 +56,8 @@ class BlockQueue {
   explicit BlockQueue(double memory) : memory_(memory) {}
 
   void push(TimedBlock block);
+  void push(const Continuation& more);  // of the block pushed last
+  void push(TimedPart part);
   void trim();  // planning side
   /// Takes out everything from the present block on, to be planned anew, and before it what can
   /// still be felt. Planning side.

@@ -164,13 +164,21 @@ class CapDerivation {
     });
   }
 
-  /// Calls visit(node) for the nodes within `reach` mm of node n.
+  /// Calls visit(node) for the nodes that so many steps of v or less can touch together with n.
   template <typename Visit>
-  void for_nodes_within(std::size_t n, double reach, Visit&& visit) const {
+  void for_nodes_within(std::size_t n, double steps, double v, Visit&& visit) const {
     const auto& nodes = chain_.nodes;
-    for (std::size_t i = n + 1; i-- > 0 && nodes[n].s - nodes[i].s <= reach;) visit(nodes[i]);
-    for (std::size_t i = n + 1; i < nodes.size() && nodes[i].s - nodes[n].s <= reach; ++i)
+    const double most = steps * period_, reach = v * most;
+    double time = 0;
+    for (std::size_t i = n + 1; i-- > 0 && nodes[n].s - nodes[i].s <= reach && time < most;) {
       visit(nodes[i]);
+      if (i > 0) time += times_[i - 1];
+    }
+    time = 0;
+    for (std::size_t i = n + 1; i < nodes.size() && nodes[i].s - nodes[n].s <= reach; ++i) {
+      if ((time += times_[i - 1]) >= most) return;
+      visit(nodes[i]);
+    }
   }
 
   /// What joint n uses at speed v, with the kinks within one step of it, and the joints within
@@ -179,7 +187,7 @@ class CapDerivation {
     Load load{tolerance};
     AxisVector kink = AxisVector::Zero();
     double turn = 0;
-    for_nodes_within(n, v * period_, [&](const Node& node) {
+    for_nodes_within(n, 1, v, [&](const Node& node) {
       if (!node.passes_kink()) return;
       kink += node.kink;
       turn += node.turn;
@@ -189,7 +197,7 @@ class CapDerivation {
     load.cut = turn * (v * period_) / 4;
     if (!constraints_.limits_jerk()) return load;
     AxisVector jump = AxisVector::Zero();  // of the third difference, times T^2
-    for_nodes_within(n, kJerkSteps * v * period_, [&](const Node& node) {
+    for_nodes_within(n, kJerkSteps, v, [&](const Node& node) {
       if (node.passes_kink()) jump += node.kink * v;
       if (node.passes_bend()) jump += node.bend * (kKernel * v * v * period_);
       load.joints += node.passes_kink() || node.passes_bend() ? 1 : 0;

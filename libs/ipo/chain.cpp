@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ipo/rest_to_rest.hpp"
+
 namespace softcnc::ipo {
 namespace {
 
@@ -76,6 +78,34 @@ void Chain::append(const Move& move, const Constraints& constraints, bool rest) 
     grid_.clear();
     felt = 0;
   });
+  if (std::holds_alternative<Line>(move.path) && constraints.limits_jerk())
+    split_at_cruise(constraints);
+}
+
+/// If the last move is a line from rest that is long enough. Behind the first node so made the
+/// machine can stand still before the second one, and behind that is what can be felt of what
+/// follows.
+void Chain::split_at_cruise(const Constraints& constraints) {
+  std::size_t first = intervals.size() - 1;
+  while (intervals[first].s0 > 0) --first;
+  if (nodes[first].own.q > 0) return;
+  const Interval& line = intervals[first];
+  const double end = intervals.back().s1;
+  const double period_way = std::sqrt(line.left_cap.q) * constraints.period();
+  const double ramp = way_to_cruise(line_limits(line, line.left_cap, constraints));
+  const double felt_from = ipo::felt_from(line, end, constraints.period());
+  const double cruise_at = felt_from - ramp - period_way;
+  if (cruise_at <= ramp + kWorthwhile * period_way) return;
+  for (std::size_t i = first; i < intervals.size(); ++i) intervals[i].cruise_at = cruise_at;
+  split_move_at(cruise_at);
+  split_move_at(felt_from);
+}
+
+/// The last one.
+void Chain::split_move_at(double s) {
+  std::size_t i = intervals.size() - 1;
+  while (intervals[i].s0 > s) --i;
+  if (intervals[i].s0 < s) split(i, s);
 }
 
 /// At once, for so many intervals as come if all of the move is like its first stretch; a long

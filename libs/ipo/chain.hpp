@@ -18,10 +18,6 @@ inline constexpr double kTangentTolerance = 0.01;
 /// Derivatives inside an interval, on which they are as good as linear; s in mm of its move.
 PathPoint point_inside(const Interval& interval, double s) noexcept;
 
-/// What a place asks of its neighbours is felt over a few steps: its own, those of the kinks around
-/// it, and those of theirs.
-inline constexpr double kFeltPeriods = 5;
-
 /// A place between two intervals.
 struct Node {
   Cap own;                               // of its two intervals and of the joint itself
@@ -86,6 +82,8 @@ struct Chain {
   void add(std::span<const Interval> ahead, const Constraints& constraints, bool rest);
   double bend(const Interval& before, const Interval& interval, const Constraints& constraints);
   void push(const Interval& interval);
+  void split_at_cruise(const Constraints& constraints);
+  void split_move_at(double s);
 
   std::vector<Interval> grid_;  // of a part of the move that is appended; kept for its room
 };

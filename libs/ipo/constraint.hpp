@@ -2,6 +2,8 @@
 // What holds the feed back: every reason is a Constraint, and this is their list.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -21,6 +23,14 @@ struct Strips {
   AxisVector c1 = AxisVector::Zero();
   AxisVector bound = AxisVector::Constant(kUnlimited);
 };
+
+/// The largest path derivative that keeps every axis: min over the axes of limit / |x'|.
+inline double along(const AxisVector& limits, const AxisVector& direction) noexcept {
+  double most = kUnlimited;
+  for (int i = 0; i < kAxes; ++i)
+    if (direction[i] != 0) most = std::min(most, limits[i] / std::abs(direction[i]));
+  return most;
+}
 
 /// One reason to be slow, asked once per node of the grid and one-sided where derivatives jump.
 class Constraint {

@@ -180,18 +180,48 @@ class Refiner {
   double start_ = 0, end_ = 0;  // of the stretch
 };
 
+/// Inner nodes of a line so long that its beginning can be settled before what follows it is known:
+/// behind the last one is what can be felt of that, and behind the first one, or behind what can be
+/// reached from rest before it, the machine can slow down to rest. With limits of jerk that takes a
+/// rest to begin with: Chain::append().
+std::vector<double> line_nodes(const Interval& whole, const Constraints& constraints) {
+  const double top = whole.left_cap.q;
+  const double period_way = std::sqrt(top) * constraints.period();
+  const double felt = felt_from(whole, whole.s1, constraints.period());
+  if (constraints.limits_jerk() || felt <= kWorthwhile * period_way) return {};
+  const double braking = top / (2 * constraints.tangential_u(whole.left)) + period_way;
+  return {std::max(felt - braking, 0.5 * felt), felt};
+}
+
+void lay_line(const Move& move, double to, const Constraints& constraints,
+              std::vector<Interval>& grid) {
+  const Look begin = look_at(at(move.path, 0), move, constraints);
+  Look end = begin;
+  end.point = at(move.path, to);
+  Interval rest = make_interval(0, to, begin, end, move);
+  keep_everywhere(rest, move, constraints);
+  for (const double s : line_nodes(rest, constraints)) {
+    Interval part = rest;
+    part.s1 = rest.s0 = s;
+    part.right = rest.left = at(move.path, s);
+    grid.push_back(part);
+  }
+  grid.push_back(rest);
+}
+
 }  // namespace
+
+double felt_from(const Interval& line, double end, double period) noexcept {
+  const double period_way = std::sqrt(line.left_cap.q) * period;
+  return period_way < kShortest ? 0 : end - (kFeltPeriods + 1) * period_way;
+}
 
 void make_grid(const Move& move, const Constraints& constraints, std::vector<Interval>& grid,
                const std::function<void(double s)>& take) {
   grid.clear();
   const double to = length(move.path);
   if (std::holds_alternative<Line>(move.path)) {
-    const Look begin = look_at(at(move.path, 0), move, constraints);
-    Look end = begin;
-    end.point = at(move.path, to);
-    grid.push_back(make_interval(0, to, begin, end, move));
-    keep_everywhere(grid.back(), move, constraints);
+    lay_line(move, to, constraints, grid);
   } else {
     Refiner refiner(move, constraints, grid);
     double s = 0;

@@ -12,6 +12,10 @@
 
 namespace softcnc::ipo {
 
+/// So many periods behind a place nothing is felt of it: a joint slows what lies within three steps
+/// of it, for all that lies within three of it; and one more, for what shares a step.
+inline constexpr double kFeltPeriods = 8;
+
 /// An upper bound on q = v^2 (mm^2/s^2) and the name of what sets it.
 struct Cap {
   double q = kUnlimited;
@@ -34,6 +38,9 @@ struct Interval {
   bool ends_move = false;
   // q at its ends: whatever stays below the line between them keeps the caps that hold everywhere
   double left_most = kUnlimited, right_most = kUnlimited;
+  // mm of the move: of a long line from rest, where the machine cruises whatever follows it; 0
+  // where there is no such place
+  double cruise_at = 0;
 
   double length() const noexcept { return s1 - s0; }
   /// No motion crosses the interval faster, s.
@@ -47,6 +54,13 @@ struct Interval {
   }
   bool straight() const noexcept { return left.ddq.isZero(0) && right.ddq.isZero(0); }
 };
+
+/// How long a beginning of a line must last, in periods, to be settled before what follows it.
+inline constexpr double kWorthwhile = 32;
+
+/// The place of a line that ends at `end`, mm of its move, from which on what follows it can be
+/// felt; 0 where it is too slow for that to be resolved.
+double felt_from(const Interval& line, double end, double period) noexcept;
 
 /// Puts the intervals of a move into `grid`, and calls take(s) when they reach as far as a break of
 /// the path, or its end, at s mm; take() may remove what is there. Between two nodes the caps and

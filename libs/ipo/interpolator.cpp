@@ -21,7 +21,7 @@ std::optional<Setpoint> Interpolator::step() noexcept {
   if (periods_ == 0) enter_block();
   planned_ = 0;
   pulses_.clear();
-  if (follows_time())
+  if (follows_time(control_.interpolation))
     follow_time();
   else
     follow_method(periods_ == 0 ? 0.0 : control_.period);
@@ -31,14 +31,9 @@ std::optional<Setpoint> Interpolator::step() noexcept {
   return last_;
 }
 
-/// Otherwise a method of the literature goes its own way through the curve.
-bool Interpolator::follows_time() const noexcept {
-  return control_.interpolation == Method::arc_length || is_by_pulses(control_.interpolation);
-}
-
 double Interpolator::needs_until() const noexcept {
   const double same = 2 * kSameInstant * control_.period;
-  if (follows_time() || queue_.empty())
+  if (follows_time(control_.interpolation) || queue_.empty())
     return static_cast<double>(periods_) * control_.period + same;
   return queue_.front().t_start + t_ + control_.period + same;
 }
@@ -61,7 +56,7 @@ void Interpolator::enter_block() noexcept {
   t_ = 0;
   hint_ = 0;
   walk_.reset();
-  if (queue_.empty() || follows_time()) return;
+  if (queue_.empty() || follows_time(control_.interpolation)) return;
   if (const Nurbs* nurbs = nurbs_of(queue_.front()))
     walk_.emplace(*nurbs, control_.interpolation, control_.chord_tolerance);
 }
@@ -172,7 +167,8 @@ Setpoint Interpolator::setpoint() noexcept {
       next.position = walk_ ? walk_->position() : position(move->path, s);
   }
   next.pulses = pulses_;
-  next.advance = follows_time() ? (periods_ > 0 ? planned - planned_from_ : 0) : planned_;
+  next.advance = follows_time(control_.interpolation) ? (periods_ > 0 ? planned - planned_from_ : 0)
+                                                      : planned_;
   planned_from_ = planned;
   return next;
 }

@@ -41,7 +41,6 @@ class Interpolator {
 
   void enter_block() noexcept;
   void leave_block() noexcept;
-  bool follows_time() const noexcept;
   void follow_time() noexcept;
   void walk_pulses(double t, double s) noexcept;
   void follow_method(double period) noexcept;

@@ -75,46 +75,104 @@ std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended, double slowi
 
 /// The answer does not depend on how much is known of what follows.
 JerkWindow::Straight JerkWindow::straight_to_rest(bool ended) const noexcept {
-  if (motion_.v > 0 || motion_.a != 0 || slows_ || share_ != 1) return {};
+  if (!may_run_closed() || (motion_.v > 0 && !cruises())) return {};
   const std::size_t last = ended ? chain_.nodes.size() - 1 : last_final_cap();
   for (std::size_t i = front_; i < last; ++i) {
-    const Inside& inside = chain_.inside[i];
-    if (!chain_.intervals[i].straight() || inside.share < 1 || inside.jerk_share.minCoeff() < 1)
-      return {};
+    if (!is_free_line(i)) return {};
     if (chain_.nodes[i + 1].cap.q == 0 || i + 2 == chain_.nodes.size()) return {i + 1};
     if (chain_.intervals[i].ends_move) return {};
   }
   return {std::nullopt, true};
 }
 
+/// Whether all limits are those of the machine, and nothing is left of an acceleration.
+bool JerkWindow::may_run_closed() const noexcept {
+  return !slows_ && share_ == 1 && motion_.a == 0;
+}
+
+/// Whether a joint leaves all of the axes to it.
+bool JerkWindow::is_free_line(std::size_t interval) const noexcept {
+  const Inside& inside = chain_.inside[interval];
+  return chain_.intervals[interval].straight() && inside.share >= 1 &&
+         inside.jerk_share.minCoeff() >= 1;
+}
+
+/// Whether the front is where begin_line() has ended.
+bool JerkWindow::cruises() const noexcept {
+  const Interval& first = chain_.intervals[front_];
+  return motion_.v > 0 && motion_.a == 0 && first.cruise_at > 0 && first.s0 == first.cruise_at;
+}
+
+/// A long line from rest, up to where it cruises: it does so whether it ends at rest or not. The
+/// way from there to a rest that is sure is kept for a fall-back.
+bool JerkWindow::begin_line() {
+  const Interval& first = chain_.intervals[front_];
+  const double cruise_at = first.cruise_at;
+  if (motion_.v > 0 || !may_run_closed() || first.s0 >= cruise_at) return false;
+  const Cap most = chain_.left_cap(front_);
+  const LineLimits limits = line_limits(first, most, constraints_);
+  const double ramp = way_to_cruise(limits);
+  if (cruise_at - first.s0 < ramp) return false;
+  const std::size_t cruise = node_behind(front_, cruise_at);
+  const std::size_t rest = node_behind(cruise, cruise_at + ramp);
+  const auto begin = rest_to_cruise(first.s0, cruise_at, limits, most.limit);
+  const auto end = cruise_to_rest(cruise_at, chain_.intervals[rest - 1].s1, limits, most.limit);
+  if (!keeps_caps(begin, cruise_at, front_, cruise) || !keeps_caps(end, cruise_at, cruise, rest))
+    return false;
+  Ramps ramps(rest - front_);
+  ramps[cruise - front_ - 1] = begin;
+  ramps.back() = end;
+  effort_.nodes += begin.size();
+  take(std::move(ramps), cruise - front_);
+  return true;
+}
+
+/// The first one at `s`, mm of the move in which `node` lies, or behind it.
+std::size_t JerkWindow::node_behind(std::size_t node, double s) const noexcept {
+  while (chain_.intervals[node++].s1 < s) {
+  }
+  return node;
+}
+
+/// The highest that lines allow up to node `last`.
+Cap JerkWindow::highest_cap(std::size_t last) const noexcept {
+  Cap most{0, Limit::feed};
+  for (std::size_t i = front_; i < last; ++i)
+    if (chain_.inside[i].cap.q > most.q) most = chain_.inside[i].cap;
+  return most;
+}
+
 /// False where the line is slower in places, and the motion would have to know it.
 bool JerkWindow::run_straight(std::size_t rest) {
-  Cap most{0, Limit::feed};
-  for (std::size_t i = front_; i < rest; ++i)
-    if (chain_.inside[i].cap.q > most.q) most = chain_.inside[i].cap;
+  const Cap most = highest_cap(rest);
   const Interval& first = chain_.intervals[front_];
-  const LineLimits limits{speed(most) * (1 - kRounding),
-                          along(constraints_.acceleration_limits(), first.left.dq),
-                          along(constraints_.jerk_limits(), first.left.dq)};
+  const double end = chain_.intervals[rest - 1].s1;
+  const LineLimits limits = line_limits(first, most, constraints_);
+  const double fastest_at = cruises() ? first.s0 : 0.5 * (first.s0 + end);
+  if (cruises() && end - first.s0 < way_to_cruise(limits)) return false;
   Ramps ramps(rest - front_);
-  ramps.back() = rest_to_rest(first.s0, chain_.intervals[rest - 1].s1, limits, most.limit);
-  if (!keeps_caps(ramps.back(), rest)) return false;
+  ramps.back() = cruises() ? cruise_to_rest(first.s0, end, limits, most.limit)
+                           : rest_to_rest(first.s0, end, limits, most.limit);
+  if (cruises() && ramps.back().front().v0 != motion_.v) return false;
+  if (!keeps_caps(ramps.back(), fastest_at, front_, rest)) return false;
   effort_.nodes += ramps.back().size();
   take(std::move(ramps), rest - front_);
   return true;
 }
 
-bool JerkWindow::keeps_caps(const std::vector<Ramp>& ramps, std::size_t rest) const noexcept {
-  const double middle = 0.5 * (ramps.front().s0 + ramps.back().s1);
+/// Of a motion along a line that is the faster the nearer it is to one place.
+bool JerkWindow::keeps_caps(const std::vector<Ramp>& ramps, double fastest_at, std::size_t first,
+                            std::size_t last) const noexcept {
   double fastest = 0;
-  for (const Ramp& ramp : ramps) fastest = std::max(fastest, ramp.v1);
+  for (const Ramp& ramp : ramps) fastest = std::max({fastest, ramp.v0, ramp.v1});
   const auto keeps = [&](const Cap& cap, double s) {
     const double most = speed(cap) * (1 + kRounding);
     return fastest <= most || speed_at(ramps, s) <= most;
   };
-  for (std::size_t i = front_; i < rest; ++i) {
+  for (std::size_t i = first; i < last; ++i) {
     const Interval& interval = chain_.intervals[i];
-    if (!keeps(chain_.inside[i].cap, std::clamp(middle, interval.s0, interval.s1))) return false;
+    const double at = std::clamp(fastest_at, interval.s0, interval.s1);
+    if (!is_free_line(i) || !keeps(chain_.inside[i].cap, at)) return false;
     if (i > front_ && !keeps(chain_.nodes[i].cap, interval.s0)) return false;
   }
   return true;
@@ -124,6 +182,7 @@ std::size_t JerkWindow::settle(bool ended) {
   if (size() == 0) return 0;
   split_long_intervals(ended);
   derive();
+  if (begin_line()) return planned_.size();
   const Straight straight = straight_to_rest(ended);
   if (straight.waits) return 0;
   if (straight.rest && run_straight(*straight.rest)) return planned_.size();

@@ -35,15 +35,23 @@ class JerkWindow final : public Window {
     std::size_t end, taken;
   };
   std::optional<Reach> look_ahead(bool ended, double slowing, double time) const noexcept;
-  /// A straight line of one move between two rests: its end, a node of the chain; `waits`: what
-  /// follows is still to tell whether there is one.
+  /// The way to a rest along a straight line of one move, from rest or where begin_line() has
+  /// ended: its end, a node of the chain; `waits`: what follows is still to tell whether there is
+  /// one.
   struct Straight {
     std::optional<std::size_t> rest;
     bool waits = false;
   };
   Straight straight_to_rest(bool ended) const noexcept;
+  bool may_run_closed() const noexcept;
+  bool is_free_line(std::size_t interval) const noexcept;
+  bool cruises() const noexcept;
+  std::size_t node_behind(std::size_t node, double s) const noexcept;
+  bool begin_line();
   bool run_straight(std::size_t rest);
-  bool keeps_caps(const std::vector<Ramp>& ramps, std::size_t rest) const noexcept;
+  Cap highest_cap(std::size_t last) const noexcept;
+  bool keeps_caps(const std::vector<Ramp>& ramps, double fastest_at, std::size_t first,
+                  std::size_t last) const noexcept;
   std::size_t slow_down(bool ended);
   std::optional<Ramps> plan(std::size_t end, std::size_t taken);
   bool ends_interval(std::size_t count) const noexcept;

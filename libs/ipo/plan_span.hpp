@@ -14,14 +14,6 @@ struct Motion {
   double v = 0, a = 0;
 };
 
-/// The largest path derivative that keeps every axis: min over the axes of limit / |x'|.
-inline double along(const AxisVector& limits, const AxisVector& direction) noexcept {
-  double most = kUnlimited;
-  for (int i = 0; i < kAxes; ++i)
-    if (direction[i] != 0) most = std::min(most, limits[i] / std::abs(direction[i]));
-  return most;
-}
-
 /// Nodes [first, last] of a chain whose caps have been derived. Places on it are mm of the chain.
 struct PlanSpan {
   const Chain& chain;

@@ -87,40 +87,62 @@ PlannerCounts Planner::counts() const noexcept {
 }
 
 std::optional<TimedBlock> Planner::pop() {
-  if (!ready_.empty()) return take_ready();
-  if (pending_.empty() || feed_.halts()) return std::nullopt;
-  if (pending_.front().move()) {
-    if (!run_move()) return ready_.empty() ? std::nullopt : take_ready();
-  } else if (const Dwell* dwell = std::get_if<Dwell>(&pending_.front().block.what)) {
-    pending_.front().profile.add_rest(dwell->duration);
-  }
-  return take();
+  if (ready_.empty() && find_next(false) == Found::nothing) return std::nullopt;
+  return ready_.empty() ? take() : take_ready();
 }
 
-std::optional<TimedBlock> Planner::pop_now() {
+std::optional<TimedPart> Planner::pop_part() {
+  if (!follows_time(machine_.control.interpolation)) return pop();
+  const Found found = ready_.empty() ? find_next(true) : Found::all;
+  if (found == Found::nothing) return std::nullopt;
+  if (!ready_.empty()) return take_ready();
+  if (found == Found::part && given_ == 0) return take_begin();
+  if (given_ == 0) return take();
+  Continuation more = take_more();
+  if (found == Found::all) take();
+  return more;
+}
+
+std::optional<TimedPart> Planner::pop_part_now() {
   hurried_ = true;
-  auto timed = pop();
+  auto timed = pop_part();
   hurried_ = false;
   return timed;
 }
 
-/// Runs what is settled of the first pending move; true when all of it is.
-bool Planner::run_move() {
+/// Of the first pending block, or of what has become ready.
+Planner::Found Planner::find_next(bool parts) {
+  if (pending_.empty() || feed_.halts()) return Found::nothing;
+  if (pending_.front().move()) return run_move(parts);
+  if (const Dwell* dwell = std::get_if<Dwell>(&pending_.front().block.what))
+    pending_.front().profile.add_rest(dwell->duration);
+  return Found::all;
+}
+
+/// Runs what is settled of the first pending move; a part is what can be had without a further
+/// plan.
+Planner::Found Planner::run_move(bool parts) {
   while (true) {
-    if (settled_ == 0 && !settle()) return false;
+    if (settled_ == 0 && parts && has_part()) return Found::part;
+    if (settled_ == 0 && !settle()) return ready_.empty() ? Found::nothing : Found::all;
     Profile& profile = pending_.front().profile;
     const bool ended = window_->run_front(profile);
     --settled_;
     if (!std::isfinite(profile.duration())) report_no_speed(profile);
     if (window_->front_rests()) rest_at_turn(profile);
-    if (ended) return true;
+    if (ended) return Found::all;
   }
+}
+
+bool Planner::has_part() const noexcept {
+  const Profile& profile = pending_.front().profile;
+  return profile.pieces() > given_ && profile.duration() > 0;
 }
 
 void Planner::report_no_speed(Profile& profile) {
   diagnostics_.report(Code::SC9001, pending_.front().block.source,
                       "no speed could be found for this block");
-  profile = {};
+  profile = profile.first(given_);
 }
 
 /// Where nothing more was found, passes over the window are worth their while only when it has
@@ -155,7 +177,7 @@ void Planner::rest_at_turn(Profile& profile) {
   last_rest_ = t;
 }
 
-std::optional<TimedBlock> Planner::take_ready() {
+TimedBlock Planner::take_ready() {
   TimedBlock timed = std::move(ready_.front());
   ready_.pop_front();
   return timed;
@@ -168,8 +190,26 @@ TimedBlock Planner::take() {
   timed.s_start = s_;
   t_ = timed.t_end();
   if (const Move* move = timed.move()) s_ += length(move->path);
-  pulses_.attach(timed);
+  if (given_ == 0) pulses_.attach(timed);
+  given_ = 0;
   return timed;
+}
+
+/// A copy: the window needs the move where it is.
+TimedBlock Planner::take_begin() {
+  TimedBlock& whole = pending_.front();
+  TimedBlock begin{whole.block,     whole.profile,          t_, s_, whole.marks,
+                   whole.deviation, std::move(whole.pulses)};
+  given_ = whole.profile.pieces();
+  pulses_.attach(begin);
+  return begin;
+}
+
+Continuation Planner::take_more() {
+  const Profile& profile = pending_.front().profile;
+  Continuation more{profile.behind(given_)};
+  given_ = profile.pieces();
+  return more;
 }
 
 }  // namespace softcnc::ipo

@@ -2,6 +2,7 @@
 // Blocks in, timed blocks out: as fast as the machine may follow them, and never outside a limit.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -38,8 +39,10 @@ class Planner {
 
   /// The next block whose speeds no longer depend on blocks not yet pushed.
   std::optional<TimedBlock> pop();
+  /// The same as soon as a part of the block is settled; then its next part.
+  std::optional<TimedPart> pop_part();
   /// The same where nothing more may be pushed for long: finds out what is settled by now.
-  std::optional<TimedBlock> pop_now();
+  std::optional<TimedPart> pop_part_now();
 
   /// Plans all anew from the state `now` inside the first block of `rest` not passed, at program
   /// time `t`, for the feed that is asked for from then on. pop() goes on with that block; a block
@@ -50,6 +53,8 @@ class Planner {
   PlannerCounts counts() const noexcept;
 
  private:
+  enum class Found : std::uint8_t { nothing, part, all };
+
   void accept(Piece piece);
   void leave_out(Diagnostic diagnostic, const SourcePos& place);
   void flush_corners();
@@ -61,12 +66,16 @@ class Planner {
   void lay_out(const std::deque<TimedBlock>& passed, double s);
   void append(const Move& move, bool rest);
   bool stop_first();
-  std::optional<TimedBlock> take_ready();
-  bool run_move();
+  Found find_next(bool parts);
+  Found run_move(bool parts);
+  bool has_part() const noexcept;
   bool settle();
   void report_no_speed(Profile& profile);
   void rest_at_turn(Profile& profile);
+  TimedBlock take_ready();
   TimedBlock take();
+  TimedBlock take_begin();
+  Continuation take_more();
 
   const Machine& machine_;
   Diagnostics& diagnostics_;
@@ -77,6 +86,7 @@ class Planner {
   std::unique_ptr<Constraint> slower_;  // the feed that the moves of the window are to slow down to
   std::deque<TimedBlock> ready_;        // timed; before the pending ones
   std::deque<TimedBlock> pending_;
+  std::size_t given_ = 0;  // pieces of the first pending one that have left already
   PlannerCounts counts_;
   std::size_t settled_ = 0;    // intervals at the front of the window whose speeds are final
   std::size_t last_size_ = 0;  // unsettled intervals after the last passes

@@ -59,6 +59,28 @@ Profile Profile::from(double t) const {
   return rest;
 }
 
+Profile Profile::first(std::size_t count) const {
+  Profile part;
+  for (std::size_t i = 0; i < count; ++i) part.add(pieces_[i]);
+  return part;
+}
+
+Profile Profile::behind(std::size_t count) const {
+  Profile rest;
+  for (std::size_t i = count; i < pieces_.size(); ++i) rest.add(pieces_[i]);
+  return rest;
+}
+
+void Profile::append(const Profile& more) {
+  for (const Piece& piece : more.pieces_) add(piece);
+}
+
+void Profile::add(Piece piece) {
+  piece.t0 = duration_;
+  duration_ += piece.duration;
+  pieces_.push_back(piece);
+}
+
 double Profile::end_speed() const noexcept {
   if (pieces_.empty()) return 0;
   const Piece& last = pieces_.back();
@@ -75,7 +97,7 @@ State Profile::at(double t, std::size_t& hint) const noexcept {
   const double s = ends ? piece.s1 : piece.curve.s(tau);
   const double v = std::max(piece.curve.v(tau), 0.0);
   return {std::clamp(s, piece.curve.s0, piece.s1), v, piece.curve.a(tau),
-          v > 0 || piece.duration == kEndless ? piece.limit : Limit::stop};
+          v > kStandstill || piece.duration == kEndless ? piece.limit : Limit::stop};
 }
 
 /// s grows with t.

@@ -37,6 +37,13 @@ class Profile {
   /// What is left of it at t; t = 0 is there.
   Profile from(double t) const;
 
+  std::size_t pieces() const noexcept { return pieces_.size(); }
+  /// Of its first `count` pieces, and of those behind them.
+  Profile first(std::size_t count) const;
+  Profile behind(std::size_t count) const;
+  /// Goes on with those pieces as if they had been added one by one.
+  void append(const Profile& more);
+
   double duration() const noexcept { return duration_; }
   /// mm/s, where it ends.
   double end_speed() const noexcept;
@@ -61,6 +68,7 @@ class Profile {
     double s1;  // where it ends
     Limit limit;
   };
+  void add(Piece piece);
   static double time_to(const Piece& piece, double s) noexcept;
 
   std::vector<Piece> pieces_;

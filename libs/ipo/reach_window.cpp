@@ -29,7 +29,25 @@ std::size_t ReachWindow::settle(bool ended) {
     --settled;
     nodes[settled].k = reach_back(chain_.intervals[settled], constraints_, reach(settled));
   }
-  return settled - front_;
+  return settled > front_ ? settled - front_ : begin_alike(from_rest);
+}
+
+/// The intervals from the front on that are run alike for K and for that of `other`, by node of the
+/// chain: whatever lies between the two leads to the same.
+std::size_t ReachWindow::begin_alike(const std::vector<double>& other) noexcept {
+  double q = q_;
+  for (std::size_t i = front_; i + 1 < other.size(); ++i) {
+    Reach slower = reach(i);
+    slower.left_k = other[i];
+    slower.right_k = other[i + 1];
+    pieces_.clear();
+    other_pieces_.clear();
+    const double ahead = run_forward(chain_.intervals[i], constraints_, reach(i), q, pieces_);
+    run_forward(chain_.intervals[i], constraints_, slower, q, other_pieces_);
+    if (pieces_ != other_pieces_) return i - front_;
+    q = ahead;
+  }
+  return other.size() - 1 - front_;
 }
 
 /// A machine that can slow down to a place can also slow down to any later one.

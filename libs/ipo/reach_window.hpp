@@ -3,8 +3,9 @@
 //
 // Speeds are final as soon as they no longer depend on what follows: the backward pass is run once
 // from rest at the end of the window and once from the highest speed there; left of the node where
-// the two meet they agree bit by bit. So the plan is that of the whole program, however the program
-// arrives and wherever the window ends.
+// the two meet they agree bit by bit. Before it, what the forward pass makes of both is final where
+// that agrees: a machine that speeds up has not met either. So the plan is that of the whole
+// program, however the program arrives and wherever the window ends.
 #pragma once
 
 #include <vector>
@@ -26,12 +27,13 @@ class ReachWindow final : public Window {
 
  private:
   void slow_down(bool ended);
+  std::size_t begin_alike(const std::vector<double>& other) noexcept;
   double reachable_from_rest(std::size_t end);
   void back_from(std::size_t last);
   Reach reach(std::size_t interval) const noexcept;
 
   double q_ = 0;  // at the front node
-  std::vector<SpeedPiece> pieces_;
+  std::vector<SpeedPiece> pieces_, other_pieces_;
 };
 
 }  // namespace softcnc::ipo

@@ -40,12 +40,20 @@ std::deque<TimedBlock> Planner::replan(PartlyPassed rest, const State& now, doub
 
 /// All blocks that have come, with a plan up to the last rest that is sure.
 void Planner::take_back(PartlyPassed& rest) {
+  const bool open = given_ > 0;
   const bool finished = std::exchange(finished_, true);
-  while (auto timed = pop()) rest.blocks.push_back(std::move(*timed));
+  std::deque<TimedBlock> back;
+  while (auto timed = pop()) back.push_back(std::move(*timed));
   finished_ = finished;
-  std::move(pending_.begin(), pending_.end(), std::back_inserter(rest.blocks));
+  std::move(pending_.begin(), pending_.end(), std::back_inserter(back));
   pending_.clear();
+  given_ = 0;
   way_out_.clear();
+  if (open) {
+    rest.blocks.back().profile = std::move(back.front().profile);
+    back.pop_front();
+  }
+  std::move(back.begin(), back.end(), std::back_inserter(rest.blocks));
 }
 
 StopPlan Planner::stop_from(const PartlyPassed& rest, const State& now, double t, Limit as) {

@@ -12,6 +12,7 @@ namespace {
 /// The limits are exceeded by that long at their jerk at most.
 constexpr double kShortest = 1e-7;
 constexpr int kHalvings = 50;
+constexpr double kRounding = 1e-6;  // of a speed
 
 /// Speed and acceleration that are reached, mm/s and mm/s^2, and for how long either is held, s.
 struct Peak {
@@ -33,36 +34,98 @@ Peak without_cruising(double way, const LineLimits& most) {
   return {v, std::sqrt(v * most.j), 0, 0};
 }
 
-Peak peak_of(double way, const LineLimits& most) {
+Peak cruising_peak(const LineLimits& most) {
   const double knee = most.a * most.a / most.j;
   Peak peak{most.v, std::min(most.a, std::sqrt(most.v * most.j)), 0, 0};
   if (most.v > knee + most.a * kShortest)
     peak.hold = (most.v - knee) / most.a;
   else if (most.v > knee)
     peak.v = knee;
+  return peak;
+}
+
+Peak peak_of(double way, const LineLimits& most) {
+  Peak peak = cruising_peak(most);
   peak.cruise = (way - way_of(peak.v, peak.a, most.j)) / peak.v;
   return peak.cruise > kShortest ? peak : without_cruising(way, most);
 }
 
+using Rise = std::array<Ramp, 3>;
+
+/// From rest at 0 to the peak at s_fast mm.
+Rise rise_to(const Peak& peak, double j, double s_fast) {
+  const auto [v, a, hold, cruise] = peak;
+  const double rise = a / j;
+  const double early = 0.5 * a * rise, late = v - early;  // mm/s
+  const double s_early = a * rise * rise / 6;
+  const double s_late = s_early + 0.5 * (early + late) * hold;
+  return {{{0, s_early, rise, 0, early, 0, a, Limit::jerk},
+           {s_early, s_late, hold, early, late, a, a, Limit::acceleration},
+           {s_late, s_fast, rise, late, v, a, 0, Limit::jerk}}};
+}
+
+void append(std::vector<Ramp>& ramps, const Ramp& ramp) {
+  if (ramp.duration > 0) ramps.push_back(ramp);
+}
+
+void append_rise(std::vector<Ramp>& ramps, const Rise& up, double s0) {
+  for (Ramp ramp : up) {
+    ramp.s0 += s0;
+    ramp.s1 += s0;
+    append(ramps, ramp);
+  }
+}
+
+/// Braking is the same backwards.
+void append_fall(std::vector<Ramp>& ramps, const Rise& up, double s1) {
+  for (auto ramp = up.rbegin(); ramp != up.rend(); ++ramp)
+    append(ramps, {s1 - ramp->s1, s1 - ramp->s0, ramp->duration, ramp->v1, ramp->v0, -ramp->a1,
+                   -ramp->a0, ramp->limit});
+}
+
+Ramp cruise(double s0, double s1, double v, Limit limit) {
+  return {s0, s1, (s1 - s0) / v, v, v, 0, 0, limit};
+}
+
 }  // namespace
 
+LineLimits line_limits(const Interval& line, const Cap& cap, const Constraints& constraints) {
+  return {std::sqrt(cap.q) * (1 - kRounding),
+          along(constraints.acceleration_limits(), line.left.dq),
+          along(constraints.jerk_limits(), line.left.dq)};
+}
+
 std::vector<Ramp> rest_to_rest(double s0, double s1, const LineLimits& limits, Limit cruising) {
-  const auto [v, a, hold, cruise] = peak_of(s1 - s0, limits);
-  const double rise = a / limits.j;
-  const double early = 0.5 * a * rise, late = v - early;  // mm/s
-  const double s_early = a * rise * rise / 6;             // mm from s0
-  const double s_late = s_early + 0.5 * (early + late) * hold;
-  const double s_fast = cruise > 0 ? 0.5 * way_of(v, a, limits.j) : 0.5 * (s1 - s0);
-  const std::array<Ramp, 3> up{
-      {{s0, s0 + s_early, rise, 0, early, 0, a, Limit::jerk},
-       {s0 + s_early, s0 + s_late, hold, early, late, a, a, Limit::acceleration},
-       {s0 + s_late, s0 + s_fast, rise, late, v, a, 0, Limit::jerk}}};
-  std::vector<Ramp> ramps(up.begin(), up.end());
-  ramps.push_back({s0 + s_fast, s1 - s_fast, cruise, v, v, 0, 0, cruising});
-  for (auto ramp = up.rbegin(); ramp != up.rend(); ++ramp)  // braking is the same backwards
-    ramps.push_back({s1 - (ramp->s1 - s0), s1 - (ramp->s0 - s0), ramp->duration, ramp->v1, ramp->v0,
-                     -ramp->a1, -ramp->a0, ramp->limit});
-  std::erase_if(ramps, [](const Ramp& ramp) { return ramp.duration == 0; });
+  const Peak peak = peak_of(s1 - s0, limits);
+  const double fast = peak.cruise > 0 ? way_to_cruise(limits) : 0.5 * (s1 - s0);
+  const Rise up = rise_to(peak, limits.j, fast);
+  std::vector<Ramp> ramps;
+  append_rise(ramps, up, s0);
+  append(ramps, {s0 + fast, s1 - fast, peak.cruise, peak.v, peak.v, 0, 0, cruising});
+  append_fall(ramps, up, s1);
+  return ramps;
+}
+
+double way_to_cruise(const LineLimits& limits) {
+  const Peak peak = cruising_peak(limits);
+  return 0.5 * way_of(peak.v, peak.a, limits.j);
+}
+
+std::vector<Ramp> rest_to_cruise(double s0, double s1, const LineLimits& limits, Limit cruising) {
+  const Peak peak = cruising_peak(limits);
+  const double fast = way_to_cruise(limits);
+  std::vector<Ramp> ramps;
+  append_rise(ramps, rise_to(peak, limits.j, fast), s0);
+  append(ramps, cruise(s0 + fast, s1, peak.v, cruising));
+  return ramps;
+}
+
+std::vector<Ramp> cruise_to_rest(double s0, double s1, const LineLimits& limits, Limit cruising) {
+  const Peak peak = cruising_peak(limits);
+  const double fast = way_to_cruise(limits);
+  std::vector<Ramp> ramps;
+  append(ramps, cruise(s0, s1 - fast, peak.v, cruising));
+  append_fall(ramps, rise_to(peak, limits.j, fast), s1);
   return ramps;
 }
 

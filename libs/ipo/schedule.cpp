@@ -147,6 +147,11 @@ Limit limit_along_k(const Reach& reach) {
 double run_straight(const Interval& interval, const Reach& reach, double u, double q,
                     std::vector<SpeedPiece>& out) {
   const double top = reach.inside.q;
+  const double free = q + 2 * u * interval.length();
+  if (free < std::min(top, reach.right_k)) {
+    append(out, {interval.s0, interval.s1, q, free, Limit::acceleration});
+    return free;
+  }
   const double braking = reach.right_k + 2 * u * interval.length();
   const double knee = braking <= top ? interval.s0
                                      : std::clamp(interval.s1 - (top - reach.right_k) / (2 * u),

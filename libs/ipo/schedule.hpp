@@ -19,6 +19,8 @@ struct SpeedPiece {
   double s0 = 0, s1 = 0;  // mm from the start of the move
   double q0 = 0, q1 = 0;  // v^2 at its ends, mm^2/s^2
   Limit limit = Limit::feed;
+
+  bool operator==(const SpeedPiece&) const = default;
 };
 
 /// One interval as the two passes see it.

@@ -40,6 +40,12 @@ constexpr std::string_view name(Method method) noexcept {
   return kMethodNames[static_cast<std::size_t>(method)];
 }
 constexpr bool is_by_pulses(Method method) noexcept { return method >= Method::sam; }
+
+/// Whether each setpoint lies where the plan is at its instant; otherwise a method of the
+/// literature goes its own way through the curve.
+constexpr bool follows_time(Method method) noexcept {
+  return method == Method::arc_length || is_by_pulses(method);
+}
 /// Of a method by pulses.
 constexpr PulseMethod pulse_method(Method method) noexcept {
   return static_cast<PulseMethod>(static_cast<int>(method) - static_cast<int>(Method::sam));

@@ -99,6 +99,22 @@ TEST_CASE("a dry run shows rows as soon as no later line can change them", "[app
   CHECK(talk.status() == 0);
 }
 
+TEST_CASE("a dry run shows the rows of the first line before the second is written",
+          "[apps][stream]") {
+  const std::string jerk = GENERATE("0.0", "50000.0");
+  Talk talk({"run", "-q", "--dry-run", "--set", "axis.x.jerk_mm_s3=" + jerk, "--set",
+             "axis.y.jerk_mm_s3=" + jerk, "-"});
+  talk.say("G01 X10 F600\n");
+  const auto first = talk.hear("0.9,1,1,");
+  CHECK(first.back().find(",feed,") != std::string::npos);
+  talk.say("Y10\n");
+  const auto second = talk.hear("1.9,2,2,");
+  CHECK(second.back().find(",feed,") != std::string::npos);
+  talk.say("M30\n");
+  talk.finish();
+  CHECK(talk.status() == 0);
+}
+
 TEST_CASE("a dry run that waits for its input stops at Ctrl-C", "[apps][stream]") {
   const std::string said = GENERATE("", "G04 P0.01\n", "G01 X10 F600\n");
   Talk talk({"run", "-q", "--dry-run", "-"});

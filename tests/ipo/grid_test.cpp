@@ -64,13 +64,36 @@ TEST_CASE("a jump of curvature keeps both of its sides", "[grid]") {
   CHECK(jump > 5e-5);
 }
 
-TEST_CASE("a line is one interval", "[grid]") {
+TEST_CASE("a short line is one interval", "[grid]") {
   const Machine machine;
-  const auto grid = grid_of(machine, Line({0, 0, 0}, {100, 0, 0}), 100);
+  const auto grid = grid_of(machine, Line({0, 0, 0}, {3, 0, 0}), 100);
   REQUIRE(grid.size() == 1);
-  CHECK(grid[0].length() == 100);
+  CHECK(grid[0].length() == 3);
   CHECK(grid[0].straight());
   CHECK(grid[0].ends_move);
+}
+
+TEST_CASE("a long line has a node from which the machine can rest before what follows is felt",
+          "[grid]") {
+  Machine machine;
+  for (Axis& axis : machine.axes) axis.acceleration = 1000;
+  const double felt = 9 * 100 * machine.control.period;
+  const double braking = 100.0 * 100 / (2 * 1000) + 100 * machine.control.period;
+  for (const double length : {8.0, 100.0}) {
+    const auto grid = grid_of(machine, Line({0, 0, 0}, {length, 0, 0}), 100);
+    REQUIRE(grid.size() == 3);
+    CHECK(grid[0].s0 == 0);
+    CHECK(grid[1].s1 == Approx(length - felt));
+    CHECK(grid[0].s1 == Approx(std::max(grid[1].s1 - braking, grid[1].s1 / 2)));
+    CHECK(grid[2].s1 == length);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(grid[i].straight());
+      CHECK(grid[i].ends_move == (i == 2));
+      if (i > 0) CHECK(grid[i].s0 == grid[i - 1].s1);
+      CHECK(grid[i].left.q == AxisVector(grid[i].s0, 0, 0));
+      CHECK(grid[i].right.q == AxisVector(grid[i].s1, 0, 0));
+    }
+  }
 }
 
 TEST_CASE("an arc of many turns is not taken for a line", "[grid]") {

@@ -328,10 +328,17 @@ TEST_CASE("random programs keep every limit in every row", "[planner][property]"
 TEST_CASE("the plan does not depend on how the blocks arrive", "[planner][property]") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     std::mt19937 random(seed);
-    const Machine machine = machine_with(1000);
-    const auto blocks = random_program(random, 40);
+    Machine machine = machine_with(1000);
+    if (seed % 3 == 0)
+      for (Axis& axis : machine.axes) axis.jerk = 50'000;
+    auto blocks = random_program(random, 40);
+    if (seed % 4 == 0)
+      for (Block& block : blocks) {
+        Move& move = std::get<Move>(block.what);
+        move.corner_tolerance = move.chord_tolerance = 0.02;
+      }
     const auto whole = run(machine, blocks, -1, 0);
-    for (const std::size_t chunk : {1U, 7U}) {
+    for (const std::size_t chunk : {std::size_t{1}, std::size_t{7}, test::kSlowly}) {
       const auto pieces = run(machine, blocks, -1, chunk);
       REQUIRE(pieces.rows.size() == whole.rows.size());
       for (std::size_t i = 0; i < whole.rows.size(); ++i) {
@@ -341,6 +348,52 @@ TEST_CASE("the plan does not depend on how the blocks arrive", "[planner][proper
       }
     }
   }
+}
+
+TEST_CASE("a block that leaves in parts is the block that leaves as a whole", "[planner]") {
+  Machine machine = machine_with(1000);
+  machine.axes[0].jerk = machine.axes[1].jerk = GENERATE(0.0, 50'000.0);
+  const auto blocks =
+      number_blocks({Move{Line({0, 0, 0}, {40, 0, 0}), false, 50, Join::follow},
+                     Move{arc({40, 0, 0}, {40, 0, 0}, {40, 30, 0}, true), false, 50, Join::follow},
+                     Move{Line({40, 0, 0}, {40, 80, 0}), false, 50, Join::follow}});
+  Diagnostics diagnostics;
+  ipo::Planner wholes(machine, 1, diagnostics), parts(machine, 1, diagnostics);
+  for (const Block& block : blocks) wholes.push(block);
+  wholes.finish();
+  ipo::BlockQueue together(0), apart(0);
+  std::size_t continuations = 0;
+  const auto take_parts = [&] {
+    while (auto part = parts.pop_part_now()) {
+      continuations += std::holds_alternative<ipo::Continuation>(*part) ? 1 : 0;
+      apart.push(std::move(*part));
+    }
+  };
+  for (const Block& block : blocks) {
+    parts.push(block);
+    take_parts();
+    CHECK_FALSE(apart.empty());  // at once: each line cruises, the arc is long
+  }
+  parts.finish();
+  take_parts();
+  CHECK(continuations >= 3);
+  while (auto timed = wholes.pop()) together.push(std::move(*timed));
+  CHECK(apart.t_end() == together.t_end());
+  for (; !together.empty(); together.advance(), apart.advance()) {
+    REQUIRE_FALSE(apart.empty());
+    const ipo::TimedBlock &whole = together.front(), &part = apart.front();
+    CHECK(part.block.number == whole.block.number);
+    CHECK(part.t_start == whole.t_start);
+    CHECK(part.s_start == whole.s_start);
+    REQUIRE(part.profile.pieces() == whole.profile.pieces());
+    std::size_t a = 0, b = 0;
+    for (double t = 0; t < whole.profile.duration(); t += 1e-3) {
+      const ipo::State expected = whole.profile.at(t, a), found = part.profile.at(t, b);
+      REQUIRE(found.s == expected.s);
+      REQUIRE(found.v == expected.v);
+    }
+  }
+  CHECK(apart.empty());
 }
 
 TEST_CASE("however long a program, the planner holds a few of its blocks", "[planner][jerk]") {

@@ -69,6 +69,27 @@ TEST_CASE("from rest to rest: any way, in the least time", "[rest_to_rest]") {
       2000);
 }
 
+TEST_CASE("from rest to rest: the beginning and the end alone, joined where it cruises",
+          "[rest_to_rest]") {
+  test::holds(
+      [] {
+        const LineLimits most = random_limits();
+        const double s0 = test::real(0, 100), ramp = way_to_cruise(most);
+        const double way = (2 + test::real(0.1, 3)) * ramp;
+        const double between = s0 + test::real(1, way / ramp - 1) * ramp;
+        RC_PRE(between - s0 >= ramp && s0 + way - between >= ramp);
+        auto ramps = rest_to_cruise(s0, between, most, Limit::feed);
+        RC_ASSERT(ramps.back().s1 == Approx(between));
+        ramps.back().s1 = between;
+        const auto end = cruise_to_rest(between, s0 + way, most, Limit::feed);
+        RC_ASSERT(end.front().v0 == ramps.back().v1);
+        ramps.insert(ramps.end(), end.begin(), end.end());
+        RC_ASSERT(std::abs(duration(ramps) / least_time(way, most) - 1) < 1e-4);
+        check_motion(ramps, s0, s0 + way, most);
+      },
+      2000);
+}
+
 TEST_CASE("from rest to rest: where one kind of motion goes over into the next", "[rest_to_rest]") {
   test::holds([] {
     const LineLimits most{100, 1000, test::real(10'500, 50'000)};  // so that 1000 is held

@@ -57,6 +57,9 @@ inline std::vector<Block> polyline(const std::vector<AxisVector>& points, double
 /// What is asked of the feed, by the number of rows after which it is.
 using Controls = std::map<int, ipo::FeedControl>;
 
+/// A chunk of one block, behind which the next takes so long that all is told that can be.
+inline constexpr std::size_t kSlowly = static_cast<std::size_t>(-1);
+
 /// `chunk`: blocks pushed before the planner is asked; 0: all of them. `visit` sees each row while
 /// its pulses stand.
 inline Run run(const Machine& machine, const std::vector<Block>& blocks, const Controls& controls,
@@ -71,14 +74,18 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
   std::size_t next = 0;
   bool finished = false, stopped = false;
   const auto pump = [&] {
-    if (auto timed = planner.pop()) {
-      timed->profile.for_each_piece(
-          [&](Limit limit, double duration) { result.time_by_limit[limit] += duration; });
-      queue.push(std::move(*timed));
+    if (auto part = chunk == kSlowly ? planner.pop_part_now() : planner.pop_part()) {
+      const auto count = [&](const auto& timed) {
+        timed.profile.for_each_piece(
+            [&](Limit limit, double duration) { result.time_by_limit[limit] += duration; });
+      };
+      std::visit(count, *part);
+      queue.push(std::move(*part));
       return true;
     }
     if (stopped || finished) return false;
-    const std::size_t end = chunk == 0 ? blocks.size() : std::min(blocks.size(), next + chunk);
+    const std::size_t size = chunk == 0 ? blocks.size() : chunk == kSlowly ? 1 : chunk;
+    const std::size_t end = std::min(blocks.size(), next + size);
     while (next < end) planner.push(blocks[next++]);
     finished = next == blocks.size();
     if (finished) planner.finish();
