@@ -70,6 +70,10 @@ class Parser {
 
   Parameters& parameters() noexcept { return parameters_; }
 
+  /// After an error it is not known which lines are executed: from here on an alarm of the program
+  /// is passed over, since it may be that nothing leads to it.
+  void doubt_order() noexcept { order_uncertain_ = true; }
+
   /// Number of the line last read.
   int line() const noexcept { return reader_->line(); }
   /// The text could not be read to its end: that has been reported.
@@ -145,3 +149,5 @@ class Parser {
 };
 
 }  // namespace softcnc::ipr
+  bool strange_ = false;          // the line has a character that nothing begins with
+  bool order_uncertain_ = false;  // which lines are executed

@@ -194,6 +194,10 @@ void Parser::obey_comment(int column) {
 
 /// What stands behind it is not executed, and so not told.
 void Parser::end_by_alarm(int column, int length, std::string message) {
+  if (order_uncertain_) {
+    line_.broken = true;
+    return;
+  }
   report(Code::SC1031, column, length, std::move(message));
   ended_ = broke_off_ = true;
 }
