@@ -6,11 +6,19 @@
 #include <string>
 
 #include "ipr/faults.hpp"
+#include "ipr/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
 constexpr Letters kAfterUnknownCode{"GXYZ"};  // what it would have done is not known
+
+/// What nobody is going to read is read here, to tell what is wrong with it besides.
+void report_twice(const Word& word, Output& out) {
+  out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
+  if (word.letter == 'F' || word.letter == 'S') is_not_negative(out, word);
+  if (word.letter == 'T') whole_number(out, word);
+}
 
 }  // namespace
 
@@ -41,11 +49,12 @@ void Command::read_code(const Word& word, Dialect dialect, Output& out) {
   calls_macro_ = calls_macro(*code);
   if (!has(code->group)) return add(*code, word);
   if (dialect == Dialect::fanuc && put_above(*code, word)) return;
+  if (code->number == kAnyNumber) {
+    uncertain_.add(word.letter);
+    return report_twice(word, out);
+  }
   uncertain_ |= kAfterUnknownCode;
-  if (code->number == kAnyNumber)
-    out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
-  else
-    out.report(Code::SC2002, word.pos, code_name(*code) + " beside another code of the same group");
+  out.report(Code::SC2002, word.pos, code_name(*code) + " beside another code of the same group");
 }
 
 /// Behind G65 and its like only P and L are words of the line's own.
@@ -57,9 +66,8 @@ void Command::read_arguments(std::span<const Word> words, Output& out) {
 
 [[gnu::hot]] void Command::read_value(const Word& word, Output& out) {
   if (values_.has(word.letter)) {
-    out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
     uncertain_.add(word.letter);
-    return;
+    return report_twice(word, out);
   }
   values_.letters_.add(word.letter);
   values_.words_[Values::index(word.letter)] = &word;

@@ -83,7 +83,7 @@ std::optional<Line> Parser::next_line(Read read) {
   line_ = Line{};
   line_.number = reader_->line();
   line_.text = text;
-  given_up_ = false;
+  given_up_ = strange_ = false;
 }
 
 void Parser::read_line(Depth depth) {

@@ -125,8 +125,12 @@ class Parser {
   bool only_line_number() const noexcept;
   void report(Code code, int column, int length, std::string message);
   void report(const std::optional<Fault>& fault);
+  Token pass_number(Lexer& lexer, const Token& number);
+  Token pass_stranger(Lexer& lexer, const Token& stranger);
+  Token go_on_behind(Lexer& lexer);
   void give_up(Code code, const Token& token, std::string message);
   void give_up(const std::optional<Fault>& fault, Lexer& lexer);
+  void lose_words() noexcept;
   void lose_rest() noexcept;
 
   void name_file() noexcept;
@@ -146,8 +150,8 @@ class Parser {
   SourcePos lone_percent_{};  // that ends a program which none has begun; line 0: none
   bool started_ = false, given_up_ = false, ended_ = false, broke_off_ = false;
   bool nul_seen_ = false;
+  bool strange_ = false;          // the line has a character that nothing begins with
+  bool order_uncertain_ = false;  // which lines are executed
 };
 
 }  // namespace softcnc::ipr
-  bool strange_ = false;          // the line has a character that nothing begins with
-  bool order_uncertain_ = false;  // which lines are executed
