@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // --state: what a machine remembers from one program to the next.
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
@@ -98,6 +99,19 @@ TEST_CASE("a state file that is not there yet is noted and begins at 0", "[apps]
                          ": note SC7017: is not there yet: work offsets, tool table and parameters "
                          "begin at 0\n");
   CHECK(folder.files().empty());
+}
+
+TEST_CASE("a state file named by a link that leads nowhere yet is made where it leads",
+          "[apps][state]") {
+  const Folder folder;
+  const std::string link = folder / "link.state", target = folder / "mill.state";
+  std::filesystem::create_symlink("mill.state", link);
+  write(folder / "p.nc", "G10 L2 P1 X3\nM30\n");
+  const std::string run = "run -q " + (folder / "p.nc") + " --state " + link;
+  CHECK(call(run).status == 0);
+  CHECK(std::filesystem::is_symlink(link));
+  CHECK(hal::load_state(target)->work[0].origin.x() == 3);
+  CHECK(call(run + " --report " + target).err.find("name the same file: ") != std::string::npos);
 }
 
 TEST_CASE("a wrong state file is told, and nothing moves, exit status 2", "[apps][state]") {
