@@ -116,13 +116,16 @@ TEST_CASE("a state file named by a link that leads nowhere yet is made where it 
 
 TEST_CASE("a wrong state file is told, and nothing moves, exit status 2", "[apps][state]") {
   const Folder folder;
-  write(folder / "mill.state", "schema = 1\n[work.G54]\nx = 3\n");
+  write(folder / "mill.state", "schema = 1\n[work.G54]\nx = 3\nx_mm = 1e7\n");
   for (const char* command : {"run", "run --dry-run", "check", "blocks", "record -o x.rec"}) {
     CAPTURE(command);
     const Ended ended =
         call(std::string(command) + " $data/square.nc --state " + (folder / "mill.state"));
     CHECK(ended.status == 2);
-    CHECK((ended.out + ended.err).find("mill.state:3:1: error SC7015: ") != std::string::npos);
+    const std::string told = ended.out + ended.err;
+    const std::size_t first = told.find("mill.state:3:1: error SC7015: ");
+    CHECK(first != std::string::npos);
+    CHECK(told.find("mill.state:4:8: error SC7005: ", first) != std::string::npos);
   }
   const Ended nowhere = call("run $data/square.nc --state " + (folder / "no/mill.state"));
   CHECK(nowhere.status == 5);
