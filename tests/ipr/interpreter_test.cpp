@@ -131,6 +131,11 @@ TEST_CASE("words are judged by themselves whatever else is wrong with their line
   CHECK(told("S-1 T1.5 F-2 X1.2.3") ==
         Places{"SC2007 2:1", "SC2007 2:5", "SC2007 2:10", "SC1004 2:15"});
   CHECK(told("F-1 F-2 X1") == Places{"SC2007 2:1", "SC2003 2:5", "SC2007 2:5"});
+  CHECK(told("G10 L2 P99 X1 Q1") == Places{"SC2007 2:8", "SC2004 2:15"});
+  CHECK(told("G10 L5 P1 Q1") == Places{"SC2007 2:5", "SC2004 2:11"});
+  CHECK(told("G10 L5 L2 P99 X1") == Places{"SC2003 2:8"});
+  CHECK(told("G06.4 D-1 J0 H10 L.5 I1") ==
+        Places{"SC3124 2:7", "SC3124 2:11", "SC3124 2:18", "SC2004 2:22"});
   CHECK(told("G04 P-1 Q2") == Places{"SC2007 2:5", "SC2004 2:9"});
   CHECK(told("G02 X9 X8 R5 I5") == Places{"SC2003 2:8", "SC2106 2:11"});
   CHECK(told("G02 X9 R5 R6 I5") == Places{"SC2003 2:11"});
