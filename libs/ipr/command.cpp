@@ -13,11 +13,14 @@ namespace {
 
 constexpr Letters kAfterUnknownCode{"GXYZ"};  // what it would have done is not known
 
-/// What nobody is going to read is read here, to tell what is wrong with it besides.
-void report_twice(const Word& word, Output& out) {
-  out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
+/// Of a word that is not going to act.
+void check_value(const Word& word, Output& out) {
   if (word.letter == 'F' || word.letter == 'S') is_not_negative(out, word);
   if (word.letter == 'T') whole_number(out, word);
+}
+
+void report_twice(const Word& word, Output& out) {
+  out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
 }
 
 }  // namespace
@@ -37,6 +40,19 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
     break;
   }
   if (has(Group::program_number)) check_program_number(line, out);
+  if (!line.doubtful.empty() && !calls_macro_) look_at(line.doubtful, dialect, out);
+}
+
+/// Tells what is wrong with words that are not going to act.
+void Command::look_at(std::span<const Word> words, Dialect dialect, Output& out) {
+  const Command before = *this;
+  for (const Word& word : words) {
+    const std::size_t codes = count_;
+    is_code_letter(word.letter) ? read_code(word, dialect, out) : read_value(word, out);
+    if (count_ > codes) check_value(word, out);
+    if (calls_macro_) break;
+  }
+  *this = before;
 }
 
 void Command::read_code(const Word& word, Dialect dialect, Output& out) {
@@ -51,7 +67,8 @@ void Command::read_code(const Word& word, Dialect dialect, Output& out) {
   if (dialect == Dialect::fanuc && put_above(*code, word)) return;
   if (code->number == kAnyNumber) {
     uncertain_.add(word.letter);
-    return report_twice(word, out);
+    report_twice(word, out);
+    return check_value(word, out);
   }
   uncertain_ |= kAfterUnknownCode;
   out.report(Code::SC2002, word.pos, code_name(*code) + " beside another code of the same group");

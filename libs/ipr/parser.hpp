@@ -28,6 +28,7 @@ struct Line {
   int number = 0;
   std::string_view text;
   std::span<const Word> words;
+  std::span<const Word> doubtful;        // behind what is no word: only looked at
   const Statement* statement = nullptr;  // what it says about the order of lines, if anything
   bool skip = false;                     // begins with '/'
   bool broken = false;                   // reported already; `words` are those that could be read
@@ -88,6 +89,7 @@ class Parser {
   void read_line(Depth depth);
   void read_outline();
   Token pass_slash(Lexer& lexer, const Token& token);
+  void divide_words() noexcept;
   bool is_readable();
   void refuse_file(std::string_view encoding);
   void read_nul(const Token& nul);
@@ -130,6 +132,7 @@ class Parser {
   Token go_on_behind(Lexer& lexer);
   void give_up(Code code, const Token& token, std::string message);
   void give_up(const std::optional<Fault>& fault, Lexer& lexer);
+  bool strange() const noexcept { return trusted_.has_value(); }
   void lose_words() noexcept;
   void lose_rest() noexcept;
 
@@ -150,8 +153,8 @@ class Parser {
   SourcePos lone_percent_{};  // that ends a program which none has begun; line 0: none
   bool started_ = false, given_up_ = false, ended_ = false, broke_off_ = false;
   bool nul_seen_ = false;
-  bool strange_ = false;          // the line has a character that nothing begins with
-  bool order_uncertain_ = false;  // which lines are executed
+  std::optional<std::size_t> trusted_;  // words before something that is none
+  bool order_uncertain_ = false;        // which lines are executed
 };
 
 }  // namespace softcnc::ipr

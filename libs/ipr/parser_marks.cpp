@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What stands on a line and begins no word, and how a wrong line is told.
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -75,14 +76,14 @@ void Parser::report_missing_number(const Token& letter, const Token& instead) {
                        instead.kind != Kind::slash;  // what stands there is told instead
   const std::string_view letters = letters_at(line_.text, letter);
   if (is_name(line_.text, letter, letters)) {
-    if (strange_) return lose_rest();
+    if (strange()) return lose_rest();
     Token whole = letter;
     whole.length = static_cast<int>(letters.size());
     return give_up(Code::SC1020, whole, quoted(letters) + " is no keyword and no function");
   }
   line_.lost.add(letter.letter);
   lose_word_before(letter);
-  if (excused || strange_) return;
+  if (excused || strange()) return;
   const bool zero = letter.letter == 'O' || instead.letter == 'O';
   report(Code::SC1002, letter.column, 1,
          std::string("no number after ") + letter.letter + (zero ? kLetterForDigit : ""));
@@ -136,18 +137,24 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
 }
 
 Token Parser::pass_number(Lexer& lexer, const Token& number) {
-  if (!strange_)
+  if (!strange())
     report(Code::SC1007, number.column, number.length,
            "the number " + quoted(text_of(line_.text, number)) + " has no letter before it");
   lose_words();
   return lexer.next();
 }
 
+void Parser::divide_words() noexcept {
+  const std::size_t trusted = std::min(*trusted_, words_.size());
+  line_.doubtful = line_.words.subspan(trusted);
+  line_.words = line_.words.first(trusted);
+}
+
 /// An unknown character is told where it begins something: it may be one of a word.
 Token Parser::pass_stranger(Lexer& lexer, const Token& stranger) {
   const std::string_view text = text_of(line_.text, stranger);
   const auto before = line_.text.substr(0, static_cast<std::size_t>(stranger.column) - 1);
-  if (!std::exchange(strange_, true) || begins_something(before))
+  if (!strange() || begins_something(before))
     report(Code::SC1001, stranger.column, stranger.length,
            "unknown character " + character_name(text) + meant_by(text, lexer));
   if (text == ",") pass_corner(lexer);
@@ -178,6 +185,11 @@ void Parser::read_nul(const Token& nul) {
 }
 
 Token Parser::read_macro(Lexer& lexer, const Token& mark) {
+  const bool assigns = text_of(line_.text, mark) == "#";
+  if (strange() && !assigns) {
+    lose_rest();
+    return {};
+  }
   const std::string_view text = text_of(line_.text, mark);
   if (text == "#") return read_assignment(lexer, mark);
   if (text == "[")
@@ -226,8 +238,9 @@ bool Parser::goes_on_behind_end() {
 /// '/' or '/2', before or behind the line number.
 Token Parser::read_slash(Lexer& lexer, const Token& slash) {
   if (line_.skip || !only_line_number()) {
-    report(Code::SC1011, slash.column, slash.length,
-           "'/' (block skip) within a line; it stands at its beginning");
+    if (!strange())
+      report(Code::SC1011, slash.column, slash.length,
+             "'/' (block skip) within a line; it stands at its beginning");
     return go_on_behind(lexer);
   }
   const Token after = lexer.next();
@@ -275,6 +288,7 @@ void Parser::lose_rest() noexcept {
 
 /// They can be read, but not trusted.
 void Parser::lose_words() noexcept {
+  if (!strange()) trusted_ = words_.size();
   line_.broken = true;
   line_.lost = kAllLetters;
   if (line_.text.find('=') != std::string_view::npos) parameters_.doubt();

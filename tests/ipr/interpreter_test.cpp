@@ -121,6 +121,12 @@ TEST_CASE("behind an unknown character words are looked at, but nothing it may e
   CHECK(told("? 5 Q") == Places{"SC1001 2:1"});
   CHECK(told("? Q 5 WHILE X1") == Places{"SC1001 2:1"});
   CHECK(told("G01 X1 ,R5 R3 Q--1") == Places{"SC1001 2:8", "SC1003 2:16"});
+  CHECK(told("// a comment") == Places{"SC1011 2:2"});
+  CHECK(told("X1 // 5 ? S-1 S2") ==
+        Places{"SC1011 2:4", "SC1001 2:9", "SC2007 2:11", "SC2003 2:15"});
+  CHECK(told("X1 ? #1=5 Y2 Y3") == Places{"SC1001 2:4"});
+  CHECK(told("X1 ? M99 M30 o1 if [1]") == Places{"SC1001 2:4", "SC2002 2:10"});
+  CHECK(told("M52 P X1 X2") == Places{"SC1002 2:5", "SC2003 2:10"});
   CHECK(told("X1 / 2 Y3 Y4") == Places{"SC1011 2:4", "SC2003 2:11"});
 }
 

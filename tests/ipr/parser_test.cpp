@@ -87,8 +87,8 @@ TEST_CASE("behind a bad number the words of the line are still read", "[ipr][par
   CHECK(parse("G1 X1E5 Y5") == "1!: G1. Y5.\n");
 }
 
-TEST_CASE("behind an unknown character words are read, but the line is broken", "[ipr][parser]") {
-  CHECK(parse("G1 X1 $ Y5\nZ1") == "1!: G1. X1. Y5.\n2: Z1.\n");
+TEST_CASE("behind an unknown character nothing of the line is trusted", "[ipr][parser]") {
+  CHECK(parse("G1 X1 $ Y5\nZ1") == "1!: G1. X1.\n2: Z1.\n");
 }
 
 TEST_CASE("an E apart from the number before it is a word", "[ipr][parser]") {
