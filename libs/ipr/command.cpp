@@ -44,7 +44,7 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
 }
 
 /// Tells what is wrong with words that are not going to act.
-void Command::look_at(std::span<const Word> words, Dialect dialect, Output& out) {
+[[gnu::cold]] void Command::look_at(std::span<const Word> words, Dialect dialect, Output& out) {
   const Command before = *this;
   for (const Word& word : words) {
     const std::size_t codes = count_;
@@ -55,7 +55,8 @@ void Command::look_at(std::span<const Word> words, Dialect dialect, Output& out)
   *this = before;
 }
 
-void Command::read_code(const Word& word, Dialect dialect, Output& out) {
+[[gnu::always_inline]] inline void Command::read_code(const Word& word, Dialect dialect,
+                                                      Output& out) {
   const GCode* code = find_gcode(word.letter, word.value);
   if (code == nullptr) {
     out.report(Code::SC2001, word.pos, code_name(word.letter, word.value) + " is not supported");
