@@ -32,11 +32,35 @@ class SignalWatcher final : public Watcher {
   StopSignals& signals_;
 };
 
+/// Diagnostics on standard output. Text that is told of a stream is shown at once, since what
+/// follows may take long; a document is of use only as a whole.
+class Shown {
+ public:
+  explicit Shown(DiagnosticsFormat format) : text_(format == DiagnosticsFormat::text) {}
+  void write(std::string_view text) {
+    out_.write(text);
+    if (streaming_) out_.flush();
+  }
+  void set_streaming(bool streaming) {
+    streaming_ = streaming && text_;
+    if (streaming_) out_.flush();
+  }
+  bool ok() const noexcept { return out_.ok(); }
+  int finish() { return out_.finish(); }
+
+ private:
+  StandardOutput out_;
+  bool text_;
+  bool streaming_ = false;
+};
+
 /// The files that the program has called are added to `called`.
 int check_program(const std::string& name, const Machine& machine, const ChannelOptions& options,
-                  Messages& messages, Watcher* watcher, std::vector<std::string>& called) {
+                  Shown& out, Messages& messages, Watcher* watcher,
+                  std::vector<std::string>& called) {
   auto program = Program::open(name, Readings::one);
   if (!program) return messages.fail(program.error());
+  out.set_streaming(program->streamed());
   ChannelOptions beside = options;
   beside.interpreter.folder = program->folder();
   const Preflight checked =
@@ -50,8 +74,8 @@ int check_program(const std::string& name, const Machine& machine, const Channel
   return checked.status;
 }
 
-int check_all(const Options& options, const StandardOutput& out, Messages& messages,
-              Watcher* watcher, std::vector<std::string>& called) {
+int check_all(const Options& options, Shown& out, Messages& messages, Watcher* watcher,
+              std::vector<std::string>& called) {
   const auto machine = hal::load_machine(options.machine_file, options.settings);
   if (!machine) return messages.fail(machine.error());
   auto state = open_state(options.state, messages);
@@ -62,8 +86,8 @@ int check_all(const Options& options, const StandardOutput& out, Messages& messa
   int status = 0;
   for (const std::string& name : options.files)
     if (out.ok())
-      status =
-          worse_status(status, check_program(name, *machine, channel, messages, watcher, called));
+      status = worse_status(status,
+                            check_program(name, *machine, channel, out, messages, watcher, called));
   return status;
 }
 
@@ -83,7 +107,7 @@ std::string counts(const Messages& messages) {
 
 /// All files once, in the form asked for. Those that they call are watched, too.
 Checked check_once(const Options& options, Watcher* watcher, FileWatch* changes) {
-  StandardOutput out;
+  Shown out(options.diagnostics);
   const auto write = [&out](std::string_view text) { out.write(text); };
   const auto document = make_document(options.diagnostics, write);
   Messages messages = document ? Messages(*document) : Messages(write, colourful(STDOUT_FILENO));

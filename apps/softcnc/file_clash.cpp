@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "hal/output_file.hpp"
+
 namespace softcnc::app {
 namespace {
 
@@ -18,7 +20,8 @@ struct NamedFile {
 
 std::filesystem::path absolute(const std::string& name) {
   std::error_code error;
-  auto path = std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
+  auto path = std::filesystem::weakly_canonical(
+      std::filesystem::absolute(hal::target_of(name), error), error);
   return error ? std::filesystem::path(name) : path;
 }
 

@@ -3,15 +3,31 @@
 
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "hal/state_file.hpp"
 
 namespace softcnc::app {
 
+namespace {
+
+/// The last fault; those before it are shown.
+Diagnostic last_of(std::vector<Diagnostic>&& faults, Messages& messages) {
+  Diagnostic last = std::move(faults.back());
+  faults.pop_back();
+  for (const Diagnostic& fault : faults) messages.show(fault);
+  return last;
+}
+
+}  // namespace
+
 Result<MachineState> open_state(const std::string& file, Messages& messages) {
   std::error_code ignored;
   if (file.empty()) return MachineState();
-  if (std::filesystem::exists(file, ignored) || ignored) return hal::load_state(file);
+  if (std::filesystem::exists(file, ignored) || ignored) {
+    return hal::load_state(file).map_error(
+        [&](std::vector<Diagnostic>&& faults) { return last_of(std::move(faults), messages); });
+  }
   messages.show({Code::SC7017,
                  {},
                  "is not there yet: work offsets, tool table and parameters begin at 0",

@@ -12,7 +12,7 @@
 namespace softcnc::app {
 
 /// The state in a file; the start state if the name is empty, or there is no such file yet, which
-/// is noted. Errors: those of hal::load_state().
+/// is noted. Errors: those of hal::load_state(), of which all but the last have been shown.
 Result<MachineState> open_state(const std::string& file, Messages& messages);
 
 /// Writes a state back where it has changed.

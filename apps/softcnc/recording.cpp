@@ -155,7 +155,7 @@ Status Recording::read_state() {
   const auto text = zip_.text("state.toml");
   if (!text) return tl::make_unexpected(text.error());
   auto state = hal::parse_state(*text, file_ + ":state.toml");
-  if (!state) return tl::make_unexpected(std::move(state.error()));
+  if (!state) return tl::make_unexpected(std::move(state.error().front()));
   meta_.options.state = std::move(*state);
   return {};
 }

@@ -15,17 +15,17 @@ namespace softcnc::hal {
 namespace {
 
 constexpr mode_t kMode = 0666;  // less the umask
+constexpr int kMostLinks = 40;  // as many as the system follows
 
 tl::unexpected<Diagnostic> failure(Code code, const std::string& file, std::string_view what) {
   return tl::make_unexpected(
       Diagnostic{code, {}, std::string(what) + ": " + std::strerror(errno), file, {}});
 }
 
-/// What a symbolic link points to, otherwise the name itself.
-std::string resolved(const std::string& file) {
-  std::error_code error;
-  const auto target = std::filesystem::canonical(file, error);
-  return error ? file : target.string();
+/// Symbolic links that lead round in a circle, or too many of them.
+bool leads_nowhere(const std::string& file) {
+  struct stat info {};
+  return ::stat(file.c_str(), &info) != 0 && errno == ELOOP;
 }
 
 bool written_directly(const std::string& file) {
@@ -62,8 +62,9 @@ Result<std::unique_ptr<OutputFile>> OutputFile::open(const std::string& file) {
     return std::unique_ptr<OutputFile>(new OutputFile(file, part, target, descriptor));
   };
   if (file == "-") return make({}, {}, ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0));
+  if (leads_nowhere(file)) return failure(Code::SC6011, file, "cannot be created");
   const bool direct = written_directly(file);
-  const std::string target = direct ? file : resolved(file);
+  const std::string target = direct ? file : target_of(file);
   const std::string part = direct ? std::string() : target + ".part";
   const int descriptor =
       direct ? open_for_writing(target, 0) : open_for_writing(part, O_CREAT | O_TRUNC);
@@ -103,9 +104,21 @@ Status OutputFile::failed() const {
   return failure(Code::SC6012, name_, "writing failed");
 }
 
+std::string target_of(const std::string& file) {
+  std::error_code error;
+  if (const auto target = std::filesystem::canonical(file, error); !error) return target;
+  std::filesystem::path name = file;
+  for (int i = 0; i < kMostLinks; ++i) {
+    const auto target = std::filesystem::read_symlink(name, error);
+    if (error) break;
+    name = name.parent_path() / target;
+  }
+  return name;
+}
+
 std::string part_of(const std::string& file) {
   return file.empty() || file == "-" || written_directly(file) ? std::string()
-                                                               : resolved(file) + ".part";
+                                                               : target_of(file) + ".part";
 }
 
 Status write_file(const std::string& file, std::string_view text) {

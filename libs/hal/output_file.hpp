@@ -46,6 +46,10 @@ class OutputFile final : public ByteSink {
   int descriptor_;
 };
 
+/// The file that is made or replaced where this name is written to: at the end of symbolic links,
+/// be it there already or not.
+std::string target_of(const std::string& file);
+
 /// FILE.part, as which `file` is written; empty where it is written directly.
 std::string part_of(const std::string& file);
 

@@ -108,16 +108,19 @@ std::string list(std::span<const std::string_view> words) {
   return text;
 }
 
-/// Collects what a file says. Of several errors the first in the file is told.
+/// Collects what a file says, and all that is wrong with it. In a file of another schema, or of
+/// none, nothing else is wrong: it is another file.
 class StateReader {
  public:
   StateReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
 
-  Result<MachineState> read();
+  StateOrFaults read();
 
  private:
+  void read_schema(const std::vector<TomlEntry>& entries);
+  bool is_within_refused(std::string_view path) const;
   void take(const TomlEntry& entry);
-  void take_schema(const TomlEntry& entry);
+  void take_value(const TomlEntry& entry);
   void take_number(const TomlEntry& entry);
   std::optional<int> word(const TomlEntry& entry, std::span<const std::string_view> words);
   void fail(Code code, const SourcePos& pos, std::string message);
@@ -125,7 +128,7 @@ class StateReader {
   std::string_view text_;
   std::string name_;
   MachineState state_;
-  bool has_schema_ = false;
+  std::string refused_;  // the last table that was
   std::vector<Diagnostic> errors_;
 };
 
@@ -133,25 +136,38 @@ void StateReader::fail(Code code, const SourcePos& pos, std::string message) {
   errors_.push_back({code, pos, std::move(message), name_, text_line(text_, pos.line)});
 }
 
-Result<MachineState> StateReader::read() {
+StateOrFaults StateReader::read() {
   const auto entries = read_toml(text_);
   if (!entries) {
     const Diagnostic& broken = entries.error();
     fail(broken.code == Code::SC7002 ? Code::SC7013 : broken.code, broken.pos, broken.message);
-    return tl::make_unexpected(std::move(errors_.front()));
+    return tl::make_unexpected(std::move(errors_));
   }
-  for (const TomlEntry& entry : *entries) take(entry);
-  if (!has_schema_) fail(Code::SC7016, {}, "is no state file of softcnc: it names no schema");
+  read_schema(*entries);
+  if (errors_.empty())
+    for (const TomlEntry& entry : *entries)
+      if (!is_within_refused(entry.path)) take(entry);
   if (errors_.empty()) return std::move(state_);
-  const auto first = std::min_element(
-      errors_.begin(), errors_.end(), [](const Diagnostic& a, const Diagnostic& b) {
-        return std::tie(a.pos.line, a.pos.column) < std::tie(b.pos.line, b.pos.column);
-      });
-  return tl::make_unexpected(std::move(*first));
+  std::stable_sort(errors_.begin(), errors_.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::tie(a.pos.line, a.pos.column) < std::tie(b.pos.line, b.pos.column);
+  });
+  return tl::make_unexpected(std::move(errors_));
+}
+
+/// What stands in a table that has been refused is not told as well. Tables come before what they
+/// contain.
+bool StateReader::is_within_refused(std::string_view path) const {
+  return !refused_.empty() && without(path, refused_).starts_with('.');
 }
 
 void StateReader::take(const TomlEntry& entry) {
-  if (entry.path == "schema") return take_schema(entry);
+  const std::size_t before = errors_.size();
+  take_value(entry);
+  if (errors_.size() > before && entry.table) refused_ = entry.path;
+}
+
+void StateReader::take_value(const TomlEntry& entry) {
+  if (entry.path == "schema") return;
   if (entry.path == "active") {
     state_.active = word(entry, kWorkNames).value_or(0);
   } else if (entry.path == "g92_in_force") {
@@ -163,11 +179,14 @@ void StateReader::take(const TomlEntry& entry) {
   }
 }
 
-void StateReader::take_schema(const TomlEntry& entry) {
-  has_schema_ = true;
-  const double schema = as_number(entry.value).value_or(0);
+void StateReader::read_schema(const std::vector<TomlEntry>& entries) {
+  const auto entry = std::find_if(entries.begin(), entries.end(),
+                                  [](const TomlEntry& one) { return one.path == "schema"; });
+  if (entry == entries.end())
+    return fail(Code::SC7016, {}, "is no state file of softcnc: it names no schema");
+  const double schema = as_number(entry->value).value_or(0);
   if (schema == kStateSchema) return;
-  fail(Code::SC7016, entry.value_pos,
+  fail(Code::SC7016, entry->value_pos,
        "is a state of schema " + number_text(schema) + "; this version reads schema " +
            std::to_string(kStateSchema));
 }
@@ -223,13 +242,13 @@ std::string tool_text(int number, const ToolOffset& tool) {
 
 }  // namespace
 
-Result<MachineState> load_state(const std::string& file) {
+StateOrFaults load_state(const std::string& file) {
   const auto text = read_text(file, Code::SC7014);
-  if (!text) return tl::make_unexpected(text.error());
+  if (!text) return tl::make_unexpected(std::vector{text.error()});
   return parse_state(*text, file);
 }
 
-Result<MachineState> parse_state(const std::string& text, const std::string& name) {
+StateOrFaults parse_state(const std::string& text, const std::string& name) {
   return StateReader(text, name).read();
 }
 

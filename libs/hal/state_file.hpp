@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "motion/machine_state.hpp"
 #include "motion/result.hpp"
@@ -15,11 +16,14 @@ inline constexpr int kStateSchema = 1;
 /// Numbers of the parameters that a state may hold.
 inline constexpr int kFirstParameter = 31, kLastParameter = 5999;
 
-/// Errors: SC7004 to SC7006, SC7012 to SC7016; the first of the file, with line and column.
-Result<MachineState> load_state(const std::string& file);
+/// A state, or all that is wrong with its file, line by line.
+using StateOrFaults = tl::expected<MachineState, std::vector<Diagnostic>>;
+
+/// Errors: SC7004 to SC7006, SC7012 to SC7016.
+StateOrFaults load_state(const std::string& file);
 
 /// The same for a text that is already in memory; `name` stands for the file in diagnostics.
-Result<MachineState> parse_state(const std::string& text, const std::string& name);
+StateOrFaults parse_state(const std::string& text, const std::string& name);
 
 /// A complete file, the same text for the same state. It reads back bit for bit, but for a rotation
 /// that no number of degrees gives exactly.

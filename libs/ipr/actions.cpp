@@ -18,7 +18,7 @@ void emit_action(Task& task, Action::Kind kind, double value = 0) {
 }
 
 std::optional<int> known_tool(Task& task, const Word& word) {
-  const auto number = whole_number(task, word);
+  const auto number = word.letter == 'T' ? whole_number(task.out, word) : whole_number(task, word);
   if (!number || tools_of(task).find(*number)) return number;
   report_unknown_tool(task, *number, word.pos);
   return std::nullopt;
@@ -73,13 +73,12 @@ void dwell(Task& task) {
         fanuc ? "G04 needs P, the time in milliseconds, or X or U, the time in seconds"
               : "G04 needs P, the time in seconds");
   if (time->value < 0)
-    return task.out.report(
-        Code::SC2007, time->pos,
-        std::string(1, time->letter) + ", the time of G04, must not be negative");
+    return report_words(task, {{&time->letter, 1}}, Code::SC2007, time->pos,
+                        std::string(1, time->letter) + ", the time of G04, must not be negative");
   if (time->value == 0) return;
   if (dwell_time(task, *time) > kLongestDwell)
-    return task.out.report(
-        Code::SC2007, time->pos,
+    return report_words(
+        task, {{&time->letter, 1}}, Code::SC2007, time->pos,
         std::string(1, time->letter) + ", the time of G04, must be 1000000000 s at most");
   check_dwell_unit(task, *time);
   task.out.emit(Dwell{dwell_time(task, *time)});
@@ -88,11 +87,7 @@ void dwell(Task& task) {
 void set_speed(Task& task) {
   const double speed = task.word.value;
   task.modal.uncertain.remove('S');
-  if (speed < 0) {
-    task.out.report(Code::SC2007, task.word.pos, "S must not be negative");
-    task.modal.uncertain.add('S');
-    return;
-  }
+  if (!is_not_negative(task.out, task.word)) return task.modal.uncertain.add('S');
   const Spindle& spindle = task.machine.spindle;
   const double reached = speed == 0 ? 0 : std::clamp(speed, spindle.min_rpm, spindle.max_rpm);
   if (reached != speed && !task.modal.spindle_warned) {

@@ -28,24 +28,29 @@ bool may_pass_over(const Task& task, const PlaneAxes& axes) {
          task.values.letters().has_any(centre.without(std::string_view(&across, 1)));
 }
 
-/// Told apart: centre and radius, neither, or a centre off the plane.
+/// Told apart: centre and radius, or a centre off the plane.
 bool is_well_given(Task& task, const PlaneAxes& axes) {
   const Values& values = task.values;
   const bool radius = values.has('R');
-  const bool centre = values.letters().has_any(kOffsetLetters);
-  const std::string name = code_name(task.code);
   if (radius && task.options.dialect == Dialect::fanuc) return true;
-  if (radius && centre) {
-    task.out.report(Code::SC2106, span_of(values, "IJKR"), name + " takes R or a centre, not both");
-  } else if (!radius && !centre) {
-    task.out.report(Code::SC2107, span_of(values, "XYZP"), name + " needs a centre or R");
+  if (radius && values.letters().has_any(kOffsetLetters)) {
+    report_words(task, "IJKR", Code::SC2106, span_of(values, "IJKR"),
+                 code_name(task.code) + " takes R or a centre, not both");
   } else if (const char across = offset_letter(axes.across);
              values.has(across) && !may_pass_over(task, axes)) {
-    task.out.report(Code::SC2105, values.word(across).pos,
-                    std::string(1, across) + " lies across the plane of the arc");
+    report_words(task, kOffsetLetters, Code::SC2105, values.word(across).pos,
+                 std::string(1, across) + " lies across the plane of the arc");
   } else {
     return true;
   }
+  return false;
+}
+
+bool has_centre_or_radius(Task& task) {
+  const Values& values = task.values;
+  if (values.has('R') || values.letters().has_any(kOffsetLetters)) return true;
+  task.out.report(Code::SC2107, span_of(values, "XYZP"),
+                  code_name(task.code) + " needs a centre or R");
   return false;
 }
 
@@ -120,9 +125,8 @@ int further_turns(Task& task) {
   const Word& word = task.values.word('P');
   if (word.value >= 1 && word.value <= kMostTurns && word.value == std::floor(word.value))
     return static_cast<int>(word.value) - 1;
-  task.out.report(
-      Code::SC2007, word.pos,
-      "P, the turns of an arc, is a whole number from 1 to " + std::to_string(kMostTurns));
+  report_words(task, "P", Code::SC2007, word.pos,
+               "P, the turns of an arc, is a whole number from 1 to " + std::to_string(kMostTurns));
   return 0;
 }
 
@@ -144,7 +148,8 @@ void arc(Task& task, bool ccw) {
   const Letters lost = task.modal.uncertain.without(at_start);
   task.modal.uncertain = at_start;
   const int turns = further_turns(task);
-  if (lost.empty() && has_plane_axes(task, axes) && is_well_given(task, axes) &&
+  const bool well_given = is_well_given(task, axes);
+  if (lost.empty() && has_plane_axes(task, axes) && well_given && has_centre_or_radius(task) &&
       has_near_lengths(task, "IJKR") && lies_in_plane(task) && has_feed(task)) {
     const auto center = task.values.has('R') ? center_by_radius(task, axes, to, ccw)
                                              : center_by_offsets(task, axes);

@@ -47,12 +47,14 @@ void note_switch(Task& task) {
 /// No word of the line leads out of the plane, and one leads to an end.
 bool is_in_plane(Task& task, const PlaneAxes& axes) {
   const Values& values = task.values;
+  bool across = false;
   for (const char letter : {axis_letter(axes.across), offset_letter(axes.across)}) {
     if (!values.has(letter)) continue;
     task.out.report(Code::SC3117, values.word(letter).pos,
                     std::string(1, letter) + " lies across the plane of the curve");
-    return false;
+    across = true;
   }
+  if (across) return false;
   if (values.has(axis_letter(axes.first)) || values.has(axis_letter(axes.second))) return true;
   task.out.report(Code::SC2005, task.word.pos,
                   code_name(task.code) + " needs its end, " + axis_letter(axes.first) + " or " +

@@ -6,11 +6,22 @@
 #include <string>
 
 #include "ipr/faults.hpp"
+#include "ipr/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
 constexpr Letters kAfterUnknownCode{"GXYZ"};  // what it would have done is not known
+
+/// Of a word that is not going to act.
+void check_value(const Word& word, Output& out) {
+  if (word.letter == 'F' || word.letter == 'S') is_not_negative(out, word);
+  if (word.letter == 'T') whole_number(out, word);
+}
+
+void report_twice(const Word& word, Output& out) {
+  out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
+}
 
 }  // namespace
 
@@ -29,9 +40,23 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
     break;
   }
   if (has(Group::program_number)) check_program_number(line, out);
+  if (!line.doubtful.empty() && !calls_macro_) look_at(line.doubtful, dialect, out);
 }
 
-void Command::read_code(const Word& word, Dialect dialect, Output& out) {
+/// Tells what is wrong with words that are not going to act.
+[[gnu::cold]] void Command::look_at(std::span<const Word> words, Dialect dialect, Output& out) {
+  const Command before = *this;
+  for (const Word& word : words) {
+    const std::size_t codes = count_;
+    is_code_letter(word.letter) ? read_code(word, dialect, out) : read_value(word, out);
+    if (count_ > codes) check_value(word, out);
+    if (calls_macro_) break;
+  }
+  *this = before;
+}
+
+[[gnu::always_inline]] inline void Command::read_code(const Word& word, Dialect dialect,
+                                                      Output& out) {
   const GCode* code = find_gcode(word.letter, word.value);
   if (code == nullptr) {
     out.report(Code::SC2001, word.pos, code_name(word.letter, word.value) + " is not supported");
@@ -41,11 +66,13 @@ void Command::read_code(const Word& word, Dialect dialect, Output& out) {
   calls_macro_ = calls_macro(*code);
   if (!has(code->group)) return add(*code, word);
   if (dialect == Dialect::fanuc && put_above(*code, word)) return;
+  if (code->number == kAnyNumber) {
+    uncertain_.add(word.letter);
+    report_twice(word, out);
+    return check_value(word, out);
+  }
   uncertain_ |= kAfterUnknownCode;
-  if (code->number == kAnyNumber)
-    out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
-  else
-    out.report(Code::SC2002, word.pos, code_name(*code) + " beside another code of the same group");
+  out.report(Code::SC2002, word.pos, code_name(*code) + " beside another code of the same group");
 }
 
 /// Behind G65 and its like only P and L are words of the line's own.
@@ -57,9 +84,8 @@ void Command::read_arguments(std::span<const Word> words, Output& out) {
 
 [[gnu::hot]] void Command::read_value(const Word& word, Output& out) {
   if (values_.has(word.letter)) {
-    out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
     uncertain_.add(word.letter);
-    return;
+    return report_twice(word, out);
   }
   values_.letters_.add(word.letter);
   values_.words_[Values::index(word.letter)] = &word;

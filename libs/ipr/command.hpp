@@ -69,6 +69,7 @@ class Command {
  private:
   void read_code(const Word& word, Dialect dialect, Output& out);
   void read_value(const Word& word, Output& out);
+  void look_at(std::span<const Word> words, Dialect dialect, Output& out);
   void read_arguments(std::span<const Word> words, Output& out);
   void check_program_number(const Line& line, Output& out);
   void add(const GCode& code, const Word& word);

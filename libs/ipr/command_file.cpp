@@ -16,8 +16,9 @@ namespace {
 
 using Kind = CommandField::Kind;
 
-constexpr double kShortest = 1e-9;  // mm: a shorter way is none
-constexpr double kFullTurn = 360;   // degrees
+constexpr double kShortest = 1e-9;   // mm: a shorter way is none
+constexpr double kFullTurn = 360;    // degrees
+constexpr double kLeastFeed = 1e-6;  // mm/min
 
 constexpr std::array kRows{
     CommandRow{CommandRow::Kind::line, "l", 2, 3, "dx dy [dz]", "a straight line"},
@@ -112,24 +113,44 @@ bool CommandFile::is_readable() {
 bool CommandFile::split() {
   head_ = {};
   numbers_.clear();
+  countable_ = true;
+  bool good = true;
   CommandLine fields(text_);
   for (CommandField field = fields.next(); field.kind != Kind::end; field = fields.next()) {
-    if (field.kind == Kind::fault) {
-      report(field.fault.code, pos_of(field), std::move(field.fault.message));
-      return false;
-    }
-    if (field.kind == Kind::number) {
-      numbers_.push_back(std::move(field));
-    } else if (head_.kind == Kind::end && numbers_.empty()) {
-      head_ = std::move(field);
-      if (!is_known()) return false;
-    } else {
-      report(Code::SC1053, pos_of(field),
-             quoted(field.name) + " within a line; a command begins one");
-      return false;
-    }
+    good = take(std::move(field)) && good;
+    if (head_.kind == Kind::name && row_ == nullptr) return false;  // the rest is no command's
   }
-  return true;
+  if (!good && countable_ && head_.kind == Kind::name) has_its_numbers(*row_);
+  return good;
+}
+
+/// False, and told, if it is none of a line, or out of its place.
+bool CommandFile::take(CommandField&& field) {
+  if (field.kind == Kind::name) return take_name(std::move(field));
+  if (field.kind == Kind::fault && !field.stands_for_number) {
+    report_stray(field.fault.code, field, std::move(field.fault.message));
+    return false;
+  }
+  const bool good = field.kind == Kind::number;
+  if (!good) report(field.fault.code, pos_of(field), std::move(field.fault.message));
+  numbers_.push_back(std::move(field));
+  return good;
+}
+
+bool CommandFile::take_name(CommandField&& name) {
+  if (head_.kind == Kind::end && numbers_.empty()) {
+    head_ = std::move(name);
+    if (spline_) leave_spline(quoted(head_.name) + " too early");
+    return is_known();
+  }
+  report_stray(Code::SC1053, name, quoted(name.name) + " within a line; a command begins one");
+  return false;
+}
+
+/// What is no number is told once a line: it may be a text.
+void CommandFile::report_stray(Code code, const CommandField& field, std::string message) {
+  if (countable_ || code == Code::SC1009) report(code, pos_of(field), std::move(message));
+  countable_ = false;
 }
 
 bool CommandFile::is_known() {
@@ -141,7 +162,6 @@ bool CommandFile::is_known() {
 }
 
 void CommandFile::read_command() {
-  if (spline_) leave_spline(quoted(head_.name) + " too early");
   pass_numbers_ = !has_its_numbers(*row_);
   if (!pass_numbers_) act(row_->kind);
 }
@@ -178,19 +198,23 @@ void CommandFile::line() {
   AxisVector step = step_at(0);
   if (numbers_.size() > 2) step.z() = number(2);
   if (!has_axes(step) || step.lpNorm<Eigen::Infinity>() < kShortest) return;
-  move(softcnc::Line(position_, position_ + step));
+  if (is_near_enough(position_ + step, whole())) move(softcnc::Line(position_, position_ + step));
 }
 
 void CommandFile::arc_by_center() { arc(position_ + step_at(0), position_ + step_at(2), 0); }
 
 /// Table 6 names the degrees of both ends; they leave the radius open, which therefore follows.
 void CommandFile::arc_by_degrees() {
-  for (std::size_t i = 0; i < 2; ++i)
-    if (std::abs(number(i)) > kFullTurn)
-      return report(Code::SC2007, pos_of(numbers_[i]), "an angle is given as -360 to 360 degrees");
+  bool good = true;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (std::abs(number(i)) <= kFullTurn) continue;
+    report(Code::SC2007, pos_of(numbers_[i]), "an angle is given as -360 to 360 degrees");
+    good = false;
+  }
   const double radius = number(2);
   if (radius <= 0)
-    return report(Code::SC2007, pos_of(numbers_[2]), "the radius of an arc must be above 0");
+    report(Code::SC2007, pos_of(numbers_[2]), "the radius of an arc must be above 0");
+  if (!good || radius <= 0) return;
   double sweep = number(1) - number(0);
   if (!head_.name.ends_with("ccw")) sweep = -sweep;
   while (sweep <= 0) sweep += kFullTurn;
@@ -199,7 +223,7 @@ void CommandFile::arc_by_degrees() {
 }
 
 void CommandFile::arc(const AxisVector& to, const AxisVector& center, int turns) {
-  if (!has_axes({1, 1, 0})) return;
+  if (!has_axes({1, 1, 0}) || !is_near_enough(to, whole())) return;
   const bool ccw = head_.name.ends_with("ccw");
   Result<Arc> made = Arc::make({position_, to, center, Plane::xy, ccw, turns});
   if (made) return move(std::move(*made));
@@ -222,6 +246,10 @@ void CommandFile::set_feed() {
   if (feed <= 0) {
     feed_told_ = true;  // that there is none is a consequence
     return report(Code::SC2007, pos_of(numbers_[0]), "f, the feed in mm/min, must be above 0");
+  }
+  if (feed < mm_s_from_mm_min(kLeastFeed)) {
+    feed_told_ = true;
+    return report(Code::SC2007, pos_of(numbers_[0]), "a feed below 0.000001 mm/min");
   }
   const double limit = machine_.limits.feed;
   feed_ = limit > 0 ? std::min(feed, limit) : feed;
@@ -248,6 +276,13 @@ double CommandFile::cutting_feed() {
   return largest;
 }
 
+/// False, and told, where a place lies too far off to compute with.
+bool CommandFile::is_near_enough(const AxisVector& place, SourcePos pos) {
+  if (is_near(place)) return true;
+  report(Code::SC3008, pos, leads_far(spline_ ? spline_->head.name : head_.name));
+  return false;
+}
+
 /// False, and told, where a step asks for an axis that is not there.
 bool CommandFile::has_axes(const AxisVector& step) {
   for (int i = 0; i < kAxes; ++i) {
@@ -268,6 +303,7 @@ void CommandFile::begin_spline() {
            "s takes the number of its points first, 1 to " + std::to_string(kMaxSplinePoints));
   } else if (has_axes({1, 1, 0})) {
     spline_.emplace();
+    spline_->head = head_;
     spline_->pos = pos_of(head_);
     spline_->text = text_;
     spline_->count = static_cast<std::size_t>(count);
@@ -307,8 +343,10 @@ void CommandFile::add_coordinate(const CommandField& number) {
 /// The first point may be the position itself, or left out.
 void CommandFile::add_point(const AxisVector& step, SourcePos pos) {
   auto& points = spline_->points;
+  const AxisVector point = points.back() + step;
+  if (!is_near_enough(point, pos)) return;
   if (step.norm() >= kSplineSamePoint)
-    points.emplace_back(points.back() + step);
+    points.push_back(point);
   else if (spline_->given > 2)
     report(Code::SC2351, pos, "a point of the spline is the same as the point before it");
 }

@@ -57,6 +57,9 @@ class CommandFile {
   void read_line();
   bool is_readable();
   bool split();
+  bool take(CommandField&& field);
+  bool take_name(CommandField&& name);
+  void report_stray(Code code, const CommandField& field, std::string message);
   bool is_known();
   void read_command();
   bool has_its_numbers(const CommandRow& row);
@@ -72,6 +75,7 @@ class CommandFile {
   void add_point(const AxisVector& step, SourcePos pos);
   void finish_spline();
   void leave_spline(const std::string& how);
+  bool is_near_enough(const AxisVector& place, SourcePos pos);
   void finish();
 
   void arc(const AxisVector& to, const AxisVector& center, int turns);
@@ -94,6 +98,7 @@ class CommandFile {
   CommandField head_;                // its name; Kind::end if it has none
   const CommandRow* row_ = nullptr;  // of the name
   std::vector<CommandField> numbers_;
+  bool countable_ = true;  // nothing stands between them that is no number
   std::optional<CommandSpline> spline_;
   bool pass_numbers_ = false;  // those of a command with an error, on lines of their own
 

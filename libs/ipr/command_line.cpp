@@ -59,6 +59,12 @@ CommandField CommandLine::faulty(std::size_t length, TextFault fault) {
   return faulty;
 }
 
+CommandField CommandLine::faulty_number(std::size_t length, TextFault fault) {
+  CommandField number = faulty(length, std::move(fault));
+  number.stands_for_number = true;
+  return number;
+}
+
 CommandField CommandLine::read_name() {
   const std::string_view rest = line_.substr(at_);
   CommandField name = field(CommandField::Kind::name, run_of(rest, is_letter));
@@ -73,12 +79,12 @@ CommandField CommandLine::read_number_field() {
   if (written.size() < rest.size() && lower(rest[written.size()]) == 'e') {
     const std::size_t exponent = run_of(rest.substr(written.size() + 1), is_number_part);
     const std::string_view whole = rest.substr(0, written.size() + 1 + exponent);
-    return faulty(whole.size(),
-                  {Code::SC1006, quoted(whole) + " has an exponent; write the number out"});
+    return faulty_number(whole.size(),
+                         {Code::SC1006, quoted(whole) + " has an exponent; write the number out"});
   }
   const Number number = read_number(written);
   if (number.fault != NumberFault::none)
-    return faulty(written.size(), number_fault(number.fault, written, "the command"));
+    return faulty_number(written.size(), number_fault(number.fault, written, "the command"));
   CommandField read = field(CommandField::Kind::number, written.size());
   read.value = number.value;
   return read;

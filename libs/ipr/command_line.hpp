@@ -14,11 +14,12 @@ namespace softcnc::ipr {
 struct CommandField {
   enum class Kind : std::uint8_t { end, name, number, fault };
   Kind kind = Kind::end;
-  std::string name;   // in lower case
-  double value = 0;   // of a number
-  int column = 1;     // of the first byte
-  int length = 1;     // bytes
-  TextFault fault{};  // what is wrong here; what follows on the line is not to be trusted
+  std::string name;                // in lower case
+  double value = 0;                // of a number
+  int column = 1;                  // of the first byte
+  int length = 1;                  // bytes
+  TextFault fault{};               // what is wrong here
+  bool stands_for_number = false;  // what cannot be read is one
 };
 
 /// Blanks and commas part fields; `;` and parentheses hold comments.
@@ -36,6 +37,7 @@ class CommandLine {
   CommandField read_number_field();
   CommandField read_fault();
   CommandField faulty(std::size_t length, TextFault fault);
+  CommandField faulty_number(std::size_t length, TextFault fault);
 
   std::string_view line_;
   std::size_t at_ = 0;

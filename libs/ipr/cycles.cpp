@@ -88,10 +88,11 @@ bool has_words(Task& task, const PlaneAxes& axes) {
                     code_name(task.code) + " without a position: X, Y or Z");
     return false;
   }
-  return has(task, words.retract, 'R', "the height to which it retracts") &&
-         has(task, words.bottom, across_letter(axes), "the bottom of the hole") &&
-         (!must_dwell || has(task, words.dwell, 'P', "the time at the bottom")) &&
-         (!pecks(task.code) || has(task, words.peck, 'Q', "the depth of a peck"));
+  bool all = has(task, words.retract, 'R', "the height to which it retracts");
+  all = has(task, words.bottom, across_letter(axes), "the bottom of the hole") && all;
+  if (must_dwell) all = has(task, words.dwell, 'P', "the time at the bottom") && all;
+  if (pecks(task.code)) all = has(task, words.peck, 'Q', "the depth of a peck") && all;
+  return all;
 }
 
 bool refuse(Task& task, Code code, SourcePos pos, std::string message) {
@@ -121,26 +122,38 @@ bool are_near(Task& task, const Holes& holes) {
   return true;
 }
 
-bool is_possible(Task& task, const Holes& holes) {
-  const std::string name = code_name(task.code);
-  if (!are_near(task, holes)) return false;
-  if (holes.dwell < 0)
-    return refuse_once(task, 'P', Code::SC2007, place_of(task, 'P'),
-                       "P, the time at the bottom, must not be negative");
-  if (holes.dwell > kLongestDwell)
-    return refuse_once(task, 'P', Code::SC2007, place_of(task, 'P'),
-                       "P, the time at the bottom, must be 1000000000 s at most");
+bool has_possible_dwell(Task& task, const Holes& holes) {
+  if (holes.dwell >= 0 && holes.dwell <= kLongestDwell) return true;
+  return refuse_once(task, 'P', Code::SC2007, place_of(task, 'P'),
+                     std::string("P, the time at the bottom, must ") +
+                         (holes.dwell < 0 ? "not be negative" : "be 1000000000 s at most"));
+}
+
+bool has_possible_pecks(Task& task, const Holes& holes) {
   if (pecks(task.code) && holes.peck <= 0)
     return refuse_once(task, 'Q', Code::SC2007, place_of(task, 'Q'),
                        "Q, the depth of a peck, must be above 0");
   if (taps(task.code) && task.values.value_or('Q', 0) != 0)
-    return refuse(
-        task, Code::SC2114, place_of(task, 'Q'),
-        name + " with Q is refused: tapping in pecks needs a spindle in step with the axis");
-  if (holes.retract < holes.bottom)
-    return refuse_once(task, 'R', Code::SC2162, place_of(task, 'R'),
-                       "R lies below the bottom of the hole, " + number_text(holes.retract) +
-                           " mm below " + number_text(holes.bottom) + " mm");
+    return refuse(task, Code::SC2114, place_of(task, 'Q'),
+                  code_name(task.code) +
+                      " with Q is refused: tapping in pecks needs a spindle in step with the axis");
+  return true;
+}
+
+bool lies_above_bottom(Task& task, const Holes& holes) {
+  if (holes.retract >= holes.bottom) return true;
+  return refuse_once(task, 'R', Code::SC2162, place_of(task, 'R'),
+                     "R lies below the bottom of the hole, " + number_text(holes.retract) +
+                         " mm below " + number_text(holes.bottom) + " mm");
+}
+
+bool is_possible(Task& task, const Holes& holes) {
+  const std::string name = code_name(task.code);
+  if (!are_near(task, holes)) return false;
+  bool possible = has_possible_dwell(task, holes);
+  possible = has_possible_pecks(task, holes) && possible;
+  possible = lies_above_bottom(task, holes) && possible;
+  if (!possible) return false;
   const double each = pecks(task.code) ? (holes.retract - holes.bottom) / holes.peck : 1;
   if (each * holes.count > kMostPecks)
     return refuse(task, Code::SC2007, task.word.pos,

@@ -50,10 +50,15 @@ std::optional<Line> Flow::next() {
 /// What cannot be read may have begun or ended something.
 void Flow::doubt(const Line& line) {
   if (line.statement == nullptr && !looks_like_statement(line.text)) return;
-  uncertain_ = true;
+  doubt_order();
   if (line.statement != nullptr || lost_o_words_.size() > kMostLost) return;
   for (const char c : line.text)
     if (!is_blank(c)) lost_o_words_ += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+void Flow::doubt_order() noexcept {
+  uncertain_ = true;
+  parser_.doubt_order();
 }
 
 /// True if the line has words as well.
@@ -154,7 +159,8 @@ void Flow::report(Code code, SourcePos pos, std::string message) {
 
 /// For what may follow from an earlier error of its kind.
 void Flow::report_once(Code code, SourcePos pos, std::string message, std::string_view text) {
-  if (!std::exchange(uncertain_, true)) diagnostics_.report(code, pos, std::move(message), text);
+  if (!uncertain_) diagnostics_.report(code, pos, std::move(message), text);
+  doubt_order();
 }
 
 void Flow::break_off(Code code, SourcePos pos, std::string message, std::string_view text) {

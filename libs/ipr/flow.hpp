@@ -104,9 +104,11 @@ class Flow {
     Spot spot;
     std::size_t level = 0;  // of calls
   };
+  static constexpr std::size_t kMostLandings = 32;
 
   // flow.cpp
   void doubt(const Line& line);
+  void doubt_order() noexcept;
   bool obey(const Line& line);
   void take(const Line& line);
   void obey();
@@ -144,7 +146,8 @@ class Flow {
   void close_within(const Open& open, bool tell);
   void tell_open(const Open& open);
   void tell_not_begun();
-  bool has_jumped_into(Kind begin);
+  const Landing* jump_into(Kind begin);
+  bool leads_into(const Landing& landing, Kind begin, const Spot& here);
   bool is_open_already();
   void pass_top();
   bool pass_to_end(const Open& open);
@@ -173,14 +176,14 @@ class Flow {
   std::vector<Call> calls_;  // the main program first
   std::vector<Open> opens_;  // of all calls
   std::optional<Jump> jump_;
-  std::optional<Landing> landing_;  // of the last jump
-  Statement statement_;             // in work
-  std::string text_;                // of its line, or of the one that asked for a jump
-  Spot head_;                       // before it
-  bool uncertain_ = false;          // what is open is not known after an error
-  std::string lost_o_words_;        // text of lines that could not be read: labels may stand there
-  Spot before_;                     // before the line that pass_to() has found
-  bool new_round_ = false;          // the next line is the head of the loop on top
+  std::vector<Landing> landings_;  // of the last jumps, the latest last
+  Statement statement_;            // in work
+  std::string text_;               // of its line, or of the one that asked for a jump
+  Spot head_;                      // before it
+  bool uncertain_ = false;         // what is open is not known after an error
+  std::string lost_o_words_;       // text of lines that could not be read: labels may stand there
+  Spot before_;                    // before the line that pass_to() has found
+  bool new_round_ = false;         // the next line is the head of the loop on top
   bool ended_ = false, broken_ = false;
   int program_line_ = 0;                                // of the main program's own O
   std::int64_t executed_ = 0;                           // lines

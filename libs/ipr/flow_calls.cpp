@@ -242,7 +242,7 @@ bool Flow::is_misspelt(int number, const Spot& here) {
     go(here);
     return false;
   }
-  uncertain_ = true;
+  doubt_order();
   go(before_.place.line < here.place.line ? here : before_);
   return true;
 }
@@ -274,8 +274,13 @@ void Flow::go_back(const Spot& from, const Spot& to, const SourcePos& pos) {
   if (go(to)) land(pos);
 }
 
+/// Remembered once for each jump, with where it has led to last.
 void Flow::land(const SourcePos& pos) {
-  landing_ = Landing{pos, text_, library_.here(), calls_.size()};
+  std::erase_if(landings_, [&](const Landing& one) {
+    return one.pos.line == pos.line && one.pos.file == pos.file && one.level == calls_.size();
+  });
+  if (landings_.size() == kMostLandings) landings_.erase(landings_.begin());
+  landings_.push_back({pos, text_, library_.here(), calls_.size()});
 }
 
 }  // namespace softcnc::ipr

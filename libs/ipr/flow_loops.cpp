@@ -127,13 +127,20 @@ void Flow::tell_open(const Open& open) {
               open.text);
 }
 
-/// Whether the last jump has led from outside to between the beginning and the end in work.
-bool Flow::has_jumped_into(Kind begin) {
-  if (!landing_ || landing_->level != calls_.size()) return false;
+/// The last jump from outside to between the beginning and the end in work; nullptr if there was
+/// none.
+const Flow::Landing* Flow::jump_into(Kind begin) {
   const Spot here = library_.here();
-  const int last = landing_->spot.place.line;
+  const auto found = std::find_if(landings_.rbegin(), landings_.rend(),
+                                  [&](const Landing& one) { return leads_into(one, begin, here); });
+  return found == landings_.rend() ? nullptr : &*found;
+}
+
+bool Flow::leads_into(const Landing& landing, Kind begin, const Spot& here) {
+  if (landing.level != calls_.size() || landing.spot.file != here.file) return false;
+  const int last = landing.spot.place.line;
   int begun = 0;  // the line of the beginning that has no end before the landing
-  if (landing_->spot.file != here.file || !go(calls_.back().sub.begin)) return false;
+  if (!go(calls_.back().sub.begin)) return false;
   pass_to([&](const Line& line) {
     const bool behind = line.number > last;
     if (!behind && line.statement && line.statement->label == statement_.label) {
@@ -142,17 +149,17 @@ bool Flow::has_jumped_into(Kind begin) {
     }
     return behind;
   });
-  const int from = landing_->pos.line;
+  const int from = landing.pos.line;
   return go(here) && begun > 0 && (from < begun || from > here.place.line);
 }
 
 void Flow::tell_not_begun() {
   const Kind begin = begin_of(statement_.kind);
-  if (!uncertain_ && has_jumped_into(begin))
-    return report_once(Code::SC2304, landing_->pos,
+  if (const Landing* jump = uncertain_ ? nullptr : jump_into(begin))
+    return report_once(Code::SC2304, jump->pos,
                        "the jump leads past " + spelled(begin, statement_.label) + " to before " +
                            spelled(statement_.kind, statement_.label),
-                       landing_->text);
+                       jump->text);
   report_once(
       Code::SC2304, statement_.pos,
       spelled(statement_.kind, statement_.label) + " without " + spelled(begin, statement_.label),

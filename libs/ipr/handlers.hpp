@@ -230,8 +230,15 @@ void begin_motion(Task& task);
 /// Reports, or only mutes the line if the error may come from an earlier one.
 void report_if_certain(Task& task, Letters depends_on, Code code, SourcePos pos,
                        std::string message);
+/// Reports what is wrong with these words and no others, whatever else the line says, but where an
+/// error leaves open what they are, or whose.
+void report_words(Task& task, Letters words, Code code, SourcePos pos, std::string message);
 /// The value as a whole number from 0; otherwise told, and nothing.
 std::optional<int> whole_number(Task& task, const Word& word);
+/// The same of a word that is a code, whatever else the line says.
+std::optional<int> whole_number(Output& out, const Word& word);
+/// False, and told, whatever else the line says, if the value is negative.
+bool is_not_negative(Output& out, const Word& word);
 /// The value as a whole number of nine digits at most; nothing where it is none, or below `least`.
 std::optional<int> whole_from(double least, double value) noexcept;
 /// From the first to the last of these words.

@@ -119,7 +119,7 @@ bool Interpreter::tell_restored(const Line& next) {
   if (!modal_.curve && !modal_.points) command_.add_lone_letters(options_.dialect);
   check_axes();
   if (command_.has(Group::non_modal) || command_.has(Group::tool_length)) check_axis_codes();
-  if (!line.broken && !out_.failed()) check_unused();
+  if (!command_.uncertain().has_any("GM")) check_unused();
   if (line.broken || out_.failed()) out_.mute();
   execute();
   remember_uncertain();

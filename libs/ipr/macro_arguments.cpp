@@ -43,11 +43,13 @@ std::optional<std::vector<double>> macro_arguments(Task& task) {
   std::vector<double> values;
   Numbering numbering;
   Letters seen;
+  bool good = true;
   for (const Word& word : task.command.arguments()) {
     if (word.letter == 'P' || word.letter == 'L') continue;
     if (seen.has(word.letter) && !Letters("IJK").has(word.letter)) {
       task.out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
-      return std::nullopt;
+      good = false;
+      continue;
     }
     seen.add(word.letter);
     const int number = numbering.number(word.letter);
@@ -56,13 +58,15 @@ std::optional<std::vector<double>> macro_arguments(Task& task) {
                       number == 0
                           ? std::string(1, word.letter) + " is no argument of G65"
                           : "one argument too many: there is no local #" + std::to_string(number));
-      return std::nullopt;
+      good = false;
+      if (number == 0) continue;
+      break;  // so are those behind it
     }
     const auto index = static_cast<std::size_t>(number) - 1;
     if (index >= values.size()) values.resize(index + 1, kVacant);
     values[index] = word.value;
   }
-  return values;
+  return good ? std::optional(std::move(values)) : std::nullopt;
 }
 
 }  // namespace softcnc::ipr

@@ -21,9 +21,9 @@ double tolerance(Task& task, char letter, double otherwise) {
   const Word& word = task.values.word(letter);
   const double given = word.value * task.modal.mm_per_unit;
   if (given >= 0 && is_near(given)) return given;
-  task.out.report(Code::SC2007, word.pos,
-                  std::string(1, letter) + ", a tolerance of G64, must " +
-                      (given < 0 ? "not be negative" : "be 1000000 mm at most"));
+  report_words(task, {{&letter, 1}}, Code::SC2007, word.pos,
+               std::string(1, letter) + ", a tolerance of G64, must " +
+                   (given < 0 ? "not be negative" : "be 1000000 mm at most"));
   return otherwise;
 }
 
@@ -98,8 +98,8 @@ void select_feed_mode(Task& task) {
 }
 
 void refuse_surface_speed(Task& task) {
-  task.out.report(Code::SC2221, task.word.pos,
-                  "G96 needs work that turns: on a mill no radius is known");
+  task.out.report_by_itself(Code::SC2221, task.word.pos,
+                            "G96 needs work that turns: on a mill no radius is known");
   task.out.mute();
   task.modal.uncertain.add('S');
 }
@@ -120,11 +120,7 @@ void set_feed(Task& task) {
   Modal& modal = task.modal;
   modal.uncertain.remove('F');
   modal.feed = modal.feed_word = 0;
-  if (task.word.value < 0) {
-    task.out.report(Code::SC2007, task.word.pos, "F must not be negative");
-    modal.uncertain.add('F');
-    return;
-  }
+  if (!is_not_negative(task.out, task.word)) return modal.uncertain.add('F');
   const double length = task.word.value * modal.mm_per_unit;
   if (modal.feed_mode == FeedMode::per_minute)
     modal.feed = held_feed(task, mm_s_from_mm_min(length));

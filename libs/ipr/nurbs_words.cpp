@@ -201,13 +201,14 @@ bool has_words_of_first(Task& task, const PendingCurve& curve) {
   Letters first = kSurfaceWords;
   const bool again = curve.repeats && values.has('P') && values['P'] == curve.order_word;
   if (!again) first.add('P');
+  bool told = false;
   for (const char letter : std::string_view("PDJHL")) {
     if (!first.has(letter) || !values.has(letter)) continue;
     task.out.report(Code::SC3110, values.word(letter).pos,
                     std::string(1, letter) + " belongs to the first block of the curve");
-    return true;
+    told = true;
   }
-  return false;
+  return told;
 }
 
 void read_block(Task& task, PendingCurve& curve) {

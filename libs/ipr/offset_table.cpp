@@ -29,8 +29,8 @@ bool lacks(Task& task, Letters letters) {
   bool good = true;
   for (const char letter : {'X', 'Y', 'Z', 'R'}) {
     if (!letters.has(letter) || !task.values.has(letter)) continue;
-    task.out.report(Code::SC2004, task.values.word(letter).pos,
-                    std::string(1, letter) + " is not used by " + form(task));
+    report_words(task, "L", Code::SC2004, task.values.word(letter).pos,
+                 std::string(1, letter) + " is not used by " + form(task));
     good = false;
   }
   return good;
@@ -41,9 +41,9 @@ std::optional<int> read_p(Task& task, int first, int last, std::string_view what
   if (!needs(task, "P", "P, " + std::string(what))) return std::nullopt;
   const auto number = whole_number(task, task.values.word('P'));
   if (!number || (*number >= first && *number <= last)) return number;
-  task.out.report(Code::SC2007, task.values.word('P').pos,
-                  form(task) + " takes P from " + std::to_string(first) + " to " +
-                      std::to_string(last) + ", " + std::string(what));
+  report_words(task, "LP", Code::SC2007, task.values.word('P').pos,
+               form(task) + " takes P from " + std::to_string(first) + " to " +
+                   std::to_string(last) + ", " + std::string(what));
   return std::nullopt;
 }
 
@@ -170,9 +170,9 @@ bool write_compensation(Task& task, int table) {
 }
 
 bool refuse_form(Task& task) {
-  task.out.report(Code::SC2007, task.values.word('L').pos,
-                  is_fanuc(task) ? "G10 takes L1, L2, L10, L11, L12 or L13"
-                                 : "G10 takes L1, L2, L10, L11 or L20");
+  report_words(task, "L", Code::SC2007, task.values.word('L').pos,
+               is_fanuc(task) ? "G10 takes L1, L2, L10, L11, L12 or L13"
+                              : "G10 takes L1, L2, L10, L11 or L20");
   return false;
 }
 

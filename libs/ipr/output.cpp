@@ -40,7 +40,10 @@ std::optional<AxisVector> Output::stop_compensation() {
 }
 
 void Output::report(Code code, SourcePos pos, std::string message) {
-  if (muted_) return;
+  if (!muted_) report_by_itself(code, pos, std::move(message));
+}
+
+void Output::report_by_itself(Code code, SourcePos pos, std::string message) {
   if (code_info(code).severity == Severity::error) failed_ = true;
   diagnostics_.report(code, pos, std::move(message), text_);
 }

@@ -27,6 +27,8 @@ class Output {
 
   /// Reports with the text of the line, unless the line is muted. An error makes the line fail.
   void report(Code code, SourcePos pos, std::string message);
+  /// What is wrong with one word, whatever else the line says: told on a muted line as well.
+  void report_by_itself(Code code, SourcePos pos, std::string message);
   /// For a place on an earlier line, on which this one does not depend: it does not fail.
   void report(Code code, SourcePos pos, std::string message, std::string_view source_line);
 

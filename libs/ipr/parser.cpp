@@ -84,6 +84,7 @@ std::optional<Line> Parser::next_line(Read read) {
   line_.number = reader_->line();
   line_.text = text;
   given_up_ = false;
+  trusted_.reset();
 }
 
 void Parser::read_line(Depth depth) {
@@ -93,6 +94,7 @@ void Parser::read_line(Depth depth) {
   read_words();
   if (!assignments_.empty()) apply_assignments();
   line_.words = words_;
+  if (strange()) divide_words();
 }
 
 bool Parser::is_readable() {

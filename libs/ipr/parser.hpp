@@ -28,6 +28,7 @@ struct Line {
   int number = 0;
   std::string_view text;
   std::span<const Word> words;
+  std::span<const Word> doubtful;        // behind what is no word: only looked at
   const Statement* statement = nullptr;  // what it says about the order of lines, if anything
   bool skip = false;                     // begins with '/'
   bool broken = false;                   // reported already; `words` are those that could be read
@@ -70,6 +71,10 @@ class Parser {
 
   Parameters& parameters() noexcept { return parameters_; }
 
+  /// After an error it is not known which lines are executed: from here on an alarm of the program
+  /// is passed over, since it may be that nothing leads to it.
+  void doubt_order() noexcept { order_uncertain_ = true; }
+
   /// Number of the line last read.
   int line() const noexcept { return reader_->line(); }
   /// The text could not be read to its end: that has been reported.
@@ -84,6 +89,7 @@ class Parser {
   void read_line(Depth depth);
   void read_outline();
   Token pass_slash(Lexer& lexer, const Token& token);
+  void divide_words() noexcept;
   bool is_readable();
   void refuse_file(std::string_view encoding);
   void read_nul(const Token& nul);
@@ -121,8 +127,13 @@ class Parser {
   bool only_line_number() const noexcept;
   void report(Code code, int column, int length, std::string message);
   void report(const std::optional<Fault>& fault);
+  Token pass_number(Lexer& lexer, const Token& number);
+  Token pass_stranger(Lexer& lexer, const Token& stranger);
+  Token go_on_behind(Lexer& lexer);
   void give_up(Code code, const Token& token, std::string message);
   void give_up(const std::optional<Fault>& fault, Lexer& lexer);
+  bool strange() const noexcept { return trusted_.has_value(); }
+  void lose_words() noexcept;
   void lose_rest() noexcept;
 
   void name_file() noexcept;
@@ -142,6 +153,8 @@ class Parser {
   SourcePos lone_percent_{};  // that ends a program which none has begun; line 0: none
   bool started_ = false, given_up_ = false, ended_ = false, broke_off_ = false;
   bool nul_seen_ = false;
+  std::optional<std::size_t> trusted_;  // words before something that is none
+  bool order_uncertain_ = false;        // which lines are executed
 };
 
 }  // namespace softcnc::ipr

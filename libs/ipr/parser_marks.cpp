@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What stands on a line and begins no word, and how a wrong line is told.
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -41,6 +42,17 @@ std::string meant_by(std::string_view mark, Lexer lexer) {
   return corner ? "; chamfers and roundings within a line are not supported" : "";
 }
 
+/// Behind a blank or a value.
+bool begins_something(std::string_view before) {
+  return before.empty() || is_blank(before.back()) || is_number_part(before.back()) ||
+         before.back() == ']' || before.back() == ')';
+}
+
+/// The letter of FANUC's ,C and ,R.
+void pass_corner(Lexer& lexer) {
+  if (lexer.peek() == 'C' || lexer.peek() == 'R') lexer.pass();
+}
+
 }  // namespace
 
 /// `X1E5`: an E right behind a number was meant as its exponent.
@@ -64,13 +76,14 @@ void Parser::report_missing_number(const Token& letter, const Token& instead) {
                        instead.kind != Kind::slash;  // what stands there is told instead
   const std::string_view letters = letters_at(line_.text, letter);
   if (is_name(line_.text, letter, letters)) {
+    if (strange()) return lose_rest();
     Token whole = letter;
     whole.length = static_cast<int>(letters.size());
     return give_up(Code::SC1020, whole, quoted(letters) + " is no keyword and no function");
   }
   line_.lost.add(letter.letter);
   lose_word_before(letter);
-  if (excused) return;
+  if (excused || strange()) return;
   const bool zero = letter.letter == 'O' || instead.letter == 'O';
   report(Code::SC1002, letter.column, 1,
          std::string("no number after ") + letter.letter + (zero ? kLetterForDigit : ""));
@@ -99,15 +112,13 @@ void Parser::report_number(const Token& letter, const Token& number) {
 
 /// Whatever does not begin a word.
 Token Parser::read_mark(Lexer& lexer, const Token& mark) {
-  const std::string_view text = text_of(line_.text, mark);
   switch (mark.kind) {
     case Token::Kind::percent:
       return read_percent(lexer, mark);
     case Token::Kind::slash:
       return read_slash(lexer, mark);
     case Token::Kind::number:
-      give_up(Code::SC1007, mark, "the number " + quoted(text) + " has no letter before it");
-      break;
+      return pass_number(lexer, mark);
     case Token::Kind::macro:
       return read_macro(lexer, mark);
     case Token::Kind::open_comment:
@@ -120,10 +131,44 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
       read_nul(mark);
       break;
     default:
-      give_up(Code::SC1001, mark,
-              "unknown character " + character_name(text) + meant_by(text, lexer));
-      break;
+      return pass_stranger(lexer, mark);
   }
+  return {};
+}
+
+Token Parser::pass_number(Lexer& lexer, const Token& number) {
+  if (!strange())
+    report(Code::SC1007, number.column, number.length,
+           "the number " + quoted(text_of(line_.text, number)) + " has no letter before it");
+  lose_words();
+  return lexer.next();
+}
+
+void Parser::divide_words() noexcept {
+  const std::size_t trusted = std::min(*trusted_, words_.size());
+  line_.doubtful = line_.words.subspan(trusted);
+  line_.words = line_.words.first(trusted);
+}
+
+/// An unknown character is told where it begins something: it may be one of a word.
+Token Parser::pass_stranger(Lexer& lexer, const Token& stranger) {
+  const std::string_view text = text_of(line_.text, stranger);
+  const auto before = line_.text.substr(0, static_cast<std::size_t>(stranger.column) - 1);
+  if (!strange() || begins_something(before))
+    report(Code::SC1001, stranger.column, stranger.length,
+           "unknown character " + character_name(text) + meant_by(text, lexer));
+  if (text == ",") pass_corner(lexer);
+  return go_on_behind(lexer);
+}
+
+/// What the line asks for is not known any more, but its other words are looked at. Returns the
+/// next of them: a value belongs to what stands before it.
+Token Parser::go_on_behind(Lexer& lexer) {
+  lose_words();
+  Token next = lexer.next();
+  if (next.kind == Token::Kind::number) next = lexer.next();
+  if (next.kind != Token::Kind::macro) return next;
+  lose_rest();
   return {};
 }
 
@@ -140,6 +185,11 @@ void Parser::read_nul(const Token& nul) {
 }
 
 Token Parser::read_macro(Lexer& lexer, const Token& mark) {
+  const bool assigns = text_of(line_.text, mark) == "#";
+  if (strange() && !assigns) {
+    lose_rest();
+    return {};
+  }
   const std::string_view text = text_of(line_.text, mark);
   if (text == "#") return read_assignment(lexer, mark);
   if (text == "[")
@@ -187,11 +237,13 @@ bool Parser::goes_on_behind_end() {
 
 /// '/' or '/2', before or behind the line number.
 Token Parser::read_slash(Lexer& lexer, const Token& slash) {
-  const Token after = lexer.next();
   if (line_.skip || !only_line_number()) {
-    give_up(Code::SC1011, slash, "'/' (block skip) within a line; it stands at its beginning");
-    return after;
+    if (!strange())
+      report(Code::SC1011, slash.column, slash.length,
+             "'/' (block skip) within a line; it stands at its beginning");
+    return go_on_behind(lexer);
   }
+  const Token after = lexer.next();
   line_.skip = true;
   if (options_.block_skip) {
     words_.clear();
@@ -230,7 +282,14 @@ void Parser::give_up(const std::optional<Fault>& fault, Lexer& lexer) {
 }
 
 void Parser::lose_rest() noexcept {
-  line_.broken = given_up_ = true;
+  given_up_ = true;
+  lose_words();
+}
+
+/// They can be read, but not trusted.
+void Parser::lose_words() noexcept {
+  if (!strange()) trusted_ = words_.size();
+  line_.broken = true;
   line_.lost = kAllLetters;
   if (line_.text.find('=') != std::string_view::npos) parameters_.doubt();
 }

@@ -92,7 +92,7 @@ Token Parser::pass_slash(Lexer& lexer, const Token& token) {
 
 /// False: what follows the O is not a statement, or one that is a word too.
 bool Parser::read_o_word(Lexer& lexer, const Token& letter) {
-  if (!only_line_number()) return false;
+  if (strange() || !only_line_number()) return false;
   StatementReader reader(lexer, parameters_, statement_, depth_);
   const Found found = reader.read_o_word({line_.number, letter.column, letter.length});
   note(reader.other_value());
@@ -104,7 +104,7 @@ bool Parser::read_o_word(Lexer& lexer, const Token& letter) {
 
 /// IF, WHILE and the like: returns what is to be read behind it. Nothing: there is no such keyword.
 std::optional<Token> Parser::read_keyword(Lexer& lexer, const Token& letter) {
-  if (!only_line_number()) return std::nullopt;
+  if (strange() || !only_line_number()) return std::nullopt;
   Lexer ahead = lexer;
   ahead.back_to(letter);
   StatementReader reader(ahead, parameters_, statement_, depth_);
@@ -155,7 +155,8 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
   }
   report(expression.fault());
   if (is_uncertain(value) || !variable) line_.broken = true;
-  if (assignable) assign(std::move(*variable), within_limit(*variable, value, at));
+  const double kept = assignable ? within_limit(*variable, value, at) : kUncertain;
+  if (assignable) assign(std::move(*variable), strange() ? kUncertain : kept);
   if (!variable) parameters_.doubt();
   return lexer.next();
 }
@@ -194,6 +195,10 @@ void Parser::obey_comment(int column) {
 
 /// What stands behind it is not executed, and so not told.
 void Parser::end_by_alarm(int column, int length, std::string message) {
+  if (order_uncertain_ || strange()) {
+    line_.broken = true;
+    return;
+  }
   report(Code::SC1031, column, length, std::move(message));
   ended_ = broke_off_ = true;
 }

@@ -75,14 +75,15 @@ bool keep_offset(Task& task, char letter, double& offset, double wanted) {
 }
 
 bool has_near_lengths(Task& task, std::string_view letters) {
+  bool near = true;
   for (const char letter : letters) {
     if (!task.values.has(letter)) continue;
     if (std::abs(task.values[letter] * task.modal.mm_per_unit) <= kLongest) continue;
     task.out.report(Code::SC3008, task.values.word(letter).pos,
                     std::string(1, letter) + " is" + beyond(kLongest));
-    return false;
+    near = false;
   }
-  return true;
+  return near;
 }
 
 }  // namespace softcnc::ipr

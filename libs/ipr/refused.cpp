@@ -8,7 +8,8 @@ namespace softcnc::ipr {
 namespace {
 
 void report(Task& task, const std::string& why) {
-  task.out.report(Code::SC2114, task.word.pos, code_name(task.code) + " is refused: " + why);
+  report_words(task, "P", Code::SC2114, task.word.pos,
+               code_name(task.code) + " is refused: " + why);
 }
 
 }  // namespace

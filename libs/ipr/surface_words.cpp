@@ -52,9 +52,9 @@ double read_length(Task& task, char letter, const char* what, double mm_per_unit
   const Word& word = task.values.word(letter);
   const double length = word.value * mm_per_unit;
   if (length > 0 && is_near(length)) return length;
-  task.out.report(Code::SC3124, word.pos,
-                  std::string(1, letter) + ", " + what + ", must be " +
-                      (length > 0 ? "1000000 mm at most" : "above 0"));
+  report_words(task, {{&letter, 1}}, Code::SC3124, word.pos,
+               std::string(1, letter) + ", " + what + ", must be " +
+                   (length > 0 ? "1000000 mm at most" : "above 0"));
   return 0;
 }
 
@@ -74,7 +74,8 @@ int read_teeth(Task& task) {
   }
   const Word& word = task.values.word('L');
   if (const auto teeth = whole_from(1, word.value)) return *teeth;
-  task.out.report(Code::SC3124, word.pos, "L, the number of teeth, is a whole number from 1");
+  report_words(task, "L", Code::SC3124, word.pos,
+               "L, the number of teeth, is a whole number from 1");
   return 0;
 }
 
@@ -111,8 +112,8 @@ std::optional<double> read_slope_across(Task& task) {
   if (!task.values.has('Q')) return 0;
   const Word& word = task.values.word('Q');
   if (word.value >= 0 && word.value < 90) return rad_from_deg(word.value);
-  task.out.report(Code::SC3124, word.pos,
-                  "Q, the largest slope across the feed, is from 0 to below 90 degrees");
+  report_words(task, "Q", Code::SC3124, word.pos,
+               "Q, the largest slope across the feed, is from 0 to below 90 degrees");
   return std::nullopt;
 }
 

@@ -219,13 +219,40 @@ std::optional<int> whole_from(double least, double value) noexcept {
   return whole ? std::optional(static_cast<int>(value)) : std::nullopt;
 }
 
+namespace {
+
+std::string takes_whole_number(const Word& word) {
+  return std::string(1, word.letter) + " takes a whole number " +
+         (word.value > kLargestWhole ? "up to 999999999" : "from 0");
+}
+
+}  // namespace
+
+std::optional<int> whole_number(Output& out, const Word& word) {
+  const auto number = whole_from(0, word.value);
+  if (!number) out.report_by_itself(Code::SC2007, word.pos, takes_whole_number(word));
+  return number;
+}
+
 std::optional<int> whole_number(Task& task, const Word& word) {
   const auto number = whole_from(0, word.value);
   if (!number)
-    task.out.report(Code::SC2007, word.pos,
-                    std::string(1, word.letter) + " takes a whole number " +
-                        (word.value > kLargestWhole ? "up to 999999999" : "from 0"));
+    report_words(task, {{&word.letter, 1}}, Code::SC2007, word.pos, takes_whole_number(word));
   return number;
+}
+
+bool is_not_negative(Output& out, const Word& word) {
+  if (word.value >= 0) return true;
+  out.report_by_itself(Code::SC2007, word.pos,
+                       std::string(1, word.letter) + " must not be negative");
+  return false;
+}
+
+void report_words(Task& task, Letters words, Code code, SourcePos pos, std::string message) {
+  Letters uncertain = task.command.uncertain();
+  uncertain |= task.modal.words_of_left_curve;
+  if (uncertain.has('G') || uncertain.has_any(words)) return task.out.mute();
+  task.out.report_by_itself(code, pos, std::move(message));
 }
 
 SourcePos span_of(const Values& values, std::string_view letters) noexcept {

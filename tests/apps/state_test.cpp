@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // --state: what a machine remembers from one program to the next.
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
@@ -100,15 +101,31 @@ TEST_CASE("a state file that is not there yet is noted and begins at 0", "[apps]
   CHECK(folder.files().empty());
 }
 
+TEST_CASE("a state file named by a link that leads nowhere yet is made where it leads",
+          "[apps][state]") {
+  const Folder folder;
+  const std::string link = folder / "link.state", target = folder / "mill.state";
+  std::filesystem::create_symlink("mill.state", link);
+  write(folder / "p.nc", "G10 L2 P1 X3\nM30\n");
+  const std::string run = "run -q " + (folder / "p.nc") + " --state " + link;
+  CHECK(call(run).status == 0);
+  CHECK(std::filesystem::is_symlink(link));
+  CHECK(hal::load_state(target)->work[0].origin.x() == 3);
+  CHECK(call(run + " --report " + target).err.find("name the same file: ") != std::string::npos);
+}
+
 TEST_CASE("a wrong state file is told, and nothing moves, exit status 2", "[apps][state]") {
   const Folder folder;
-  write(folder / "mill.state", "schema = 1\n[work.G54]\nx = 3\n");
+  write(folder / "mill.state", "schema = 1\n[work.G54]\nx = 3\nx_mm = 1e7\n");
   for (const char* command : {"run", "run --dry-run", "check", "blocks", "record -o x.rec"}) {
     CAPTURE(command);
     const Ended ended =
         call(std::string(command) + " $data/square.nc --state " + (folder / "mill.state"));
     CHECK(ended.status == 2);
-    CHECK((ended.out + ended.err).find("mill.state:3:1: error SC7015: ") != std::string::npos);
+    const std::string told = ended.out + ended.err;
+    const std::size_t first = told.find("mill.state:3:1: error SC7015: ");
+    CHECK(first != std::string::npos);
+    CHECK(told.find("mill.state:4:8: error SC7005: ", first) != std::string::npos);
   }
   const Ended nowhere = call("run $data/square.nc --state " + (folder / "no/mill.state"));
   CHECK(nowhere.status == 5);

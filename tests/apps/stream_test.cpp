@@ -115,6 +115,48 @@ TEST_CASE("a dry run shows the rows of the first line before the second is writt
   CHECK(talk.status() == 0);
 }
 
+TEST_CASE("check tells what is wrong with a line before the next one is written",
+          "[apps][stream]") {
+  Talk talk({"check", "-"});
+  talk.say("G01 X1 Q3 F600\n");
+  CHECK(talk.hear("<stdin>:1:8: error SC2004: ").size() == 1);
+  talk.hear("      | ");
+  talk.say("G00 X5\nY2000\n");
+  CHECK(talk.hear("<stdin>:3:1: error SC4001: ").size() == 1);
+  talk.hear("      | ");
+  talk.say("(nothing)\nG02 X3\nM30\n");
+  CHECK(talk.hear("<stdin>:5:5: error SC2107: ").size() == 1);
+  talk.hear("      | ");
+  CHECK(talk.finish().empty());
+  CHECK(talk.status() == 1);
+}
+
+TEST_CASE("a warning of check does not wait for an error", "[apps][stream]") {
+  Talk talk({"check", "-"});
+  talk.say("G01 X1 F99999\n");
+  talk.hear("<stdin>:1:8: warning SC2201: ");
+  talk.hear("      | ");
+  talk.say("M30\n");
+  CHECK(talk.finish().empty());
+  CHECK(talk.status() == 0);
+}
+
+TEST_CASE("check tells the same of a pipe as of a file", "[apps][stream]") {
+  const Folder folder;
+  write(folder / "p.nc", "G01 X1 Q3 F99999\nY2000\nG02 X3\n#1=\nX1 X2\n");
+  for (const char* form : {"text", "json", "sarif"}) {
+    CAPTURE(form);
+    const std::string check = std::string("check --diagnostics ") + form;
+    std::string file = call(check + " " + (folder / "p.nc")).out;
+    const std::string piped = shell("cat " + (folder / "p.nc") + " | $softcnc " + check + " -").out;
+    const std::string name = folder / "p.nc";
+    for (std::size_t at = 0; (at = file.find(name, at)) != std::string::npos;)
+      file.replace(at, name.size(), "<stdin>");
+    CHECK(!piped.empty());
+    if (std::string(form) != "sarif") CHECK(piped == file);
+  }
+}
+
 TEST_CASE("a dry run that waits for its input stops at Ctrl-C", "[apps][stream]") {
   const std::string said = GENERATE("", "G04 P0.01\n", "G01 X10 F600\n");
   Talk talk({"run", "-q", "--dry-run", "-"});

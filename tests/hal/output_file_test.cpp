@@ -53,6 +53,32 @@ TEST_CASE("a symbolic link is written through", "[hal][output]") {
   CHECK(test::read(folder / "target") == "new");
 }
 
+TEST_CASE("a symbolic link to a file that is not there yet is written through", "[hal][output]") {
+  const test::Folder folder;
+  fs::create_symlink("second", folder / "first");
+  fs::create_symlink(folder / "target", folder / "second");
+  REQUIRE(write_file(folder / "first", "new"));
+  CHECK(fs::is_symlink(folder / "first"));
+  CHECK(fs::is_symlink(folder / "second"));
+  CHECK(test::read(folder / "target") == "new");
+}
+
+TEST_CASE("a symbolic link to nowhere is told and stays", "[hal][output]") {
+  const test::Folder folder;
+  fs::create_symlink("no/such/folder", folder / "lost");
+  fs::create_symlink("circle", folder / "circle");
+  const auto lost = write_file(folder / "lost", "x"), circle = write_file(folder / "circle", "x");
+  REQUIRE_FALSE(lost);
+  REQUIRE_FALSE(circle);
+  CHECK(render(lost.error()) ==
+        (folder / "lost") + ": error SC6011: cannot be created: No such file or directory\n");
+  CHECK(render(circle.error()) == (folder / "circle") +
+                                      ": error SC6011: cannot be created: Too many levels of "
+                                      "symbolic links\n");
+  CHECK(fs::is_symlink(folder / "lost"));
+  CHECK(fs::is_symlink(folder / "circle"));
+}
+
 TEST_CASE("a file that cannot be created says why", "[hal][output]") {
   const auto missing = OutputFile::open("no/such/folder/out.csv");
   REQUIRE_FALSE(missing);

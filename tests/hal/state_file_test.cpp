@@ -35,10 +35,15 @@ MachineState full_state(std::mt19937& random) {
   return state;
 }
 
-std::string refused(const std::string& text) {
-  const auto state = parse_state("schema = 1\n" + text, "mill.state");
+std::string told(const StateOrFaults& state) {
   REQUIRE_FALSE(state);
-  return render(state.error());
+  std::string text;
+  for (const Diagnostic& fault : state.error()) text += render(fault);
+  return text;
+}
+
+std::string refused(const std::string& text) {
+  return told(parse_state("schema = 1\n" + text, "mill.state"));
 }
 
 }  // namespace
@@ -134,17 +139,40 @@ TEST_CASE("what is wrong with a state file is told with its place", "[hal][state
             .starts_with("mill.state:2:16: error SC7004: g92_in_force takes one of 'no', 'yes'\n"));
   CHECK(refused("[g28\n").starts_with("mill.state:2:5: error SC7013: not TOML: "));
   CHECK(refused("[g28]\nx_mm = 1\nx_mm = 2\n").find("error SC7012: ") != std::string::npos);
-  CHECK(render(parse_state("", "mill.state").error()) ==
+  CHECK(told(parse_state("", "mill.state")) ==
         "mill.state: error SC7016: is no state file of softcnc: it names no schema\n");
-  CHECK(render(parse_state("schema = 2\n", "mill.state").error())
+  CHECK(told(parse_state("schema = 2\n", "mill.state"))
             .starts_with("mill.state:1:10: error SC7016: is a state of schema 2; this version "
                          "reads schema 1\n"));
-  CHECK(render(load_state("no/such.state").error()) ==
+  CHECK(told(load_state("no/such.state")) ==
         "no/such.state: error SC7014: cannot be read: No such file or directory\n");
 }
 
-TEST_CASE("of several errors the first of the file is told", "[hal][state]") {
-  CHECK(refused("[work.G54]\ny = 3\n[g28]\nb = 1\n").find("'work.G54.y'") != std::string::npos);
+TEST_CASE("all errors of a state file are told, by their lines", "[hal][state]") {
+  CHECK(refused("[work.G54]\ny = 3\nx_mm = 1\nz_mm = 1e7\n[g28]\nx_mm = \"a\"\n") ==
+        "mill.state:3:1: error SC7015: unknown key 'work.G54.y'\n"
+        "    3 | y = 3\n      | ^\n"
+        "mill.state:5:8: error SC7005: work.G54.z_mm must be from -1e+06 to 1e+06, not 1e+07\n"
+        "    5 | z_mm = 1e7\n      |        ^~~\n"
+        "mill.state:7:8: error SC7004: g28.x_mm takes a number\n"
+        "    7 | x_mm = \"a\"\n      |        ^~~\n");
+}
+
+TEST_CASE("what stands in a table that is refused is not told as well", "[hal][state]") {
+  CHECK(refused("[work.G60]\nx_mm = 3\ny = 4\n[work.G600]\n[g92]\nq = 1\n") ==
+        "mill.state:2:7: error SC7015: unknown key 'work.G60'\n"
+        "    2 | [work.G60]\n      |       ^~~\n"
+        "mill.state:5:7: error SC7015: unknown key 'work.G600'\n"
+        "    5 | [work.G600]\n      |       ^~~~\n"
+        "mill.state:7:1: error SC7015: unknown key 'g92.q'\n"
+        "    7 | q = 1\n      | ^\n");
+}
+
+TEST_CASE("of a file of another schema nothing else is told", "[hal][state]") {
+  CHECK(told(parse_state("axis = 3\nperiod = \"a\"\n", "mill.state")) ==
+        "mill.state: error SC7016: is no state file of softcnc: it names no schema\n");
+  CHECK(told(parse_state("schema = 2\nnew = 3\n", "mill.state")).find("SC7015") ==
+        std::string::npos);
 }
 
 TEST_CASE("a crash in the middle of writing leaves a whole state", "[hal][state]") {

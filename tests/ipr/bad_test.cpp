@@ -361,6 +361,7 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC3006, "knot 1 stands 3 times in a row; at most 2 can be here"},
     {Code::SC3007, "R, the weight of a control point, must be above 0"},
     {Code::SC3008, "X leads to a place beyond 1000000 mm"},
+    {Code::SC3008, "l leads to a place beyond 1000000 mm"},
     {Code::SC3008, "X gives an offset beyond 1000000 mm"},
     {Code::SC3008, "R is beyond 1000000000 mm"},
     {Code::SC3008, "R turns the work system by more than 36000 degrees"},

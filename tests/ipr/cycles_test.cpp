@@ -56,7 +56,7 @@ TEST_CASE("words stay in force with their cycle", "[ipr][cycles]") {
         "R1,0,20 R1,0,1 F1,0,-5 D1 R1,0,1 R2,0,1 F2,0,-5 D1 R2,0,1 R3,0,1 F3,0,-5 D2 R3,0,1 ");
   CHECK(way("G81 X1 Z-5 R1\nG81 X2\nZ-6") ==
         "R1,0,20 R1,0,1 F1,0,-5 R1,0,1 R2,0,1 F2,0,-5 R2,0,1 F2,0,-6 R2,0,1 ");
-  CHECK(told("F1 G81 X1 Z-5 R1\nG82 X6 P1") == Places{"SC2005 2:1"});
+  CHECK(told("F1 G81 X1 Z-5 R1\nG82 X6 P1") == Places{"SC2005 2:1", "SC2005 2:1"});
 }
 
 TEST_CASE("repeats step on in G91, whose R counts from the start and Z from R", "[ipr][cycles]") {
@@ -138,8 +138,10 @@ TEST_CASE("FANUC keeps the words of a row from cycle to cycle", "[ipr][cycles][f
         "R1,1,20 R1,1,2 F1,1,-5 R1,1,20 R2,1,20 R2,1,2 F2,1,-5 D0.5 R2,1,20 ");
   CHECK(way("G99 G81 X1 Z-5 R2\nG85 X3", Dialect::fanuc) ==
         "R1,0,20 R1,0,2 F1,0,-5 R1,0,2 R3,0,2 F3,0,-5 F3,0,2 ");
-  CHECK(told("F1 G81 X1 Z-5 R1\nG82 X6\nG80\nG82 X7", Dialect::fanuc) == Places{"SC2005 4:1"});
-  CHECK(told("F1 G81 X1 Z-5 R1\nG0 Z9\nG82 X7", Dialect::fanuc) == Places{"SC2005 3:1"});
+  CHECK(told("F1 G81 X1 Z-5 R1\nG82 X6\nG80\nG82 X7", Dialect::fanuc) ==
+        Places{"SC2005 4:1", "SC2005 4:1"});
+  CHECK(told("F1 G81 X1 Z-5 R1\nG0 Z9\nG82 X7", Dialect::fanuc) ==
+        Places{"SC2005 3:1", "SC2005 3:1"});
   CHECK(told("F1 G76 X1 Z-5 R1 Q1\nG81 X2\nX3", Dialect::fanuc) == Places{"SC2161 1:4"});
 }
 

@@ -260,6 +260,30 @@ TEST_CASE("a condition that fails in a later round is told there, once", "[ipr][
         Told{"4:13 SC1021 division by zero", "5:5 SC1001 unknown character '?'"});
 }
 
+TEST_CASE("an alarm to which an error may have led is not told", "[ipr][flow]") {
+  CHECK(told("#1=[1/0]\no1 if [#1 GT 2]\n(ABORT,too large)\no1 endif\nG0 X--1\nM2") ==
+        Told{"1:7 SC1021 division by zero", "5:5 SC1003 a sign inside the number '--1'"});
+  CHECK(told("#1=[1/0]\nIF [#1 GT 2] GOTO 9\nG0 X--1\nN9 #3000=1 (LARGE)\nM30", Dialect::fanuc) ==
+        Told{"1:7 SC1021 division by zero", "3:5 SC1003 a sign inside the number '--1'"});
+  CHECK(told("o1 if [1/0]\n#2=1\no1 endif\no2 if [#2 EQ 1]\n(ABORT,it is)\no2 endif\nM2") ==
+        Told{"1:10 SC1021 division by zero"});
+}
+
+TEST_CASE("an alarm to which no error has led is told, and ends the program", "[ipr][flow]") {
+  CHECK(told("#1=[1/0]\nG0 X#1\n(ABORT,as always)\nG0 X--1\nM2") ==
+        Told{"1:7 SC1021 division by zero", "3:1 SC1031 the program aborts: as always"});
+}
+
+TEST_CASE("a jump into a loop is told at the jump, however often it jumps within", "[ipr][flow]") {
+  const std::string loop =
+      "WHILE [#1 LT 9] DO 1\nN5 #1=#1+1\nIF [#1 LT 4] GOTO 5\nIF [#1 LT 6] GOTO 6\nN6 #2=0\n"
+      "END 1\nM30";
+  const Told jump{"2:1 SC2304 the jump leads past 'DO 1' to before 'END 1'"};
+  CHECK(told("#1=0\nGOTO 5\n" + loop, Dialect::fanuc) == jump);
+  CHECK(told("#1=0\nGOTO 6\n" + loop, Dialect::fanuc) == jump);
+  CHECK(told("#1=0\n" + loop, Dialect::fanuc).empty());
+}
+
 TEST_CASE("an alarm of FANUC that cannot be read is told", "[ipr][flow]") {
   CHECK(told("#3000\nM30", Dialect::fanuc) ==
         Told{"1:5 SC1028 '=' and a value is expected at the end of the line"});

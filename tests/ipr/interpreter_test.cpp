@@ -108,6 +108,60 @@ TEST_CASE("modes of a bad line hold, so that the lines behind it are read by the
   CHECK(last_end(result).x() == Approx(50.8));
 }
 
+TEST_CASE("behind an unknown character words are looked at, but nothing it may explain is told",
+          "[ipr]") {
+  const auto told = [](const std::string& line) {
+    return places(interpret("G00 F100\n" + line + "\nM30\n"));
+  };
+  CHECK(told("X1 \u00e4 Y2 Y3") == Places{"SC1001 2:4", "SC2003 2:10"});
+  CHECK(told("X1 \u00e4 Y--2 G48") == Places{"SC1001 2:4", "SC1003 2:8", "SC2001 2:12"});
+  CHECK(told("X1,5 Y2,5 Y7") == Places{"SC1001 2:3", "SC1001 2:8", "SC2003 2:11"});
+  CHECK(told("X1 gr\u00f6\u00dfe l\u00e4nge") == Places{"SC1002 2:4", "SC1001 2:6"});
+  CHECK(told("\u00d75 X1 \u00d7[1+2] [") == Places{"SC1001 2:1", "SC1001 2:8"});
+  CHECK(told("? 5 Q") == Places{"SC1001 2:1"});
+  CHECK(told("? Q 5 WHILE X1") == Places{"SC1001 2:1"});
+  CHECK(told("G01 X1 ,R5 R3 Q--1") == Places{"SC1001 2:8", "SC1003 2:16"});
+  CHECK(told("// a comment") == Places{"SC1011 2:2"});
+  CHECK(told("X1 // 5 ? S-1 S2") ==
+        Places{"SC1011 2:4", "SC1001 2:9", "SC2007 2:11", "SC2003 2:15"});
+  CHECK(told("X1 ? #1=5 Y2 Y3") == Places{"SC1001 2:4"});
+  CHECK(told("X1 ? M99 M30 o1 if [1]") == Places{"SC1001 2:4", "SC2002 2:10"});
+  CHECK(told("M52 P X1 X2") == Places{"SC1002 2:5", "SC2003 2:10"});
+  CHECK(told("X1 / 2 Y3 Y4") == Places{"SC1011 2:4", "SC2003 2:11"});
+}
+
+TEST_CASE("words are judged by themselves whatever else is wrong with their line", "[ipr]") {
+  const auto told = [](const std::string& line) {
+    return places(interpret("G00 F100\n" + line + "\nM30\n"));
+  };
+  CHECK(told("S-1 T1.5 F-2 X1.2.3") ==
+        Places{"SC2007 2:1", "SC2007 2:5", "SC2007 2:10", "SC1004 2:15"});
+  CHECK(told("F-1 F-2 X1") == Places{"SC2007 2:1", "SC2003 2:5", "SC2007 2:5"});
+  CHECK(told("G10 L2 P99 X1 Q1") == Places{"SC2007 2:8", "SC2004 2:15"});
+  CHECK(told("G10 L5 P1 Q1") == Places{"SC2007 2:5", "SC2004 2:11"});
+  CHECK(told("G10 L5 L2 P99 X1") == Places{"SC2003 2:8"});
+  CHECK(told("G06.4 D-1 J0 H10 L.5 I1") ==
+        Places{"SC3124 2:7", "SC3124 2:11", "SC3124 2:18", "SC2004 2:22"});
+  CHECK(told("G04 P-1 Q2") == Places{"SC2007 2:5", "SC2004 2:9"});
+  CHECK(told("G02 X9 X8 R5 I5") == Places{"SC2003 2:8", "SC2106 2:11"});
+  CHECK(told("G02 X9 R5 R6 I5") == Places{"SC2003 2:11"});
+  CHECK(told("G02 X9 R5 I5 G48") == Places{"SC2001 2:14"});
+  CHECK(told("G02 X9 I5 K5 P.5") == Places{"SC2105 2:11", "SC2007 2:14"});
+  CHECK(told("G02 X9 Q5") == Places{"SC2004 2:8"});
+}
+
+TEST_CASE("all words that a code lacks, or cannot take, are told", "[ipr]") {
+  const auto told = [](const std::string& line) {
+    return places(interpret("G00 F100\n" + line + "\nM30\n"));
+  };
+  CHECK(told("G83 X1 Q1") == Places{"SC2005 2:1", "SC2005 2:1"});
+  CHECK(told("G83 X1 Z-5 R-9 Q0") == Places{"SC2162 2:12", "SC2007 2:16"});
+  CHECK(told("G65 P7 A1 A2 N5") == Places{"SC2003 2:11", "SC2311 2:14"});
+  CHECK(told("G05 X1 Y1 I1 J1 P1 Q1 Z3 K2") == Places{"SC3117 2:23", "SC3117 2:26"});
+  CHECK(told("G02 X1 I[10**300] J[10**300]") == Places{"SC3008 2:8", "SC3008 2:19"});
+  CHECK(told("G06.2 P2 K0 X0\nK0 X1 P3 D1\nK1\nK1") == Places{"SC3110 3:7", "SC3110 3:10"});
+}
+
 TEST_CASE("what an error has left uncertain is not held against later lines", "[ipr]") {
   CHECK(places(interpret("G01 F1.2.3 X1\nX2\nG02 X4 I1\nM30\n")) == Places{"SC1004 1:6"});
   CHECK(places(interpret("G0.0.1 X1\nX2 Y3\nX3 I2 J1\nM30\n")) == Places{"SC1004 1:2"});
