@@ -67,6 +67,7 @@ double BendPieces::next_hat() const {
   for (std::size_t i = passed_; i < bends_.size(); ++i) {
     const Turn& turn = bends_[i].turn;
     if (has_hat(turn) && turn.end > t_ + kSamePlace) next = std::min(next, turn.begin);
+    if (next <= t_) break;  // there is a hat here
   }
   return next;
 }
