@@ -31,6 +31,12 @@ void BendPieces::add_vertex(double t, const AxisVector& point, double deviation)
   vertices_.push_back({t, point, deviation, std::max(before, deviation)});
 }
 
+void BendPieces::add(const Bend& bend) {
+  const double before = bends_.empty() ? bend.turn.end : bends_.back().furthest;
+  bends_.push_back(bend);
+  bends_.back().furthest = std::max(before, bend.turn.end);
+}
+
 void BendPieces::end() {
   ended_ = true;
   emit(bends_.back().turn.t);
@@ -61,6 +67,7 @@ double BendPieces::next_hat() const {
   for (std::size_t i = passed_; i < bends_.size(); ++i) {
     const Turn& turn = bends_[i].turn;
     if (has_hat(turn) && turn.end > t_ + kSamePlace) next = std::min(next, turn.begin);
+    if (next <= t_) break;  // there is a hat here
   }
   return next;
 }

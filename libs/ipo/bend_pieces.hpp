@@ -18,6 +18,7 @@ struct Bend {
   AxisVector direction = AxisVector::Zero();  // by t, of the line behind
   double deviation = 0;                       // mm: of that line from the programmed ones
   Manner manner;
+  double furthest = 0;  // where the last of this hat and all before it ends: BendPieces::add()
 };
 
 class BendPieces {
@@ -30,7 +31,7 @@ class BendPieces {
   void add_vertex(double t, const AxisVector& point, double deviation);
   void add_mark(double t, const Mark& mark) { marks_.push_back({t, mark}); }
   /// In the order of their places; the first and the last one are the ends of the path.
-  void add(const Bend& bend) { bends_.push_back(bend); }
+  void add(const Bend& bend);
   /// No hat that is still to be added begins before `until`.
   void emit(double until);
   /// There are no more bends.

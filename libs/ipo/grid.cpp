@@ -10,6 +10,8 @@ namespace {
 
 constexpr int kMaxDepth = 40;
 constexpr double kStepParts = 8;
+constexpr double kHalfParts = 4;  // a curve is so many times nearer to its chord over half the way
+constexpr double kFreeSteps = 2;  // times the cap: longer steps bind nowhere between three looks
 constexpr double kEvenSteps = 0.01;   // of their q
 constexpr double kShortest = 1e-7;    // mm; shorter than any machine resolves
 constexpr int kLooks = 16;            // at a cap that holds everywhere, between two nodes
@@ -81,6 +83,9 @@ void keep_everywhere(Interval& interval, const Move& move, const Constraints& co
   interval.right_cap.lower_to({interval.right_most, right.limit});
 }
 
+/// Whether a roughness may bind, which changes steeply along the way.
+bool is_rough(const Move& move) { return move.surface && move.surface->tooth_rate() > 0; }
+
 /// Halves intervals until the constraints are as good as linear on each.
 class Refiner {
  public:
@@ -115,18 +120,52 @@ class Refiner {
   void split(const Stretch& whole, int depth) {
     const double middle = 0.5 * (whole.s0 + whole.s1);
     const Look mid = look(middle, Side::after);
+    const Stretch first{whole.s0, middle, whole.left, mid};
+    const Stretch second{middle, whole.s1, mid, whole.right};
+    const double off = off_middle(whole, mid);
+    const bool linear = off <= kHalfParts * kGridTolerance && caps_are_linear(whole, mid);
+    if (linear && halves_do(first, second, whole, depth)) {
+      keep(first, {}, true);
+      keep(second, {}, true);
+      return;
+    }
     const bool fine = depth >= least_depth_ && follows_ramps(whole) && follows_steps(whole, mid) &&
-                      as_good_as_linear(whole, mid);
+                      linear && off <= kGridTolerance;
     const bool shortest =
         depth >= kMaxDepth || (depth >= least_depth_ && whole.length() < 2 * kShortest);
-    if (fine || shortest) return keep(whole, mid, fine);
-    split({whole.s0, middle, whole.left, mid}, depth + 1);
-    split({middle, whole.s1, mid, whole.right}, depth + 1);
+    if (fine || shortest) return keep(whole, mid.of_step, fine);
+    split(first, depth + 1);
+    split(second, depth + 1);
   }
 
-  void keep(const Stretch& whole, const Look& mid, bool fine) {
+  /// Whether two halves are known well enough by what was looked at of the whole.
+  bool halves_do(const Stretch& first, const Stretch& second, const Stretch& whole,
+                 int depth) const {
+    const Look &left = whole.left, &mid = first.right, &right = whole.right;
+    const double steps = std::min({left.of_step.q, mid.of_step.q, right.of_step.q});
+    const double top = std::max({left.cap.q, mid.cap.q, right.cap.q});
+    return depth + 1 >= least_depth_ && steps >= kFreeSteps * top && !is_rough(move_) &&
+           follows_ramps(first) && follows_ramps(second) && bends_evenly(whole);
+  }
+
+  /// Whether the bend goes from end to end as its slopes there say, so that there is no swing in it
+  /// which the middle does not show.
+  bool bends_evenly(const Stretch& whole) const {
+    constexpr double kHermite = 4.0 / 27;  // the most that a slope at an end adds inside
+    constexpr double kSwing = 2;
+    const PathPoint &left = whole.left.point, &right = whole.right.point;
+    const double h = whole.length(), q = 0.5 * (whole.left.cap.q + whole.right.cap.q);
+    const AxisVector rise = right.ddq - left.ddq;
+    const AxisVector off = (h * left.dddq - rise).cwiseAbs() + (h * right.dddq - rise).cwiseAbs();
+    const AxisVector& a = constraints_.acceleration_limits();
+    for (int i = 0; i < kAxes; ++i)
+      if (!(kHermite * off[i] * q <= kSwing * kHalfParts * kGridTolerance * a[i])) return false;
+    return true;
+  }
+
+  void keep(const Stretch& whole, const Cap& of_inner_steps, bool fine) {
     out_.push_back(make_interval(whole.s0, whole.s1, whole.left, whole.right, move_));
-    out_.back().step_cap.lower_to(mid.of_step);  // bends are sharpest inside
+    out_.back().step_cap.lower_to(of_inner_steps);  // bends are sharpest inside
     if (!fine) straighten(out_.back());
     keep_everywhere(out_.back(), move_, constraints_);
   }
@@ -156,20 +195,27 @@ class Refiner {
     return upper <= lower * (1 + kEvenSteps) || whole.length() <= step / kStepParts;
   }
 
-  /// What the middle asks for beyond the mean of the ends is a small part of each limit.
-  bool as_good_as_linear(const Stretch& whole, const Look& middle) const {
-    const PathPoint &left = whole.left.point, &right = whole.right.point, &mid = middle.point;
+  /// The caps of the middle are hardly below the mean of the ends.
+  bool caps_are_linear(const Stretch& whole, const Look& middle) const {
     for (const auto& constraint : constraints_.caps())
-      if (!constraint->is_even(left, right, move_)) return false;
+      if (!constraint->is_even(whole.left.point, whole.right.point, move_)) return false;
     const double mean = 0.5 * (whole.left.cap.q + whole.right.cap.q);
-    if (mean > middle.asked.q * (1 + kGridTolerance)) return false;
+    return mean <= middle.asked.q * (1 + kGridTolerance);
+  }
+
+  /// What the middle asks for beyond the mean of the ends, as part of the limits.
+  double off_middle(const Stretch& whole, const Look& middle) const {
+    const PathPoint &left = whole.left.point, &right = whole.right.point, &mid = middle.point;
+    const double mean = 0.5 * (whole.left.cap.q + whole.right.cap.q);
     const AxisVector& a = constraints_.acceleration_limits();
     const AxisVector bend = mid.ddq - 0.5 * (left.ddq + right.ddq);
     const AxisVector turn = mid.dq - 0.5 * (left.dq + right.dq);
     const double u = constraints_.tangential_u(mid);
+    double most = 0;
     for (int i = 0; i < kAxes; ++i)
-      if (std::abs(bend[i]) * mean + std::abs(turn[i]) * u > kGridTolerance * a[i]) return false;
-    return true;
+      if (bend[i] != 0 || turn[i] != 0)
+        most = std::max(most, (std::abs(bend[i]) * mean + std::abs(turn[i]) * u) / a[i]);
+    return most;
   }
 
   const Move& move_;

@@ -94,7 +94,7 @@ bool LineRun::crowds(double t, double width) const {
 bool LineRun::is_close_to_knots(double t, double least) const {
   const std::vector<Bend>& bends = pieces_.bends();
   const std::size_t first = bends.size() - std::min(bends.size(), kLastBends);
-  for (std::size_t j = bends.size(); j-- > first;) {
+  for (std::size_t j = bends.size(); j-- > first && bends[j].furthest > t - least;) {
     const Turn& turn = bends[j].turn;
     for (const double knot : {turn.begin, turn.peak, turn.end})
       if (is_close(knot, t, least)) return true;

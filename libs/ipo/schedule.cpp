@@ -31,57 +31,59 @@ class IntervalRows {
   };
   struct Edges {
     Bound upper, lower;
+    double highest, lowest;  // u at this q
   };
+  /// The lower bound is -p + m q.
   void add(double c0, double c1, double bound) noexcept;
   Edges edges(double q, const Bound& upper) const noexcept;
 
-  std::array<Bound, 2 * kAxes> upper_, lower_;
+  std::array<Bound, 2 * kAxes> upper_;
   std::size_t count_ = 0;
   double q_bound_ = kUnlimited;
-  double length_;
+  double length_, stopping_;  // u = stopping q leads to rest at the right end
 };
 
 IntervalRows::IntervalRows(const Interval& interval, const Constraints& constraints,
                            double share) noexcept
-    : length_(interval.length()) {
+    : length_(interval.length()), stopping_(-1 / (2 * length_)) {
   const double free = share * (1.0 - kCurveMargin);
-  const Strips left = constraints.acceleration(interval.left);
-  const Strips right = constraints.acceleration(interval.right);
+  const PathPoint &left = interval.left, &right = interval.right;
   for (int i = 0; i < kAxes; ++i) {
-    add(left.c0[i], left.c1[i], left.bound[i] * free);
-    add(right.c0[i], right.c1[i] + 2 * length_ * right.c0[i], right.bound[i] * free);
+    const double bound = constraints.acceleration_limits()[i];
+    if (bound == kUnlimited) continue;
+    add(left.ddq[i], left.dq[i], bound * free);
+    add(right.ddq[i], right.dq[i] + 2 * length_ * right.ddq[i], bound * free);
   }
 }
 
 /// A strip |c0 q + c1 u| <= bound, solved for u.
 void IntervalRows::add(double c0, double c1, double bound) noexcept {
-  if (bound == kUnlimited) return;
   // Where the axis hardly answers to u, the strip bounds q alone.
   if (std::abs(c1) < 1e-9 * std::max(1.0, std::abs(c0) * length_)) {
     if (c0 != 0) q_bound_ = std::min(q_bound_, bound / std::abs(c0));
     return;
   }
-  upper_[count_] = {bound / std::abs(c1), -c0 / c1};
-  lower_[count_++] = {-bound / std::abs(c1), -c0 / c1};
+  upper_[count_++] = {bound / std::abs(c1), -c0 / c1};
 }
 
 /// The tightest bounds on u at this q; q at the right end is never negative.
 IntervalRows::Edges IntervalRows::edges(double q, const Bound& upper) const noexcept {
-  Edges best{upper, {0, -1 / (2 * length_)}};
+  Edges best{upper, {0, stopping_}, upper.at(q), stopping_ * q};
   for (std::size_t i = 0; i < count_; ++i) {
-    if (upper_[i].at(q) < best.upper.at(q)) best.upper = upper_[i];
-    if (lower_[i].at(q) > best.lower.at(q)) best.lower = lower_[i];
+    const auto& [p, m] = upper_[i];
+    if (p + m * q < best.highest) best.upper = upper_[i], best.highest = p + m * q;
+    if (m * q - p > best.lowest) best.lower = {-p, m}, best.lowest = m * q - p;
   }
   return best;
 }
 
 double IntervalRows::largest_q(double q_cap, double q_next) const noexcept {
-  const Bound arrive{q_next / (2 * length_), -1 / (2 * length_)};
+  const Bound arrive{q_next / (2 * length_), stopping_};
   double q = std::min(q_cap, q_bound_);
   for (int i = 0; i < 64; ++i) {  // each turn drops at least one pair of edges for good
     const Edges best = edges(q, arrive);
     const double closing = best.lower.m - best.upper.m;
-    if (best.upper.at(q) >= best.lower.at(q) || closing <= 0) break;
+    if (best.highest >= best.lowest || closing <= 0) break;
     const double crossing = std::max((best.upper.p - best.lower.p) / closing, 0.0);
     if (!(crossing < q)) break;
     q = crossing;
@@ -91,7 +93,7 @@ double IntervalRows::largest_q(double q_cap, double q_next) const noexcept {
 
 double IntervalRows::largest_u(double q) const noexcept {
   const Edges best = edges(q, {kUnlimited, 0});
-  return std::max(best.upper.at(q), best.lower.at(q));
+  return std::max(best.highest, best.lowest);
 }
 
 /// Largest |u| of a straight interval.
@@ -181,7 +183,8 @@ double run_forward(const Interval& interval, const Constraints& constraints, con
   const double u = rows.largest_u(q);
   const double h = interval.length();
   // The line of K can be followed where K itself could; from below it, one slope is always left.
-  const double ahead = reach.left_k + 2 * rows.largest_u(reach.left_k) * h;
+  const double along_k = q == reach.left_k ? u : rows.largest_u(reach.left_k);
+  const double ahead = reach.left_k + 2 * along_k * h;
   if (ahead >= reach.right_k * (1 - kRelative))
     return follow({interval.s0, interval.s1, reach.left_k, reach.right_k, limit_along_k(reach)}, q,
                   u, out);

@@ -36,6 +36,25 @@ TEST_CASE("derivatives between two nodes are as good as linear", "[grid]") {
   CHECK(worst > 0);
 }
 
+TEST_CASE("a swing to and fro about the middle of a span is not overlooked", "[grid]") {
+  const Machine machine;
+  // One span, point symmetric: halfway between its ends its bend is that of a straight line.
+  NurbsSpec spec{5, {}, {}, {}};
+  spec.knots = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};
+  spec.control = {{0, 0, 0}, {1, 0, 0}, {2, 0.4, 0}, {3, -0.4, 0}, {4, 0, 0}, {5, 0, 0}};
+  spec.weights.assign(6, 1.0);
+  const Path path = Nurbs::make(spec).value();
+  const double middle = 0.5 * length(path), q = 100 * 100, acceleration = 1000;
+  REQUIRE(at(path, middle).ddq.norm() < 1e-12);
+  REQUIRE(at(path, 0.5 * middle).ddq.norm() > 0.01);
+  for (const Interval& interval : grid_of(machine, path, 100)) {
+    const PathPoint exact = at(path, interval.s0 + 0.5 * interval.length());
+    const AxisVector off = exact.ddq - 0.5 * (interval.left.ddq + interval.right.ddq);
+    const double slower = std::min({interval.left_cap.q, interval.right_cap.q, q});
+    CHECK((off * slower).norm() < 2 * kGridTolerance * acceleration);
+  }
+}
+
 TEST_CASE("a grid covers its move without a gap, and every knot is a node", "[grid]") {
   const Machine machine;
   const Path path = test::curve("butterfly");
