@@ -122,7 +122,7 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
     case Token::Kind::macro:
       return read_macro(lexer, mark);
     case Token::Kind::open_comment:
-      report(Code::SC1009, mark.column, mark.length, "the comment has no ')'");
+      give_up(Code::SC1009, mark, "the comment has no ')'");
       break;
     case Token::Kind::nested_comment:
       give_up(Code::SC1010, mark, "a comment inside a comment");

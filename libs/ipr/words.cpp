@@ -151,8 +151,11 @@ SourcePos place_of(const Task& task, char letter) {
   if (modal.feed_mode == FeedMode::inverse_time) return has_inverse_time(task);
   if (modal.feed_mode == FeedMode::per_turn && modal.feed_word > 0) return sets_feed_per_turn(task);
   if (modal.feed > 0) return true;
-  report_if_certain(task, "F", Code::SC2102, task.word.pos,
-                    code_name(task.code) + " needs a feed, and F is not set");
+  if (modal.uncertain.has('F'))
+    task.out.mute();
+  else
+    report_words(task, "F", Code::SC2102, task.word.pos,
+                 code_name(task.code) + " needs a feed, and F is not set");
   modal.uncertain.add('F');
   return false;
 }
