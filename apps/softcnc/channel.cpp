@@ -42,16 +42,17 @@ Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
       parser_(reader, diagnostics),
       interpreter_(parser_, machine, diagnostics, options.interpreter, options.state),
       planner_(machine, options.feed_override, diagnostics),
-      states_(options.state) {}
+      states_(options.state),
+      patient_(!options.events.empty()) {}
 
 void Feeder::fill(ipo::BlockQueue& queue, double until) {
   CpuLaps cpu;
-  waiting_ = false;
-  while (queue.t_end() <= until) {
+  until_ = std::exchange(waiting_, false) && patient_ ? until_ : until;
+  while (queue.t_end() <= until_) {
     auto part = planner_.pop_part();
     if (!part && ended_) break;
     if (!part && read_block()) continue;
-    if (!part) part = planner_.pop_part_now();
+    if (!part && !patient_) part = planner_.pop_part_now();
     waiting_ = !part;
     if (waiting_) break;
     const auto* timed = std::get_if<ipo::TimedBlock>(&*part);
@@ -123,7 +124,8 @@ bool Channel::plan_ahead() noexcept {
   if (broken_) return false;
   try {
     const double needed = interpolator_.needs_until();
-    if (queue_.t_end() <= needed) feeder_.fill(queue_, needed + kAhead * machine_.control.period);
+    if (queue_.t_end() <= needed || feeder_.is_behind())
+      feeder_.fill(queue_, needed + kAhead * machine_.control.period);
     if (replanned_ && !queue_.empty()) interpolator_.replanned();
     replanned_ = replanned_ && queue_.empty();
   } catch (...) {

@@ -55,6 +55,9 @@ class Feeder {
   void fill(ipo::BlockQueue& queue, double until);
   /// Whether fill() has ended because the program's pipe has nothing more yet.
   bool waiting() const noexcept { return waiting_; }
+  /// Whether the queue is to be filled further before anything is taken from it: where the rest of
+  /// the way will be planned anew, as much of it is to be known as of a program in a file.
+  bool is_behind() const noexcept { return waiting_ && patient_; }
 
   /// Plans the queue anew from the state `now` in its first block, at program time `t`; fill()
   /// gives it what follows. After a stop nothing more is read.
@@ -89,6 +92,8 @@ class Feeder {
   std::deque<Pause> pauses_;
   StateHistory states_;
   bool ended_ = false, waiting_ = false;
+  bool patient_;
+  double until_ = 0;  // what fill() was asked for
   double cpu_ = 0;
 };
 
@@ -114,7 +119,8 @@ class Channel {
 
   /// Whether there is no next setpoint until more of the program comes.
   bool waiting() const noexcept {
-    return feeder_.waiting() && queue_.t_end() <= interpolator_.needs_until();
+    return feeder_.is_behind() ||
+           (feeder_.waiting() && queue_.t_end() <= interpolator_.needs_until());
   }
 
   /// Blocks from the one of the last forget_passed() to the present one.

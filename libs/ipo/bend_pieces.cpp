@@ -45,11 +45,11 @@ void BendPieces::end() {
 void BendPieces::emit(double until) {
   while (t_ < until - kSamePlace) {
     pass();
-    if (edge_ + 1 >= bends_.size()) return;
+    if (edge_ + 1 >= bends_.size()) break;
     const double hat = next_hat();
     const bool straight = hat > t_ + kSamePlace;
     const double t1 = straight ? std::min(hat, bends_[edge_ + 1].turn.t) : end_of_curve();
-    if (t1 > until) return;
+    if (t1 > until) break;
     straight ? emit_line(t1) : emit_curve(t1);
   }
   forget();

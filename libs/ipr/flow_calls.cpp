@@ -226,6 +226,7 @@ void Flow::go_to_line(int number, const SourcePos& pos) {
     return go_back(here, before_, pos);
   }
   if (is_misspelt(number, here) || ended_) return;
+  doubt_order();
   report(Code::SC2308, pos,
          "no line N" + std::to_string(number) + " in " +
              (in_subprogram() ? name_of(calls_.back().sub) : "the program"));

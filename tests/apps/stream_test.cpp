@@ -52,7 +52,8 @@ struct Positions final : RowSink {
   }
 };
 
-Positions rows_of(ipr::Reader& reader, int input, Watcher* watcher) {
+Positions rows_of(ipr::Reader& reader, int input, Watcher* watcher,
+                  const ChannelOptions& options = {}) {
   Machine machine;
   machine.control.backend = BackendKind::none;
   const auto backend = hal::open_backend(machine);
@@ -60,7 +61,7 @@ Positions rows_of(ipr::Reader& reader, int input, Watcher* watcher) {
   Diagnostics diagnostics;
   Positions rows;
   const Outcome outcome =
-      simulate(reader, input, machine, {}, **backend, diagnostics, &rows, watcher);
+      simulate(reader, input, machine, options, **backend, diagnostics, &rows, watcher);
   CHECK(outcome.end == Outcome::End::done);
   CHECK(diagnostics.errors() == 0);
   return rows;
@@ -200,6 +201,29 @@ TEST_CASE("lines that come while rows are written are not the end of the program
   const Positions rows = rows_of(reader, ends[0], &writer);
   ::close(ends[0]);
   CHECK(expected.all.size() > 1000);
+  CHECK(rows.all == expected.all);
+}
+
+TEST_CASE("an override or a hold falls on the same way, however slowly the lines come",
+          "[apps][stream]") {
+  const std::vector<std::string> lines{"G61 F600\n", "G1 X5\n", "X10\n", "Y10\n",
+                                       "X0\n",       "Y0\n",    "M30\n"};
+  ChannelOptions options;
+  using Kind = FeedEvent::Kind;
+  options.events = GENERATE(std::vector<FeedEvent>{{0.1, Kind::override_, 50}},
+                            std::vector<FeedEvent>{{0.1, Kind::hold}, {0.4, Kind::resume}});
+  std::string text;
+  for (const std::string& line : lines) text += line;
+  ipr::Reader whole = ipr::Reader::from_text(text);
+  const Positions expected = rows_of(whole, -1, nullptr, options);
+
+  int ends[2];
+  REQUIRE(::pipe(ends) == 0);
+  LineWriter writer(ends[1], lines);
+  ipr::Reader reader(ends[0]);
+  const Positions rows = rows_of(reader, ends[0], &writer, options);
+  ::close(ends[0]);
+  CHECK(expected.all.size() > 4000);
   CHECK(rows.all == expected.all);
 }
 

@@ -455,3 +455,26 @@ TEST_CASE("a spiral of 200 sides: stops at G61.1, rounded corners at G64 P0.05",
   CAPTURE(slow.time, fast.time);
   CHECK(fast.time < slow.time - 199 * 0.012);  // s for each corner
 }
+
+TEST_CASE("bends are forgotten as the path goes on, also between straight lines",
+          "[corner_stage]") {
+  std::deque<ipo::Piece> out;
+  ipo::BendPieces pieces(out);
+  const auto corner = [](int i) { return AxisVector(10 * i, i % 2 == 0 ? 0 : 5, 0); };
+  pieces.begin(corner(0));
+  std::size_t most = 0;
+  double t = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const AxisVector ahead = (corner(i + 1) - corner(i)).normalized();
+    const AxisVector kink =
+        i == 0 ? AxisVector(0, 0, 0) : AxisVector(ahead - (corner(i) - corner(i - 1)).normalized());
+    pieces.add_vertex(t, corner(i), 0);
+    pieces.add_mark(t, {0, {i + 1, 1, 1}, i + 1});
+    pieces.add({ipo::spread_evenly(t, kink, i == 0 ? 0 : 0.1), corner(i), ahead, 0, {}});
+    pieces.emit(t - 0.2);  // before the hat
+    most = std::max(most, pieces.bends().size());
+    t += (corner(i + 1) - corner(i)).norm();
+  }
+  CHECK(out.size() > 3900);  // a line and a curve each
+  CHECK(most < 200);
+}

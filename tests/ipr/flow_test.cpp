@@ -267,6 +267,8 @@ TEST_CASE("an alarm to which an error may have led is not told", "[ipr][flow]") 
         Told{"1:7 SC1021 division by zero", "3:5 SC1003 a sign inside the number '--1'"});
   CHECK(told("o1 if [1/0]\n#2=1\no1 endif\no2 if [#2 EQ 1]\n(ABORT,it is)\no2 endif\nM2") ==
         Told{"1:10 SC1021 division by zero"});
+  CHECK(told("IF [1 EQ 1] GOTO 99\n#3000=1(NOT REACHED)\nN10 G0 X--1\nM30", Dialect::fanuc) ==
+        Told{"1:1 SC2308 no line N99 in the program", "3:9 SC1003 a sign inside the number '--1'"});
 }
 
 TEST_CASE("an alarm to which no error has led is told, and ends the program", "[ipr][flow]") {
