@@ -7,6 +7,7 @@
 
 #include "cpu_clock.hpp"
 #include "descriptor.hpp"
+#include "ipo/travel.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -31,7 +32,19 @@ bool is_pause(const Block& block) {
          (action->kind == Action::Kind::tool && action->code == kM06);
 }
 
+ipr::InterpreterOptions showing(ipr::InterpreterOptions options, ipr::RefusedMoves& moves) {
+  options.refused_moves = &moves;
+  return options;
+}
+
 }  // namespace
+
+void RefusedTravel::see(const Move& move, SourcePos source) {
+  auto outside = ipo::check_travel(move, machine_);
+  if (!outside) return;
+  outside->pos = source;
+  diagnostics_.report(std::move(*outside));
+}
 
 Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
                const ChannelOptions& options, Diagnostics& diagnostics)
@@ -39,8 +52,10 @@ Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
       machine_(machine),
       options_(options),
       diagnostics_(diagnostics),
+      refused_(machine, diagnostics),
       parser_(reader, diagnostics),
-      interpreter_(parser_, machine, diagnostics, options.interpreter, options.state),
+      interpreter_(parser_, machine, diagnostics, showing(options.interpreter, refused_),
+                   options.state),
       planner_(machine, options.feed_override, diagnostics),
       states_(options.state),
       patient_(!options.events.empty()) {}

@@ -42,6 +42,18 @@ struct Pause {
   double time = 0;  // s of the plan
 };
 
+/// Tells where a line that is refused for something else would leave the travel, too.
+class RefusedTravel final : public ipr::RefusedMoves {
+ public:
+  RefusedTravel(const Machine& machine, Diagnostics& diagnostics)
+      : machine_(machine), diagnostics_(diagnostics) {}
+  void see(const Move& move, SourcePos source) override;
+
+ private:
+  const Machine& machine_;
+  Diagnostics& diagnostics_;
+};
+
 /// The planning side: reads, interprets and plans as far as the queue needs it.
 class Feeder {
  public:
@@ -86,6 +98,7 @@ class Feeder {
   const Machine& machine_;
   const ChannelOptions options_;
   Diagnostics& diagnostics_;
+  RefusedTravel refused_;
   ipr::Parser parser_;
   ipr::Interpreter interpreter_;
   ipo::Planner planner_;

@@ -50,8 +50,8 @@ bool is_in_plane(Task& task, const PlaneAxes& axes) {
   bool across = false;
   for (const char letter : {axis_letter(axes.across), offset_letter(axes.across)}) {
     if (!values.has(letter)) continue;
-    task.out.report(Code::SC3117, values.word(letter).pos,
-                    std::string(1, letter) + " lies across the plane of the curve");
+    report_word(task, letter, Code::SC3117,
+                std::string(1, letter) + " lies across the plane of the curve");
     across = true;
   }
   if (across) return false;

@@ -30,9 +30,9 @@ std::optional<double> radius_of_loaded_tool(Task& task) {
   return radius.value_or(0);
 }
 
-std::nullopt_t report_no_radius(Task& task, int tool, SourcePos pos) {
-  task.out.report(Code::SC2142, pos,
-                  "the radius of tool " + std::to_string(tool) + " is not known");
+std::nullopt_t report_no_radius(Task& task, int tool) {
+  report_word(task, 'D', Code::SC2142,
+              "the radius of tool " + std::to_string(tool) + " is not known");
   return std::nullopt;
 }
 
@@ -49,7 +49,7 @@ std::optional<double> radius_of_last_number(Task& task) {
                     code_name(task.code) + " without D, and none before; moves stay as they are");
   if (number.value_or(0) == 0) return 0;
   if (const auto radius = tools_of(task).radius(*number)) return radius;
-  return report_no_radius(task, *number, task.word.pos);
+  return report_no_radius(task, *number);
 }
 
 /// G41 alone.
@@ -78,7 +78,7 @@ std::optional<double> radius_by_number(Task& task) {
     return is_fanuc(task) ? 0 : radius_of_loaded_tool(task);
   }
   if (const auto radius = tools_of(task).radius(*tool)) return radius;
-  return report_no_radius(task, *tool, word.pos);
+  return report_no_radius(task, *tool);
 }
 
 std::optional<double> radius_by_diameter(Task& task) {
@@ -99,8 +99,7 @@ std::optional<double> tool_radius(Task& task) {
 bool may_start(Task& task) {
   const Modal& modal = task.modal;
   if (task.values.has('L') && task.values['L'] != 0) {
-    task.out.report(Code::SC2007, task.values.word('L').pos,
-                    "L, the orientation of a lathe tool, can be 0 only");
+    report_word(task, 'L', Code::SC2007, "L, the orientation of a lathe tool, can be 0 only");
   } else if (modal.plane != Plane::xy && modal.coordinates.rotated()) {
     task.out.report(
         Code::SC2140, task.word.pos,

@@ -68,14 +68,14 @@ bool refuse_once(Task& task, char letter, Code code, SourcePos pos, std::string 
   if (told.has(letter)) {
     task.out.mute();
   } else {
-    task.out.report(code, pos, std::move(message));
+    report_words(task, {{&letter, 1}}, code, pos, std::move(message));
     told.add(letter);
   }
   return false;
 }
 
 bool has(Task& task, const std::optional<double>& value, char letter, std::string_view what) {
-  if (value) return true;
+  if (value || task.out.muted()) return value.has_value();
   return refuse_once(task, letter, Code::SC2005, task.word.pos,
                      code_name(task.code) + " needs " + letter + ", " + std::string(what));
 }
@@ -95,8 +95,8 @@ bool has_words(Task& task, const PlaneAxes& axes) {
   return all;
 }
 
-bool refuse(Task& task, Code code, SourcePos pos, std::string message) {
-  task.out.report(code, pos, std::move(message));
+bool refuse(Task& task, char letter, Code code, std::string message) {
+  report_word(task, letter, code, std::move(message));
   return false;
 }
 
@@ -114,12 +114,13 @@ bool are_near(Task& task, const Holes& holes) {
     if (is_near(height)) continue;
     return refuse_once(task, letter, Code::SC3008, place_of(task, letter), leads_far({letter}));
   }
+  bool near = true;
   for (const AxisVector& hole : {holes.first, last})
     for (const double height : {holes.retract, holes.bottom})
-      if (!lies_near(task, holes, hole, height))
-        return refuse(task, Code::SC3008, span_of(task.values, "XYZ"),
-                      leads_far(code_name(task.code)));
-  return true;
+      near = near && lies_near(task, holes, hole, height);
+  if (!near)
+    task.out.report(Code::SC3008, span_of(task.values, "XYZ"), leads_far(code_name(task.code)));
+  return near;
 }
 
 bool has_possible_dwell(Task& task, const Holes& holes) {
@@ -134,7 +135,7 @@ bool has_possible_pecks(Task& task, const Holes& holes) {
     return refuse_once(task, 'Q', Code::SC2007, place_of(task, 'Q'),
                        "Q, the depth of a peck, must be above 0");
   if (taps(task.code) && task.values.value_or('Q', 0) != 0)
-    return refuse(task, Code::SC2114, place_of(task, 'Q'),
+    return refuse(task, 'Q', Code::SC2114,
                   code_name(task.code) +
                       " with Q is refused: tapping in pecks needs a spindle in step with the axis");
   return true;
@@ -155,11 +156,11 @@ bool is_possible(Task& task, const Holes& holes) {
   possible = lies_above_bottom(task, holes) && possible;
   if (!possible) return false;
   const double each = pecks(task.code) ? (holes.retract - holes.bottom) / holes.peck : 1;
-  if (each * holes.count > kMostPecks)
-    return refuse(task, Code::SC2007, task.word.pos,
-                  name + " on this line would take more than 10000 " +
-                      (pecks(task.code) ? "pecks" : "holes"));
-  return true;
+  if (each * holes.count <= kMostPecks) return true;
+  report_words(
+      task, "QRKLXYZ", Code::SC2007, task.word.pos,
+      name + " on this line would take more than 10000 " + (pecks(task.code) ? "pecks" : "holes"));
+  return false;
 }
 
 /// G74 cuts left-hand threads, G84 right-hand ones; G86 stops a spindle that turns.
@@ -183,8 +184,7 @@ bool spindle_turns(Task& task) {
 std::optional<int> repeats(Task& task) {
   const bool fanuc = is_fanuc(task);
   if (task.values.has('K') && !fanuc) {
-    refuse(task, Code::SC2007, task.values.word('K').pos,
-           "K repeats a cycle in the fanuc dialect; here L does");
+    refuse(task, 'K', Code::SC2007, "K repeats a cycle in the fanuc dialect; here L does");
     return std::nullopt;
   }
   const char letter = task.values.has('K') ? 'K' : 'L';
@@ -192,7 +192,7 @@ std::optional<int> repeats(Task& task) {
   const Word& word = task.values.word(letter);
   const auto count = whole_number(task, word);
   if (!count || *count > 0 || fanuc) return count;
-  refuse(task, Code::SC2007, word.pos, "L, how often the cycle is repeated, is 1 at least");
+  refuse(task, letter, Code::SC2007, "L, how often the cycle is repeated, is 1 at least");
   return std::nullopt;
 }
 

@@ -47,8 +47,10 @@ std::optional<Line> Flow::next() {
   return std::nullopt;
 }
 
-/// What cannot be read may have begun or ended something.
+/// What cannot be read may have begun or ended something, an M code the program.
 void Flow::doubt(const Line& line) {
+  if (line.lost.has('M') && line.text.find_first_of("Mm") != std::string_view::npos)
+    parser_.doubt_order();
   if (line.statement == nullptr && !looks_like_statement(line.text)) return;
   doubt_order();
   if (line.statement != nullptr || lost_o_words_.size() > kMostLost) return;

@@ -41,12 +41,12 @@ class Detector {
     for (std::size_t end = text.find_first_of("\r\n", at_);
          end != std::string_view::npos && format_ == Format::automatic;
          end = text.find_first_of("\r\n", at_)) {
-      decide(shape_of(line(text, end)));
+      decide(line(text, end));
       at_ = end + 1;
     }
   }
   void look_at_last(std::string_view text) {
-    if (format_ == Format::automatic) decide(shape_of(line(text, text.size())));
+    if (format_ == Format::automatic) decide(line(text, text.size()));
   }
   Format format() const noexcept { return format_; }
 
@@ -57,7 +57,8 @@ class Detector {
     return text.substr(at_, end - at_);
   }
 
-  void decide(const Shape& line) {
+  void decide(std::string_view text) {
+    const Shape line = shape_of(text.substr(0, text.find('\0')));  // behind it the file is damaged
     const std::string& name = line.name;
     const bool alone = line.numbers == 1 && !line.other;
     if (name == "pcw" || name == "pccw" || name == "dcw" || name == "dccw") {

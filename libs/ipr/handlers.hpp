@@ -232,7 +232,9 @@ void report_if_certain(Task& task, Letters depends_on, Code code, SourcePos pos,
                        std::string message);
 /// Reports what is wrong with these words and no others, whatever else the line says, but where an
 /// error leaves open what they are, or whose.
-void report_words(Task& task, Letters words, Code code, SourcePos pos, std::string message);
+void report_words(const Task& task, Letters words, Code code, SourcePos pos, std::string message);
+/// The same of one word, at its place.
+void report_word(const Task& task, char letter, Code code, std::string message);
 /// The value as a whole number from 0; otherwise told, and nothing.
 std::optional<int> whole_number(Task& task, const Word& word);
 /// The same of a word that is a code, whatever else the line says.

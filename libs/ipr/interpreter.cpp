@@ -41,7 +41,7 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       diagnostics_(diagnostics),
       options_(options),
       contradictions_(diagnostics, options.dialect, options.compare_dialects),
-      out_(diagnostics, contradictions_),
+      out_(diagnostics, contradictions_, options.refused_moves),
       variables_(modal_, machine, options.dialect),
       levels_(modal_),
       flow_(parser, diagnostics, {options_.folder, machine.program.block_limit, &levels_}) {
@@ -119,8 +119,12 @@ bool Interpreter::tell_restored(const Line& next) {
   if (!modal_.curve && !modal_.points) command_.add_lone_letters(options_.dialect);
   check_axes();
   if (command_.has(Group::non_modal) || command_.has(Group::tool_length)) check_axis_codes();
+  const bool unclear = line.broken || out_.failed();
   if (!command_.uncertain().has_any("GM")) check_unused();
-  if (line.broken || out_.failed()) out_.mute();
+  if (unclear)
+    out_.mute();
+  else if (out_.failed())
+    out_.hush();
   execute();
   remember_uncertain();
   if (out_.failed()) break_curves();

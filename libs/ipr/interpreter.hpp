@@ -27,6 +27,7 @@ struct InterpreterOptions {
   Format format = Format::automatic;
   bool compare_dialects = false;  // warn where a line means something else in the other one
   std::string folder = {};        // where files lie that the program calls; empty: it can call none
+  RefusedMoves* refused_moves = nullptr;  // is shown them
 };
 
 class Interpreter {

@@ -33,9 +33,10 @@ bool is_possible_feed(Task& task, double feed) {
   const double per_minute = mm_min_from_mm_s(feed);
   if (feed == 0 || (per_minute >= kLeast && per_minute <= kMost)) return true;
   const bool given = task.command.has(Group::feed);
-  task.out.report(Code::SC2007, given ? task.command.find_word(Group::feed).pos : task.word.pos,
-                  std::string("a feed ") +
-                      (per_minute < kLeast ? "below 0.000001" : "above 1000000000") + " mm/min");
+  report_words(task, "F", Code::SC2007,
+               given ? task.command.find_word(Group::feed).pos : task.word.pos,
+               std::string("a feed ") +
+                   (per_minute < kLeast ? "below 0.000001" : "above 1000000000") + " mm/min");
   task.modal.uncertain.add('F');
   return false;
 }

@@ -37,9 +37,9 @@ std::optional<int> read_order(Task& task) {
     note_order(task, word);
     return static_cast<int>(word.value);
   }
-  task.out.report(Code::SC3001, word.pos,
-                  "P, the order of the curve, is a whole number from 2 to " +
-                      std::to_string(Nurbs::kMaxDegree + 1));
+  report_word(task, 'P', Code::SC3001,
+              "P, the order of the curve, is a whole number from 2 to " +
+                  std::to_string(Nurbs::kMaxDegree + 1));
   return std::nullopt;
 }
 
@@ -112,7 +112,7 @@ double read_weight(Task& task) {
   if (!task.values.has('R')) return 1;
   const Word& word = task.values.word('R');
   if (word.value <= 0)
-    task.out.report(Code::SC3007, word.pos, "R, the weight of a control point, must be above 0");
+    report_word(task, 'R', Code::SC3007, "R, the weight of a control point, must be above 0");
   return word.value;
 }
 
@@ -170,7 +170,7 @@ void read_closing_knot(Task& task, PendingCurve& curve) {
                         " control points; its order asks for " + std::to_string(curve.order));
     curve.knots_uncertain = true;
   } else if (task.values.has('R'))
-    task.out.report(Code::SC3111, task.values.word('R').pos, "a closing knot takes K alone");
+    report_word(task, 'R', Code::SC3111, "a closing knot takes K alone");
   read_knot(task, curve);
 }
 
@@ -204,8 +204,8 @@ bool has_words_of_first(Task& task, const PendingCurve& curve) {
   bool told = false;
   for (const char letter : std::string_view("PDJHL")) {
     if (!first.has(letter) || !values.has(letter)) continue;
-    task.out.report(Code::SC3110, values.word(letter).pos,
-                    std::string(1, letter) + " belongs to the first block of the curve");
+    report_word(task, letter, Code::SC3110,
+                std::string(1, letter) + " belongs to the first block of the curve");
     told = true;
   }
   return told;

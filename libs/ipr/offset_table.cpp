@@ -71,8 +71,8 @@ bool set_rotation(Task& task, double& rotation) {
     rotation = word.value * kRadPerDegree;
     return true;
   }
-  task.out.report(Code::SC3008, word.pos,
-                  "R turns the work system by more than " + number_text(kMostTurned) + " degrees");
+  report_word(task, 'R', Code::SC3008,
+              "R turns the work system by more than " + number_text(kMostTurned) + " degrees");
   return false;
 }
 

@@ -11,13 +11,16 @@ namespace softcnc::ipr {
   text_ = line.text;
   source_ = line.words.empty() ? SourcePos{line.number, 1, 1} : line.words.front().pos;
   source_ = diagnostics_.in_calls(source_);
-  failed_ = muted_ = false;
+  failed_ = muted_ = hushed_ = false;
   certain_ = true;
   kept_ = blocks_.size();
 }
 
 void Output::end() {
-  if (failed()) drop();
+  if (failed()) {
+    if (refused_moves_ != nullptr && !muted_ && !compensation_.on()) show_moves();
+    drop();
+  }
   if (compensation_.on()) compensate();
 }
 
@@ -26,6 +29,12 @@ void Output::compensate() {
   for (std::size_t i = kept_; i < blocks_.size(); ++i)
     compensation_.follow(std::move(blocks_[i]), text_, certain_);
   drop();
+}
+
+void Output::show_moves() const {
+  for (std::size_t i = kept_; i < blocks_.size(); ++i)
+    if (const Move* move = std::get_if<Move>(&blocks_[i].what))
+      refused_moves_->see(*move, blocks_[i].source);
 }
 
 void Output::drop() {
@@ -40,7 +49,7 @@ std::optional<AxisVector> Output::stop_compensation() {
 }
 
 void Output::report(Code code, SourcePos pos, std::string message) {
-  if (!muted_) report_by_itself(code, pos, std::move(message));
+  if (!muted()) report_by_itself(code, pos, std::move(message));
 }
 
 void Output::report_by_itself(Code code, SourcePos pos, std::string message) {
@@ -49,7 +58,7 @@ void Output::report_by_itself(Code code, SourcePos pos, std::string message) {
 }
 
 void Output::report(Code code, SourcePos pos, std::string message, std::string_view source_line) {
-  if (!muted_) diagnostics_.report(code, pos, std::move(message), source_line);
+  if (!muted()) diagnostics_.report(code, pos, std::move(message), source_line);
 }
 
 std::optional<Block> Output::pop() {

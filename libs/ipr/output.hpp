@@ -14,12 +14,21 @@
 
 namespace softcnc::ipr {
 
+/// Is shown the moves of lines that give no block because of an error that has nothing to do with
+/// where they lead.
+class RefusedMoves {
+ public:
+  virtual ~RefusedMoves() = default;
+  virtual void see(const Move& move, SourcePos source) = 0;
+};
+
 /// Keeps the blocks of good lines until they are asked for. A line with an error gives none.
 class Output {
  public:
-  Output(Diagnostics& diagnostics, Contradictions& contradictions)
+  Output(Diagnostics& diagnostics, Contradictions& contradictions, RefusedMoves* refused_moves)
       : diagnostics_(diagnostics),
         contradictions_(contradictions),
+        refused_moves_(refused_moves),
         compensation_(diagnostics, contradictions) {}
 
   void begin(const Line& line);
@@ -39,6 +48,9 @@ class Output {
 
   /// From here to its end the line only changes modes and position: no word, no block.
   void mute() noexcept { muted_ = true; }
+  /// The same of a line whose words say where it leads: moves that would leave the travel are told.
+  void hush() noexcept { hushed_ = true; }
+  bool muted() const noexcept { return muted_ || hushed_; }
   bool failed() const noexcept { return failed_ || muted_; }
 
   /// A block that begins with the line.
@@ -48,7 +60,7 @@ class Output {
   }
   template <typename What>
   void emit(What&& what, SourcePos source) {
-    if (!failed()) blocks_.emplace_back(std::forward<What>(what), source);
+    if (!muted_) blocks_.emplace_back(std::forward<What>(what), source);
   }
 
   /// A block of the lines before, which stays whatever becomes of this one. Expects that this one
@@ -84,16 +96,18 @@ class Output {
   std::optional<Block> pop_compensated();
   std::optional<Block> pop_own();
   void compensate();
+  void show_moves() const;
   void drop();  // the blocks of the line
 
   Diagnostics& diagnostics_;
   Contradictions& contradictions_;
+  RefusedMoves* refused_moves_;
   std::vector<Made> blocks_;  // those before next_ are gone
   std::size_t next_ = 0, kept_ = 0;
   int popped_ = 0;
   SourcePos source_;
   std::string_view text_;
-  bool failed_ = false, muted_ = false, certain_ = true;
+  bool failed_ = false, muted_ = false, hushed_ = false, certain_ = true;
   Compensation compensation_;
 };
 

@@ -97,6 +97,7 @@ class Parser {
   Token read_word(Lexer& lexer, const Token& letter);
   Token read_value(Lexer& lexer, const Token& letter, const Token& first);
   Token read_expression(Lexer& lexer, const Token& letter);
+  bool pass_operation(Lexer& lexer, int begin);
   Token pass_value(Lexer& lexer);
   bool read_o_word(Lexer& lexer, const Token& letter);
   std::optional<Token> read_keyword(Lexer& lexer, const Token& letter);
@@ -121,6 +122,7 @@ class Parser {
   Token read_slash(Lexer& lexer, const Token& slash);
   void lose_word_before(const Token& letter);
   Token pass_letter_for_digit(Lexer& lexer, const Token& letter);
+  std::optional<Token> pass_name(Lexer& lexer, const Token& letter);
   void report_missing_number(const Token& letter, const Token& instead);
   Token read_exponent(Lexer& lexer, const Token& letter);
   void report_number(const Token& letter, const Token& number);

@@ -70,17 +70,25 @@ Token Parser::read_exponent(Lexer& lexer, const Token& letter) {
   return exponent ? lexer.next() : after;
 }
 
+/// What is neither a keyword nor a letter and its value. Two of them are prose.
+std::optional<Token> Parser::pass_name(Lexer& lexer, const Token& letter) {
+  const std::string_view letters = letters_at(line_.text, letter);
+  if (!is_name(line_.text, letter, letters)) return std::nullopt;
+  if (strange()) {
+    lose_rest();
+    return Token{};
+  }
+  report(Code::SC1020, letter.column, static_cast<int>(letters.size()),
+         quoted(letters) + " is no keyword and no function");
+  lexer.back_to(letter);
+  lexer.take_letters();
+  return go_on_behind(lexer);
+}
+
 void Parser::report_missing_number(const Token& letter, const Token& instead) {
   using Kind = Token::Kind;
   const bool excused = instead.kind != Kind::letter && instead.kind != Kind::end &&
                        instead.kind != Kind::slash;  // what stands there is told instead
-  const std::string_view letters = letters_at(line_.text, letter);
-  if (is_name(line_.text, letter, letters)) {
-    if (strange()) return lose_rest();
-    Token whole = letter;
-    whole.length = static_cast<int>(letters.size());
-    return give_up(Code::SC1020, whole, quoted(letters) + " is no keyword and no function");
-  }
   line_.lost.add(letter.letter);
   lose_word_before(letter);
   if (excused || strange()) return;

@@ -145,15 +145,17 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
     expression.refuse_next(Code::SC1028, "'=' and a value");
   const bool bare = options_.dialect == Dialect::fanuc;  // RS274 wants brackets around operators
   expression.compare_with(assigned_there());
-  const double value = expression.broke_off() ? kUncertain
-                       : bare                 ? expression.unbracketed()
-                                              : expression.value();
+  const int begin = lexer.column();
+  double value = expression.broke_off() ? kUncertain
+                 : bare                 ? expression.unbracketed()
+                                        : expression.value();
   note(expression.other_value());
   if (expression.broke_off()) {
     give_up(expression.fault(), lexer);
     return {};
   }
   report(expression.fault());
+  if (pass_operation(lexer, begin)) value = kUncertain;
   if (is_uncertain(value) || !variable) line_.broken = true;
   const double kept = assignable ? within_limit(*variable, value, at) : kUncertain;
   if (assignable) assign(std::move(*variable), strange() ? kUncertain : kept);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Words whose value is computed.
+#include "ipr/faults.hpp"
 #include "ipr/parser.hpp"
 
 namespace softcnc::ipr {
@@ -19,6 +20,18 @@ bool is_function(Lexer lexer) {
   return false;
 }
 
+bool take_operator(Lexer& lexer) {
+  return lexer.take("**") || lexer.take('+') || lexer.take('-') || lexer.take('*') ||
+         lexer.take('/');
+}
+
+/// Whether an operator comes next, and behind it what it would apply to.
+bool is_operation(Lexer lexer) {
+  if (!take_operator(lexer)) return false;
+  const char operand = lexer.peek();
+  return is_number_part(operand) || operand == '#' || operand == '[' || is_function(lexer);
+}
+
 }  // namespace
 
 /// A word whose value begins with no digit: `first` is the token behind its letter.
@@ -31,8 +44,10 @@ Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) 
     lexer.back_to(first);
     return read_expression(lexer, letter);
   }
-  if (first.kind == Token::Kind::letter)
+  if (first.kind == Token::Kind::letter) {
     if (const auto behind = read_keyword(lexer, letter)) return *behind;
+    if (const auto behind = pass_name(lexer, letter)) return *behind;
+  }
   if (first.kind != Token::Kind::number) {
     report_missing_number(letter, first);
     return first.letter == 'O' ? pass_letter_for_digit(lexer, letter) : first;
@@ -52,8 +67,29 @@ Token Parser::pass_value(Lexer& lexer) {
   return {};
 }
 
+/// `#1+#2` without brackets is told as one thing, and passed; the value in column `begin` has been
+/// read. False where no operation follows it.
+bool Parser::pass_operation(Lexer& lexer, int begin) {
+  if (!is_operation(lexer)) return false;
+  std::optional<Fault> fault;
+  bool broke_off = false;
+  while (!broke_off && take_operator(lexer)) {
+    Expression operand(lexer, parameters_);
+    operand.value();
+    if (!fault) fault = operand.fault();
+    broke_off = operand.broke_off();
+  }
+  const int length = lexer.end() - begin;
+  const auto written =
+      line_.text.substr(static_cast<std::size_t>(begin) - 1, static_cast<std::size_t>(length));
+  report(Code::SC1017, begin, length, quoted(written) + " needs '[' before it and ']' behind it");
+  broke_off ? give_up(fault, lexer) : report(fault);
+  return true;
+}
+
 Token Parser::read_expression(Lexer& lexer, const Token& letter) {
   Expression expression(lexer, parameters_);
+  const int begin = lexer.column();
   const bool may_round = options_.dialect == Dialect::fanuc || parameters_.watching();
   if (may_round && kLengths.has(letter.letter))
     expression.round_to(parameters_.read("_metric") == 0.0 ? kPerInch : kPerMm);
@@ -67,7 +103,9 @@ Token Parser::read_expression(Lexer& lexer, const Token& letter) {
     return {};
   }
   report(expression.fault());
-  if (is_uncertain(value))
+  if (pass_operation(lexer, begin))
+    line_.lost.add(letter.letter);
+  else if (is_uncertain(value))
     line_.broken = true;
   else if (!is_vacant(value))
     words_.push_back({letter.letter, value, {line_.number, letter.column, length}});

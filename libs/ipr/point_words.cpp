@@ -77,16 +77,16 @@ int read_control_order(Task& task) {
   const bool legal = word.value == std::floor(word.value) && word.value >= kDefaultOrder &&
                      word.value <= Nurbs::kMaxDegree + 1;
   if (legal) return static_cast<int>(word.value);
-  task.out.report(Code::SC3001, word.pos,
-                  "L, the order of the curve, is a whole number from 3 to " +
-                      std::to_string(Nurbs::kMaxDegree + 1));
+  report_word(task, 'L', Code::SC3001,
+              "L, the order of the curve, is a whole number from 3 to " +
+                  std::to_string(Nurbs::kMaxDegree + 1));
   return 0;
 }
 
 double read_control_weight(Task& task) {
   const Word& word = task.values.word('P');
   if (word.value > 0) return word.value;
-  task.out.report(Code::SC3007, word.pos, "P, the weight of a control point, must be above 0");
+  report_word(task, 'P', Code::SC3007, "P, the weight of a control point, must be above 0");
   return 1;
 }
 
@@ -170,8 +170,7 @@ void control_points(Task& task) {
   if (begins) begin_control_points(task);
   PendingPoints& curve = *task.modal.points;
   if (!begins && task.values.has('L'))
-    task.out.report(Code::SC3110, task.values.word('L').pos,
-                    "L belongs to the first block of the curve");
+    report_word(task, 'L', Code::SC3110, "L belongs to the first block of the curve");
   if (!begins || task.values.letters().has_any(kAxisWords)) add_control_point(task, curve);
 }
 

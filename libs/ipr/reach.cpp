@@ -25,8 +25,8 @@ void tell_far(const Task& task, const AxisVector& place, Tells tells) {
     const char letter = axis_letter(i);
     const bool named = task.values.has(letter);
     if (is_near(place[i]) || (told && !named)) continue;
-    task.out.report(Code::SC3008, place_of(task, letter),
-                    tells(named ? std::string(1, letter) : code_name(task.code)));
+    report_word(task, letter, Code::SC3008,
+                tells(named ? std::string(1, letter) : code_name(task.code)));
     told = true;
   }
 }
@@ -70,7 +70,7 @@ bool keep_offset(Task& task, char letter, double& offset, double wanted) {
     offset = wanted;
     return true;
   }
-  task.out.report(Code::SC3008, place_of(task, letter), gives_far_offset(std::string(1, letter)));
+  report_word(task, letter, Code::SC3008, gives_far_offset(std::string(1, letter)));
   return false;
 }
 
@@ -79,8 +79,7 @@ bool has_near_lengths(Task& task, std::string_view letters) {
   for (const char letter : letters) {
     if (!task.values.has(letter)) continue;
     if (std::abs(task.values[letter] * task.modal.mm_per_unit) <= kLongest) continue;
-    task.out.report(Code::SC3008, task.values.word(letter).pos,
-                    std::string(1, letter) + " is" + beyond(kLongest));
+    report_word(task, letter, Code::SC3008, std::string(1, letter) + " is" + beyond(kLongest));
     near = false;
   }
   return near;

@@ -18,7 +18,7 @@ bool check_point(Task& task) {
   if (!may_choose) {
     task.out.report(Code::SC2004, word.pos, "P is not used by " + code_name(task.code));
   } else if (word.value != kSecond) {
-    task.out.report(Code::SC2007, word.pos, "G30 takes P2: there is no other reference point");
+    report_word(task, 'P', Code::SC2007, "G30 takes P2: there is no other reference point");
   } else {
     return true;
   }

@@ -239,8 +239,7 @@ std::optional<int> whole_number(Output& out, const Word& word) {
 
 std::optional<int> whole_number(Task& task, const Word& word) {
   const auto number = whole_from(0, word.value);
-  if (!number)
-    report_words(task, {{&word.letter, 1}}, Code::SC2007, word.pos, takes_whole_number(word));
+  if (!number) report_word(task, word.letter, Code::SC2007, takes_whole_number(word));
   return number;
 }
 
@@ -251,11 +250,15 @@ bool is_not_negative(Output& out, const Word& word) {
   return false;
 }
 
-void report_words(Task& task, Letters words, Code code, SourcePos pos, std::string message) {
+void report_words(const Task& task, Letters words, Code code, SourcePos pos, std::string message) {
   Letters uncertain = task.command.uncertain();
   uncertain |= task.modal.words_of_left_curve;
   if (uncertain.has('G') || uncertain.has_any(words)) return task.out.mute();
   task.out.report_by_itself(code, pos, std::move(message));
+}
+
+void report_word(const Task& task, char letter, Code code, std::string message) {
+  report_words(task, {{&letter, 1}}, code, place_of(task, letter), std::move(message));
 }
 
 SourcePos span_of(const Values& values, std::string_view letters) noexcept {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // check: every diagnostic of every file on stdout, and nothing else.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "apps/shell.hpp"
@@ -34,6 +35,17 @@ TEST_CASE("check goes on to look at the travel behind an error of the program", 
   CHECK(ended.status == 1);
   CHECK(ended.out.find("<stdin>:2:5: error SC1002: ") != std::string::npos);
   CHECK(ended.out.find("<stdin>:4:1: error SC4001: X reaches 2000 mm") != std::string::npos);
+}
+
+TEST_CASE("check looks at the travel of a line that is refused for another word", "[apps][check]") {
+  const Ended ended = call("check -", "G00 X2000 Q3\nG01 X-5 F100 S-1\nX3000 X1\nG02 X9 Q4\nM30\n");
+  CHECK(ended.status == 1);
+  CHECK(ended.out.find("<stdin>:1:1: error SC4001: X reaches 2000 mm") != std::string::npos);
+  CHECK(ended.out.find("<stdin>:1:11: error SC2004: ") != std::string::npos);
+  CHECK(ended.out.find("<stdin>:2:14: error SC2007: ") != std::string::npos);
+  CHECK(ended.out.find("<stdin>:3:7: error SC2003: ") != std::string::npos);
+  CHECK(ended.out.find("<stdin>:4:8: error SC2004: ") != std::string::npos);
+  CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 5);
 }
 
 TEST_CASE("check tells a wrong machine file, exit status 2", "[apps][check]") {

@@ -114,6 +114,7 @@ const std::multimap<Code, std::string> kTexts{
     {Code::SC1016, "a number, '#', '[' or a function is expected instead of ']'"},
     {Code::SC1016, "a number, '#', '[' or a function is expected at the end of the line"},
     {Code::SC1017, "this '[' has no ']'"},
+    {Code::SC1017, "'#1+#2' needs '[' before it and ']' behind it"},
     {Code::SC1017, "this ']' has no '['"},
     {Code::SC1017, "SIN needs '[' behind it"},
     {Code::SC1017, "'[' is expected instead of '1'"},

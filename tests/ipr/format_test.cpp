@@ -52,6 +52,7 @@ TEST_CASE("the commands of paper 003 are known by their first line", "[ipr][form
     INFO(text);
     CHECK(format_of(text) == "commands");
   }
+  CHECK(format_of(std::string("l 1 1\0\nf 600\n", 13)) == "commands");
 }
 
 TEST_CASE("everything else is G-code", "[ipr][format]") {

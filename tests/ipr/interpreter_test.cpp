@@ -148,6 +148,12 @@ TEST_CASE("words are judged by themselves whatever else is wrong with their line
   CHECK(told("G02 X9 R5 I5 G48") == Places{"SC2001 2:14"});
   CHECK(told("G02 X9 I5 K5 P.5") == Places{"SC2105 2:11", "SC2007 2:14"});
   CHECK(told("G02 X9 Q5") == Places{"SC2004 2:8"});
+  CHECK(told("G83 X1 Z-5 R-9 Q0 J1") == Places{"SC2162 2:12", "SC2007 2:16", "SC2004 2:19"});
+  CHECK(told("G83 X1 Z-5 Q1 J1") == Places{"SC2004 2:15"});
+  CHECK(told("G41 D99 G01 X1 Q3") == Places{"SC2142 2:5", "SC2004 2:16"});
+  CHECK(told("G00 X[10**300] Q3") == Places{"SC3008 2:5", "SC2004 2:16"});
+  CHECK(told("G01 Xabc Y--1 Q3 Z1..2") == Places{"SC1020 2:5", "SC1003 2:11", "SC1004 2:19"});
+  CHECK(told("drill a hole X--1") == Places{"SC1020 2:1"});
 }
 
 TEST_CASE("all words that a code lacks, or cannot take, are told", "[ipr]") {
