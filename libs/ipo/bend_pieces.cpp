@@ -9,6 +9,7 @@ namespace softcnc::ipo {
 namespace {
 
 constexpr std::size_t kMostInPiece = 16;  // bends
+constexpr std::size_t kMostLines = 192;   // that were programmed, and those of one bend
 constexpr std::size_t kKept = 80;         // bends, behind
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -81,7 +82,8 @@ double BendPieces::end_of_curve() const {
   }
   std::size_t taken = 0;
   for (std::size_t i = edge_ + 1; i < bends_.size() && bends_[i].turn.t < end; ++i) {
-    const bool enough = !is_last(i) && ++taken >= kMostInPiece;
+    const bool many = marks_.size() > kMostLines && marks_[kMostLines].t < bends_[i].turn.t;
+    const bool enough = !is_last(i) && (++taken >= kMostInPiece || many);
     const bool changes = !is_last(i) && !(bends_[i].manner == bends_[i - 1].manner);
     if (is_last(i) || changes) return bends_[i].turn.t;
     if (enough && bends_[i].turn.peak > t_ + kSamePlace) return bends_[i].turn.peak;
@@ -100,9 +102,14 @@ void BendPieces::emit_line(double t1) {
 void BendPieces::emit_curve(double t1) {
   edges_.clear();
   turns_.clear();
+  is_measured_ = true;
+  measured_ = 0;
   for (std::size_t i = passed_; i < bends_.size(); ++i) {
     const Turn& turn = bends_[i].turn;
-    if (has_hat(turn) && turn.end > t_ && turn.begin < t1) turns_.push_back(turn);
+    if (!has_hat(turn) || turn.end <= t_ || turn.begin >= t1) continue;
+    turns_.push_back(turn);
+    is_measured_ = is_measured_ && bends_[i].measured.has_value();
+    measured_ = std::max(measured_, bends_[i].measured.value_or(0));
   }
   for (std::size_t i = edge_; i < bends_.size() && !is_last(i) && bends_[i].turn.t < t1; ++i)
     edges_.push_back({bends_[i].turn.t, bends_[i].point, bends_[i].direction});
@@ -130,9 +137,11 @@ void BendPieces::emit_corners(const AxisVector& to, double t1, double deviation)
   t_ = t1;
 }
 
-/// The most that the curve is off at a vertex, beside what the lines around that are.
+/// What was measured, or the most that the curve is off at a vertex, beside what the lines around
+/// that are.
 double BendPieces::deviation(const Nurbs& curve, double t1) const {
-  double most = vertices_.front().deviation;
+  if (is_measured_) return measured_;
+  double most = std::max(measured_, vertices_.front().deviation);
   for (const PlacedPoint& vertex : vertices_) {
     if (vertex.t >= t1) break;
     const double off = vertex.t > t_ ? (curve.point(vertex.t - t_) - vertex.point).norm() : 0;
@@ -147,6 +156,7 @@ void BendPieces::emit_piece(Path path, double t1, double deviation) {
   const Mark begins = marks_.front().mark;
   const Nurbs* nurbs = std::get_if<Nurbs>(&path);
   std::vector<Mark> later;
+  later.reserve(std::min(marks_.size(), kMostLines));
   for (std::size_t i = 1; i < marks_.size() && marks_[i].t < t1 - kSamePlace; ++i) {
     later.push_back(marks_[i].mark);
     later.back().s = nurbs ? nurbs->arc_length(marks_[i].t - t_) : marks_[i].t - t_;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "ipo/piece.hpp"
@@ -18,6 +19,9 @@ struct Bend {
   AxisVector direction = AxisVector::Zero();  // by t, of the line behind
   double deviation = 0;                       // mm: of that line from the programmed ones
   Manner manner;
+  /// mm: how far the path is from the programmed one before the peak of the hat, if it was
+  /// measured.
+  std::optional<double> measured{};
   double furthest = 0;  // where the last of this hat and all before it ends: BendPieces::add()
 };
 
@@ -79,6 +83,8 @@ class BendPieces {
   bool ended_ = false;
   std::vector<Edge> edges_;  // of the piece being made
   std::vector<Turn> turns_;
+  bool is_measured_ = false;  // all of it
+  double measured_ = 0;       // mm
 };
 
 }  // namespace softcnc::ipo

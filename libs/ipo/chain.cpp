@@ -150,6 +150,7 @@ void Chain::add(std::span<const Interval> ahead, const Constraints& constraints,
     while (intervals.back().length() > back) split(intervals.size() - 1, middle(intervals.back()));
   }
   if (rest) nodes.back().own.lower_to({0, Limit::corner});
+  if (interval.length() <= step) return push(interval);
   Interval rest_of_it = interval;
   std::vector<Interval> later;
   while (rest_of_it.length() > step) {

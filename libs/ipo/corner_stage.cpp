@@ -46,7 +46,7 @@ bool CornerStage::passes(const Block& block) const noexcept {
   return !move || !is_rounded(*move);
 }
 
-void CornerStage::push(Block block) {
+void CornerStage::push(Block&& block) {
   const Move* move = std::get_if<Move>(&block.what);
   const bool rounded = move && is_rounded(*move);
   if (!rounded || !joins(*move)) flush();

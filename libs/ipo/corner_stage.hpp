@@ -25,7 +25,8 @@ class CornerStage {
 
   /// Whether push() would do nothing but hand the block on.
   bool passes(const Block& block) const noexcept;
-  void push(Block block);
+  void push(const Block& block) { push(Block(block)); }
+  void push(Block&& block);
   /// Nothing follows.
   void finish();
 

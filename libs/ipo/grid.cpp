@@ -124,15 +124,16 @@ class Refiner {
     const Stretch second{middle, whole.s1, mid, whole.right};
     const double off = off_middle(whole, mid);
     const bool linear = off <= kHalfParts * kGridTolerance && caps_are_linear(whole, mid);
+    const bool fine = depth >= least_depth_ && follows_ramps(whole) && follows_steps(whole, mid) &&
+                      linear && off <= kGridTolerance;
+    const bool shortest =
+        depth >= kMaxDepth || (depth >= least_depth_ && whole.length() < 2 * kShortest);
+    if (fine && bends_evenly(whole, kGridTolerance)) return keep(whole, mid.of_step, true);
     if (linear && halves_do(first, second, whole, depth)) {
       keep(first, {}, true);
       keep(second, {}, true);
       return;
     }
-    const bool fine = depth >= least_depth_ && follows_ramps(whole) && follows_steps(whole, mid) &&
-                      linear && off <= kGridTolerance;
-    const bool shortest =
-        depth >= kMaxDepth || (depth >= least_depth_ && whole.length() < 2 * kShortest);
     if (fine || shortest) return keep(whole, mid.of_step, fine);
     split(first, depth + 1);
     split(second, depth + 1);
@@ -145,12 +146,13 @@ class Refiner {
     const double steps = std::min({left.of_step.q, mid.of_step.q, right.of_step.q});
     const double top = std::max({left.cap.q, mid.cap.q, right.cap.q});
     return depth + 1 >= least_depth_ && steps >= kFreeSteps * top && !is_rough(move_) &&
-           follows_ramps(first) && follows_ramps(second) && bends_evenly(whole);
+           follows_ramps(first) && follows_ramps(second) &&
+           bends_evenly(whole, kHalfParts * kGridTolerance);
   }
 
   /// Whether the bend goes from end to end as its slopes there say, so that there is no swing in it
   /// which the middle does not show.
-  bool bends_evenly(const Stretch& whole) const {
+  bool bends_evenly(const Stretch& whole, double tolerance) const {
     constexpr double kHermite = 4.0 / 27;  // the most that a slope at an end adds inside
     constexpr double kSwing = 2;
     const PathPoint &left = whole.left.point, &right = whole.right.point;
@@ -159,7 +161,7 @@ class Refiner {
     const AxisVector off = (h * left.dddq - rise).cwiseAbs() + (h * right.dddq - rise).cwiseAbs();
     const AxisVector& a = constraints_.acceleration_limits();
     for (int i = 0; i < kAxes; ++i)
-      if (!(kHermite * off[i] * q <= kSwing * kHalfParts * kGridTolerance * a[i])) return false;
+      if (!(kHermite * off[i] * q <= kSwing * tolerance * a[i])) return false;
     return true;
   }
 
@@ -203,13 +205,26 @@ class Refiner {
     return mean <= middle.asked.q * (1 + kGridTolerance);
   }
 
-  /// What the middle asks for beyond the mean of the ends, as part of the limits.
+  /// What the middle asks for beyond the mean of the ends, as part of the limits. Where both x' and
+  /// x'' are longer there by the same part, as on a circle, whatever is asked is more by that part;
+  /// where jerk is limited, how x'' changes has to be right as well.
   double off_middle(const Stretch& whole, const Look& middle) const {
+    const AxisVector bend = 0.5 * (whole.left.point.ddq + whole.right.point.ddq);
+    const double square = bend.squaredNorm();
+    const double longer = square > 0 ? bend.dot(middle.point.ddq) / square - 1 : 0;
+    const double off = off_mean(whole, middle, 0);
+    if (off <= std::abs(longer) || constraints_.limits_jerk()) return off;
+    return std::min(off, std::abs(longer) + off_mean(whole, middle, longer));
+  }
+
+  /// Beyond the mean made longer.
+  double off_mean(const Stretch& whole, const Look& middle, double longer) const {
     const PathPoint &left = whole.left.point, &right = whole.right.point, &mid = middle.point;
     const double mean = 0.5 * (whole.left.cap.q + whole.right.cap.q);
+    const double half = 0.5 * (1 + longer);
     const AxisVector& a = constraints_.acceleration_limits();
-    const AxisVector bend = mid.ddq - 0.5 * (left.ddq + right.ddq);
-    const AxisVector turn = mid.dq - 0.5 * (left.dq + right.dq);
+    const AxisVector bend = mid.ddq - half * (left.ddq + right.ddq);
+    const AxisVector turn = mid.dq - half * (left.dq + right.dq);
     const double u = constraints_.tangential_u(mid);
     double most = 0;
     for (int i = 0; i < kAxes; ++i)

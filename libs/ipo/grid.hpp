@@ -70,6 +70,6 @@ double felt_from(const Interval& line, double end, double period) noexcept;
 void make_grid(const Move& move, const Constraints& constraints, std::vector<Interval>& grid,
                const std::function<void(double s)>& take);
 
-inline constexpr double kGridTolerance = 3e-4;
+inline constexpr double kGridTolerance = 4e-4;
 
 }  // namespace softcnc::ipo

@@ -18,6 +18,8 @@ constexpr std::size_t kForgotten = 256;  // vertices at a time
 constexpr int kNewtonSteps = 40;
 constexpr double kLookAgain = 1.5;  // times as much of the lines must be known as at the last look
 constexpr double kEnough = 1e-6;    // of the tolerance
+constexpr double kEnoughOfMany = 0.03;  // where more turns than kFew
+constexpr int kFew = 4;
 
 }  // namespace
 
@@ -56,14 +58,14 @@ void LineRun::begin(const AxisVector& point) {
 }
 
 void LineRun::append(const Chord& chord) {
-  Vertex& from = vertices_.back();
+  LineVertex& from = vertices_.back();
   const double length = (chord.to - chord.from).norm();
   from.direction = (chord.to - chord.from) / length;
   from.manner = chord.manner;
   from.deviation = chord.deviation;
   from.tolerance = corner_tolerance(chord.manner, chord.deviation);
   if (vertices_.size() > 1) {
-    const Vertex& before = vertices_[vertices_.size() - 2];
+    const LineVertex& before = vertices_[vertices_.size() - 2];
     from.kink = from.direction - before.direction;
     from.turn = from.kink.norm();
     if (from.turn < kStraight) from.turn = 0;
@@ -71,9 +73,10 @@ void LineRun::append(const Chord& chord) {
   }
   pieces_.add_vertex(from.t, from.point, from.deviation);
   for (const Mark& mark : chord.marks) pieces_.add_mark(from.t + mark.s, mark);
-  Vertex to;
+  LineVertex to;
   to.point = chord.to;
   to.t = from.t + length;
+  to.programmed = from.programmed + chord.marks.size();
   vertices_.push_back(to);
 }
 
@@ -87,7 +90,7 @@ void LineRun::settle() {
 
 /// False while lines that are still to come could make it smaller.
 bool LineRun::find_reach(std::size_t i) {
-  Vertex& vertex = vertices_[i];
+  LineVertex& vertex = vertices_[i];
   if (i + 1 == vertices_.size()) return true;  // the end: 0
   const double known = vertices_.back().t - vertex.t;
   if (!ended_ && known < look_again_ && i + kMost >= vertices_.size()) return false;
@@ -100,8 +103,9 @@ bool LineRun::find_reach(std::size_t i) {
   for (int step = 0; step < kNewtonSteps && w > 0; ++step) {
     const Sum sum = sum_of_roundings(i, w);
     const double over = sum.value - vertex.tolerance;
-    if (over <= 0 && (step > 0 || w == longest)) break;
-    const double root = w - (over + kEnough * vertex.tolerance) / sum.slope;
+    const double enough = (sum.turns > kFew ? kEnoughOfMany : kEnough) * vertex.tolerance;
+    if (over <= 0 && (step > 0 || w == longest || over >= -2 * enough)) break;
+    const double root = w - (over + enough) / sum.slope;
     w = sum.slope > 0 ? std::min(root, longest) : longest;
   }
   vertex.reach = std::max(w, 0.0);
@@ -121,25 +125,27 @@ double LineRun::longest_reach(std::size_t i) const {
 /// What the curve is off at vertex i, at most, if all turns near it had this width.
 LineRun::Sum LineRun::sum_of_roundings(std::size_t i, double width) const {
   double squares = 0, cubes = 0;
-  const auto include = [&](const Vertex& vertex) {
+  int turns = 0;
+  const auto include = [&](const LineVertex& vertex) {
     const double inside = width - std::abs(vertex.t - vertices_[i].t);
     if (inside <= 0) return false;
     const double square = vertex.turn * inside * inside;
     squares += square;
     cubes += square * inside;
+    ++turns;
     return true;
   };
   for (std::size_t j = i; j < vertices_.size() && include(vertices_[j]);) ++j;
   for (std::size_t j = i; j > 0 && include(vertices_[j - 1]);) --j;
   const double part = 1 / (6 * width * width);
-  return {part * cubes, part * (3 * squares - 2 * cubes / width)};
+  return {part * cubes, part * (3 * squares - 2 * cubes / width), turns};
 }
 
 /// False while the reach of a vertex that counts is still unknown.
 bool LineRun::find_width(std::size_t i) {
-  Vertex& vertex = vertices_[i];
+  LineVertex& vertex = vertices_[i];
   double w = vertex.reach;
-  const auto narrow_for = [&](const Vertex& other) {
+  const auto narrow_for = [&](const LineVertex& other) {
     const double x = std::abs(other.t - vertex.t);
     if (x >= w) return false;
     w = std::min(w, std::max(other.reach, x));
@@ -161,7 +167,8 @@ void LineRun::forget() {
   vertices_.erase(vertices_.begin(), vertices_.begin() + static_cast<std::ptrdiff_t>(behind));
   for (std::size_t* index : {&reaches_, &widths_, &densities_, &bent_}) *index -= behind;
   if (!mesh_) return;
-  mesh_->edge -= behind;
+  mesh_->chords.forget_lines(behind);
+  mesh_->awaited -= std::min(mesh_->awaited, behind);
   if (mesh_->stop) *mesh_->stop -= behind;
 }
 

@@ -28,6 +28,8 @@
 
 #include "ipo/bend_pieces.hpp"
 #include "ipo/chord_merge.hpp"
+#include "ipo/chord_mesh.hpp"
+#include "ipo/line_vertex.hpp"
 #include "ipo/piece.hpp"
 #include "ipo/rounding.hpp"
 
@@ -47,33 +49,23 @@ class LineRun {
   void end();
 
  private:
-  /// A place between two lines, and the line behind it.
-  struct Vertex {
-    AxisVector point = AxisVector::Zero();
-    double t = 0;  // mm along the lines
-    AxisVector direction = AxisVector::Zero();
-    AxisVector kink = AxisVector::Zero();
-    double turn = 0;       // |kink|
-    double tolerance = 0;  // mm, of the curve from the lines here
-    double deviation = 0;  // mm, of the line behind from the programmed ones
-    double reach = 0;      // W
-    double width = 0;      // w
-    bool dense = false;
-    Manner manner;
-  };
   struct Sum {
     double value, slope;  // mm, and by the width
+    int turns;
   };
-  /// The last three knots of a mesh; the hat over them is made when the next one is known.
+  /// Knots along dense lines, and how much of it is settled. What is laid but not fixed may be laid
+  /// anew, nearer; from what is fixed there is a way on with knots near each other.
   struct Mesh {
-    double before, last, next;
-    std::optional<Bend> bend;         // of the hat before, the line behind it still unknown
-    AxisVector direction;             // of the line before that
-    std::size_t edge;                 // on which the mean of the hat before lies
+    ChordMesh chords;
+    AxisVector direction;             // of the line before the next bend
+    double free_from;                 // mm: no other hat ends behind
     std::optional<std::size_t> stop;  // the last vertex of the mesh
-
-    double mean() const { return (before + last + next) / 3; }
-    void lay(double spacing) { before = last, last = next, next += spacing; }
+    std::size_t looked = 2;           // spans that are known to be within the tolerance
+    std::size_t fixed = 1, bent = 0;  // hats; those that the path has its bends for
+    std::size_t tried = 0;            // hats, when they were last tried to be fixed
+    int retreats = 0;                 // since the last hat was fixed
+    std::size_t awaited = 0;          // as many lines may tell what was not known
+    double most = 0, most_until = 0;  // mm: how wide knots may be before there
   };
   /// How far the next knot may be; nothing while lines that are still to come could change it.
   struct Spacing {
@@ -92,6 +84,7 @@ class LineRun {
   void bend();
   void find_density();
   bool is_dense(std::size_t i) const;
+  double spacing_of_knots(std::size_t i) const;
   void bend_at_vertex();
   double uncrowded(double t, double width) const;
   bool crowds(double t, double width) const;
@@ -100,17 +93,25 @@ class LineRun {
 
   bool begin_mesh();
   bool extend_mesh();
-  double last_spacing(double most) const;
-  void add_hat();
-  void finish_bend(const AxisVector& direction);
+  bool await_lines();
+  bool lay(Mesh& mesh, bool wide) const;
+  std::optional<double> wide_spacing(const Mesh& mesh) const;
+  double last_spacing(const Mesh& mesh, double most) const;
+  bool is_complete(const Mesh& mesh) const;
+  bool look(Mesh& mesh) const;
+  static bool shapes_near(const Mesh& mesh, std::size_t hats);
+  bool fix();
+  std::optional<bool> goes_on_near(std::size_t hats) const;
+  void retreat();
+  void bend_along(std::size_t hats);
   void end_mesh();
-  std::optional<Spacing> spacing(double from, double back, double most) const;
+  std::optional<Spacing> spacing(std::size_t near, double from, double back, double most) const;
 
   double settled_until() const;
   void forget();
 
-  std::vector<Vertex> vertices_;  // the last one ends the last line
-  double look_again_ = 0;         // mm of lines behind the next vertex that has no reach yet
+  std::vector<LineVertex> vertices_;  // the last one ends the last line
+  double look_again_ = 0;             // mm of lines behind the next vertex that has no reach yet
   std::size_t reaches_ = 0, widths_ = 0;  // vertices whose reach and width are settled
   std::size_t densities_ = 0;             // vertices known to be dense or not
   std::size_t bent_ = 0;                  // vertices that the path has its bends for

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From turns and their widths to bends: a hat for each, or where they are dense a mesh of knots.
+// From turns and their widths to bends: a hat for each where they are not dense.
 #include <algorithm>
 #include <cmath>
 
@@ -12,20 +12,11 @@ namespace {
 constexpr double kCrowded = 1.0 / 32;
 constexpr double kLess = 1.0 / 256;
 constexpr int kTries = 48;
-constexpr int kLastTries = 4;           // for the spacing of the last knots of a mesh
 constexpr std::size_t kLastBends = 72;  // whose knots may be close
 
 /// Of a width: lines, and four of them together, that are dense.
 constexpr double kShort = 1.0;
 constexpr double kDense = 3.2;
-constexpr double kSpacing = 0.5;  // of a width, between two knots
-constexpr double kGrowth = 1.25;  // from one spacing to the next
-constexpr double kAhead = 4;      // spacings: whose turns may use the knots at hand
-
-bool is_close(double a, double b, double least) {
-  const double off = std::abs(a - b);
-  return off < least && off > kSamePlace;
-}
 
 }  // namespace
 
@@ -50,7 +41,9 @@ void LineRun::find_density() {
   const std::size_t known =
       ended_ ? vertices_.size() : vertices_.size() - std::min<std::size_t>(vertices_.size(), 3);
   while (densities_ < std::min(widths_, known)) {
-    vertices_[densities_].dense = is_dense(densities_);
+    LineVertex& vertex = vertices_[densities_];
+    vertex.dense = is_dense(densities_);
+    if (vertex.dense) vertex.spacing = spacing_of_knots(densities_);
     ++densities_;
   }
 }
@@ -68,7 +61,7 @@ bool LineRun::is_dense(std::size_t i) const {
 }
 
 void LineRun::bend_at_vertex() {
-  const Vertex& v = vertices_[bent_++];
+  const LineVertex& v = vertices_[bent_++];
   const bool turns = v.turn > 0 && v.width > 0;
   const double width = turns ? uncrowded(v.t, v.width) : 0;
   pieces_.add({spread_evenly(v.t, v.kink, width), v.point, v.direction, v.deviation, v.manner});
@@ -102,123 +95,12 @@ bool LineRun::is_close_to_knots(double t, double least) const {
   return false;
 }
 
-/// A spacing as it is given or a little less, for the next knot behind `from`.
-double LineRun::uncrowded_spacing(double from, double spacing) const {
-  for (int k = 0; k < kTries; ++k) {
-    const double less = spacing * (1 - k * kLess);
-    if (!is_close_to_knots(from + less, kCrowded * spacing)) return less;
-  }
-  return spacing;
-}
-
-/// How far behind `from` the next knot may lie, at most `most`: no further than half the width of
-/// any turn that could use it, those behind `back` among them.
-std::optional<LineRun::Spacing> LineRun::spacing(double from, double back, double most) const {
-  std::size_t j = bent_;
-  while (j > 0 && vertices_[j - 1].t > back) --j;
-  for (; j < vertices_.size() && vertices_[j].t < from + kAhead * most; ++j) {
-    if (j >= densities_) return std::nullopt;
-    if (!vertices_[j].dense) return Spacing{most, j - 1};
-    most = std::min(most, kSpacing * vertices_[j].width);
-  }
-  if (j == vertices_.size()) return std::nullopt;
-  return Spacing{most, {}};
-}
-
-/// A mesh begins in a vertex, its first hat symmetric. False while it is not known how wide.
-bool LineRun::begin_mesh() {
-  const Vertex& first = vertices_[bent_];
-  const auto ahead = spacing(first.t, first.t, kSpacing * first.width);
-  if (!ahead) return false;
-  if (ahead->stop) {
-    bend_at_vertex();
-    return true;
-  }
-  const double h = uncrowded(first.t, ahead->most);
-  mesh_ = Mesh{first.t - h, first.t, first.t + h, {}, vertices_[bent_ - 1].direction, bent_, {}};
-  return true;
-}
-
-/// Makes the hat over the last three knots, and lays the next one. False while that is not known.
-bool LineRun::extend_mesh() {
-  Mesh& mesh = *mesh_;
-  const double h = mesh.next - mesh.last, mean = mesh.mean();
-  if (!mesh.stop) {
-    const auto ahead = spacing(mesh.next, mean, kGrowth * h);
-    if (!ahead) return false;
-    mesh.stop = ahead->stop;
-    if (!mesh.stop) {
-      add_hat();
-      mesh.lay(uncrowded_spacing(mesh.next, ahead->most));
-      return true;
-    }
-  }
-  add_hat();
-  if (mean >= vertices_[*mesh.stop].t - kSamePlace)
-    end_mesh();
-  else
-    mesh.lay(last_spacing(h));
-  return true;
-}
-
-/// With which the last hat of a mesh is that of its last vertex, and its end not close to a vertex
-/// behind.
-double LineRun::last_spacing(double most) const {
-  const Vertex& stop = vertices_[*mesh_->stop];
-  const double rest = stop.t - mesh_->next;
-  if (!(rest > kSamePlace)) return most;
-  const double fewest = std::ceil(rest / most - kSamePlace);
-  for (int more = 0; more < kLastTries; ++more) {
-    const double spacing = rest / (fewest + more);
-    const double end = stop.t + spacing, least = kCrowded * spacing;
-    bool close = false;
-    for (std::size_t j = *mesh_->stop + 1; j < vertices_.size() && vertices_[j].t < end + least;
-         ++j)
-      close = close || is_close(vertices_[j].t, end, least);
-    if (!close) return spacing;
-  }
-  return rest / fewest;
-}
-
-void LineRun::add_hat() {
-  Mesh& mesh = *mesh_;
-  const double t = mesh.mean();
-  std::size_t edge = mesh.edge;
-  double deviation = vertices_[edge].deviation;
-  while (vertices_[edge + 1].t <= t + kSamePlace)
-    deviation = std::max(deviation, vertices_[++edge].deviation);
-  const Vertex& v = vertices_[edge];
-  const AxisVector point = v.point + (t - v.t) * v.direction;
-  if (mesh.bend) {
-    mesh.bend->deviation = deviation;
-    finish_bend((point - mesh.bend->point) / (t - mesh.bend->turn.t));
-  }
-  const Turn turn{t, AxisVector::Zero(), mesh.before, mesh.last, mesh.next};
-  mesh.bend = Bend{turn, point, AxisVector::Zero(), v.deviation, v.manner};
-  mesh.edge = edge;
-  bent_ = std::max(bent_, edge + 1);
-}
-
-/// The bend of the hat before, now that the line behind it is known.
-void LineRun::finish_bend(const AxisVector& direction) {
-  Mesh& mesh = *mesh_;
-  mesh.bend->direction = direction;
-  mesh.bend->turn.kink = direction - mesh.direction;
-  mesh.direction = direction;
-  pieces_.add(*mesh.bend);
-}
-
-void LineRun::end_mesh() {
-  finish_bend(vertices_[mesh_->edge].direction);
-  mesh_.reset();
-}
-
 /// Hats that are still to be made begin behind this: they are no wider than the reach of the last
 /// settled vertex, or than it is far.
 double LineRun::settled_until() const {
   if (bent_ == vertices_.size()) return vertices_.back().t;
-  if (mesh_) return mesh_->bend ? mesh_->bend->turn.begin : mesh_->before;
-  const Vertex& last = vertices_[widths_ - 1];
+  if (mesh_) return mesh_->chords.knot(mesh_->bent);
+  const LineVertex& last = vertices_[widths_ - 1];
   double until = last.t;
   if (widths_ < vertices_.size()) until = std::min(until, vertices_[widths_].t - last.reach);
   for (std::size_t i = bent_; i < widths_; ++i)

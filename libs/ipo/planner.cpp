@@ -9,7 +9,7 @@
 namespace softcnc::ipo {
 namespace {
 
-constexpr std::size_t kFewIntervals = 64;
+constexpr std::size_t kFewIntervals = 128;
 
 /// The largest acceleration the axes together can give, mm/s^2.
 double acceleration_norm(const Constraints& constraints) {

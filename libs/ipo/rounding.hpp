@@ -46,4 +46,10 @@ NurbsSpec rounded(std::span<const Edge> edges, std::span<const Turn> turns, doub
 /// Parameters closer than this are one, mm.
 inline constexpr double kSamePlace = 1e-9;
 
+/// Near each other, and not the same.
+inline bool is_close(double a, double b, double least) noexcept {
+  const double off = a < b ? b - a : a - b;
+  return off < least && off > kSamePlace;
+}
+
 }  // namespace softcnc::ipo

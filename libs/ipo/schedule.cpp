@@ -9,7 +9,7 @@ namespace softcnc::ipo {
 namespace {
 
 /// Kept free of the acceleration limits on curves: what the grid's tolerance may add to them.
-constexpr double kCurveMargin = 4e-4;
+constexpr double kCurveMargin = 5e-4;
 constexpr double kRelative = 1e-12;  // rounding of q
 
 bool at_cap(double k, const Cap& cap) { return k >= cap.q * (1 - kRelative); }

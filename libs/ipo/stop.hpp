@@ -24,6 +24,6 @@ StopPlan plan_stop(const Constraints& constraints, const PartlyPassed& rest, con
 
 /// A plan leaves nothing of its accelerations unused where another one begins: what interpolating
 /// and rounding may cost is added here, well within the 0.1 % of the promise.
-inline constexpr double kAccelerationShare = 1 + 4e-4;
+inline constexpr double kAccelerationShare = 1 + 5e-4;
 
 }  // namespace softcnc::ipo

@@ -87,6 +87,23 @@ inline double apart(const std::vector<Block>& blocks, const std::vector<ipo::Pie
   return largest;
 }
 
+/// The largest distance of points from a polyline, mm.
+inline double from_polyline(const std::vector<AxisVector>& points,
+                            const std::vector<AxisVector>& corners) {
+  double largest = 0;
+  for (const AxisVector& point : points) {
+    double nearest = 1e300;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      const AxisVector way = corners[i] - corners[i - 1], off = point - corners[i - 1];
+      const double square = way.squaredNorm();
+      const double part = square > 0 ? std::clamp(off.dot(way) / square, 0.0, 1.0) : 0;
+      nearest = std::min(nearest, (off - part * way).squaredNorm());
+    }
+    largest = std::max(largest, std::sqrt(nearest));
+  }
+  return largest;
+}
+
 /// The largest jumps between and within pieces, but for turns of more than `most` (rad), at which
 /// the machine rests.
 struct Jumps {
