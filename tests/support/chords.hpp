@@ -58,4 +58,36 @@ class Chopped {
   double radius_, chord_, grid_;
 };
 
+/// The figure of docs/corners.md, lap after lap: half waves y = R sin(x / R) from crest to trough
+/// and half circles of R back up, and the same mirrored; its curvature has no jump. `count` lines
+/// of `chord` mm, rounded to 1e-4.
+inline std::vector<AxisVector> chopped_laps(double radius, double chord, int count) {
+  constexpr int kParts = 400;  // of a section, as straight as is needed to walk along them
+  const auto at = [&](int section, double w) {
+    AxisVector p(w, std::cos(w), 0);
+    if (section % 2 == 1) p = {std::numbers::pi + std::sin(w), -std::cos(w), 0};
+    if (section % 4 >= 2) p[0] = std::numbers::pi - p[0];
+    return AxisVector(radius * p);
+  };
+  const auto rounded = [](const AxisVector& p) {
+    return AxisVector((p * 1e4).array().round() / 1e4);
+  };
+  std::vector<AxisVector> points{rounded(at(0, 0))};
+  AxisVector before = at(0, 0);
+  double rest = chord;
+  for (int section = 0; std::ssize(points) <= count; ++section)
+    for (int i = 1; i <= kParts && std::ssize(points) <= count; ++i) {
+      const AxisVector here = at(section, std::numbers::pi * i / kParts);
+      for (double way = (here - before).norm(); way >= rest; way = (here - before).norm()) {
+        before += rest / way * (here - before);
+        points.push_back(rounded(before));
+        rest = chord;
+      }
+      rest -= (here - before).norm();
+      before = here;
+    }
+  points.resize(static_cast<std::size_t>(count) + 1);
+  return points;
+}
+
 }  // namespace softcnc::test
