@@ -24,7 +24,8 @@ ChordMesh::ChordMesh(Lines lines, std::size_t first, double spacing) {
 
 void ChordMesh::lay(Lines lines, double spacing, bool near) {
   knots_.push_back(knots_.back() + spacing);
-  add_hat(lines, hats_.back().edge, near && last_is_near_);
+  const bool first = hats_.size() < 2;  // the bend before it is not known
+  add_hat(lines, hats_.back().edge, first || (near && last_is_near_));
   last_is_near_ = near;
   for (; settled_ < hats_.size(); ++settled_)
     if (!hats_[settled_].near) {
