@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Properties over random values, with a fixed seed so that every run tests the same.
+// Properties over random values, with a fixed seed so that every run tests the same. SOFTCNC_SEED
+// sets another: a long run draws new values in each of its parts.
 #pragma once
 
 #include <rapidcheck.h>
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdint>
+#include <cstdlib>
 #include <sstream>
 
 #include "support/sanitized.hpp"
@@ -16,12 +19,17 @@ namespace softcnc::test {
 /// since the release build tries them all.
 inline constexpr int kPart = kSanitized ? 3 : 1;
 
+inline std::uint64_t seed() {
+  const char* asked = std::getenv("SOFTCNC_SEED");
+  return asked != nullptr ? std::strtoull(asked, nullptr, 10) : 20261121;
+}
+
 /// Holds for `times` random values. `testable` draws them with real(), integer() or rc::gen, and
 /// states what must hold with RC_ASSERT.
 template <typename Testable>
 void holds(Testable&& testable, int times = 200) {
   rc::detail::TestParams params;
-  params.seed = 20261121;
+  params.seed = seed();
   params.maxSuccess = std::max(1, times / kPart);
   const auto result = rc::detail::checkTestable(std::forward<Testable>(testable),
                                                 rc::detail::TestMetadata{}, params);
