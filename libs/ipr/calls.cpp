@@ -47,7 +47,7 @@ Jump call_of(Task& task, Jump::Kind kind, int number) {
 
 void call_program(Task& task) {
   const auto number = program_number(task);
-  if (!number) return;
+  if (!number) return task.flow.miss_call(false);
   Jump jump = call_of(task, Jump::Kind::call, *number);
   jump.line_number = optional_number(task, 'Q');
   split_old_form(task, jump);
@@ -57,7 +57,7 @@ void call_program(Task& task) {
 void call_macro(Task& task) {
   const auto number = program_number(task);
   auto arguments = macro_arguments(task);
-  if (!number || !arguments) return;
+  if (!number || !arguments) return task.flow.miss_call(true);
   Jump jump = call_of(task, Jump::Kind::call_macro, *number);
   jump.arguments = std::move(*arguments);
   task.flow.jump(std::move(jump), task.out.text());

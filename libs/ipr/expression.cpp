@@ -34,14 +34,14 @@ bool is_exponent(Lexer lexer) {
   return is_number_part(next);
 }
 
+}  // namespace
+
 std::string lower_case(std::string_view name) {
   std::string lower;
   for (const char c : name)
     if (!is_blank(c)) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return lower;
 }
-
-}  // namespace
 
 std::string name_of(const Variable& variable) {
   return variable.name.empty() ? "#" + std::to_string(variable.number)

@@ -29,6 +29,8 @@ struct Variable {
 };
 
 std::string name_of(const Variable& variable);
+/// A name as it is known: in lower case, without blanks.
+std::string lower_case(std::string_view name);
 
 /// An expression that has another value in the other dialect.
 struct OtherValue {

@@ -2,6 +2,7 @@
 // Hands out lines, and does itself what they say about their order.
 #include "ipr/flow.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace softcnc::ipr {
@@ -9,11 +10,16 @@ namespace {
 
 constexpr std::size_t kMostLost = 10000;  // bytes
 
-/// Behind '/' and a line number stands a letter with which statements begin.
+constexpr bool is_letter(char c) noexcept {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+/// The first letter but that of a line number is one with which statements begin.
 bool looks_like_statement(std::string_view line) {
-  const auto at = line.find_first_not_of(" \t/Nn0123456789");
-  return at != std::string_view::npos &&
-         std::string_view("OoIiWwDdEe").find(line[at]) != std::string_view::npos;
+  const auto first = std::find_if(line.begin(), line.end(),
+                                  [](char c) { return is_letter(c) && c != 'N' && c != 'n'; });
+  return first != line.end() &&
+         std::string_view("OoIiWwDdEe").find(*first) != std::string_view::npos;
 }
 
 }  // namespace
@@ -87,6 +93,7 @@ void Flow::take(const Line& line) {
 void Flow::obey() {
   switch (statement_.kind) {
     case Kind::none:
+    case Kind::misspelt:
       return;
     case Kind::program:
       return begin_program();
@@ -150,8 +157,11 @@ void Flow::finish() {
   if (broke_off()) return;
   while (!uncertain_ && opens_.size() > calls_.back().opens) {
     const Open& top = opens_.back();
-    if (!top.end && !pass_to_end(top)) tell_open(top);
+    const Passed passed = top.end ? Passed::to_end : pass_to_end(top);
+    if (passed == Passed::nowhere) tell_open(top);
+    if (passed == Passed::to_misspelt) parser_.next();  // which tells it
     opens_.pop_back();
+    if (passed == Passed::to_misspelt) return;
   }
 }
 

@@ -58,6 +58,9 @@ class Flow {
   std::optional<Line> next();
   /// Asks for a jump before the next line; `text` is that of the line that asks.
   void jump(Jump jump, std::string_view text);
+  /// What is called is missing, which is told: nothing is known that it might have changed.
+  /// `has_level`: it would have had variables of its own.
+  void miss_call(bool has_level);
   /// The program has ended: tells what is still open and has no end.
   void finish();
 
@@ -106,6 +109,10 @@ class Flow {
   };
   static constexpr std::size_t kMostLandings = 32;
 
+  /// Where lines have been passed to: behind the end that was looked for, or before a line of its
+  /// label that may have been meant for it.
+  enum class Passed : std::uint8_t { nowhere, to_end, to_misspelt };
+
   // flow.cpp
   void doubt(const Line& line);
   void doubt_order() noexcept;
@@ -126,7 +133,6 @@ class Flow {
   void begin_program();
   void call();
   std::optional<Subprogram> find(const std::string& label, bool program, const SourcePos& call);
-  void miss_call(bool has_level);
   void perform_jump();
   void enter(Subprogram sub, Jump jump, bool has_level);
   void start();
@@ -150,7 +156,7 @@ class Flow {
   bool leads_into(const Landing& landing, Kind begin, const Spot& here);
   bool is_open_already();
   void pass_top();
-  bool pass_to_end(const Open& open);
+  Passed pass_to_end(const Open& open);
   void begin_branch();
   void find_branch();
   void next_branch();

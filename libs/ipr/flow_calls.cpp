@@ -15,20 +15,23 @@ std::string name_of(const Subprogram& sub) {
                                       : "'" + o_word(sub.label, "sub") + "'";
 }
 
-/// The N of a line, read with letters O as digits; nothing where it has none of these.
-std::optional<int> number_with_letter(std::string_view line) {
+/// The N of a line that cannot be read: its digits, letters O among them, and nothing else of what
+/// stands before the next blank or letter. Nothing for a number that can be read.
+std::optional<int> number_meant(std::string_view line) {
   constexpr int kLargest = 99'999'999;
-  std::size_t at = line.find_first_not_of(" \t/");
-  if (at == std::string_view::npos || (line[at] != 'N' && line[at] != 'n')) return std::nullopt;
-  int number = 0;
-  bool letter = false;
-  for (++at; at < line.size() && number <= kLargest; ++at) {
-    const bool is_letter = line[at] == 'O' || line[at] == 'o';
-    if (!is_letter && !is_digit(line[at])) break;
-    letter = letter || is_letter;
-    number = number * 10 + (is_letter ? 0 : line[at] - '0');
+  const std::string_view before = line.substr(0, line.find_first_of("Nn"));
+  const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
+  if (before.size() == line.size() || std::any_of(before.begin(), before.end(), is_letter))
+    return std::nullopt;
+  bool readable = before.find_first_not_of(" \t/") == std::string_view::npos;
+  std::optional<int> number;
+  for (const char c : line.substr(before.size() + 1)) {
+    const bool zero = c == 'O' || c == 'o';
+    if (number.value_or(0) > kLargest || is_blank(c) || (is_letter(c) && !zero)) break;
+    readable = readable && is_digit(c);
+    if (zero || is_digit(c)) number = number.value_or(0) * 10 + (zero ? 0 : c - '0');
   }
-  return letter ? std::optional(number) : std::nullopt;
+  return readable ? std::nullopt : number;
 }
 
 }  // namespace
@@ -42,6 +45,11 @@ void Flow::pass_definition() {
     const Statement* inner = line->statement;
     if (inner == nullptr) continue;
     if (inner->kind == Kind::program) break;
+    if (inner->kind == Kind::misspelt && inner->label == statement_.label) {
+      go({parser_.file(),
+          parser_.reader().place_before(line->text)});  // it is told where it is read
+      return;
+    }
     if (inner->kind == Kind::end_sub && inner->label == statement_.label) {
       if (nested.line > 0)
         report_once(Code::SC2307, nested,
@@ -104,7 +112,6 @@ std::optional<Subprogram> Flow::find(const std::string& label, bool program,
   return sub;
 }
 
-/// After what is called and missing nothing is known that it might have changed.
 void Flow::miss_call(bool has_level) {
   parser_.parameters().doubt_all(!has_level);
   if (options_.observer != nullptr) options_.observer->miss_call();
@@ -126,6 +133,7 @@ void Flow::enter(Subprogram sub, Jump jump, bool has_level) {
   const auto by_itself = std::count_if(calls_.begin() + 1, calls_.end(), [&](const Call& call) {
     return call.sub.label == sub.label && call.sub.begin.file == sub.begin.file;
   });
+  if (uncertain_ && by_itself > 0) return miss_call(has_level);  // what ends it may be what is lost
   if (calls_.size() > kDeepest)
     return break_off(Code::SC2309, jump.pos,
                      "more than " + std::to_string(kDeepest) + " calls within each other; " +
@@ -234,10 +242,10 @@ void Flow::go_to_line(int number, const SourcePos& pos) {
   sought_in_vain(here, pos);
 }
 
-/// True if there is a line whose number is meant, with a letter O in it for a digit 0. That is told
-/// where it is read: the program goes on there, or here if it lies behind.
+/// True if there is a line whose number is meant, and cannot be read. That is told where it stands:
+/// the program goes on there, or here if it lies behind.
 bool Flow::is_misspelt(int number, const Spot& here) {
-  const auto is_meant = [&](const Line& line) { return number_with_letter(line.text) == number; };
+  const auto is_meant = [&](const Line& line) { return number_meant(line.text) == number; };
   if (!go(calls_.back().sub.begin)) return false;
   if (!pass_to(is_meant)) {
     go(here);

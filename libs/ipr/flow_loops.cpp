@@ -188,14 +188,21 @@ void Flow::pass_top() {
   opens_.pop_back();
   if (top.end) {
     go(*top.end);
-  } else if (!pass_to_end(top)) {
+  } else if (pass_to_end(top) == Passed::nowhere) {
     tell_open(top);
     sought_in_vain(here, statement_.pos);
   }
 }
 
-bool Flow::pass_to_end(const Open& open) {
-  return pass_to([&](const Line& line) { return line.statement && ends(*line.statement, open); });
+Flow::Passed Flow::pass_to_end(const Open& open) {
+  bool misspelt = false;
+  const bool found = pass_to([&](const Line& line) {
+    if (line.statement == nullptr) return false;
+    misspelt = line.statement->kind == Kind::misspelt && line.statement->label == open.label;
+    return misspelt || ends(*line.statement, open);
+  });
+  if (misspelt) go(before_);
+  return !found ? Passed::nowhere : misspelt ? Passed::to_misspelt : Passed::to_end;
 }
 
 void Flow::begin_branch() {
@@ -212,10 +219,12 @@ void Flow::find_branch() {
     const Statement* statement = line.statement;
     if (statement == nullptr || statement->label != opens_.back().label) return false;
     found = statement->kind;
-    return found == Kind::else_if || found == Kind::else_begin || found == Kind::if_end;
+    return found == Kind::else_if || found == Kind::else_begin || found == Kind::if_end ||
+           found == Kind::misspelt;
   };
   while (pass_to(is_branch)) {
     ++executed_;
+    if (found == Kind::misspelt) return static_cast<void>(go(before_));
     if (found == Kind::if_end) return opens_.pop_back();
     opens_.back().had_else = found == Kind::else_begin;
     if (found == Kind::else_begin) return;
@@ -317,7 +326,7 @@ void Flow::next_round_or_leave() {
   close_within(*loop, false);
   if (statement_.kind == Kind::leave_loop) return pass_top();
   const Spot here = library_.here();
-  if (pass_to_end(opens_.back())) {
+  if (pass_to_end(opens_.back()) != Passed::nowhere) {
     go(before_);
     return;
   }

@@ -16,7 +16,8 @@ bool Flow::pass_to(Wanted wanted) {
     if (!line) return false;
     const Kind kind = line->statement ? line->statement->kind : Kind::none;
     if (!definition.empty()) {
-      if (kind == Kind::end_sub && line->statement->label == definition) definition.clear();
+      const bool ends = kind == Kind::end_sub || kind == Kind::misspelt;
+      if (ends && line->statement->label == definition) definition.clear();
     } else if (wanted(*line)) {
       before_ = {parser_.file(), parser_.reader().place_before(line->text)};
       return true;

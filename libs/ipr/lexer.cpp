@@ -123,6 +123,16 @@ Token Lexer::take_number() {
   return read;
 }
 
+bool Lexer::pass_brackets() noexcept {
+  int depth = 0;
+  for (char c = peek(); c != 0; c = peek()) {
+    pass();
+    if (c == '[') ++depth;
+    if (c == ']' && --depth <= 0) return depth == 0;
+  }
+  return false;
+}
+
 std::optional<std::string_view> Lexer::take_name() noexcept {
   const std::size_t end = line_.find('>', at_);
   if (end == std::string_view::npos) return std::nullopt;

@@ -76,6 +76,9 @@ class Lexer {
   std::string_view take_letters() noexcept;
   /// Passes a number without a sign: what looks like one, from the next character on.
   Token take_number();
+  /// Passes what stands before the next '[', and all to its ']'; false, and somewhere behind, if
+  /// one of them is missing.
+  bool pass_brackets() noexcept;
   /// Passes what stands before '>', and the '>'; nothing if there is none.
   std::optional<std::string_view> take_name() noexcept;
 

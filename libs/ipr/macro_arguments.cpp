@@ -2,6 +2,8 @@
 // FANUC's two lists of arguments, in one pass: only I, J and K differ between them.
 #include "ipr/macro_arguments.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -36,6 +38,16 @@ class Numbering {
   int set_ = 0, last_ = -1;
 };
 
+/// Those that could not be read: of I, J and K nobody knows which set of three they belong to.
+void doubt_lost(std::vector<double>& values, Letters lost, int locals) {
+  if (lost.empty()) return;
+  values.resize(static_cast<std::size_t>(locals), kVacant);
+  for (double& value : values)
+    if (is_vacant(value)) value = kUncertain;
+  constexpr std::ptrdiff_t kFirstSet = 3;
+  if (lost.has_any("IJK")) std::fill(values.begin() + kFirstSet, values.end(), kUncertain);
+}
+
 }  // namespace
 
 std::optional<std::vector<double>> macro_arguments(Task& task) {
@@ -66,7 +78,9 @@ std::optional<std::vector<double>> macro_arguments(Task& task) {
     if (index >= values.size()) values.resize(index + 1, kVacant);
     values[index] = word.value;
   }
-  return good ? std::optional(std::move(values)) : std::nullopt;
+  if (!good) return std::nullopt;
+  doubt_lost(values, task.command.uncertain(), parameters.locals());
+  return values;
 }
 
 }  // namespace softcnc::ipr

@@ -221,6 +221,7 @@ std::optional<double> ModalVariables::read(std::string_view name) const {
 
 std::optional<double> ModalVariables::read(int number) const {
   if (uncertain_.count(number) > 0) return kUncertain;
+  if (modal_.offsets_uncertain && is_offset(number)) return kUncertain;
   if (const auto offset = offset_variable(number, modal_.state, dialect_))
     return *offset->value / offset->unit;
   return dialect_ == Dialect::fanuc ? read_fanuc(number) : read_linuxcnc(number);

@@ -98,6 +98,7 @@ class Parser {
   Token read_value(Lexer& lexer, const Token& letter, const Token& first);
   Token read_expression(Lexer& lexer, const Token& letter);
   bool pass_operation(Lexer& lexer, int begin);
+  Token pass_broken(Lexer& lexer, Lexer begin, const std::optional<Fault>& fault);
   Token pass_value(Lexer& lexer);
   bool read_o_word(Lexer& lexer, const Token& letter);
   std::optional<Token> read_keyword(Lexer& lexer, const Token& letter);
@@ -108,6 +109,7 @@ class Parser {
   bool may_assign(const Variable& variable, SourcePos at);
   double within_limit(const Variable& variable, double value, SourcePos at);
   void assign(Variable variable, double value);
+  void doubt_assignments();
   void keep_before(const Variable& variable);
   std::span<const Assigned> assigned_there() const noexcept;
   void note(Contradiction why, int column, int length, const std::string& detail = {});
@@ -135,8 +137,8 @@ class Parser {
   void give_up(Code code, const Token& token, std::string message);
   void give_up(const std::optional<Fault>& fault, Lexer& lexer);
   bool strange() const noexcept { return trusted_.has_value(); }
-  void lose_words() noexcept;
-  void lose_rest() noexcept;
+  void lose_words();
+  void lose_rest();
 
   void name_file() noexcept;
 

@@ -289,17 +289,17 @@ void Parser::give_up(const std::optional<Fault>& fault, Lexer& lexer) {
   lose_rest();
 }
 
-void Parser::lose_rest() noexcept {
+void Parser::lose_rest() {
   given_up_ = true;
   lose_words();
 }
 
 /// They can be read, but not trusted.
-void Parser::lose_words() noexcept {
+void Parser::lose_words() {
   if (!strange()) trusted_ = words_.size();
   line_.broken = true;
   line_.lost = kAllLetters;
-  if (line_.text.find('=') != std::string_view::npos) parameters_.doubt();
+  doubt_assignments();
 }
 
 }  // namespace softcnc::ipr

@@ -44,6 +44,37 @@ std::optional<std::string_view> text_of_abort(std::string_view comment) {
   return without_blanks_around(said.substr(kAbort.size()));
 }
 
+Parameters::Access access_to(const Variable& variable, const Parameters& parameters) {
+  return variable.name.empty() ? parameters.access(variable.number)
+                               : parameters.access(variable.name);
+}
+
+void write(const Variable& variable, double value, Parameters& parameters) {
+  if (variable.name.empty())
+    parameters.write(variable.number, value);
+  else
+    parameters.write(variable.name, value);
+}
+
+/// The '#1' or '#<name>' that a text ends with, the '#' of which may be what is missing; nothing
+/// where its number or name is to be computed.
+std::optional<Variable> variable_at_end(std::string_view text) {
+  constexpr std::size_t kLongestNumber = 6;
+  if (text.back() == '>') {
+    Lexer name(text.substr(std::min(text.rfind('<'), text.size() - 1)));
+    name.pass();
+    const auto taken = name.take_name();
+    return taken ? std::optional(Variable{-1, lower_case(*taken)}) : std::nullopt;
+  }
+  const std::size_t begin = text.find_last_not_of("0123456789") + 1;
+  const std::string_view digits = text.substr(begin), before = text.substr(0, begin);
+  if (digits.empty() || digits.size() > kLongestNumber || before.ends_with("##"))
+    return std::nullopt;
+  int number = 0;
+  for (const char digit : digits) number = number * 10 + (digit - '0');
+  return Variable{number, {}};
+}
+
 /// " (1 here, 0 there)"; nothing where the values are not what differs.
 std::string detail_of(const OtherValue& other) {
   const auto text = [](double value) {
@@ -69,11 +100,13 @@ void Parser::read_outline() {
   token = pass_slash(lexer, token);
   if (token.kind == Token::Kind::letter && token.letter == 'N') {
     const Token number = lexer.next();
-    if (number.kind != Token::Kind::number || number.fault != NumberFault::none) return;
+    line_.broken = number.kind != Token::Kind::number || number.fault != NumberFault::none;
+    if (line_.broken) return;
     const int length = number.end_column() - token.column;
     words_.push_back({'N', number.value, {line_.number, token.column, length}});
     token = pass_slash(lexer, lexer.next());
   }
+  line_.broken = token.kind == Token::Kind::unknown;
   if (line_.skip && options_.block_skip) words_.clear();
   line_.words = words_;
   if (token.kind != Token::Kind::letter || (line_.skip && options_.block_skip)) return;
@@ -134,6 +167,7 @@ void Parser::settle(const StatementReader& reader, Lexer& lexer) {
 /// `sign` is the '#' of a variable that a line assigns to.
 Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
   Expression expression(lexer, parameters_);
+  const bool computed = lexer.peek() == '#' || lexer.peek() == '[';
   auto variable = expression.variable();
   if (variable && (is_order(*variable) || is_tool_value(*variable)))
     note(Contradiction::system_variable, sign.column, lexer.end() - sign.column);
@@ -145,21 +179,22 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
     expression.refuse_next(Code::SC1028, "'=' and a value");
   const bool bare = options_.dialect == Dialect::fanuc;  // RS274 wants brackets around operators
   expression.compare_with(assigned_there());
+  const Lexer before = lexer;
   const int begin = lexer.column();
   double value = expression.broke_off() ? kUncertain
                  : bare                 ? expression.unbracketed()
                                         : expression.value();
   note(expression.other_value());
+  if (!variable || (computed && !assignable)) parameters_.doubt_all(true);
   if (expression.broke_off()) {
-    give_up(expression.fault(), lexer);
-    return {};
+    if (assignable) assign(std::move(*variable), kUncertain);
+    return pass_broken(lexer, before, expression.fault());
   }
   report(expression.fault());
   if (pass_operation(lexer, begin)) value = kUncertain;
   if (is_uncertain(value) || !variable) line_.broken = true;
   const double kept = assignable ? within_limit(*variable, value, at) : kUncertain;
   if (assignable) assign(std::move(*variable), strange() ? kUncertain : kept);
-  if (!variable) parameters_.doubt();
   return lexer.next();
 }
 
@@ -216,8 +251,7 @@ std::string Parser::comment_behind(const Lexer& lexer) const {
 /// Tells if not.
 bool Parser::may_assign(const Variable& variable, SourcePos at) {
   using Access = Parameters::Access;
-  const Access access = variable.name.empty() ? parameters_.access(variable.number)
-                                              : parameters_.access(variable.name);
+  const Access access = access_to(variable, parameters_);
   if (access == Access::read_only)
     report(Code::SC1026, at.column, at.length, name_of(variable) + " cannot be assigned to");
   else if (access == Access::no_such)
@@ -240,6 +274,19 @@ void Parser::assign(Variable variable, double value) {
   if (parameters_.watching() && options_.dialect == Dialect::fanuc) keep_before(variable);
   assignments_.push_back({std::move(variable), value});
   if (options_.dialect == Dialect::fanuc) apply_assignments();
+}
+
+/// Of a line that cannot be read: what stands before each '=' has lost its value.
+void Parser::doubt_assignments() {
+  const std::string_view text = line_.text;
+  for (auto at = text.find('='); at != std::string_view::npos; at = text.find('=', at + 1)) {
+    const std::string_view before = without_blanks_around(text.substr(0, at));
+    if (before.empty() || before.back() == '=') continue;
+    const auto variable = variable_at_end(before);
+    if (!variable && before.find('#') != std::string_view::npos) parameters_.doubt_all(true);
+    if (variable && access_to(*variable, parameters_) == Parameters::Access::granted)
+      write(*variable, kUncertain, parameters_);
+  }
 }
 
 /// The value of a variable before the line.
@@ -267,12 +314,7 @@ void Parser::note(const std::optional<OtherValue>& other) {
 
 void Parser::apply_assignments() {
   started_ = true;
-  for (const auto& [variable, value] : assignments_) {
-    if (variable.name.empty())
-      parameters_.write(variable.number, value);
-    else
-      parameters_.write(variable.name, value);
-  }
+  for (const auto& [variable, value] : assignments_) write(variable, value, parameters_);
   assignments_.clear();
 }
 

@@ -32,6 +32,17 @@ bool is_operation(Lexer lexer) {
   return is_number_part(operand) || operand == '#' || operand == '[' || is_function(lexer);
 }
 
+/// '[..]', the variable '#[..]', or a function: ATAN may take two brackets.
+bool pass_value_in_brackets(Lexer& lexer) {
+  while (lexer.take('#') || lexer.take('-') || lexer.take('+')) {
+  }
+  lexer.take_letters();
+  if (lexer.peek() != '[' || !lexer.pass_brackets()) return false;
+  Lexer second = lexer;
+  if (second.take('/') && second.peek() == '[' && second.pass_brackets()) lexer = second;
+  return true;
+}
+
 }  // namespace
 
 /// A word whose value begins with no digit: `first` is the token behind its letter.
@@ -43,6 +54,10 @@ Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) 
   if (begin == '#' || begin == '[' || is_function(at_value)) {
     lexer.back_to(first);
     return read_expression(lexer, letter);
+  }
+  if (first.kind == Token::Kind::letter && line_.lost.has('O') && !strange()) {
+    lose_rest();  // the keyword behind a label that could not be read
+    return {};
   }
   if (first.kind == Token::Kind::letter) {
     if (const auto behind = read_keyword(lexer, letter)) return *behind;
@@ -87,9 +102,22 @@ bool Parser::pass_operation(Lexer& lexer, int begin) {
   return true;
 }
 
+/// What is wrong in an expression is told; where its brackets end is known if it has begun with
+/// one at `begin`. Returns what stands behind.
+Token Parser::pass_broken(Lexer& lexer, Lexer begin, const std::optional<Fault>& fault) {
+  if (!fault || !pass_value_in_brackets(begin) || is_operation(begin)) {
+    give_up(fault, lexer);
+    return {};
+  }
+  report(fault);
+  lexer = begin;
+  return lexer.next();
+}
+
 Token Parser::read_expression(Lexer& lexer, const Token& letter) {
   Expression expression(lexer, parameters_);
   const int begin = lexer.column();
+  const Lexer before = lexer;
   const bool may_round = options_.dialect == Dialect::fanuc || parameters_.watching();
   if (may_round && kLengths.has(letter.letter))
     expression.round_to(parameters_.read("_metric") == 0.0 ? kPerInch : kPerMm);
@@ -98,10 +126,7 @@ Token Parser::read_expression(Lexer& lexer, const Token& letter) {
   note(expression.other_value());
   const int length = lexer.end() - letter.column;
   if (is_uncertain(value)) line_.lost.add(letter.letter);
-  if (expression.broke_off()) {
-    give_up(expression.fault(), lexer);
-    return {};
-  }
+  if (expression.broke_off()) return pass_broken(lexer, before, expression.fault());
   report(expression.fault());
   if (pass_operation(lexer, begin))
     line_.lost.add(letter.letter);

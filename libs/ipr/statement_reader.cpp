@@ -117,6 +117,7 @@ StatementReader::Found StatementReader::read_behind_label(bool by_number) {
   const Keyword* keyword = take_keyword(lexer_);
   if (keyword == nullptr) {
     if (by_number && (!is_letter(next) || is_word(lexer_))) return Found::nothing;
+    if (depth_ == Depth::outline) statement_.kind = Kind::misspelt;
     stop_at_next(Code::SC1020, "a keyword like 'call'");
     return Found::statement;
   }
@@ -154,7 +155,7 @@ StatementReader::Found StatementReader::read_keyword(SourcePos at) {
   const Lexer before = lexer_;
   statement_ = Statement{};
   statement_.pos = at;
-  if (lexer_.take("IF") && (lexer_.peek() == '[' || lexer_.peek() == '#')) return read_if();
+  if (lexer_.take("IF") && !is_letter(lexer_.peek())) return read_if();
   lexer_ = before;
   if (lexer_.take("WHILE")) return read_while();
   if (lexer_.take("GOTO")) return read_jump();
@@ -216,21 +217,12 @@ StatementReader::Found StatementReader::read_loop(Kind kind) {
 /// '[..]' as true or false. In an outline it is passed over.
 bool StatementReader::condition() {
   if (depth_ == Depth::outline) {
-    pass_brackets();
+    lexer_.pass_brackets();
     return true;
   }
   Expression expression(lexer_, parameters_);
   const double value = keep(expression, expression.bracketed());
   return !is_vacant(value) && value != 0;
-}
-
-void StatementReader::pass_brackets() {
-  int depth = 0;
-  for (char c = lexer_.peek(); c != 0; c = lexer_.peek()) {
-    lexer_.pass();
-    if (c == '[') ++depth;
-    if (c == ']' && --depth == 0) return;
-  }
 }
 
 /// The value of an expression, after what is to be known about it.

@@ -54,7 +54,6 @@ class StatementReader {
   Found read_loop(Statement::Kind kind);
   bool condition();
   double keep(const Expression& expression, double value);
-  void pass_brackets();
   void end_keyword() noexcept;
   Found finish();
   void stop(Code code, int begin, int end, std::string message);

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// What follows from an error that has been told is not told, and nothing else is lost for it.
+#include <catch2/catch.hpp>
+
+#include "ipr/interpret.hpp"
+
+using namespace softcnc;
+using namespace softcnc::ipr;
+
+namespace {
+
+Places told(std::string text, Dialect dialect = Dialect::linuxcnc) {
+  InterpreterOptions options;
+  options.dialect = dialect;
+  return places(interpret(std::move(text) + "\nM30\n", Machine{}, options));
+}
+
+}  // namespace
+
+TEST_CASE("a variable whose assignment is broken has no known value", "[ipr][consequences]") {
+  CHECK(told("#1=[3+4\nG00 X[1/#1]") == Places{"SC1017 1:4"});
+  CHECK(told("#1=SINE[3]\nG00 X[1/#1]") == Places{"SC1018 1:4"});
+  CHECK(told("#5=1.2.3\nG00 X[1/#5]") == Places{"SC1004 1:4"});
+  CHECK(told("#1==5\nG00 X[1/#1]") == Places{"SC1016 1:4"});
+  CHECK(told("#<a> 5\nG00 X#<a>") == Places{"SC1028 1:6"});
+  CHECK(told("##1=4\nG00 X[1/#3]") == Places{"SC1025 1:1"});
+  CHECK(told("IF [1 EQ 1] THN #2=1\nG00 X[1/#2]") == Places{"SC1029 1:13"});
+  CHECK(told("? #2=1\nG00 X[1/#2]") == Places{"SC1001 1:1"});
+  CHECK(told("G10 L2 P1 X--5\nG00 X[1/#5221]") == Places{"SC1003 1:12"});
+}
+
+TEST_CASE("a variable that a broken line does not assign to keeps its value",
+          "[ipr][consequences]") {
+  CHECK(told("#1=0\n#2=[3+4\nG00 X[1/#1]") == Places{"SC1017 2:4", "SC1021 3:9"});
+  CHECK(told("? #<b>=1\nG00 X#<a>") == Places{"SC1001 1:1", "SC1024 2:6"});
+}
+
+TEST_CASE("a loop that a broken assignment would have ended does not run on",
+          "[ipr][consequences]") {
+  CHECK(told("#1=1\no1 while [#1 LT 5]\n#1=[#1+1\no1 endwhile") == Places{"SC1017 3:4"});
+  CHECK(told("o<f> sub\no1 if [#1 GT 0\no<f> call [#1-1]\no1 endif\no<f> endsub\no<f> call [4]") ==
+        Places{"SC1017 2:7"});
+}
+
+TEST_CASE("behind a broken expression in brackets the line is read on", "[ipr][consequences]") {
+  CHECK(told("G00 X[1+] Y1.2.3 Q5") == Places{"SC1016 1:9", "SC1004 1:12", "SC2004 1:18"});
+  CHECK(told("#1=[1+] #2=[2+]\nG00 X[1/#1]") == Places{"SC1016 1:7", "SC1016 1:15"});
+  CHECK(told("G00 X[ATAN[1+]/[2]] Y..1") == Places{"SC1016 1:14", "SC1004 1:22"});
+  CHECK(told("G00 X[1+ Y1.2.3") == Places{"SC1018 1:10"});
+}
+
+TEST_CASE("an argument that cannot be read has no known value", "[ipr][consequences]") {
+  const std::string subprogram = "\nM30\nO1\n#3=[1/#2]\nM99";
+  CHECK(told("G65 P1 A1 B2..0" + subprogram, Dialect::fanuc) == Places{"SC1004 1:12"});
+  CHECK(told("G65 P1 A1" + subprogram, Dialect::fanuc) == Places{"SC1021 4:7"});
+}
+
+TEST_CASE("what a call would have done that cannot be made is not known", "[ipr][consequences]") {
+  CHECK(told("M98\nX3") == Places{"SC2005 1:1"});
+  CHECK(told("M98 P1.5\nG01 X3") == Places{"SC2007 1:5"});
+}
+
+TEST_CASE("a statement that cannot be read may have begun or ended what is open",
+          "[ipr][consequences]") {
+  CHECK(told("?o2 repeat [6]\nG00 X1\no2 endrepeat") == Places{"SC1001 1:1"});
+  CHECK(told("oO1 sub\nG00 X1\no1 endsub") == Places{"SC1002 1:1"});
+  CHECK(told("o sub\nG00 X1\no endsub") == Places{"SC1002 1:1", "SC1002 3:1"});
+  CHECK(told("o1.2.3 while [1]\no1 endwhile") == Places{"SC1004 1:2"});
+  CHECK(told("o  if [1]") == Places{"SC1002 1:1"});
+  CHECK(told("IF 1 EQ 2 GOTO 99") == Places{"SC1017 1:4"});
+}
+
+TEST_CASE("a keyword that is none is told where it stands, whether its branch is run or not",
+          "[ipr][consequences]") {
+  CHECK(told("o1 if [0]\nG00 X1\no1 elsif [1]\nG00 X1..2\no1 endif") ==
+        Places{"SC1020 3:4", "SC1004 4:6"});
+  CHECK(told("o1 if [1]\nG00 X1\no1 els\nG00 X1..2\no1 endif") ==
+        Places{"SC1020 3:4", "SC1004 4:6"});
+  CHECK(told("o1 if [0]\nG00 X1\no1 endiff\nG00 X1..2") == Places{"SC1020 3:4", "SC1004 4:6"});
+  CHECK(told("o1 while [0]\nG00 X1\no1 endwhil") == Places{"SC1020 3:4"});
+  CHECK(told("o1 while [1]\no1 continue\no1 endwhil") == Places{"SC1020 3:4"});
+  CHECK(told("o1 while [1]\nM30\no1 endwhil") == Places{"SC1020 3:4"});
+  CHECK(told("o7 sub\nG00 X1\no7 endsb\nG00 X1..2") == Places{"SC1020 3:4", "SC1004 4:6"});
+  CHECK(told("o7 call\no7 sub\nG00 X1\no7 endsb\nG00 X1..2") == Places{"SC1020 4:4", "SC1004 5:6"});
+}
+
+TEST_CASE("a line number that cannot be read may be the one a jump looks for",
+          "[ipr][consequences]") {
+  CHECK(told("GOTO 10\nN10.. G00") == Places{"SC1004 2:2"});
+  CHECK(told("GOTO 99\n?N99 G00 X1") == Places{"SC1001 2:1"});
+  CHECK(told("GOTO 98\n?N99 G00 X1") == Places{"SC2308 1:1", "SC1001 2:1"});
+}
