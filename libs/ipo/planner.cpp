@@ -19,6 +19,9 @@ double acceleration_norm(const Constraints& constraints) {
   return a.norm();
 }
 
+/// The time of the row at `t` or the last before it.
+double row_at(double t, double period) { return std::floor(t / period) * period; }
+
 }  // namespace
 
 Planner::Planner(const Machine& machine, double feed_override, Diagnostics& diagnostics)
@@ -169,11 +172,18 @@ void Planner::rest_at_turn(Profile& profile) {
   if (!turn.turns) return;
   const double period = constraints_.period();
   const double t = t_ + profile.duration();
-  const double row_before = std::floor(t / period) * period;
+  const double row_before = row_at(t, period);
   const double nearest = std::min(t - row_before, row_before + period - t);
   const double cut = 0.5 * acceleration_norm(constraints_) * nearest * nearest;
   const double allowed = constraints_.chord_tolerance() * (turn.shares_its_step ? kTurnShare : 1);
   if (cut > allowed || last_rest_ > row_before) profile.add_rest(row_before + period - t);
+  last_rest_ = t;
+}
+
+void Planner::rest_until_row(Profile& profile) {
+  const double period = constraints_.period();
+  const double t = t_ + profile.duration();
+  profile.add_rest(row_at(t, period) + period - t);
   last_rest_ = t;
 }
 

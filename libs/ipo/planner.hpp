@@ -72,6 +72,7 @@ class Planner {
   bool settle();
   void report_no_speed(Profile& profile);
   void rest_at_turn(Profile& profile);
+  void rest_until_row(Profile& profile);
   TimedBlock take_ready();
   TimedBlock take();
   TimedBlock take_begin();

@@ -129,15 +129,17 @@ void Planner::lay_out(const std::deque<TimedBlock>& passed, double s) {
   window_->skip(moves_passed, s);
 }
 
-/// Where no way to slow down was found the machine rests first. False: there
-/// is nothing to run in the first pending block yet.
+/// Where no way to slow down was found the machine rests first, until the next row: the path may
+/// turn there. False: there is nothing to run in the first pending block yet.
 bool Planner::stop_first() {
   ++counts_.effort.fallbacks;
   double s = 0;
-  for (const Profile& profile : std::exchange(way_out_, {})) {
+  std::vector<Profile> way_out = std::exchange(way_out_, {});
+  for (Profile& profile : way_out) {
     std::size_t hint = 0;
-    pending_.front().profile = profile;
     s = profile.at(profile.duration(), hint).s;
+    if (&profile == &way_out.back()) rest_until_row(profile);
+    pending_.front().profile = std::move(profile);
     if (!at_end(pending_.front(), s)) break;
     ready_.push_back(take());
     s = 0;

@@ -16,8 +16,12 @@ constexpr double kNodePart = 1e-6;  // of an interval: nodes nearer to its end a
 void Window::append(const Move& move, bool rest) {
   // What is appended changes these caps, and more behind it none before them.
   const bool stand = derived_to_ == chain_.nodes.size() && derived_to_ > 0;
-  if (stand) derived_to_ = last_final_cap();
+  const bool passed = front_ > 0 && size() == 0;  // all of it: its last interval may be split now
+  if (stand && !passed) derived_to_ = last_final_cap();
   chain_.append(move, constraints_, rest);
+  if (!passed) return;
+  front_ = chain_.intervals.size() - last_move().size();
+  derived_to_ = 0;
 }
 
 void Window::derive() {

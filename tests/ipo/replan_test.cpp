@@ -41,6 +41,23 @@ int rows_until(const Run& run, std::size_t from, double v) {
 
 std::vector<Block> long_line() { return polyline({{0, 0, 0}, {400, 0, 0}}, 100); }
 
+struct RandomRun {
+  Machine machine;
+  AxisVector end;  // of the program
+  Run run;
+};
+
+/// A random program on a random machine, with limits of jerk twice out of three times.
+RandomRun run_random(unsigned seed, int moves, int control_count) {
+  std::mt19937 random(seed);
+  Machine machine = random_machine(random);
+  if (random() % 3 == 0)
+    for (Axis& axis : machine.axes) axis.jerk = 0;
+  const auto blocks = random_program(random, moves);
+  const Controls controls = random_controls(random, control_count);
+  return {machine, end(std::get<Move>(blocks.back().what).path), run(machine, blocks, controls)};
+}
+
 }  // namespace
 
 TEST_CASE("a lower override slows the machine down as fast as its limits allow", "[ipo][replan]") {
@@ -130,21 +147,29 @@ TEST_CASE("override and hold at the same moments give the same rows however the 
     REQUIRE(pieces.rows[i].position == whole.rows[i].position);
 }
 
+TEST_CASE("a move goes on from a rest at the end of all that had come", "[ipo][jerk][replan]") {
+  const RandomRun random = run_random(324460773, 2, 2);
+  CHECK(exceeded(random.machine, random.run) == "");
+  CHECK(random.run.rows.back().position == random.end);
+}
+
+TEST_CASE("where slowing down takes a rest at a corner, no row cuts it", "[ipo][jerk][replan]") {
+  const RandomRun random = run_random(226354267, 2, 1);
+  CHECK(exceeded(random.machine, random.run) == "");
+  CHECK(random.run.rows.back().position == random.end);
+}
+
 TEST_CASE("random holds and overrides of random programs keep every limit and the path",
           "[ipo][jerk][property][replan]") {
   const char* asked = std::getenv("SOFTCNC_PROGRAMS");
   holds(
       [] {
-        std::mt19937 random(static_cast<unsigned>(integer(1, 1'000'000'000)));
-        Machine machine = random_machine(random);
-        if (random() % 3 == 0)
-          for (Axis& axis : machine.axes) axis.jerk = 0;
-        const auto blocks = random_program(random, integer(1, 4));
-        const Controls controls = random_controls(random, integer(1, 5));
-        const auto result = run(machine, blocks, controls);
-        RC_ASSERT(exceeded(machine, result) == "");
-        RC_ASSERT(result.rows.back().position == end(std::get<Move>(blocks.back().what).path));
-        RC_ASSERT(result.rows.back().v == 0);
+        const auto seed = static_cast<unsigned>(integer(1, 1'000'000'000));
+        const int moves = integer(1, 4);
+        const RandomRun random = run_random(seed, moves, integer(1, 5));
+        RC_ASSERT(exceeded(random.machine, random.run) == "");
+        RC_ASSERT(random.run.rows.back().position == random.end);
+        RC_ASSERT(random.run.rows.back().v == 0);
       },
       asked ? std::atoi(asked) : 50);
 }
