@@ -148,7 +148,8 @@ void arc(Task& task, bool ccw) {
   const Letters lost = task.modal.uncertain.without(at_start);
   task.modal.uncertain = at_start;
   const int turns = further_turns(task);
-  const bool well_given = is_well_given(task, axes);
+  if (task.modal.doubted.has(Group::arc_distance)) task.out.mute();
+  const bool well_given = knows_plane(task) && is_well_given(task, axes);
   const bool fed = has_feed(task);
   if (lost.empty() && has_plane_axes(task, axes) && well_given && has_centre_or_radius(task) &&
       has_near_lengths(task, "IJKR") && lies_in_plane(task) && fed) {

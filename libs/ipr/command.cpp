@@ -7,11 +7,14 @@
 
 #include "ipr/faults.hpp"
 #include "ipr/handlers.hpp"
+#include "ipr/lost_codes.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
 constexpr Letters kAfterUnknownCode{"GXYZ"};  // what it would have done is not known
+constexpr Groups kMoving{Group::motion, Group::cycle, Group::non_modal};
+constexpr Groups kWithWords{Group::cutter_compensation, Group::tool_length};
 
 /// Of a word that is not going to act.
 void check_value(const Word& word, Output& out) {
@@ -28,8 +31,10 @@ void report_twice(const Word& word, Output& out) {
 void Command::read(const Line& line, Dialect dialect, Output& out) {
   values_.letters_ = {};
   count_ = 0;
-  groups_ = 0;
+  groups_ = {};
   uncertain_ = line.lost;
+  doubted_ = {};
+  lost_all_ = false;
   calls_macro_ = false;
   below_cycle_ = nullptr;
   for (const Word& word : line.words) {
@@ -41,6 +46,28 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
   }
   if (has(Group::program_number)) check_program_number(line, out);
   if (!line.doubtful.empty() && !calls_macro_) look_at(line.doubtful, dialect, out);
+  if (line.broken) doubt_lost_codes(line);
+}
+
+/// What codes would have done that are told is not known: of a code that moves, where it leads.
+[[gnu::cold]] void Command::doubt(Groups groups) noexcept {
+  doubted_ |= groups;
+  if (groups.has_any(kMoving)) uncertain_ |= kAfterUnknownCode;
+}
+
+/// A code that takes no words leaves the others to the motion in force.
+[[gnu::cold]] void Command::doubt_lost_codes(const Line& line) noexcept {
+  const Groups lost = lost_groups(line);
+  const bool takes_words = lost.has_any(kMoving) || lost.has_any(kWithWords);
+  lost_all_ = line.lost == kAllLetters;
+  if (!lost_all_ && !lost.empty() && !takes_words) uncertain_.remove('G');
+  doubt(lost);
+}
+
+Letters Command::lastingly_uncertain() const noexcept {
+  Letters uncertain = uncertain_;
+  if (!lost_all_ && !doubted_.has_any(kMoving)) uncertain.remove('G');
+  return uncertain;
 }
 
 /// Tells what is wrong with words that are not going to act.
@@ -60,7 +87,8 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
   const GCode* code = find_gcode(word.letter, word.value);
   if (code == nullptr) {
     out.report(Code::SC2001, word.pos, code_name(word.letter, word.value) + " is not supported");
-    uncertain_ |= kAfterUnknownCode;
+    uncertain_ |= word.letter == 'G' ? kAfterUnknownCode : Letters("M");
+    if (word.letter == 'G') doubt(groups_of_code(word.value));
     return;
   }
   calls_macro_ = calls_macro(*code);
@@ -71,7 +99,10 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
     report_twice(word, out);
     return check_value(word, out);
   }
-  uncertain_ |= kAfterUnknownCode;
+  if (word.letter == 'G')
+    doubt({code->group});
+  else
+    uncertain_.add(word.letter);
   out.report(Code::SC2002, word.pos, code_name(*code) + " beside another code of the same group");
 }
 
@@ -111,7 +142,7 @@ void Command::check_program_number(const Line& line, Output& out) {
   std::size_t at = count_++;
   for (; at > 0 && codes_[at - 1].code->order > code.order; --at) codes_[at] = codes_[at - 1];
   codes_[at] = {&code, &word};
-  groups_ |= bit(code.group);
+  groups_.add(code.group);
 }
 
 /// FANUC: a cycle counts rather than the G00 to G03 before it.

@@ -52,7 +52,7 @@ class Command {
   const Values& values() const noexcept { return values_; }
   /// In the order in which they act.
   std::span<const CodeWord> codes() const noexcept { return {codes_.data(), count_}; }
-  bool has(Group group) const noexcept { return (groups_ & bit(group)) != 0; }
+  bool has(Group group) const noexcept { return groups_.has(group); }
   /// The code of a group; nullptr if the line has none.
   const GCode* find(Group group) const noexcept;
   /// Its word. Expects has(group).
@@ -65,6 +65,10 @@ class Command {
   std::span<const Word> arguments() const noexcept { return arguments_; }
   /// What the line's own errors have made uncertain.
   Letters uncertain() const noexcept { return uncertain_; }
+  /// What of that holds for the lines behind as well.
+  Letters lastingly_uncertain() const noexcept;
+  /// Of which groups they leave open what is in force.
+  Groups doubted() const noexcept { return doubted_; }
 
  private:
   void read_code(const Word& word, Dialect dialect, Output& out);
@@ -74,16 +78,19 @@ class Command {
   void check_program_number(const Line& line, Output& out);
   void add(const GCode& code, const Word& word);
   bool put_above(const GCode& cycle, const Word& word);
-  static std::uint32_t bit(Group group) noexcept { return 1U << static_cast<unsigned>(group); }
+  void doubt(Groups groups) noexcept;
+  void doubt_lost_codes(const Line& line) noexcept;
 
   Values values_;
   std::array<CodeWord, kGroups> codes_{};  // no group twice
   std::size_t count_ = 0;
-  std::uint32_t groups_ = 0;
+  Groups groups_;
   bool calls_macro_ = false;
   const GCode* below_cycle_ = nullptr;
   std::span<const Word> arguments_;
   Letters uncertain_;
+  Groups doubted_;
+  bool lost_all_ = false;  // of the line: nobody knows what its words are
 };
 
 }  // namespace softcnc::ipr

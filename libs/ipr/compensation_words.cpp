@@ -100,6 +100,8 @@ bool may_start(Task& task) {
   const Modal& modal = task.modal;
   if (task.values.has('L') && task.values['L'] != 0) {
     report_word(task, 'L', Code::SC2007, "L, the orientation of a lathe tool, can be 0 only");
+  } else if (!knows_plane(task)) {
+    return false;
   } else if (modal.plane != Plane::xy && modal.coordinates.rotated()) {
     task.out.report(
         Code::SC2140, task.word.pos,

@@ -46,6 +46,19 @@ bool in_row(const Modal& modal) {
   return modal.motion != nullptr && is_canned_cycle(*modal.motion);
 }
 
+/// What could not be read is neither missing nor what it was before.
+void doubt_lost_words(Task& task, const PlaneAxes& axes) {
+  CycleWords& words = task.modal.cycle;
+  const char across = across_letter(axes);
+  const Letters lost = task.command.uncertain();
+  if (lost.has('R')) words.retract.reset();
+  if (lost.has(across)) words.bottom.reset();
+  if (lost.has('Q')) words.peck.reset();
+  if (lost.has('P')) words.dwell.reset();
+  for (const char letter : {'R', across, 'Q', 'P'})
+    if (lost.has(letter)) words.told.add(letter);
+}
+
 /// Words stay in force from hole to hole as long as the cycle does, in the fanuc dialect as long
 /// as any cycle does. Behind a code that is not known they may.
 void keep_words(Task& task, const PlaneAxes& axes) {
@@ -58,6 +71,7 @@ void keep_words(Task& task, const PlaneAxes& axes) {
   keep(task, across_letter(axes), words.bottom, task.modal.mm_per_unit);
   keep(task, 'Q', words.peck, task.modal.mm_per_unit);
   keep(task, 'P', words.dwell, is_fanuc(task) ? s_from_ms(1) : 1);
+  doubt_lost_words(task, axes);
   if (task.values.value_or('P', 0) != 0 && !pecks(task.code))
     task.out.contradict(Contradiction::cycle_dwell, task.values.word('P').pos);
 }
@@ -330,7 +344,10 @@ void canned_cycle(Task& task) {
   keep_words(task, axes);
   begin_motion(task);
   const auto count = repeats(task);
-  if (count && has_words(task, axes) && has_feed(task)) {
+  if (modal.doubted.has_any(kOfCoordinates)) task.out.mute();
+  const bool known = knows_plane(task) && !modal.doubted.has_any(kOfCoordinates);
+  if (!known) modal.cycle.told = kAllLetters;
+  if (count && has_words(task, axes) && has_feed(task) && known) {
     const Holes holes = holes_of(task, axes, from, *count);
     if (is_possible(task, holes) && spindle_turns(task)) {
       compare_ways_out(task, holes);

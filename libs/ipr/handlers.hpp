@@ -208,6 +208,8 @@ Move cutting_move(const Modal& modal, Path&& path, double feed);
 /// False, and told or muted, if there is no feed.
 bool has_feed(Task& task);
 bool is_of_fanuc(Task& task);
+/// False, and muted, if an error has left open which plane is in force.
+bool knows_plane(Task& task);
 /// False, and told, if the machine lacks an axis of the plane.
 bool has_plane_axes(Task& task, const PlaneAxes& axes);
 /// What a curve over several lines keeps of its first one.

@@ -152,12 +152,18 @@ void Interpreter::excuse_left_curve() {
 
 /// What an error leaves unknown. A motion code that could be read is known all the same.
 void Interpreter::remember_uncertain() {
-  Letters uncertain = command_.uncertain();
+  Letters uncertain = command_.lastingly_uncertain();
   if (command_.has(Group::motion)) uncertain.remove('G');
   if (uncertain.has('G')) modal_.motion = modal_.motion_below = nullptr;
   modal_.uncertain |= uncertain;
   const bool offsets = command_.has(Group::non_modal) && modal_.offsets_uncertain;
   if (offsets && out_.failed()) modal_.doubt_offsets();
+  const Groups doubted = command_.doubted();
+  if (doubted.empty()) return;
+  modal_.doubt(doubted);
+  if (!doubted.has(Group::cutter_compensation)) return;
+  out_.stop_compensation();
+  modal_.cutter.reset();
 }
 
 /// There G53 is a rapid, whatever motion is in force.
@@ -229,6 +235,7 @@ void Interpreter::check_unused() {
 void Interpreter::execute() {
   for (const auto& [code, word] : command_.codes()) {
     Task task{*code, *word, command_, command_.values(), machine_, options_, modal_, out_, flow_};
+    modal_.doubted.remove(code->group);
     if ((out_.compensating() || modal_.beside) && !may_act(task)) continue;
     if (code->act != nullptr) code->act(task);
   }

@@ -27,6 +27,7 @@ class Letters {
     bits_ |= other.bits_;
     return *this;
   }
+  friend constexpr bool operator==(Letters, Letters) = default;
   constexpr Letters without(Letters other) const noexcept {
     Letters rest;
     rest.bits_ = bits_ & ~other.bits_;

@@ -7,14 +7,13 @@
 #include <vector>
 
 #include "ipr/coordinates.hpp"
+#include "ipr/gcode_table.hpp"
 #include "ipr/letters.hpp"
 #include "ipr/modes.hpp"
 #include "motion/machine_state.hpp"
 #include "motion/nurbs.hpp"
 
 namespace softcnc::ipr {
-
-struct GCode;
 
 /// Where a curve over several lines began.
 struct CurveHead {
@@ -85,6 +84,9 @@ struct Restored {
   SourcePos pos;  // of the end of the call
 };
 
+/// What a coordinate means.
+inline constexpr Groups kOfCoordinates{Group::units, Group::distance};
+
 /// The start state is that of a new Modal.
 struct Modal : Modes {
   AxisVector position = AxisVector::Zero();     // mm, machine coordinates: the end of the last move
@@ -112,6 +114,9 @@ struct Modal : Modes {
   /// Words whose value an error has made uncertain (G: the motion code). What would be wrong only
   /// because of them is not reported.
   Letters uncertain;
+
+  /// Groups of which an error has left open what is in force. The same holds for these.
+  Groups doubted;
 
   /// An offset is wrong by an error: where the machine is in its own coordinates does not tell
   /// where it is in those of the program.
@@ -146,6 +151,11 @@ struct Modal : Modes {
     (at_once ? coordinates : *coordinates_there) = assigned;
   }
 
+  void doubt(Groups groups) noexcept {
+    doubted |= groups;
+    if (groups.has_any({Group::work_offset, Group::tool_length, Group::non_modal})) doubt_offsets();
+    if (groups.has_any(kOfCoordinates)) uncertain |= kAxisWords;
+  }
   void doubt_offsets(Letters axes = kAxisWords) noexcept {
     offsets_uncertain = true;
     uncertain |= kAxisWords;

@@ -38,16 +38,23 @@ double motion_mode(const Modal& modal) {
   return modal.motion != nullptr ? modal.motion->number : kNone;
 }
 
+/// The value that tells of a group, if no error has left that open.
+double known(const Modal& modal, Group group, double value) {
+  return modal.doubted.has(group) ? kUncertain : value;
+}
+
 double coordinate_system(const Modal& modal) {
   constexpr int kFirst = 540, kLastWhole = 5;  // G54 to G59, then G59.1 to G59.3
   const int active = modal.state.active;
-  return active <= kLastWhole ? kFirst + 10 * active
-                              : kFirst + 10 * kLastWhole + active - kLastWhole;
+  const double code =
+      active <= kLastWhole ? kFirst + 10 * active : kFirst + 10 * kLastWhole + active - kLastWhole;
+  return known(modal, Group::work_offset, code);
 }
 
 double plane(const Modal& modal) {
   constexpr double kXy = 170, kZx = 180, kYz = 190;
-  return modal.plane == Plane::xy ? kXy : modal.plane == Plane::zx ? kZx : kYz;
+  const double code = modal.plane == Plane::xy ? kXy : modal.plane == Plane::zx ? kZx : kYz;
+  return known(modal, Group::plane, code);
 }
 
 double feed(const Modal& modal) {
@@ -59,7 +66,7 @@ double feed(const Modal& modal) {
 
 template <FeedMode mode>
 double has_feed_mode(const Modal& modal) {
-  return modal.feed_mode == mode ? 1 : 0;
+  return known(modal, Group::feed_mode, modal.feed_mode == mode ? 1 : 0);
 }
 
 double spindle_speed(const Modal& modal) {
@@ -82,7 +89,8 @@ double loaded_tool(const Modal& modal) {
 
 double compensation(const Modal& modal) {
   constexpr double kOff = 400, kLeft = 410, kRight = 420;
-  return !modal.cutter ? kOff : modal.cutter->side > 0 ? kLeft : kRight;
+  const double code = !modal.cutter ? kOff : modal.cutter->side > 0 ? kLeft : kRight;
+  return known(modal, Group::cutter_compensation, code);
 }
 
 bool retracts_to_r(const Modal& modal) { return modal.retract_to_r.value_or(true); }
@@ -117,7 +125,8 @@ constexpr Named kNames[] = {
     {"_abs_x", machine_at<0>},
     {"_abs_y", machine_at<1>},
     {"_abs_z", machine_at<2>},
-    {"_absolute", [](const Modal& m) { return m.incremental ? 0.0 : 1.0; }},
+    {"_absolute",
+     [](const Modal& m) { return known(m, Group::distance, m.incremental ? 0.0 : 1.0); }},
     {"_adaptive_feed", zero},
     {"_b", zero},
     {"_c", zero},
@@ -129,13 +138,17 @@ constexpr Named kNames[] = {
     {"_feed_hold", one},
     {"_feed_override", [](const Modal& m) { return m.feed_override ? 1.0 : 0.0; }},
     {"_flood", [](const Modal& m) { return m.flood ? 1.0 : 0.0; }},
-    {"_ijk_absolute_mode", [](const Modal& m) { return m.absolute_centres ? 1.0 : 0.0; }},
-    {"_imperial", [](const Modal& m) { return m.mm_per_unit == 1 ? 0.0 : 1.0; }},
-    {"_incremental", [](const Modal& m) { return m.incremental ? 1.0 : 0.0; }},
+    {"_ijk_absolute_mode",
+     [](const Modal& m) { return known(m, Group::arc_distance, m.absolute_centres ? 1.0 : 0.0); }},
+    {"_imperial",
+     [](const Modal& m) { return known(m, Group::units, m.mm_per_unit == 1 ? 0.0 : 1.0); }},
+    {"_incremental",
+     [](const Modal& m) { return known(m, Group::distance, m.incremental ? 1.0 : 0.0); }},
     {"_inverse_time", has_feed_mode<FeedMode::inverse_time>},
     {"_lathe_diameter_mode", zero},
     {"_lathe_radius_mode", one},
-    {"_metric", [](const Modal& m) { return m.mm_per_unit == 1 ? 1.0 : 0.0; }},
+    {"_metric",
+     [](const Modal& m) { return known(m, Group::units, m.mm_per_unit == 1 ? 1.0 : 0.0); }},
     {"_metric_machine", one},
     {"_mist", [](const Modal& m) { return m.mist ? 1.0 : 0.0; }},
     {"_motion_mode", motion_mode},
@@ -176,7 +189,8 @@ constexpr double kTenths = 10;  // G54.1 is 541 to LinuxCNC and 54.1 to FANUC
 
 double feed_code(const Modal& modal) {
   constexpr double kCodesOfModes[] = {94, 93, 95};
-  return kCodesOfModes[static_cast<std::size_t>(modal.feed_mode)];
+  const double code = kCodesOfModes[static_cast<std::size_t>(modal.feed_mode)];
+  return known(modal, Group::feed_mode, code);
 }
 
 bool in_cycle(const Modal& modal) {
@@ -196,9 +210,9 @@ double cycle_code(const Modal& modal) {
 constexpr Coded kFanucCodes[] = {
     {1, motion_code},
     {2, [](const Modal& m) { return plane(m) / kTenths; }},
-    {3, [](const Modal& m) { return m.incremental ? 91.0 : 90.0; }},
+    {3, [](const Modal& m) { return known(m, Group::distance, m.incremental ? 91.0 : 90.0); }},
     {5, feed_code},
-    {6, [](const Modal& m) { return m.mm_per_unit == 1 ? 21.0 : 20.0; }},
+    {6, [](const Modal& m) { return known(m, Group::units, m.mm_per_unit == 1 ? 21.0 : 20.0); }},
     {7, [](const Modal& m) { return compensation(m) / kTenths; }},
     {8, [](const Modal& m) { return m.length_on ? 43.0 : 49.0; }},
     {9, cycle_code},

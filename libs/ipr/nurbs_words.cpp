@@ -29,7 +29,8 @@ void note_order(Task& task, const Word& word) {
 }
 
 std::optional<int> read_order(Task& task) {
-  if (!task.values.has('P')) return kDefaultOrder;
+  if (!task.values.has('P'))
+    return task.command.uncertain().has('P') ? std::nullopt : std::optional(kDefaultOrder);
   const Word& word = task.values.word('P');
   const bool legal = word.value == std::floor(word.value) && word.value >= kLeastOrder &&
                      word.value <= Nurbs::kMaxDegree + 1;
@@ -120,6 +121,7 @@ double read_weight(Task& task) {
 void check_curve_axes(Task& task, PendingCurve& curve) {
   const bool naming = curve.axes.empty() && curve.spec.control.size() <= 1;
   for (const char letter : kAxisLetters) {
+    if (naming && task.command.uncertain().has(letter)) curve.axes.add(letter);
     if (!task.values.has(letter) || curve.axes.has(letter)) continue;
     curve.axes.add(letter);
     if (!naming)
@@ -278,6 +280,7 @@ void nurbs(Task& task) {
 
 void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, Output& out) {
   PendingCurve& curve = *modal.curve;
+  if (command.uncertain().has('K')) curve.knots_uncertain = true;
   const bool left = ends_curve(command, *modal.motion);
   for (const auto& [code, word] : command.codes()) {
     if (code->group == Group::line_number) continue;

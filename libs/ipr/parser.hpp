@@ -123,6 +123,8 @@ class Parser {
   bool goes_on_behind_end();
   Token read_slash(Lexer& lexer, const Token& slash);
   void lose_word_before(const Token& letter);
+  void lose_number_before(const Token& stranger);
+  bool looks_like_digit(const Token& letter) const noexcept;
   Token pass_letter_for_digit(Lexer& lexer, const Token& letter);
   std::optional<Token> pass_name(Lexer& lexer, const Token& letter);
   void report_missing_number(const Token& letter, const Token& instead);

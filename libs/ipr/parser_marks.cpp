@@ -97,19 +97,32 @@ void Parser::report_missing_number(const Token& letter, const Token& instead) {
          std::string("no number after ") + letter.letter + (zero ? kLetterForDigit : ""));
 }
 
-/// `GO1`: the O belongs to the number. What the code would have done is not known.
+/// `G1,8`: one number was meant.
+void Parser::lose_number_before(const Token& stranger) {
+  if (words_.empty() || strange()) return;
+  const SourcePos& before = words_.back().pos;
+  if (before.column + before.length == stranger.column) words_.pop_back();
+}
+
+/// Of the letters O and l, which many take for 0 and 1.
+bool Parser::looks_like_digit(const Token& letter) const noexcept {
+  return letter.letter == 'O' || line_.text[static_cast<std::size_t>(letter.column) - 1] == 'l';
+}
+
+/// `GO1`: the O belongs to the number.
 Token Parser::pass_letter_for_digit(Lexer& lexer, const Token& letter) {
   line_.lost.add(letter.letter);
-  if (letter.letter == 'G') line_.lost |= Letters("XYZ");
   const Token after = lexer.next();
   return after.kind == Token::Kind::number ? lexer.next() : after;
 }
 
-/// What stands right behind a number may have been meant as a part of it.
+/// What stands right behind a number may have been meant as a part of it; an l was.
 void Parser::lose_word_before(const Token& letter) {
   if (words_.empty()) return;
   const SourcePos& before = words_.back().pos;
-  if (before.column + before.length == letter.column) line_.lost.add(words_.back().letter);
+  if (before.column + before.length != letter.column) return;
+  line_.lost.add(words_.back().letter);
+  if (looks_like_digit(letter)) words_.pop_back();
 }
 
 void Parser::report_number(const Token& letter, const Token& number) {
@@ -166,6 +179,7 @@ Token Parser::pass_stranger(Lexer& lexer, const Token& stranger) {
     report(Code::SC1001, stranger.column, stranger.length,
            "unknown character " + character_name(text) + meant_by(text, lexer));
   if (text == ",") pass_corner(lexer);
+  if (is_digit(lexer.peek())) lose_number_before(stranger);
   return go_on_behind(lexer);
 }
 

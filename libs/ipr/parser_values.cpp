@@ -65,7 +65,9 @@ Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) 
   }
   if (first.kind != Token::Kind::number) {
     report_missing_number(letter, first);
-    return first.letter == 'O' ? pass_letter_for_digit(lexer, letter) : first;
+    const bool for_digit = first.kind == Token::Kind::letter && looks_like_digit(first) &&
+                           (first.letter == 'O' || first.column == letter.end_column());
+    return for_digit ? pass_letter_for_digit(lexer, letter) : first;
   }
   report_number(letter, first);
   return lexer.next();

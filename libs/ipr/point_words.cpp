@@ -99,6 +99,7 @@ void begin_control_points(Task& task) {
 }
 
 bool has_control_words(Task& task) {
+  if (!knows_plane(task)) return false;
   const PlaneAxes axes = plane_axes(task.modal.plane);
   for (const int axis : {axes.first, axes.second}) {
     const char letter = axis_letter(axis);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ipr/handlers.hpp"
+#include "ipr/lost_codes.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -75,7 +76,7 @@ void SavedLevels::miss_call() {
   if (modal_.points) modal_.points->broken = true;
   if (!modal_.curve && !modal_.points) modal_.motion = modal_.motion_below = nullptr;
   modal_.uncertain |= "FGMST";
-  modal_.doubt_offsets();
+  modal_.doubt(kModesOfG);
 }
 
 /// M70, M73.

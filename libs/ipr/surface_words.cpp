@@ -173,7 +173,7 @@ Surface read_surface(Task& task) {
 
 /// Why the spindle does not turn; nullptr if it does, or if an error hides it.
 const char* rest_of_spindle(const Modal& modal) noexcept {
-  if (modal.uncertain.has('S')) return nullptr;
+  if (modal.uncertain.has_any("MS")) return nullptr;
   if (!modal.spindle_speed) return "S is not set";
   if (*modal.spindle_speed == 0) return "S is 0";
   return modal.spindle_direction == 0 ? "neither M03 nor M04 is in force" : nullptr;

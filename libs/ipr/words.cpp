@@ -25,8 +25,8 @@ AxisVector end_in_machine(const Task& task) {
     const char letter = axis_letter(i);
     if (!task.values.has(letter)) continue;
     end[i] = task.values[letter] * task.modal.mm_per_unit;
-    task.modal.offsets_uncertain ? task.modal.uncertain.add(letter)
-                                 : task.modal.uncertain.remove(letter);
+    const bool known = !task.modal.offsets_uncertain && !task.modal.doubted.has_any(kOfCoordinates);
+    known ? task.modal.uncertain.remove(letter) : task.modal.uncertain.add(letter);
   }
   return end;
 }
@@ -68,7 +68,7 @@ bool sets_feed_per_turn(Task& task) {
   const double speed = modal.spindle_direction == 0 ? 0 : modal.spindle_speed.value_or(0);
   modal.feed = speed > 0 ? held_feed(task, mm_s_from_mm_min(modal.feed_word * speed)) : 0;
   if (speed > 0) return true;
-  report_if_certain(task, "S", Code::SC2222, task.word.pos,
+  report_if_certain(task, "SM", Code::SC2222, task.word.pos,
                     code_name(task.code) + " by G95 needs a spindle that turns");
   modal.uncertain.add('S');
   return false;
@@ -101,7 +101,10 @@ AxisVector end_in_program(const Task& task) {
     if (!task.values.has(letter)) continue;
     const double value = task.values[letter] * task.modal.mm_per_unit;
     end[i] = task.modal.incremental ? end[i] + value : zero[i] + value;
-    if (!task.modal.incremental) task.modal.uncertain.remove(letter);
+    if (task.modal.doubted.has_any(kOfCoordinates))
+      task.modal.uncertain.add(letter);
+    else if (!task.modal.incremental)
+      task.modal.uncertain.remove(letter);
     named = true;
   }
   if (!coordinates.rotated()) return end;
@@ -148,6 +151,10 @@ SourcePos place_of(const Task& task, char letter) {
 
 [[gnu::hot]] bool has_feed(Task& task) {
   Modal& modal = task.modal;
+  if (modal.doubted.has(Group::feed_mode) && modal.feed <= 0) {
+    task.out.mute();
+    return false;
+  }
   if (modal.feed_mode == FeedMode::inverse_time) return has_inverse_time(task);
   if (modal.feed_mode == FeedMode::per_turn && modal.feed_word > 0) return sets_feed_per_turn(task);
   if (modal.feed > 0) return true;
@@ -158,6 +165,12 @@ SourcePos place_of(const Task& task, char letter) {
                  code_name(task.code) + " needs a feed, and F is not set");
   modal.uncertain.add('F');
   return false;
+}
+
+bool knows_plane(Task& task) {
+  const bool known = !task.modal.doubted.has(Group::plane);
+  if (!known) task.out.mute();
+  return known;
 }
 
 bool has_plane_axes(Task& task, const PlaneAxes& axes) {

@@ -61,7 +61,7 @@ void use_machine_coordinates(Task& task) {
     report_if_certain(task, "G", Code::SC2111, task.word.pos,
                       "G53 moves by G00 or G01 only, written beside it or in force");
     modal.doubt_offsets();
-  } else if (modal.incremental) {
+  } else if (modal.incremental && !modal.doubted.has(Group::distance)) {
     task.out.report(Code::SC2111, task.word.pos,
                     "G53 in G91: a place in machine coordinates is no distance");
   }

@@ -90,3 +90,52 @@ TEST_CASE("a line number that cannot be read may be the one a jump looks for",
   CHECK(told("GOTO 99\n?N99 G00 X1") == Places{"SC1001 2:1"});
   CHECK(told("GOTO 98\n?N99 G00 X1") == Places{"SC2308 1:1", "SC1001 2:1"});
 }
+
+TEST_CASE("behind a G code that cannot be read it is not known what it has set",
+          "[ipr][consequences]") {
+  const std::string f = "F100\n";
+  CHECK(told(f + "G..18\nG02 X10 I5 K5") == Places{"SC1004 2:2"});
+  CHECK(told(f + "Gl8\nG02 X10 I5 K5") == Places{"SC1002 2:1"});
+  CHECK(told(f + "G[18\nG02 X10 I5 K5") == Places{"SC1017 2:2"});
+  CHECK(told(f + "G1,8\nG02 X10 I5 K5") == Places{"SC1001 2:3"});
+  CHECK(told(f + "G9l\nG02 X1 Y1 I1 J0\nX1 Y1 I1 J0") == Places{"SC1002 2:3"});
+  CHECK(told(f + "G..2 X10 I5\nG02 X20 Y1 I5") == Places{"SC1004 2:2"});
+  CHECK(told("G..93\nG01 X1") == Places{"SC1004 1:2"});
+  CHECK(told(f + "G41.1 D2\nG01 X10\nG..40\nG53 G00 X0") == Places{"SC1004 4:2"});
+  CHECK(told("G01 X#<_plane> F100\nG..18\nX[1/[#<_plane>-170]]") == Places{"SC1004 2:2"});
+}
+
+TEST_CASE("codes of one group leave open which of them is in force", "[ipr][consequences]") {
+  const std::string f = "F100\n";
+  CHECK(told(f + "G17 G18\nG02 X10 I5 K5") == Places{"SC2002 2:5"});
+  CHECK(told(f + "G20 G21\nG02 X1 Y1 I1 J0\nX1 Y1 I1 J0") == Places{"SC2002 2:5"});
+  CHECK(told("G93 G94\nG01 X1") == Places{"SC2002 1:5"});
+  CHECK(told("M03 M04\nS1000 G95 F.1\nG01 X1") == Places{"SC2002 1:5"});
+  CHECK(told("MO3\nS1000 G95 F.1\nG01 X1") == Places{"SC1002 1:1"});
+}
+
+TEST_CASE("a G code that cannot be read leaves in force what it cannot have set",
+          "[ipr][consequences]") {
+  const std::string f = "G01 F100\n";
+  CHECK(told(f + "G..18\nX10 Q1") == Places{"SC1004 2:2", "SC2004 3:5"});
+  CHECK(told(f + "G..20\nG02 X10 I5 K5") == Places{"SC1004 2:2", "SC2105 3:12"});
+  CHECK(told(f + "G..18\nG17\nG02 X10 I5 K5") == Places{"SC1004 2:2", "SC2105 4:12"});
+  CHECK(told(f + "M777\nX10 Q1") == Places{"SC2001 2:1", "SC2004 3:5"});
+}
+
+TEST_CASE("words of a cycle that cannot be read are not missing", "[ipr][consequences]") {
+  const std::string begin = "F100\nG81 X1 ";
+  CHECK(told(begin + "Z--1 R1\nX2") == Places{"SC1003 2:9"});
+  CHECK(told(begin + "Z[1/0] R1\nX2") == Places{"SC1021 2:12"});
+  CHECK(told(begin + "ZO R1\nX2") == Places{"SC1002 2:8"});
+  CHECK(told(begin + "? Z-1 R1\nX2") == Places{"SC1001 2:8"});
+  CHECK(told(begin + "Z-1 R1\nG82 X2 Z-1 R1 P..5\nX3") == Places{"SC1004 3:16"});
+  CHECK(told(begin + "R1\nX2") == Places{"SC2005 2:1"});
+}
+
+TEST_CASE("a block of a curve that cannot be read lacks nothing", "[ipr][consequences]") {
+  const std::string curve = "F100\nG06.2 P2 K0 X0 Y0\nX1 Y1 K0\n";
+  CHECK(told(curve + "K1\nK1.2.3\nG01 X1") == Places{"SC1004 5:2"});
+  CHECK(told("F100\nG06.2 P2..0 K0 X0\nX1 K0\nK1\nK1") == Places{"SC1004 2:8"});
+  CHECK(told("F100\nG06.2 P2 K0 X0 Y2..0\nX1 Y1 K0\nK1\nK1") == Places{"SC1004 2:17"});
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "ipr/lost_codes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "ipr/lexer.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr int kG04 = 40, kG09 = 90;  // as GCode::number: they leave nothing in force
+
+constexpr bool is_letter(char c) noexcept {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+/// The digit that a character is, or looks like; -1: none.
+constexpr int digit_of(char c) noexcept {
+  if (is_digit(c)) return c - '0';
+  if (c == 'O' || c == 'o') return 0;
+  return c == 'l' || c == 'I' ? 1 : -1;
+}
+
+/// Behind a G: its digits up to the next blank or letter, whatever else stands among them.
+std::optional<int> number_meant(std::string_view behind) noexcept {
+  constexpr int kLargest = 1000;
+  std::optional<int> number;
+  for (const char c : behind) {
+    const int digit = digit_of(c);
+    if ((digit < 0 && is_letter(c)) || (number && is_blank(c)) || number.value_or(0) > kLargest)
+      break;
+    if (digit >= 0) number = 10 * number.value_or(0) + digit;
+  }
+  return number;
+}
+
+bool begins_word(std::span<const Word> words, std::size_t at) noexcept {
+  const int column = static_cast<int>(at) + 1;
+  return std::any_of(words.begin(), words.end(),
+                     [&](const Word& word) { return word.pos.column == column; });
+}
+
+/// A letter of a longer name, like that of GOTO or GT.
+bool is_of_name(std::string_view text, std::size_t at) noexcept {
+  if (at > 0 && is_letter(text[at - 1])) return true;
+  return at + 1 < text.size() && is_letter(text[at + 1]) && digit_of(text[at + 1]) < 0;
+}
+
+/// Behind the comment that begins at `at`; npos if it has no end.
+std::size_t behind_comment(std::string_view text, std::size_t at) noexcept {
+  const std::size_t close = text[at] == '(' ? text.find(')', at) : std::string_view::npos;
+  return close == std::string_view::npos ? close : close + 1;
+}
+
+}  // namespace
+
+Groups groups_of_code(double number) noexcept {
+  const GCode* code = find_gcode('G', number);
+  if (code == nullptr) code = find_gcode('G', std::floor(number));
+  const bool rests = code != nullptr && (code->number == kG04 || code->number == kG09);
+  return rests ? Groups{} : Groups{code != nullptr ? code->group : Group::motion};
+}
+
+Groups lost_groups(const Line& line) noexcept {
+  Groups lost;
+  for (const Word& word : line.doubtful)
+    if (word.letter == 'G') lost |= groups_of_code(word.value);
+  for (std::size_t at = 0; at < line.text.size();) {
+    const char c = line.text[at];
+    if (c == '(' || c == ';') {
+      at = behind_comment(line.text, at);
+      continue;
+    }
+    const bool code = (c == 'G' || c == 'g') && !is_of_name(line.text, at) &&
+                      !begins_word(line.words, at) && !begins_word(line.doubtful, at);
+    ++at;
+    if (!code) continue;
+    const auto number = number_meant(line.text.substr(at));
+    const bool known = number && find_gcode('G', *number) != nullptr;
+    lost |= known ? groups_of_code(*number) : kModesOfG;
+  }
+  return lost;
+}
+
+}  // namespace softcnc::ipr
