@@ -131,16 +131,8 @@ void Performer::judge_punctuality() {
   const RealtimeRights& rights = punctuality.rights;
   if (!rights.all())
     messages_.show({Code::SC6075, {}, "no real-time rights: " + rights.refusal, {}, {}});
-  const std::int64_t overruns = punctuality.overruns();
-  if (overruns == 0) return;
-  const Diagnostic missed{
-      rights.all() ? Code::SC5040 : Code::SC5041,
-      {},
-      fmt::format("{} of {} periods {} missed; the latest came {:.1f} us late", overruns,
-                  punctuality.lateness.wakeups(), overruns == 1 ? "was" : "were",
-                  static_cast<double>(punctuality.lateness.largest()) / 1e3),
-      job_.program.name(),
-      {}};
+  if (punctuality.overruns() == 0) return;
+  const Diagnostic missed = missed_periods(punctuality, job_.program.name());
   messages_.show(missed);
   performance_.status = worse_status(performance_.status, exit_status(missed));
 }
@@ -207,6 +199,17 @@ Diagnostic alarm_diagnostic(const Outcome& outcome) {
           fmt::format("{} of {}: it is {:.3f} mm behind its command", name(outcome.feedback.alarm),
                       kAxisLetters[static_cast<std::size_t>(axis)], std::abs(lag)),
           {},
+          {}};
+}
+
+Diagnostic missed_periods(const Punctuality& punctuality, const std::string& program) {
+  const std::int64_t overruns = punctuality.overruns();
+  return {punctuality.rights.all() ? Code::SC5040 : Code::SC5041,
+          {},
+          fmt::format("{} of {} periods {} missed; the latest came {:.1f} us late", overruns,
+                      punctuality.lateness.wakeups(), overruns == 1 ? "was" : "were",
+                      static_cast<double>(punctuality.lateness.largest()) / 1e3),
+          program,
           {}};
 }
 
