@@ -16,7 +16,8 @@ from moves import PLANE_AXES, Error, Move, Outcome
 HERE = pathlib.Path(__file__).resolve().parent
 INCH = 25.4  # mm
 CALL = re.compile(r"^\s*\d+ N[\d.]*\s*([A-Z]\w+)\((.*)\)$")
-PLANES = {"CANON_PLANE_XY": "XY", "CANON_PLANE_XZ": "ZX", "CANON_PLANE_YZ": "YZ"}
+PLANES = {"CANON_PLANE_XY": "XY", "CANON_PLANE_XZ": "ZX", "CANON_PLANE_YZ": "YZ",
+          "CANON_PLANE_UNKNOWN": "of U V W"}
 TIMEOUT = 10  # s; a loop without end
 
 
