@@ -220,14 +220,14 @@ bool moves(const Options& options) {
 
 Result<Job> open_job(const Options& options) {
   auto machine = hal::load_machine(options.machine_file, options.settings);
-  if (!machine) return tl::make_unexpected(std::move(machine.error()));
+  Messages messages;
+  if (!machine) return tl::make_unexpected(messages.show_but_last(std::move(machine.error())));
   if (const std::string clash = file_clash(options, *machine); !clash.empty() && moves(options))
     return tl::make_unexpected(Diagnostic{Code::SC7072, {}, clash, options.machine_file, {}});
   leave_no_parts_on_signal(written_files(options, moves(options) ? *machine : Machine()));
   auto program =
       Program::open(options.files.front(), options.dry_run ? Readings::one : Readings::any);
   if (!program) return tl::make_unexpected(std::move(program.error()));
-  Messages messages;
   auto state = open_state(options.state, messages);
   if (!state) return tl::make_unexpected(std::move(state.error()));
   const ChannelOptions channel = channel_options(options, program->folder());
