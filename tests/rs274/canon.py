@@ -21,6 +21,11 @@ PLANES = {"CANON_PLANE_XY": "XY", "CANON_PLANE_XZ": "ZX", "CANON_PLANE_YZ": "YZ"
 TIMEOUT = 10  # s; a loop without end
 
 
+def lines_of(output):
+    """Parted by line feeds alone: what rs274 quotes may hold a form feed."""
+    return output.decode("latin-1").removesuffix("\n").split("\n") if output else []
+
+
 def numbers(text):
     return [float(word) for word in re.split(r"[ ,]+", text.strip())]
 
@@ -136,7 +141,7 @@ class Rs274:
             return Outcome(False, [], [Error("", "endless", "")])
         errors = self.errors(done)
         canon = Canon()
-        lines = done.stdout.decode("latin-1").splitlines()
+        lines = lines_of(done.stdout)
         if any("NURBS_FEED" in line for line in lines):
             canon.points_of = self.spline_points(program)
         for line in lines:
@@ -150,7 +155,7 @@ class Rs274:
         """A text and the line it is about, as rs274 tells them."""
         if done.returncode == 0:
             return []
-        lines = [line for line in done.stderr.decode("latin-1").splitlines() if line != "executing"]
+        lines = [line for line in lines_of(done.stderr) if line != "executing"]
         if done.returncode < 0:
             return [Error("", f"ended by signal {-done.returncode}", "")]
         return [Error("", lines[-2] if len(lines) > 1 else "", lines[-1] if lines else "")]
