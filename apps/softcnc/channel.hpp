@@ -11,6 +11,7 @@
 #include <deque>
 #include <exception>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -86,6 +87,9 @@ class Feeder {
   StateHistory& states() noexcept { return states_; }
 
   std::vector<std::string> called_files() const { return interpreter_.called_files(); }
+  const std::set<std::string>& missing_files() const noexcept {
+    return interpreter_.missing_files();
+  }
   ipo::PlannerCounts counts() const noexcept { return planner_.counts(); }
   double cpu() const noexcept { return cpu_; }  // s
 
@@ -214,6 +218,7 @@ struct Outcome {
   MachineState state;           // where the machine rests, if ChannelOptions::keeps_state
   ipo::PlannerCounts planner;
   std::vector<std::string> called_files;  // their names in the folder
+  std::set<std::string> missing_files;    // names in the folder under which calls have found none
   Cpu cpu;
 };
 

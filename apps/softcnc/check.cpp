@@ -54,7 +54,8 @@ class Shown {
   bool streaming_ = false;
 };
 
-/// The files that the program has called are added to `called`.
+/// The files that the program has called, and would have called if they were there, are added to
+/// `called`.
 int check_program(const std::string& name, const Machine& machine, const ChannelOptions& options,
                   Shown& out, Messages& messages, Watcher* watcher,
                   std::vector<std::string>& called) {
@@ -65,8 +66,9 @@ int check_program(const std::string& name, const Machine& machine, const Channel
   beside.interpreter.folder = program->folder();
   const Preflight checked =
       preflight(*program, machine, beside, messages, watcher, Tells::surface_too);
-  for (const std::string& file : checked.outcome.called_files)
-    called.push_back(std::filesystem::path(program->folder()) / file);
+  const std::filesystem::path folder = program->folder();
+  for (const std::string& file : checked.outcome.called_files) called.push_back(folder / file);
+  for (const std::string& file : checked.outcome.missing_files) called.push_back(folder / file);
   if (checked.status == 0)
     spdlog::debug("{}: {}, {:.3f} mm in {} blocks", program->name(),
                   duration_text(checked.outcome.time), checked.outcome.last.s,

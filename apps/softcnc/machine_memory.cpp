@@ -9,24 +9,13 @@
 
 namespace softcnc::app {
 
-namespace {
-
-/// The last fault; those before it are shown.
-Diagnostic last_of(std::vector<Diagnostic>&& faults, Messages& messages) {
-  Diagnostic last = std::move(faults.back());
-  faults.pop_back();
-  for (const Diagnostic& fault : faults) messages.show(fault);
-  return last;
-}
-
-}  // namespace
-
 Result<MachineState> open_state(const std::string& file, Messages& messages) {
   std::error_code ignored;
   if (file.empty()) return MachineState();
   if (std::filesystem::exists(file, ignored) || ignored) {
-    return hal::load_state(file).map_error(
-        [&](std::vector<Diagnostic>&& faults) { return last_of(std::move(faults), messages); });
+    return hal::load_state(file).map_error([&](std::vector<Diagnostic>&& faults) {
+      return messages.show_but_last(std::move(faults));
+    });
   }
   messages.show({Code::SC7017,
                  {},

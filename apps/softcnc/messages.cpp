@@ -88,7 +88,19 @@ int Messages::fail(Diagnostic diagnostic) {
   return exit_status(diagnostic);
 }
 
+Diagnostic Messages::show_but_last(std::vector<Diagnostic> faults) {
+  Diagnostic last = std::move(faults.back());
+  faults.pop_back();
+  for (const Diagnostic& fault : faults) show(fault);
+  return last;
+}
+
+int Messages::fail(std::vector<Diagnostic> faults) {
+  return fail(show_but_last(std::move(faults)));
+}
+
 int failed(const Diagnostic& diagnostic) { return Messages().fail(diagnostic); }
+int failed(const std::vector<Diagnostic>& faults) { return Messages().fail(faults); }
 
 void begin_document(DiagnosticsFormat format) {
   document_on_stderr() = make_document(format, write_to_stderr);

@@ -40,6 +40,12 @@ class Messages {
   /// Shows an error that ends a command, a closed pipe excepted, and returns its exit status.
   int fail(Diagnostic diagnostic);
 
+  /// Shows all that is wrong with one thing.
+  int fail(std::vector<Diagnostic> faults);
+
+  /// Shows faults, which are some, but the last one.
+  Diagnostic show_but_last(std::vector<Diagnostic> faults);
+
   /// Where the stages report to. `program` supplies the text of lines and must outlive it.
   Diagnostics::Sink sink(Program& program);
 
@@ -60,6 +66,7 @@ class Messages {
 
 /// The same on standard error.
 int failed(const Diagnostic& diagnostic);
+int failed(const std::vector<Diagnostic>& faults);
 
 /// From here on standard error is one document: whatever would be shown there is added to it.
 void begin_document(DiagnosticsFormat format);

@@ -131,16 +131,8 @@ void Performer::judge_punctuality() {
   const RealtimeRights& rights = punctuality.rights;
   if (!rights.all())
     messages_.show({Code::SC6075, {}, "no real-time rights: " + rights.refusal, {}, {}});
-  const std::int64_t overruns = punctuality.overruns();
-  if (overruns == 0) return;
-  const Diagnostic missed{
-      rights.all() ? Code::SC5040 : Code::SC5041,
-      {},
-      fmt::format("{} of {} periods {} missed; the latest came {:.1f} us late", overruns,
-                  punctuality.lateness.wakeups(), overruns == 1 ? "was" : "were",
-                  static_cast<double>(punctuality.lateness.largest()) / 1e3),
-      job_.program.name(),
-      {}};
+  if (punctuality.overruns() == 0) return;
+  const Diagnostic missed = missed_periods(punctuality, job_.program.name());
   messages_.show(missed);
   performance_.status = worse_status(performance_.status, exit_status(missed));
 }
@@ -210,6 +202,17 @@ Diagnostic alarm_diagnostic(const Outcome& outcome) {
           {}};
 }
 
+Diagnostic missed_periods(const Punctuality& punctuality, const std::string& program) {
+  const std::int64_t overruns = punctuality.overruns();
+  return {punctuality.rights.all() ? Code::SC5040 : Code::SC5041,
+          {},
+          fmt::format("{} of {} periods {} missed; the latest came {:.1f} us late", overruns,
+                      punctuality.lateness.wakeups(), overruns == 1 ? "was" : "were",
+                      static_cast<double>(punctuality.lateness.largest()) / 1e3),
+          program,
+          {}};
+}
+
 /// A dry run opens no backend, and surface none that writes.
 bool moves(const Options& options) {
   return !options.dry_run && options.command != Command::surface;
@@ -217,14 +220,14 @@ bool moves(const Options& options) {
 
 Result<Job> open_job(const Options& options) {
   auto machine = hal::load_machine(options.machine_file, options.settings);
-  if (!machine) return tl::make_unexpected(std::move(machine.error()));
+  Messages messages;
+  if (!machine) return tl::make_unexpected(messages.show_but_last(std::move(machine.error())));
   if (const std::string clash = file_clash(options, *machine); !clash.empty() && moves(options))
     return tl::make_unexpected(Diagnostic{Code::SC7072, {}, clash, options.machine_file, {}});
   leave_no_parts_on_signal(written_files(options, moves(options) ? *machine : Machine()));
   auto program =
       Program::open(options.files.front(), options.dry_run ? Readings::one : Readings::any);
   if (!program) return tl::make_unexpected(std::move(program.error()));
-  Messages messages;
   auto state = open_state(options.state, messages);
   if (!state) return tl::make_unexpected(std::move(state.error()));
   const ChannelOptions channel = channel_options(options, program->folder());

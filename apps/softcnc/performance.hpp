@@ -41,6 +41,9 @@ bool is_of_axis(Alarm alarm) noexcept;
 /// Such an alarm in words: SC5001, SC5002, SC5020.
 Diagnostic alarm_diagnostic(const Outcome& outcome);
 
+/// SC5040; SC5041 where the rights were missing. Expects that periods have been missed.
+Diagnostic missed_periods(const Punctuality& punctuality, const std::string& program);
+
 /// Pre-flight (but for a dry run), then motion; the trace goes to `trace` unless that is empty.
 /// Diagnostics are shown.
 Performance perform(Job& job, const Options& options, const std::string& trace);

@@ -19,8 +19,8 @@ namespace {
 constexpr int kDiffers = 1;
 
 /// The machine of the recording unless one is given.
-Result<Machine> machine_of(const Recording& recording, const std::string& name,
-                           const Options& options) {
+hal::MachineOrFaults machine_of(const Recording& recording, const std::string& name,
+                                const Options& options) {
   if (!options.machine_file.empty())
     return hal::load_machine(options.machine_file, options.settings);
   return hal::parse_machine(recording.machine(), name + ":machine.toml", options.settings);
@@ -40,7 +40,7 @@ Result<Material> open_material(const std::string& name, const Options& options) 
   auto recording = Recording::open(name);
   if (!recording) return tl::make_unexpected(std::move(recording.error()));
   auto machine = machine_of(*recording, name, options);
-  if (!machine) return tl::make_unexpected(std::move(machine.error()));
+  if (!machine) return tl::make_unexpected(Messages().show_but_last(std::move(machine.error())));
   auto program = recording->program();
   if (!program) return tl::make_unexpected(std::move(program.error()));
   auto called = recording->called_files();

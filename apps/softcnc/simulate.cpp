@@ -206,6 +206,7 @@ Outcome Simulation::finish() {
   outcome_.events_left = channel_.events_left();
   outcome_.planner = channel_.feeder().counts();
   outcome_.called_files = channel_.feeder().called_files();
+  outcome_.missing_files = channel_.feeder().missing_files();
   outcome_.cpu.planning = channel_.feeder().cpu();
   outcome_.cpu.cycle -= outcome_.cpu.planning;
   return outcome_;

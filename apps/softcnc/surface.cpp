@@ -130,6 +130,7 @@ int SurfaceJob::cut(hal::OutputFile& output) {
 int SurfaceJob::report(const RoughnessMap& map) {
   const TargetFigures target = target_figures(map);
   Diagnostics diagnostics(messages_.sink(job_.program));
+  diagnostics.set_file(job_.program.name());
   if (target.missed > 0)
     diagnostics.report({Code::SC4040, {}, missed_text(target, map, grid_), {}, {}});
   if (options_.report.empty()) return 0;

@@ -13,18 +13,18 @@
 namespace softcnc::hal {
 namespace {
 
-Result<LoadedMachine> load_text(const std::string* text, const std::string& name,
-                                std::span<const std::string> settings) {
+LoadedOrFaults load_text(const std::string* text, const std::string& name,
+                         std::span<const std::string> settings) {
   MachineLoader loader;
   if (text) loader.read(*text, name);
   for (const std::string& setting : settings) loader.set(setting);
   return loader.finish();
 }
 
-Result<LoadedMachine> load_file(const std::string& file, std::span<const std::string> settings) {
+LoadedOrFaults load_file(const std::string& file, std::span<const std::string> settings) {
   if (file.empty()) return load_text(nullptr, {}, settings);
   const auto text = read_text(file, Code::SC7003);
-  if (!text) return tl::make_unexpected(text.error());
+  if (!text) return tl::make_unexpected(std::vector{text.error()});
   return load_text(&*text, file, settings);
 }
 
@@ -69,17 +69,17 @@ std::string origin_of(const LoadedMachine& loaded, const std::string& path) {
 
 }  // namespace
 
-Result<Machine> load_machine(const std::string& file, std::span<const std::string> settings) {
+MachineOrFaults load_machine(const std::string& file, std::span<const std::string> settings) {
   return load_file(file, settings).map(machine_of);
 }
 
-Result<Machine> parse_machine(const std::string& text, const std::string& name,
+MachineOrFaults parse_machine(const std::string& text, const std::string& name,
                               std::span<const std::string> settings) {
   return load_text(&text, name, settings).map(machine_of);
 }
 
-Result<std::vector<EffectiveValue>> effective_values(const std::string& file,
-                                                     std::span<const std::string> settings) {
+tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_values(
+    const std::string& file, std::span<const std::string> settings) {
   const auto loaded = load_file(file, settings);
   if (!loaded) return tl::make_unexpected(loaded.error());
   std::vector<EffectiveValue> values;

@@ -12,15 +12,18 @@
 
 namespace softcnc::hal {
 
+/// A machine, or all that is wrong with its file, line by line, and then with the settings.
+using MachineOrFaults = tl::expected<Machine, std::vector<Diagnostic>>;
+
 /// The machine of a TOML file with `settings` ("KEY=VALUE": a TOML value, else a string) on top.
 /// An empty name means the built-in machine. A file that names any [axis.*] has exactly those axes;
 /// a key that is absent keeps its default, but the limit along the path, which then is none.
-/// Errors: the SC70xx codes; the first of the file, with line and column, or of the settings, in a
-/// file called "--set".
-Result<Machine> load_machine(const std::string& file, std::span<const std::string> settings);
+/// Errors: the SC70xx codes, with line and column; those of settings in a file called "--set". None
+/// is told that follows from another; of a file that is no TOML the first alone.
+MachineOrFaults load_machine(const std::string& file, std::span<const std::string> settings);
 
 /// The same for a text that is already in memory; `name` stands for the file in diagnostics.
-Result<Machine> parse_machine(const std::string& text, const std::string& name,
+MachineOrFaults parse_machine(const std::string& text, const std::string& name,
                               std::span<const std::string> settings);
 
 /// One value of the machine as it will be used.
@@ -33,8 +36,8 @@ struct EffectiveValue {
 };
 
 /// Every value of the machine that load_machine() returns, in the order of the table.
-Result<std::vector<EffectiveValue>> effective_values(const std::string& file,
-                                                     std::span<const std::string> settings);
+tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_values(
+    const std::string& file, std::span<const std::string> settings);
 
 /// A complete TOML file. It loads back to the identical machine, bit for bit, for every machine
 /// that load_machine() returns.

@@ -19,8 +19,15 @@ std::string unknown(std::string_view key, const std::string& nearest) {
   return "unknown key '" + std::string(key) + "'; did you mean '" + nearest + "'?";
 }
 
+/// Those of settings come last, in the order in which they are found.
 bool earlier(const Diagnostic& a, const Diagnostic& b) {
+  const bool a_is_setting = a.file == kSettingFile, b_is_setting = b.file == kSettingFile;
+  if (a_is_setting || b_is_setting) return a_is_setting < b_is_setting;
   return std::tie(a.pos.line, a.pos.column) < std::tie(b.pos.line, b.pos.column);
+}
+
+bool is_within(std::string_view path, std::string_view table) {
+  return path.size() > table.size() && path.starts_with(table) && path[table.size()] == '.';
 }
 
 bool names_axis(const TomlEntry& entry) {
@@ -63,26 +70,53 @@ void MachineLoader::fail(Code code, const Place& place, std::string message) {
   errors_.push_back({code, place.pos, std::move(message), place.file, place.line});
 }
 
+/// Values that do not go together: told once a place, and not where one of them has been refused.
+void MachineLoader::clash(Code code, Keys keys, std::string message) {
+  const auto is_refused = [this](const std::string& key) { return refused_.contains(key); };
+  if (std::any_of(keys.begin(), keys.end(), is_refused)) return;
+  const Place& place = place_of(keys);
+  const auto is_this = [&](const Diagnostic& told) {
+    return told.code == code && told.file == place.file && told.source_line == place.line &&
+           told.pos.line == place.pos.line && told.pos.column == place.pos.column;
+  };
+  if (std::none_of(errors_.begin(), errors_.end(), is_this)) fail(code, place, std::move(message));
+}
+
 void MachineLoader::read(std::string_view text, const std::string& name) {
   const std::string stem = as_utf8(std::filesystem::path(name).stem().string());
   if (!stem.empty()) loaded_.machine.name = stem;
   const auto entries = read_toml(text);
   if (!entries) {
     const Diagnostic& broken = entries.error();
+    is_doubtful_ = true;
     return fail(broken.code, {name, broken.pos, text_line(text, broken.pos.line)}, broken.message);
   }
-  for (const TomlEntry& entry : *entries) take(entry, text, name);
+  take_all(*entries, text, name);
   if (std::any_of(entries->begin(), entries->end(), names_axis)) keep_named_axes(*entries);
-  std::stable_sort(errors_.begin(), errors_.end(), earlier);
+}
+
+/// What stands in a table that is refused is not told as well. Tables come before what is in them.
+void MachineLoader::take_all(const std::vector<TomlEntry>& entries, std::string_view text,
+                             const std::string& name) {
+  std::string_view refused_table;
+  for (const TomlEntry& entry : entries) {
+    if (!refused_table.empty() && is_within(entry.path, refused_table)) continue;
+    const std::size_t before = errors_.size();
+    take(entry, text, name);
+    if (entry.table && errors_.size() > before) refused_table = entry.path;
+  }
 }
 
 void MachineLoader::take(const TomlEntry& entry, std::string_view text, const std::string& name) {
   const auto at = [&](const SourcePos& pos) { return Place{name, pos, text_line(text, pos.line)}; };
   if (is_section(entry.path)) {
-    if (!entry.table) fail(Code::SC7004, at(entry.value_pos), entry.path + " is a table of keys");
+    if (entry.table) return;
+    is_doubtful_ = true;
+    fail(Code::SC7004, at(entry.value_pos), entry.path + " is a table of keys");
   } else if (const auto ref = find_key(entry.path)) {
     take(*ref, entry.value, at(entry.value_pos));
   } else {
+    is_doubtful_ = true;
     fail(Code::SC7001, at(entry.key_pos),
          unknown(entry.path, entry.table ? nearest_section(entry.path) : nearest_key(entry.path)));
   }
@@ -90,7 +124,10 @@ void MachineLoader::take(const TomlEntry& entry, std::string_view text, const st
 
 void MachineLoader::take(const KeyRef& ref, const FileValue& value, Place place) {
   const auto stored = assign(ref, value, loaded_.machine);
-  if (!stored) fail(stored.error().code, place, stored.error().message);
+  if (!stored) {
+    fail(stored.error().code, place, stored.error().message);
+    refused_.insert(path_of(ref));
+  }
   loaded_.given.insert_or_assign(path_of(ref), std::move(place));
 }
 
@@ -111,10 +148,15 @@ void MachineLoader::set(const std::string& setting) {
   if (!is_utf8(value))
     return fail(Code::SC7002, place_in(setting, value), "not TOML: a value that is not UTF-8");
   const auto ref = find_key(key);
-  if (!ref) return fail(Code::SC7001, place_in(setting, key), unknown(key, nearest_key(key)));
-  if (!has_axis_of(*ref))
+  if (!ref) {
+    is_doubtful_ = true;
+    return fail(Code::SC7001, place_in(setting, key), unknown(key, nearest_key(key)));
+  }
+  if (!has_axis_of(*ref)) {
+    if (is_doubtful_) return;
     return fail(Code::SC7007, place_in(setting, key),
                 "the machine has no axis " + axis_name(ref->index));
+  }
   take(*ref, read_toml_value(std::string(value)), place_in(setting, value));
 }
 
@@ -123,8 +165,8 @@ bool MachineLoader::has_axis_of(const KeyRef& ref) const {
          loaded_.machine.axes[static_cast<std::size_t>(ref.index)].present;
 }
 
-Result<LoadedMachine> MachineLoader::finish() {
-  if (errors_.empty()) {
+LoadedOrFaults MachineLoader::finish() {
+  if (!is_doubtful_) {
     derive_servo_period();
     check_periods();
     for (int axis = 0; axis < kAxes; ++axis) check_travel(axis);
@@ -134,8 +176,9 @@ Result<LoadedMachine> MachineLoader::finish() {
     if (steps || is_by_pulses(control.interpolation)) check_step_port();
     if (control.backend == BackendKind::parport) check_parallel_port();
   }
-  if (!errors_.empty()) return tl::make_unexpected(std::move(errors_.front()));
-  return std::move(loaded_);
+  if (errors_.empty()) return std::move(loaded_);
+  std::stable_sort(errors_.begin(), errors_.end(), earlier);
+  return tl::make_unexpected(std::move(errors_));
 }
 
 /// Without a word about it the servo period is 1 ms, or the next smaller that divides the period.
@@ -153,23 +196,23 @@ void MachineLoader::check_periods() {
   const Control& control = loaded_.machine.control;
   const double ratio = control.period / control.servo_period;
   if (ratio > 0.5 && std::abs(ratio - std::round(ratio)) < kRoundOff * ratio) return;
-  fail(Code::SC7010, place_of({"control.period_ms", "control.servo_period_ms"}),
-       "control.period_ms = " + number_text(ms_from_s(control.period)) +
-           " is no multiple of control.servo_period_ms = " +
-           number_text(ms_from_s(control.servo_period)));
+  clash(Code::SC7010, {"control.period_ms", "control.servo_period_ms"},
+        "control.period_ms = " + number_text(ms_from_s(control.period)) +
+            " is no multiple of control.servo_period_ms = " +
+            number_text(ms_from_s(control.servo_period)));
 }
 
 void MachineLoader::check_travel(int index) {
   const Axis& axis = loaded_.machine.axes[static_cast<std::size_t>(index)];
   if (!axis.present || axis.min < axis.max) return;
   const std::string name = "axis." + axis_name(index);
-  fail(Code::SC7008, place_of({name + ".max_mm", name + ".min_mm"}),
-       name + ".min_mm = " + number_text(axis.min) + " is not below " + name +
-           ".max_mm = " + number_text(axis.max));
+  clash(Code::SC7008, {name + ".max_mm", name + ".min_mm"},
+        name + ".min_mm = " + number_text(axis.min) + " is not below " + name +
+            ".max_mm = " + number_text(axis.max));
 }
 
 /// Where the first of several keys was given that was given at all.
-const Place& MachineLoader::place_of(std::initializer_list<std::string> keys) const {
+const Place& MachineLoader::place_of(Keys keys) const {
   const auto given = [this](const std::string& key) { return loaded_.given.contains(key); };
   return loaded_.given.find(*std::find_if(keys.begin(), keys.end(), given))->second;
 }

@@ -4,6 +4,7 @@
 
 #include <initializer_list>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,16 +30,21 @@ struct LoadedMachine {
   std::map<std::string, Place, std::less<>> given;  // by full name of the key
 };
 
-/// Collects what a file and then settings say. Of several errors the first is told.
+using LoadedOrFaults = tl::expected<LoadedMachine, std::vector<Diagnostic>>;
+
+/// Collects what a file and then settings say, and all that is wrong with it but what follows from
+/// something wrong.
 class MachineLoader {
  public:
   void read(std::string_view text, const std::string& name);
   void set(const std::string& setting);  // "KEY=VALUE"
 
   /// Fills in what was left out and checks values against one another. Call once.
-  Result<LoadedMachine> finish();
+  LoadedOrFaults finish();
 
  private:
+  void take_all(const std::vector<TomlEntry>& entries, std::string_view text,
+                const std::string& name);
   void take(const TomlEntry& entry, std::string_view text, const std::string& name);
   void take(const KeyRef& ref, const FileValue& value, Place place);
   void keep_named_axes(const std::vector<TomlEntry>& entries);
@@ -53,11 +59,15 @@ class MachineLoader {
   void check_pin(const std::string& key, int pin, bool (*fits)(int));
 
   bool has_axis_of(const KeyRef& ref) const;
-  const Place& place_of(std::initializer_list<std::string> keys) const;
+  using Keys = std::initializer_list<std::string>;
+  const Place& place_of(Keys keys) const;
   void fail(Code code, const Place& place, std::string message);
+  void clash(Code code, Keys keys, std::string message);
 
   LoadedMachine loaded_;
-  std::map<int, std::string> used_pins_;  // of the parallel port, and by which key
+  std::map<int, std::string> used_pins_;        // of the parallel port, and by which key
+  std::set<std::string, std::less<>> refused_;  // keys whose values are
+  bool is_doubtful_ = false;  // what could not be read may have been meant for any key
   std::vector<Diagnostic> errors_;
 };
 

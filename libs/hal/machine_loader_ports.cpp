@@ -72,12 +72,12 @@ void MachineLoader::check_step_port() {
   const StepPort& port = loaded_.machine.step_port;
   const double fastest = 1.0 / (port.step_length + port.step_space);
   if (port.max_rate > fastest * kRoundedUp)
-    fail(Code::SC7019,
-         place_of({"backend.stepdir.max_rate_hz", "backend.stepdir.step_length_ns",
-                   "backend.stepdir.step_space_ns"}),
-         "backend.stepdir.max_rate_hz = " + hertz(port.max_rate) +
-             " is more than step_length_ns and step_space_ns leave: " +
-             hertz(std::floor(fastest * kRoundedUp)) + " Hz");
+    return clash(Code::SC7019,
+                 {"backend.stepdir.max_rate_hz", "backend.stepdir.step_length_ns",
+                  "backend.stepdir.step_space_ns"},
+                 "backend.stepdir.max_rate_hz = " + hertz(port.max_rate) +
+                     " is more than step_length_ns and step_space_ns leave: " +
+                     hertz(std::floor(fastest * kRoundedUp)) + " Hz");
   for (int axis = 0; axis < kAxes; ++axis) check_pulse_rate(axis);
   check_feed(step_rate(port), rate_text(port));
 }
@@ -89,11 +89,12 @@ void MachineLoader::check_pulse_rate(int index) {
   const double most = axis.blu * step_rate(port);
   if (!axis.present || axis.velocity <= most * kFeedRoundedUp) return;
   const std::string name = "axis." + axis_name(index);
-  fail(Code::SC7018,
-       place_of({name + ".velocity_mm_min", "backend.stepdir.max_rate_hz", name + ".blu_um",
-                 "control.backend", "control.interpolation"}),
-       too_fast(name + ".velocity_mm_min", axis.velocity,
-                blu_text(index, axis.blu) + rate_text(port), most));
+  clash(Code::SC7018,
+        {name + ".velocity_mm_min", "backend.stepdir.max_rate_hz", name + ".blu_um",
+         "control.backend", "control.interpolation", "backend.stepdir.step_length_ns",
+         "backend.stepdir.step_space_ns"},
+        too_fast(name + ".velocity_mm_min", axis.velocity,
+                 blu_text(index, axis.blu) + rate_text(port), most));
 }
 
 /// No axis could move as fast as the limit along the path if its pulses came at this rate, Hz. The
@@ -111,7 +112,11 @@ void MachineLoader::check_feed(double rate, const std::string& in_words) {
     feed = most;
     return;
   }
-  fail(Code::SC7090, place_of({key}), too_fast(key, feed, blu_text(fastest, blu) + in_words, most));
+  clash(Code::SC7090,
+        {key, "axis.x.blu_um", "axis.y.blu_um", "axis.z.blu_um", "backend.stepdir.max_rate_hz",
+         "backend.stepdir.step_length_ns", "backend.stepdir.step_space_ns",
+         "backend.parport.base_period_us"},
+        too_fast(key, feed, blu_text(fastest, blu) + in_words, most));
 }
 
 void MachineLoader::check_parallel_port() {
@@ -140,11 +145,11 @@ void MachineLoader::check_port_rate(int index) {
   const double most = axis.blu / interval;
   if (axis.velocity <= most * kFeedRoundedUp) return;
   const std::string name = "axis." + axis_name(index);
-  fail(Code::SC7070,
-       place_of({name + ".velocity_mm_min", "backend.parport.base_period_us", name + ".blu_um",
-                 "control.backend"}),
-       too_fast(name + ".velocity_mm_min", axis.velocity,
-                blu_text(index, axis.blu) + port_rate_text(loaded_.machine), most));
+  clash(Code::SC7070,
+        {name + ".velocity_mm_min", "backend.parport.base_period_us", name + ".blu_um",
+         "control.backend", "backend.stepdir.step_length_ns", "backend.stepdir.step_space_ns"},
+        too_fast(name + ".velocity_mm_min", axis.velocity,
+                 blu_text(index, axis.blu) + port_rate_text(loaded_.machine), most));
 }
 
 /// A pin does what `fits` says, and one thing only.
@@ -152,15 +157,15 @@ void MachineLoader::check_pin(const std::string& key, int pin, bool (*fits)(int)
   if (pin == 0) return;
   const std::string name = "backend.parport." + key;
   const std::string text = name + " = " + std::to_string(pin);
-  const auto [used, is_new] = used_pins_.try_emplace(std::abs(pin), name);
   if (!fits(pin))
-    fail(Code::SC7071, place_of({name, "control.backend"}),
-         text + (fits == is_input_pin    ? " is no input: 10, 11, 12, 13, 15"
-                 : fits == is_output_pin ? " is no output: 1 to 9, 14, 16, 17"
-                                         : " is no data pin: 2 to 9"));
-  else if (!is_new)
-    fail(Code::SC7071, place_of({name, used->second, "control.backend"}),
-         text + " is the pin of " + used->second);
+    return clash(Code::SC7071, {name, "control.backend"},
+                 text + (fits == is_input_pin    ? " is no input: 10, 11, 12, 13, 15"
+                         : fits == is_output_pin ? " is no output: 1 to 9, 14, 16, 17"
+                                                 : " is no data pin: 2 to 9"));
+  const auto [used, is_new] = used_pins_.try_emplace(std::abs(pin), name);
+  if (!is_new)
+    clash(Code::SC7071, {name, used->second, "control.backend"},
+          text + " is the pin of " + used->second);
 }
 
 }  // namespace softcnc::hal

@@ -61,8 +61,11 @@ AxisVector direction(double degrees) {
 std::span<const CommandRow> command_table() noexcept { return kRows; }
 
 bool CommandFile::read_on() {
+  reader_.do_not_wait();
   while (!ended_ && !block_) {
-    if (const auto text = reader_.next()) {
+    const auto text = reader_.next();
+    if (reader_.waiting()) return false;
+    if (text) {
       text_ = *text;
       line_ = reader_.line();
       read_line();

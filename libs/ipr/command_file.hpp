@@ -48,7 +48,8 @@ class CommandFile {
   /// The next block, the last being Action::Kind::end. As every place counts from the one before,
   /// nothing moves behind a line with an error; reading goes on to tell what else is wrong.
   std::optional<Block> next() { return read_on() ? take() : std::nullopt; }
-  /// Reads until there is one; false at the end.
+  /// Reads until there is one; false at the end, and where a pipe has nothing more yet (the reader
+  /// is waiting() then).
   bool read_on();
   /// Expects that read_on() has found one.
   std::optional<Block> take();

@@ -71,6 +71,8 @@ class Flow {
   const Parameters& parameters() const noexcept { return parser_.parameters(); }
   /// Files that have been called: their names in the folder.
   std::vector<std::string> called_files() const { return library_.files(); }
+  /// Names in the folder under which no called file has been found.
+  const std::set<std::string>& missing_files() const noexcept { return library_.missing_files(); }
 
  private:
   using Kind = Statement::Kind;

@@ -45,6 +45,8 @@ class Interpreter {
 
   /// Files that have been called so far: their names in the folder.
   std::vector<std::string> called_files() const { return flow_.called_files(); }
+  /// Names in the folder under which calls have found none.
+  const std::set<std::string>& missing_files() const noexcept { return flow_.missing_files(); }
 
   /// Whether next() has given nothing because a pipe has nothing more yet: ask again when it has.
   bool waiting() const noexcept { return parser_.waiting(); }

@@ -109,14 +109,14 @@ std::string_view Lexer::take_letters() noexcept {
 bool Lexer::at_letter() const noexcept { return at_ < line_.size() && is_upper(upper(line_[at_])); }
 
 int Lexer::last_column() const noexcept {
-  const std::size_t last = line_.substr(0, at_).find_last_not_of(" \t");
+  const std::size_t last = line_.substr(0, at_).find_last_not_of(kBlanks);
   return last == std::string_view::npos ? 1 : static_cast<int>(last) + 1;
 }
 
 Token Lexer::take_number() {
   peek();
   const std::string_view rest = line_.substr(at_);
-  const Number number = read_number(rest.substr(0, rest.find_first_not_of("0123456789. \t")));
+  const Number number = read_number(rest.substr(0, rest.find_first_not_of("0123456789. \t\v\f")));
   Token read = token(Token::Kind::number, number.length);
   read.value = number.value;
   read.fault = number.fault;

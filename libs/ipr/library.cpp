@@ -12,6 +12,8 @@ namespace {
 
 using Kind = Statement::Kind;
 
+constexpr std::size_t kMostMissing = 1000;
+
 bool is_number(std::string_view label) { return !label.empty() && is_digit(label.front()); }
 
 /// How many letters must be changed, added or removed to make one word of the other.
@@ -149,7 +151,10 @@ std::optional<int> Library::open(const std::string& name, const SourcePos& call,
   const auto path = (std::filesystem::path(folder_) / name).lexically_normal();
   if (const auto at = file_of_.find(name); at != file_of_.end())
     return at->second < 0 ? std::nullopt : std::optional(at->second);
-  if (!may_be_program(path)) return std::nullopt;
+  if (!may_be_program(path)) {
+    if (missing_.size() < kMostMissing) missing_.insert(name);
+    return std::nullopt;
+  }
   auto reader = Reader::open(path.string());
   if (!reader) {
     diagnostics_.report(Code::SC6031, call, std::move(reader.error().message), line);

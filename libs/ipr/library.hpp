@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,6 +59,9 @@ class Library {
 
   /// Names, in the folder, of the files that have been called.
   std::vector<std::string> files() const;
+  /// Names, in the folder, under which calls have looked for a file that is not there: 1000 at
+  /// most.
+  const std::set<std::string>& missing_files() const noexcept { return missing_; }
   /// A go() has failed: the parser stands nowhere in particular.
   bool is_lost() const noexcept { return lost_; }
   const std::string& folder() const noexcept { return folder_; }
@@ -87,6 +91,7 @@ class Library {
   bool lost_ = false;
   std::map<int, Text> texts_;                        // by SourcePos::file
   std::map<std::string, int, std::less<>> file_of_;  // by name in the folder; -1: unreadable
+  std::set<std::string> missing_;
 };
 
 }  // namespace softcnc::ipr

@@ -22,7 +22,8 @@ struct Number {
 
 inline constexpr int kIntegerDigits = 9;  // before the point; more is NumberFault::too_large
 
-constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t'; }
+inline constexpr std::string_view kBlanks = " \t\v\f";
+constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 constexpr bool is_number_part(char c) noexcept {
   return is_digit(c) || c == '.' || c == '-' || c == '+';

@@ -13,12 +13,17 @@
 #include <system_error>
 #include <utility>
 
+#include "ipr/number.hpp"
+
 namespace softcnc::ipr {
 namespace {
 
 constexpr std::size_t kBufferSize = 65536;
 static_assert(kBufferSize > 2 * Reader::kLongestLine);
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr char kEndMark = '\x1A';
+constexpr std::string_view kBlanksAndEndMarks = " \t\v\f\x1A";
+constexpr std::string_view kBehindEndMark = " \t\v\f\x1A\r\n";
 
 Diagnostic cannot_read(Code code, const std::string& what, int error) {
   return {code, {}, "cannot read " + what + ": " + std::generic_category().message(error), {}, {}};
@@ -92,13 +97,44 @@ Reader Reader::from_text(std::string text) {
   for (;;) {
     skip_line_feed();
     const std::size_t line_end = find_line_end(begin_ + searched);
-    if (line_end < end_) return take(line_end);
+    if (line_end < end_) return ends_in_end_mark(line_end) ? take_marked(line_end) : take(line_end);
     if (!fill()) break;
     searched = 0;
   }
   if (waiting_) return std::nullopt;
   if (begin_ == end_) return std::nullopt;
-  return take(end_);
+  return ends_in_end_mark(end_) ? take_marked(end_) : take(end_);
+}
+
+/// Whether the last byte of the line that is no blank is an end mark.
+bool Reader::ends_in_end_mark(std::size_t line_end) const noexcept {
+  while (line_end > begin_ && is_blank(buffer_[line_end - 1])) --line_end;
+  return line_end > begin_ && buffer_[line_end - 1] == kEndMark;
+}
+
+/// The line without its end marks, and the end of the text, if nothing follows them.
+std::optional<std::string_view> Reader::take_marked(std::size_t line_end) {
+  const std::size_t length = line_end - begin_;
+  const bool is_end = only_blanks_follow(length);
+  if (waiting_) return std::nullopt;
+  const std::string_view text = unread().substr(0, length);
+  if (!is_end) return take(begin_ + length);
+  const std::string_view line = take(begin_ + text.find_last_not_of(kBlanksAndEndMarks) + 1);
+  begin_ = end_;
+  line_feed_belongs_to_cr_ = false;
+  return line;
+}
+
+/// Whether nothing but blanks, line ends and end marks come behind the next `length` bytes; so many
+/// of them that they do not fit into the buffer are no end.
+bool Reader::only_blanks_follow(std::size_t length) {
+  const auto is_blank_so_far = [&] {
+    return unread().find_first_not_of(kBehindEndMark, length) == std::string_view::npos;
+  };
+  while (is_blank_so_far() && read_ahead()) {
+  }
+  const bool all_is_there = descriptor_ < 0 || end_ - begin_ < buffer_.size() / 2;
+  return all_is_there && is_blank_so_far();
 }
 
 /// Leaves out the LF of a CRLF, which may come in a later piece than its CR.

@@ -16,7 +16,7 @@
 namespace softcnc::ipr {
 
 /// Lines end with LF, CRLF or a lone CR; the last one may end without. A UTF-8 byte order mark is
-/// left out.
+/// left out, and so are bytes of 0x1A (Ctrl-Z, by which DOS ended a text) at the end of the text.
 class Reader {
  public:
   static constexpr std::size_t kLongestLine = 16384;  // bytes
@@ -88,6 +88,9 @@ class Reader {
   bool has_nothing_yet() const noexcept;
   bool is_pipe() const noexcept { return origin_ < 0; }
   std::string_view take(std::size_t line_end) noexcept;
+  bool ends_in_end_mark(std::size_t line_end) const noexcept;
+  std::optional<std::string_view> take_marked(std::size_t line_end);
+  bool only_blanks_follow(std::size_t length);
   void close() noexcept;
 
   static constexpr std::size_t kUnknown = std::string::npos;

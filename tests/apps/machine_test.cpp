@@ -2,6 +2,8 @@
 // machine: each value with unit and origin, in columns.
 #include <catch2/catch.hpp>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "apps/shell.hpp"
 
@@ -43,4 +45,29 @@ TEST_CASE("the values of machine stand below each other", "[apps][machine]") {
     CHECK(line.back() != ' ');
   }
   CHECK(count > 50);
+}
+
+TEST_CASE("every command tells all that is wrong with its machine", "[apps][machine]") {
+  const Folder folder;
+  const std::string mill = folder / "mill.toml", recording = folder / "part.rec";
+  REQUIRE(call("record -q $data/square.nc -o " + recording).status == 0);
+  write(mill, "[control]\nperiod_ms = -1\n[axsi.x]\nblu_um = 1\n[spindle]\nmax_rpm = 'fast'\n");
+  const std::vector<std::string> commands{"machine",
+                                          "check $data/square.nc",
+                                          "blocks $data/square.nc",
+                                          "run $data/square.nc",
+                                          "record $data/square.nc -o " + (folder / "x.rec"),
+                                          "replay " + recording,
+                                          "latency"};
+  for (const std::string& command : commands) {
+    const Ended ended = shell("$softcnc " + command + " --machine " + mill + " 2>&1");
+    CAPTURE(command, ended.out);
+    CHECK(ended.status == 2);
+    std::istringstream lines(ended.out);
+    std::string places;
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with(mill))
+        places += line.substr(mill.size(), line.find("or SC") + 9 - mill.size()) + ' ';
+    CHECK(places == ":2:13: error SC7005 :3:2: error SC7001 :6:11: error SC7004 ");
+  }
 }

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "apps/shell.hpp"
+#include "performance.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;
@@ -88,6 +89,18 @@ void check_told(const Ended& ended, const json& report, double seconds) {
 }
 
 }  // namespace
+
+TEST_CASE("periods missed are an error with real-time rights, a warning without",
+          "[apps][realtime][code]") {
+  Punctuality punctuality{Lateness(1'000'000), 1, {true, true, {}}};
+  for (const std::int64_t late : {20'000, 1'500'000, 30'000}) punctuality.lateness.add(late);
+  CHECK(render(missed_periods(punctuality, "part.nc")) ==
+        "part.nc: error SC5040: 2 of 3 periods were missed; the latest came 1500.0 us late\n");
+  punctuality.unplanned = 0;
+  punctuality.rights.locked = false;
+  CHECK(render(missed_periods(punctuality, "part.nc")) ==
+        "part.nc: warning SC5041: 1 of 3 periods was missed; the latest came 1500.0 us late\n");
+}
 
 TEST_CASE("every setpoint is exchanged once, in order, in its period", "[apps][realtime]") {
   Fickle backend;

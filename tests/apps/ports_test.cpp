@@ -56,9 +56,9 @@ TEST_CASE("a reader of rows that goes away ends the run quietly; one that takes 
   const Ended gone = shell("{ " + kToHal + patience + "; echo status $? >&2; } | head -c 5000");
   CHECK(gone.err == "status 141\n");
   const Ended stuck = shell("{ " + kToHal + patience + "; echo status $? >&2; } | sleep 2");
-  CHECK(
-      stuck.err.find("error SC6071: the pipe is full, and its reader has taken nothing for 0.1 s; "
-                     "HAL holds the last row it got\n") != std::string::npos);
+  CHECK(stuck.err.find(
+            "<stdout>: error SC6071: the pipe is full, and its reader has taken nothing for 0.1 s; "
+            "HAL holds the last row it got\n") != std::string::npos);
   CHECK(stuck.err.find("status 5\n") != std::string::npos);
 }
 
@@ -107,11 +107,13 @@ TEST_CASE("a backend does not write over what is read or written besides: SC7072
     CAPTURE(command, ended.err);
     CHECK(ended.status == 2);
     CHECK(ended.err.find("error SC7072: ") != std::string::npos);
-    CHECK(ended.err.find("name the same file: ") != std::string::npos);
+    CHECK(ended.err.find(" name the same file: ") != std::string::npos);
+    return ended.err;
   };
   const std::string step = "--backend stepdir --set backend.stepdir.file=";
   const std::string rows = "--backend hal-stream --set backend.hal-stream.file=";
-  refused(step + part + " " + part);
+  CHECK(refused(step + part + " " + part) ==
+        "softcnc: error SC7072: PART and backend.stepdir.file name the same file: " + part + "\n");
   refused(step + (folder / "link.vcd") + " " + part);
   refused(rows + part + " " + part);
   refused("--machine " + machine + " " + part);

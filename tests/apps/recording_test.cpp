@@ -269,9 +269,10 @@ TEST_CASE("a damaged recording is refused with SC6021, exit status 5", "[apps][r
     CHECK(ended.out.empty());
     CHECK(ended.err.starts_with(file + ": error SC6021: "));
     CHECK(ended.err.find(with) != std::string::npos);
+    return ended.err;
   };
   write(file, "no recording");
-  refused("cannot be read as a recording: Not a zip archive");
+  CHECK(refused("") == file + ": error SC6021: cannot be read as a recording: Not a zip archive\n");
   write(file, bytes.substr(0, bytes.size() / 2));
   refused("cannot be read as a recording: ");
   std::string flipped = bytes;

@@ -46,9 +46,8 @@ std::string tilted(const std::string& words) {
   return program + "G00 Z30\nM30\n";
 }
 
-bool warns_of_phase(const std::string& program, const std::string& place, const std::string& what,
+bool warns_of_phase(const std::string& program, const std::string& text,
                     const std::string& options = {}) {
-  const std::string text = "<stdin>:" + place + ": warning SC4012: " + what;
   const Ended ended = call("check " + options + " -", program);
   UNSCOPED_INFO(ended.out);
   return ended.status == 0 && ended.out.find(text) != std::string::npos;
@@ -88,12 +87,14 @@ TEST_CASE("check warns of passes that are not in phase", "[apps][roughness]") {
   const std::string round = head + "G01 X20\nG03 Y0.5 J0.25\nG01 X0\nM30\n";
   const std::string staggered = head + one_way({0, 0.13, 0.31, 0.07});
   const std::string contour = head + "G01 X20\nY20\nX0\nY0\nX0.5 Y0.5\nX19.5\nY19.5\nM30\n";
-  CHECK(warns_of_phase(to_and_fro, "5:1", "passes run to and fro"));
-  CHECK(warns_of_phase(round, "5:1", "passes run to and fro"));
-  CHECK(warns_of_phase(staggered, "10:1", "this pass is out of phase with the one beside it"));
-  CHECK(warns_of_phase(contour, "8:1", "this pass is out of phase with the one beside it"));
+  CHECK(warns_of_phase(to_and_fro, "<stdin>:5:1: warning SC4012: passes run to and fro"));
+  CHECK(warns_of_phase(round, "<stdin>:5:1: warning SC4012: passes run to and fro"));
+  CHECK(warns_of_phase(
+      staggered, "<stdin>:10:1: warning SC4012: this pass is out of phase with the one beside it"));
+  CHECK(warns_of_phase(
+      contour, "<stdin>:8:1: warning SC4012: this pass is out of phase with the one beside it"));
   const std::string twice = cylinder(kWords + cylinder_pass("0.5"));
-  CHECK(warns_of_phase(twice, "9:1", "the spindle begins passes at any phase",
+  CHECK(warns_of_phase(twice, "<stdin>:9:1: warning SC4012: the spindle begins passes at any phase",
                        "--set surface.phase=time"));
 }
 
@@ -116,7 +117,8 @@ TEST_CASE("where Q stands for any phase check does not warn of it", "[apps][roug
   const std::string program =
       "S6000 M03 F6000\nG06.4 D5 J0.5 H10.67 L2 Q1\nG01 X20\nY0.5\nX0\nY1\nX20\nM30\n";
   CHECK(call("check -", program).out.find("SC4012") == std::string::npos);
-  CHECK(warns_of_phase(program, "5:1", "passes run to and fro", "--set surface.model=paper"));
+  CHECK(warns_of_phase(program, "<stdin>:5:1: warning SC4012: passes run to and fro",
+                       "--set surface.model=paper"));
 }
 
 TEST_CASE("a plunge leaves no surface", "[apps][roughness]") {
@@ -131,9 +133,9 @@ TEST_CASE("check warns of slopes across the feed that are not stated, and says w
           "[apps][roughness]") {
   const Ended without = call("check -", tilted(""));
   CHECK(without.status == 0);
-  CHECK(without.out.find("warning SC4042: the surface slopes by 20.0 degrees across the feed, "
-                         "which is not stated: edges may leave an Rmax of up to 1") !=
-        std::string::npos);
+  CHECK(without.out.find(
+            "<stdin>:26:1: warning SC4042: the surface slopes by 20.0 degrees across the feed, "
+            "which is not stated: edges may leave an Rmax of up to 1") != std::string::npos);
   CHECK(without.out.find("; Q20 in G06.4 states all of its slopes") != std::string::npos);
   CHECK(call("check -", tilted("Q20")).out.find("SC4042") == std::string::npos);
   CHECK(call("check -", tilted("Q10")).out.find("SC4042") != std::string::npos);

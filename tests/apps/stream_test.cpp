@@ -84,6 +84,31 @@ TEST_CASE("blocks shows each block before the next line is written", "[apps][str
   CHECK(talk.status() == 0);
 }
 
+TEST_CASE("blocks shows each command of a command file before the next is written",
+          "[apps][stream]") {
+  Talk talk({"blocks", "-"});
+  talk.say("f 600\nl 1 0\n");
+  talk.hear("{\"line\":2,\"block\":1,");
+  talk.say("pccw 2 0 1 0\n");
+  talk.hear("{\"line\":3,\"block\":2,");
+  talk.say("s 2 1 1\n");  // its second point is still to come
+  talk.say("1 0\nl 1 0\n");
+  CHECK(talk.hear("{\"line\":6,\"block\":4,").size() == 2);
+  CHECK(talk.finish().starts_with("{\"line\":6,\"block\":5,\"kind\":\"end\""));
+  CHECK(talk.status() == 0);
+}
+
+TEST_CASE("a dry run of a command file shows the rows of its first line before the second",
+          "[apps][stream]") {
+  Talk talk({"run", "-q", "--dry-run", "-"});
+  talk.say("f 600\nl 10 0\n");
+  talk.hear("0.9,2,1,");
+  talk.say("l 0 10\n");
+  talk.hear("1.9,3,2,");
+  talk.finish();
+  CHECK(talk.status() == 0);
+}
+
 TEST_CASE("a dry run shows rows as soon as no later line can change them", "[apps][stream]") {
   Talk talk({"run", "-q", "--dry-run", "-"});
   talk.say("G04 P0.01\n");

@@ -192,7 +192,7 @@ TEST_CASE("a surface tells by region whether its target is met", "[apps][surface
   CHECK(missed.status == 0);
   const double most = number(folder / "own.npz", "numpy.nanmax(f['rmax_um'])");
   CHECK(most > 9);
-  CHECK(missed.err.find("warning SC4040: an Rmax of 9.") != std::string::npos);
+  CHECK(missed.err.find("own.nc: warning SC4040: an Rmax of 9.") != std::string::npos);
   CHECK(missed.err.find("where 9 um are asked for; ") != std::string::npos);
   CHECK(number(folder / "own.npz", "int(((f['met'] == 0) == (f['rmax_um'] > 9.00001)).all())") ==
         1);
@@ -292,12 +292,14 @@ TEST_CASE("a surface that cannot be cut is refused, and no file is left", "[apps
   refused(program("T1 M06\nG01 X5 F100\nM30\n") + kTool + "-o " + file, 1,
           ":2:1: error SC2381: a cutting move while the spindle stands still");
   refused(program("T1 M06\nS100 M03\nG00 X5\nM30\n") + kTool + "-o " + file, 1,
-          "error SC2382: the program has no cutting move");
+          "p.nc: error SC2382: the program has no cutting move");
   refused(program("T1 M06\nS100 M03\nG01 X5 F100 Q\nM30\n") + kTool + "-o " + file, 1, "p.nc:3:");
   refused("$data/plane.nc" + kTool + "-o " + (folder / "x.obj"), 2,
-          "error SC6060: no form of a surface has this suffix; known are .npz, .png");
-  refused("$data/plane.nc" + kTool + "--set stock.x_mm=90000 --set stock.grid_um=1 -o " + file, 2,
-          "error SC7050: a surface of 90000001 x 13001 points, one every 1 um");
+          "x.obj: error SC6060: no form of a surface has this suffix; known are .npz, .png");
+  refused(
+      "$data/plane.nc" + kTool + "--set stock.x_mm=90000 --set stock.grid_um=1 -o " + file, 2,
+      "softcnc: error SC7050: a surface of 90000001 x 13001 points, one every 1 um: at most 200000 "
+      "along X and 4000000000 in all are cut\n");
   refused("$data/plane.nc" + kTool + "--set 'stock.origin_mm=[2, 1, 50]' -o " + file, 1,
           "error SC2382: the stock lies beyond all that the program cuts");
   refused("$data/plane.nc" + kTool + "-o " + (folder / "no/x.npz"), 5, "error SC6011");

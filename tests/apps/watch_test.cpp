@@ -120,6 +120,22 @@ TEST_CASE("a program is checked again when a file changes that it calls", "[apps
   CHECK(talk.status() == 130);
 }
 
+TEST_CASE("a program is checked again when a file appears that it calls", "[apps][watch]") {
+  const Folder folder;
+  write(folder / "p.nc", "M98 P123\nM30\n");
+  Talk talk({"check", "--watch", folder / "p.nc"});
+  CHECK(talk.hear("---").front().find("error SC2301: no subprogram O123 in ") != std::string::npos);
+  write(folder / "124.ngc", "G00 X10\nM99\n");  // of another number: nothing is told of it
+  write(folder / "123.ngc", "G00 X10\nM99\n");
+  CHECK(talk.hear("---") == std::vector<std::string>{kNothing});
+  write(folder / "O0123.nc", "G00 X1.0.0\nM99\n");  // which is looked for before the other
+  CHECK(talk.hear("---").front().find("O0123.nc:1:6: error SC1004: ") != std::string::npos);
+  std::filesystem::remove(folder / "O0123.nc");
+  CHECK(talk.hear("---") == std::vector<std::string>{kNothing});
+  talk.send(SIGINT);
+  CHECK(talk.status() == 130);
+}
+
 TEST_CASE("each round is a document of its own where that is asked for", "[apps][watch]") {
   const Folder folder;
   write(folder / "p.nc", kGood);

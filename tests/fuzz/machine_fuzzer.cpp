@@ -48,9 +48,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (machine) {
     try_machine(*machine);
   } else {
-    const Diagnostic& error = machine.error();
-    expect(error.pos.line > 0 && error.pos.column > 0, "an error without a place", render(error));
-    expect(exit_status(error) == 2, "an error of another family", render(error));
+    expect(!machine.error().empty(), "refused without an error", text);
+    for (const Diagnostic& error : machine.error()) {
+      expect(error.pos.line > 0 && error.pos.column > 0, "an error without a place", render(error));
+      expect(exit_status(error) == 2, "an error of another family", render(error));
+    }
   }
   return 0;
 }

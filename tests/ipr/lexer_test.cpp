@@ -27,6 +27,19 @@ Kind only_kind(std::string_view line) {
 
 }  // namespace
 
+TEST_CASE("form feeds and vertical tabs are blanks", "[ipr][lexer]") {
+  const auto tokens = tokens_of("\fG1\vX 1\f0");
+  REQUIRE(tokens.size() == 4);
+  CHECK(tokens[0].letter == 'G');
+  CHECK(tokens[2].letter == 'X');
+  CHECK(tokens[2].column == 5);
+  CHECK(tokens[3].value == 10);
+  Lexer lexer("X1 \f");
+  PlainWord word;
+  CHECK(lexer.take_plain_word(word));
+  CHECK(lexer.peek() == 0);
+}
+
 TEST_CASE("a line is cut into letters and numbers with their columns", "[ipr][lexer]") {
   const auto tokens = tokens_of("N40 g02 X-6.5");
   REQUIRE(tokens.size() == 6);

@@ -28,7 +28,7 @@ std::string refusal(const NurbsSpec& spec) {
   CHECK(nurbs.error().message == status.error().message);
   CHECK(status.error().pos.line == 0);  // the place is the caller's to know
   CHECK(status.error().severity() == Severity::error);
-  return std::to_string(static_cast<int>(status.error().code)) + ": " + status.error().message;
+  return render(status.error());
 }
 
 std::string refusal(const std::function<void(NurbsSpec&)>& spoil) {
@@ -52,34 +52,35 @@ TEST_CASE("a specification in order passes", "[motion][nurbs]") {
 
 TEST_CASE("orders below 2 and above 10 are refused", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) { s.degree = 0; }) ==
-        "3001: a NURBS of order 1: orders 2 to 10 can be run");
+        "softcnc: error SC3001: a NURBS of order 1: orders 2 to 10 can be run\n");
   CHECK(refusal([](auto& s) { s.degree = 10; }) ==
-        "3001: a NURBS of order 11: orders 2 to 10 can be run");
-  CHECK(refusal([](auto& s) { s.degree = -1; }).substr(0, 4) == "3001");
+        "softcnc: error SC3001: a NURBS of order 11: orders 2 to 10 can be run\n");
+  CHECK(refusal([](auto& s) { s.degree = -1; }) ==
+        "softcnc: error SC3001: a NURBS of order 0: orders 2 to 10 can be run\n");
 }
 
 TEST_CASE("fewer points than the order are refused", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) { s.control.resize(3); }) ==
-        "3002: 3 control points are too few for a NURBS of order 4");
+        "softcnc: error SC3002: 3 control points are too few for a NURBS of order 4\n");
 }
 
 TEST_CASE("knots too few or too many are refused", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) { s.knots.pop_back(); }) ==
-        "3003: 9 knots for 6 control points of order 4: there must be 10");
+        "softcnc: error SC3003: 9 knots for 6 control points of order 4: there must be 10\n");
   CHECK(refusal([](auto& s) { s.knots.push_back(1); }) ==
-        "3003: 11 knots for 6 control points of order 4: there must be 10");
+        "softcnc: error SC3003: 11 knots for 6 control points of order 4: there must be 10\n");
 }
 
 TEST_CASE("decreasing knots are refused by number", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) { s.knots[5] = 0.25; }) ==
-        "3004: knot 6 (0.25) is less than the knot before it (0.5)");
+        "softcnc: error SC3004: knot 6 (0.25) is less than the knot before it (0.5)\n");
 }
 
 TEST_CASE("ends that are not clamped are refused", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) { s.knots[0] = -1; }) ==
-        "3005: the first 4 knots are not equal (-1 to 0)");
+        "softcnc: error SC3005: the first 4 knots are not equal (-1 to 0)\n");
   CHECK(refusal([](auto& s) { s.knots[9] = 1.5; }) ==
-        "3005: the last 4 knots are not equal (1 to 1.5)");
+        "softcnc: error SC3005: the last 4 knots are not equal (1 to 1.5)\n");
 }
 
 TEST_CASE("knots that would tear the curve are refused", "[motion][nurbs][code]") {
@@ -87,35 +88,39 @@ TEST_CASE("knots that would tear the curve are refused", "[motion][nurbs][code]"
                                        {3, 3, 0}, {4, 0, 0}, {5, 0, 0}};
   const std::vector<double> weights(6, 1.0);
   CHECK(refusal({2, points, weights, {0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}}) ==
-        "3006: knot 4 (0.5) stands 3 times: a curve of order 3 would be torn");
+        "softcnc: error SC3006: knot 4 (0.5) stands 3 times: a curve of order 3 would be torn\n");
   CHECK(refusal({2, points, weights, {0, 0, 0, 0, 0.5, 0.7, 1, 1, 1}}) ==
-        "3006: knot 2 (0) stands 4 times: a curve of order 3 would be torn");
+        "softcnc: error SC3006: knot 2 (0) stands 4 times: a curve of order 3 would be torn\n");
   CHECK(refusal({2, points, weights, {0, 0, 0, 0.5, 0.7, 1, 1, 1, 1}}) ==
-        "3006: knot 6 (1) stands 4 times: a curve of order 3 would be torn");
+        "softcnc: error SC3006: knot 6 (1) stands 4 times: a curve of order 3 would be torn\n");
   CHECK(refusal({2, points, weights, {1, 1, 1, 1, 1, 1, 1, 1, 1}}) ==
-        "3006: knot 2 (1) stands 9 times: a curve of order 3 would be torn");
+        "softcnc: error SC3006: knot 2 (1) stands 9 times: a curve of order 3 would be torn\n");
 }
 
 TEST_CASE("weights that are not positive or not there are refused", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) { s.weights[2] = 0; }) ==
-        "3007: weight 0 of control point 3 is not positive");
+        "softcnc: error SC3007: weight 0 of control point 3 is not positive\n");
   CHECK(refusal([](auto& s) { s.weights[5] = -2.5; }) ==
-        "3007: weight -2.5 of control point 6 is not positive");
-  CHECK(refusal([](auto& s) { s.weights[0] = std::nan(""); }).substr(0, 4) == "3007");
-  CHECK(refusal([](auto& s) { s.weights[0] = HUGE_VAL; }).substr(0, 4) == "3007");
-  CHECK(refusal([](auto& s) { s.weights.pop_back(); }) == "3007: 5 weights for 6 control points");
+        "softcnc: error SC3007: weight -2.5 of control point 6 is not positive\n");
+  CHECK(refusal([](auto& s) { s.weights[0] = std::nan(""); }) ==
+        "softcnc: error SC3007: weight nan of control point 1 is not positive\n");
+  CHECK(refusal([](auto& s) { s.weights[0] = HUGE_VAL; }) ==
+        "softcnc: error SC3007: weight inf of control point 1 is not positive\n");
+  CHECK(refusal([](auto& s) { s.weights.pop_back(); }) ==
+        "softcnc: error SC3007: 5 weights for 6 control points\n");
 }
 
 TEST_CASE("numbers that are not finite are refused", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) { s.control[3].y() = HUGE_VAL; }) ==
-        "3008: control point 4 is not finite");
-  CHECK(refusal([](auto& s) { s.knots[4] = std::nan(""); }) == "3008: knot 5 is not finite");
+        "softcnc: error SC3008: control point 4 is not finite\n");
+  CHECK(refusal([](auto& s) { s.knots[4] = std::nan(""); }) ==
+        "softcnc: error SC3008: knot 5 is not finite\n");
 }
 
 TEST_CASE("a curve that goes nowhere is refused", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) {
           for (auto& p : s.control) p = {3, 4, 5};
-        }) == "3009: all control points of the NURBS are the same");
+        }) == "softcnc: error SC3009: all control points of the NURBS are the same\n");
 }
 
 TEST_CASE("a curve beyond working precision is refused, not computed wrongly",

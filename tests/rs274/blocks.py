@@ -44,7 +44,7 @@ class Softcnc:
                                   timeout=TIMEOUT, cwd=pathlib.Path(program).resolve().parent)
         except subprocess.TimeoutExpired:
             return Outcome(False, [], [Error("timeout", "endless", "")])
-        lines = pathlib.Path(program).read_bytes().decode("latin-1").splitlines()
+        lines = re.split(r"\r\n|\r|\n", pathlib.Path(program).read_bytes().decode("latin-1"))
         errors = []
         for text in done.stderr.decode("latin-1").splitlines():
             found = DIAGNOSTIC.match(text)

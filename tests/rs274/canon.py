@@ -16,8 +16,14 @@ from moves import PLANE_AXES, Error, Move, Outcome
 HERE = pathlib.Path(__file__).resolve().parent
 INCH = 25.4  # mm
 CALL = re.compile(r"^\s*\d+ N[\d.]*\s*([A-Z]\w+)\((.*)\)$")
-PLANES = {"CANON_PLANE_XY": "XY", "CANON_PLANE_XZ": "ZX", "CANON_PLANE_YZ": "YZ"}
+PLANES = {"CANON_PLANE_XY": "XY", "CANON_PLANE_XZ": "ZX", "CANON_PLANE_YZ": "YZ",
+          "CANON_PLANE_UNKNOWN": "of U V W"}
 TIMEOUT = 10  # s; a loop without end
+
+
+def lines_of(output):
+    """Parted by line feeds alone: what rs274 quotes may hold a form feed."""
+    return output.decode("latin-1").removesuffix("\n").split("\n") if output else []
 
 
 def numbers(text):
@@ -135,7 +141,7 @@ class Rs274:
             return Outcome(False, [], [Error("", "endless", "")])
         errors = self.errors(done)
         canon = Canon()
-        lines = done.stdout.decode("latin-1").splitlines()
+        lines = lines_of(done.stdout)
         if any("NURBS_FEED" in line for line in lines):
             canon.points_of = self.spline_points(program)
         for line in lines:
@@ -149,7 +155,7 @@ class Rs274:
         """A text and the line it is about, as rs274 tells them."""
         if done.returncode == 0:
             return []
-        lines = [line for line in done.stderr.decode("latin-1").splitlines() if line != "executing"]
+        lines = [line for line in lines_of(done.stderr) if line != "executing"]
         if done.returncode < 0:
             return [Error("", f"ended by signal {-done.returncode}", "")]
         return [Error("", lines[-2] if len(lines) > 1 else "", lines[-1] if lines else "")]

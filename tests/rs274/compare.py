@@ -127,7 +127,7 @@ def compare_moves(name, ours, theirs, lines):
 
 
 def program_lines(program):
-    return program.read_bytes().decode("latin-1").splitlines() + [""]
+    return re.split(r"\r\n|\r|\n", program.read_bytes().decode("latin-1")) + [""]
 
 
 def compare(program, softcnc, rs274):
@@ -174,7 +174,7 @@ def short_programs(folder):
     for line in (HERE / "short_programs.txt").read_text(encoding="utf-8").splitlines()[1:]:
         name, text = line.split(": ", 1)
         programs.append(folder / f"{name}.nc")
-        programs[-1].write_text(text.replace("\\n", "\n").replace("\\t", "\t") + "\nM2\n")
+        programs[-1].write_text(text.encode().decode("unicode_escape") + "\nM2\n")
     return programs
 
 
