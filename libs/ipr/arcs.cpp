@@ -150,9 +150,9 @@ void arc(Task& task, bool ccw) {
   const int turns = further_turns(task);
   if (task.modal.doubted.has(Group::arc_distance)) task.out.mute();
   const bool well_given = knows_plane(task) && is_well_given(task, axes);
-  const bool fed = has_feed(task);
+  has_feed(task);
   if (lost.empty() && has_plane_axes(task, axes) && well_given && has_centre_or_radius(task) &&
-      has_near_lengths(task, "IJKR") && lies_in_plane(task) && fed) {
+      has_near_lengths(task, "IJKR") && lies_in_plane(task)) {
     const auto center = task.values.has('R') ? center_by_radius(task, axes, to, ccw)
                                              : center_by_offsets(task, axes);
     if (center)

@@ -347,7 +347,8 @@ void canned_cycle(Task& task) {
   if (modal.doubted.has_any(kOfCoordinates)) task.out.mute();
   const bool known = knows_plane(task) && !modal.doubted.has_any(kOfCoordinates);
   if (!known) modal.cycle.told = kAllLetters;
-  if (count && has_words(task, axes) && has_feed(task) && known) {
+  has_feed(task);
+  if (count && has_words(task, axes) && known) {
     const Holes holes = holes_of(task, axes, from, *count);
     if (is_possible(task, holes) && spindle_turns(task)) {
       compare_ways_out(task, holes);

@@ -121,10 +121,11 @@ bool Interpreter::tell_restored(const Line& next) {
   if (command_.has(Group::non_modal) || command_.has(Group::tool_length)) check_axis_codes();
   const bool unclear = line.broken || out_.failed();
   if (!command_.uncertain().has_any("GM")) check_unused();
-  if (unclear)
+  if (unclear && !leads_all_the_same(line))
     out_.mute();
-  else if (out_.failed())
+  else if (unclear || out_.failed())
     out_.hush();
+  if (unclear) out_.withhold();
   execute();
   remember_uncertain();
   if (out_.failed()) break_curves();
@@ -132,6 +133,19 @@ bool Interpreter::tell_restored(const Line& next) {
   if (!modal_.ended) return;
   flow_.finish();
   contradictions_.tell();
+}
+
+/// Whether what is wrong with a line has nothing to do with where its words lead.
+bool Interpreter::leads_all_the_same(const Line& line) {
+  const GCode* motion = command_.find(Group::motion);
+  const bool known = motion != nullptr && line.lost != kAllLetters && is_line_or_arc(*motion) &&
+                     !command_.has(Group::non_modal) && !command_.has(Group::tool_length);
+  const Letters lost = command_.uncertain();
+  if (!known || lost.has('G') || lost.has_any(command_.values().letters())) return false;
+  if (!is_straight(*motion)) return !lost.has_any(motion->words);
+  for (const char letter : kAxisLetters)
+    if (lost.has(letter)) modal_.uncertain.add(letter);
+  return true;
 }
 
 /// A curve with a bad line in it is none.

@@ -69,6 +69,7 @@ class Interpreter {
   void excuse_left_curve();
   void remember_uncertain();
   bool tell_restored(const Line& next);
+  bool leads_all_the_same(const Line& line);
   void break_curves();
   void finish();
 

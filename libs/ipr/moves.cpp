@@ -35,10 +35,7 @@ void line(Task& task, bool rapid) {
     task.out.contradict(Contradiction::machine_point, task.command.find_word(Group::non_modal).pos);
     rapid = task.options.dialect == Dialect::fanuc;
   }
-  if (!rapid && !has_feed(task)) {
-    task.modal.position = to;
-    return;
-  }
+  if (!rapid) has_feed(task);
   move_straight(task, to, rapid);
 }
 

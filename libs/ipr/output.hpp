@@ -50,6 +50,8 @@ class Output {
   void mute() noexcept { muted_ = true; }
   /// The same of a line whose words say where it leads: moves that would leave the travel are told.
   void hush() noexcept { hushed_ = true; }
+  /// The line gives no block, for what an earlier one has been told.
+  void withhold() noexcept { failed_ = true; }
   bool muted() const noexcept { return muted_ || hushed_; }
   bool failed() const noexcept { return failed_ || muted_; }
 

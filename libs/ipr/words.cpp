@@ -129,7 +129,7 @@ SourcePos place_of(const Task& task, char letter) {
   if (!rapid && modal.feed_mode == FeedMode::inverse_time)
     modal.feed = held_feed(task, mm_s_from_mm_min(length(path) * modal.feed_word));
   if (!rapid) {
-    if (!has_surface_speed(modal, task.out, task.word.pos, task.out.text())) task.out.mute();
+    if (!has_surface_speed(modal, task.out, task.word.pos, task.out.text())) task.out.withhold();
     return task.out.emit(cutting_move(modal, std::move(path), modal.feed));
   }
   task.out.emit(Move{std::move(path), true, 0, join_of(modal), modal.corner_tolerance,
@@ -152,14 +152,14 @@ SourcePos place_of(const Task& task, char letter) {
 [[gnu::hot]] bool has_feed(Task& task) {
   Modal& modal = task.modal;
   if (modal.doubted.has(Group::feed_mode) && modal.feed <= 0) {
-    task.out.mute();
+    task.out.withhold();
     return false;
   }
   if (modal.feed_mode == FeedMode::inverse_time) return has_inverse_time(task);
   if (modal.feed_mode == FeedMode::per_turn && modal.feed_word > 0) return sets_feed_per_turn(task);
   if (modal.feed > 0) return true;
   if (modal.uncertain.has('F'))
-    task.out.mute();
+    task.out.withhold();
   else
     report_words(task, "F", Code::SC2102, task.word.pos,
                  code_name(task.code) + " needs a feed, and F is not set");

@@ -48,6 +48,27 @@ TEST_CASE("check looks at the travel of a line that is refused for another word"
   CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 5);
 }
 
+TEST_CASE("check looks at the travel of lines that have no feed, or another mistake",
+          "[apps][check]") {
+  const std::string program =
+      "G01 X2000\nG02 X9 Y0 R1\nM03 M04 G00 X-3000\nG00 Y2000 X--1\n#1=[1+] G00 Z-2000\nM30\n";
+  const Ended ended = call("check -", program);
+  CHECK(ended.status == 1);
+  const auto tells = [&](std::string_view what) {
+    return ended.out.find(what) != std::string::npos;
+  };
+  CHECK(tells("<stdin>:1:1: error SC2102: "));
+  CHECK(tells("<stdin>:1:1: error SC4001: X reaches 2000 mm"));
+  CHECK(tells("<stdin>:2:11: error SC2109: "));
+  CHECK(tells("<stdin>:3:5: error SC2002: "));
+  CHECK(tells("<stdin>:3:1: error SC4001: X reaches -3000 mm"));
+  CHECK(tells("<stdin>:4:12: error SC1003: "));
+  CHECK(tells("<stdin>:4:1: error SC4001: Y reaches 2000 mm"));
+  CHECK(tells("<stdin>:5:7: error SC1016: "));
+  CHECK(tells("<stdin>:5:9: error SC4001: Z reaches -2000 mm"));
+  CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 9);
+}
+
 TEST_CASE("check tells a wrong machine file, exit status 2", "[apps][check]") {
   const Ended ended = call("check $data/square.nc --set axis.x.velocity=3");
   CHECK(ended.status == 2);
