@@ -55,8 +55,10 @@ std::optional<Line> Flow::next() {
 
 /// What cannot be read may have begun or ended something, an M code the program.
 void Flow::doubt(const Line& line) {
-  if (line.lost.has('M') && line.text.find_first_of("Mm") != std::string_view::npos)
+  if (line.lost.has('M') && line.text.find_first_of("Mm") != std::string_view::npos) {
+    end_lost_ = true;
     parser_.doubt_order();
+  }
   if (line.statement == nullptr && !looks_like_statement(line.text)) return;
   doubt_order();
   if (line.statement != nullptr || lost_o_words_.size() > kMostLost) return;
@@ -144,6 +146,7 @@ void Flow::jump(Jump jump, std::string_view text) {
 void Flow::end_text() {
   const auto& [kind, label, begin] = calls_.back().sub;
   const SourcePos pos{parser_.line(), 0, 1, parser_.file()};
+  if (end_lost_) doubt_order();
   report_once(Code::SC2303, pos,
               kind == SubKind::o_word
                   ? "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'"

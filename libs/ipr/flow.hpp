@@ -68,6 +68,8 @@ class Flow {
   bool in_subprogram() const noexcept { return calls_.size() > 1; }
   /// An error that has been reported ends the program.
   bool broke_off() const noexcept { return broken_ || parser_.broke_off(); }
+  /// An M code could not be read: it may have been the end of the program.
+  bool end_lost() const noexcept { return end_lost_; }
   const Parameters& parameters() const noexcept { return parser_.parameters(); }
   /// Files that have been called: their names in the folder.
   std::vector<std::string> called_files() const { return library_.files(); }
@@ -189,6 +191,7 @@ class Flow {
   std::string text_;               // of its line, or of the one that asked for a jump
   Spot head_;                      // before it
   bool uncertain_ = false;         // what is open is not known after an error
+  bool end_lost_ = false;          // by an M code that could not be read
   std::string lost_o_words_;       // text of lines that could not be read: labels may stand there
   Spot before_;                    // before the line that pass_to() has found
   bool new_round_ = false;         // the next line is the head of the loop on top

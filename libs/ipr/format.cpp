@@ -16,6 +16,7 @@ struct Shape {
   std::string name;
   int numbers = 0;
   bool other = false;  // something else is on it
+  bool fault = false;  // what no language has
 };
 
 Shape shape_of(std::string_view line) {
@@ -26,9 +27,11 @@ Shape shape_of(std::string_view line) {
       ++shape.numbers;
     else if (field.kind == CommandField::Kind::name && shape.name.empty() && shape.numbers == 0)
       shape.name = field.name;
+    else if (field.kind == CommandField::Kind::fault)
+      shape.fault = true;
     else
       shape.other = true;
-    if (shape.other) break;
+    if (shape.other || shape.fault) break;
   }
   return shape;
 }
@@ -61,15 +64,19 @@ class Detector {
     const Shape line = shape_of(text.substr(0, text.find('\0')));  // behind it the file is damaged
     const std::string& name = line.name;
     const bool alone = line.numbers == 1 && !line.other;
+    const bool of_both = name == "s" || name == "f" || name == "l";
+    const bool misspelt = name.size() > 1 && line.numbers > 0 && !line.other;
     if (name == "pcw" || name == "pccw" || name == "dcw" || name == "dccw") {
       format_ = Format::commands;
-    } else if (name.empty() && line.numbers == 0 && !line.other) {
+    } else if (name.empty() && line.numbers == 0 && !line.other && !line.fault) {
       return;
-    } else if (name.empty() && spline_) {
+    } else if (misspelt || (of_both && line.fault)) {
+      return;  // wrong in either
+    } else if (name.empty() && spline_ && !line.fault) {
       format_ = Format::commands;
     } else if ((name == "l" || name == "s") && line.numbers > 1 && !line.other) {
       format_ = Format::commands;
-    } else if (alone && (name == "s" || name == "f" || name == "l")) {
+    } else if (alone && of_both) {
       spline_ = name == "s";
     } else {
       format_ = Format::gcode;

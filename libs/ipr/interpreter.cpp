@@ -265,7 +265,7 @@ void Interpreter::finish() {
   const bool broke_off = flow_.broke_off();
   if (modal_.curve && !broke_off) end_pending_curve(modal_, out_);
   if (modal_.points && !broke_off) end_pending_points(modal_, out_);
-  if (!broke_off)
+  if (!broke_off && !flow_.end_lost())
     out_.report(Code::SC2205, {line.number, 0, 1}, "the program ends without M02 or M30");
   out_.end();
   out_.begin(line);

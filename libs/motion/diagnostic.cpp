@@ -201,13 +201,18 @@ std::vector<CallPlace> Diagnostics::calls_to(const SourcePos& place) const {
   return calls;
 }
 
-/// Remembers the place, and says whether it was known.
+/// Remembers the place, and says whether it was known: of a line that makes many blocks, where the
+/// same is wrong with the one before.
 bool Diagnostics::is_repeated(const Diagnostic& d) {
   if (d.pos.line == 0) return false;
   std::uint64_t place = 0;
   for (const int part : {d.pos.file, d.pos.line, d.pos.column, static_cast<int>(d.code)})
     place = mixed(place ^ static_cast<std::uint32_t>(part));
-  if (told_.count(place) > 0) return lines_repeat_;
+  const bool known = told_.count(place) > 0;
+  const bool as_before = known && place == last_place_ && d.message == last_message_;
+  last_place_ = place;
+  last_message_ = d.message;
+  if (known) return lines_repeat_ || as_before;
   if (told_.size() < kRemembered) told_.insert(place);
   return false;
 }

@@ -141,6 +141,8 @@ class Diagnostics {
   std::map<std::array<int, 4>, int> call_index_;
   int call_ = 0, left_out_ = 0;  // the innermost call; how many within it are told as this one
   std::unordered_set<std::uint64_t> told_;
+  std::uint64_t last_place_ = 0;  // of the last one, and
+  std::string last_message_;
   bool lines_repeat_ = false, holding_ = false;
   std::vector<Diagnostic> held_;  // of one line
   std::vector<Diagnostic> kept_;

@@ -69,6 +69,11 @@ TEST_CASE("check looks at the travel of lines that have no feed, or another mist
   CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 9);
 }
 
+TEST_CASE("check tells once what is wrong with all moves of a line", "[apps][check]") {
+  const Ended ended = call("check -", "G91 G81 R1 X1 Z-2000 F100 L3\nM30\n");
+  CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 1);
+}
+
 TEST_CASE("check tells a wrong machine file, exit status 2", "[apps][check]") {
   const Ended ended = call("check $data/square.nc --set axis.x.velocity=3");
   CHECK(ended.status == 2);

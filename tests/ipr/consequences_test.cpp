@@ -139,3 +139,10 @@ TEST_CASE("a block of a curve that cannot be read lacks nothing", "[ipr][consequ
   CHECK(told("F100\nG06.2 P2..0 K0 X0\nX1 K0\nK1\nK1") == Places{"SC1004 2:8"});
   CHECK(told("F100\nG06.2 P2 K0 X0 Y2..0\nX1 Y1 K0\nK1\nK1") == Places{"SC1004 2:17"});
 }
+
+TEST_CASE("an M code that cannot be read may have been the end", "[ipr][consequences]") {
+  const auto without_end = [](const char* text) { return places(interpret(text)); };
+  CHECK(without_end("G00 X1\nMO30\n") == Places{"SC1002 2:1"});
+  CHECK(without_end("M98 P2\nM30\nO2\nG00 X1\nM99.9.\n") == Places{"SC1004 5:2"});
+  CHECK(without_end("G00 X1\n") == Places{"SC2205 1:0"});
+}

@@ -53,6 +53,10 @@ TEST_CASE("the commands of paper 003 are known by their first line", "[ipr][form
     CHECK(format_of(text) == "commands");
   }
   CHECK(format_of(std::string("l 1 1\0\nf 600\n", 13)) == "commands");
+  for (const char* fault : {"f 300?\n", "xx 10\n", "l 1 ? 2\n", "s 2 $\n"})
+    CHECK(format_of(std::string(fault) + "l 1 1\n") == "commands");
+  for (const char* fault : {"f 300?\n", "xx 10\n", "l 1 ? 2\n", "s 2 $\n"})
+    CHECK(format_of(std::string(fault) + "G00 X1\n") == "gcode");
 }
 
 TEST_CASE("everything else is G-code", "[ipr][format]") {
