@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Velocity limits of the axes: |x'| v <= V on every axis.
+#include <algorithm>
+
 #include "ipo/constraint.hpp"
 
 namespace softcnc::ipo {
@@ -7,6 +9,18 @@ namespace {
 
 /// Kept free on curves, where the direction turns a little between two nodes of the grid.
 constexpr double kCurveMargin = 3e-4;
+
+double square(double x) { return x * x; }
+
+/// The highest of x'^2 q on the way from one point to the other, where x' and q go along lines: at
+/// an end, or where what grows of the one is what shrinks of the other.
+double fastest_square(double x0, double q0, double x1, double q1) noexcept {
+  const double most = std::max(square(x0) * q0, square(x1) * q1);
+  const double dx = x1 - x0, dq = q1 - q0;
+  const double w = -(2 * dx * q0 + dq * x0) / (3 * dx * dq);
+  if (!(w > 0 && w < 1)) return most;
+  return std::max(most, square(x0 + w * dx) * (q0 + w * dq));
+}
 
 class AxisVelocity final : public Constraint {
  public:
@@ -27,6 +41,18 @@ class AxisVelocity final : public Constraint {
       if (point.dq[i] != 0) v = std::min(v, velocity_[i] / std::abs(point.dq[i]));
     if (!point.ddq.isZero(0)) v *= 1 - kCurveMargin;
     return v * v;
+  }
+
+  bool holds_between(const Passing& from, const Passing& to,
+                     double tolerance) const noexcept override {
+    const double q = std::max(from.q, to.q);
+    for (int i = 0; i < kAxes; ++i) {
+      const double x0 = from.point.dq[i], x1 = to.point.dq[i];
+      const double allowed = square(velocity_[i] * (1 - kCurveMargin)) * (1 + tolerance);
+      if (std::max(square(x0), square(x1)) * q <= allowed) continue;
+      if (fastest_square(x0, from.q, x1, to.q) > allowed) return false;
+    }
+    return true;
   }
 
  private:

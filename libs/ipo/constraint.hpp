@@ -32,6 +32,12 @@ inline double along(const AxisVector& limits, const AxisVector& direction) noexc
   return most;
 }
 
+/// A point of a path, and the q = v^2 that is planned there.
+struct Passing {
+  const PathPoint& point;
+  double q;
+};
+
 /// One reason to be slow, asked once per node of the grid and one-sided where derivatives jump.
 class Constraint {
  public:
@@ -55,6 +61,12 @@ class Constraint {
 
   /// False if more may happen to the cap between two points of a move than their middle tells.
   virtual bool is_even(const PathPoint&, const PathPoint&, const Move&) const noexcept {
+    return true;
+  }
+
+  /// False if a q on the line between two points exceeds the cap between them, where x' lies on the
+  /// line between theirs, by more than `tolerance` of it.
+  virtual bool holds_between(const Passing&, const Passing&, double /*tolerance*/) const noexcept {
     return true;
   }
 };

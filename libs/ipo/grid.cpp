@@ -197,12 +197,19 @@ class Refiner {
     return upper <= lower * (1 + kEvenSteps) || whole.length() <= step / kStepParts;
   }
 
-  /// The caps of the middle are hardly below the mean of the ends.
+  /// The caps are hardly below the mean of the ends in the middle, nor below the lines to it.
   bool caps_are_linear(const Stretch& whole, const Look& middle) const {
-    for (const auto& constraint : constraints_.caps())
-      if (!constraint->is_even(whole.left.point, whole.right.point, move_)) return false;
     const double mean = 0.5 * (whole.left.cap.q + whole.right.cap.q);
-    return mean <= middle.asked.q * (1 + kGridTolerance);
+    if (mean > middle.asked.q * (1 + kGridTolerance)) return false;
+    const Passing left{whole.left.point, whole.left.cap.q};
+    const Passing mid{middle.point, std::max(middle.cap.q, mean)};
+    const Passing right{whole.right.point, whole.right.cap.q};
+    for (const auto& constraint : constraints_.caps())
+      if (!constraint->is_even(left.point, right.point, move_) ||
+          !constraint->holds_between(left, mid, kGridTolerance) ||
+          !constraint->holds_between(mid, right, kGridTolerance))
+        return false;
+    return true;
   }
 
   /// What the middle asks for beyond the mean of the ends, as part of the limits. Where both x' and

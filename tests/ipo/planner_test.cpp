@@ -101,6 +101,21 @@ TEST_CASE("circles and helices of many turns stay inside every limit", "[planner
     }
 }
 
+TEST_CASE("a slow axis keeps its speed between the nodes of an arc", "[planner]") {
+  // The feed binds up to where the arc turns towards the slow axis; from there on what it allows
+  // falls steeply, whatever lies halfway.
+  for (const double slow : {5.0, 20.0, 60.0})
+    for (const double feed : {70.0, 100.0, 150.0})
+      for (const double start : {0.02, 0.05, 0.12, 0.15, 0.22, 0.33}) {
+        CAPTURE(slow, feed, start);
+        Machine machine = machine_with(5000, 4e-3, 5e-3);
+        machine.axes[1].velocity = slow;
+        const AxisVector from(30 * std::cos(start), 30 * std::sin(start), 0);
+        const auto result = run(machine, one(arc(from, from, {0, 0, 0}, true), feed));
+        CHECK(exceeded(machine, result) == "");
+      }
+}
+
 TEST_CASE("the benchmark curves take the optimum's time within 1 %, inside every limit",
           "[planner]") {
   // References: the exact acceleration-limited optimum (reachability analysis, an independent
