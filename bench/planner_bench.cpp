@@ -18,8 +18,15 @@ constexpr std::array<const char*, 3> kCurves{"circle_deg2", "infinity8", "butter
 struct Setting {
   double acceleration, jerk, feed;
 };
-constexpr std::array<Setting, 4> kSettings{
-    {{1000, 0, 6000}, {1000, 50000, 15000}, {3000, 60000, 15000}, {5000, 500000, 15000}}};
+constexpr std::array<Setting, 7> kSettings{{{1000, 0, 6000},
+                                            {1000, 0, 15000},
+                                            {3000, 0, 15000},
+                                            {5000, 0, 15000},
+                                            {1000, 50000, 15000},
+                                            {3000, 60000, 15000},
+                                            {5000, 500000, 15000}}};
+
+std::string number(double value) { return std::to_string(static_cast<int>(value)); }
 
 Machine machine_of(const Setting& setting) {
   Machine machine;
@@ -63,14 +70,15 @@ void plan_curve(benchmark::State& state) {
     motion += planned.time;
   }
   using benchmark::Counter;
-  state.SetLabel(name);
+  state.SetLabel(name + " A" + number(setting.acceleration) + " J" + number(setting.jerk) + " F" +
+                 number(setting.feed));
   state.counters["nodes"] = static_cast<double>(planned.nodes);
   state.counters["motion_s"] = planned.time;
   state.counters["motion/planning"] = Counter(motion, Counter::kIsRate);
 }
 BENCHMARK(plan_curve)
     ->ArgNames({"curve", "setting"})
-    ->ArgsProduct({{0, 1, 2}, {0, 1, 2, 3}})
+    ->ArgsProduct({{0, 1, 2}, {0, 1, 2, 3, 4, 5, 6}})
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

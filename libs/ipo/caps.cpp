@@ -26,9 +26,8 @@ class CapDerivation {
     reset(first);
     const std::size_t asking = chain_.felt_from(first, period_);
     const std::size_t sharing = chain_.felt_from(asking, period_);
-    for (std::size_t i = asking; i < chain_.intervals.size(); ++i)
-      top_ = std::max(top_, chain_.intervals[i].left_cap.q);
     find_times(sharing);
+    find_tops(asking);
     find_shared_steps(sharing);
     for (std::size_t i = asking; i < chain_.intervals.size(); ++i) spread_interval(i);
     for (std::size_t n = std::max<std::size_t>(asking, 1); n + 1 < chain_.nodes.size(); ++n)
@@ -50,6 +49,29 @@ class CapDerivation {
       times_[i] = chain_.intervals[i].shortest_time();
   }
 
+  /// By groups of intervals that take a period or more: a step reaches over the next one at most.
+  void find_tops(std::size_t first) {
+    group_.assign(chain_.intervals.size(), 0);
+    tops_.assign(1, 0);
+    double time = 0;
+    for (std::size_t i = first; i < chain_.intervals.size(); ++i) {
+      const Interval& interval = chain_.intervals[i];
+      group_[i] = tops_.size() - 1;
+      tops_.back() = std::max({tops_.back(), interval.left_cap.q, interval.right_cap.q});
+      if ((time += times_[i]) < period_) continue;
+      tops_.push_back(0);
+      time = 0;
+    }
+  }
+
+  /// The highest q that a step through the interval touches.
+  double top_near(std::size_t interval) const {
+    const auto group = tops_.begin() + static_cast<std::ptrdiff_t>(group_[interval]);
+    const double before = group == tops_.begin() ? 0 : group[-1];
+    const double behind = group + 1 == tops_.end() ? 0 : group[1];
+    return std::max({before, *group, behind});
+  }
+
   /// Curves within a step of a turn leave it a part of the chord tolerance; q goes with it.
   void find_shared_steps(std::size_t first) {
     step_share_.assign(chain_.intervals.size(), 1.0);
@@ -64,7 +86,7 @@ class CapDerivation {
   void spread_interval(std::size_t i) {
     Cap cap = chain_.intervals[i].step_cap;
     cap.q *= step_share_[i];
-    if (cap.q >= top_) return;  // binds nowhere
+    if (cap.q >= top_near(i)) return;  // binds nowhere
     chain_.inside[i].cap.lower_to(cap);
     spread_left(i, cap);
     spread_right(i + 1, cap);
@@ -211,7 +233,8 @@ class CapDerivation {
   Chain& chain_;
   const Constraints& constraints_;
   double period_;
-  double top_ = 0;                  // the highest q any interval allows
+  std::vector<double> tops_;        // the highest q that any interval of a group allows
+  std::vector<std::size_t> group_;  // by interval
   std::vector<double> times_;       // s, by interval: the shortest
   std::vector<double> step_share_;  // by interval
 };

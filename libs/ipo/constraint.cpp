@@ -31,8 +31,7 @@ Constraints::Constraints(const Machine& machine, double feed_override)
   else if (method != Method::curvature3p)
     caps_.push_back(make_chord_error(machine));
   caps_.push_back(make_roughness_limit(machine));
-  for (const auto& constraint : caps_)
-    if (constraint->holds_everywhere()) firm_caps_.push_back(constraint.get());
+  sort_caps();
   for (int i = 0; i < kAxes; ++i) {
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
     acceleration_[i] = axis.present ? axis.acceleration : kUnlimited;
@@ -53,6 +52,15 @@ bool limits_jerk(const Machine& machine) noexcept {
 
 void Constraints::set_feed_override(const Machine& machine, double feed_override) {
   caps_.front() = make_feed_limit(machine, feed_override);
+  sort_caps();
+}
+
+void Constraints::sort_caps() {
+  for (auto* list : {&step_caps_, &point_caps_, &firm_caps_}) list->clear();
+  for (const auto& constraint : caps_) {
+    (constraint->holds_over_steps() ? step_caps_ : point_caps_).push_back(constraint.get());
+    if (constraint->holds_everywhere()) firm_caps_.push_back(constraint.get());
+  }
 }
 
 double Constraints::centripetal_q(const PathPoint& point) const noexcept {
@@ -62,10 +70,6 @@ double Constraints::centripetal_q(const PathPoint& point) const noexcept {
 
 double Constraints::tangential_u(const PathPoint& point) const noexcept {
   return all_axes(point.dq, acceleration_);
-}
-
-Strips Constraints::acceleration(const PathPoint& point) const noexcept {
-  return {point.ddq, point.dq, acceleration_};
 }
 
 }  // namespace softcnc::ipo

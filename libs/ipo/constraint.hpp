@@ -16,14 +16,6 @@ namespace softcnc::ipo {
 
 inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// Strips |c0 q + c1 u| <= bound, one per axis, on q = v^2 (mm^2/s^2) and u = dv/dt along the path
-/// (mm/s^2) at one point of the path.
-struct Strips {
-  AxisVector c0 = AxisVector::Zero();
-  AxisVector c1 = AxisVector::Zero();
-  AxisVector bound = AxisVector::Constant(kUnlimited);
-};
-
 /// The largest path derivative that keeps every axis: min over the axes of limit / |x'|.
 inline double along(const AxisVector& limits, const AxisVector& direction) noexcept {
   double most = kUnlimited;
@@ -84,11 +76,12 @@ class Constraints {
 
   const std::vector<std::unique_ptr<Constraint>>& caps() const noexcept { return caps_; }
 
+  /// Those that hold over steps, and those that hold at points alone.
+  const std::vector<const Constraint*>& step_caps() const noexcept { return step_caps_; }
+  const std::vector<const Constraint*>& point_caps() const noexcept { return point_caps_; }
+
   /// Those that hold everywhere.
   const std::vector<const Constraint*>& firm_caps() const noexcept { return firm_caps_; }
-
-  /// Axis acceleration |x'' q + x' u| <= A.
-  Strips acceleration(const PathPoint& point) const noexcept;
 
   /// No q is larger than what all axes together can turn: n . x'' q <= sum |n| A.
   double centripetal_q(const PathPoint& point) const noexcept;
@@ -103,8 +96,10 @@ class Constraints {
   double chord_tolerance() const noexcept { return chord_tolerance_; }
 
  private:
+  void sort_caps();
+
   std::vector<std::unique_ptr<Constraint>> caps_;
-  std::vector<const Constraint*> firm_caps_;
+  std::vector<const Constraint*> step_caps_, point_caps_, firm_caps_;
   AxisVector acceleration_, jerk_;
   double period_, chord_tolerance_;
 };

@@ -9,9 +9,12 @@ namespace softcnc::ipo {
 namespace {
 
 constexpr int kMaxDepth = 40;
+constexpr int kMostParts = 16;         // at a time, of what is longer than
+constexpr double kSplitEvenly = 1e-4;  // mm
 constexpr double kStepParts = 8;
 constexpr double kHalfParts = 4;  // a curve is so many times nearer to its chord over half the way
-constexpr double kFreeSteps = 2;  // times the cap: longer steps bind nowhere between three looks
+constexpr double kSwing = 2;      // times the tolerance: what a bend may do between looks
+constexpr double kBrakingParts = 3;   // times the tolerance, of what is asked for while braking
 constexpr double kEvenSteps = 0.01;   // of their q
 constexpr double kShortest = 1e-7;    // mm; shorter than any machine resolves
 constexpr int kLooks = 16;            // at a cap that holds everywhere, between two nodes
@@ -35,13 +38,19 @@ struct Look {
   Cap of_step;  // of every step that touches it
 };
 
+/// The lowest cap for every step that touches the point.
+Cap step_cap(const PathPoint& point, const Move& move, const Constraints& constraints) {
+  Cap cap;
+  for (const Constraint* constraint : constraints.step_caps())
+    cap.lower_to({constraint->cap(point, move), constraint->limit(move)});
+  return cap;
+}
+
 Look look_at(const PathPoint& point, const Move& move, const Constraints& constraints) {
-  Look look{point, {}, {}, {}};
-  for (const auto& constraint : constraints.caps()) {
-    Cap& cap = constraint->holds_over_steps() ? look.of_step : look.asked;
-    if (const double q = constraint->cap(point, move); q < cap.q)
-      cap = {q, constraint->limit(move)};
-  }
+  Look look{point, {}, {}, step_cap(point, move, constraints)};
+  for (const Constraint* constraint : constraints.point_caps())
+    if (const double q = constraint->cap(point, move); q < look.asked.q)
+      look.asked = {q, constraint->limit(move)};
   look.cap = look.asked;
   look.cap.lower_to({constraints.centripetal_q(point), Limit::acceleration});
   return look;
@@ -66,8 +75,8 @@ Cap firm_cap(const PathPoint& point, const Move& move, const Constraints& constr
 /// Lowers the ends of an interval until the line between them lies nowhere above such a cap.
 void keep_everywhere(Interval& interval, const Move& move, const Constraints& constraints) {
   const Cap left = firm_cap(interval.left, move, constraints);
-  const Cap right = firm_cap(interval.right, move, constraints);
   if (left.q == kUnlimited) return;
+  const Cap right = firm_cap(interval.right, move, constraints);
   interval.left_most = left.q;
   interval.right_most = right.q;
   double sag = 0;
@@ -86,11 +95,17 @@ void keep_everywhere(Interval& interval, const Move& move, const Constraints& co
 /// Whether a roughness may bind, which changes steeply along the way.
 bool is_rough(const Move& move) { return move.surface && move.surface->tooth_rate() > 0; }
 
-/// Halves intervals until the constraints are as good as linear on each.
+/// Splits intervals until the constraints are as good as linear on each.
 class Refiner {
  public:
   Refiner(const Move& move, const Constraints& constraints, std::vector<Interval>& out)
-      : move_(move), constraints_(constraints), out_(out), least_depth_(least_depth(move.path)) {
+      : move_(move),
+        constraints_(constraints),
+        out_(out),
+        least_depth_(least_depth(move.path)),
+        evenly_(!is_rough(move) && !constraints.limits_jerk()) {
+    for (const double a : constraints.acceleration_limits())
+      if (a < kUnlimited) acceleration_ = std::hypot(acceleration_, a);
     const double q = look(0, Side::after).asked.q;
     // A ramp from rest to the highest speed spans four intervals or more, unless it takes but a
     // few periods.
@@ -103,25 +118,32 @@ class Refiner {
     start_ = s0;
     end_ = s1;
     const Look left = look(s0, Side::after), right = look(s1, Side::before);
-    split({s0, s1, left, right}, 0);
+    split({s0, s1, left, right, left.cap.q, right.cap.q}, 0);
   }
 
  private:
   struct Stretch {
     double s0, s1;
     const Look &left, &right;
+    double q0, q1;  // the most that can be reached at its ends, by the caps looked at so far
     double length() const noexcept { return s1 - s0; }
+    double mean_q() const noexcept { return 0.5 * (q0 + q1); }
   };
 
   Look look(double s, Side side) const {
     return look_at(at(move_.path, s, side), move_, constraints_);
   }
 
-  void split(const Stretch& whole, int depth) {
+  void split(Stretch whole, int depth) {
     const double middle = 0.5 * (whole.s0 + whole.s1);
     const Look mid = look(middle, Side::after);
-    const Stretch first{whole.s0, middle, whole.left, mid};
-    const Stretch second{middle, whole.s1, mid, whole.right};
+    const double gain = most_gain(0.5 * whole.length());
+    whole.q0 = std::min(whole.q0, q_behind_);
+    const double q = std::min({mid.cap.q, whole.q0 + gain, whole.q1 + gain});
+    whole.q0 = std::min(whole.q0, q + gain);
+    whole.q1 = std::min(whole.q1, q + gain);
+    const Stretch first{whole.s0, middle, whole.left, mid, whole.q0, q};
+    const Stretch second{middle, whole.s1, mid, whole.right, q, whole.q1};
     const double off = off_middle(whole, mid);
     const bool linear = off <= kHalfParts * kGridTolerance && caps_are_linear(whole, mid);
     const bool fine = depth >= least_depth_ && follows_ramps(whole) && follows_steps(whole, mid) &&
@@ -135,28 +157,67 @@ class Refiner {
       return;
     }
     if (fine || shortest) return keep(whole, mid.of_step, fine);
+    if (const int parts = parts_by(off); parts > 2 && whole.length() > kSplitEvenly && evenly_)
+      return split_evenly(whole, parts, depth);
     split(first, depth + 1);
     split(second, depth + 1);
+  }
+
+  /// As many as leave each part so near that its halves do: what a middle is off goes by the square
+  /// of the length.
+  static int parts_by(double off) {
+    return static_cast<int>(
+        std::ceil(std::min(double(kMostParts), std::sqrt(off / (kHalfParts * kGridTolerance)))));
+  }
+
+  void split_evenly(const Stretch& whole, int parts, int depth) {
+    const int halvings = parts < 4 ? 1 : 2;
+    Look left = whole.left;
+    double s0 = whole.s0, q0 = whole.q0;
+    for (int part = 1; part <= parts; ++part) {
+      const bool last = part == parts;
+      const double s1 = last ? whole.s1 : whole.s0 + whole.length() * part / parts;
+      const Look right = last ? whole.right : look(s1, Side::after);
+      const double q1 = std::min(right.cap.q, whole.q1 + most_gain(whole.s1 - s1));
+      split({s0, s1, left, right, q0, q1}, depth + halvings);
+      s0 = s1;
+      q0 = q1;
+      left = right;
+    }
+  }
+
+  /// What q may gain over a way, mm: no acceleration is larger than what all axes have together.
+  double most_gain(double way) const noexcept {
+    return evenly_ ? 2 * acceleration_ * way : kUnlimited;
   }
 
   /// Whether two halves are known well enough by what was looked at of the whole.
   bool halves_do(const Stretch& first, const Stretch& second, const Stretch& whole,
                  int depth) const {
-    const Look &left = whole.left, &mid = first.right, &right = whole.right;
-    const double steps = std::min({left.of_step.q, mid.of_step.q, right.of_step.q});
+    return depth + 1 >= least_depth_ && !is_rough(move_) && follows_ramps(first) &&
+           follows_ramps(second) && bends_evenly(whole, kHalfParts * kGridTolerance) &&
+           steps_are_free(whole, first.right);
+  }
+
+  /// Whether steps bind nowhere between three looks, where bends may be sharper by what
+  /// off_middle() and bends_evenly() let pass.
+  bool steps_are_free(const Stretch& whole, const Look& mid) const {
+    const Look &left = whole.left, &right = whole.right;
     const double top = std::max({left.cap.q, mid.cap.q, right.cap.q});
-    return depth + 1 >= least_depth_ && steps >= kFreeSteps * top && !is_rough(move_) &&
-           follows_ramps(first) && follows_ramps(second) &&
-           bends_evenly(whole, kHalfParts * kGridTolerance);
+    const double sharpest =
+        std::max({left.point.ddq.norm(), mid.point.ddq.norm(), right.point.ddq.norm()});
+    PathPoint sharper = mid.point;
+    sharper.ddq.setZero();
+    sharper.ddq[0] = sharpest + (1 + kSwing * kHalfParts) * kGridTolerance * acceleration_ / top;
+    return step_cap(sharper, move_, constraints_).q >= top;
   }
 
   /// Whether the bend goes from end to end as its slopes there say, so that there is no swing in it
   /// which the middle does not show.
   bool bends_evenly(const Stretch& whole, double tolerance) const {
     constexpr double kHermite = 4.0 / 27;  // the most that a slope at an end adds inside
-    constexpr double kSwing = 2;
     const PathPoint &left = whole.left.point, &right = whole.right.point;
-    const double h = whole.length(), q = 0.5 * (whole.left.cap.q + whole.right.cap.q);
+    const double h = whole.length(), q = whole.mean_q();
     const AxisVector rise = right.ddq - left.ddq;
     const AxisVector off = (h * left.dddq - rise).cwiseAbs() + (h * right.dddq - rise).cwiseAbs();
     const AxisVector& a = constraints_.acceleration_limits();
@@ -170,6 +231,7 @@ class Refiner {
     out_.back().step_cap.lower_to(of_inner_steps);  // bends are sharpest inside
     if (!fine) straighten(out_.back());
     keep_everywhere(out_.back(), move_, constraints_);
+    q_behind_ = std::min(whole.right.cap.q, whole.q0 + most_gain(whole.length()));
   }
 
   /// A bend too sharp for any machine to resolve: as a straight stretch it leaves its turn to the
@@ -220,14 +282,25 @@ class Refiner {
     const double square = bend.squaredNorm();
     const double longer = square > 0 ? bend.dot(middle.point.ddq) / square - 1 : 0;
     const double off = off_mean(whole, middle, 0);
-    if (off <= std::abs(longer) || constraints_.limits_jerk()) return off;
-    return std::min(off, std::abs(longer) + off_mean(whole, middle, longer));
+    if (constraints_.limits_jerk()) return off;
+    const double least = off <= std::abs(longer)
+                             ? off
+                             : std::min(off, std::abs(longer) + off_mean(whole, middle, longer));
+    return std::max(least, (least + off_braking(whole, middle)) / kBrakingParts);
+  }
+
+  /// What the middle may ask for beyond the mean of the ends where q falls as x'' grows: the mean
+  /// of their products is not the product of their means.
+  double off_braking(const Stretch& whole, const Look& middle) const {
+    const double fall = 2 * constraints_.tangential_u(middle.point) * whole.length();
+    const AxisVector rise = (whole.right.point.ddq - whole.left.point.ddq).cwiseAbs();
+    return 0.25 * fall * rise.cwiseQuotient(constraints_.acceleration_limits()).maxCoeff();
   }
 
   /// Beyond the mean made longer.
   double off_mean(const Stretch& whole, const Look& middle, double longer) const {
     const PathPoint &left = whole.left.point, &right = whole.right.point, &mid = middle.point;
-    const double mean = 0.5 * (whole.left.cap.q + whole.right.cap.q);
+    const double mean = whole.mean_q();
     const double half = 0.5 * (1 + longer);
     const AxisVector& a = constraints_.acceleration_limits();
     const AxisVector bend = mid.ddq - half * (left.ddq + right.ddq);
@@ -244,8 +317,11 @@ class Refiner {
   const Constraints& constraints_;
   std::vector<Interval>& out_;
   int least_depth_;
+  bool evenly_;              // split so; steep caps of roughness, and jerk, are halved towards
+  double acceleration_ = 0;  // of all axes together
   double ramp_part_ = 0;
-  double start_ = 0, end_ = 0;  // of the stretch
+  double start_ = 0, end_ = 0;    // of the stretch
+  double q_behind_ = kUnlimited;  // the most that can be reached where what is kept so far ends
 };
 
 /// Inner nodes of a line so long that its beginning can be settled before what follows it is known:

@@ -27,7 +27,7 @@ std::size_t ReachWindow::settle(bool ended) {
   std::size_t settled = last;
   while (settled > front_ && nodes[settled].k != from_rest[settled]) {
     --settled;
-    nodes[settled].k = reach_back(chain_.intervals[settled], constraints_, reach(settled));
+    nodes[settled].k = reach_back(chain_.intervals[settled], rows(settled), reach(settled));
   }
   return settled > front_ ? settled - front_ : begin_alike(from_rest);
 }
@@ -42,8 +42,8 @@ std::size_t ReachWindow::begin_alike(const std::vector<double>& other) noexcept 
     slower.right_k = other[i + 1];
     pieces_.clear();
     other_pieces_.clear();
-    const double ahead = run_forward(chain_.intervals[i], constraints_, reach(i), q, pieces_);
-    run_forward(chain_.intervals[i], constraints_, slower, q, other_pieces_);
+    const double ahead = run_forward(chain_.intervals[i], rows(i), reach(i), q, pieces_);
+    run_forward(chain_.intervals[i], rows(i), slower, q, other_pieces_);
     if (pieces_ != other_pieces_) return i - front_;
     q = ahead;
   }
@@ -102,7 +102,8 @@ double ReachWindow::reachable_from_rest(std::size_t end) {
 
 bool ReachWindow::run_front(Profile& profile, std::optional<Limit> as) {
   pieces_.clear();
-  q_ = run_forward(chain_.intervals[front_], constraints_, reach(front_), q_, pieces_);
+  q_ = run_forward(chain_.intervals[front_], rows(front_), reach(front_), q_, pieces_);
+  ++rows_run_;
   for (const SpeedPiece& piece : pieces_)
     profile.add_piece(piece.s0, piece.s1, std::sqrt(piece.q0), std::sqrt(piece.q1),
                       as.value_or(piece.limit));
@@ -112,15 +113,22 @@ bool ReachWindow::run_front(Profile& profile, std::optional<Limit> as) {
 /// K from rest at node `last` back to the front.
 void ReachWindow::back_from(std::size_t last) {
   auto& nodes = chain_.nodes;
+  rows_.clear();
+  rows_run_ = 0;
+  for (std::size_t i = front_; i < last; ++i)
+    rows_.emplace_back(chain_.intervals[i], constraints_, chain_.inside[i].share * share_);
   nodes[last].k = 0;
   for (std::size_t i = last; i > front_; --i)
-    nodes[i - 1].k = reach_back(chain_.intervals[i - 1], constraints_, reach(i - 1));
+    nodes[i - 1].k = reach_back(chain_.intervals[i - 1], rows(i - 1), reach(i - 1));
+}
+
+const IntervalRows& ReachWindow::rows(std::size_t i) const noexcept {
+  return rows_[rows_run_ + i - front_];
 }
 
 Reach ReachWindow::reach(std::size_t i) const noexcept {
   const Node &left = chain_.nodes[i], &right = chain_.nodes[i + 1];
-  return {left.cap, right.cap, chain_.inside[i].cap, chain_.inside[i].share * share_,
-          left.k,   right.k};
+  return {left.cap, right.cap, chain_.inside[i].cap, left.k, right.k};
 }
 
 }  // namespace softcnc::ipo

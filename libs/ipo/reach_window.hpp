@@ -31,9 +31,12 @@ class ReachWindow final : public Window {
   double reachable_from_rest(std::size_t end);
   void back_from(std::size_t last);
   Reach reach(std::size_t interval) const noexcept;
+  const IntervalRows& rows(std::size_t interval) const noexcept;
 
   double q_ = 0;  // at the front node
   std::vector<SpeedPiece> pieces_, other_pieces_;
+  std::vector<IntervalRows> rows_;  // of what the last backward pass has seen,
+  std::size_t rows_run_ = 0;        // and how many of them lie behind the front
 };
 
 }  // namespace softcnc::ipo

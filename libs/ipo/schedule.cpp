@@ -2,109 +2,14 @@
 #include "ipo/schedule.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace softcnc::ipo {
 namespace {
 
-/// Kept free of the acceleration limits on curves: what the grid's tolerance may add to them.
-constexpr double kCurveMargin = 5e-4;
 constexpr double kRelative = 1e-12;  // rounding of q
 
 bool at_cap(double k, const Cap& cap) { return k >= cap.q * (1 - kRelative); }
-
-/// The limits of one curved interval on (q at its left end, u).
-class IntervalRows {
- public:
-  IntervalRows(const Interval& interval, const Constraints& constraints, double share) noexcept;
-
-  /// The largest q <= q_cap at the left end from which some u leads to q_next or less.
-  double largest_q(double q_cap, double q_next) const noexcept;
-  /// The largest u at this q.
-  double largest_u(double q) const noexcept;
-
- private:
-  struct Bound {  // u <= p + m q, or u >= p + m q
-    double p, m;
-    double at(double q) const noexcept { return p + m * q; }
-  };
-  struct Edges {
-    Bound upper, lower;
-    double highest, lowest;  // u at this q
-  };
-  /// The lower bound is -p + m q.
-  void add(double c0, double c1, double bound) noexcept;
-  Edges edges(double q, const Bound& upper) const noexcept;
-
-  std::array<Bound, 2 * kAxes> upper_;
-  std::size_t count_ = 0;
-  double q_bound_ = kUnlimited;
-  double length_, stopping_;  // u = stopping q leads to rest at the right end
-};
-
-IntervalRows::IntervalRows(const Interval& interval, const Constraints& constraints,
-                           double share) noexcept
-    : length_(interval.length()), stopping_(-1 / (2 * length_)) {
-  const double free = share * (1.0 - kCurveMargin);
-  const PathPoint &left = interval.left, &right = interval.right;
-  for (int i = 0; i < kAxes; ++i) {
-    const double bound = constraints.acceleration_limits()[i];
-    if (bound == kUnlimited) continue;
-    add(left.ddq[i], left.dq[i], bound * free);
-    add(right.ddq[i], right.dq[i] + 2 * length_ * right.ddq[i], bound * free);
-  }
-}
-
-/// A strip |c0 q + c1 u| <= bound, solved for u.
-void IntervalRows::add(double c0, double c1, double bound) noexcept {
-  // Where the axis hardly answers to u, the strip bounds q alone.
-  if (std::abs(c1) < 1e-9 * std::max(1.0, std::abs(c0) * length_)) {
-    if (c0 != 0) q_bound_ = std::min(q_bound_, bound / std::abs(c0));
-    return;
-  }
-  upper_[count_++] = {bound / std::abs(c1), -c0 / c1};
-}
-
-/// The tightest bounds on u at this q; q at the right end is never negative.
-IntervalRows::Edges IntervalRows::edges(double q, const Bound& upper) const noexcept {
-  Edges best{upper, {0, stopping_}, upper.at(q), stopping_ * q};
-  for (std::size_t i = 0; i < count_; ++i) {
-    const auto& [p, m] = upper_[i];
-    if (p + m * q < best.highest) best.upper = upper_[i], best.highest = p + m * q;
-    if (m * q - p > best.lowest) best.lower = {-p, m}, best.lowest = m * q - p;
-  }
-  return best;
-}
-
-double IntervalRows::largest_q(double q_cap, double q_next) const noexcept {
-  const Bound arrive{q_next / (2 * length_), stopping_};
-  double q = std::min(q_cap, q_bound_);
-  for (int i = 0; i < 64; ++i) {  // each turn drops at least one pair of edges for good
-    const Edges best = edges(q, arrive);
-    const double closing = best.lower.m - best.upper.m;
-    if (best.highest >= best.lowest || closing <= 0) break;
-    const double crossing = std::max((best.upper.p - best.lower.p) / closing, 0.0);
-    if (!(crossing < q)) break;
-    q = crossing;
-  }
-  return q;
-}
-
-double IntervalRows::largest_u(double q) const noexcept {
-  const Edges best = edges(q, {kUnlimited, 0});
-  return std::max(best.highest, best.lowest);
-}
-
-/// Largest |u| of a straight interval.
-double straight_acceleration(const Interval& interval, const Constraints& constraints,
-                             double share) {
-  double u = kUnlimited;
-  for (int i = 0; i < kAxes; ++i)
-    if (interval.left.dq[i] != 0)
-      u = std::min(u, constraints.acceleration_limits()[i] / std::abs(interval.left.dq[i]));
-  return u * share;
-}
 
 /// A stretch over which K is a straight line.
 struct KLine {
@@ -166,20 +71,14 @@ double run_straight(const Interval& interval, const Reach& reach, double u, doub
 
 }  // namespace
 
-double reach_back(const Interval& interval, const Constraints& constraints,
-                  const Reach& reach) noexcept {
-  if (!interval.straight())
-    return IntervalRows(interval, constraints, reach.share).largest_q(reach.left.q, reach.right_k);
-  const double u = straight_acceleration(interval, constraints, reach.share);
-  return std::min(reach.left.q, reach.right_k + 2 * u * interval.length());
+double reach_back(const Interval& interval, const IntervalRows& rows, const Reach& reach) noexcept {
+  if (!interval.straight()) return rows.largest_q(reach.left.q, reach.right_k);
+  return std::min(reach.left.q, reach.right_k + 2 * rows.straight_u() * interval.length());
 }
 
-double run_forward(const Interval& interval, const Constraints& constraints, const Reach& reach,
-                   double q, std::vector<SpeedPiece>& out) {
-  if (interval.straight())
-    return run_straight(interval, reach, straight_acceleration(interval, constraints, reach.share),
-                        q, out);
-  const IntervalRows rows(interval, constraints, reach.share);
+double run_forward(const Interval& interval, const IntervalRows& rows, const Reach& reach, double q,
+                   std::vector<SpeedPiece>& out) {
+  if (interval.straight()) return run_straight(interval, reach, rows.straight_u(), q, out);
   const double u = rows.largest_u(q);
   const double h = interval.length();
   // The line of K can be followed where K itself could; from below it, one slope is always left.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ipo/grid.hpp"
+#include "ipo/interval_rows.hpp"
 
 namespace softcnc::ipo {
 
@@ -27,18 +28,16 @@ struct SpeedPiece {
 struct Reach {
   Cap left, right;     // caps of its nodes
   Cap inside;          // of a straight interval between its nodes
-  double share = 1;    // of the axis accelerations that the curve itself may use
   double left_k = 0;   // K at its left node: reach_back's result
   double right_k = 0;  // K at its right node
 };
 
 /// K at the left node, given K at the right node.
-double reach_back(const Interval& interval, const Constraints& constraints,
-                  const Reach& reach) noexcept;
+double reach_back(const Interval& interval, const IntervalRows& rows, const Reach& reach) noexcept;
 
 /// Runs the interval from q at its left node as fast as K allows, appends its pieces and returns q
 /// at the right node.
-double run_forward(const Interval& interval, const Constraints& constraints, const Reach& reach,
-                   double q, std::vector<SpeedPiece>& out);
+double run_forward(const Interval& interval, const IntervalRows& rows, const Reach& reach, double q,
+                   std::vector<SpeedPiece>& out);
 
 }  // namespace softcnc::ipo

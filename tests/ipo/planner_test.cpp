@@ -101,6 +101,18 @@ TEST_CASE("circles and helices of many turns stay inside every limit", "[planner
     }
 }
 
+TEST_CASE("an arc is braked on within the acceleration of the axes", "[planner]") {
+  // Between two nodes v^2 falls as x'' grows: what they ask for together is no straight line.
+  const double r = 0.42;
+  for (double sweep = 2.5; sweep < 6.2; sweep += 0.06) {
+    CAPTURE(sweep);
+    const Machine machine = machine_with(340, 1e-3, 5e-5);
+    const AxisVector end(r * std::cos(sweep), r * std::sin(sweep), 0);
+    const auto result = run(machine, one(arc({r, 0, 0}, end, {0, 0, 0}, true), 128));
+    CHECK(exceeded(machine, result) == "");
+  }
+}
+
 TEST_CASE("a slow axis keeps its speed between the nodes of an arc", "[planner]") {
   // The feed binds up to where the arc turns towards the slow axis; from there on what it allows
   // falls steeply, whatever lies halfway.
