@@ -127,7 +127,9 @@ TEST_CASE("where lines repeat, a place is told once", "[diagnostic]") {
   Diagnostics diagnostics;
   const auto tell = [&](SourcePos pos) { diagnostics.report(Code::SC2101, pos, "wrong"); };
   tell({3, 1, 1});
-  tell({3, 1, 1});  // by two causes on one line, for all that is known
+  tell({3, 1, 1});  // the same once more says nothing
+  CHECK(diagnostics.errors() == 1);
+  diagnostics.report(Code::SC2101, {3, 1, 1}, "wrong for another reason");
   CHECK(diagnostics.errors() == 2);
   diagnostics.lines_repeat();
   tell({3, 1, 1});
