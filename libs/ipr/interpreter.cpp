@@ -10,6 +10,8 @@
 namespace softcnc::ipr {
 namespace {
 
+constexpr Letters kActing{"GM"};  // of codes that take words
+
 /// The first word of these letters on the line.
 const Word* first_of(const Values& values, Letters letters) noexcept {
   const Word* first = nullptr;
@@ -120,7 +122,7 @@ bool Interpreter::tell_restored(const Line& next) {
   check_axes();
   if (command_.has(Group::non_modal) || command_.has(Group::tool_length)) check_axis_codes();
   const bool unclear = line.broken || out_.failed();
-  if (!command_.uncertain().has_any("GM")) check_unused();
+  if (!command_.uncertain().has_any(kActing)) check_unused();
   if (unclear && !leads_all_the_same(line))
     out_.mute();
   else if (unclear || out_.failed())
@@ -247,9 +249,10 @@ void Interpreter::check_unused() {
 }
 
 void Interpreter::execute() {
+  if (!modal_.doubted.empty())
+    for (const auto& [code, word] : command_.codes()) modal_.doubted.remove(code->group);
   for (const auto& [code, word] : command_.codes()) {
     Task task{*code, *word, command_, command_.values(), machine_, options_, modal_, out_, flow_};
-    modal_.doubted.remove(code->group);
     if ((out_.compensating() || modal_.beside) && !may_act(task)) continue;
     if (code->act != nullptr) code->act(task);
   }
