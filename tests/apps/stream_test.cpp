@@ -189,7 +189,7 @@ TEST_CASE("a dry run that waits for its input stops at Ctrl-C", "[apps][stream]"
   talk.say(said);
   talk.hear("t_s,");
   talk.send(SIGINT);
-  CHECK(talk.finish().find("# program:") == std::string::npos);
+  CHECK(talk.hear_rest().find("# program:") == std::string::npos);
   CHECK(talk.status() == 130);
 }
 

@@ -77,6 +77,10 @@ void Talk::send(int signal) { REQUIRE(::kill(child_, signal) == 0); }
 
 std::string Talk::finish() {
   ::close(std::exchange(in_, -1));
+  return hear_rest();
+}
+
+std::string Talk::hear_rest() {
   while (read_more()) {
   }
   return std::exchange(heard_, {});

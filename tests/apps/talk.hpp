@@ -21,6 +21,8 @@ class Talk {
   void send(int signal);
   /// Ends its input, and returns what is left of its output.
   std::string finish();
+  /// What is left of its output when it ends by itself.
+  std::string hear_rest();
   /// The exit status, as a shell tells it.
   int status();
 
