@@ -55,11 +55,18 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
   if (options.dialect == Dialect::linuxcnc) parser_.parameters().keep(modal_.state.parameters);
 }
 
-/// Before the first line: G-code is read here, commands by their own reader.
-void Interpreter::choose_format() {
-  if (options_.format == Format::automatic) options_.format = detect_format(parser_.reader());
-  if (options_.format == Format::commands)
-    commands_.emplace(parser_.reader(), machine_, diagnostics_);
+/// Before the first line: G-code is read here, commands by their own reader. False: what a pipe has
+/// given so far does not tell which they are.
+bool Interpreter::choose_format() {
+  Reader& reader = parser_.reader();
+  if (options_.format == Format::automatic) {
+    reader.do_not_wait();
+    const Format format = detect_format(reader);
+    if (reader.waiting()) return false;
+    options_.format = format;
+  }
+  if (options_.format == Format::commands) commands_.emplace(reader, machine_, diagnostics_);
+  return true;
 }
 
 [[gnu::hot]] std::optional<Block> Interpreter::next() {
@@ -72,7 +79,7 @@ void Interpreter::choose_format() {
 
 /// Reads lines until one has made a block; false at the end, and where the next is still to come.
 bool Interpreter::read_on() {
-  if (!commands_ && parser_.line() == 0) choose_format();
+  if (!commands_ && parser_.line() == 0 && !choose_format()) return false;
   if (commands_) return commands_->read_on();
   for (;;) {
     if (out_.has_block()) return true;

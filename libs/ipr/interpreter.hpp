@@ -56,7 +56,7 @@ class Interpreter {
 
  private:
   bool read_on();
-  void choose_format();
+  bool choose_format();
   void interpret(const Line& line);
   /// The motion in force on a line with G80.
   const GCode* behind_g80() const noexcept;
