@@ -303,13 +303,14 @@ double ModalVariables::limit(int number) const {
 
 /// A vacant offset is 0.
 bool ModalVariables::write(int number, double value) {
+  if (!is_offset(number) && dialect_ != Dialect::fanuc) return false;
   uncertain_.erase(number);
   if (is_uncertain(value)) {
     uncertain_.insert(number);
     if (is_offset(number)) modal_.doubt_offsets();
     return true;
   }
-  if (!is_offset(number)) return dialect_ == Dialect::fanuc && write_fanuc(number, value);
+  if (!is_offset(number)) return write_fanuc(number, value);
   write_offset(number, is_vacant(value) ? 0 : value);
   modal_.assign_offset(dialect_ == Dialect::fanuc);
   return true;

@@ -27,6 +27,7 @@ TEST_CASE("a variable whose assignment is broken has no known value", "[ipr][con
   CHECK(told("IF [1 EQ 1] THN #2=1\nG00 X[1/#2]") == Places{"SC1029 1:13"});
   CHECK(told("? #2=1\nG00 X[1/#2]") == Places{"SC1001 1:1"});
   CHECK(told("G10 L2 P1 X--5\nG00 X[1/#5221]") == Places{"SC1003 1:12"});
+  CHECK(told("#5003=0 ?\n#5003=1 ?\nG00 X[1/#5003]") == Places{"SC1001 1:9", "SC1001 2:9"});
 }
 
 TEST_CASE("a variable that a broken line does not assign to keeps its value",
