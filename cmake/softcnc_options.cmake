@@ -33,14 +33,19 @@ function(softcnc_for_link_time target)
   endif()
 endfunction()
 
-# softcnc_room(NAME STANDS_ON targets...): one room of the house, made of the sources in its folder.
+# softcnc_room(NAME [COMPUTES] STANDS_ON targets...): one room of the house, made of the sources in its
+# folder. One that COMPUTES is optimised for it: its loops over axes and terms are unrolled. Readers
+# and writers only grow by that.
 function(softcnc_room name)
-  cmake_parse_arguments(ROOM "" "" "STANDS_ON" ${ARGN})
+  cmake_parse_arguments(ROOM "COMPUTES" "" "STANDS_ON" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   add_library(softcnc_${name} STATIC ${sources})
   add_library(softcnc::${name} ALIAS softcnc_${name})
   target_link_libraries(softcnc_${name} PUBLIC softcnc_options ${ROOM_STANDS_ON})
   softcnc_for_link_time(softcnc_${name})
+  if(ROOM_COMPUTES)
+    target_compile_options(softcnc_${name} PRIVATE $<$<CONFIG:Release>:-O3>)
+  endif()
   if(SOFTCNC_COVERAGE STREQUAL name)
     target_compile_options(softcnc_${name} PRIVATE --coverage -fprofile-abs-path)
     target_link_options(softcnc_${name} PUBLIC --coverage)
