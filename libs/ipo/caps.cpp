@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ipo/chain.hpp"
+#include "ipo/step_spread.hpp"
 
 namespace softcnc::ipo {
 namespace {
@@ -29,7 +30,7 @@ class CapDerivation {
     find_times(sharing);
     find_tops(asking);
     find_shared_steps(sharing);
-    for (std::size_t i = asking; i < chain_.intervals.size(); ++i) spread_interval(i);
+    spread_steps(asking);
     for (std::size_t n = std::max<std::size_t>(asking, 1); n + 1 < chain_.nodes.size(); ++n)
       if (chain_.nodes[n].passes_kink() || chain_.nodes[n].passes_bend()) pass_joint(n);
   }
@@ -83,18 +84,19 @@ class CapDerivation {
         });
   }
 
-  void spread_interval(std::size_t i) {
-    Cap cap = chain_.intervals[i].step_cap;
-    cap.q *= step_share_[i];
-    if (cap.q >= top_near(i)) return;  // binds nowhere
-    chain_.inside[i].cap.lower_to(cap);
-    spread_left(i, cap);
-    spread_right(i + 1, cap);
+  void spread_steps(std::size_t first) {
+    StepSpread spread(chain_, times_, period_, first);
+    for (std::size_t i = first; i < chain_.intervals.size(); ++i) {
+      Cap cap = chain_.intervals[i].step_cap;
+      cap.q *= step_share_[i];
+      if (cap.q < top_near(i)) spread.ask(i, cap);  // else it binds nowhere
+    }
+    spread.lower();
   }
 
   /// Caps everything left of node `from` that a step can touch together with it and that lies
   /// within the cap's step of it.
-  void spread_left(std::size_t from, const Cap& cap, double steps = 1) {
+  void spread_left(std::size_t from, const Cap& cap, double steps) {
     const double step = steps * std::sqrt(cap.q) * period_;
     double time = 0;
     for (std::size_t n = from;; --n) {
@@ -106,7 +108,7 @@ class CapDerivation {
     }
   }
 
-  void spread_right(std::size_t from, const Cap& cap, double steps = 1) {
+  void spread_right(std::size_t from, const Cap& cap, double steps) {
     const double step = steps * std::sqrt(cap.q) * period_;
     double time = 0;
     for (std::size_t n = from;; ++n) {
