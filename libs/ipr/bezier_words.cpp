@@ -114,14 +114,14 @@ bool follows_cubic(const Task& task) {
 void cubic_curve(Task& task, const PlaneAxes& axes, const AxisVector& to) {
   const bool goes_on = follows_cubic(task);
   const auto handle = first_handle(task, axes, goes_on);
-  if (!needs_both(task, {'P', 'Q'}) || !handle || !has_feed(task)) return;
+  if (!needs_both(task, {'P', 'Q'}) || !handle) return;
   const AxisVector& from = task.modal.position;
   emit_bezier(task, {from, from + *handle, to + way(task, axes, {'P', 'Q'}), to});
 }
 
 void quadratic_curve(Task& task, const PlaneAxes& axes, const AxisVector& to) {
   const Pair start = start_letters(axes);
-  if (!needs_both(task, start) || !has_feed(task)) return;
+  if (!needs_both(task, start)) return;
   const AxisVector& from = task.modal.position;
   emit_bezier(task, {from, from + way(task, axes, start), to});
 }
@@ -146,6 +146,7 @@ template <typename Draw>
 void draw(Task& task, Draw draw_curve) {
   const PlaneAxes axes = plane_axes(task.modal.plane);
   const AxisVector to = end_point(task);
+  has_feed(task);
   if (knows_plane(task) && has_plane_axes(task, axes) && is_in_plane(task, axes) &&
       has_near_lengths(task, "IJKPQ"))
     draw_curve(task, axes, to);

@@ -147,3 +147,9 @@ TEST_CASE("an M code that cannot be read may have been the end", "[ipr][conseque
   CHECK(without_end("M98 P2\nM30\nO2\nG00 X1\nM99.9.\n") == Places{"SC1004 5:2"});
   CHECK(without_end("G00 X1\n") == Places{"SC2205 1:0"});
 }
+
+TEST_CASE("a feed that is missing does not hide behind other words of a curve",
+          "[ipr][consequences]") {
+  CHECK(told("G05 X1 Y1") == Places{"SC2102 1:1", "SC3118 1:1", "SC2005 1:1"});
+  CHECK(told("G05.1 X1 Y1") == Places{"SC2102 1:1", "SC2005 1:1"});
+}
