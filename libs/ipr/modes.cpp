@@ -95,6 +95,7 @@ void select_feed_mode(Task& task) {
                                                    : FeedMode::per_minute;
   if (mode == std::exchange(task.modal.feed_mode, mode)) return;
   task.modal.feed = task.modal.feed_word = 0;
+  task.modal.zero_feed = false;
   task.modal.uncertain.remove('F');
 }
 
@@ -122,6 +123,7 @@ void set_feed(Task& task) {
   modal.uncertain.remove('F');
   modal.feed = modal.feed_word = 0;
   if (!is_not_negative(task.out, task.word)) return modal.uncertain.add('F');
+  if (task.word.value == 0) modal.zero_feed = true;
   const double length = task.word.value * modal.mm_per_unit;
   if (modal.feed_mode == FeedMode::per_minute)
     modal.feed = held_feed(task, mm_s_from_mm_min(length));

@@ -49,6 +49,15 @@ std::uint8_t unknown_axes(const Modal& modal) noexcept {
 
 Join join_of(const Modal& modal) { return modal.stops_once ? Join::stop : modal.join; }
 
+/// F was 0: told at it, if it stands on the line. Returns false.
+[[gnu::cold]] bool report_zero_feed(Task& task) {
+  const bool here = task.command.has(Group::feed);
+  report_words(task, "F", Code::SC2102,
+               here ? task.command.find_word(Group::feed).pos : task.word.pos,
+               code_name(task.code) + " needs a feed above 0, and F is 0");
+  return false;
+}
+
 /// Only moves whose length is known on their line have a time of their own.
 bool has_inverse_time(Task& task) {
   const int number = task.code.number;
@@ -57,7 +66,10 @@ bool has_inverse_time(Task& task) {
                     code_name(task.code) + " while G93 is in force: F cannot be its time");
     return false;
   }
-  if (task.command.has(Group::feed) && task.modal.feed_word > 0) return true;
+  if (task.command.has(Group::feed)) {
+    if (task.modal.feed_word > 0) return true;
+    if (task.modal.zero_feed) return report_zero_feed(task);
+  }
   report_if_certain(task, "F", Code::SC2102, task.word.pos,
                     code_name(task.code) + " needs F on its own line while G93 is in force");
   return false;
@@ -160,6 +172,8 @@ SourcePos place_of(const Task& task, char letter) {
   if (modal.feed > 0) return true;
   if (modal.uncertain.has('F'))
     task.out.withhold();
+  else if (modal.zero_feed)
+    report_zero_feed(task);
   else
     report_words(task, "F", Code::SC2102, task.word.pos,
                  code_name(task.code) + " needs a feed, and F is not set");
