@@ -117,12 +117,9 @@ std::optional<double> read_slope_across(Task& task) {
   return std::nullopt;
 }
 
-bool is_given(const Surface& surface) {
-  return surface.tool_radius > 0 && surface.pick_feed > 0 && surface.rmax > 0 && surface.teeth > 0;
-}
-
-/// What passes next to each other can leave at all.
-bool is_possible(Task& task, const Surface& surface) {
+/// The ball reaches from one pass to the next.
+bool has_close_passes(Task& task, const Surface& surface) {
+  if (surface.tool_radius <= 0 || surface.pick_feed <= 0) return false;
   if (surface.pick_feed >= 2 * surface.tool_radius) {
     task.out.report(Code::SC3124, task.values.word('J').pos,
                     "J, the pick-feed, must be below twice the tool radius of " +
@@ -137,6 +134,11 @@ bool is_possible(Task& task, const Surface& surface) {
                         number_text(surface.tool_radius) + " mm");
     return false;
   }
+  return true;
+}
+
+/// What passes next to each other can leave at all.
+bool has_possible_rmax(Task& task, const Surface& surface) {
   const double least = least_rmax(surface);
   if (surface.rmax > least) return true;
   task.out.report(Code::SC3126, task.values.word('H').pos,
@@ -160,7 +162,8 @@ void check_feed(Task& task, const Surface& surface) {
 }
 
 void keep_surface(Task& task, const Surface& surface) {
-  if (!is_given(surface) || !is_possible(task, surface)) return;
+  if (!has_close_passes(task, surface) || surface.rmax <= 0) return;
+  if (!has_possible_rmax(task, surface) || surface.teeth <= 0) return;
   task.modal.surface = surface;
   task.modal.rest_told = false;
   check_feed(task, surface);
@@ -188,7 +191,10 @@ void ask_for_surface(Task& task) {
   const auto slope = read_slope_across(task);
   surface.bend_across = bend.value_or(0);
   surface.slope_across = slope.value_or(0);
-  if (bend && slope) keep_surface(task, surface);
+  if (bend && slope)
+    keep_surface(task, surface);
+  else
+    has_close_passes(task, surface);
 }
 
 void cancel_surface(Task& task) {

@@ -89,6 +89,12 @@ TEST_CASE("what is out of reach is what lies over the chord of the ball, on its 
   CHECK(places(interpret("G06.4 D5 J6 H1000 L2 Q60\nM30\n")) == Places{"SC3124 1:22"});
 }
 
+TEST_CASE("how far passes lie apart is judged without what it does not depend on",
+          "[ipr][surface]") {
+  CHECK(places(interpret("G06.4 D1 J5 H5\nM30\n")) == Places{"SC3125 1:1", "SC3124 1:10"});
+  CHECK(places(interpret("G06.4 D1 J5 H5 L2 Q95\nM30\n")) == Places{"SC3124 1:10", "SC3124 1:19"});
+}
+
 TEST_CASE("in the first block of a NURBS R is the weight", "[ipr][surface]") {
   const auto moves = moves_at_speed("F600 G06.2 P2 K0 X0 D5 J.5 H10 L2 R2\nK0 X1\nK1\nK1\nM30\n");
   REQUIRE(moves[0].surface);
