@@ -46,11 +46,17 @@ bool is_well_given(Task& task, const PlaneAxes& axes) {
   return false;
 }
 
+/// Where the arc leads, if it is known where it begins.
+void report_way(Task& task, Letters depends_on, Code code, SourcePos pos, std::string message) {
+  if (task.modal.uncertain.has_any(depends_on)) return task.out.mute();
+  task.out.report_way(code, pos, std::move(message));
+}
+
 bool has_centre_or_radius(Task& task) {
   const Values& values = task.values;
   if (values.has('R') || values.letters().has_any(kOffsetLetters)) return true;
-  task.out.report(Code::SC2107, span_of(values, "XYZP"),
-                  code_name(task.code) + " needs a centre or R");
+  task.out.report_way(Code::SC2107, span_of(values, "XYZP"),
+                      code_name(task.code) + " needs a centre or R");
   return false;
 }
 
@@ -91,14 +97,14 @@ std::optional<AxisVector> center_by_radius(Task& task, const PlaneAxes& axes, co
   const SourcePos pos = task.values.word('R').pos;
   const Letters depends_on = plane_letters(axes);
   if (chord <= kSamePoint) {
-    report_if_certain(task, depends_on, Code::SC2108, pos,
-                      code_name(task.code) + " ends where it starts; R cannot tell its centre");
+    report_way(task, depends_on, Code::SC2108, pos,
+               code_name(task.code) + " ends where it starts; R cannot tell its centre");
     return std::nullopt;
   }
   if (chord / 2 > std::abs(radius) + kReach) {
-    report_if_certain(task, depends_on, Code::SC2109, pos,
-                      "a radius of " + number_text(std::abs(radius)) +
-                          " mm does not reach an end " + number_text(chord) + " mm away");
+    report_way(task, depends_on, Code::SC2109, pos,
+               "a radius of " + number_text(std::abs(radius)) + " mm does not reach an end " +
+                   number_text(chord) + " mm away");
     return std::nullopt;
   }
   const double height_squared = radius * radius - chord * chord / 4;
@@ -114,9 +120,9 @@ void emit_arc(Task& task, const ArcSpec& spec, const PlaneAxes& axes) {
   Result<Arc> made = Arc::make(spec);
   if (made) return emit_move(task, std::move(*made));
   const bool by_radius = task.values.has('R');
-  report_if_certain(task, plane_letters(axes), made.error().code,
-                    by_radius ? task.values.word('R').pos : span_of(task.values, "XYZIJK"),
-                    std::move(made.error().message));
+  report_way(task, plane_letters(axes), made.error().code,
+             by_radius ? task.values.word('R').pos : span_of(task.values, "XYZIJK"),
+             std::move(made.error().message));
 }
 
 /// P, less the first pass; 0, and told, if it is none.

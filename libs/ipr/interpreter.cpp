@@ -133,7 +133,7 @@ bool Interpreter::tell_restored(const Line& next) {
   if (unclear && !leads_all_the_same(line))
     out_.mute();
   else if (unclear || out_.failed())
-    out_.hush();
+    out_.hush(way_is_certain());
   if (unclear) out_.withhold();
   execute();
   remember_uncertain();
@@ -155,6 +155,13 @@ bool Interpreter::leads_all_the_same(const Line& line) {
   for (const char letter : kAxisLetters)
     if (lost.has(letter)) modal_.uncertain.add(letter);
   return true;
+}
+
+/// Of a line that leads all the same: what is wrong is a word that has no part in it.
+[[gnu::cold]] bool Interpreter::way_is_certain() const {
+  constexpr Letters kBesideTheWay{"FMNST"};
+  return command_.uncertain().without(kBesideTheWay).empty() && command_.doubted().empty() &&
+         command_.unused(options_.dialect).empty();
 }
 
 /// A curve with a bad line in it is none.

@@ -70,7 +70,9 @@ class Interpreter {
   void remember_uncertain();
   bool tell_restored(const Line& next);
   bool leads_all_the_same(const Line& line);
+  bool way_is_certain() const;
   void break_curves();
+  void read_uncalled();
   void finish();
 
   Parser& parser_;

@@ -57,6 +57,10 @@ void Output::report_by_itself(Code code, SourcePos pos, std::string message) {
   diagnostics_.report(code, pos, std::move(message), text_);
 }
 
+void Output::report_way(Code code, SourcePos pos, std::string message) {
+  if (!muted_ && (!hushed_ || way_is_certain_)) report_by_itself(code, pos, std::move(message));
+}
+
 void Output::report(Code code, SourcePos pos, std::string message, std::string_view source_line) {
   if (!muted()) diagnostics_.report(code, pos, std::move(message), source_line);
 }

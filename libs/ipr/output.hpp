@@ -38,6 +38,8 @@ class Output {
   void report(Code code, SourcePos pos, std::string message);
   /// What is wrong with one word, whatever else the line says: told on a muted line as well.
   void report_by_itself(Code code, SourcePos pos, std::string message);
+  /// What is wrong with where the words lead.
+  void report_way(Code code, SourcePos pos, std::string message);
   /// For a place on an earlier line, on which this one does not depend: it does not fail.
   void report(Code code, SourcePos pos, std::string message, std::string_view source_line);
 
@@ -48,8 +50,12 @@ class Output {
 
   /// From here to its end the line only changes modes and position: no word, no block.
   void mute() noexcept { muted_ = true; }
-  /// The same of a line whose words say where it leads: moves that would leave the travel are told.
-  void hush() noexcept { hushed_ = true; }
+  /// The same of a line whose words say where it leads: moves that would leave the travel are told,
+  /// and if nothing else could be meant (`certain`), where they cannot lead.
+  void hush(bool certain) noexcept {
+    hushed_ = true;
+    way_is_certain_ = certain;
+  }
   /// The line gives no block, for what an earlier one has been told.
   void withhold() noexcept { failed_ = true; }
   bool muted() const noexcept { return muted_ || hushed_; }
@@ -110,6 +116,7 @@ class Output {
   SourcePos source_;
   std::string_view text_;
   bool failed_ = false, muted_ = false, hushed_ = false, certain_ = true;
+  bool way_is_certain_ = false;  // of a hushed line
   Compensation compensation_;
 };
 

@@ -153,3 +153,13 @@ TEST_CASE("a feed that is missing does not hide behind other words of a curve",
   CHECK(told("G05 X1 Y1") == Places{"SC2102 1:1", "SC3118 1:1", "SC2005 1:1"});
   CHECK(told("G05.1 X1 Y1") == Places{"SC2102 1:1", "SC2005 1:1"});
 }
+
+TEST_CASE("where an arc cannot lead is told beside what has no part in it", "[ipr][consequences]") {
+  const std::string f = "F100\n";
+  CHECK(told(f + "M03 M04 G02 X1 Y0 I9 J9") == Places{"SC2002 2:5", "SC2103 2:13"});
+  CHECK(told(f + "G02 X9 Y9 R1 M..4") == Places{"SC2109 2:11", "SC1004 2:15"});
+  CHECK(told(f + "G02 M03 M04 X1") == Places{"SC2002 2:9", "SC2107 2:13"});
+  CHECK(told(f + "G02 X1 Y0 I9 Q9") == Places{"SC2004 2:14"});
+  CHECK(told(f + "G17 G18 G02 X1 Y0 I9 J9") == Places{"SC2002 2:5"});
+  CHECK(told(f + "G02 X1 Y0 I9 Q..9") == Places{"SC1004 2:15"});
+}
