@@ -83,7 +83,7 @@ void check_knot(Task& task, PendingCurve& curve) {
   const bool end = knot == knots.front() || curve.closing_knots > 0;
   const int most = end ? curve.order : curve.order - 1;
   const auto refuse = [&](Code code, std::string message) {
-    task.out.report(code, task.values.word('K').pos, std::move(message));
+    report_word(task, 'K', code, std::move(message));
     curve.knots_uncertain = true;
   };
   if (knot < before)

@@ -142,9 +142,9 @@ void add_spline_point(Task& task, PendingPoints& curve) {
   if (start) return;
   const bool same = (point - curve.points.back()).norm() < kSplineSamePoint;
   task.modal.position = point;
-  if (same)
-    report_if_certain(task, kAxisWords, Code::SC2351, span_of(task.values, "XYZ"),
-                      "the point of the spline is the one before it");
+  if (same && !task.modal.uncertain.has_any(kAxisWords))
+    report_words(task, kAxisWords, Code::SC2351, span_of(task.values, "XYZ"),
+                 "the point of the spline is the one before it");
   if (curve.points.size() < kMaxSplinePoints) return curve.points.push_back(point);
   if (!curve.broken)
     task.out.report(Code::SC3120, span_of(task.values, "XYZ"),

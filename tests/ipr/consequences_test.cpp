@@ -163,3 +163,12 @@ TEST_CASE("where an arc cannot lead is told beside what has no part in it", "[ip
   CHECK(told(f + "G17 G18 G02 X1 Y0 I9 J9") == Places{"SC2002 2:5"});
   CHECK(told(f + "G02 X1 Y0 I9 Q..9") == Places{"SC1004 2:15"});
 }
+
+TEST_CASE("words of a curve are looked at beside one that does not belong there",
+          "[ipr][consequences]") {
+  const std::string f = "F100\n";
+  CHECK(told(f + "G06.1 X1 Y1\nX1 Y1 F5\nX2") == Places{"SC2351 3:1", "SC3110 3:7"});
+  const std::string curve = f + "G06.2 P2 X0 Y0 K0\n";
+  CHECK(told(curve + "X2..1 K-1\nX2 K1 F5\nK1\nK0.5") ==
+        Places{"SC1004 3:2", "SC3004 3:7", "SC3110 4:7"});
+}
