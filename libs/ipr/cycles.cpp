@@ -162,8 +162,23 @@ bool lies_above_bottom(Task& task, const Holes& holes) {
                          " mm below " + number_text(holes.bottom) + " mm");
 }
 
+/// Told once of pecks whose words stand on a line before.
+bool refuse_count(Task& task, const Holes& holes) {
+  Letters counted{"QRKL"};
+  counted.add(across_letter(holes.axes));
+  Letters& told = task.modal.cycle.told;
+  if (told.has('Q') && !task.values.letters().has_any(counted)) {
+    task.out.mute();
+    return false;
+  }
+  report_words(task, "QRKLXYZ", Code::SC2007, task.word.pos,
+               code_name(task.code) + " on this line would take more than 10000 " +
+                   (pecks(task.code) ? "pecks" : "holes"));
+  told.add('Q');
+  return false;
+}
+
 bool is_possible(Task& task, const Holes& holes) {
-  const std::string name = code_name(task.code);
   if (!are_near(task, holes)) return false;
   bool possible = has_possible_dwell(task, holes);
   possible = has_possible_pecks(task, holes) && possible;
@@ -171,10 +186,7 @@ bool is_possible(Task& task, const Holes& holes) {
   if (!possible) return false;
   const double each = pecks(task.code) ? (holes.retract - holes.bottom) / holes.peck : 1;
   if (each * holes.count <= kMostPecks) return true;
-  report_words(
-      task, "QRKLXYZ", Code::SC2007, task.word.pos,
-      name + " on this line would take more than 10000 " + (pecks(task.code) ? "pecks" : "holes"));
-  return false;
+  return refuse_count(task, holes);
 }
 
 /// G74 cuts left-hand threads, G84 right-hand ones; G86 stops a spindle that turns.

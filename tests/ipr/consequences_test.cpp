@@ -172,3 +172,8 @@ TEST_CASE("words of a curve are looked at beside one that does not belong there"
   CHECK(told(curve + "X2..1 K-1\nX2 K1 F5\nK1\nK0.5") ==
         Places{"SC1004 3:2", "SC3004 3:7", "SC3110 4:7"});
 }
+
+TEST_CASE("pecks that are too many are told at the line of their words", "[ipr][consequences]") {
+  CHECK(told("F100\nG83 X1 Y1 R2 Z-500 Q.001\nX2\nX3") == Places{"SC2007 2:1"});
+  CHECK(told("F100\nG83 X1 Y1 R2 Z-500 Q.001\nX2\nX3 Q.002") == Places{"SC2007 2:1", "SC2007 4:1"});
+}
