@@ -15,9 +15,22 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 struct Shape {
   std::string name;
   int numbers = 0;
-  bool other = false;  // something else is on it
-  bool fault = false;  // what no language has
+  bool other = false;           // something else is on it
+  bool command_behind = false;  // and that can only be a command
+  bool fault = false;           // what no language has
 };
+
+bool is_arc_command(std::string_view name) {
+  return name == "pcw" || name == "pccw" || name == "dcw" || name == "dccw";
+}
+
+/// A second name on a line, with what follows it: no word has that many numbers.
+bool is_command(const std::string& name, CommandLine fields) {
+  if (is_arc_command(name)) return true;
+  std::size_t numbers = 0;
+  while (fields.next().kind == CommandField::Kind::number) ++numbers;
+  return (name == "l" && numbers > 1) || (name == "s" && numbers > 2);
+}
 
 Shape shape_of(std::string_view line) {
   Shape shape;
@@ -29,8 +42,10 @@ Shape shape_of(std::string_view line) {
       shape.name = field.name;
     else if (field.kind == CommandField::Kind::fault)
       shape.fault = true;
-    else
+    else {
       shape.other = true;
+      shape.command_behind = is_command(field.name, fields);
+    }
     if (shape.other || shape.fault) break;
   }
   return shape;
@@ -66,7 +81,7 @@ class Detector {
     const bool alone = line.numbers == 1 && !line.other;
     const bool of_both = name == "s" || name == "f" || name == "l";
     const bool misspelt = name.size() > 1 && line.numbers > 0 && !line.other;
-    if (name == "pcw" || name == "pccw" || name == "dcw" || name == "dccw") {
+    if (is_arc_command(name) || (of_both && line.command_behind)) {
       format_ = Format::commands;
     } else if (name.empty() && line.numbers == 0 && !line.other && !line.fault) {
       return;

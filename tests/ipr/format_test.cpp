@@ -90,6 +90,14 @@ TEST_CASE("everything else is G-code", "[ipr][format]") {
   }
 }
 
+TEST_CASE("two commands on one line are no G-code", "[ipr][format]") {
+  CHECK(format_through_pipe("f 100 l 1 2\n") == "commands");
+  CHECK(format_of("f 100 s 2 1 2 3 4\n") == "commands");
+  CHECK(format_of("f 100 pcw 1 2 3 4\n") == "commands");
+  CHECK(format_of("F100 S1 000\n") == "gcode");
+  CHECK(format_of("F100 L3\n") == "gcode");
+}
+
 TEST_CASE("how a text comes in pieces does not matter", "[ipr][format]") {
   CHECK(format_through_pipe("(a comment)\nf 600\nl 10 0\nl 0 10\n") == "commands");
   CHECK(format_through_pipe("f 600\nG01 X1\n") == "gcode");
