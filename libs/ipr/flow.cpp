@@ -61,7 +61,8 @@ void Flow::doubt(const Line& line) {
   }
   if (line.statement == nullptr && !looks_like_statement(line.text)) return;
   doubt_order();
-  if (line.statement != nullptr || lost_o_words_.size() > kMostLost) return;
+  const bool misspelt = line.statement != nullptr && line.statement->kind == Kind::misspelt;
+  if ((line.statement != nullptr && !misspelt) || lost_o_words_.size() > kMostLost) return;
   for (const char c : line.text)
     if (!is_blank(c)) lost_o_words_ += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -80,7 +81,7 @@ bool Flow::obey(const Line& line) {
     return false;
   }
   take(line);
-  const bool has_words = statement_.kind == Kind::program;
+  const bool has_words = statement_.kind == Kind::program || statement_.kind == Kind::misspelt;
   obey();
   return has_words && !ended_;
 }
@@ -95,8 +96,9 @@ void Flow::take(const Line& line) {
 void Flow::obey() {
   switch (statement_.kind) {
     case Kind::none:
-    case Kind::misspelt:
       return;
+    case Kind::misspelt:
+      return miss_misspelt();
     case Kind::program:
       return begin_program();
     case Kind::sub:

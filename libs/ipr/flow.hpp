@@ -137,6 +137,7 @@ class Flow {
   void begin_program();
   void call();
   std::optional<Subprogram> find(const std::string& label, bool program, const SourcePos& call);
+  void miss_misspelt();
   void perform_jump();
   void enter(Subprogram sub, Jump jump, bool has_level);
   void start();

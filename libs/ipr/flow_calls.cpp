@@ -117,6 +117,15 @@ void Flow::miss_call(bool has_level) {
   if (options_.observer != nullptr) options_.observer->miss_call();
 }
 
+/// It may be a call, unless something of its label is in work.
+void Flow::miss_misspelt() {
+  const bool of_call = in_subprogram() && calls_.back().sub.label == statement_.label;
+  const bool of_open =
+      std::any_of(opens_.begin() + static_cast<std::ptrdiff_t>(calls_.back().opens), opens_.end(),
+                  [&](const Open& open) { return open.label == statement_.label; });
+  if (!of_call && !of_open) miss_call(true);
+}
+
 void Flow::perform_jump() {
   Jump jump = std::move(*jump_);
   jump_.reset();

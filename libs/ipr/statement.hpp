@@ -31,7 +31,7 @@ struct Statement {
     repeat_end,
     next_round,  // continue
     leave_loop,  // break
-    misspelt,    // of the lines that are passed over: a label, and no keyword that there is
+    misspelt,    // a label, and no keyword that there is
     // FANUC; `label` is the number of the loop
     go_to,       // value: the line number N; not taken where has_condition and condition is false
     loop_begin,  // WHILE [..] DO m, or DO m alone

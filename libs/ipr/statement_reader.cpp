@@ -117,7 +117,7 @@ StatementReader::Found StatementReader::read_behind_label(bool by_number) {
   const Keyword* keyword = take_keyword(lexer_);
   if (keyword == nullptr) {
     if (by_number && (!is_letter(next) || is_word(lexer_))) return Found::nothing;
-    if (depth_ == Depth::outline) statement_.kind = Kind::misspelt;
+    statement_.kind = Kind::misspelt;
     stop_at_next(Code::SC1020, "a keyword like 'call'");
     return Found::statement;
   }

@@ -177,3 +177,10 @@ TEST_CASE("pecks that are too many are told at the line of their words", "[ipr][
   CHECK(told("F100\nG83 X1 Y1 R2 Z-500 Q.001\nX2\nX3") == Places{"SC2007 2:1"});
   CHECK(told("F100\nG83 X1 Y1 R2 Z-500 Q.001\nX2\nX3 Q.002") == Places{"SC2007 2:1", "SC2007 4:1"});
 }
+
+TEST_CASE("a keyword that is none may be a call", "[ipr][consequences]") {
+  const std::string sub = "o<a> sub\n#100=1\nG18 G01 F100\no<a> endsub\n";
+  CHECK(told(sub + "o<a> cal\nX1 Y1\nG00 X[1/#100]\nG03 X5 I2 K0") == Places{"SC1020 5:6"});
+  CHECK(told("#100=0\no1 if [1]\no1 els\nG00 X[1/#100]\no1 endif") ==
+        Places{"SC1020 3:4", "SC1021 4:9"});
+}
