@@ -192,6 +192,7 @@ class Flow {
   std::string text_;               // of its line, or of the one that asked for a jump
   Spot head_;                      // before it
   bool uncertain_ = false;         // what is open is not known after an error
+  bool target_lost_ = false;       // of a jump: each round of a loop may be the last
   bool end_lost_ = false;          // by an M code that could not be read
   std::string lost_o_words_;       // text of lines that could not be read: labels may stand there
   Spot before_;                    // before the line that pass_to() has found

@@ -142,7 +142,8 @@ void Flow::enter(Subprogram sub, Jump jump, bool has_level) {
   const auto by_itself = std::count_if(calls_.begin() + 1, calls_.end(), [&](const Call& call) {
     return call.sub.label == sub.label && call.sub.begin.file == sub.begin.file;
   });
-  if (uncertain_ && by_itself > 0) return miss_call(has_level);  // what ends it may be what is lost
+  if ((uncertain_ || target_lost_) && by_itself > 0)
+    return miss_call(has_level);  // what ends it may be what is lost
   if (calls_.size() > kDeepest)
     return break_off(Code::SC2309, jump.pos,
                      "more than " + std::to_string(kDeepest) + " calls within each other; " +
@@ -243,7 +244,8 @@ void Flow::go_to_line(int number, const SourcePos& pos) {
     return go_back(here, before_, pos);
   }
   if (is_misspelt(number, here) || ended_) return;
-  doubt_order();
+  target_lost_ = true;
+  parser_.doubt_order();
   report(Code::SC2308, pos,
          "no line N" + std::to_string(number) + " in " +
              (in_subprogram() ? name_of(calls_.back().sub) : "the program"));

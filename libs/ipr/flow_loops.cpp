@@ -308,7 +308,7 @@ void Flow::end_loop() {
 
 void Flow::begin_round() {
   const Open& top = opens_.back();
-  if (uncertain_) return opens_.pop_back();
+  if (uncertain_ || target_lost_) return opens_.pop_back();
   if (runs_too_long(executed_ - top.since, spelled(top.kind, top.label), top.pos, top.text)) return;
   new_round_ = top.kind == Kind::while_begin || top.kind == Kind::loop_begin;
   go(top.round);

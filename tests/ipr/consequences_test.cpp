@@ -184,3 +184,12 @@ TEST_CASE("a keyword that is none may be a call", "[ipr][consequences]") {
   CHECK(told("#100=0\no1 if [1]\no1 els\nG00 X[1/#100]\no1 endif") ==
         Places{"SC1020 3:4", "SC1021 4:9"});
 }
+
+TEST_CASE("a jump that leads nowhere does not hide how loops stand to each other",
+          "[ipr][consequences]") {
+  CHECK(told("GOTO 99\nDO 5\nWHILE [1] DO 1\nWHILE [1] DO 2\nEND 1\nEND 2", Dialect::fanuc) ==
+        Places{"SC2308 1:1", "SC2312 2:1"});
+  CHECK(told("GOTO 99\nWHILE [1] DO 1\nWHILE [1] DO 2\nEND 1\nEND 2", Dialect::fanuc) ==
+        Places{"SC2308 1:1", "SC2312 4:1"});
+  CHECK(told("WHILE [1] DO 1\nGOTO 99\nEND 1", Dialect::fanuc) == Places{"SC2308 2:1"});
+}
