@@ -41,6 +41,7 @@ void Parser::read_on(Reader& reader, int file, bool at_beginning) noexcept {
   reader_ = &reader;
   file_ = file;
   started_ = !at_beginning;
+  lone_percent_ = {};
   ended_ = false;
 }
 

@@ -193,3 +193,8 @@ TEST_CASE("a jump that leads nowhere does not hide how loops stand to each other
         Places{"SC2308 1:1", "SC2312 4:1"});
   CHECK(told("WHILE [1] DO 1\nGOTO 99\nEND 1", Dialect::fanuc) == Places{"SC2308 2:1"});
 }
+
+TEST_CASE("a '%' behind a subprogram without its end says nothing of its caller",
+          "[ipr][consequences]") {
+  CHECK(places(interpret("M98 P2\nM30\nO2\nG00 X1\n%\n")) == Places{"SC2303 5:0"});
+}
