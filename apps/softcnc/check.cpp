@@ -86,10 +86,12 @@ int check_all(const Options& options, Shown& out, Messages& messages, Watcher* w
   channel.interpreter.compare_dialects = true;
   channel.state = std::move(*state);
   int status = 0;
-  for (const std::string& name : options.files)
-    if (out.ok())
-      status = worse_status(status,
-                            check_program(name, *machine, channel, out, messages, watcher, called));
+  for (const std::string& name : options.files) {
+    if (!out.ok()) break;
+    channel.interpreter.uncalled_too = name != "-";  // a pipe ends when it likes
+    status = worse_status(status,
+                          check_program(name, *machine, channel, out, messages, watcher, called));
+  }
   return status;
 }
 

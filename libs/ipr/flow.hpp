@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -63,6 +64,10 @@ class Flow {
   void miss_call(bool has_level);
   /// The program has ended: tells what is still open and has no end.
   void finish();
+  /// Behind it: goes through the subprograms of the program's file that nothing has called.
+  void begin_uncalled();
+  /// Their next line that has words or is broken; of variables nothing is known there.
+  std::optional<Line> next_uncalled();
 
   /// True inside a subprogram.
   bool in_subprogram() const noexcept { return calls_.size() > 1; }
@@ -150,6 +155,12 @@ class Flow {
   bool is_misspelt(int number, const Spot& here);
   void go_back(const Spot& from, const Spot& to, const SourcePos& pos);
 
+  // flow_uncalled.cpp
+  bool go_to_uncalled(const Subprogram& sub);
+  bool ends_uncalled(const Line& line) const;
+  void check_order(const Line& line);
+  void close(Kind begin);
+
   // flow_loops.cpp
   static bool ends(const Statement& statement, const Open& open);
   void open(Kind kind, Spot round);
@@ -198,6 +209,9 @@ class Flow {
   Spot before_;                    // before the line that pass_to() has found
   bool new_round_ = false;         // the next line is the head of the loop on top
   bool ended_ = false, broken_ = false;
+  std::set<int> entered_;             // behind which lines of the program calls have begun
+  std::vector<Subprogram> uncalled_;  // still to be read, the first in work
+  bool reading_uncalled_ = false;
   int program_line_ = 0;                                // of the main program's own O
   std::int64_t executed_ = 0;                           // lines
   std::int64_t jumped_back_ = 0;                        // lines, by GOTO

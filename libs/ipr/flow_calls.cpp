@@ -156,6 +156,7 @@ void Flow::enter(Subprogram sub, Jump jump, bool has_level) {
       return;
   }
   diagnostics_.lines_repeat();
+  if (sub.begin.file == 0) entered_.insert(sub.begin.place.line);
   Call call;
   call.sub = std::move(sub);
   call.back = library_.here();

@@ -121,6 +121,7 @@ bool Interpreter::tell_restored(const Line& next) {
 [[gnu::hot]] void Interpreter::interpret(const Line& line) {
   out_.begin(line);
   command_.read(line, options_.dialect, out_);
+  if (modal_.ended) return;  // it is only read
   if (modal_.curve) check_pending_curve(command_, options_.dialect, modal_, out_);
   if (modal_.points) check_pending_points(command_, modal_, out_);
   if (!modal_.words_of_left_curve.empty()) excuse_left_curve();
@@ -141,6 +142,7 @@ bool Interpreter::tell_restored(const Line& next) {
   out_.end();
   if (!modal_.ended) return;
   flow_.finish();
+  read_uncalled();
   contradictions_.tell();
 }
 
@@ -273,6 +275,13 @@ void Interpreter::execute() {
   modal_.machine_coordinates = modal_.stops_once = false;
 }
 
+/// What reading alone tells of lines that are never run.
+[[gnu::cold]] void Interpreter::read_uncalled() {
+  if (!options_.uncalled_too) return;
+  flow_.begin_uncalled();
+  while (const auto line = flow_.next_uncalled()) interpret(*line);
+}
+
 /// The text has ended without M02 or M30.
 void Interpreter::finish() {
   flow_.finish();
@@ -289,6 +298,7 @@ void Interpreter::finish() {
   out_.stop_compensation();
   out_.emit(Action{Action::Kind::end, 30, 0});
   modal_.ended = true;
+  read_uncalled();
   contradictions_.tell();
 }
 

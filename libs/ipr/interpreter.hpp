@@ -26,6 +26,7 @@ struct InterpreterOptions {
   Dialect dialect = Dialect::linuxcnc;
   Format format = Format::automatic;
   bool compare_dialects = false;  // warn where a line means something else in the other one
+  bool uncalled_too = false;      // read the subprograms that nothing calls, for their errors
   std::string folder = {};        // where files lie that the program calls; empty: it can call none
   RefusedMoves* refused_moves = nullptr;  // is shown them
 };

@@ -172,6 +172,17 @@ std::optional<int> Library::open(const std::string& name, const SourcePos& call,
   return file;
 }
 
+std::vector<Subprogram> Library::all_of_program() {
+  search_on(0, {}, true);
+  std::vector<Subprogram> all;
+  for (const auto* known : {&text(0).subs, &text(0).programs})
+    for (const auto& [label, sub] : *known) all.push_back(sub);
+  std::sort(all.begin(), all.end(), [](const Subprogram& a, const Subprogram& b) {
+    return a.begin.place.line < b.begin.place.line;
+  });
+  return all;
+}
+
 std::string Library::nearest(const std::string& label) const {
   std::string best;
   std::size_t least = label.size() / 3 + 1;  // more is another word

@@ -54,6 +54,8 @@ class Library {
   /// which is reported at `call`. The parser's place is left alone; its line is gone.
   std::optional<Subprogram> find(const std::string& label, bool program, const SourcePos& call,
                                  std::string_view line);
+  /// All of the program's own file, in the order of their lines. The parser's place is lost.
+  std::vector<Subprogram> all_of_program();
   /// The known label that resembles one that is not; empty if none does.
   std::string nearest(const std::string& label) const;
 

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Subprograms that nothing calls are read all the same, where that is asked for.
+#include <catch2/catch.hpp>
+
+#include "ipr/interpret.hpp"
+
+using namespace softcnc;
+using namespace softcnc::ipr;
+
+namespace {
+
+using Told = std::vector<std::string>;
+
+Told told(std::string text, Dialect dialect = Dialect::linuxcnc) {
+  InterpreterOptions options;
+  options.dialect = dialect;
+  options.uncalled_too = true;
+  return places(interpret(std::move(text), Machine{}, options));
+}
+
+}  // namespace
+
+TEST_CASE("what cannot be read is told in a subprogram that nothing calls", "[ipr][uncalled]") {
+  CHECK(told("o<a> sub\nG01 X..1\nG999\n#1=[1+\nG17 G18\no<a> endsub\nM30\n") ==
+        Told{"SC1004 2:6", "SC2001 3:1", "SC1016 4:6", "SC2002 5:5"});
+  CHECK(told("M30\nO2\nG00 X1..2\nM99\nO3\nG999\nM99\n", Dialect::fanuc) ==
+        Told{"SC1004 3:6", "SC2001 6:1"});
+  CHECK(told("G00 X1\no<a> sub\nX1..2\no<a> endsub\n") == Told{"SC2205 4:0", "SC1004 3:2"});
+}
+
+TEST_CASE("what depends on how a subprogram is called is not told", "[ipr][uncalled]") {
+  CHECK(told("o<a> sub\n#1=0\no<b> if [#2 EQ 1]\nG01 X[1/#1] Y#<depth>\no<b> endif\n"
+             "(ABORT,never)\no<a> endsub\nM30\n") == Told{});
+  CHECK(told("O1\nM30\nO2\nX5 R3\nGOTO 77\n#3000=1\nM99\n", Dialect::fanuc) == Told{});
+}
+
+TEST_CASE("a subprogram that is called is told once, as it runs", "[ipr][uncalled]") {
+  CHECK(told("o<a> sub\nG00 X..1\no<a> endsub\no<a> call\nM30\n") == Told{"SC1004 2:6"});
+  CHECK(told("M98 P2\nM30\nO2\nG00 X..1\nM99\n") == Told{"SC1004 4:6"});
+}
+
+TEST_CASE("loops and branches of a subprogram that nothing calls have both their ends",
+          "[ipr][uncalled]") {
+  const auto within = [](const std::string& lines) {
+    return told("o<a> sub\n" + lines + "\no<a> endsub\nM30\n");
+  };
+  CHECK(within("o1 if [#1]\no1 else\no1 endif\no2 do\no2 while [#1]\no3 repeat [2]\no3 endrepeat\n"
+               "o4 while [#1]\no4 endwhile") == Told{});
+  CHECK(within("o1 if [#1]\nG00 X1") == Told{"SC2302 2:1"});
+  CHECK(within("o1 endif") == Told{"SC2304 2:1"});
+  CHECK(within("o1 if [#1]\no2 while [1]\no1 endif") == Told{"SC2302 3:1"});
+  CHECK(within("?o1 if [#1]\no1 endif") == Told{"SC1001 2:1"});
+  CHECK(told("M30\nO2\nWHILE [#1] DO 1\nWHILE [#2] DO 2\nEND 1\nEND 2\nM99\n", Dialect::fanuc) ==
+        Told{"SC2312 5:1"});
+}
+
+TEST_CASE("subprograms are left unread where nobody asks for them, or the program broke off",
+          "[ipr][uncalled]") {
+  CHECK(places(interpret("o<a> sub\nG999\no<a> endsub\nM30\n")) == Told{});
+  CHECK(told("o<a> sub\nG999\no<a> endsub\n(ABORT,here)\n") == Told{"SC1031 4:1"});
+}
+
+TEST_CASE("a '%' that ends the program leaves what stands before it as it is", "[ipr][uncalled]") {
+  CHECK(told("G00 X1\nM30\nO2\nX..1\nM99\n%\n") == Told{"SC1004 4:2"});
+  CHECK(told("G00 X1\n%\n") == Told{"SC2205 2:0"});
+}
