@@ -35,11 +35,11 @@ class AxisVelocity final : public Constraint {
     return move.rapid ? Limit::rapid : Limit::axis_velocity;
   }
 
-  double cap(const PathPoint& point, const Move&) const noexcept override {
+  double cap(const PathPoint& point, const Move& move) const noexcept override {
     double v = kUnlimited;
     for (int i = 0; i < kAxes; ++i)
       if (point.dq[i] != 0) v = std::min(v, velocity_[i] / std::abs(point.dq[i]));
-    if (!point.ddq.isZero(0)) v *= 1 - kCurveMargin;
+    if (!std::holds_alternative<Line>(move.path)) v *= 1 - kCurveMargin;
     return v * v;
   }
 

@@ -97,14 +97,16 @@ std::vector<SpeedGuess::Sample> SpeedGuess::walk(const std::vector<Cell>& cells,
       const double steady = cruises ? kGrading * std::max(s - steady_from, 0.0) : 0;
       double dt = time_step(at, cell.j) + steady / at.v;
       samples.push_back({s, at.v, at.v * dt});
-      const auto next_v = [&] { return std::max(at.v + dt * (at.a + 0.5 * dt * cell.j), slowest); };
+      const auto free_v = [&] { return at.v + dt * (at.a + 0.5 * dt * cell.j); };
+      const auto next_v = [&] { return std::max(free_v(), slowest); };
       double ds = 0.5 * dt * (at.v + next_v());
       if (s + ds >= end) {
         dt *= (end - s) / ds;
         ds = end - s;
       }
       s = s + ds >= end ? end : s + ds;
-      const Motion next{next_v(), std::min(at.a + dt * cell.j, cell.a)};
+      Motion next{next_v(), std::min(at.a + dt * cell.j, cell.a)};
+      if (free_v() < slowest) next.a = std::max(next.a, 0.0);  // it cannot slow down any further
       const double cap =
           s == end ? std::min(cell.cap_at(1), cell.end_v) : cell.cap_at((s - begin) / cell.length);
       if (next.v < cap) steady_from = kUnlimited;

@@ -90,6 +90,18 @@ TEST_CASE("a jump of curvature keeps both of its sides", "[grid]") {
   CHECK(jump > 5e-5);
 }
 
+TEST_CASE("a curve whose bend begins at nothing is not split to nothing there", "[grid]") {
+  const Machine machine;
+  NurbsSpec spec{3, {}, {}, {}};
+  spec.knots = {0, 0, 0, 0, 1, 1, 1, 1};
+  spec.weights.assign(4, 1.0);
+  spec.control = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 1, 0}};
+  const Path path = Nurbs::make(spec).value();
+  REQUIRE(at(path, 0).ddq.isZero(0));
+  REQUIRE(!at(path, 0).dddq.isZero(0));
+  for (const Interval& interval : grid_of(machine, path, 1000)) CHECK(interval.length() > 1e-3);
+}
+
 TEST_CASE("a short line is one interval", "[grid]") {
   const Machine machine;
   const auto grid = grid_of(machine, Line({0, 0, 0}, {3, 0, 0}), 100);

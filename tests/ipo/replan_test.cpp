@@ -159,6 +159,34 @@ TEST_CASE("where slowing down takes a rest at a corner, no row cuts it", "[ipo][
   CHECK(random.run.rows.back().position == random.end);
 }
 
+TEST_CASE("a hold that is taken back while it brakes takes no plan of countless nodes",
+          "[ipo][jerk][replan]") {
+  Machine machine;
+  machine.control.period = 0.002;
+  machine.control.chord_tolerance = 0.1;
+  machine.limits.feed = 0;
+  const AxisVector velocity(11.724, 6.3542, 98.15), acceleration(259.31, 270.29, 7712);
+  const AxisVector jerk(35885, 978.5, 2591535);  // a curve is guessed to be as weak all along
+  for (int i = 0; i < kAxes; ++i) {
+    Axis& axis = machine.axes[static_cast<std::size_t>(i)];
+    axis.velocity = velocity[i];
+    axis.acceleration = acceleration[i];
+    axis.jerk = jerk[i];
+  }
+  const auto arc = [](const AxisVector& from, const AxisVector& to, const AxisVector& center) {
+    return Move{Arc::make({from, to, center, Plane::xy, true, 0}).value(), false, 15.137,
+                Join::follow};
+  };
+  const AxisVector middle(4.09946, 1.75021, 0), end(10.42366, 8.35402, 0);
+  const auto blocks = number_blocks({arc({0, 0, 0}, {0, 0, 0}, {0.00272, 0, 0}),
+                                     arc({0, 0, 0}, middle, {0, 5.67610, 0}),
+                                     Move{Line(middle, end), false, 15.137, Join::follow}});
+  const auto result = run(machine, blocks, Controls{{98, kHold}, {129, kGo}});
+  CHECK(exceeded(machine, result) == "");
+  CHECK(result.rows.back().position == end);
+  CHECK(result.counts.effort.nodes < 100000);
+}
+
 TEST_CASE("random holds and overrides of random programs keep every limit and the path",
           "[ipo][jerk][property][replan]") {
   const char* asked = std::getenv("SOFTCNC_PROGRAMS");
