@@ -64,6 +64,20 @@ Interval make_interval(double s0, double s1, const Look& left, const Look& right
   return interval;
 }
 
+/// That of three looks at even distances; where it hardly changes, the lowest of the parabola
+/// through them.
+Cap lowest_step_cap(const Look& left, const Look& mid, const Look& right) {
+  Cap lowest = mid.of_step;
+  lowest.lower_to(left.of_step);
+  lowest.lower_to(right.of_step);
+  const double highest = std::max({left.of_step.q, mid.of_step.q, right.of_step.q});
+  if (highest > lowest.q * (1 + kEvenSteps)) return lowest;
+  const double rise = right.of_step.q - left.of_step.q;
+  const double bend = left.of_step.q - 2 * mid.of_step.q + right.of_step.q;
+  if (std::abs(rise) < 2 * bend) lowest.q = mid.of_step.q - rise * rise / (8 * bend);
+  return lowest;
+}
+
 /// The lowest cap that holds everywhere.
 Cap firm_cap(const PathPoint& point, const Move& move, const Constraints& constraints) {
   Cap cap;
@@ -150,13 +164,14 @@ class Refiner {
                       linear && off <= kGridTolerance;
     const bool shortest =
         depth >= kMaxDepth || (depth >= least_depth_ && whole.length() < 2 * kShortest);
-    if (fine && bends_evenly(whole, kGridTolerance)) return keep(whole, mid.of_step, true);
+    const Cap of_steps = lowest_step_cap(whole.left, mid, whole.right);
+    if (fine && bends_evenly(whole, kGridTolerance)) return keep(whole, of_steps, true);
     if (linear && halves_do(first, second, whole, depth)) {
       keep(first, {}, true);
       keep(second, {}, true);
       return;
     }
-    if (fine || shortest) return keep(whole, mid.of_step, fine);
+    if (fine || shortest) return keep(whole, of_steps, fine);
     if (const int parts = parts_by(off); parts > 2 && whole.length() > kSplitEvenly && evenly_)
       return split_evenly(whole, parts, depth);
     split(first, depth + 1);
@@ -226,9 +241,9 @@ class Refiner {
     return true;
   }
 
-  void keep(const Stretch& whole, const Cap& of_inner_steps, bool fine) {
+  void keep(const Stretch& whole, const Cap& of_steps, bool fine) {
     out_.push_back(make_interval(whole.s0, whole.s1, whole.left, whole.right, move_));
-    out_.back().step_cap.lower_to(of_inner_steps);  // bends are sharpest inside
+    out_.back().step_cap.lower_to(of_steps);  // bends may be sharpest inside
     if (!fine) straighten(out_.back());
     keep_everywhere(out_.back(), move_, constraints_);
     q_behind_ = std::min(whole.right.cap.q, whole.q0 + most_gain(whole.length()));

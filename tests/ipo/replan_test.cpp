@@ -187,6 +187,12 @@ TEST_CASE("a hold that is taken back while it brakes takes no plan of countless 
   CHECK(result.counts.effort.nodes < 100000);
 }
 
+TEST_CASE("a step keeps its chord where a curve bends most between two looks at it",
+          "[ipo][replan]") {
+  const RandomRun random = run_random(294741569, 2, 2);
+  CHECK(exceeded(random.machine, random.run) == "");
+}
+
 TEST_CASE("random holds and overrides of random programs keep every limit and the path",
           "[ipo][jerk][property][replan]") {
   const char* asked = std::getenv("SOFTCNC_PROGRAMS");
