@@ -5,6 +5,14 @@
 #include "ipr/flow.hpp"
 
 namespace softcnc::ipr {
+namespace {
+
+/// Of variables nothing is known here.
+bool has_unknown_label(const Line& line) {
+  return line.statement != nullptr && line.statement->label_computed;
+}
+
+}  // namespace
 
 void Flow::begin_uncalled() {
   if (broke_off()) return;
@@ -29,7 +37,7 @@ std::optional<Line> Flow::next_uncalled() {
     const int errors = diagnostics_.errors();
     auto line = parser_.next();
     if (line && !ends_uncalled(*line)) {
-      if (diagnostics_.errors() > errors) doubt(*line);
+      if (diagnostics_.errors() > errors || has_unknown_label(*line)) doubt(*line);
       if (line->statement == nullptr) return line;
       check_order(*line);
       continue;

@@ -40,6 +40,7 @@ struct Statement {
 
   Kind kind = Kind::none;
   std::string label;
+  bool label_computed = false;  // by #.. or [..]
   double value = 0;        // condition, number of rounds, line number, or what return gives back
   bool has_value = false;  // return and endsub may go without
   bool condition = true;   // of IF [..] GOTO and WHILE [..] DO

@@ -94,6 +94,7 @@ bool StatementReader::read_label() {
     return true;
   }
   if (first != '#' && first != '[') return false;
+  statement_.label_computed = true;
   Expression expression(lexer_, parameters_);
   const double value = keep(expression, expression.value());
   if (!broke_off_ && !is_uncertain(value)) set_label(value, begin);

@@ -34,6 +34,33 @@ TEST_CASE("what depends on how a subprogram is called is not told", "[ipr][uncal
   CHECK(told("O1\nM30\nO2\nX5 R3\nGOTO 77\n#3000=1\nM99\n", Dialect::fanuc) == Told{});
 }
 
+TEST_CASE("behind a computed label nothing is told of how a subprogram that nothing calls nests",
+          "[ipr][uncalled]") {
+  const auto within = [](const std::string& lines) {
+    return told("o<a> sub\n" + lines + "\no<a> endsub\nM30\n");
+  };
+  CHECK(within("#1=7\no#1 repeat [2]\nG00 X1\no#1 endrepeat") == Told{});
+  CHECK(within("#<x>=7\no#<x> repeat [2]\nG00 X1\no#<x> endrepeat") == Told{});
+  CHECK(within("#1=7\no#1 if [#2]\nG00 X3\no#1 else\nG00 X4\no#1 endif") == Told{});
+  CHECK(within("o[#1+10] if [#2]\nG00 X3\no[#1+20] if [#3]\no[#1+20] endif\no[#1+10] endif") ==
+        Told{});
+  CHECK(within("o#1 repeat [2]\nG00 X..1\no#1 endrepeat\no1 endif") == Told{"SC1004 3:6"});
+  CHECK(told("o<a> sub\no#1 if [#2]\no#1 endif\no<a> endsub\no<b> sub\no1 endif\no<b> endsub\n"
+             "M30\n") == Told{"SC2304 6:1"});
+}
+
+TEST_CASE("a label on a line that is passed over is not compared with the other dialect",
+          "[ipr][uncalled]") {
+  const auto compared = [](const std::string& text) {
+    InterpreterOptions options;
+    options.uncalled_too = options.compare_dialects = true;
+    return places(interpret(text, Machine{}, options));
+  };
+  CHECK(compared("o<a> sub\no[#1] call\no<a> endsub\no7 sub\no7 endsub\nG00 X1\no<a> call [7]\n"
+                 "M02\n") == Told{});
+  CHECK(compared("o<a> sub\no[#1] call\no<a> endsub\nG00 X1\nM02\n") == Told{});
+}
+
 TEST_CASE("a subprogram that is called is told once, as it runs", "[ipr][uncalled]") {
   CHECK(told("o<a> sub\nG00 X..1\no<a> endsub\no<a> call\nM30\n") == Told{"SC1004 2:6"});
   CHECK(told("M98 P2\nM30\nO2\nG00 X..1\nM99\n") == Told{"SC1004 4:6"});
