@@ -128,7 +128,7 @@ bool Parser::read_o_word(Lexer& lexer, const Token& letter) {
   if (strange() || !only_line_number()) return false;
   StatementReader reader(lexer, parameters_, statement_, depth_);
   const Found found = reader.read_o_word({line_.number, letter.column, letter.length});
-  note(reader.other_value());
+  if (depth_ != Depth::outline) note(reader.other_value());
   if (found == Found::program) line_.statement = &statement_;
   if (found != Found::statement) return false;
   settle(reader, lexer);
