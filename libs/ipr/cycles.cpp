@@ -254,6 +254,7 @@ class Way {
  public:
   Way(Task& task, const Holes& holes, const AxisVector& at) : task_(task), holes_(holes), at_(at) {}
 
+  int blocks() const { return blocks_; }
   double height() const { return at_[holes_.axes.across]; }
   void over(const AxisVector& hole) {
     at_[holes_.axes.first] = hole[holes_.axes.first];
@@ -284,12 +285,14 @@ class Way {
     const AxisVector end = modal.coordinates.to_machine(at_);
     if ((end - from).lpNorm<Eigen::Infinity>() < kShortest) return;
     emit_move(task_, softcnc::Line(from, end), rapid);
+    ++blocks_;
     modal.position = end;
   }
 
   Task& task_;
   const Holes& holes_;
   AxisVector at_;
+  int blocks_ = 0;
 };
 
 /// G73 breaks the chip, G83 clears it out of the hole.
@@ -327,6 +330,7 @@ void drill_all(Task& task, const Holes& holes, const AxisVector& from) {
     drill(way, holes, task.code, task.modal.spindle_direction);
     hole += holes.step;
   }
+  task.flow.count_more_blocks(std::max(way.blocks() - 1, 0));
 }
 
 /// The motion that stands before a cycle has ended the row before, and comes back behind G80.

@@ -62,6 +62,11 @@ class Flow {
   /// What is called is missing, which is told: nothing is known that it might have changed.
   /// `has_level`: it would have had variables of its own.
   void miss_call(bool has_level);
+  /// Blocks that a line has made beside the first: each counts as a line.
+  void count_more_blocks(std::int64_t blocks) noexcept {
+    executed_ += blocks;
+    made_since_jump_ += blocks;
+  }
   /// The program has ended: tells what is still open and has no end.
   void finish();
   /// Behind it: goes through the subprograms of the program's file that nothing has called.
@@ -152,6 +157,7 @@ class Flow {
   void go_to_line(int number, const SourcePos& pos);
   bool find_line(int number, int last);
   void land(const SourcePos& pos);
+  std::vector<Landing>::iterator landing_of(const SourcePos& pos);
   bool is_misspelt(int number, const Spot& here);
   void go_back(const Spot& from, const Spot& to, const SourcePos& pos);
 
@@ -215,6 +221,7 @@ class Flow {
   int program_line_ = 0;                                // of the main program's own O
   std::int64_t executed_ = 0;                           // lines
   std::int64_t jumped_back_ = 0;                        // lines, by GOTO
+  std::int64_t made_since_jump_ = 0;                    // blocks of cycles, since the last one back
   std::int64_t vain_ = 0;                               // lines passed to find what is missing
   std::map<std::tuple<int, int, int>, Spot> backward_;  // targets of GOTO: by file, line and number
 };

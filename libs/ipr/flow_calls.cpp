@@ -287,7 +287,9 @@ bool Flow::find_line(int number, int last) {
 
 void Flow::go_back(const Spot& from, const Spot& to, const SourcePos& pos) {
   const int line = to.place.line;
-  jumped_back_ += from.place.line - line;
+  const std::int64_t made = std::exchange(made_since_jump_, 0);
+  const bool again = landing_of(pos) != landings_.end();
+  jumped_back_ += from.place.line - line + (again ? made : 0);
   if (runs_too_long(jumped_back_, "jumping back to line " + std::to_string(line + 1), pos, text_))
     return;
   diagnostics_.lines_repeat();
@@ -295,11 +297,15 @@ void Flow::go_back(const Spot& from, const Spot& to, const SourcePos& pos) {
   if (go(to)) land(pos);
 }
 
-/// Remembered once for each jump, with where it has led to last.
-void Flow::land(const SourcePos& pos) {
-  std::erase_if(landings_, [&](const Landing& one) {
+std::vector<Flow::Landing>::iterator Flow::landing_of(const SourcePos& pos) {
+  return std::find_if(landings_.begin(), landings_.end(), [&](const Landing& one) {
     return one.pos.line == pos.line && one.pos.file == pos.file && one.level == calls_.size();
   });
+}
+
+/// Remembered once for each jump, with where it has led to last.
+void Flow::land(const SourcePos& pos) {
+  if (const auto before = landing_of(pos); before != landings_.end()) landings_.erase(before);
   if (landings_.size() == kMostLandings) landings_.erase(landings_.begin());
   landings_.push_back({pos, text_, library_.here(), calls_.size()});
 }
