@@ -41,6 +41,10 @@ std::vector<std::string> file_names(const std::string& label, bool program) {
   return names;
 }
 
+bool begins_subprogram(const Statement* statement) {
+  return statement != nullptr && (statement->kind == Kind::program || statement->kind == Kind::sub);
+}
+
 /// A folder without a suffix is none by mistake.
 bool may_be_program(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -58,7 +62,10 @@ std::string o_word(std::string_view label, std::string_view keyword) {
   return text;
 }
 
-std::string program_name(std::string_view label) { return "O" + std::string(label); }
+std::string program_name(std::string_view label) {
+  const std::string name(label);
+  return is_number(label) ? "O" + name : "O<" + name + ">";
+}
 
 Library::Library(Parser& parser, Diagnostics& diagnostics, std::string folder)
     : parser_(parser), diagnostics_(diagnostics), folder_(std::move(folder)) {
@@ -118,18 +125,21 @@ void Library::search_on(int file, const std::string& label, bool program) {
 
 void Library::learn(Text& text, const Line& line) {
   const Statement* statement = line.statement;
-  if (statement == nullptr) return;
+  if (!begins_subprogram(statement)) return;
   const bool program = statement->kind == Kind::program;
-  if (!program && statement->kind != Kind::sub) return;
   auto& known = program ? text.programs : text.subs;
-  const SubKind kind = program ? SubKind::program : SubKind::o_word;
-  const bool added =
-      known.try_emplace(statement->label, Subprogram{kind, statement->label, here()}).second;
+  const bool added = known.try_emplace(statement->label, begun_by(*statement)).second;
   if (added) return;
   const std::string name =
       program ? program_name(statement->label) : o_word(statement->label, "sub");
   diagnostics_.report(Code::SC2314, statement->pos, name + " stands in this file before",
                       line.text);
+}
+
+/// Expects that the parser stands behind its line.
+Subprogram Library::begun_by(const Statement& statement) const {
+  const SubKind kind = statement.kind == Kind::program ? SubKind::program : SubKind::o_word;
+  return {kind, statement.label, here()};
 }
 
 std::optional<Subprogram> Library::find_file(const std::string& label, bool program,
@@ -173,13 +183,10 @@ std::optional<int> Library::open(const std::string& name, const SourcePos& call,
 }
 
 std::vector<Subprogram> Library::all_of_program() {
-  search_on(0, {}, true);
   std::vector<Subprogram> all;
-  for (const auto* known : {&text(0).subs, &text(0).programs})
-    for (const auto& [label, sub] : *known) all.push_back(sub);
-  std::sort(all.begin(), all.end(), [](const Subprogram& a, const Subprogram& b) {
-    return a.begin.place.line < b.begin.place.line;
-  });
+  if (!go({})) return all;
+  while (const auto line = parser_.next_statement())
+    if (begins_subprogram(line->statement)) all.push_back(begun_by(*line->statement));
   return all;
 }
 

@@ -36,7 +36,7 @@ struct Subprogram {
 
 /// "o100 sub", "o<name> call": a statement as it is written.
 std::string o_word(std::string_view label, std::string_view keyword = {});
-/// "O1000"
+/// "O1000", "O<name>"
 std::string program_name(std::string_view label);
 
 class Library {
@@ -54,7 +54,8 @@ class Library {
   /// which is reported at `call`. The parser's place is left alone; its line is gone.
   std::optional<Subprogram> find(const std::string& label, bool program, const SourcePos& call,
                                  std::string_view line);
-  /// All of the program's own file, in the order of their lines. The parser's place is lost.
+  /// All of the program's own file, in the order of their lines, those of one name too. The
+  /// parser's place is lost.
   std::vector<Subprogram> all_of_program();
   /// The known label that resembles one that is not; empty if none does.
   std::string nearest(const std::string& label) const;
@@ -82,6 +83,7 @@ class Library {
   const Subprogram* known(const Text& text, const std::string& label, bool program) const;
   void search_on(int file, const std::string& label, bool program);
   void learn(Text& text, const Line& line);
+  Subprogram begun_by(const Statement& statement) const;
   std::optional<Subprogram> find_file(const std::string& label, bool program, const SourcePos& call,
                                       std::string_view line);
   std::optional<int> open(const std::string& name, const SourcePos& call, std::string_view line);

@@ -81,6 +81,15 @@ TEST_CASE("loops and branches of a subprogram that nothing calls have both their
         Told{"SC2312 5:1"});
 }
 
+TEST_CASE("labels used again are no error where no call looks for them", "[ipr][uncalled]") {
+  CHECK(told("O0001\nG00 X1\nM30\nO0001\nG00 X2\nM30\n") == Told{});
+  CHECK(told("M30\no<a> sub\no<a> endsub\no<a> sub\no<a> endsub\n") == Told{});
+  CHECK(told("O1\nM30\nO2\nG00 X..1\nM99\nO2\nG00 X..2\nM99\n", Dialect::fanuc) ==
+        Told{"SC1004 4:6", "SC1004 7:6"});
+  CHECK(told("o<a> sub\no<a> endsub\no<a> sub\no<a> endsub\no<b> call\nM30\n") ==
+        Told{"SC2314 3:1"});
+}
+
 TEST_CASE("subprograms are left unread where nobody asks for them, or the program broke off",
           "[ipr][uncalled]") {
   CHECK(places(interpret("o<a> sub\nG999\no<a> endsub\nM30\n")) == Told{});
