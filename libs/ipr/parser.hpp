@@ -120,6 +120,7 @@ class Parser {
   Token read_mark(Lexer& lexer, const Token& mark);
   Token read_macro(Lexer& lexer, const Token& mark);
   Token read_percent(Lexer& lexer, const Token& percent);
+  std::optional<Token> sign_of_program(Lexer& lexer, const Token& mark) const;
   bool goes_on_behind_end();
   Token read_slash(Lexer& lexer, const Token& slash);
   void lose_word_before(const Token& letter);

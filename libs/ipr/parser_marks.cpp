@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ipr/faults.hpp"
+#include "ipr/gcode_table.hpp"
 #include "ipr/parser.hpp"
 
 namespace softcnc::ipr {
@@ -48,6 +49,14 @@ bool begins_something(std::string_view before) {
          before.back() == ']' || before.back() == ')';
 }
 
+/// What stands behind one, like M117, may be its text.
+bool has_unknown_code(std::span<const Word> words) {
+  return std::any_of(words.begin(), words.end(), [](const Word& word) {
+    const bool code = word.letter == 'G' || word.letter == 'M';
+    return code && find_gcode(word.letter, word.value) == nullptr;
+  });
+}
+
 /// The letter of FANUC's ,C and ,R.
 void pass_corner(Lexer& lexer) {
   if (lexer.peek() == 'C' || lexer.peek() == 'R') lexer.pass();
@@ -74,7 +83,7 @@ Token Parser::read_exponent(Lexer& lexer, const Token& letter) {
 std::optional<Token> Parser::pass_name(Lexer& lexer, const Token& letter) {
   const std::string_view letters = letters_at(line_.text, letter);
   if (!is_name(line_.text, letter, letters)) return std::nullopt;
-  if (strange()) {
+  if (strange() || has_unknown_code(words_)) {
     lose_rest();
     return Token{};
   }
@@ -133,6 +142,7 @@ void Parser::report_number(const Token& letter, const Token& number) {
 
 /// Whatever does not begin a word.
 Token Parser::read_mark(Lexer& lexer, const Token& mark) {
+  if (const auto sign = sign_of_program(lexer, mark)) return read_word(lexer, *sign);
   switch (mark.kind) {
     case Token::Kind::percent:
       return read_percent(lexer, mark);
@@ -155,6 +165,24 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
       return pass_stranger(lexer, mark);
   }
   return {};
+}
+
+/// FANUC: ':1000' is O1000 in the older code, and a name in '< >' stands for itself. What is to be
+/// read as their O; nothing if it is none.
+std::optional<Token> Parser::sign_of_program(Lexer& lexer, const Token& mark) const {
+  using Kind = Token::Kind;
+  const bool possible = mark.kind == Kind::unknown || mark.kind == Kind::macro;
+  if (!possible || options_.dialect != Dialect::fanuc || !only_line_number() || strange())
+    return std::nullopt;
+  const std::string_view text = text_of(line_.text, mark);
+  Lexer ahead = lexer;
+  const bool named = text == "<" && ahead.take_name() && ahead.peek() == 0;
+  if (!named && !(text == ":" && is_digit(lexer.peek()))) return std::nullopt;
+  if (named) lexer.back_to(mark);
+  Token sign = mark;
+  sign.kind = Kind::letter;
+  sign.letter = 'O';
+  return sign;
 }
 
 Token Parser::pass_number(Lexer& lexer, const Token& number) {
@@ -236,6 +264,7 @@ Token Parser::read_percent(Lexer& lexer, const Token& percent) {
   }
   started_ = true;
   opened_ = opened_ || file_ == 0;
+  if (options_.dialect == Dialect::fanuc) return {};  // a title may stand behind it
   const Token after = lexer.next();
   if (after.kind != Token::Kind::end)
     give_up(Code::SC1012, percent, "'%' with more behind it; it stands on a line of its own");

@@ -106,6 +106,7 @@ void Parser::read_outline() {
     words_.push_back({'N', number.value, {line_.number, token.column, length}});
     token = pass_slash(lexer, lexer.next());
   }
+  token = sign_of_program(lexer, token).value_or(token);
   line_.broken = token.kind == Token::Kind::unknown;
   if (line_.skip && options_.block_skip) words_.clear();
   line_.words = words_;

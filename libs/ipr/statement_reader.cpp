@@ -111,9 +111,10 @@ void StatementReader::set_label(double value, int begin) {
 StatementReader::Found StatementReader::read_behind_label(bool by_number) {
   if (broke_off_) return Found::statement;
   const char next = lexer_.peek();
-  if (next == 0 && by_number) {
+  const bool may_be_named = parameters_.dialect() == Dialect::fanuc && !statement_.label_computed;
+  if (next == 0 && (by_number || may_be_named)) {
     statement_.kind = Kind::program;
-    return Found::program;
+    return by_number ? Found::program : Found::statement;
   }
   const Keyword* keyword = take_keyword(lexer_);
   if (keyword == nullptr) {
