@@ -156,6 +156,14 @@ void draw(Task& task, Draw draw_curve) {
 
 }  // namespace
 
+/// G08 P1 and P0.
+void switch_look_ahead(Task& task) {
+  if (!is_of_fanuc(task)) return;
+  const double wanted = task.values.value_or('P', -1);
+  if (wanted == 0 || wanted == 1) return note_switch(task);
+  report_words(task, "P", Code::SC2007, task.word.pos, "G08 takes P1 or P0");
+}
+
 void cubic(Task& task) {
   if (!is_curve(task)) return;
   draw(task, cubic_curve);

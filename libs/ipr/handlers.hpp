@@ -75,6 +75,8 @@ void use_given_length(Task& task);
 void add_tool_length(Task& task);
 void use_no_tool_length(Task& task);
 void cancel_nothing(Task& task);
+void switch_look_ahead(Task& task);
+void end_data_input(Task& task);
 void stop_once(Task& task);
 void select_length(Task& task);
 

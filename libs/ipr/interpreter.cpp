@@ -2,6 +2,7 @@
 // Reads a line, finds what it means by the modes in force, and lets its codes act.
 #include "ipr/interpreter.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -27,6 +28,12 @@ std::string lacks_axis(char letter) {
   std::string message = "the machine has no axis ";
   message += letter;
   return message;
+}
+
+/// Among parameters and their values there are no codes.
+[[gnu::cold]] bool is_data(const Line& line) noexcept {
+  return std::none_of(line.words.begin(), line.words.end(),
+                      [](const Word& word) { return kActing.has(word.letter); });
 }
 
 bool is_straight(const GCode& code) noexcept {
@@ -119,6 +126,10 @@ bool Interpreter::tell_restored(const Line& next) {
 }
 
 [[gnu::hot]] void Interpreter::interpret(const Line& line) {
+  if (entering_data_) {
+    entering_data_ = is_data(line);
+    if (entering_data_) return;
+  }
   out_.begin(line);
   command_.read(line, options_.dialect, out_);
   if (modal_.ended) return;  // it is only read
@@ -226,6 +237,15 @@ void Interpreter::find_motion() {
   modal_.uncertain.add('G');
 }
 
+/// FANUC's G10 L50 and L52, which are refused: up to G11 lines hold parameters and their values.
+bool Interpreter::begins_data_input() const noexcept {
+  constexpr int kG10 = 100;
+  const GCode* code = command_.find(Group::non_modal);
+  const double what = command_.values().value_or('L', 0);
+  const bool refused = what == 50 || what == 52;
+  return refused && options_.dialect == Dialect::fanuc && code != nullptr && code->number == kG10;
+}
+
 void Interpreter::check_axes() {
   const Values& values = command_.values();
   for (std::size_t i = 0; i < kAxes; ++i) {
@@ -237,6 +257,7 @@ void Interpreter::check_axes() {
 
 /// A coordinate is a place to go to, or the value of an offset.
 void Interpreter::check_axis_codes() {
+  entering_data_ = begins_data_input();
   const GCode* user = nullptr;
   for (const auto& [code, word] : command_.codes()) {
     if (!Letters(code->words).has_any(kAxisWords)) continue;

@@ -72,6 +72,7 @@ class Interpreter {
   bool tell_restored(const Line& next);
   bool leads_all_the_same(const Line& line);
   bool way_is_certain() const;
+  bool begins_data_input() const noexcept;
   void break_curves();
   void read_uncalled();
   void finish();
@@ -88,6 +89,7 @@ class Interpreter {
   Flow flow_;
   Command command_;
   std::optional<CommandFile> commands_;  // where the text is not G-code
+  bool entering_data_ = false;           // up to G11 lines are passed over
   std::optional<Line> next_;             // waits for what its blocks come behind
 };
 

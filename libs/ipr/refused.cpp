@@ -42,6 +42,9 @@ void refuse_rigid_tapping(Task& task) {
 /// G15, G50 and G69 stand in the first line of many a FANUC program.
 void cancel_nothing(Task& task) { is_of_fanuc(task); }
 
+/// G11. What stood before it has been passed over.
+void end_data_input(Task& task) { is_of_fanuc(task); }
+
 /// M62 to M68.
 void refuse_signal(Task& task) {
   report(task, "softcnc has no inputs and outputs that a program could read or set");

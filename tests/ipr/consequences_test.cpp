@@ -198,3 +198,16 @@ TEST_CASE("a '%' behind a subprogram without its end says nothing of its caller"
           "[ipr][consequences]") {
   CHECK(places(interpret("M98 P2\nM30\nO2\nG00 X1\n%\n")) == Places{"SC2303 5:0"});
 }
+
+TEST_CASE("the values behind a G10 L50 that is refused are passed over", "[ipr][consequences]") {
+  CHECK(told("G10 L50\nN1020 P1 R2\nN1021 R3\nG11\nG01 X1", Dialect::fanuc) ==
+        Places{"SC2007 1:5", "SC2102 5:1"});
+  CHECK(told("G10 L52\nN1020 P1 R2\nG00 X1 Q2", Dialect::fanuc) ==
+        Places{"SC2007 1:5", "SC2004 3:8"});
+  CHECK(told("G11") == Places{"SC2001 1:1"});
+}
+
+TEST_CASE("names behind a code that is unknown may be its text", "[ipr][consequences]") {
+  CHECK(told("M117 hello world\nG00 X1 foo") == Places{"SC2001 1:1", "SC1020 2:8"});
+  CHECK(told("M00 hello") == Places{"SC1020 1:5"});
+}

@@ -439,6 +439,32 @@ TEST_CASE("a loop without end is told, and ends the program", "[ipr][flow]") {
         Told{"7:1 SC2310 the call of 'o1 sub' has run more than 1000 lines"});
 }
 
+TEST_CASE("programs of FANUC have numbers behind a colon, names and a title",
+          "[ipr][flow][fanuc]") {
+  const auto told_in_fanuc = [](const std::string& text) { return told(text, Dialect::fanuc); };
+  CHECK(told_in_fanuc("% TITLE (1\nO0001\nG0 X1\nM30\n%").empty());
+  CHECK(told_in_fanuc("%\n:0001\nM98 P2\nM30\n:0002 (two)\nG0 X1\nM99\n%").empty());
+  CHECK(told_in_fanuc("O<TEST>\nG0 X1\nM30").empty());
+  CHECK(told_in_fanuc("<PART-1> (a part)\nM98 P2\nM30\nO2\nM99\n<B>\nM99").empty());
+  CHECK(told_in_fanuc("<PART-1> X5\nM30") == Told{"1:1 SC1001 '<' has no place here"});
+  CHECK(told_in_fanuc("G0 X1 :2\nM30") == Told{"1:7 SC1001 unknown character ':'"});
+  CHECK(told("% TITLE\nM2").size() == 1);
+  CHECK(told(":0001\nM2").size() == 1);
+  CHECK(told("<A>\nM2").size() == 1);
+}
+
+TEST_CASE("blocks of cycles count as lines of a loop", "[ipr][flow]") {
+  const std::string drill = "G83 X1 Y1 Z-10 R1 Q0.1";
+  const std::string start = "G21 G90 F100 G0 Z5\n";
+  CHECK(told(start + "N10 " + drill + "\nGOTO 10\nM30", Dialect::fanuc) ==
+        Told{"3:1 SC2310 jumping back to line 2 has run more than 1000 lines"});
+  CHECK(told(start + "o1 repeat [5]\n" + drill + "\no1 endrepeat\nM2") ==
+        Told{"2:1 SC2310 'o1 repeat' has run more than 1000 lines"});
+  std::string plain = start;
+  for (int i = 0; i < 20; ++i) plain += drill + "\n";
+  CHECK(told(plain + "#1=0\nN5 #1=#1+1\nIF [#1 LT 5] GOTO 5\nM30", Dialect::fanuc).empty());
+}
+
 TEST_CASE("a loop may run as many lines as the limit says", "[ipr][flow]") {
   CHECK(told("o1 repeat [499]\nG0 X1\no1 endrepeat\no2 repeat [499]\nG0 X1\no2 endrepeat\nM2")
             .empty());

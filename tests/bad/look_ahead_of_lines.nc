@@ -1,0 +1,6 @@
+(expect SC3115 2:1, SC2007 4:1, SC2007 5:1; fanuc)
+G08 P1
+G08 P0
+G08 P2
+G08
+M30
