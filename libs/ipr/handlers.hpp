@@ -207,8 +207,6 @@ void for_named_axes(const Task& task, Use&& use) {
 void emit_move(Task& task, Path&& path, bool rapid = false);
 /// A cutting move by the modes in force.
 Move cutting_move(const Modal& modal, Path&& path, double feed);
-/// False, and told or muted, if there is no feed.
-bool has_feed(Task& task);
 bool is_of_fanuc(Task& task);
 /// False, and muted, if an error has left open which plane is in force.
 bool knows_plane(Task& task);
