@@ -32,6 +32,10 @@ bool is_pause(const Block& block) {
          (action->kind == Action::Kind::tool && action->code == kM06);
 }
 
+void end_at_rest(Block& block) {
+  if (Move* move = std::get_if<Move>(&block.what)) move->join = Join::stop;
+}
+
 ipr::InterpreterOptions showing(ipr::InterpreterOptions options, ipr::RefusedMoves& moves) {
   options.refused_moves = &moves;
   return options;
@@ -70,11 +74,20 @@ void Feeder::fill(ipo::BlockQueue& queue, double until) {
     if (!part && !patient_) part = planner_.pop_part_now();
     waiting_ = !part;
     if (waiting_) break;
-    const auto* timed = std::get_if<ipo::TimedBlock>(&*part);
-    if (timed && is_pause(timed->block)) pauses_.push_back({timed->block, timed->t_end()});
+    if (const auto* timed = std::get_if<ipo::TimedBlock>(&*part)) find_pauses(*timed);
     queue.push(std::move(*part));
   }
   cpu_ += cpu.lap();
+}
+
+/// With single block before every block but the first, and those that wait by themselves.
+void Feeder::find_pauses(const ipo::TimedBlock& timed) {
+  const Block& block = timed.block;
+  const bool is_next = last_block_ && *last_block_ != block.number;
+  if (options_.single_block && is_next && !is_pause(block))
+    pauses_.push_back({block, timed.t_start, true});
+  last_block_ = block.number;
+  if (is_pause(block)) pauses_.push_back({block, timed.t_end(), false});
 }
 
 void Feeder::replan(ipo::BlockQueue& queue, const ipo::State& now, double t,
@@ -82,6 +95,7 @@ void Feeder::replan(ipo::BlockQueue& queue, const ipo::State& now, double t,
   CpuLaps cpu;
   pauses_.clear();
   ended_ = ended_ || asked.stop;
+  last_block_ = queue.front().block.number;
   queue.begin_again(planner_.replan(queue.take_rest(), now, t, asked), t);
   cpu_ += cpu.lap();
 }
@@ -98,6 +112,7 @@ bool Feeder::read_block() {
   if (!block && interpreter_.waiting()) return false;
   if (block && options_.keeps_state) states_.add(block->number, interpreter_.state());
   const bool good = block && diagnostics_.errors() == 0;
+  if (good && options_.single_block) end_at_rest(*block);
   if (good) planner_.push(*std::exchange(block, std::nullopt));
   if (good && diagnostics_.errors() == 0) return true;
   planner_.finish();

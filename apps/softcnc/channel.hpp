@@ -34,13 +34,15 @@ struct ChannelOptions {
   ipr::InterpreterOptions interpreter;
   MachineState state;             // with which the program begins
   bool keeps_state = false;       // Outcome::state is asked for
+  bool single_block = false;      // every move ends at rest, every line waits for a person
   std::vector<FeedEvent> events;  // in the order of time
 };
 
-/// An action at which the program waits for a person, and when it is passed.
+/// Where the program waits for a person, and when that is passed.
 struct Pause {
-  Block block;      // M00, M01 or M06
-  double time = 0;  // s of the plan
+  Block block;
+  double time = 0;      // s of the plan
+  bool before = false;  // the block, which is the next one; or behind it: M00, M01 or M06
 };
 
 /// Tells where a line that is refused for something else would leave the travel, too.
@@ -95,6 +97,7 @@ class Feeder {
 
  private:
   bool read_block();
+  void find_pauses(const ipo::TimedBlock& timed);
   std::optional<Block> wait_for_block();
   void read_on(std::optional<Block> block);
 
@@ -107,6 +110,7 @@ class Feeder {
   ipr::Interpreter interpreter_;
   ipo::Planner planner_;
   std::deque<Pause> pauses_;
+  std::optional<int> last_block_;  // the number of the last one in the queue
   StateHistory states_;
   bool ended_ = false, waiting_ = false;
   bool patient_;
@@ -193,7 +197,7 @@ class Watcher {
   virtual bool wants_stop() = 0;
   virtual void sees(const Setpoint& latest) = 0;
   /// Before M00, M01 and M06 are passed. Returns when the program may go on, or is to stop.
-  virtual void pause(const Block& block) = 0;
+  virtual void pause(const Pause& pause) = 0;
   /// Returns when there is something to read, or the run is to stop.
   virtual void wait_for_input(int descriptor) = 0;
 };

@@ -25,7 +25,7 @@ class SignalWatcher final : public Watcher {
   explicit SignalWatcher(StopSignals& signals) : signals_(signals) {}
   bool wants_stop() override { return signals_.poll() != 0; }
   void sees(const Setpoint&) override {}
-  void pause(const Block&) override {}
+  void pause(const Pause&) override {}
   void wait_for_input(int descriptor) override { signals_.wait_for_input(descriptor); }
 
  private:

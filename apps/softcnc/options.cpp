@@ -180,6 +180,8 @@ void add_run(CLI::App& command, Options& options, const char* state) {
   add_feed_override(command, options);
   add_events(command, options);
   add_interpreter(command, options);
+  command.add_flag("--single-block", options.single_block,
+                   "End every block at rest, and wait for Enter before the next");
   command.add_flag("--realtime", options.realtime,
                    "Keep pace with the clock, and tell which periods were missed");
   command.add_option("--report", options.report, "Write the figures of the run as JSON")

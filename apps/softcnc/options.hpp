@@ -38,7 +38,7 @@ struct Options {
 
   double feed_override = 1;       // of the programmed feed
   std::vector<FeedEvent> events;  // in the order of time
-  bool block_skip = false, optional_stop = false;
+  bool block_skip = false, optional_stop = false, single_block = false;
   ipr::Dialect dialect = ipr::Dialect::linuxcnc;
   ipr::Format format = ipr::Format::automatic;
 

@@ -16,7 +16,9 @@ ipr::InterpreterOptions interpreter_options(const Options& options, const std::s
 }
 
 ChannelOptions channel_options(const Options& options, const std::string& folder) {
-  return {options.feed_override, interpreter_options(options, folder), {}, false, options.events};
+  return {
+      options.feed_override, interpreter_options(options, folder), {}, false, options.single_block,
+      options.events};
 }
 
 Machine without_backend(Machine machine) {

@@ -63,6 +63,7 @@ Result<RecordingMeta> read(const Json& json) {
   meta.options.events = std::move(*events);
   meta.options.interpreter.block_skip = options.at("block_skip");
   meta.options.interpreter.optional_stop = options.at("optional_stop");
+  meta.options.single_block = options.value("single_block", false);
   meta.options.interpreter.dialect = *dialect;
   meta.options.interpreter.format = *format;
   return meta;
@@ -84,6 +85,7 @@ std::string meta_json(const RecordingMeta& meta) {
               {"dialect", name(meta.options.interpreter.dialect)},
               {"format", name(meta.options.interpreter.format)}}},
             {"start", {{"position_mm", {0, 0, 0}}, {"tool", nullptr}}}};
+  if (meta.options.single_block) json["options"]["single_block"] = true;
   for (const FeedEvent& event : meta.options.events)
     json["options"]["at"].push_back(event_text(event));
   for (const CalledFile& file : meta.called)

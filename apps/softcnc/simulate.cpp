@@ -131,7 +131,7 @@ void Simulation::wait(RowSink* rows, Watcher* watcher) {
     if (paced_) paced_->rest();
     backend_.rest();
     if (rows) rows->rest();
-    if (watcher) watcher->pause(pause->block);
+    if (watcher) watcher->pause(*pause);
     channel_.resume();
   }
 }

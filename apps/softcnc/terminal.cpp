@@ -20,8 +20,8 @@ void Terminal::sees(const Setpoint& latest) {
 }
 
 /// What was typed before the question is no answer to it, and neither is the end of the input.
-void Terminal::pause(const Block& block) {
-  const std::string text = instruction(block);
+void Terminal::pause(const Pause& pause) {
+  const std::string text = instruction(pause);
   if (!waits_ || text.empty() || signals_.poll() != 0) return;
   progress_.clear();
   ::tcflush(STDIN_FILENO, TCIFLUSH);
@@ -33,13 +33,14 @@ void Terminal::pause(const Block& block) {
   if (::read(STDIN_FILENO, ignored.data(), ignored.size()) <= 0) signals_.interrupt();
 }
 
-std::string instruction(const Block& block) {
-  const auto* action = std::get_if<Action>(&block.what);
+std::string instruction(const Pause& pause) {
+  const int line = pause.block.source.line;
+  if (pause.before) return fmt::format("line {}", line);
+  const auto* action = std::get_if<Action>(&pause.block.what);
   if (!action) return {};
   if (action->kind == Action::Kind::tool)
-    return fmt::format("line {}: M{:02} T{:.0f}", block.source.line, action->code, action->value);
-  if (action->kind == Action::Kind::stop)
-    return fmt::format("line {}: M{:02}", block.source.line, action->code);
+    return fmt::format("line {}: M{:02} T{:.0f}", line, action->code, action->value);
+  if (action->kind == Action::Kind::stop) return fmt::format("line {}: M{:02}", line, action->code);
   return {};
 }
 

@@ -17,12 +17,12 @@ class Terminal final : public Watcher {
 
   /// Begins a part of the work; `total` in s of machine time, 0: unknown.
   void begin(std::string label, double total);
-  /// From here on M00, M01 and M06 wait for Enter.
+  /// From here on pauses wait for Enter.
   void wait_at_stops() noexcept { waits_ = true; }
 
   bool wants_stop() override { return signals_.poll() != 0; }
   void sees(const Setpoint& latest) override;
-  void pause(const Block& block) override;
+  void pause(const Pause& pause) override;
   void wait_for_input(int descriptor) override { signals_.wait_for_input(descriptor); }
 
   /// Clears the screen for words.
@@ -38,7 +38,7 @@ class Terminal final : public Watcher {
   bool waits_ = false;
 };
 
-/// What a person has to do at an action before the program goes on; empty: nothing.
-std::string instruction(const Block& block);
+/// What a person has to do before the program goes on; empty: nothing.
+std::string instruction(const Pause& pause);
 
 }  // namespace softcnc::app

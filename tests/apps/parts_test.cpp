@@ -98,8 +98,10 @@ TEST_CASE("values of a trace are the same within what builds may differ by", "[a
 
 TEST_CASE("only what a person has to do is asked for", "[apps][parts]") {
   using Kind = Action::Kind;
-  CHECK(instruction({Action{Kind::tool, 6, 3}, {12, 1, 1}, 4}) == "line 12: M06 T3");
-  CHECK(instruction({Action{Kind::stop, 0, 0}, {7, 1, 1}, 4}) == "line 7: M00");
-  CHECK(instruction({Action{Kind::coolant, 8, 0}, {7, 1, 1}, 4}).empty());
-  CHECK(instruction({Dwell{1}, {7, 1, 1}, 4}).empty());
+  const auto behind = [](Block block) { return instruction({std::move(block), 0, false}); };
+  CHECK(behind({Action{Kind::tool, 6, 3}, {12, 1, 1}, 4}) == "line 12: M06 T3");
+  CHECK(behind({Action{Kind::stop, 0, 0}, {7, 1, 1}, 4}) == "line 7: M00");
+  CHECK(behind({Action{Kind::coolant, 8, 0}, {7, 1, 1}, 4}).empty());
+  CHECK(behind({Dwell{1}, {7, 1, 1}, 4}).empty());
+  CHECK(instruction({{Dwell{1}, {7, 1, 1}, 4}, 0, true}) == "line 7");
 }

@@ -28,7 +28,7 @@ class LineWriter final : public Watcher {
 
   bool wants_stop() override { return false; }
   void sees(const Setpoint&) override { write_line(); }
-  void pause(const Block&) override {}
+  void pause(const Pause&) override {}
   void wait_for_input(int) override { write_line(); }
 
  private:

@@ -62,6 +62,30 @@ TEST_CASE("on a terminal M06 and M00 wait for Enter", "[apps][terminal]") {
   CHECK_FALSE(contains(piped.out, "press Enter"));
 }
 
+TEST_CASE("single block waits for Enter before every block", "[apps][terminal]") {
+  const Folder folder;
+  write(folder / "p.nc", "G64 P0.1 F600\nG01 X1\nX2 Y1\nM08\nM00\nG00 X0\nM30\n");
+  const Ended ended = on_terminal(kSoftcnc + "run --single-block " + (folder / "p.nc"));
+  CHECK(ended.status == 0);
+  CHECK_FALSE(contains(ended.out, "line 2: press Enter "));  // Enter has started the program
+  for (const std::string at : {"line 3", "line 4", "line 5: M00", "line 6"})
+    CHECK(contains(ended.out, at + ": press Enter "));
+}
+
+TEST_CASE("single block ends every block at rest", "[apps][terminal]") {
+  const Folder folder;
+  write(folder / "p.nc", "G64 P0.1 F600\nG01 X1\nX2 Y1\nX3\nM30\n");
+  for (const std::string events : {"", " --at 0.05:override=50 --at 0.2:hold --at 0.3:resume"}) {
+    const Ended ended = call("run --dry-run --single-block " + (folder / "p.nc") + events);
+    REQUIRE(ended.status == 0);
+    const Trace trace = parse_trace(ended.out);
+    for (std::size_t i = 1; i < trace.rows.size(); ++i)
+      if (trace.number(i, "block") != trace.number(i - 1, "block"))
+        CHECK(std::min(trace.number(i, "v_mm_s"), trace.number(i - 1, "v_mm_s")) <= 1.0);
+    CHECK(trace.number(trace.rows.size() - 1, "x_mm") == 3);
+  }
+}
+
 TEST_CASE("what ends a run at a prompt leaves the machine where it rests", "[apps][terminal]") {
   const auto [answer, status] = GENERATE(table<std::string, int>({
       {"\x03", 130},  // Ctrl-C
