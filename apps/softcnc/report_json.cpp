@@ -70,6 +70,8 @@ void add_measured(Json& report, const Machine& machine, const Outcome& outcome) 
   report["velocity_max"] = axes(measured.velocity);
   report["acceleration_max"] = axes(measured.acceleration);
   report["jerk_max"] = axes(measured.jerk);
+  if (machine.limits.tangential > 0) report["tangential_max"] = measured.tangential;
+  if (machine.limits.normal > 0) report["normal_max"] = measured.normal;
 }
 
 void add_axes(Json& report, const Machine& machine, const Performance& performance) {

@@ -87,6 +87,14 @@ std::string axes(const Machine& machine, const Performance& performance) {
   return text;
 }
 
+std::string along_path(const Machine& machine, const Measured& measured) {
+  const auto row = [](std::string_view name, double value, double limit) {
+    return limit > 0 ? fmt::format("\n  {:<24} {:>8.1f} / {:<8.6g}", name, value, limit) : "";
+  };
+  return row("tangential, mm/s2", measured.tangential, machine.limits.tangential) +
+         row("normal, mm/s2", measured.normal, machine.limits.normal);
+}
+
 /// What the other program should have got.
 std::string sent(const Performance& performance) {
   if (!performance.tally) return {};
@@ -113,8 +121,8 @@ std::string cost(const Outcome& outcome) {
 std::string summary(const Job& job, const Performance& performance) {
   const Outcome& outcome = performance.outcome;
   return head(job, performance) + sizes(job, outcome) + held_by(outcome) +
-         axes(job.machine, performance) + sent(performance) + punctuality(performance) +
-         cost(outcome);
+         axes(job.machine, performance) + along_path(job.machine, outcome.measured) +
+         sent(performance) + punctuality(performance) + cost(outcome);
 }
 
 }  // namespace softcnc::app

@@ -97,6 +97,12 @@ void report_excess(const Measured& measured, const Machine& machine, Diagnostics
       judge(fmt::format("the jerk of {}", letter), measured.jerk[i], axis.jerk, kJerkTolerance,
             "mm/s3", a_grid * per_period);
   }
+  if (machine.limits.tangential > 0)
+    judge("the tangential acceleration", measured.tangential, machine.limits.tangential,
+          kAxisTolerance, "mm/s2");
+  if (machine.limits.normal > 0)
+    judge("the normal acceleration", measured.normal, machine.limits.normal, kAxisTolerance,
+          "mm/s2");
   if (!by_pulses)  // pulses follow the path between the rows
     judge("the chord error", um_from_mm(measured.chord_error),
           um_from_mm(machine.control.chord_tolerance), kChordTolerance, "um");

@@ -99,6 +99,10 @@ const MachineKey kKeys[] = {
 
     {"limits.feed_mm_min", "mm/min", "caps the speed of cutting moves along the path; 0, or absent beside axes of your own: only the axes limit. Where softcnc makes pulses, at most what they allow the fastest axis, and that if absent",
      Number{in_part<&Machine::limits, &PathLimits::feed>, mm_s_from_mm_min, mm_min_from_mm_s, at_least_0(1e7)}},
+    {"limits.tangential_mm_s2", "mm/s^2", "how fast the speed along the path may change, in rapids too; 0: only the axes limit",
+     Number{in_part<&Machine::limits, &PathLimits::tangential>, same, same, at_least_0(1e7)}},
+    {"limits.normal_mm_s2", "mm/s^2", "largest acceleration across the path, speed squared over the radius of the bend, in rapids too; 0: only the axes limit",
+     Number{in_part<&Machine::limits, &PathLimits::normal>, same, same, at_least_0(1e7)}},
 
     {"axis.*.velocity_mm_min", "mm/min", "largest speed of the axis",
      Number{in_axis<&Axis::velocity>, mm_s_from_mm_min, mm_min_from_mm_s, above_0(1e7)}},

@@ -115,7 +115,8 @@ void BendPieces::emit_curve(double t1) {
     edges_.push_back({bends_[i].turn.t, bends_[i].point, bends_[i].direction});
   NurbsSpec spec = rounded(edges_, turns_, t_, t1);
   spec.control.front() = point_;
-  if (ended_ && t1 == bends_.back().turn.t) spec.control.back() = bends_.back().point;
+  if (const Bend& last = bends_.back(); ended_ && std::abs(t1 - last.turn.t) < kSamePlace)
+    spec.control.back() = last.point;
   const AxisVector to = spec.control.back();
   if (auto curve = Nurbs::make(std::move(spec))) {
     const double off = deviation(*curve, t1);

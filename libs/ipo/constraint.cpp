@@ -31,6 +31,8 @@ Constraints::Constraints(const Machine& machine, double feed_override)
   else if (method != Method::curvature3p)
     caps_.push_back(make_chord_error(machine));
   caps_.push_back(make_roughness_limit(machine));
+  if (machine.limits.normal > 0) caps_.push_back(make_normal_acceleration(machine));
+  if (machine.limits.tangential > 0) tangential_ = machine.limits.tangential;
   sort_caps();
   for (int i = 0; i < kAxes; ++i) {
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
@@ -39,6 +41,7 @@ Constraints::Constraints(const Machine& machine, double feed_override)
   }
   const bool by_paper =  // which knows acceleration alone
       is_by_pulses(method) && machine.control.pulse_clock == PulseClock::paper;
+  bend_ = machine.limits.normal > 0 ? acceleration_.cwiseMin(machine.limits.normal) : acceleration_;
   jerk_ = jerk_.cwiseMin(2 * acceleration_ / period_);
   if (by_paper || !ipo::limits_jerk(machine)) jerk_.setConstant(kUnlimited);
 }
@@ -69,7 +72,12 @@ double Constraints::centripetal_q(const PathPoint& point) const noexcept {
 }
 
 double Constraints::tangential_u(const PathPoint& point) const noexcept {
-  return all_axes(point.dq, acceleration_);
+  return std::min(all_axes(point.dq, acceleration_), tangential_);
+}
+
+Limit Constraints::binding_acceleration(double u, double share) const noexcept {
+  constexpr double kBinds = 0.99;
+  return std::abs(u) >= kBinds * share * tangential_ ? Limit::tangential : Limit::acceleration;
 }
 
 }  // namespace softcnc::ipo

@@ -63,7 +63,7 @@ class Constraint {
   }
 };
 
-/// The caps of one machine; axis acceleration, the one constraint with rows, stands beside them.
+/// The caps of one machine; accelerations and jerks, the constraints with rows, stand beside them.
 class Constraints {
  public:
   /// `feed_override` multiplies the programmed feed (1: as programmed), never a machine limit.
@@ -87,8 +87,23 @@ class Constraints {
   double centripetal_q(const PathPoint& point) const noexcept;
   /// No u is larger than what all axes together can push: u = x' . a <= sum |x'| A.
   double tangential_u(const PathPoint& point) const noexcept;
+  /// The largest |u| along a straight line.
+  double straight_u(const AxisVector& direction) const noexcept {
+    return std::min(along(acceleration_, direction), tangential_);
+  }
+  /// What |u| may be along any line.
+  double least_straight_u() const noexcept {
+    return std::min(acceleration_.minCoeff(), tangential_);
+  }
 
   const AxisVector& acceleration_limits() const noexcept { return acceleration_; }
+  /// Of the speed along the path, mm/s^2.
+  double tangential_limit() const noexcept { return tangential_; }
+  /// What x'' q may be on an axis, mm/s^2.
+  const AxisVector& bend_limits() const noexcept { return bend_; }
+  /// What to call an acceleration limit that binds, where the path acceleration is u and `share` of
+  /// the limits may be used.
+  Limit binding_acceleration(double u, double share) const noexcept;
   /// mm/s^3; all unlimited, or none above what its axis needs at most.
   const AxisVector& jerk_limits() const noexcept { return jerk_; }
   bool limits_jerk() const noexcept { return jerk_.minCoeff() < kUnlimited; }
@@ -100,7 +115,8 @@ class Constraints {
 
   std::vector<std::unique_ptr<Constraint>> caps_;
   std::vector<const Constraint*> step_caps_, point_caps_, firm_caps_;
-  AxisVector acceleration_, jerk_;
+  AxisVector acceleration_, jerk_, bend_;
+  double tangential_ = kUnlimited;
   double period_, chord_tolerance_;
 };
 
@@ -112,6 +128,7 @@ std::unique_ptr<Constraint> make_feed_limit(const Machine& machine, double feed_
 std::unique_ptr<Constraint> make_axis_velocity(const Machine& machine);
 std::unique_ptr<Constraint> make_chord_error(const Machine& machine);
 std::unique_ptr<Constraint> make_roughness_limit(const Machine& machine);
+std::unique_ptr<Constraint> make_normal_acceleration(const Machine& machine);
 std::unique_ptr<Constraint> make_pulse_rate(const Machine& machine);
 
 /// The longest step, in mm, whose chord stays within `tolerance` mm of an arc of curvature `kappa`

@@ -120,6 +120,7 @@ class Refiner {
         evenly_(!is_rough(move) && !constraints.limits_jerk()) {
     for (const double a : constraints.acceleration_limits())
       if (a < kUnlimited) acceleration_ = std::hypot(acceleration_, a);
+    gain_ = 2 * std::min(acceleration_, constraints.tangential_limit());
     const double q = look(0, Side::after).asked.q;
     // A ramp from rest to the highest speed spans four intervals or more, unless it takes but a
     // few periods.
@@ -202,9 +203,7 @@ class Refiner {
   }
 
   /// What q may gain over a way, mm: no acceleration is larger than what all axes have together.
-  double most_gain(double way) const noexcept {
-    return evenly_ ? 2 * acceleration_ * way : kUnlimited;
-  }
+  double most_gain(double way) const noexcept { return evenly_ ? gain_ * way : kUnlimited; }
 
   /// Whether two halves are known well enough by what was looked at of the whole.
   bool halves_do(const Stretch& first, const Stretch& second, const Stretch& whole,
@@ -235,7 +234,7 @@ class Refiner {
     const double h = whole.length(), q = whole.mean_q();
     const AxisVector rise = right.ddq - left.ddq;
     const AxisVector off = (h * left.dddq - rise).cwiseAbs() + (h * right.dddq - rise).cwiseAbs();
-    const AxisVector& a = constraints_.acceleration_limits();
+    const AxisVector& a = constraints_.bend_limits();
     for (int i = 0; i < kAxes; ++i)
       if (!(kHermite * off[i] * q <= kSwing * tolerance * a[i])) return false;
     return true;
@@ -309,7 +308,7 @@ class Refiner {
   double off_braking(const Stretch& whole, const Look& middle) const {
     const double fall = 2 * constraints_.tangential_u(middle.point) * whole.length();
     const AxisVector rise = (whole.right.point.ddq - whole.left.point.ddq).cwiseAbs();
-    return 0.25 * fall * rise.cwiseQuotient(constraints_.acceleration_limits()).maxCoeff();
+    return 0.25 * fall * rise.cwiseQuotient(constraints_.bend_limits()).maxCoeff();
   }
 
   /// Beyond the mean made longer.
@@ -317,7 +316,7 @@ class Refiner {
     const PathPoint &left = whole.left.point, &right = whole.right.point, &mid = middle.point;
     const double mean = whole.mean_q();
     const double half = 0.5 * (1 + longer);
-    const AxisVector& a = constraints_.acceleration_limits();
+    const AxisVector& a = constraints_.bend_limits();
     const AxisVector bend = mid.ddq - half * (left.ddq + right.ddq);
     const AxisVector turn = mid.dq - half * (left.dq + right.dq);
     const double u = constraints_.tangential_u(mid);
@@ -334,6 +333,7 @@ class Refiner {
   int least_depth_;
   bool evenly_;              // split so; steep caps of roughness, and jerk, are halved towards
   double acceleration_ = 0;  // of all axes together
+  double gain_ = 0;          // of q by mm of way, at most
   double ramp_part_ = 0;
   double start_ = 0, end_ = 0;    // of the stretch
   double q_behind_ = kUnlimited;  // the most that can be reached where what is kept so far ends

@@ -17,10 +17,11 @@ IntervalRows::IntervalRows(const Interval& interval, const Constraints& constrai
     : length_(interval.length()), stopping_(-1 / (2 * length_)) {
   const PathPoint &left = interval.left, &right = interval.right;
   if (interval.straight()) {
-    straight_u_ = share * along(constraints.acceleration_limits(), left.dq);
+    straight_u_ = share * constraints.straight_u(left.dq);
     return;
   }
   const double free = share * (1.0 - kCurveMargin);
+  if (constraints.tangential_limit() < kUnlimited) add(0, 1, constraints.tangential_limit() * free);
   for (int i = 0; i < kAxes; ++i) {
     const double bound = constraints.acceleration_limits()[i];
     if (bound == kUnlimited) continue;

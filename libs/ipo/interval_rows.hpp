@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the axis accelerations allow in one interval: rows on q at its left end and u, the path
+// What the limits of acceleration allow in one interval: rows on q at its left end and u, the path
 // acceleration. They are the same for both passes.
 #pragma once
 
@@ -35,7 +35,7 @@ class IntervalRows {
   void add(double c0, double c1, double bound) noexcept;
   Edges edges(double q, const Bound& upper) const noexcept;
 
-  std::array<Bound, 2 * kAxes> upper_;
+  std::array<Bound, 2 * kAxes + 1> upper_;
   std::size_t count_ = 0;
   double q_bound_ = kUnlimited;
   double length_, stopping_;  // u = stopping q leads to rest at the right end

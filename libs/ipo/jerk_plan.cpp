@@ -187,7 +187,7 @@ std::vector<Ramp> creep(const PlanSpan& span) {
   for (const std::size_t n : {span.first, span.first + 1})
     if (span.chain.nodes[n].cap.q > 0) q = std::min(q, span.chain.nodes[n].cap.q);
   const double v = kCreep * std::sqrt(q);
-  const double a = kCreep * constraints.acceleration_limits().minCoeff();
+  const double a = kCreep * constraints.least_straight_u();
   const double j = kCreep * constraints.jerk_limits().minCoeff();
   const double d = std::max({15.0 / 8 * h / v, std::sqrt(5.7735 * h / a), std::cbrt(60 * h / j)});
   Ramp ramp{interval.s0, interval.s1, d, 0, 0, 0, 0, Limit::jerk};

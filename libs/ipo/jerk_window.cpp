@@ -28,6 +28,12 @@ constexpr double kRounding = 1e-6;  // of a speed
 
 double speed(const Cap& cap) noexcept { return std::sqrt(cap.q); }
 
+Limit name_of(const Ramp& ramp, const Constraints& constraints, double share) noexcept {
+  if (ramp.limit != Limit::acceleration) return ramp.limit;
+  const double a = std::max(std::abs(ramp.a0), std::abs(ramp.a1));
+  return constraints.binding_acceleration(a, share);
+}
+
 }  // namespace
 
 /// Intervals so short that a plan may end between any two. The last one waits for what follows: its
@@ -282,8 +288,9 @@ std::optional<std::size_t> JerkWindow::rest_early(double resolution) {
 }
 
 bool JerkWindow::run_front(Profile& profile, std::optional<Limit> as) {
+  const double share = chain_.inside[front_].share * share_;
   for (Ramp ramp : planned_.front()) {
-    ramp.limit = as.value_or(ramp.limit);
+    ramp.limit = as.value_or(name_of(ramp, constraints_, share));
     profile.add_ramp(ramp);
     motion_ = {ramp.v1, ramp.a1};
   }

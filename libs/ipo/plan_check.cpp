@@ -24,10 +24,11 @@ double used_rows(const PlanSpan& span, const Inside& inside, const PathPoint& x,
   const AxisVector jerk = x.dddq * (q * at.v) + x.ddq * (3 * at.v * at.a) + x.dq * at.j;
   const AxisVector acceleration = x.ddq * q + x.dq * at.a;
   const Constraints& limits = span.constraints;
+  const double pushed = std::max(most(acceleration, limits.acceleration_limits()),
+                                 std::abs(at.a) / limits.tangential_limit());
   return std::max(most(jerk, limits.jerk_limits().cwiseProduct(inside.jerk_share)) /
                       (kJerkAllowed * span.share),
-                  most(acceleration, limits.acceleration_limits()) /
-                      (kAccelerationAllowed * span.share * inside.share));
+                  pushed / (kAccelerationAllowed * span.share * inside.share));
 }
 
 }  // namespace

@@ -153,15 +153,17 @@ void PlanProblem::add_rows(std::size_t p, const PathPoint& point, const Inside& 
                         (kAccelerationPart + first * (kFirstAccelerationPart - kAccelerationPart));
   const double j_part =
       span_.share * shares_[p].jerk * (kJerkPart + first * (kFirstJerkPart - kJerkPart));
+  const auto bound_acceleration = [&](double x1, double x2, double most) {
+    if (most == kUnlimited || is_first || is_last) return;
+    problem_.add_row({{x2, 0.5 * x1, 0.25 * right * x1}, a_part * most, false});
+    if (x2 != 0) problem_.add_row({{x2, 0.5 * x1, -0.25 * left * x1}, a_part * most, false});
+  };
+  bound_acceleration(1, 0, span_.constraints.tangential_limit());
   for (int i = 0; i < kAxes; ++i) {
     const double x1 = point.dq[i], x2 = point.ddq[i], x3 = point.dddq[i];
     if (x1 == 0 && x2 == 0 && x3 == 0) continue;
-    const double a = a_part * span_.constraints.acceleration_limits()[i];
+    bound_acceleration(x1, x2, span_.constraints.acceleration_limits()[i]);
     const double j = j_part * inside.jerk_share[i] * span_.constraints.jerk_limits()[i];
-    if (a < kUnlimited && !is_first && !is_last) {
-      problem_.add_row({{x2, 0.5 * x1, 0.25 * right * x1}, a, false});
-      if (x2 != 0) problem_.add_row({{x2, 0.5 * x1, -0.25 * left * x1}, a, false});
-    }
     if (j < kUnlimited) problem_.add_row({{x3, 1.5 * x2, 0.5 * x1}, j, true});
   }
 }
@@ -194,7 +196,7 @@ Limit PlanProblem::limit(std::size_t p, const SpeedSquare& at) const noexcept {
 }
 
 double stopping_distance(double v, const Constraints& constraints) noexcept {
-  const double a = constraints.acceleration_limits().minCoeff();
+  const double a = constraints.least_straight_u();
   const double j = constraints.jerk_limits().minCoeff();
   return std::max(0.5 * v * (v / a + a / j), v * std::sqrt(v / j));
 }

@@ -10,6 +10,12 @@ namespace {
 constexpr double kRounding = 1e-9;    // of q
 constexpr double kResolution = 1e-3;  // mm: of where the machine has slowed down
 
+Limit name_of(const SpeedPiece& piece, const Constraints& constraints, double share) {
+  if (piece.limit != Limit::acceleration) return piece.limit;
+  const double u = 0.5 * (piece.q1 - piece.q0) / (piece.s1 - piece.s0);
+  return constraints.binding_acceleration(u, share);
+}
+
 }  // namespace
 
 std::size_t ReachWindow::settle(bool ended) {
@@ -104,9 +110,10 @@ bool ReachWindow::run_front(Profile& profile, std::optional<Limit> as) {
   pieces_.clear();
   q_ = run_forward(chain_.intervals[front_], rows(front_), reach(front_), q_, pieces_);
   ++rows_run_;
+  const double share = chain_.inside[front_].share * share_;
   for (const SpeedPiece& piece : pieces_)
     profile.add_piece(piece.s0, piece.s1, std::sqrt(piece.q0), std::sqrt(piece.q1),
-                      as.value_or(piece.limit));
+                      as.value_or(name_of(piece, constraints_, share)));
   return drop_front();
 }
 

@@ -90,8 +90,7 @@ Ramp cruise(double s0, double s1, double v, Limit limit) {
 }  // namespace
 
 LineLimits line_limits(const Interval& line, const Cap& cap, const Constraints& constraints) {
-  return {std::sqrt(cap.q) * (1 - kRounding),
-          along(constraints.acceleration_limits(), line.left.dq),
+  return {std::sqrt(cap.q) * (1 - kRounding), constraints.straight_u(line.left.dq),
           along(constraints.jerk_limits(), line.left.dq)};
 }
 

@@ -53,14 +53,13 @@ SpeedGuess::Cell SpeedGuess::cell(const PlanSpan& span, std::size_t i) const noe
     return std::sqrt(node.cap.q > 0 ? node.cap.q : own.q);
   };
   const AxisVector& jerk = span.constraints.jerk_limits();
-  const AxisVector& acceleration = span.constraints.acceleration_limits();
   const bool straight = interval.straight();
   Cell cell{interval.length(),
             cap(span.chain.nodes[i], interval.left_cap),
             cap(span.chain.nodes[i + 1], interval.right_cap),
             std::sqrt(span.chain.inside[i].cap.q),
-            kAccelerationPart *
-                (straight ? along(acceleration, interval.left.dq) : acceleration.minCoeff()),
+            kAccelerationPart * (straight ? span.constraints.straight_u(interval.left.dq)
+                                          : span.constraints.least_straight_u()),
             straight ? along(jerk, interval.left.dq) : jerk.minCoeff(),
             straight,
             kUnlimited};

@@ -72,8 +72,11 @@ struct Control {
   PulseClock pulse_clock = PulseClock::profile;
 };
 
+/// 0: only the axes limit.
 struct PathLimits {
-  double feed = 250.0;  // mm/s; caps cutting moves; 0: only the axes limit
+  double feed = 250.0;      // mm/s; caps cutting moves
+  double tangential = 0.0;  // mm/s^2: how the speed along the path may change
+  double normal = 0.0;      // mm/s^2: v^2 / rho, in bends
 };
 
 /// A permanent-magnet DC motor with its load, reduced to the motor shaft.

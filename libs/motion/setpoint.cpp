@@ -7,8 +7,8 @@ namespace softcnc {
 
 std::string_view name(Limit limit) noexcept {
   constexpr std::array<std::string_view, kLimits> names{
-      "feed",         "rapid", "chord",      "corner",   "roughness", "axis_velocity",
-      "acceleration", "jerk",  "pulse_rate", "override", "hold",      "stop"};
+      "feed", "rapid",      "chord",      "corner", "roughness", "axis_velocity", "acceleration",
+      "jerk", "pulse_rate", "tangential", "normal", "override",  "hold",          "stop"};
   return names[static_cast<std::size_t>(limit)];
 }
 

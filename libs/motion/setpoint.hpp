@@ -22,11 +22,13 @@ enum class Limit : std::uint8_t {
   acceleration,
   jerk,
   pulse_rate,
+  tangential,
+  normal,
   override_,
   hold,
   stop,
 };
-inline constexpr int kLimits = 12;
+inline constexpr int kLimits = 14;
 
 std::string_view name(Limit limit) noexcept;
 

@@ -72,21 +72,29 @@ const Stretch& stretch_at(std::span<const Stretch> stretches, double s) noexcept
 }
 
 Verifier::Verifier(const Machine& machine) noexcept
-    : period_(machine.control.period), model_(machine.surfacing.model) {}
+    : period_(machine.control.period),
+      model_(machine.surfacing.model),
+      limits_normal_(machine.limits.normal > 0) {}
 
 void Verifier::row(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {
-  if (measured_.rows == 0)
+  if (measured_.rows == 0) {
     last_.fill(setpoint.position);
-  else
+    last_s_.fill(setpoint.s);
+  } else {
     geometry(setpoint, stretches);
+  }
   differences(setpoint.position);
+  along_path(setpoint.s);
   before_ = setpoint;
   ++measured_.rows;
 }
 
 void Verifier::finish() noexcept {
   if (measured_.rows == 0) return;
-  for (int i = 0; i < 3; ++i) differences(before_.position);
+  for (int i = 0; i < 3; ++i) {
+    differences(before_.position);
+    along_path(before_.s);
+  }
 }
 
 void Verifier::differences(const AxisVector& position) noexcept {
@@ -101,6 +109,13 @@ void Verifier::differences(const AxisVector& position) noexcept {
   raise(measured_.velocity, first / period_);
   raise(measured_.acceleration, second / (period_ * period_));
   raise(measured_.jerk, third / (period_ * period_ * period_));
+}
+
+void Verifier::along_path(double s) noexcept {
+  std::rotate(last_s_.begin(), last_s_.end() - 1, last_s_.end());
+  last_s_[0] = s;
+  const double second = last_s_[0] - 2 * last_s_[1] + last_s_[2];
+  measured_.tangential = std::max(measured_.tangential, std::abs(second) / (period_ * period_));
 }
 
 void Verifier::geometry(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {
@@ -122,6 +137,9 @@ void Verifier::geometry(const Setpoint& setpoint, std::span<const Stretch> stret
     measured_.path_deviation =
         std::max(measured_.path_deviation, (position(*here.path, s) - setpoint.position).norm());
     if (here.surface) roughness(setpoint, here);
+    if (limits_normal_)
+      measured_.normal =
+          std::max(measured_.normal, setpoint.v * setpoint.v * at(*here.path, s).ddq.norm());
   }
   if (setpoint.advance > kSmallestAdvance)
     measured_.feed_fluctuation =

@@ -29,6 +29,8 @@ struct Measured {
   AxisVector velocity = AxisVector::Zero();      // mm/s
   AxisVector acceleration = AxisVector::Zero();  // mm/s^2
   AxisVector jerk = AxisVector::Zero();          // mm/s^3
+  double tangential = 0;                         // mm/s^2: differences of the speed along the path
+  double normal = 0;                             // mm/s^2: v^2 / rho; where there is a limit
   double chord_error = 0;                        // mm: curve between two rows to their chord
   double path_deviation = 0;                     // mm: commanded position to the curve
   double feed_fluctuation = 0;       // |arc length / planned advance - 1|, advances over 1 um
@@ -53,14 +55,17 @@ class Verifier {
 
  private:
   void differences(const AxisVector& position) noexcept;
+  void along_path(double s) noexcept;
   void geometry(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
 
   void roughness(const Setpoint& setpoint, const Stretch& here) noexcept;
 
   double period_;
   RoughnessModel model_;
+  bool limits_normal_;
   double row_rmax_ = 0;
   std::array<AxisVector, 4> last_;  // positions, newest first
+  std::array<double, 3> last_s_{};  // mm along the path, newest first
   Setpoint before_;
   Measured measured_;
 };

@@ -75,6 +75,18 @@ TEST_CASE("the path may be faster than an axis by its direction", "[constraint]"
   CHECK(std::sqrt(make_axis_velocity(machine)->cap(point, cutting(1))) == Approx(50));
 }
 
+TEST_CASE("a bend is passed at the speed that its radius and the normal limit allow",
+          "[constraint]") {
+  Machine machine;
+  machine.limits.normal = 250;
+  const auto normal = make_normal_acceleration(machine);
+  CHECK(std::sqrt(normal->cap(on_circle(10), cutting(100))) == Approx(50).epsilon(1e-3));
+  PathPoint straight = on_circle(10);
+  straight.ddq.setZero();
+  CHECK(normal->cap(straight, cutting(100)) == kUnlimited);
+  CHECK(normal->limit(cutting(100)) == Limit::normal);
+}
+
 TEST_CASE("an axis may be too fast between two points where it is not", "[constraint]") {
   Machine machine;
   for (Axis& axis : machine.axes) axis.velocity = 100;

@@ -32,7 +32,10 @@ Case case_of(unsigned seed, int moves) {
 
 Case random_case() {
   const auto seed = static_cast<unsigned>(integer(1, 1'000'000'000));
-  return case_of(seed, integer(1, 4));
+  Case drawn = case_of(seed, integer(1, 4));
+  std::mt19937 random(seed + 1);
+  vary(random, drawn.machine, drawn.blocks);
+  return drawn;
 }
 
 const Path& last_path(const std::vector<Block>& blocks) {

@@ -53,6 +53,41 @@ TEST_CASE("a line from rest to rest takes the trapezoid's time", "[planner]") {
         Approx(100 / (1000 * std::sqrt(2.0)) + std::sqrt(2.0)).epsilon(1e-12));
 }
 
+TEST_CASE("a line takes the trapezoid's time of its tangential limit", "[planner]") {
+  for (const double jerk : {0.0, 1e6}) {
+    CAPTURE(jerk);
+    Machine machine = machine_with(1000);
+    for (Axis& axis : machine.axes) axis.jerk = jerk;
+    machine.limits.tangential = 400;
+    const auto result = run(machine, polyline({{0, 0, 0}, {60, 80, 0}}, 100));
+    // L / v + v / a, and a / j more where the acceleration takes its time.
+    CHECK(result.time == Approx(1 + 0.25 + (jerk > 0 ? 400 / (1e6 / 0.8) : 0)).epsilon(1e-6));
+    CHECK(result.time_by_limit.at(Limit::tangential) > 0.48);
+    CHECK(result.measured.tangential == Approx(400).epsilon(1e-3));
+    CHECK(exceeded(machine, result) == "");
+  }
+}
+
+TEST_CASE("a circle is run at the speed of its normal limit, ramps within the tangential one",
+          "[planner]") {
+  for (const double jerk : {0.0, 1e5}) {
+    CAPTURE(jerk);
+    Machine machine = machine_with(1000);
+    for (Axis& axis : machine.axes) axis.jerk = jerk;
+    machine.limits.tangential = 200;
+    machine.limits.normal = 160;
+    const auto circle = Arc::make({{10, 0, 0}, {10, 0, 0}, {0, 0, 0}, Plane::xy, true, 2}).value();
+    const auto result = run(machine, number_blocks({Move{circle, false, 100, Join::follow}}));
+    // v = sqrt(160 * 10) = 40; L / v + v / a.
+    const double closed = length(circle) / 40 + 40.0 / 200;
+    CHECK(result.time == Approx(closed + (jerk > 0 ? 0.002 : 0)).epsilon(1.5e-3));
+    CHECK(result.time_by_limit.at(Limit::normal) > 0.9 * length(circle) / 40);
+    CHECK(result.time_by_limit.at(Limit::tangential) > 0.35);
+    CHECK(result.measured.normal == Approx(160).epsilon(2e-3));
+    CHECK(exceeded(machine, result) == "");
+  }
+}
+
 TEST_CASE("a rapid is bound by the axes alone", "[planner]") {
   Machine machine = machine_with(1000);
   machine.limits.feed = 10;

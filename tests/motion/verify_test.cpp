@@ -46,6 +46,25 @@ Arc circle(double radius) {
 
 }  // namespace
 
+TEST_CASE("accelerations along and across the path are measured where they are limited",
+          "[verify]") {
+  Machine machine = machine_at(0.01);
+  machine.limits.normal = 1;
+  const Path path = circle(10);
+  const Stretch stretch{&path, 0};
+  Verifier verifier(machine);
+  const std::vector<double> places{0, 0.1, 0.4, 0.6};  // 10, 30, 20 mm/s
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    Setpoint row =
+        at_position(static_cast<std::int64_t>(i), position(path, places[i]), places[i], 0);
+    row.v = i == 2 ? 25 : 0;
+    verifier.row(row, {&stretch, 1});
+  }
+  verifier.finish();
+  CHECK(verifier.measured().tangential == Approx(2000));
+  CHECK(verifier.measured().normal == Approx(62.5));
+}
+
 TEST_CASE("differences of rows are padded with rest at both ends", "[verify]") {
   Verifier verifier(machine_at(0.01));
   // One step of 0.1 mm from rest to rest: v = 10, a = 1000, j = 2e5 (1, -2, 1 over T^3).

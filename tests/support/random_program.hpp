@@ -105,4 +105,39 @@ inline Machine random_machine(std::mt19937& random) {
   return machine;
 }
 
+/// What is less usual, each once in a while: limits along the path, axes far apart, rounded corners
+/// and joined chords, and what happens at rest between moves.
+inline void vary(std::mt19937& random, Machine& machine, std::vector<Block>& blocks) {
+  const auto power = [&](double a, double b) {
+    return std::pow(10.0, a + (b - a) * static_cast<double>(random()) /
+                                  static_cast<double>(std::mt19937::max()));
+  };
+  const double acceleration = machine.axes[0].acceleration;
+  if (random() % 4 == 0) machine.limits.tangential = acceleration * power(-1, 0.2);
+  if (random() % 4 == 0) machine.limits.normal = acceleration * power(-1, 0.2);
+  if (random() % 6 == 0) {
+    const double part = power(-2, 0);
+    Axis& axis = machine.axes[random() % kAxes];
+    axis.velocity *= part;
+    axis.acceleration *= part;
+    axis.jerk *= part;
+  }
+  if (random() % 3 == 0) {
+    const double deviation = power(-3, -0.3), merged = random() % 2 == 0 ? deviation : 0;
+    for (Block& block : blocks)
+      if (Move* move = std::get_if<Move>(&block.what)) {
+        move->corner_tolerance = deviation;
+        move->chord_tolerance = merged;
+      }
+  }
+  if (random() % 4 != 0) return;
+  std::vector<std::variant<Move, Dwell, Action>> whats;
+  for (Block& block : blocks) {
+    if (random() % 8 == 0) whats.emplace_back(Dwell{power(-4, -1)});
+    if (random() % 8 == 0) whats.emplace_back(Action{Action::Kind::coolant, 8});
+    whats.push_back(std::move(block.what));
+  }
+  blocks = number_blocks(std::move(whats));
+}
+
 }  // namespace softcnc::test

@@ -155,6 +155,11 @@ inline std::string exceeded(const Machine& machine, const Run& run, double share
     if (axis.jerk > 0 && run.measured.jerk[i] > axis.jerk * (1 + kJerkShare))
       return "jerk " + std::to_string(run.measured.jerk[i]);
   }
+  const auto& [feed, tangential, normal] = machine.limits;
+  if (tangential > 0 && run.measured.tangential > tangential * (1 + share))
+    return "tangential acceleration " + std::to_string(run.measured.tangential);
+  if (normal > 0 && run.measured.normal > normal * (1 + share))
+    return "normal acceleration " + std::to_string(run.measured.normal);
   if (run.measured.chord_error > machine.control.chord_tolerance)
     return "chord error " + std::to_string(run.measured.chord_error * 1e3) + " um";
   if (run.measured.path_deviation > 1e-9)
