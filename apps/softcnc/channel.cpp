@@ -113,6 +113,7 @@ bool Feeder::read_block() {
   if (block && options_.keeps_state) states_.add(block->number, interpreter_.state());
   const bool good = block && diagnostics_.errors() == 0;
   if (good && options_.single_block) end_at_rest(*block);
+  if (good && programmed_) programmed_->add(*block);
   if (good) planner_.push(*std::exchange(block, std::nullopt));
   if (good && diagnostics_.errors() == 0) return true;
   planner_.finish();

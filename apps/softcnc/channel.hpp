@@ -22,6 +22,7 @@
 #include "ipo/planner.hpp"
 #include "ipr/interpreter.hpp"
 #include "motion/cycle.hpp"
+#include "motion/programmed_path.hpp"
 #include "motion/verify.hpp"
 #include "state_history.hpp"
 #include "surface_notes.hpp"
@@ -88,6 +89,9 @@ class Feeder {
   /// As far as has been read.
   StateHistory& states() noexcept { return states_; }
 
+  /// Hands it every block before the planner gets it.
+  void show(ProgrammedPath& programmed) noexcept { programmed_ = &programmed; }
+
   std::vector<std::string> called_files() const { return interpreter_.called_files(); }
   const std::set<std::string>& missing_files() const noexcept {
     return interpreter_.missing_files();
@@ -109,6 +113,7 @@ class Feeder {
   ipr::Parser parser_;
   ipr::Interpreter interpreter_;
   ipo::Planner planner_;
+  ProgrammedPath* programmed_ = nullptr;
   std::deque<Pause> pauses_;
   std::optional<int> last_block_;  // the number of the last one in the queue
   StateHistory states_;
@@ -216,7 +221,8 @@ struct Outcome {
   double time = 0;  // s of the plan
   std::array<double, kLimits> time_by_limit{};
   Measured measured;
-  double corner_deviation = 0;  // mm: of rounded corners from the programmed path
+  double corner_deviation = 0;          // mm: of rounded corners from the programmed path, largest;
+  ProgrammedPath::Deviation deviation;  // and that which comes nearest to what is allowed
   SurfaceNotes surface;
   std::size_t events_left = 0;  // of the script: their moments were never reached
   MachineState state;           // where the machine rests, if ChannelOptions::keeps_state

@@ -111,7 +111,7 @@ void Performer::judge(Diagnostics& diagnostics) {
   if (is_of_axis(outcome.feedback.alarm)) diagnostics.report(alarm_diagnostic(outcome));
   const bool at_rest = outcome.end == Outcome::End::done || outcome.end == Outcome::End::stopped;
   if (at_rest && diagnostics.errors() == 0)
-    report_excess(outcome.measured, job_.machine, diagnostics);
+    report_excess(outcome.measured, outcome.deviation, job_.machine, diagnostics);
   performance_.status = diagnostics.status();
   if (outcome.end == Outcome::End::alarm)
     performance_.ending = Ending::alarm;

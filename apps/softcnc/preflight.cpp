@@ -37,7 +37,7 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
   result.outcome = simulate(reader, program.descriptor(), machine, options, **backend, diagnostics,
                             nullptr, watcher);
   if (diagnostics.errors() == 0) {
-    report_excess(result.outcome.measured, machine, diagnostics);
+    report_excess(result.outcome.measured, result.outcome.deviation, machine, diagnostics);
     if (tells == Tells::surface_too) result.outcome.surface.tell_blocks(diagnostics);
     result.outcome.surface.warn(diagnostics);
   }

@@ -90,7 +90,9 @@ class Simulation {
         paced_(paced),
         buffer_(paced ? nullptr : &backend),
         batch_(batch_of(machine)),
-        verification_(machine) {}
+        verification_(machine) {
+    channel_.feeder().show(verification_.programmed());
+  }
 
   Outcome run(RowSink* rows, Watcher* watcher) {
     do {
@@ -201,7 +203,8 @@ Outcome Simulation::finish() {
   outcome_.time = channel_.time();
   outcome_.time_by_limit = channel_.time_by_limit();
   outcome_.measured = verification_.measured();
-  outcome_.corner_deviation = verification_.corner_deviation();
+  outcome_.corner_deviation = verification_.programmed().largest();
+  outcome_.deviation = verification_.programmed().worst();
   outcome_.surface = verification_.surface();
   outcome_.events_left = channel_.events_left();
   outcome_.planner = channel_.feeder().counts();

@@ -92,7 +92,7 @@ int SurfaceJob::move() {
 int SurfaceJob::judge(const Outcome& outcome, Diagnostics& diagnostics) {
   if (is_of_axis(outcome.feedback.alarm)) diagnostics.report(alarm_diagnostic(outcome));
   if (outcome.end == Outcome::End::done && diagnostics.errors() == 0)
-    report_excess(outcome.measured, job_.machine, diagnostics);
+    report_excess(outcome.measured, outcome.deviation, job_.machine, diagnostics);
   if (outcome.end == Outcome::End::stopped) return stopped();
   spdlog::debug("{} of machine time: CPU {:.3f} s planning, {:.3f} s cycle",
                 duration_text(outcome.time), outcome.cpu.planning, outcome.cpu.cycle);

@@ -51,6 +51,16 @@ class Judge {
   Diagnostics& diagnostics_;
 };
 
+/// Of rounded corners; between the rows a chord may add its own.
+void report_deviation(const ProgrammedPath::Deviation& worst, double chord_tolerance,
+                      Diagnostics& diagnostics) {
+  if (worst.off <= worst.allowed + chord_tolerance + kPathTolerance) return;
+  diagnostics.report(Code::SC4002, {},
+                     fmt::format("the motion leaves the programmed path by {:.6g} um, where G64 "
+                                 "allows {:.6g} um",
+                                 um_from_mm(worst.off), um_from_mm(worst.allowed)));
+}
+
 }  // namespace
 
 void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& queue) {
@@ -62,7 +72,6 @@ void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& qu
     const std::optional<Surface>& surface = timed.move()->surface;
     stretches_.push_back({&timed.move()->path, timed.s_start, surface ? &*surface : nullptr});
     blocks_.push_back(&timed);
-    corner_deviation_ = std::max(corner_deviation_, timed.deviation);
     block_numbers_.push_back({timed.block.number, timed.last_number()});
   });
   std::size_t first = 0, end = 0;
@@ -71,6 +80,7 @@ void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& qu
     while (end < stretches_.size() && block_numbers_[end].first <= row.block) ++end;
     const std::span touched = std::span(stretches_).subspan(first, end - first);
     verifier_.row(row, touched);
+    programmed_.row(row);
     if (verifier_.row_rmax() > 0 && row.block <= block_numbers_[end - 1].last) {
       const auto here = &stretch_at(touched, row.s) - stretches_.data();
       surface_.add(*blocks_[static_cast<std::size_t>(here)], row, verifier_.row_rmax());
@@ -79,7 +89,13 @@ void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& qu
   }
 }
 
-void report_excess(const Measured& measured, const Machine& machine, Diagnostics& diagnostics) {
+void Verification::finish() noexcept {
+  verifier_.finish();
+  programmed_.finish();
+}
+
+void report_excess(const Measured& measured, const ProgrammedPath::Deviation& worst,
+                   const Machine& machine, Diagnostics& diagnostics) {
   Judge judge(machine, diagnostics);
   const bool by_pulses = is_by_pulses(machine.control.interpolation);
   for (int i = 0; i < kAxes; ++i) {
@@ -106,9 +122,11 @@ void report_excess(const Measured& measured, const Machine& machine, Diagnostics
   if (!by_pulses)  // pulses follow the path between the rows
     judge("the chord error", um_from_mm(measured.chord_error),
           um_from_mm(machine.control.chord_tolerance), kChordTolerance, "um");
-  if (machine.control.interpolation == Method::arc_length)
+  if (machine.control.interpolation == Method::arc_length) {
     judge("the distance from the path", um_from_mm(measured.path_deviation),
           um_from_mm(kPathTolerance), 0, "um");
+    report_deviation(worst, machine.control.chord_tolerance, diagnostics);
+  }
   if (measured.rmax_target > 0)
     judge("Rmax", um_from_mm(measured.rmax), um_from_mm(measured.rmax_target), kRoughnessTolerance,
           "um");

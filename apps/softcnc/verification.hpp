@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ipo/block_queue.hpp"
+#include "motion/programmed_path.hpp"
 #include "motion/verify.hpp"
 #include "surface_notes.hpp"
 
@@ -18,16 +19,17 @@ class Verification {
 
   /// `queue` still holds every block from that of the row before.
   void add(std::span<const Setpoint> rows, const ipo::BlockQueue& queue);
-  void finish() noexcept { verifier_.finish(); }
+  void finish() noexcept;
 
   const Measured& measured() const noexcept { return verifier_.measured(); }
-  /// How far paths so far lie from what is programmed, where corners are rounded; mm.
-  double corner_deviation() const noexcept { return corner_deviation_; }
+  /// Sees every block as it is programmed.
+  ProgrammedPath& programmed() noexcept { return programmed_; }
+  const ProgrammedPath& programmed() const noexcept { return programmed_; }
   const SurfaceNotes& surface() const noexcept { return surface_; }
 
  private:
   Verifier verifier_;
-  double corner_deviation_ = 0;
+  ProgrammedPath programmed_;
   SurfaceNotes surface_;
   int block_before_ = 0;                        // number of the block of the row before
   std::vector<Stretch> stretches_;              // of the blocks in the queue,
@@ -40,6 +42,7 @@ class Verification {
 
 /// Reports where the rows have exceeded a limit of the machine: SC4002, or SC4003 for an
 /// interpolation method that does not promise to keep it.
-void report_excess(const Measured& measured, const Machine& machine, Diagnostics& diagnostics);
+void report_excess(const Measured& measured, const ProgrammedPath::Deviation& worst,
+                   const Machine& machine, Diagnostics& diagnostics);
 
 }  // namespace softcnc::app

@@ -21,7 +21,6 @@ struct TimedBlock {
   double t_start = 0;                   // s from the start of the program
   double s_start = 0;                   // mm of path from the start of the program
   std::vector<Mark> marks{};            // where later blocks begin
-  double deviation = 0;                 // mm: how far its path may lie from the programmed one
   std::unique_ptr<PulseWalk> pulses{};  // of a move, by a method of reference pulses
 
   double t_end() const noexcept { return t_start + profile.duration(); }

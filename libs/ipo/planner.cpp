@@ -66,7 +66,7 @@ void Planner::flush_corners() {
 }
 
 void Planner::accept(Piece piece) {
-  pending_.push_back({std::move(piece.block), {}, 0, 0, std::move(piece.marks), piece.deviation});
+  pending_.push_back({std::move(piece.block), {}, 0, 0, std::move(piece.marks)});
   const Move* move = pending_.back().move();
   if (move && !feed_.halts()) {
     append(*move, rest_);
@@ -208,8 +208,7 @@ TimedBlock Planner::take() {
 /// A copy: the window needs the move where it is.
 TimedBlock Planner::take_begin() {
   TimedBlock& whole = pending_.front();
-  TimedBlock begin{whole.block,     whole.profile,          t_, s_, whole.marks,
-                   whole.deviation, std::move(whole.pulses)};
+  TimedBlock begin{whole.block, whole.profile, t_, s_, whole.marks, std::move(whole.pulses)};
   given_ = whole.profile.pieces();
   pulses_.attach(begin);
   return begin;

@@ -9,6 +9,7 @@
 #include "ipo/interpolator.hpp"
 #include "ipo/planner.hpp"
 #include "ipo/stop.hpp"
+#include "motion/programmed_path.hpp"
 #include "motion/roughness.hpp"
 #include "motion/verify.hpp"
 
@@ -21,6 +22,7 @@ struct Run {
   std::map<Limit, double> time_by_limit;
   std::vector<Diagnostic> diagnostics;
   ipo::PlannerCounts counts;
+  ProgrammedPath::Deviation deviation;  // from the programmed path, against what G64 allows
   double roughness_used = 0;  // largest part of the speed that a roughness allows at a row
 };
 
@@ -71,6 +73,7 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
   ipo::BlockQueue queue(10 * machine.control.period);
   ipo::Interpolator interpolator(queue, machine.control);
   Verifier verifier(machine);
+  ProgrammedPath programmed;
   std::size_t next = 0;
   bool finished = false, stopped = false;
   const auto pump = [&] {
@@ -86,7 +89,10 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
     if (stopped || finished) return false;
     const std::size_t size = chunk == 0 ? blocks.size() : chunk == kSlowly ? 1 : chunk;
     const std::size_t end = std::min(blocks.size(), next + size);
-    while (next < end) planner.push(blocks[next++]);
+    for (; next < end; ++next) {
+      programmed.add(blocks[next]);
+      planner.push(blocks[next]);
+    }
     finished = next == blocks.size();
     if (finished) planner.finish();
     return true;
@@ -118,6 +124,7 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
             {&move->path, timed.s_start, move->surface ? &*move->surface : nullptr});
     });
     verifier.row(*setpoint, stretches);
+    programmed.row(*setpoint);
     if (!stretches.empty())
       result.roughness_used =
           std::max(result.roughness_used, roughness_used(machine, *setpoint, stretches.back()));
@@ -125,7 +132,9 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
     result.rows.back().pulses = {};
   }
   verifier.finish();
+  if (!stopped) programmed.finish();
   result.measured = verifier.measured();
+  result.deviation = programmed.worst();
   result.time = queue.t_end();
   result.counts = planner.counts();
   for (const Diagnostic& d : diagnostics.all()) result.diagnostics.push_back(d);
@@ -164,6 +173,9 @@ inline std::string exceeded(const Machine& machine, const Run& run, double share
     return "chord error " + std::to_string(run.measured.chord_error * 1e3) + " um";
   if (run.measured.path_deviation > 1e-9)
     return "path deviation " + std::to_string(run.measured.path_deviation);
+  if (run.deviation.off > run.deviation.allowed + machine.control.chord_tolerance + 1e-7)
+    return "deviation " + std::to_string(run.deviation.off) + " mm, where " +
+           std::to_string(run.deviation.allowed) + " are allowed";
   return {};
 }
 
