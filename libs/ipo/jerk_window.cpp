@@ -11,9 +11,7 @@
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kAhead = 10;          // stopping distances in a plan
-constexpr double kAheadTime = 0.5;     // s that it lasts while its cap stays, if it can be found
-constexpr double kLeft = 1.5;          // of them that are planned anew
+constexpr double kLeft = 1.5;          // stopping distances of a plan that are planned anew
 constexpr double kLongest = 0.25;      // stopping distance: longest interval
 constexpr double kMostParts = 32;      // of an interval
 constexpr double kFurther = 1.12;      // from one stop that is tried to the next
@@ -70,7 +68,7 @@ std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended, double slowi
     top = std::max({top, speed(nodes[n].cap), speed(chain_.inside[n].cap)});
     const double distance = stopping_distance(top, constraints_);
     const bool steady = nodes[n + 1].cap.q == nodes[n].cap.q;
-    if (way < kAhead * distance || (steady && way < time * top)) continue;
+    if (way < horizon_.stops * distance || (steady && way < time * top)) continue;
     std::size_t taken = n + 1;
     while (taken > front_ + 1 && nodes[n + 1].s - nodes[taken].s < kLeft * distance) --taken;
     return Reach{n + 1, taken};
@@ -192,7 +190,7 @@ std::size_t JerkWindow::settle(bool ended) {
   const Straight straight = straight_to_rest(ended);
   if (straight.waits) return 0;
   if (straight.rest && run_straight(*straight.rest)) return planned_.size();
-  auto reach = look_ahead(ended, 0, kAheadTime);
+  auto reach = look_ahead(ended, 0, horizon_.time);
   if (!reach) return 0;
   if (slows_) return slow_down(ended);
   auto plan = this->plan(reach->end, reach->taken);
@@ -250,7 +248,7 @@ std::size_t JerkWindow::slow_down(bool ended) {
   const Chain appended = chain_;
   const auto plan_from = [&](double way) {
     slow_from(appended, way);
-    const auto reach = look_ahead(ended, slowing_way_, kAheadTime);
+    const auto reach = look_ahead(ended, slowing_way_, horizon_.time);
     auto plan = reach ? this->plan(reach->end, reach->taken) : std::nullopt;
     if (plan) take(std::move(*plan), reach->taken - front_);
     return plan.has_value();

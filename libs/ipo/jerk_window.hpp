@@ -19,7 +19,8 @@ namespace softcnc::ipo {
 
 class JerkWindow final : public Window {
  public:
-  using Window::Window;
+  JerkWindow(const Constraints& constraints, double share, const Horizon& horizon = {})
+      : Window(constraints, share), horizon_(horizon) {}
 
   std::size_t settle(bool ended) override;
   bool settles_by_stretches() const noexcept override { return true; }
@@ -59,6 +60,7 @@ class JerkWindow final : public Window {
   void take(Ramps plan, std::size_t intervals);
   std::size_t fall_back(std::size_t end);
 
+  Horizon horizon_;
   std::deque<std::vector<Ramp>> planned_;  // by interval, from the front
   std::deque<std::vector<Ramp>> tail_;     // of the last plan, to its rest
   Motion motion_;                          // at the front

@@ -24,13 +24,15 @@ double row_at(double t, double period) { return std::floor(t / period) * period;
 
 }  // namespace
 
-Planner::Planner(const Machine& machine, double feed_override, Diagnostics& diagnostics)
+Planner::Planner(const Machine& machine, double feed_override, Diagnostics& diagnostics,
+                 const Horizon& horizon)
     : machine_(machine),
       diagnostics_(diagnostics),
       constraints_(machine, feed_override),
+      horizon_(horizon),
       pulses_(machine),
       corners_(machine),
-      window_(make_window(constraints_)),
+      window_(make_window(constraints_, 1, horizon)),
       running_(feed_override),
       ceiling_(feed_override) {
   feed_.feed_override = feed_override;

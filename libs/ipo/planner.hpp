@@ -27,7 +27,8 @@ struct PlannerCounts {
 class Planner {
  public:
   /// `machine` must outlive the planner.
-  Planner(const Machine& machine, double feed_override, Diagnostics& diagnostics);
+  Planner(const Machine& machine, double feed_override, Diagnostics& diagnostics,
+          const Horizon& horizon = {});
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;
 
@@ -81,6 +82,7 @@ class Planner {
   const Machine& machine_;
   Diagnostics& diagnostics_;
   Constraints constraints_;
+  const Horizon horizon_;
   PulseStage pulses_;
   CornerStage corners_;
   std::unique_ptr<Window> window_;

@@ -112,7 +112,8 @@ double Planner::stopping_way(double s) const {
 /// is `s` mm inside the first pending one.
 void Planner::lay_out(const std::deque<TimedBlock>& passed, double s) {
   counts_.effort += window_->effort();
-  window_ = make_window(constraints_, constraints_.limits_jerk() ? 1 : kAccelerationShare);
+  window_ =
+      make_window(constraints_, constraints_.limits_jerk() ? 1 : kAccelerationShare, horizon_);
   settled_ = last_size_ = 0;
   std::size_t moves_passed = 0;
   bool at_rest = false;

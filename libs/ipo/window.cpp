@@ -108,8 +108,9 @@ void Window::forget() {
   derived_to_ -= std::min(derived_to_, keep);
 }
 
-std::unique_ptr<Window> make_window(const Constraints& constraints, double share) {
-  if (constraints.limits_jerk()) return std::make_unique<JerkWindow>(constraints, share);
+std::unique_ptr<Window> make_window(const Constraints& constraints, double share,
+                                    const Horizon& horizon) {
+  if (constraints.limits_jerk()) return std::make_unique<JerkWindow>(constraints, share, horizon);
   return std::make_unique<ReachWindow>(constraints, share);
 }
 

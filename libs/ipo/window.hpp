@@ -121,7 +121,17 @@ class Window {
   void forget();
 };
 
+/// How much of the way ahead a plan with limits of jerk covers, if it has not ended before.
+struct Horizon {
+  double stops = 10;  // stopping distances, and
+  double time = 0.5;  // s that it lasts while its cap stays, if it can be found
+
+  /// All of the program in one plan, where kMostNodes are enough.
+  static constexpr Horizon whole() noexcept { return {kUnlimited, kUnlimited}; }
+};
+
 /// The kind of window that the limits of the machine ask for.
-std::unique_ptr<Window> make_window(const Constraints& constraints, double share = 1);
+std::unique_ptr<Window> make_window(const Constraints& constraints, double share = 1,
+                                    const Horizon& horizon = {});
 
 }  // namespace softcnc::ipo

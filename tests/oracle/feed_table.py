@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Measures how fast and how exactly softcnc runs the curves of tests/data, and writes it down.
+"""Measures how fast and how exactly softcnc plans and runs curves, mixed paths and polylines, and writes it down.
 
     scripts/feed_table                                  prints the tables as Markdown
     scripts/feed_table --write                          puts them into docs/feed.md
     scripts/feed_table --check                          compares with docs/feed.md, but for CPU times
-    tests/oracle/feed_table.py --softcnc FILE [...]     the same with this program
+    tests/oracle/feed_table.py --softcnc FILE --plan-program FILE [...]    the same with these programs
 
 Every trace is checked by check_trace.py, every time is held against time_optimal.py. Exit 1 if a promise is broken or
 the tables are not those of docs/feed.md.
@@ -24,6 +24,7 @@ from itertools import zip_longest
 import check_trace
 import curves
 import mixed_paths
+import polylines
 import time_optimal
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -74,8 +75,11 @@ JERK_SETTINGS = tuple(Setting(feed, 1, 1, 0.02, acceleration=acceleration, jerk=
 SETTINGS = (FEED_BINDS, Setting(6000, 4, 1, 0.05), COARSE, FINE)
 # Lines, arcs and NURBS mixed, the second two turned so that what jumps at a joint and what drives along the path lie
 # on the same axes: then a reference that knows no third difference across a joint is out of reach.
-MIX_SETTINGS = tuple(Setting(15000, 1, 1, 0.005, acceleration=acceleration) for acceleration in (1000.0, 5000.0)) + JERK_SETTINGS
+FREE_SETTINGS = tuple(Setting(feed, 1, 1, 0.005, acceleration=acceleration) for acceleration in (1000.0, 3000.0, 5000.0)
+                      for feed in (3000, 15000))
 OVER_TURNED = 0.05
+OVER_WHOLE = 0.01
+SECONDS = 0.3  # of planning, for each of its times
 
 
 @dataclass(frozen=True)
@@ -106,8 +110,8 @@ def optimum(name, setting):
 class Bench:
     """Runs softcnc, each case once, in a folder of its own."""
 
-    def __init__(self, softcnc, folder):
-        self.softcnc, self.folder = softcnc, folder
+    def __init__(self, softcnc, plan_program, folder, seconds):
+        self.softcnc, self.plan_program, self.folder, self.seconds = softcnc, plan_program, folder, seconds
         self.runs = {}
         self.broken = []  # promises
 
@@ -131,15 +135,33 @@ class Bench:
         return Run(report, measured, check_trace.judge(measured, trace, limits),
                    report["time_s"] - waited(report) - before)
 
+    def run_polyline(self, case):
+        report = self._report(case.lines, case)
+        blocks = self._ask(self.softcnc, "blocks", *case.options(), self._program(case.lines)).splitlines()
+        return polylines.measured(case, report, check_trace.read_trace(self.folder / "trace.csv"), blocks)
+
+    def plan(self, lines, setting):
+        """What planning alone takes, streamed and with the whole program in one plan."""
+        values = setting.options()[1::2]
+        return json.loads(self._ask(self.plan_program, str(self.seconds), self._program(lines), *values))
+
     def _report(self, lines, setting):
-        program, report = self.folder / "program.nc", self.folder / "report.json"
-        program.write_text("\n".join(lines + ["M30"]) + "\n")
-        done = subprocess.run([self.softcnc, "run", "--backend", "none", "--quiet", "--report", report, "--trace",
-                               self.folder / "trace.csv", *setting.options(), program], capture_output=True, text=True,
-                              check=False)
-        if done.returncode != 0:
-            sys.exit(f"{done.stderr}feed_table: softcnc run ended with status {done.returncode}")
+        report = self.folder / "report.json"
+        self._ask(self.softcnc, "run", "--backend", "none", "--quiet", "--report", report, "--trace",
+                  self.folder / "trace.csv", *setting.options(), self._program(lines))
         return json.loads(report.read_text())
+
+    def _program(self, lines):
+        program = self.folder / "program.nc"
+        program.write_text("\n".join([*lines, "M30"]) + "\n")
+        return program
+
+    @staticmethod
+    def _ask(*words):
+        done = subprocess.run(words, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            sys.exit(f"{done.stderr}feed_table: {words[0]} {words[1]} ended with status {done.returncode}")
+        return done.stdout
 
 
 @dataclass(frozen=True)
@@ -223,53 +245,57 @@ def counted(position):
     return check_trace.counts(position, BLU_UM / 1e3)
 
 
-def jerk_table(bench):
-    references = json.loads(JERK_REFERENCES.read_text())["times"]
-    rows = [("curve", "A, mm/s²", "J, mm/s³", "F", "time, s", "reference, s", "over it", "velocity / limit",
-             "acceleration / limit", "jerk / limit", "nodes", "iterations", "fall-backs", "CPU planning, ms",
-             "CPU motion / planning", "CPU / node, µs")]
-    for name in CURVES:
-        for setting in JERK_SETTINGS:
-            run, case = bench.run(name, setting), f"{setting.acceleration:.0f}, {setting.jerk:.0f}"
-            reference = references[name][f"{case}, F{setting.feed:.0f}"]
-            over = round(run.time / reference - 1, 3) + 0.0
-            for verdict in run.verdicts:
-                bench.promise(verdict.ok, f"{name}, {case}: {verdict.what} is {verdict.value}, allowed {verdict.allowed}")
-            bench.promise(over <= setting.over, f"{name}, {case}, {setting.words()}: {percent(over)} over the reference")
-            rows.append((name, *case.split(", "), f"{setting.feed:.0f}", seconds(run.time), seconds(reference),
-                         f"{100 * over:.1f} %", f"{run.measured.velocity.max() / 250:.3f}",
-                         f"{run.measured.acceleration.max() / setting.acceleration:.4f}",
-                         f"{run.measured.jerk.max() / setting.jerk:.4f}", *effort(run.report)))
-    return rows
+PLANNED = ("path", "mode", "A, mm/s²", "J, mm/s³", "F", "time, s", "beside", "s", "over it",
+           "velocity / acceleration / jerk over limit", "off the program, µm", "over one plan of all", "nodes",
+           "iterations", "fall-backs", "CPU motion / planning", "CPU / block, µs", "CPU / node, ns")
 
 
-def mixes_table(bench):
+def planned_table(bench):
     references = json.loads(JERK_REFERENCES.read_text())["times"]
-    rows = [("path", "A, mm/s²", "J, mm/s³", "F", "time, s", "reference, s", "over it", "velocity / limit",
-             "acceleration / limit", "jerk / limit", "fall-backs", "CPU motion / planning")]
-    for name in mixed_paths.PATHS:
-        for setting in MIX_SETTINGS:
-            run, case = bench.run(name, setting), f"{setting.acceleration:.0f}, {setting.jerk:.0f}"
-            best = references[name][f"{case}, F{setting.feed:.0f}"] if setting.jerk else optimum(name, setting).time
-            over = round(run.time / best - 1, 4) + 0.0
+    rows = [PLANNED]
+    for name in (*CURVES, *mixed_paths.PATHS):
+        for setting in FREE_SETTINGS + JERK_SETTINGS:
+            run, what = bench.run(name, setting), f"{setting.acceleration:.0f}, {setting.jerk:.0f}"
+            best = references[name][f"{what}, F{setting.feed:.0f}"] if setting.jerk else optimum(name, setting).time
+            over, case = run.time / best - 1, f"{name}, {what}, {setting.words()}"
             for verdict in run.verdicts:
-                bench.promise(verdict.ok, f"{name}, {case}: {verdict.what} is {verdict.value}, allowed {verdict.allowed}")
+                bench.promise(verdict.ok, f"{case}: {verdict.what} is {verdict.value}, allowed {verdict.allowed}")
             allowed = OVER_TURNED if setting.jerk and "°" in name else setting.over
-            bench.promise(over <= allowed, f"{name}, {case}, {setting.words()}: {percent(over)} over the reference")
-            measured = run.measured
-            rows.append((name, *case.split(", "), f"{setting.feed:.0f}", seconds(run.time), seconds(best),
-                         f"{100 * over:.2f} %", f"{measured.velocity.max() / 250:.3f}",
-                         f"{measured.acceleration.max() / setting.acceleration:.4f}",
-                         f"{measured.jerk.max() / setting.jerk:.4f}" if setting.jerk else "–",
-                         run.report["planner_fallbacks"],
-                         f"{run.report['time_s'] / run.report['cpu_planning_s']:.0f}"))
+            bench.promise(over <= allowed, f"{case}: {percent(over)} over the reference")
+            drawn, limits = shape(name, setting.feed), (250, setting.acceleration, setting.jerk)
+            shares = [difference.max() / limit for difference, limit in
+                      zip((run.measured.velocity, run.measured.acceleration, run.measured.jerk), limits) if limit]
+            plan = bench.plan(drawn.approach + drawn.lines, setting)
+            rows.append((name, "G61", *limit_cells(setting), seconds(run.time), "reference" if setting.jerk else "optimum",
+                         seconds(best), f"{round(100 * over, 2) + 0.0:.2f} %", parts(shares), "–", *plan_cells(bench, case, plan)))
+    for case in polylines.cases():
+        run, what = bench.run_polyline(case), f"{case.name}, {case.mode}, J {case.jerk:g}"
+        for broken in polylines.broken(case, run):
+            bench.promise(False, f"{what}: {broken}")
+        plan = bench.plan(case.lines, case)
+        rows.append((case.name, case.mode, *limit_cells(case), seconds(run.time), case.beside, seconds(case.bound),
+                     f"{100 * (run.time / case.bound - 1):.2f} %", parts(run.excess.values()), f"{1e3 * run.deviation:.2f}",
+                     *plan_cells(bench, what, plan)))
     return rows
 
 
-def effort(report):
-    cpu = report["cpu_planning_s"]
-    return (report["planner_plan_nodes"], report["planner_iterations"], report["planner_fallbacks"], f"{1e3 * cpu:.0f}",
-            f"{report['time_s'] / cpu:.0f}", f"{1e6 * cpu / report['planner_plan_nodes']:.1f}")
+def limit_cells(setting):
+    acceleration = getattr(setting, "acceleration", ACCELERATION)
+    return f"{acceleration:.0f}", f"{setting.jerk:.0f}" if setting.jerk else "–", f"{setting.feed:.0f}"
+
+
+def parts(shares):
+    return " / ".join(f"{share:.3f}" for share in shares)
+
+
+def plan_cells(bench, case, plan):
+    """Without limits of jerk the nodes are those of the grid, and nothing is iterated."""
+    over = plan["motion_s"] / plan["whole_motion_s"] - 1
+    bench.promise(over <= OVER_WHOLE, f"{case}: streamed, {percent(over)} over one plan of the whole program")
+    nodes, planning = plan["plan_nodes"] or plan["nodes"], plan["planning_s"]
+    return (f"{round(100 * over, 2) + 0.0:.2f} %" if plan["whole_fallbacks"] == 0 else "–", nodes, plan["iterations"] or "–",
+            plan["fallbacks"], f"{plan['motion_s'] / planning:.0f}", f"{1e6 * planning / plan['blocks']:.2f}",
+            f"{1e9 * planning / nodes:.0f}")
 
 
 def methods_table(bench):
@@ -299,7 +325,7 @@ def costs_table(bench):
     return rows
 
 
-TABLES = {"times": times_table, "jerk": jerk_table, "mixes": mixes_table, "methods": methods_table, "costs": costs_table}
+TABLES = {"planned": planned_table, "times": times_table, "methods": methods_table, "costs": costs_table}
 REGION = re.compile(r"(<!-- begin table (\w+) -->\n)(.*?)(\n<!-- end table -->\n)", re.DOTALL)
 
 
@@ -353,12 +379,13 @@ def write(tables):
 def main(arguments):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--softcnc", required=True, help="the program to measure")
+    parser.add_argument("--plan-program", required=True, help="the one that plans without reading")
     action = parser.add_mutually_exclusive_group()
     action.add_argument("--check", action="store_true")
     action.add_argument("--write", action="store_true")
     options = parser.parse_args(arguments)
     with tempfile.TemporaryDirectory() as folder:
-        bench = Bench(options.softcnc, pathlib.Path(folder))
+        bench = Bench(options.softcnc, options.plan_program, pathlib.Path(folder), 0 if options.check else SECONDS)
         tables = {name: markdown(table(bench)) for name, table in TABLES.items()}
     for broken in bench.broken:
         print(f"BROKEN: {broken}", file=sys.stderr)

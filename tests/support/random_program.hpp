@@ -116,7 +116,7 @@ inline void vary(std::mt19937& random, Machine& machine, std::vector<Block>& blo
   if (random() % 4 == 0) machine.limits.tangential = acceleration * power(-1, 0.2);
   if (random() % 4 == 0) machine.limits.normal = acceleration * power(-1, 0.2);
   if (random() % 6 == 0) {
-    const double part = power(-2, 0);
+    const double part = power(-1.3, 0);
     Axis& axis = machine.axes[random() % kAxes];
     axis.velocity *= part;
     axis.acceleration *= part;
