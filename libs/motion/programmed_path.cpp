@@ -44,15 +44,16 @@ void ProgrammedPath::add(const Block& block) {
 }
 
 void ProgrammedPath::row(const Setpoint& setpoint) noexcept {
-  if (stretches_.empty()) return;
+  const AxisVector before = std::exchange(row_, setpoint.position);
+  const bool is_first = !std::exchange(has_row_, true);
+  if (stretches_.empty() || is_first) return;
   find(setpoint.block);
-  const bool here = is_here(setpoint.block);
-  if (here) {
+  if (setpoint.block < stretches_[here_].number) return;
+  if (setpoint.block == stretches_[here_].number)
     measure_row(setpoint.position);
-    near_joints(has_row_ ? row_ : setpoint.position, setpoint.position);
-  }
-  has_row_ = here;
-  row_ = setpoint.position;
+  else
+    guess_ = length(stretches_[here_].path);  // behind it
+  near_joints(before, setpoint.position);
   forget();
 }
 
@@ -66,10 +67,6 @@ void ProgrammedPath::find(int number) noexcept {
   const std::size_t before = here_;
   while (here_ + 1 < stretches_.size() && stretches_[here_ + 1].number <= number) ++here_;
   if (here_ != before) guess_ = 0;
-}
-
-bool ProgrammedPath::is_here(int number) const noexcept {
-  return stretches_[here_].number == number;
 }
 
 /// The search goes on in both directions while the path could still come back so near.

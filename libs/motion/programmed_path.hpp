@@ -46,7 +46,6 @@ class ProgrammedPath {
   };
 
   void find(int number) noexcept;
-  bool is_here(int number) const noexcept;
   void measure_row(const AxisVector& point) noexcept;
   double distance(const Stretch& stretch, const AxisVector& point, double guess) noexcept;
   void near_joints(const AxisVector& from, const AxisVector& to) noexcept;
@@ -60,7 +59,7 @@ class ProgrammedPath {
   double s_ = 0;          // mm programmed so far
   double allowed_ = 0;    // where that ends
   bool follows_ = false;  // what comes next goes on from the last stretch
-  bool has_row_ = false;  // the last row was on one of the stretches:
+  bool has_row_ = false;
   AxisVector row_ = AxisVector::Zero();
   double largest_ = 0;
   Deviation worst_{0, std::numeric_limits<double>::infinity()};

@@ -75,6 +75,16 @@ TEST_CASE("what has not been reached does not count", "[programmed]") {
   CHECK(driven(square_corner(0.5), rows, false).largest() == Approx(0.01));
 }
 
+TEST_CASE("the way from a dwell, and into one, passes corners as any other", "[programmed]") {
+  std::vector<Block> blocks = square_corner(0.5);
+  blocks.insert(blocks.begin(), Block{Dwell{1}, {}, 0});
+  blocks.push_back({Dwell{1}, {}, 3});
+  const std::vector<Row> rows{{0, {0, 0, 0}}, {0, {0, 0, 0}}, {3, {10, 10, 0}}, {3, {10, 10, 0}}};
+  CHECK(driven(blocks, rows).largest() == Approx(10 / std::numbers::sqrt2));
+  const std::vector<Row> around{{0, {0, 0, 0}}, {1, {9.9, 0, 0}}, {3, {10, 10, 0}}};
+  CHECK(driven(blocks, around).largest() == Approx(0.1).epsilon(1e-3));
+}
+
 TEST_CASE("a corner at which the path stops may not be cut", "[programmed]") {
   auto blocks = square_corner(0.5);
   std::get<Move>(blocks[0].what).join = Join::stop;
