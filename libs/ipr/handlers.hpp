@@ -3,6 +3,9 @@
 // behind it are not reported for its sake.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "ipr/command.hpp"
 #include "ipr/flow.hpp"
 #include "ipr/gcode_table.hpp"
@@ -11,6 +14,7 @@
 #include "ipr/output.hpp"
 #include "ipr/tool_table.hpp"
 #include "motion/machine.hpp"
+#include "motion/spline.hpp"
 
 namespace softcnc::ipr {
 
@@ -94,6 +98,17 @@ void refuse_thread(Task& task);
 void refuse_signal(Task& task);
 void refuse_rigid_tapping(Task& task);
 void switch_input(Task& task);
+
+// open_curves.cpp: curves over several lines that an error has spoiled
+/// What the errors of a line leave of a curve to which it belongs.
+void note_faults(const Command& command, const Modal& modal, const Output& out, OpenCurve& curve);
+/// The same of a code that does not belong among its lines, which has been told.
+void note_stranger(const GCode& code, OpenCurve& curve);
+/// Shows where a curve leads that gives no block: as `made`, or, where that is not its shape, from
+/// one point to the next of those through which it goes for certain.
+void show_broken(const Modal& modal, const Output& out, const OpenCurve& curve, Result<Nurbs> made,
+                 std::span<const AxisVector> certain);
+
 // point_words.cpp
 void control_points(Task& task);
 void end_control_points(Task& task);
@@ -205,6 +220,8 @@ void for_named_axes(const Task& task, Use&& use) {
 }
 /// Moves along the path from the position, at the feed in force or as a rapid.
 void emit_move(Task& task, Path&& path, bool rapid = false);
+/// As of Move::unknown_axes.
+std::uint8_t axis_bits(Letters letters) noexcept;
 /// A cutting move by the modes in force.
 Move cutting_move(const Modal& modal, Path&& path, double feed);
 bool is_of_fanuc(Task& task);

@@ -36,6 +36,12 @@ std::string lacks_axis(char letter) {
                       [](const Word& word) { return kActing.has(word.letter); });
 }
 
+/// Of one line, not of a row of them: G00 to G03, G05, G05.1.
+bool leads_by_itself(const GCode& code) noexcept {
+  constexpr int kG05 = 50, kG051 = 51;
+  return is_line_or_arc(code) || code.number == kG05 || code.number == kG051;
+}
+
 bool is_straight(const GCode& code) noexcept {
   constexpr int kG01 = 10;
   return code.letter == 'G' && code.number <= kG01;
@@ -149,7 +155,8 @@ bool Interpreter::tell_restored(const Line& next) {
   if (unclear) out_.withhold();
   execute();
   remember_uncertain();
-  if (out_.failed()) break_curves();
+  if (modal_.curve) note_faults(command_, modal_, out_, *modal_.curve);
+  if (modal_.points) note_faults(command_, modal_, out_, *modal_.points);
   out_.end();
   if (!modal_.ended) return;
   flow_.finish();
@@ -160,7 +167,7 @@ bool Interpreter::tell_restored(const Line& next) {
 /// Whether what is wrong with a line has nothing to do with where its words lead.
 bool Interpreter::leads_all_the_same(const Line& line) {
   const GCode* motion = command_.find(Group::motion);
-  const bool known = motion != nullptr && line.lost != kAllLetters && is_line_or_arc(*motion) &&
+  const bool known = motion != nullptr && line.lost != kAllLetters && leads_by_itself(*motion) &&
                      !command_.has(Group::non_modal) && !command_.has(Group::tool_length);
   const Letters lost = command_.uncertain();
   if (!known || lost.has('G') || lost.has_any(command_.values().letters())) return false;
@@ -175,12 +182,6 @@ bool Interpreter::leads_all_the_same(const Line& line) {
   constexpr Letters kBesideTheWay{"FMNST"};
   return command_.uncertain().without(kBesideTheWay).empty() && command_.doubted().empty() &&
          command_.unused(options_.dialect).empty();
-}
-
-/// A curve with a bad line in it is none.
-void Interpreter::break_curves() {
-  if (modal_.curve) modal_.curve->broken = true;
-  if (modal_.points) modal_.points->broken = true;
 }
 
 /// Blocks of a curve that was left too early: they end at a motion code that has none of their

@@ -73,7 +73,6 @@ class Interpreter {
   bool leads_all_the_same(const Line& line);
   bool way_is_certain() const;
   bool begins_data_input() const noexcept;
-  void break_curves();
   void read_uncalled();
   void finish();
 

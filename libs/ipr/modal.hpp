@@ -23,29 +23,35 @@ struct CurveHead {
   std::string line;  // its text
 };
 
+/// A curve over several lines whose end is still to come, and what errors leave of it.
+struct OpenCurve {
+  CurveHead head;
+  bool broken = false;     // something in it was reported: no block is made
+  bool misshapen = false;  // what was reported is its shape: only its points are what they were
+  Letters lost_axes;       // along which not all of its points are known
+};
+
 /// A curve of G06.2 between its first block and its last closing knot.
-struct PendingCurve {
+struct PendingCurve : OpenCurve {
   NurbsSpec spec;                // what has been read so far
   int order = 0;                 // 0: P was bad, and the end of the curve is not known
   int closing_knots = 0;         // read so far
   Letters axes;                  // of the curve; empty until a block names one
-  bool broken = false;           // something in it was reported: no block is made
-  bool knots_uncertain = false;  // the same for its knots: no more is said about them
+  bool knots_uncertain = false;  // its knots have been told: of them, only falls still are
+  bool disordered = false;       // where its knots belong is not known: not even those are
+  std::optional<double> knot;    // the last one that the next may not fall below
   bool full = false;             // it has been told that there are too many points
   bool repeats = false;          // LinuxCNC's form: G06.2 in its second block too
   double order_word = 0;         // P as written; 0: left out
-  CurveHead head;
 };
 
 /// A curve of G05.2 or G06.1, whose points are still coming.
-struct PendingPoints {
+struct PendingPoints : OpenCurve {
   const GCode* code = nullptr;
   int order = 0;                   // of G05.2; 0: L was bad
   std::vector<AxisVector> points;  // mm, machine coordinates; the first is where it begins
   std::vector<double> weights;     // of G05.2
   int blocks = 0;                  // that named a point
-  bool broken = false;             // something in it was reported: no block is made
-  CurveHead head;
 };
 
 /// The end of a curve of G05: the next one may go on from it without a bend.

@@ -2,6 +2,7 @@
 // G06.2, a NURBS over several lines: one block per control point, then as many blocks of K alone as
 // the order. It ends by that count. FANUC writes G06.2 once; LinuxCNC may write it in every block.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -74,6 +75,24 @@ std::string ends_message(const char* which, int order) {
   return std::string("the ") + which + " " + std::to_string(order) + " knots must be equal";
 }
 
+/// Of a knot that is told because of its place, the next ones are not held against its value.
+void refuse_knot(Task& task, PendingCurve& curve, Code code, std::string message) {
+  report_word(task, 'K', code, std::move(message));
+  curve.knots_uncertain = curve.misshapen = true;
+  if (code == Code::SC3005) curve.knot = curve.spec.knots.end()[-2];
+}
+
+/// True, and told, if the knot is below the one before. Two that fall are two mistakes, whatever
+/// else is wrong with the curve: no single value mends both.
+bool falls(Task& task, PendingCurve& curve, double knot) {
+  const auto before = std::exchange(curve.knot, knot);
+  if (curve.disordered || !before || knot >= *before) return false;
+  refuse_knot(
+      task, curve, Code::SC3004,
+      "knot " + number_text(knot) + " after " + number_text(*before) + "; knots must not decrease");
+  return true;
+}
+
 /// What is wrong with the knot just read can be said at once, and so at its place.
 void check_knot(Task& task, PendingCurve& curve) {
   const std::vector<double>& knots = curve.spec.knots;
@@ -82,39 +101,35 @@ void check_knot(Task& task, PendingCurve& curve) {
   const double before = count > 1 ? knots[static_cast<std::size_t>(count) - 2] : knot;
   const bool end = knot == knots.front() || curve.closing_knots > 0;
   const int most = end ? curve.order : curve.order - 1;
-  const auto refuse = [&](Code code, std::string message) {
-    report_word(task, 'K', code, std::move(message));
-    curve.knots_uncertain = true;
-  };
-  if (knot < before)
-    refuse(Code::SC3004, "knot " + number_text(knot) + " after " + number_text(before) +
-                             "; knots must not decrease");
-  else if (count <= curve.order && knot != knots.front())
-    refuse(Code::SC3005, ends_message("first", curve.order));
+  if (count <= curve.order && knot != knots.front())
+    refuse_knot(task, curve, Code::SC3005, ends_message("first", curve.order));
   else if (curve.closing_knots > 1 && knot != before)
-    refuse(Code::SC3005, ends_message("last", curve.order));
+    refuse_knot(task, curve, Code::SC3005, ends_message("last", curve.order));
   else if (const int row = repetitions(knots); row > most)
-    refuse(Code::SC3006, "knot " + number_text(knot) + " stands " + std::to_string(row) +
-                             " times in a row; at most " + std::to_string(most) + " can be here");
+    refuse_knot(task, curve, Code::SC3006,
+                "knot " + number_text(knot) + " stands " + std::to_string(row) +
+                    " times in a row; at most " + std::to_string(most) + " can be here");
 }
 
 void read_knot(Task& task, PendingCurve& curve) {
   if (!task.values.has('K')) {
     task.out.report(Code::SC3102, task.word.pos, "a block of a curve needs its knot, K");
-    curve.knots_uncertain = true;
+    curve.knots_uncertain = curve.misshapen = true;
     return;
   }
-  if (curve.knots_uncertain) return;
-  curve.spec.knots.push_back(task.values['K']);
-  check_knot(task, curve);
+  if (task.command.uncertain().has('K')) return;
+  const double knot = task.values['K'];
+  if (curve.order > 0) curve.spec.knots.push_back(knot);
+  if (!falls(task, curve, knot) && !curve.knots_uncertain) check_knot(task, curve);
 }
 
-double read_weight(Task& task) {
+double read_weight(Task& task, PendingCurve& curve) {
   if (!task.values.has('R')) return 1;
   const Word& word = task.values.word('R');
-  if (word.value <= 0)
-    report_word(task, 'R', Code::SC3007, "R, the weight of a control point, must be above 0");
-  return word.value;
+  if (word.value > 0) return word.value;
+  report_word(task, 'R', Code::SC3007, "R, the weight of a control point, must be above 0");
+  curve.misshapen = true;
+  return 1;
 }
 
 /// The first block names the axes of the curve; if it names none, the second one does.
@@ -124,19 +139,21 @@ void check_curve_axes(Task& task, PendingCurve& curve) {
     if (naming && task.command.uncertain().has(letter)) curve.axes.add(letter);
     if (!task.values.has(letter) || curve.axes.has(letter)) continue;
     curve.axes.add(letter);
-    if (!naming)
-      task.out.report(Code::SC3103, task.values.word(letter).pos,
-                      std::string(1, letter) + " is missing in the first block of the curve");
+    if (naming) continue;
+    task.out.report(Code::SC3103, task.values.word(letter).pos,
+                    std::string(1, letter) + " is missing in the first block of the curve");
+    curve.misshapen = true;
   }
 }
 
 /// The curve begins in the position exactly, wherever within the tolerance its first point lies.
-AxisVector first_point(Task& task) {
+AxisVector first_point(Task& task, PendingCurve& curve) {
   const AxisVector point = end_point(task);
   const double off = (point - task.modal.position).norm();
-  if (off > start_tolerance(task.machine))
-    report_if_certain(task, kAxisWords, Code::SC3109, span_of(task.values, "XYZ"),
-                      "the curve begins " + number_text(off) + " mm off the position");
+  if (off <= start_tolerance(task.machine)) return task.modal.position;
+  curve.misshapen = true;
+  report_if_certain(task, kAxisWords, Code::SC3109, span_of(task.values, "XYZ"),
+                    "the curve begins " + number_text(off) + " mm off the position");
   return task.modal.position;
 }
 
@@ -144,23 +161,28 @@ AxisVector first_point(Task& task) {
 bool has_room(Task& task, PendingCurve& curve) {
   if (curve.spec.control.size() < kMostCurvePoints) return true;
   if (!std::exchange(curve.full, true)) report_too_many(task);
-  curve.knots_uncertain = true;
+  curve.knots_uncertain = curve.misshapen = true;
   return false;
 }
 
-void read_control_point(Task& task, PendingCurve& curve) {
-  if (curve.closing_knots > 0 && !curve.knots_uncertain) {
+/// Nobody knows which curve it belongs to, and where that ends.
+void refuse_late_point(Task& task, PendingCurve& curve) {
+  if (!curve.knots_uncertain)
     task.out.report(Code::SC3104, span_of(task.values, "XYZ"),
                     "a control point after " + std::to_string(curve.closing_knots) + " of " +
                         std::to_string(curve.order) + " closing knots");
-    curve.knots_uncertain = true;
-  }
+  curve.knots_uncertain = curve.disordered = true;
+  curve.lost_axes |= kAxisWords;
+}
+
+void read_control_point(Task& task, PendingCurve& curve) {
+  if (curve.closing_knots > 0) refuse_late_point(task, curve);
   const bool first = is_first(curve);
   check_curve_axes(task, curve);
   if (!first) task.modal.position = end_point(task);
   if (!has_room(task, curve)) return;
-  curve.spec.control.push_back(first ? first_point(task) : task.modal.position);
-  curve.spec.weights.push_back(read_weight(task));
+  curve.spec.control.push_back(first ? first_point(task, curve) : task.modal.position);
+  curve.spec.weights.push_back(read_weight(task, curve));
   read_knot(task, curve);
 }
 
@@ -171,9 +193,17 @@ void read_closing_knot(Task& task, PendingCurve& curve) {
                     "the curve ends after " + std::to_string(points) +
                         " control points; its order asks for " + std::to_string(curve.order));
     curve.knots_uncertain = true;
-  } else if (task.values.has('R'))
+  } else if (task.values.has('R')) {
     report_word(task, 'R', Code::SC3111, "a closing knot takes K alone");
+    curve.lost_axes |= kAxisWords;
+  }
   read_knot(task, curve);
+}
+
+/// Its ends lie on the curve, whatever becomes of its knots and weights.
+void show_broken_curve(const Task& task, PendingCurve& curve) {
+  const std::array ends{curve.spec.control.front(), curve.spec.control.back()};
+  show_broken(task.modal, task.out, curve, Nurbs::make(std::move(curve.spec)), ends);
 }
 
 void finish_curve(Task& task, PendingCurve& curve) {
@@ -271,9 +301,12 @@ void nurbs(Task& task) {
   if (!task.modal.curve) begin_curve(task);
   PendingCurve& curve = *task.modal.curve;
   read_block(task, curve);
-  curve.broken = curve.broken || task.out.failed();
+  note_faults(task.command, task.modal, task.out, curve);
   if (curve.order == 0 || curve.closing_knots < curve.order) return;
-  if (curve.broken) return leave_curve(task.modal);
+  if (curve.broken) {
+    show_broken_curve(task, curve);
+    return leave_curve(task.modal);
+  }
   finish_curve(task, curve);
   forget_curve(task.modal);
 }
@@ -295,6 +328,7 @@ void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, 
     }
     if (!curve.knots_uncertain) report_left_early(curve, *code, *word, out);
     if (left || code == modal.motion) return leave_curve(modal);
+    note_stranger(*code, curve);
     curve.knots_uncertain = true;
   }
   if (command.uncertain().has('G')) leave_curve(modal);

@@ -43,6 +43,11 @@ class Output {
   /// For a place on an earlier line, on which this one does not depend: it does not fail.
   void report(Code code, SourcePos pos, std::string message, std::string_view source_line);
 
+  /// Shows a move of lines before, which gives no block for an error that leaves its way certain.
+  void show(const Move& move, SourcePos source) const {
+    if (refused_moves_ != nullptr && !compensation_.on()) refused_moves_->see(move, source);
+  }
+
   /// The line means something else in the other dialect.
   void contradict(Contradiction kind, SourcePos pos) {
     if (!failed()) contradictions_.note(kind, pos, text_);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "ipr/handlers.hpp"
-#include "motion/spline.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -55,17 +54,29 @@ Result<Nurbs> make_curve(PendingPoints& curve) {
   return Nurbs::make(std::move(spec));
 }
 
+void emit_points(Modal& modal, Output& out, PendingPoints& curve) {
+  Result<Nurbs> made = make_curve(curve);
+  if (!made)
+    out.report(made.error().code, curve.head.word, std::move(made.error().message),
+               curve.head.line);
+  else if (has_surface_speed(modal, out, curve.head.word, curve.head.line))
+    out.emit_before(cutting_move(modal, std::move(*made), curve.head.feed), curve.head.source);
+}
+
+/// A spline goes through its points, but its way between them hangs on every coordinate of all;
+/// control points have only their first and last on the curve.
+void show_broken_points(const Modal& modal, const Output& out, PendingPoints& curve) {
+  const bool by_control = curve.code->number == kControlPoints;
+  if (!by_control && !curve.lost_axes.empty()) curve.misshapen = true;
+  std::vector<AxisVector> certain = curve.points;
+  if (by_control) certain = {curve.points.front(), curve.points.back()};
+  show_broken(modal, out, curve, make_curve(curve), certain);
+}
+
 /// Its block stands before those of the line at which the curve has ended.
 void finish_points(Modal& modal, Output& out) {
   PendingPoints& curve = *modal.points;
-  if (!curve.broken) {
-    Result<Nurbs> made = make_curve(curve);
-    if (!made)
-      out.report(made.error().code, curve.head.word, std::move(made.error().message),
-                 curve.head.line);
-    else if (has_surface_speed(modal, out, curve.head.word, curve.head.line))
-      out.emit_before(cutting_move(modal, std::move(*made), curve.head.feed), curve.head.source);
-  }
+  curve.broken ? show_broken_points(modal, out, curve) : emit_points(modal, out, curve);
   forget_points(modal);
 }
 
@@ -83,10 +94,11 @@ int read_control_order(Task& task) {
   return 0;
 }
 
-double read_control_weight(Task& task) {
+double read_control_weight(Task& task, PendingPoints& curve) {
   const Word& word = task.values.word('P');
   if (word.value > 0) return word.value;
   report_word(task, 'P', Code::SC3007, "P, the weight of a control point, must be above 0");
+  curve.misshapen = true;
   return 1;
 }
 
@@ -94,8 +106,9 @@ double read_control_weight(Task& task) {
 void begin_control_points(Task& task) {
   PendingPoints& curve = begin_points(task);
   curve.order = read_control_order(task);
+  curve.misshapen = curve.order == 0;
   const bool of_start = task.values.has('P') && !task.values.letters().has_any(kAxisWords);
-  curve.weights.push_back(of_start ? read_control_weight(task) : 1);
+  curve.weights.push_back(of_start ? read_control_weight(task, curve) : 1);
 }
 
 bool has_control_words(Task& task) {
@@ -116,11 +129,13 @@ bool has_control_words(Task& task) {
 /// In G91 a distance from the start of the curve, as in LinuxCNC, whose position stays there.
 void add_control_point(Task& task, PendingPoints& curve) {
   const bool given = has_control_words(task);
+  if (!given) curve.lost_axes |= kAxisWords;
   if (task.modal.incremental) task.modal.position = curve.points.front();
   task.modal.position = end_point(task);
-  const double weight = given ? read_control_weight(task) : 1;
+  const double weight = given ? read_control_weight(task, curve) : 1;
   if (curve.points.size() == kMostCurvePoints) {
     if (!curve.broken) report_too_many(task);
+    curve.misshapen = true;
     return;
   }
   curve.points.push_back(task.modal.position);
@@ -142,10 +157,12 @@ void add_spline_point(Task& task, PendingPoints& curve) {
   if (start) return;
   const bool same = (point - curve.points.back()).norm() < kSplineSamePoint;
   task.modal.position = point;
+  if (same) curve.misshapen = true;
   if (same && !task.modal.uncertain.has_any(kAxisWords))
     report_words(task, kAxisWords, Code::SC2351, span_of(task.values, "XYZ"),
                  "the point of the spline is the one before it");
   if (curve.points.size() < kMaxSplinePoints) return curve.points.push_back(point);
+  curve.misshapen = true;
   if (!curve.broken)
     task.out.report(Code::SC3120, span_of(task.values, "XYZ"),
                     "a spline goes through " + std::to_string(kMaxSplinePoints) +
@@ -177,7 +194,7 @@ void control_points(Task& task) {
 
 void end_control_points(Task& task) {
   if (task.modal.points) {
-    if (task.out.failed()) task.modal.points->broken = true;
+    note_faults(task.command, task.modal, task.out, *task.modal.points);
     return finish_points(task.modal, task.out);
   }
   const bool left = !std::exchange(task.modal.words_of_left_curve, {}).empty();
@@ -205,6 +222,7 @@ void check_pending_points(const Command& command, Modal& modal, Output& out) {
   for (const auto& [code, word] : command.codes()) {
     if (belongs(*code, curve)) continue;
     report_stranger(curve, *code, *word, out);
+    note_stranger(*code, curve);
     if (ends) return leave_points(modal);
   }
   if (command.uncertain().has('G')) leave_points(modal);

@@ -37,16 +37,6 @@ namespace {
 
 constexpr int kG01 = 10, kG02 = 20, kG03 = 30;
 
-/// As of Move.
-std::uint8_t unknown_axes(const Modal& modal) noexcept {
-  const Letters unknown = modal.unknown_axes();
-  if (!unknown.has_any(kAxisWords)) return 0;
-  unsigned bits = 0;
-  for (int i = 0; i < kAxes; ++i)
-    if (unknown.has(axis_letter(i))) bits |= 1U << static_cast<unsigned>(i);
-  return static_cast<std::uint8_t>(bits);
-}
-
 Join join_of(const Modal& modal) { return modal.stops_once ? Join::stop : modal.join; }
 
 /// F was 0: told at it, if it stands on the line. Returns false.
@@ -129,6 +119,14 @@ SourcePos place_of(const Task& task, char letter) {
   return task.values.has(letter) ? task.values.word(letter).pos : task.word.pos;
 }
 
+[[gnu::hot]] std::uint8_t axis_bits(Letters letters) noexcept {
+  if (!letters.has_any(kAxisWords)) return 0;
+  unsigned bits = 0;
+  for (int i = 0; i < kAxes; ++i)
+    if (letters.has(axis_letter(i))) bits |= 1U << static_cast<unsigned>(i);
+  return static_cast<std::uint8_t>(bits);
+}
+
 [[gnu::hot]] AxisVector end_point(const Task& task) {
   return near_place(task,
                     task.modal.machine_coordinates ? end_in_machine(task) : end_in_program(task));
@@ -145,7 +143,7 @@ SourcePos place_of(const Task& task, char letter) {
     return task.out.emit(cutting_move(modal, std::move(path), modal.feed));
   }
   task.out.emit(Move{std::move(path), true, 0, join_of(modal), modal.corner_tolerance,
-                     modal.chord_tolerance, modal.feed_override, unknown_axes(modal),
+                     modal.chord_tolerance, modal.feed_override, axis_bits(modal.unknown_axes()),
                      std::nullopt});
 }
 
@@ -157,7 +155,7 @@ SourcePos place_of(const Task& task, char letter) {
           modal.corner_tolerance,
           modal.chord_tolerance,
           modal.feed_override,
-          unknown_axes(modal),
+          axis_bits(modal.unknown_axes()),
           surface_at_speed(modal)};
 }
 

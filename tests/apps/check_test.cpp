@@ -115,6 +115,43 @@ TEST_CASE("check warns where a line means something else in the other dialect", 
     CHECK(call(command, part).err.find("SC2120") == std::string::npos);
 }
 
+TEST_CASE("check looks at the travel of a curve that is refused for something else",
+          "[apps][check]") {
+  const auto where = [](const std::string& curve) {
+    const std::string out = call("check -", "F100\n" + curve + "\nM30\n").out;
+    const std::size_t at = out.find(": error SC4001: ");
+    return at == std::string::npos ? "" : out.substr(at + 16, out.find(" mm,", at) - at - 16);
+  };
+  const std::string x2000 = "X reaches 2000";
+  const std::string nurbs = "G06.2 P2 K0 X0 Y0\n";
+  CHECK(where(nurbs + "X2000 K0\nX3 K1 F5\nX4 K2\nK3\nK3") == x2000);
+  CHECK(where(nurbs + "X2000 K0\nM08\nX3 K1\nX4 K2\nK3\nK3") == x2000);
+  CHECK(where(nurbs + "X4 K0\nX2000 Y--1 K1\nX4 K2\nK3\nK3") == x2000);
+  CHECK(where(nurbs + "X4 K0\nX2--0 Y2000 K1\nX4 K2\nK3\nK3") == "Y reaches 2000");
+  // Of knots or weights that are wrong only the ends are certain.
+  CHECK(where(nurbs + "X9 K5\nX3 K1\nX2000 K6\nK7\nK7") == x2000);
+  CHECK(where(nurbs + "X9 K0\nX2000 K1 R-1\nX4 K2\nK3\nK3").empty());
+  CHECK(where(nurbs + "X9 K0 ?\nX2000 K1\nX4 K2\nK3\nK3").empty());
+  CHECK(where(nurbs + "X9 K0\nX2000 K1 G20\nX4 K2\nK3\nK3").empty());
+  CHECK(where(nurbs + "Z9 K0\nX2000 K1\nX2000 K2\nK3\nK3") == x2000);
+  CHECK(where("G06.2 P2 K0 X5 Y0\nX9 K0\nX2000 K1\nK3\nK3") == x2000);
+  CHECK(where(nurbs + "X9 K0\nX2000 K1\nK3 R2\nK3").empty());
+
+  CHECK(where("G06.1 X1 Y1 S-1\nX2000 Y1\nX3 Y3") == x2000);
+  CHECK(where("G06.1 X1 Y1\nX2000 Y..1\nX3 Y3") == x2000);
+  CHECK(where("G06.1 X1 Y1\nX1\nX2000") == x2000);
+  CHECK(where("G06.1 X1 Y1\nX2..000 Y1\nX3 Y3").empty());
+
+  CHECK(where("G05.2 L3 S-1\nX1 Y1 P1\nX5 Y5 P1\nX2000 Y1 P1\nG05.3") == x2000);
+  CHECK(where("G05.2 L3\nX1 Y1 P1\nX5 Y5 P-1\nX2000 Y1 P1\nG05.3") == x2000);
+  CHECK(where("G05.2 L11\nX1 Y1 P1\nX5 Y5 P1\nX2000 Y1 P1\nG05.3") == x2000);
+  CHECK(where("G05.2 L3\nX1 Y1 P1\nX2000 P1\nX2000 Y1 P1\nG05.3").empty());
+
+  CHECK(where("G05 X2000 Y0 I1 J1 P-1 Q1 S-1") == x2000);
+  CHECK(where("G05.1 X2000 Y0 I1 J1 T..1") == x2000);
+  CHECK(where("G05.1 X2000 Y0 I1 J..1").empty());
+}
+
 TEST_CASE("a diagnostic in a subprogram tells the calls that led there", "[apps][check]") {
   const Folder folder;
   write(folder / "part.nc", "(calls)\no<middle> call\nM30\n");

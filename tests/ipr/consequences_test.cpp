@@ -170,7 +170,22 @@ TEST_CASE("words of a curve are looked at beside one that does not belong there"
   CHECK(told(f + "G06.1 X1 Y1\nX1 Y1 F5\nX2") == Places{"SC2351 3:1", "SC3110 3:7"});
   const std::string curve = f + "G06.2 P2 X0 Y0 K0\n";
   CHECK(told(curve + "X2..1 K-1\nX2 K1 F5\nK1\nK0.5") ==
-        Places{"SC1004 3:2", "SC3004 3:7", "SC3110 4:7"});
+        Places{"SC1004 3:2", "SC3004 3:7", "SC3110 4:7", "SC3004 6:1"});
+}
+
+TEST_CASE("every knot that falls is told, and no knot for another one", "[ipr][consequences]") {
+  const std::string first = "F100\nG06.2 P2 X0 Y0 K0\nX1 K0\n";
+  CHECK(told(first + "X2 K5\nX3 K1\nX4 K2\nX5 K1\nX6 K6\nK7\nK7") ==
+        Places{"SC3004 5:4", "SC3004 7:4"});
+  CHECK(told(first + "X2 K5\nX3\nX4 K2\nK7\nK6") ==
+        Places{"SC3102 5:1", "SC3004 6:4", "SC3004 8:1"});
+  CHECK(told(first + "X2 K5\nX3 K..9\nX4 K2\nK7\nK7") == Places{"SC1004 5:5", "SC3004 6:4"});
+  CHECK(told("F100\nG06.2 P3 X0 K0\nX1 K0\nX2 K2\nX3 K1\nX4 K0.5\nK2\nK2\nK2") ==
+        Places{"SC3005 4:4", "SC3004 6:4"});
+  CHECK(told("F100\nG06.2 P3 X0 K0\nX1 K0\nX2 K0\nX3 K1\nK2\nK3\nK2") == Places{"SC3005 7:1"});
+  CHECK(told("F100\nG06.2 P11 X0 K0\nX1 K2\nX2 K1\nG00 X1") == Places{"SC3001 2:7", "SC3004 4:4"});
+  CHECK(told(first + "K1\nX2 K3\nX3 K2\nK4\nG00 X1") == Places{"SC3104 5:1"});
+  CHECK(told(first + "M08\nX2 K5\nX3 K4\nK6\nK6") == Places{"SC3105 4:1", "SC3004 6:4"});
 }
 
 TEST_CASE("pecks that are too many are told at the line of their words", "[ipr][consequences]") {
