@@ -193,12 +193,12 @@ void Flow::sought_in_vain(const Spot& from, const SourcePos& pos) {
   go(from);
 }
 
-/// Tells, and ends the program, if more lines have run since then than may be.
+/// Tells, and ends the program, if more blocks have run since then than may be.
 bool Flow::runs_too_long(std::int64_t lines, const std::string& what, SourcePos pos,
                          std::string_view text) {
   if (lines <= options_.block_limit) return false;
   break_off(Code::SC2310, pos,
-            what + " has run more than " + std::to_string(options_.block_limit) + " lines", text);
+            what + " has run more than " + std::to_string(options_.block_limit) + " blocks", text);
   return true;
 }
 

@@ -406,7 +406,8 @@ TEST_CASE("the search for many things that are missing comes to an end", "[ipr][
     definitions += "o" + label + " sub\n";
     jumps += "GOTO " + std::to_string(1000 + i) + "\n";
   }
-  const std::string too_long = "SC2310 the search for what is missing has run more than 1000 lines";
+  const std::string too_long =
+      "SC2310 the search for what is missing has run more than 1000 blocks";
   // 100 lines behind the first, 99 behind the second, ... 90 behind the eleventh
   CHECK(told(ifs + "M2") == Told{"1:1 SC2302 'o1 if' has no 'o1 endif'", "11:1 " + too_long});
   CHECK(told(definitions + "M2") ==
@@ -419,24 +420,24 @@ TEST_CASE("the search for many things that are missing comes to an end", "[ipr][
 
 TEST_CASE("a loop without end is told, and ends the program", "[ipr][flow]") {
   CHECK(told("o1 while [1]\no1 endwhile\nG0 X1 Q1\nM2") ==
-        Told{"1:1 SC2310 'o1 while' has run more than 1000 lines"});
+        Told{"1:1 SC2310 'o1 while' has run more than 1000 blocks"});
   CHECK(told("o1 do\nG0 X1\no1 while [1]\nM2") ==
-        Told{"1:1 SC2310 'o1 do' has run more than 1000 lines"});
+        Told{"1:1 SC2310 'o1 do' has run more than 1000 blocks"});
   CHECK(told("o1 repeat [1000000]\no1 endrepeat\nM2") ==
-        Told{"1:1 SC2310 'o1 repeat' has run more than 1000 lines"});
+        Told{"1:1 SC2310 'o1 repeat' has run more than 1000 blocks"});
   CHECK(told("DO 1\nEND 1\nM30", Dialect::fanuc) ==
-        Told{"1:1 SC2310 'DO 1' has run more than 1000 lines"});
+        Told{"1:1 SC2310 'DO 1' has run more than 1000 blocks"});
   CHECK(told("G0 X1\nN5 G0 X2\nGOTO 5\nM30", Dialect::fanuc) ==
-        Told{"3:1 SC2310 jumping back to line 2 has run more than 1000 lines"});
+        Told{"3:1 SC2310 jumping back to line 2 has run more than 1000 blocks"});
   CHECK(told("O1\nN5 G0 X2\nM99 P5", Dialect::fanuc) ==
-        Told{"3:1 SC2310 jumping back to line 2 has run more than 1000 lines"});
+        Told{"3:1 SC2310 jumping back to line 2 has run more than 1000 blocks"});
   CHECK(told("O1\nG0 X2\nM99", Dialect::fanuc) ==
-        Told{"3:1 SC2310 the program, which M99 starts again, has run more than 1000 lines"});
+        Told{"3:1 SC2310 the program, which M99 starts again, has run more than 1000 blocks"});
   CHECK(told("O1\nM98 P2 L9999\nM30\nO2\nG0 X1\nM99", Dialect::fanuc) ==
-        Told{"2:1 SC2310 the call of O2 has run more than 1000 lines"});
+        Told{"2:1 SC2310 the call of O2 has run more than 1000 blocks"});
   CHECK(told("o1 sub\no2 if [#1 GT 0]\no1 call [#1-1]\no1 call [#1-1]\no2 endif\no1 endsub\n"
              "o1 call [40]\nM2") ==
-        Told{"7:1 SC2310 the call of 'o1 sub' has run more than 1000 lines"});
+        Told{"7:1 SC2310 the call of 'o1 sub' has run more than 1000 blocks"});
 }
 
 TEST_CASE("programs of FANUC have numbers behind a colon, names and a title",
@@ -457,9 +458,9 @@ TEST_CASE("blocks of cycles count as lines of a loop", "[ipr][flow]") {
   const std::string drill = "G83 X1 Y1 Z-10 R1 Q0.1";
   const std::string start = "G21 G90 F100 G0 Z5\n";
   CHECK(told(start + "N10 " + drill + "\nGOTO 10\nM30", Dialect::fanuc) ==
-        Told{"3:1 SC2310 jumping back to line 2 has run more than 1000 lines"});
+        Told{"3:1 SC2310 jumping back to line 2 has run more than 1000 blocks"});
   CHECK(told(start + "o1 repeat [5]\n" + drill + "\no1 endrepeat\nM2") ==
-        Told{"2:1 SC2310 'o1 repeat' has run more than 1000 lines"});
+        Told{"2:1 SC2310 'o1 repeat' has run more than 1000 blocks"});
   std::string plain = start;
   for (int i = 0; i < 20; ++i) plain += drill + "\n";
   CHECK(told(plain + "#1=0\nN5 #1=#1+1\nIF [#1 LT 5] GOTO 5\nM30", Dialect::fanuc).empty());
