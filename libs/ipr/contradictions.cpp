@@ -37,6 +37,8 @@ constexpr std::array<ContradictionRow, kContradictions> kTable{{
      "belong to the call"},
     {C::assigned_offset, Code::SC1039, "an offset assigned to (#5211 to #5382)",
      "counts from the next code that selects or changes one", "counts at once"},
+    {C::offset_unit, Code::SC1040, "the variable of an offset (#5161 to #5382) in G20", "counts mm",
+     "counts inches"},
     {C::dwell, Code::SC2120, "G04 P", "counts seconds", "counts milliseconds"},
     {C::cycle_dwell, Code::SC2121, "P of a canned cycle", "counts seconds", "counts milliseconds"},
     {C::work_system_in_g91, Code::SC2122, "G10 L2 in G91", "sets the origin to the values",

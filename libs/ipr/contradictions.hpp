@@ -32,6 +32,7 @@ enum class Contradiction : std::uint8_t {
   system_variable,
   local_variable,
   assigned_offset,
+  offset_unit,
   dwell,
   cycle_dwell,
   work_system_in_g91,
@@ -47,7 +48,7 @@ enum class Contradiction : std::uint8_t {
   entry,
   exact_stop,
 };
-inline constexpr std::size_t kContradictions = 26;
+inline constexpr std::size_t kContradictions = 27;
 
 struct ContradictionRow {
   Contradiction kind;

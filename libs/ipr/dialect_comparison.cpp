@@ -120,7 +120,15 @@ std::optional<double> Expression::read_there(const Variable& variable) {
   if (!there) note(Code::SC1025, end(), end(), "");
   const auto here = parameters_.read(number);
   if (there && here && is_vacant(*there) != is_vacant(*here)) differs(Contradiction::vacant);
-  return there.value_or(kUncertain);
+  return there && !is_uncertain(*there) ? in_unit_there(number, *there) : kUncertain;
+}
+
+/// A length that is kept, as the other dialect counts it.
+double Expression::in_unit_there(int number, double value) {
+  const double unit = parameters_.fanuc_unit(number);
+  if (unit == 1) return value;
+  differs(Contradiction::offset_unit);
+  return is_fanuc() ? value / unit : value * unit;
 }
 
 }  // namespace softcnc::ipr

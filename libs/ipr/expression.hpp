@@ -94,6 +94,7 @@ class Expression {
   void compare_operator(const Operator& op, double left, double right);
   void compare_function(const Function& function, std::span<const double> arguments);
   std::optional<double> read_there(const Variable& variable);
+  double in_unit_there(int number, double value);
 
   Operand binary(int lowest);
   const Operator* peek_operator();

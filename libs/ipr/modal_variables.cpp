@@ -235,10 +235,23 @@ std::optional<double> ModalVariables::read(std::string_view name) const {
 
 std::optional<double> ModalVariables::read(int number) const {
   if (uncertain_.count(number) > 0) return kUncertain;
-  if (modal_.offsets_uncertain && is_offset(number)) return kUncertain;
+  if ((modal_.offsets_uncertain || !knows_unit()) && is_offset(number)) return kUncertain;
   if (const auto offset = offset_variable(number, modal_.state, dialect_))
-    return *offset->value / offset->unit;
+    return *offset->value / (offset->unit * unit());
   return dialect_ == Dialect::fanuc ? read_fanuc(number) : read_linuxcnc(number);
+}
+
+/// Mm, of the lengths that are kept.
+double ModalVariables::unit() const noexcept {
+  return dialect_ == Dialect::fanuc ? modal_.mm_per_unit : 1;
+}
+
+bool ModalVariables::knows_unit() const noexcept {
+  return dialect_ != Dialect::fanuc || !modal_.doubted.has(Group::units);
+}
+
+double ModalVariables::fanuc_unit(int number) const {
+  return offset_variable(number, modal_.state, Dialect::fanuc) ? modal_.mm_per_unit : 1;
 }
 
 std::optional<double> ModalVariables::read_linuxcnc(int number) const {
@@ -263,7 +276,8 @@ std::optional<double> ModalVariables::read_fanuc(int number) const {
   for (const int first : {kBlockEnd, kCurrent})
     if (const int axis = axis_in(number, first); axis >= 0) return program_position(modal_, axis);
   if (const int axis = axis_in(number, kMachine); axis >= 0) return machine_position(modal_, axis);
-  if (const int axis = axis_in(number, kLength); axis >= 0) return modal_.tool_offset[axis];
+  if (const int axis = axis_in(number, kLength); axis >= 0)
+    return knows_unit() ? modal_.tool_offset[axis] / unit() : kUncertain;
   if (axis_in(number, kCommon) >= 0) return 0;
   if (number >= kKept && number < kKeptEnd) {
     const auto kept = modal_.state.parameters.find(number);
@@ -271,7 +285,7 @@ std::optional<double> ModalVariables::read_fanuc(int number) const {
   }
   if (const auto of_tool = tool_variable(number)) {
     ToolOffset tool = tools().find(of_tool->tool).value_or(ToolOffset{});
-    return of_tool->of(tool);
+    return of_tool->of(tool) / unit();
   }
   if (number == kNoSingleBlock || number == kNoHold) return 0;
   for (const Coded& row : kFanucCodes)
@@ -298,14 +312,14 @@ bool ModalVariables::is_read_only(int number) const {
 double ModalVariables::limit(int number) const {
   if (!is_offset(number)) return std::numeric_limits<double>::max();
   const auto offset = offset_variable(number, modal_.state, dialect_);
-  return offset ? offset->limit : kFarthest;
+  return (offset ? offset->limit : kFarthest) / unit();
 }
 
 /// A vacant offset is 0.
 bool ModalVariables::write(int number, double value) {
   if (!is_offset(number) && dialect_ != Dialect::fanuc) return false;
   uncertain_.erase(number);
-  if (is_uncertain(value)) {
+  if (is_uncertain(value) || (is_offset(number) && !knows_unit())) {
     uncertain_.insert(number);
     if (is_offset(number)) modal_.doubt_offsets();
     return true;
@@ -323,9 +337,9 @@ void ModalVariables::keep(int number, double value) {
 /// Expects a number that is_offset().
 void ModalVariables::write_offset(int number, double value) {
   if (const auto offset = offset_variable(number, modal_.state, dialect_))
-    *offset->value = value * offset->unit;
+    *offset->value = value * offset->unit * unit();
   else if (const auto of_tool = tool_variable(number))
-    of_tool->of(tools().row(of_tool->tool)) = value;
+    of_tool->of(tools().row(of_tool->tool)) = value * unit();
 }
 
 bool ModalVariables::write_fanuc(int number, double value) {

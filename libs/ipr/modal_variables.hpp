@@ -11,7 +11,8 @@
 namespace softcnc::ipr {
 
 /// What an error has made unknown is kUncertain. Offsets, lengths and radii are in mm, as a machine
-/// keeps them, rotations in degrees; the rest is in the units of the program.
+/// keeps them, in the fanuc dialect in the units of the program; rotations are in degrees, the rest
+/// is in the units of the program.
 class ModalVariables final : public SystemVariables {
  public:
   /// What is referred to must outlive the variables.
@@ -23,6 +24,7 @@ class ModalVariables final : public SystemVariables {
   bool has(int number, Dialect dialect) const override;
   bool is_read_only(int number) const override;
   double limit(int number) const override;
+  double fanuc_unit(int number) const override;
   bool write(int number, double value) override;
   void keep(int number, double value) override;
 
@@ -30,6 +32,8 @@ class ModalVariables final : public SystemVariables {
   ToolTable tools() const noexcept { return {modal_.state, machine_, dialect_}; }
   double diameter() const;
   bool is_offset(int number) const;
+  double unit() const noexcept;
+  bool knows_unit() const noexcept;
   std::optional<double> read_linuxcnc(int number) const;
   std::optional<double> read_fanuc(int number) const;
   void write_offset(int number, double value);

@@ -77,6 +77,10 @@ bool Parameters::is_fanuc_system(int number) const {
          system_->has(number, Dialect::fanuc) && !system_->has(number, Dialect::linuxcnc);
 }
 
+double Parameters::fanuc_unit(int number) const {
+  return is_system(number) && system_ != nullptr ? system_->fanuc_unit(number) : 1;
+}
+
 bool Parameters::is_fanuc_local(int number) noexcept {
   return number > kLocals && number <= kFanucLocals;
 }

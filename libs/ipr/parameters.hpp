@@ -38,6 +38,8 @@ class SystemVariables {
   virtual bool is_read_only(int number) const = 0;
   /// How far from 0 an assigned value may lie.
   virtual double limit(int number) const = 0;
+  /// Mm in the unit in which the fanuc dialect counts what linuxcnc counts in mm; otherwise 1.
+  virtual double fanuc_unit(int number) const = 0;
   /// False: no variable of the system has this number. Expects one that may be written.
   virtual bool write(int number, double value) = 0;
   /// Remembers the value of an ordinary variable for the next program.
@@ -68,6 +70,8 @@ class Parameters {
   std::optional<double> read_as(int number, Dialect other) const;
   /// Whether it is the system's in the fanuc dialect, and a variable like others in linuxcnc.
   bool is_fanuc_system(int number) const;
+  /// As of SystemVariables.
+  double fanuc_unit(int number) const;
   /// Whether it is local in the fanuc dialect alone.
   static bool is_fanuc_local(int number) noexcept;
 

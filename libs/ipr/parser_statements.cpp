@@ -172,6 +172,8 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
   auto variable = expression.variable();
   if (variable && (is_order(*variable) || is_tool_value(*variable)))
     note(Contradiction::system_variable, sign.column, lexer.end() - sign.column);
+  if (variable && parameters_.fanuc_unit(variable->number) != 1)
+    note(Contradiction::offset_unit, sign.column, lexer.end() - sign.column);
   if (variable && is_order(*variable) && options_.dialect == Dialect::fanuc)
     return read_order(lexer, sign, variable->number);
   const SourcePos at{line_.number, sign.column, lexer.end() - sign.column};

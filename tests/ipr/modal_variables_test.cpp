@@ -131,6 +131,21 @@ TEST_CASE("offsets can be read and written", "[ipr][variables]") {
   CHECK(end_of("#5221=5\nG0 X1", kFanuc).isApprox(AxisVector(6, 0, 0)));
 }
 
+TEST_CASE("offsets are in mm, on FANUC's controls in the units of the program",
+          "[ipr][variables]") {
+  CHECK(end_of("G20\n#5221=1 G54\nG0 X0 Y#5221").isApprox(AxisVector(1, 25.4, 0)));
+  CHECK(end_of("G20\n#5221=1\nG0 X0 Y#5221", kFanuc).isApprox(AxisVector(25.4, 25.4, 0)));
+  CHECK(end_of("#5221=1\nG20\nG0 X0 Y#5221", kFanuc).isApprox(AxisVector(1, 1, 0)));
+  CHECK(end_of("G20\n#11001=2\nG43 H1 G0 Z0\nX#5083 Y#2201", kFanuc)
+            .isApprox(AxisVector(50.8, 50.8, 50.8)));
+  CHECK(end_of("G20\n#13002=2\nG21\nG0 X#13002", kFanuc).isApprox(AxisVector(50.8, 0, 0)));
+  CHECK(end_of("G20 G0 X2\nG0 Y#5001 Z#5021", kFanuc).isApprox(AxisVector(50.8, 50.8, 50.8)));
+  const auto told = [](const char* text) { return places(interpret(text, {}, kFanuc)); };
+  CHECK(told("G20\n#5221=39370\nM30\n").empty());
+  CHECK(told("G20\n#5221=39371\nM30\n") == Places{"SC3008 2:1"});
+  CHECK(told("G20 G21\n#5221=1\nG00 X[1/#5221] Y[1/#5083]\nM30\n") == Places{"SC2002 1:5"});
+}
+
 TEST_CASE("common variables of FANUC from #500 on outlive the program", "[ipr][variables]") {
   Reader reader = Reader::from_text("#501=[#500+1]\n#500=#0\n#100=3\n#502=#503\nM30\n");
   Diagnostics diagnostics;

@@ -23,6 +23,7 @@ class TwoVariables final : public SystemVariables {
   }
   bool has(int number, Dialect) const override { return read(number).has_value(); }
   bool is_read_only(int number) const override { return number == 5420; }
+  double fanuc_unit(int) const override { return 1; }
   double limit(int number) const override { return number == 5221 ? 1000 : 1e300; }
   bool write(int number, double value) override {
     if (number != 5221) return false;
