@@ -16,7 +16,8 @@ namespace {
 constexpr std::string_view kLetters = "ABCIJKDEF.H.M...QRSTUVWXYZ";
 static_assert(kLetters.size() == 26);
 
-/// Numbers the words, in their order.
+/// Numbers the words, in their order. Of those with one number the last counts, as on FANUC's
+/// controls.
 class Numbering {
  public:
   /// 0: a letter that is no argument.
@@ -54,16 +55,9 @@ std::optional<std::vector<double>> macro_arguments(Task& task) {
   const Parameters& parameters = task.flow.parameters();
   std::vector<double> values;
   Numbering numbering;
-  Letters seen;
   bool good = true;
   for (const Word& word : task.command.arguments()) {
     if (word.letter == 'P' || word.letter == 'L') continue;
-    if (seen.has(word.letter) && !Letters("IJK").has(word.letter)) {
-      task.out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
-      good = false;
-      continue;
-    }
-    seen.add(word.letter);
     const int number = numbering.number(word.letter);
     if (number == 0 || number > parameters.locals()) {
       task.out.report(Code::SC2311, word.pos,
