@@ -2,6 +2,7 @@
 // One function per level of the grammar; operators by precedence climbing.
 #include "ipr/expression.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -46,6 +47,16 @@ std::string lower_case(std::string_view name) {
 std::string name_of(const Variable& variable) {
   return variable.name.empty() ? "#" + std::to_string(variable.number)
                                : "#<" + variable.name.substr(0, kLongestShown) + ">";
+}
+
+std::string lacks_variable(const Variable& variable, Dialect dialect) {
+  const auto is_clock = [&] {
+    constexpr std::array kClocks{3001, 3002, 3011, 3012};
+    return std::find(kClocks.begin(), kClocks.end(), variable.number) != kClocks.end();
+  };
+  const bool clock = dialect == Dialect::fanuc && is_clock();
+  return "there is no variable " + name_of(variable) +
+         (clock ? ", a clock: a program does the same whenever it runs" : "");
 }
 
 /// What follows the '[' at column `open`.
@@ -162,7 +173,7 @@ double Expression::read_variable(int begin) {
     if (const auto value = read_there(*named)) return *value;
   if (named->name.empty()) {
     if (const auto value = parameters_.read(named->number)) return *value;
-    return note(Code::SC1025, begin, end(), "there is no variable " + name_of(*named));
+    return note(Code::SC1025, begin, end(), lacks_variable(*named, dialect_));
   }
   if (const auto value = parameters_.read(named->name)) return *value;
   return note(Code::SC1024, begin, end(), name_of(*named) + " has no value");

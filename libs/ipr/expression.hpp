@@ -29,6 +29,9 @@ struct Variable {
 };
 
 std::string name_of(const Variable& variable);
+
+/// That there is no such variable, and why.
+std::string lacks_variable(const Variable& variable, Dialect dialect);
 /// A name as it is known: in lower case, without blanks.
 std::string lower_case(std::string_view name);
 
@@ -91,10 +94,10 @@ class Expression {
   void compare(const Lexer& start, double here, double there, const Expression& shadow);
   bool in_other_dialect() const noexcept { return dialect_ != parameters_.dialect(); }
   void differs(Contradiction why) noexcept;
+  double in_unit_there(int number, double value);
   void compare_operator(const Operator& op, double left, double right);
   void compare_function(const Function& function, std::span<const double> arguments);
   std::optional<double> read_there(const Variable& variable);
-  double in_unit_there(int number, double value);
 
   Operand binary(int lowest);
   const Operator* peek_operator();

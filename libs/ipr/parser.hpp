@@ -118,6 +118,7 @@ class Parser {
   void obey_comment(int column);
   void end_by_alarm(int column, int length, std::string message);
   Token read_mark(Lexer& lexer, const Token& mark);
+  bool calls_by_name(std::string_view mark) const;
   Token read_macro(Lexer& lexer, const Token& mark);
   Token read_percent(Lexer& lexer, const Token& percent);
   std::optional<Token> sign_of_program(Lexer& lexer, const Token& mark) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What stands on a line and begins no word, and how a wrong line is told.
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -43,11 +44,26 @@ std::string meant_by(std::string_view mark, Lexer lexer) {
   return corner ? "; chamfers and roundings within a line are not supported" : "";
 }
 
+/// FANUC's orders to a device that takes down what a program tells.
+bool writes_to_device(std::string_view letters) {
+  constexpr std::array<std::string_view, 4> kOrders{"POPEN", "BPRNT", "DPRNT", "PCLOS"};
+  std::string upper(letters);
+  for (char& c : upper) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return std::find(kOrders.begin(), kOrders.end(), upper) != kOrders.end();
+}
+
+/// On the first line: names of files and parts stand there, before the '%'.
+std::string title_meant(int line) {
+  return line == 1 ? "; a title before the program stands in ( )" : "";
+}
+
 /// Behind a blank or a value.
 bool begins_something(std::string_view before) {
   return before.empty() || is_blank(before.back()) || is_number_part(before.back()) ||
          before.back() == ']' || before.back() == ')';
 }
+
+constexpr const char* kByNumber = "; programs are called by P and their number only";
 
 /// What stands behind one, like M117, may be its text.
 bool has_unknown_code(std::span<const Word> words) {
@@ -87,8 +103,14 @@ std::optional<Token> Parser::pass_name(Lexer& lexer, const Token& letter) {
     lose_rest();
     return Token{};
   }
+  if (writes_to_device(letters)) {
+    report(Code::SC1020, letter.column, static_cast<int>(letters.size()),
+           quoted(letters) + " writes to a device, and there is none");
+    given_up_ = true;
+    return Token{};
+  }
   report(Code::SC1020, letter.column, static_cast<int>(letters.size()),
-         quoted(letters) + " is no keyword and no function");
+         quoted(letters) + " is no keyword and no function" + title_meant(line_.number));
   lexer.back_to(letter);
   lexer.take_letters();
   return go_on_behind(lexer);
@@ -234,6 +256,16 @@ void Parser::read_nul(const Token& nul) {
     refuse_file(encoding);
 }
 
+/// FANUC's M98 <NAME> and G65 <NAME>.
+bool Parser::calls_by_name(std::string_view mark) const {
+  constexpr int kM98 = 980;
+  return mark == "<" && std::any_of(words_.begin(), words_.end(), [](const Word& word) {
+           const GCode* code = find_gcode(word.letter, word.value);
+           return code != nullptr &&
+                  (calls_macro(*code) || (code->letter == 'M' && code->number == kM98));
+         });
+}
+
 Token Parser::read_macro(Lexer& lexer, const Token& mark) {
   const bool assigns = text_of(line_.text, mark) == "#";
   if (strange() && !assigns) {
@@ -247,7 +279,8 @@ Token Parser::read_macro(Lexer& lexer, const Token& mark) {
   else if (text == "]")
     give_up(Code::SC1017, mark, "this ']' has no '['");
   else
-    give_up(Code::SC1001, mark, quoted(text) + " has no place here");
+    give_up(Code::SC1001, mark,
+            quoted(text) + " has no place here" + (calls_by_name(text) ? kByNumber : ""));
   return {};
 }
 

@@ -258,7 +258,7 @@ bool Parser::may_assign(const Variable& variable, SourcePos at) {
   if (access == Access::read_only)
     report(Code::SC1026, at.column, at.length, name_of(variable) + " cannot be assigned to");
   else if (access == Access::no_such)
-    report(Code::SC1025, at.column, at.length, "there is no variable " + name_of(variable));
+    report(Code::SC1025, at.column, at.length, lacks_variable(variable, options_.dialect));
   return access == Access::granted;
 }
 

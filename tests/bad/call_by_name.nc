@@ -1,0 +1,7 @@
+(expect SC1001 2:5, SC1001 3:5, SC1001 4:8; fanuc)
+M98 <PART>
+G65 <DRILL> A1
+G00 X1 <PART>
+M30
+O<PART>
+M99
