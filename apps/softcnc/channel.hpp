@@ -46,7 +46,8 @@ struct Pause {
   bool before = false;  // the block, which is the next one; or behind it: M00, M01 or M06
 };
 
-/// Tells where a line that is refused for something else would leave the travel, too.
+/// Tells where a move that is not planned would leave the travel, as that of a line which is
+/// refused for something else.
 class RefusedTravel final : public ipr::RefusedMoves {
  public:
   RefusedTravel(const Machine& machine, Diagnostics& diagnostics)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "preflight.hpp"
 
+#include "endless.hpp"
 #include "verification.hpp"
 
 namespace softcnc::app {
@@ -32,8 +33,13 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
   if (!backend) return {messages.fail(backend.error()), Outcome()};
   Diagnostics diagnostics(messages.sink(program));
   diagnostics.set_file(program.name());
-  ipr::Reader reader = program.reader();
   Preflight result;
+  if (!program.streamed() && is_endless(program, machine, options, watcher)) {
+    result.outcome = read_unplanned(program, machine, options, diagnostics, watcher);
+    result.status = diagnostics.status();
+    return result;
+  }
+  ipr::Reader reader = program.reader();
   result.outcome = simulate(reader, program.descriptor(), machine, options, **backend, diagnostics,
                             nullptr, watcher);
   if (diagnostics.errors() == 0) {

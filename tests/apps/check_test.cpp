@@ -152,6 +152,28 @@ TEST_CASE("check looks at the travel of a curve that is refused for something el
   CHECK(where("G05.1 X2000 Y0 I1 J..1").empty());
 }
 
+TEST_CASE("check tells of an endless loop all that it tells of others", "[apps][check]") {
+  const Folder folder;
+  const std::string part = folder / "part.nc";
+  write(part, "(loop)\nM98 P2\nM30\nO2\nWHILE [1] DO 1\nG00 X2000\nX0 Q1\nEND 1\nM99\n");
+  const Ended ended = call("check --set program.block_limit=1000 " + part);
+  CHECK(ended.status == 1);
+  CHECK(ended.out == part +
+                         ":6:1: error SC4001: X reaches 2000 mm, 1000 mm beyond its travel from "
+                         "-1000 to 1000 mm\n"
+                         "    6 | G00 X2000\n"
+                         "      | ^~~\n" +
+                         part + ":2:1: note: called from here\n" + part +
+                         ":7:4: error SC2004: Q is used by no code of this line\n"
+                         "    7 | X0 Q1\n"
+                         "      |    ^~\n" +
+                         part + ":2:1: note: called from here\n" + part +
+                         ":5:1: error SC2310: 'DO 1' has run more than 1000 blocks\n"
+                         "    5 | WHILE [1] DO 1\n"
+                         "      | ^~~~~~~~~~~~~~\n" +
+                         part + ":2:1: note: called from here\n");
+}
+
 TEST_CASE("a diagnostic in a subprogram tells the calls that led there", "[apps][check]") {
   const Folder folder;
   write(folder / "part.nc", "(calls)\no<middle> call\nM30\n");
