@@ -12,8 +12,14 @@ namespace {
 
 constexpr int kOldForm = 10000;  // M98 P51000: five times O1000
 
-/// The number after a letter; nothing if it is missing or bad, which is told.
+/// The number of the program, 0 of one that is called by name; nothing if it is missing or bad,
+/// which is told.
 std::optional<int> program_number(Task& task) {
+  if (!task.command.called().empty()) {
+    if (task.values.has('P'))
+      report_word(task, 'P', Code::SC2004, "P beside the name of the subprogram");
+    return 0;
+  }
   if (task.values.has('P')) return whole_number(task, task.values.word('P'));
   task.out.report(Code::SC2005, task.word.pos,
                   code_name(task.code) + " needs P, the number of the subprogram");
@@ -38,6 +44,7 @@ Jump call_of(Task& task, Jump::Kind kind, int number) {
   Jump jump;
   jump.kind = kind;
   jump.number = number;
+  jump.name = task.command.called();
   jump.times = optional_number(task, 'L').value_or(1);
   jump.pos = task.word.pos;
   return jump;

@@ -37,6 +37,7 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
   lost_all_ = false;
   calls_macro_ = false;
   below_cycle_ = nullptr;
+  called_ = line.called;
   for (const Word& word : line.words) {
     is_code_letter(word.letter) ? read_code(word, dialect, out) : read_value(word, out);
     if (!calls_macro_) continue;

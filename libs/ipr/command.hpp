@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string_view>
 
 #include "ipr/dialect.hpp"
 #include "ipr/gcode_table.hpp"
@@ -63,6 +64,8 @@ class Command {
   Letters unused(Dialect dialect) const noexcept;
   /// The words behind G65.
   std::span<const Word> arguments() const noexcept { return arguments_; }
+  /// As of Line.
+  std::string_view called() const noexcept { return called_; }
   /// What the line's own errors have made uncertain.
   Letters uncertain() const noexcept { return uncertain_; }
   /// What of that holds for the lines behind as well.
@@ -88,6 +91,7 @@ class Command {
   bool calls_macro_ = false;
   const GCode* below_cycle_ = nullptr;
   std::span<const Word> arguments_;
+  std::string_view called_;
   Letters uncertain_;
   Groups doubted_;
   bool lost_all_ = false;  // of the line: nobody knows what its words are

@@ -40,6 +40,7 @@ struct Jump {
   enum class Kind : std::uint8_t { call, call_macro, leave };
   Kind kind = Kind::call;
   int number = 0;                  // of the program called
+  std::string name;                // the same of one that is called by name
   int times = 1;                   // how often it runs
   std::optional<int> line_number;  // N at which to go on
   std::vector<double> arguments;   // of a macro: #1 and up

@@ -132,7 +132,8 @@ void Flow::perform_jump() {
   if (jump.kind == Jump::Kind::leave) return leave_by_code(jump);
   const bool macro = jump.kind == Jump::Kind::call_macro;
   if (jump.times <= 0) return;
-  if (auto sub = find(std::to_string(jump.number), true, jump.pos))
+  const std::string label = jump.name.empty() ? std::to_string(jump.number) : jump.name;
+  if (auto sub = find(label, true, jump.pos))
     enter(std::move(*sub), std::move(jump), macro);
   else
     miss_call(macro);

@@ -34,6 +34,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 /// Names that the file of a subprogram may have.
 std::vector<std::string> file_names(const std::string& label, bool program) {
   if (!program) return {label + ".ngc", label + ".nc"};
+  if (!is_number(label)) return {label + ".nc", label + ".ngc", label};
   const std::string padded = std::string(label.size() < 4 ? 4 - label.size() : 0, '0') + label;
   std::vector<std::string> names;
   for (const std::string& stem : {"O" + padded, "o" + padded, "O" + label, "o" + label, label})

@@ -33,6 +33,7 @@ struct Line {
   bool skip = false;                     // begins with '/'
   bool broken = false;                   // reported already; `words` are those that could be read
   Letters lost;                          // of a broken line: words that could not be read
+  std::string_view called;               // FANUC: the program that it calls by name, in lower case
 };
 
 struct ParserOptions {
@@ -118,7 +119,8 @@ class Parser {
   void obey_comment(int column);
   void end_by_alarm(int column, int length, std::string message);
   Token read_mark(Lexer& lexer, const Token& mark);
-  bool calls_by_name(std::string_view mark) const;
+  bool calls_program() const;
+  Token read_called(Lexer& lexer, const Token& mark);
   Token read_macro(Lexer& lexer, const Token& mark);
   Token read_percent(Lexer& lexer, const Token& percent);
   std::optional<Token> sign_of_program(Lexer& lexer, const Token& mark) const;
@@ -151,6 +153,7 @@ class Parser {
   Diagnostics& diagnostics_;
   Line line_;
   std::vector<Word> words_;
+  std::string called_;
   ParserOptions options_;
   Parameters parameters_;
   std::vector<Assigned> assignments_;  // of the line; all is read before one takes effect

@@ -63,7 +63,7 @@ bool begins_something(std::string_view before) {
          before.back() == ']' || before.back() == ')';
 }
 
-constexpr const char* kByNumber = "; programs are called by P and their number only";
+constexpr const char* kFanucName = "; the name of a program is read in the fanuc dialect only";
 
 /// What stands behind one, like M117, may be its text.
 bool has_unknown_code(std::span<const Word> words) {
@@ -256,14 +256,25 @@ void Parser::read_nul(const Token& nul) {
     refuse_file(encoding);
 }
 
-/// FANUC's M98 <NAME> and G65 <NAME>.
-bool Parser::calls_by_name(std::string_view mark) const {
+bool Parser::calls_program() const {
   constexpr int kM98 = 980;
-  return mark == "<" && std::any_of(words_.begin(), words_.end(), [](const Word& word) {
-           const GCode* code = find_gcode(word.letter, word.value);
-           return code != nullptr &&
-                  (calls_macro(*code) || (code->letter == 'M' && code->number == kM98));
-         });
+  return std::any_of(words_.begin(), words_.end(), [](const Word& word) {
+    const GCode* code = find_gcode(word.letter, word.value);
+    return code != nullptr && (calls_macro(*code) || (code->letter == 'M' && code->number == kM98));
+  });
+}
+
+/// The name in FANUC's M98 <NAME> and G65 <NAME>.
+Token Parser::read_called(Lexer& lexer, const Token& mark) {
+  lexer.back_to(mark);
+  Expression name(lexer, parameters_);
+  const auto named = name.variable();
+  if (!named) {
+    give_up(name.fault(), lexer);
+    return {};
+  }
+  line_.called = called_ = named->name;
+  return lexer.next();
 }
 
 Token Parser::read_macro(Lexer& lexer, const Token& mark) {
@@ -274,13 +285,16 @@ Token Parser::read_macro(Lexer& lexer, const Token& mark) {
   }
   const std::string_view text = text_of(line_.text, mark);
   if (text == "#") return read_assignment(lexer, mark);
+  const bool name = text == "<" && calls_program();
+  const bool fanuc = options_.dialect == Dialect::fanuc;
+  if (name && fanuc && line_.called.empty()) return read_called(lexer, mark);
   if (text == "[")
     give_up(Code::SC1007, mark, "'[' has no letter before it");
   else if (text == "]")
     give_up(Code::SC1017, mark, "this ']' has no '['");
   else
     give_up(Code::SC1001, mark,
-            quoted(text) + " has no place here" + (calls_by_name(text) ? kByNumber : ""));
+            quoted(text) + " has no place here" + (name && !fanuc ? kFanucName : ""));
   return {};
 }
 

@@ -226,6 +226,17 @@ TEST_CASE("FANUC: M99 leads where P says, and starts the main program again", "[
   CHECK(fanuc_way("O1\nM98 P2 Q5\nM30\nO2\nG0 X1\nN5 G0 X2\nM99") == Positions{2});
 }
 
+TEST_CASE("FANUC calls programs by name as well as by number", "[ipr][flow]") {
+  const std::string subs = "\nM30\nO<Drill>\nG0 X#1\nM99\nO<other>\nG0 X9\nM99";
+  CHECK(fanuc_way("O1\nG65 <DRILL> A1 L2\nM98 <Other>\nG0 X3" + subs) == Positions{1, 9, 3});
+  CHECK(fanuc_way("O1\nN5 M98 < other > L2\nG0 X3" + subs) == Positions{9, 3});
+  CHECK(fanuc_way("O1\n#1=4\nM98 <DRILL>\nIF [#1 EQ 5] GOTO 7\nG65 <DRILL> A#1 A5\nN7" + subs) ==
+        Positions{4, 5});
+  Folder folder;
+  folder.with("part.nc", "G0 X7\nM99\n");
+  CHECK(way_of(folder.run("M98 <PART>\nM30\n", Dialect::fanuc)) == Positions{7});
+}
+
 TEST_CASE("of arguments of G65 with one letter the last counts", "[ipr][flow]") {
   const std::string sub = "\nM30\nO2\nG0 X#1\nX#4\nX#7\nM99";
   CHECK(fanuc_way("O1\nG65 P2 A1 A2 I3 I4" + sub) == Positions{2, 3, 4});

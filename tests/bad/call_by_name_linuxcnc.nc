@@ -1,0 +1,3 @@
+(expect SC1001 2:5)
+M98 <PART>
+M30
