@@ -15,7 +15,7 @@ using test::write;
 struct Stopping final : Watcher {
   bool wants_stop() override { return true; }
   void sees(const Setpoint&) override {}
-  void pause(const Block&) override {}
+  void pause(const Pause&) override {}
   void wait_for_input(int) override {}
 };
 
