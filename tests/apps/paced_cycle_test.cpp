@@ -165,7 +165,7 @@ TEST_CASE("a backend that takes too long is an overrun, and so is a plan", "[app
   Fickle quick;
   PacedCycle starved(quick, kPeriod, nullptr);
   drive(starved, 400);  // enough to begin with
-  sleep_until(now_ns() + 600'000'000);
+  sleep_until(now_ns() + 1'500'000'000);
   drive(starved, 10, 400);
   starved.rest();
   starved.stop();
