@@ -35,7 +35,7 @@ Jump jump(const Path& before, const Path& after) noexcept;
 std::optional<Blend> make_blend(const Joint& joint);
 
 /// The cosine between two directions below which the path counts as turning back, and the machine
-/// stops.
-inline constexpr double kTurnsBack = -0.98;
+/// stops: a curve around such a tip is hardly faster, and so small that planning it takes long.
+inline constexpr double kTurnsBack = -0.87;
 
 }  // namespace softcnc::ipo

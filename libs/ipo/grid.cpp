@@ -154,13 +154,14 @@ class Refiner {
     const Look mid = look(middle, Side::after);
     const double gain = most_gain(0.5 * whole.length());
     whole.q0 = std::min(whole.q0, q_behind_);
+    const double reached = std::min(whole.q0, whole.q1) + gain;
     const double q = std::min({mid.cap.q, whole.q0 + gain, whole.q1 + gain});
     whole.q0 = std::min(whole.q0, q + gain);
     whole.q1 = std::min(whole.q1, q + gain);
     const Stretch first{whole.s0, middle, whole.left, mid, whole.q0, q};
     const Stretch second{middle, whole.s1, mid, whole.right, q, whole.q1};
     const double off = off_middle(whole, mid);
-    const bool linear = off <= kHalfParts * kGridTolerance && caps_are_linear(whole, mid);
+    const bool linear = off <= kHalfParts * kGridTolerance && caps_are_linear(whole, mid, reached);
     const bool fine = depth >= least_depth_ && follows_ramps(whole) && follows_steps(whole, mid) &&
                       linear && off <= kGridTolerance;
     const bool shortest =
@@ -203,7 +204,7 @@ class Refiner {
   }
 
   /// What q may gain over a way, mm: no acceleration is larger than what all axes have together.
-  double most_gain(double way) const noexcept { return evenly_ ? gain_ * way : kUnlimited; }
+  double most_gain(double way) const noexcept { return is_rough(move_) ? kUnlimited : gain_ * way; }
 
   /// Whether two halves are known well enough by what was looked at of the whole.
   bool halves_do(const Stretch& first, const Stretch& second, const Stretch& whole,
@@ -273,9 +274,10 @@ class Refiner {
     return upper <= lower * (1 + kEvenSteps) || whole.length() <= step / kStepParts;
   }
 
-  /// The caps are hardly below the mean of the ends in the middle, nor below the lines to it.
-  bool caps_are_linear(const Stretch& whole, const Look& middle) const {
-    const double mean = 0.5 * (whole.left.cap.q + whole.right.cap.q);
+  /// The caps are hardly below the mean of the ends in the middle, as far as that can be reached,
+  /// nor below the lines to it.
+  bool caps_are_linear(const Stretch& whole, const Look& middle, double reached) const {
+    const double mean = std::min(0.5 * (whole.left.cap.q + whole.right.cap.q), reached);
     if (mean > middle.asked.q * (1 + kGridTolerance)) return false;
     const Passing left{whole.left.point, whole.left.cap.q};
     const Passing mid{middle.point, std::max(middle.cap.q, mean)};

@@ -60,7 +60,7 @@ TEST_CASE("lines, arcs and NURBS go over into each other", "[blend]") {
   const Path circle = test::curve("circle_deg2");
   const Path to_circle = Line(start(circle) - AxisVector(3, 20, 0), start(circle));
   const Path from_circle =
-      arc(end(circle), end(circle) + AxisVector(8, 0, 0), end(circle) + AxisVector(4, 1, 0), true);
+      arc(end(circle), end(circle) + AxisVector(8, 0, 0), end(circle) + AxisVector(4, 6, 0), true);
   for (const auto& [before, after] : {std::pair{line, bow}, std::pair{bow, bow_back},
                                       std::pair{to_circle, circle}, std::pair{circle, from_circle}})
     for (const double tolerance : {0.001, 0.01, 0.1}) {
