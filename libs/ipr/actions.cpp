@@ -24,10 +24,13 @@ std::optional<int> known_tool(Task& task, const Word& word) {
   return std::nullopt;
 }
 
+bool counts_milliseconds(const Task& task, const Word& dwell) {
+  return task.options.dialect == Dialect::fanuc && dwell.letter == 'P';
+}
+
 /// The time of G04 in seconds. The fanuc dialect: X or U in seconds, or P in milliseconds.
 double dwell_time(const Task& task, const Word& word) {
-  const bool milliseconds = task.options.dialect == Dialect::fanuc && word.letter == 'P';
-  return milliseconds ? s_from_ms(word.value) : word.value;
+  return counts_milliseconds(task, word) ? s_from_ms(word.value) : word.value;
 }
 
 const Word* dwell_word(const Task& task) {
@@ -44,21 +47,22 @@ bool looks_like_other_unit(const Task& task, const Word& word) {
   const auto written = task.out.text().substr(static_cast<std::size_t>(word.pos.column) - 1,
                                               static_cast<std::size_t>(word.pos.length));
   const bool point = written.find('.') != std::string_view::npos;
-  const bool fanuc = task.options.dialect == Dialect::fanuc;
-  return fanuc ? point && word.value < kShortMilliseconds : !point && word.value >= kLongSeconds;
+  return counts_milliseconds(task, word) ? point && word.value < kShortMilliseconds
+                                         : !point && word.value >= kLongSeconds;
 }
 
 void check_dwell_unit(Task& task, const Word& word) {
-  if (word.letter != 'P') return;
-  if (task.modal.dwell_warned || !looks_like_other_unit(task, word))
-    return task.out.contradict(Contradiction::dwell, word.pos);
-  const bool fanuc = task.options.dialect == Dialect::fanuc;
-  const std::string number = number_text(word.value);
+  if (task.modal.dwell_warned || !looks_like_other_unit(task, word)) {
+    if (word.letter == 'P') task.out.contradict(Contradiction::dwell, word.pos);
+    return;
+  }
+  const std::string letter(1, word.letter), number = number_text(word.value);
   task.out.report(Code::SC2210, word.pos,
-                  fanuc ? "G04 P counts milliseconds here: " + number + " ms; " + number +
-                              " s are P" + number_text(word.value * 1000)
-                        : "G04 P counts seconds here: " + number + " s; " + number + " ms are P" +
-                              number_text(s_from_ms(word.value)));
+                  counts_milliseconds(task, word)
+                      ? "G04 " + letter + " counts milliseconds here: " + number + " ms; " +
+                            number + " s are " + letter + number_text(word.value * 1000)
+                      : "G04 " + letter + " counts seconds here: " + number + " s; " + number +
+                            " ms are " + letter + number_text(s_from_ms(word.value)));
   task.modal.dwell_warned = true;
 }
 

@@ -97,8 +97,16 @@ void name_position(Task& task) {
   set_shift(task, shift);
 }
 
-/// G92.1: no shift, and none to come back to.
+/// G92.1: no shift, and none to come back to; FANUC's has it of the axes that it names, whatever
+/// their values.
 void clear_shift(Task& task) {
+  if (task.options.dialect == Dialect::fanuc && task.values.letters().has_any(kAxisWords)) {
+    for_named_axes(task, [&](int axis, double) {
+      task.modal.local_shift[axis] = task.modal.shift_of_g52[axis] = 0;
+      task.modal.state.shift[axis] = 0;
+    });
+    return task.modal.update_coordinates();
+  }
   task.modal.local_shift.setZero();
   task.modal.shift_of_g52.setZero();
   task.modal.state.shift.setZero();

@@ -78,6 +78,15 @@ TEST_CASE("G92.1 forgets the shift, G92.2 suspends it, G92.3 resumes it", "[ipr]
   CHECK(last_place("G92 X5 Y6\nG92.2\nG92 X1\nG00 X2 Y2\nM30\n") == AxisVector(1, 2, 0));
 }
 
+TEST_CASE("FANUC's G92.1 moves nothing and forgets the shift of the axes it names",
+          "[ipr][offsets][fanuc]") {
+  const std::string shifted = "G00 X7 Y7\nG92 X5 Y6\nG52 X1 Y1\n";
+  CHECK(last_place(shifted + "G92.1 X0\nM30\n", kFanuc) == AxisVector(7, 7, 0));
+  CHECK(last_place(shifted + "G92.1 X0\nG00 X1 Y1\nM30\n", kFanuc) == AxisVector(1, 3, 0));
+  CHECK(last_place(shifted + "G92.1 X0 Y0\nG00 X1 Y1\nM30\n", kFanuc) == AxisVector(1, 1, 0));
+  CHECK(last_place("G00 X7\nG92.1 X0\nM30\n").x() == 0);  // elsewhere X is where to go
+}
+
 TEST_CASE("G52 and G92 share one shift", "[ipr][offsets]") {
   CHECK(last_place("G52 X5\nG00 X1\nM30\n").x() == 6);
   CHECK(last_place("G52 X5\nG00 X0\nG92 X3\nX1\nM30\n").x() == 3);
