@@ -70,6 +70,30 @@ TEST_CASE("a slow arc takes few nodes however short its stopping distances are",
   }
 }
 
+TEST_CASE("corners rounded by micrometres, and tips, do not hold a plan up", "[ipo][jerk]") {
+  Machine machine = machine_with(250, 900, 18000);
+  machine.control.period = 0.004;
+  machine.control.chord_tolerance = 0.005;
+  machine.limits.normal = GENERATE(0.0, 30.0);
+  machine.axes[1].acceleration = 300;
+  machine.axes[1].jerk = 15000;
+  machine.axes[2].acceleration = 60;
+  machine.axes[2].jerk = 3000;
+  const std::vector<AxisVector> corner{
+      {111.65, -77.83, 3.6}, {146.87, 36.88, 3.6}, {89.52, 54.54, -14.4}};
+  const std::vector<AxisVector> tip{
+      {-88.06, 101.27, -29.5}, {-92.26, 96.97, -27.7}, {-88.5, 100.8, -29.5}};
+  for (const auto& points : {corner, tip}) {
+    auto blocks = polyline(points, 100);
+    for (Block& block : blocks) std::get<Move>(block.what).corner_tolerance = 0.005;
+    const auto result = run(machine, blocks);
+    CHECK(result.counts.effort.fallbacks == 0);
+    CHECK(result.counts.nodes < 1000);
+    CHECK(result.counts.effort.iterations < 400);
+    CHECK(exceeded(machine, result) == "");
+  }
+}
+
 TEST_CASE("where half a second ahead cannot be planned, a shorter way is", "[ipo][jerk]") {
   Machine machine = machine_with(250, 1000, 50000);
   machine.axes[1].jerk = 15000;
