@@ -30,6 +30,13 @@ double nearest_sample(const Portion& portion, const AxisVector& point, int sampl
 
 }  // namespace
 
+double distance_to_segment(const AxisVector& p, const AxisVector& a, const AxisVector& b) noexcept {
+  const AxisVector way = b - a;
+  const double square = way.squaredNorm();
+  const double part = square > 0 ? std::clamp((p - a).dot(way) / square, 0.0, 1.0) : 0.0;
+  return (p - a - part * way).norm();
+}
+
 double nearest(const Portion& portion, const AxisVector& point, double guess) noexcept {
   if (const Line* line = std::get_if<Line>(portion.path)) {
     const double s = (line->to() - line->from()).dot(point - line->from()) / line->length();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a point, or one path, lies from another path.
+// How far a point lies from paths, or from a straight way between two others.
 #pragma once
 
 #include <span>
@@ -7,6 +7,9 @@
 #include "motion/path.hpp"
 
 namespace softcnc {
+
+/// Distance, mm, of p from the straight way from a to b; they may be the same point.
+double distance_to_segment(const AxisVector& p, const AxisVector& a, const AxisVector& b) noexcept;
 
 /// A part of a path, mm.
 struct Portion {

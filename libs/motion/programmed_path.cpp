@@ -19,13 +19,6 @@ bool may_be_rounded(const Move& move) {
   return move.join == Join::follow && (move.corner_tolerance > 0 || move.chord_tolerance > 0);
 }
 
-double distance_to_segment(const AxisVector& p, const AxisVector& a, const AxisVector& b) noexcept {
-  const AxisVector way = b - a;
-  const double square = way.squaredNorm();
-  const double part = square > 0 ? std::clamp((p - a).dot(way) / square, 0.0, 1.0) : 0.0;
-  return (p - a - part * way).norm();
-}
-
 }  // namespace
 
 void ProgrammedPath::add(const Block& block) {

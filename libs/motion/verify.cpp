@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/deviation.hpp"
 #include "motion/roughness.hpp"
 
 namespace softcnc {
@@ -53,13 +54,6 @@ double integrate(const Nurbs& nurbs, double s0, double s1) noexcept {
     u = u_break;
   }
   return sum + integrate_span(nurbs, u, nurbs.parameter(s1));
-}
-
-double distance_to_chord(const AxisVector& p, const AxisVector& a, const AxisVector& b) noexcept {
-  const AxisVector chord = b - a;
-  const double square = chord.squaredNorm();
-  const double along = square > 0 ? std::clamp((p - a).dot(chord) / square, 0.0, 1.0) : 0.0;
-  return (p - a - along * chord).norm();
 }
 
 }  // namespace
@@ -165,12 +159,12 @@ void Verifier::roughness(const Setpoint& setpoint, const Stretch& here) noexcept
 double chord_error(const Path& path, double s0, double s1, const AxisVector& a,
                    const AxisVector& b) noexcept {
   // The ends belong to the stretch: at a joint within the period they are off the chord as well.
-  double largest = std::max(distance_to_chord(position(path, s0), a, b),
-                            distance_to_chord(position(path, s1), a, b));
+  double largest = std::max(distance_to_segment(position(path, s0), a, b),
+                            distance_to_segment(position(path, s1), a, b));
   if (std::holds_alternative<Line>(path)) return largest;
   for (int i = 1; i < kChordSamples; ++i)
-    largest = std::max(largest,
-                       distance_to_chord(position(path, s0 + (s1 - s0) * i / kChordSamples), a, b));
+    largest = std::max(
+        largest, distance_to_segment(position(path, s0 + (s1 - s0) * i / kChordSamples), a, b));
   return largest;
 }
 

@@ -135,9 +135,9 @@ class Bench:
         return Run(report, measured, check_trace.judge(measured, trace, limits),
                    report["time_s"] - waited(report) - before)
 
-    def run_polyline(self, case):
-        report = self._report(case.lines, case)
-        blocks = self._ask(self.softcnc, "blocks", *case.options(), self._program(case.lines)).splitlines()
+    def run_polyline(self, case, setting):
+        report = self._report(case.lines, setting)
+        blocks = self._ask(self.softcnc, "blocks", *setting.options(), self._program(case.lines)).splitlines()
         return polylines.measured(case, report, check_trace.read_trace(self.folder / "trace.csv"), blocks)
 
     def plan(self, lines, setting):
@@ -269,19 +269,19 @@ def planned_table(bench):
             rows.append((name, "G61", *limit_cells(setting), seconds(run.time), "reference" if setting.jerk else "optimum",
                          seconds(best), f"{round(100 * over, 2) + 0.0:.2f} %", parts(shares), "–", *plan_cells(bench, case, plan)))
     for case in polylines.cases():
-        run, what = bench.run_polyline(case), f"{case.name}, {case.mode}, J {case.jerk:g}"
+        setting = Setting(case.feed, 1, polylines.CHORD_UM, case.over, acceleration=polylines.ACCELERATION, jerk=case.jerk)
+        run, what = bench.run_polyline(case, setting), f"{case.name}, {case.mode}, J {case.jerk:g}"
         for broken in polylines.broken(case, run):
             bench.promise(False, f"{what}: {broken}")
-        plan = bench.plan(case.lines, case)
-        rows.append((case.name, case.mode, *limit_cells(case), seconds(run.time), case.beside, seconds(case.bound),
+        plan = bench.plan(case.lines, setting)
+        rows.append((case.name, case.mode, *limit_cells(setting), seconds(run.time), case.beside, seconds(case.bound),
                      f"{100 * (run.time / case.bound - 1):.2f} %", parts(run.excess.values()), f"{1e3 * run.deviation:.2f}",
                      *plan_cells(bench, what, plan)))
     return rows
 
 
 def limit_cells(setting):
-    acceleration = getattr(setting, "acceleration", ACCELERATION)
-    return f"{acceleration:.0f}", f"{setting.jerk:.0f}" if setting.jerk else "–", f"{setting.feed:.0f}"
+    return f"{setting.acceleration:.0f}", f"{setting.jerk:.0f}" if setting.jerk else "–", f"{setting.feed:.0f}"
 
 
 def parts(shares):

@@ -98,13 +98,6 @@ class Case:
     over: float        # and the part by which it may exceed it
     approach: float = 0.0  # s, before that
 
-    def options(self):
-        settings = {"control.chord_tolerance_um": CHORD_UM, "control.period_ms": 1.0}
-        for axis in "xyz":
-            settings |= {f"axis.{axis}.velocity_mm_min": VELOCITY * 60, f"axis.{axis}.jerk_mm_s3": float(self.jerk),
-                         f"axis.{axis}.acceleration_mm_s2": ACCELERATION}
-        return [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
-
 
 def cases():
     curve = Laps(math.ceil(CHORDS * CHORD / 48) + 1)
