@@ -88,7 +88,7 @@ int check_all(const Options& options, Shown& out, Messages& messages, Watcher* w
   int status = 0;
   for (const std::string& name : options.files) {
     if (!out.ok()) break;
-    channel.interpreter.uncalled_too = name != "-";  // a pipe ends when it likes
+    channel.interpreter.unrun_too = name != "-";  // a pipe ends when it likes
     status = worse_status(status,
                           check_program(name, *machine, channel, out, messages, watcher, called));
   }

@@ -28,7 +28,7 @@ bool is_endless(Program& program, const Machine& machine, const ChannelOptions& 
   ipr::Reader reader = program.reader();
   ipr::Parser parser(reader, silent);
   ipr::InterpreterOptions reading = options.interpreter;
-  reading.compare_dialects = reading.uncalled_too = false;
+  reading.compare_dialects = reading.unrun_too = false;
   ipr::Interpreter interpreter(parser, machine, silent, reading, options.state);
   read(interpreter, watcher, [](const Block&) {});
   return endless;

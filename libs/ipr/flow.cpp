@@ -46,11 +46,19 @@ std::optional<Line> Flow::next() {
       continue;
     }
     ++executed_;
+    if (options_.unrun_too) remember(*line);
     if (line->broken) doubt(*line);
     const bool plain = line->statement == nullptr && !new_round_;
     if (plain || obey(*line)) return line;
   }
   return std::nullopt;
+}
+
+/// Behind a branch that has run an elseif is passed over: its condition is not read.
+void Flow::remember(const Line& line) {
+  const bool elseif = line.statement != nullptr && line.statement->kind == Kind::else_if;
+  if (parser_.file() != 0 || elseif) return;
+  passed_.read(line.number, parser_.reader().place(), std::exchange(moved_, false));
 }
 
 /// What cannot be read may have begun or ended something, an M code the program.
@@ -135,6 +143,7 @@ void Flow::obey() {
 }
 
 bool Flow::go(const Spot& spot) {
+  moved_ = true;
   if (!library_.go(spot)) ended_ = broken_ = true;
   return !ended_;
 }

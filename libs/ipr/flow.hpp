@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -14,6 +15,7 @@
 
 #include "ipr/library.hpp"
 #include "ipr/parser.hpp"
+#include "ipr/passed_lines.hpp"
 
 namespace softcnc::ipr {
 
@@ -33,6 +35,7 @@ struct FlowOptions {
   std::string folder;                // where called files lie; empty: nowhere
   int block_limit = 2'000'000;       // lines that one loop, or one call with all it calls, may run
   CallObserver* observer = nullptr;  // must outlive the flow
+  bool unrun_too = false;            // remember which lines are not run
 };
 
 /// What a code asks for that leads to other lines; done when its line is.
@@ -70,10 +73,11 @@ class Flow {
   }
   /// The program has ended: tells what is still open and has no end.
   void finish();
-  /// Behind it: goes through the subprograms of the program's file that nothing has called.
-  void begin_uncalled();
-  /// Their next line that has words or is broken; of variables nothing is known there.
-  std::optional<Line> next_uncalled();
+  /// Behind it: goes through the lines of the program's file that have not been run: first the
+  /// subprograms that nothing has called, then what has been passed over. Expects unrun_too.
+  void begin_unrun();
+  /// The next of them that has words or is broken; of variables nothing is known there.
+  std::optional<Line> next_unrun();
 
   /// True inside a subprogram.
   bool in_subprogram() const noexcept { return calls_.size() > 1; }
@@ -129,6 +133,7 @@ class Flow {
   enum class Passed : std::uint8_t { nowhere, to_end, to_misspelt };
 
   // flow.cpp
+  void remember(const Line& line);
   void doubt(const Line& line);
   void doubt_order() noexcept;
   bool obey(const Line& line);
@@ -162,11 +167,15 @@ class Flow {
   bool is_misspelt(int number, const Spot& here);
   void go_back(const Spot& from, const Spot& to, const SourcePos& pos);
 
-  // flow_uncalled.cpp
+  // flow_unrun.cpp
+  std::optional<Line> next_uncalled();
   bool go_to_uncalled(const Subprogram& sub);
   bool ends_uncalled(const Line& line) const;
   void check_order(const Line& line);
   void close(Kind begin);
+  std::optional<Line> read_unrun();
+  std::optional<Line> next_passed();
+  bool go_to(const PassedLines::Stretch& stretch);
 
   // flow_loops.cpp
   static bool ends(const Statement& statement, const Open& open);
@@ -219,6 +228,11 @@ class Flow {
   std::set<int> entered_;             // behind which lines of the program calls have begun
   std::vector<Subprogram> uncalled_;  // still to be read, the first in work
   bool reading_uncalled_ = false;
+  bool moved_ = false;    // the next line is not the one behind the last
+  PassedLines passed_;    // of the program's own file
+  std::set<int> leaves_;  // lines of the file that end it, or a subprogram, by a code
+  std::deque<PassedLines::Stretch> unread_;  // still to be read, the first in work
+  bool reading_stretch_ = false;
   int program_line_ = 0;                                // of the main program's own O
   std::int64_t executed_ = 0;                           // lines
   std::int64_t jumped_back_ = 0;                        // lines, by GOTO

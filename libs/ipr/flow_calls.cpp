@@ -41,6 +41,7 @@ std::optional<int> number_meant(std::string_view line) {
 void Flow::pass_definition() {
   SourcePos nested;
   std::string nested_text, nested_name;
+  moved_ = true;
   while (const auto line = parser_.next_statement()) {
     const Statement* inner = line->statement;
     if (inner == nullptr) continue;
@@ -199,6 +200,7 @@ void Flow::leave_by_statement() {
 }
 
 void Flow::leave_by_code(const Jump& jump) {
+  if (options_.unrun_too && jump.pos.file == 0) leaves_.insert(jump.pos.line);
   if (in_subprogram()) {
     if (jump.line_number) calls_.back().times = 1;
     leave(std::nullopt, jump.pos);

@@ -10,6 +10,7 @@ namespace softcnc::ipr {
 /// subprogram or program.
 template <typename Wanted>
 bool Flow::pass_to(Wanted wanted) {
+  moved_ = true;
   std::string definition;  // of a subprogram, which is passed over as a whole
   for (;;) {
     const auto line = parser_.next_statement();

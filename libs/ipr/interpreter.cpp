@@ -59,7 +59,8 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       out_(diagnostics, contradictions_, options.refused_moves),
       variables_(modal_, machine, options.dialect),
       levels_(modal_),
-      flow_(parser, diagnostics, {options_.folder, machine.program.block_limit, &levels_}) {
+      flow_(parser, diagnostics,
+            {options_.folder, machine.program.block_limit, &levels_, options_.unrun_too}) {
   modal_.state = std::move(state);
   modal_.update_coordinates();
   modal_.corner_tolerance = modal_.chord_tolerance = machine.control.corner_tolerance;
@@ -160,7 +161,7 @@ bool Interpreter::tell_restored(const Line& next) {
   out_.end();
   if (!modal_.ended) return;
   flow_.finish();
-  read_uncalled();
+  read_unrun();
   contradictions_.tell();
 }
 
@@ -298,10 +299,10 @@ void Interpreter::execute() {
 }
 
 /// What reading alone tells of lines that are never run.
-[[gnu::cold]] void Interpreter::read_uncalled() {
-  if (!options_.uncalled_too) return;
-  flow_.begin_uncalled();
-  while (const auto line = flow_.next_uncalled()) interpret(*line);
+[[gnu::cold]] void Interpreter::read_unrun() {
+  if (!options_.unrun_too) return;
+  flow_.begin_unrun();
+  while (const auto line = flow_.next_unrun()) interpret(*line);
 }
 
 /// The text has ended without M02 or M30.
@@ -320,7 +321,7 @@ void Interpreter::finish() {
   out_.stop_compensation();
   out_.emit(Action{Action::Kind::end, 30, 0});
   modal_.ended = true;
-  read_uncalled();
+  read_unrun();
   contradictions_.tell();
 }
 

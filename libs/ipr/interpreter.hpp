@@ -26,7 +26,7 @@ struct InterpreterOptions {
   Dialect dialect = Dialect::linuxcnc;
   Format format = Format::automatic;
   bool compare_dialects = false;  // warn where a line means something else in the other one
-  bool uncalled_too = false;      // read the subprograms that nothing calls, for their errors
+  bool unrun_too = false;         // read lines that are never run as well, for their errors
   std::string folder = {};        // where files lie that the program calls; empty: it can call none
   RefusedMoves* refused_moves = nullptr;  // is shown them
 };
@@ -73,7 +73,7 @@ class Interpreter {
   bool leads_all_the_same(const Line& line);
   bool way_is_certain() const;
   bool begins_data_input() const noexcept;
-  void read_uncalled();
+  void read_unrun();
   void finish();
 
   Parser& parser_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Subprograms that nothing calls are read all the same, where that is asked for.
+// Subprograms that nothing calls, and branches never taken, are read all the same, where that is
+// asked for.
 #include <catch2/catch.hpp>
 
 #include "ipr/interpret.hpp"
@@ -14,13 +15,13 @@ using Told = std::vector<std::string>;
 Told told(std::string text, Dialect dialect = Dialect::linuxcnc) {
   InterpreterOptions options;
   options.dialect = dialect;
-  options.uncalled_too = true;
+  options.unrun_too = true;
   return places(interpret(std::move(text), Machine{}, options));
 }
 
 }  // namespace
 
-TEST_CASE("what cannot be read is told in a subprogram that nothing calls", "[ipr][uncalled]") {
+TEST_CASE("what cannot be read is told in a subprogram that nothing calls", "[ipr][unrun]") {
   CHECK(told("o<a> sub\nG01 X..1\nG999\n#1=[1+\nG17 G18\no<a> endsub\nM30\n") ==
         Told{"SC1004 2:6", "SC2001 3:1", "SC1016 4:6", "SC2002 5:5"});
   CHECK(told("M30\nO2\nG00 X1..2\nM99\nO3\nG999\nM99\n", Dialect::fanuc) ==
@@ -28,14 +29,14 @@ TEST_CASE("what cannot be read is told in a subprogram that nothing calls", "[ip
   CHECK(told("G00 X1\no<a> sub\nX1..2\no<a> endsub\n") == Told{"SC2205 4:0", "SC1004 3:2"});
 }
 
-TEST_CASE("what depends on how a subprogram is called is not told", "[ipr][uncalled]") {
+TEST_CASE("what depends on how a subprogram is called is not told", "[ipr][unrun]") {
   CHECK(told("o<a> sub\n#1=0\no<b> if [#2 EQ 1]\nG01 X[1/#1] Y#<depth>\no<b> endif\n"
              "(ABORT,never)\no<a> endsub\nM30\n") == Told{});
   CHECK(told("O1\nM30\nO2\nX5 R3\nGOTO 77\n#3000=1\nM99\n", Dialect::fanuc) == Told{});
 }
 
 TEST_CASE("behind a computed label nothing is told of how a subprogram that nothing calls nests",
-          "[ipr][uncalled]") {
+          "[ipr][unrun]") {
   const auto within = [](const std::string& lines) {
     return told("o<a> sub\n" + lines + "\no<a> endsub\nM30\n");
   };
@@ -50,10 +51,10 @@ TEST_CASE("behind a computed label nothing is told of how a subprogram that noth
 }
 
 TEST_CASE("a label on a line that is passed over is not compared with the other dialect",
-          "[ipr][uncalled]") {
+          "[ipr][unrun]") {
   const auto compared = [](const std::string& text) {
     InterpreterOptions options;
-    options.uncalled_too = options.compare_dialects = true;
+    options.unrun_too = options.compare_dialects = true;
     return places(interpret(text, Machine{}, options));
   };
   CHECK(compared("o<a> sub\no[#1] call\no<a> endsub\no7 sub\no7 endsub\nG00 X1\no<a> call [7]\n"
@@ -61,13 +62,13 @@ TEST_CASE("a label on a line that is passed over is not compared with the other 
   CHECK(compared("o<a> sub\no[#1] call\no<a> endsub\nG00 X1\nM02\n") == Told{});
 }
 
-TEST_CASE("a subprogram that is called is told once, as it runs", "[ipr][uncalled]") {
+TEST_CASE("a subprogram that is called is told once, as it runs", "[ipr][unrun]") {
   CHECK(told("o<a> sub\nG00 X..1\no<a> endsub\no<a> call\nM30\n") == Told{"SC1004 2:6"});
   CHECK(told("M98 P2\nM30\nO2\nG00 X..1\nM99\n") == Told{"SC1004 4:6"});
 }
 
 TEST_CASE("loops and branches of a subprogram that nothing calls have both their ends",
-          "[ipr][uncalled]") {
+          "[ipr][unrun]") {
   const auto within = [](const std::string& lines) {
     return told("o<a> sub\n" + lines + "\no<a> endsub\nM30\n");
   };
@@ -81,7 +82,7 @@ TEST_CASE("loops and branches of a subprogram that nothing calls have both their
         Told{"SC2312 5:1"});
 }
 
-TEST_CASE("labels used again are no error where no call looks for them", "[ipr][uncalled]") {
+TEST_CASE("labels used again are no error where no call looks for them", "[ipr][unrun]") {
   CHECK(told("O0001\nG00 X1\nM30\nO0001\nG00 X2\nM30\n") == Told{});
   CHECK(told("M30\no<a> sub\no<a> endsub\no<a> sub\no<a> endsub\n") == Told{});
   CHECK(told("O1\nM30\nO2\nG00 X..1\nM99\nO2\nG00 X..2\nM99\n", Dialect::fanuc) ==
@@ -91,12 +92,46 @@ TEST_CASE("labels used again are no error where no call looks for them", "[ipr][
 }
 
 TEST_CASE("subprograms are left unread where nobody asks for them, or the program broke off",
-          "[ipr][uncalled]") {
+          "[ipr][unrun]") {
   CHECK(places(interpret("o<a> sub\nG999\no<a> endsub\nM30\n")) == Told{});
   CHECK(told("o<a> sub\nG999\no<a> endsub\n(ABORT,here)\n") == Told{"SC1031 4:1"});
 }
 
-TEST_CASE("a '%' that ends the program leaves what stands before it as it is", "[ipr][uncalled]") {
+TEST_CASE("a '%' that ends the program leaves what stands before it as it is", "[ipr][unrun]") {
   CHECK(told("G00 X1\nM30\nO2\nX..1\nM99\n%\n") == Told{"SC1004 4:2"});
   CHECK(told("G00 X1\n%\n") == Told{"SC2205 2:0"});
+}
+
+TEST_CASE("what cannot be read is told on lines that are passed over", "[ipr][unrun]") {
+  CHECK(told("o1 if [0]\nG00 X..1\nG999\no1 elseif [0]\n#1=[1+\no1 else\nG01 Y1 F60\no1 endif\n"
+             "M30\n") == Told{"SC1004 2:6", "SC2001 3:1", "SC1016 5:6"});
+  CHECK(told("o1 if [1]\nG00 X1\no1 elseif [1+]\nG00 X..2\no1 endif\nM30\n") ==
+        Told{"SC1016 3:14", "SC1004 4:6"});
+  CHECK(told("o1 while [0]\nG17 G18\no1 endwhile\nM30\n") == Told{"SC2002 2:5"});
+  CHECK(told("o1 repeat [1]\no1 break\nG999\no1 endrepeat\nM30\n") == Told{"SC2001 3:1"});
+  CHECK(told("GOTO 7\nG00 X..1\nN7 G00 X1\nM30\n", Dialect::fanuc) == Told{"SC1004 2:6"});
+  CHECK(told("WHILE [0 EQ 1] DO 1\nG999\nEND 1\nM30\n", Dialect::fanuc) == Told{"SC2001 2:1"});
+}
+
+TEST_CASE("what is passed over at one time and run at another is told once", "[ipr][unrun]") {
+  CHECK(told("#1=0\no1 repeat [2]\no2 if [#1]\nG00 X..1\no2 else\nG00 X..2\no2 endif\n#1=1\n"
+             "o1 endrepeat\nM30\n") == Told{"SC1004 6:6", "SC1004 4:6"});
+  CHECK(told("GOTO 2\nN1 G00 X1\nGOTO 3\nG00 X..1\nN2 GOTO 1\nG00 X..2\nN3 M30\n",
+             Dialect::fanuc) == Told{"SC1004 4:6", "SC1004 6:6"});
+}
+
+TEST_CASE("nothing is told of a branch never taken that rests on variables, modes or nesting",
+          "[ipr][unrun]") {
+  CHECK(told("#1=0\no1 if [#1]\nX[1/#1] Y#<depth>\nG01 X1\n(ABORT,never)\no2 if [1]\no1 endif\n"
+             "M30\n") == Told{});
+  CHECK(told("o1 if [0]\nM30\no1 endif\nG00 X1\nM30\n") == Told{});
+}
+
+TEST_CASE("branches never taken of a called subprogram are read, what stands between two is not",
+          "[ipr][unrun]") {
+  CHECK(told("O1\nM98 P2\nG00 X1\nM30\nleft over X..1\nO2\nIF [1 EQ 1] GOTO 5\nG00 X..2\n"
+             "N5 M99\nleft over X..3\nO3\nG00 X..4\nM99\n",
+             Dialect::fanuc) == Told{"SC1004 12:6", "SC1004 8:6"});
+  CHECK(told("o<a> sub\no1 if [#1]\nG00 X..1\no1 endif\no<a> endsub\no<a> call [0]\nM30\n") ==
+        Told{"SC1004 3:6"});
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Subprograms that nothing has called: their lines are read, and not run.
+// What is only read, and not run: subprograms that nothing has called, and branches never taken.
 #include <algorithm>
 
 #include "ipr/flow.hpp"
@@ -14,8 +14,10 @@ bool has_unknown_label(const Line& line) {
 
 }  // namespace
 
-void Flow::begin_uncalled() {
+void Flow::begin_unrun() {
   if (broke_off()) return;
+  leaves_.insert(passed_.last_read());
+  diagnostics_.lines_repeat();
   while (in_subprogram()) {
     calls_.pop_back();
     diagnostics_.leave_call();
@@ -29,13 +31,19 @@ void Flow::begin_uncalled() {
   parser_.doubt_order();
 }
 
+std::optional<Line> Flow::next_unrun() {
+  if (broke_off()) return std::nullopt;
+  auto line = next_uncalled();
+  return line ? line : next_passed();
+}
+
 std::optional<Line> Flow::next_uncalled() {
   while (!uncalled_.empty()) {
     if (!reading_uncalled_ && !go_to_uncalled(uncalled_.front())) return std::nullopt;
     reading_uncalled_ = true;
-    parser_.parameters().doubt_all(true);
     const int errors = diagnostics_.errors();
-    auto line = parser_.next();
+    auto line = read_unrun();
+    if (line) remember(*line);
     if (line && !ends_uncalled(*line)) {
       if (diagnostics_.errors() > errors || has_unknown_label(*line)) doubt(*line);
       if (line->statement == nullptr) return line;
@@ -47,6 +55,14 @@ std::optional<Line> Flow::next_uncalled() {
     uncalled_.erase(uncalled_.begin());
   }
   return std::nullopt;
+}
+
+/// The next line, its condition too, as if nothing were known of variables.
+std::optional<Line> Flow::read_unrun() {
+  parser_.parameters().doubt_all(true);
+  auto line = parser_.next();
+  const bool condition = line && line->statement != nullptr;
+  return condition && line->statement->kind == Kind::else_if ? parser_.evaluate() : line;
 }
 
 bool Flow::go_to_uncalled(const Subprogram& sub) {
@@ -100,6 +116,35 @@ void Flow::close(Kind begin) {
   if (open == nullptr) return tell_not_begun();
   close_within(*open, true);
   opens_.pop_back();
+}
+
+/// Of statements only what they say is read, not how they nest: a stretch may begin within a branch
+/// and end within another.
+std::optional<Line> Flow::next_passed() {
+  if (unread_.empty()) unread_ = passed_.take();
+  while (!unread_.empty()) {
+    const PassedLines::Stretch& stretch = unread_.front();
+    if (!reading_stretch_ && !go_to(stretch)) return std::nullopt;
+    reading_stretch_ = true;
+    const auto line = parser_.line() < stretch.last ? read_unrun() : std::nullopt;
+    const bool within = line && line->number <= stretch.last;
+    if (within && line->statement == nullptr) return line;
+    if (within) continue;
+    reading_stretch_ = false;
+    unread_.pop_front();
+  }
+  return std::nullopt;
+}
+
+/// Behind the end of a program stands nothing of it up to the next one.
+bool Flow::go_to(const PassedLines::Stretch& stretch) {
+  if (!go({0, stretch.begin})) return false;
+  bool outside = leaves_.contains(stretch.begin.line);
+  while (outside && parser_.line() < stretch.last) {
+    const auto line = parser_.next_statement();
+    outside = line && !(line->statement != nullptr && line->statement->kind == Kind::program);
+  }
+  return true;
 }
 
 }  // namespace softcnc::ipr
