@@ -53,13 +53,16 @@ std::optional<Diagnostic> check_travel(const Move& move, const Machine& machine)
   if (within) return std::nullopt;
   const Extent box = extent(move.path);
   std::string text;
-  for (int i = 0; i < kAxes; ++i)
-    if (const double by = excess_in(box, i); by != 0)
-      text +=
-          (text.empty() ? "" : "; ") + reach_text(machine.axes[static_cast<std::size_t>(i)],
-                                                  kAxisLetters[static_cast<std::size_t>(i)], by);
+  std::uint32_t beyond = 0;  // a bit of each axis
+  for (int i = 0; i < kAxes; ++i) {
+    const double by = excess_in(box, i);
+    if (by == 0) continue;
+    const auto axis = static_cast<std::size_t>(i);
+    text += (text.empty() ? "" : "; ") + reach_text(machine.axes[axis], kAxisLetters[axis], by);
+    beyond |= 1U << axis;
+  }
   if (text.empty()) return std::nullopt;
-  return Diagnostic{Code::SC4001, {}, std::move(text), {}, {}};
+  return Diagnostic{Code::SC4001, {}, std::move(text), {}, {}, {}, beyond};
 }
 
 }  // namespace softcnc::ipo

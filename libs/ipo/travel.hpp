@@ -9,7 +9,7 @@
 
 namespace softcnc::ipo {
 
-/// SC4001 if the move leaves the travel of an axis anywhere along it: its true extrema count, not
+/// SC4001, its subject the axes, if the move leaves the travel of an axis anywhere along it: its true extrema count, not
 /// its ends and not its control points. One diagnostic names all axes it leaves. A move that starts
 /// outside and goes no further is no second error. The place of the diagnostic is left to the
 /// caller.

@@ -44,9 +44,7 @@ const Word* dwell_word(const Task& task) {
 /// Seconds where milliseconds count, or the other way round, by the looks of the number.
 bool looks_like_other_unit(const Task& task, const Word& word) {
   constexpr double kLongSeconds = 200, kShortMilliseconds = 10;
-  const auto written = task.out.text().substr(static_cast<std::size_t>(word.pos.column) - 1,
-                                              static_cast<std::size_t>(word.pos.length));
-  const bool point = written.find('.') != std::string_view::npos;
+  const bool point = has_point(task, word);
   return counts_milliseconds(task, word) ? point && word.value < kShortMilliseconds
                                          : !point && word.value >= kLongSeconds;
 }

@@ -64,6 +64,9 @@ constexpr std::array<ContradictionRow, kContradictions> kTable{{
      "leads square to the beginning of the next move"},
     {C::exact_stop, Code::SC2133, "G61", "follows the path exactly, without a stop",
      "stops at the end of every block"},
+    {C::named_shift, Code::SC2134, "G92.1 with axes",
+     "forgets the shift of all axes, and moves where a motion is in force",
+     "forgets the shift of the axes named, and moves nothing"},
 }};
 
 constexpr bool in_order() {

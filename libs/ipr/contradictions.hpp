@@ -47,8 +47,9 @@ enum class Contradiction : std::uint8_t {
   feed_out,
   entry,
   exact_stop,
+  named_shift,
 };
-inline constexpr std::size_t kContradictions = 27;
+inline constexpr std::size_t kContradictions = 28;
 
 struct ContradictionRow {
   Contradiction kind;

@@ -155,6 +155,20 @@ bool has_possible_pecks(Task& task, const Holes& holes) {
   return true;
 }
 
+/// Of FANUC's controls, where a number without a point may count thousandths.
+void check_peck_unit(Task& task, const Holes& holes) {
+  constexpr double kLarge = 100;
+  if (task.modal.peck_warned || !pecks(task.code) || !task.values.has('Q')) return;
+  const Word& word = task.values.word('Q');
+  if (has_point(task, word) || word.value < kLarge || holes.peck <= holes.retract - holes.bottom)
+    return;
+  task.modal.peck_warned = true;
+  task.out.report(Code::SC2211, word.pos,
+                  "Q, the depth of a peck, is " + number_text(word.value) +
+                      (task.modal.mm_per_unit == 1 ? " mm" : " inches") +
+                      ", more than the whole hole");
+}
+
 bool lies_above_bottom(Task& task, const Holes& holes) {
   if (holes.retract >= holes.bottom) return true;
   return refuse_once(task, 'R', Code::SC2162, place_of(task, 'R'),
@@ -185,6 +199,7 @@ bool is_possible(Task& task, const Holes& holes) {
   possible = lies_above_bottom(task, holes) && possible;
   if (!possible) return false;
   const double each = pecks(task.code) ? (holes.retract - holes.bottom) / holes.peck : 1;
+  check_peck_unit(task, holes);
   if (each * holes.count <= kMostPecks) return true;
   return refuse_count(task, holes);
 }

@@ -206,6 +206,8 @@ bool has_near_lengths(Task& task, std::string_view letters);
 // words.cpp: what several handlers need
 /// Of the word with this letter, or of the code where the line has none.
 SourcePos place_of(const Task& task, char letter);
+/// Whether the word is written with a decimal point.
+bool has_point(const Task& task, const Word& word);
 /// Where the axis words lead, in mm and machine coordinates, from the position in force.
 AxisVector end_point(const Task& task);
 /// Notes where an offset that has been assigned to makes a difference between the dialects.

@@ -134,7 +134,7 @@ struct Modal : Modes {
   Letters words_of_left_curve;
 
   // Told once a file.
-  bool feed_warned = false, spindle_warned = false, dwell_warned = false;
+  bool feed_warned = false, spindle_warned = false, dwell_warned = false, peck_warned = false;
   bool look_ahead_told = false, chopping_told = false, order_told = false;
   bool rest_told = false;  // once a G06.4: that the spindle rests
   bool ended = false;      // M02 or M30 was read

@@ -102,6 +102,7 @@ class Parser {
   Token pass_broken(Lexer& lexer, Lexer begin, const std::optional<Fault>& fault);
   Token pass_value(Lexer& lexer);
   bool read_o_word(Lexer& lexer, const Token& letter);
+  bool refuse_late_statement(Lexer& lexer, const Token& letter);
   std::optional<Token> read_keyword(Lexer& lexer, const Token& letter);
   void settle(const StatementReader& reader, Lexer& lexer);
   Token read_assignment(Lexer& lexer, const Token& sign);

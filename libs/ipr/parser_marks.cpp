@@ -36,10 +36,14 @@ bool is_name(std::string_view line, const Token& letter, std::string_view letter
   return behind != std::string_view::npos && line[behind] == '[';
 }
 
-/// Of FANUC's ,C and ,R; LinuxCNC's polar coordinates, and the number of a spindle.
+/// Of FANUC's ,C and ,R; LinuxCNC's polar coordinates, and the number of a spindle; dashes of
+/// texts.
 std::string meant_by(std::string_view mark, Lexer lexer) {
   if (mark == "@" || mark == "^") return "; polar coordinates are not supported";
   if (mark == "$") return "; no spindle can be chosen, there is one";
+  constexpr std::array<std::string_view, 6> kMinus{"\u2010", "\u2011", "\u2012",
+                                                   "\u2013", "\u2014", "\u2212"};
+  if (std::find(kMinus.begin(), kMinus.end(), mark) != kMinus.end()) return "; a minus sign is '-'";
   const bool corner = mark == "," && (lexer.peek() == 'C' || lexer.peek() == 'R');
   return corner ? "; chamfers and roundings within a line are not supported" : "";
 }

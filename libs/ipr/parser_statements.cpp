@@ -126,13 +126,35 @@ Token Parser::pass_slash(Lexer& lexer, const Token& token) {
 
 /// False: what follows the O is not a statement, or one that is a word too.
 bool Parser::read_o_word(Lexer& lexer, const Token& letter) {
-  if (strange() || !only_line_number()) return false;
+  if (strange()) return false;
+  if (!only_line_number()) return refuse_late_statement(lexer, letter);
   StatementReader reader(lexer, parameters_, statement_, depth_);
   const Found found = reader.read_o_word({line_.number, letter.column, letter.length});
   if (depth_ != Depth::outline) note(reader.other_value());
   if (found == Found::program) line_.statement = &statement_;
   if (found != Found::statement) return false;
   settle(reader, lexer);
+  return true;
+}
+
+/// One behind words. It may be a call, or an end that is looked for.
+bool Parser::refuse_late_statement(Lexer& lexer, const Token& letter) {
+  Lexer ahead = lexer;
+  StatementReader reader(ahead, parameters_, statement_, Depth::outline);
+  const Found found = reader.read_o_word({line_.number, letter.column, letter.length});
+  using Kind = Statement::Kind;
+  const Kind kind = statement_.kind;
+  if (found != Found::statement || kind == Kind::none || kind == Kind::misspelt ||
+      kind == Kind::program)
+    return false;
+  statement_.kind = Kind::misspelt;
+  line_.statement = &statement_;
+  const int column = statement_.pos.column, length = statement_.pos.length;
+  const auto written =
+      line_.text.substr(static_cast<std::size_t>(column) - 1, static_cast<std::size_t>(length));
+  give_up(Fault{Code::SC1029, column, length,
+                quoted(written) + " behind words: a statement begins its line"},
+          lexer);
   return true;
 }
 

@@ -36,6 +36,7 @@ constexpr Keyword kKeywords[] = {
     {"BREAK", Kind::leave_loop, Takes::nothing},
 };
 
+constexpr const char* kLabel = "a label is a whole number from 0";
 constexpr double kWhole = 1e-4;  // how far from a whole number a label may be
 constexpr double kLargestLabel = 1e9;
 
@@ -93,6 +94,7 @@ bool StatementReader::read_label() {
     set_label(number.value, begin);
     return true;
   }
+  if (first == '-' || first == '+') refuse_signed_label();
   if (first != '#' && first != '[') return false;
   statement_.label_computed = true;
   Expression expression(lexer_, parameters_);
@@ -105,7 +107,17 @@ void StatementReader::set_label(double value, int begin) {
   if (auto text = whole_text(value))
     statement_.label = std::move(*text);
   else
-    stop(Code::SC1029, begin, lexer_.end(), "a label is a whole number from 0");
+    stop(Code::SC1029, begin, lexer_.end(), kLabel);
+}
+
+/// Before other words it is none.
+void StatementReader::refuse_signed_label() {
+  const int begin = lexer_.column();
+  lexer_.pass();
+  if (!is_digit(lexer_.peek())) return;
+  lexer_.take_number();
+  const int end = lexer_.end();
+  if (lexer_.peek() == 0 || take_keyword(lexer_) != nullptr) stop(Code::SC1029, begin, end, kLabel);
 }
 
 StatementReader::Found StatementReader::read_behind_label(bool by_number) {
@@ -165,19 +177,33 @@ StatementReader::Found StatementReader::read_keyword(SourcePos at) {
   lexer_ = before;
   if (lexer_.take("END") && is_digit(lexer_.peek())) return read_loop(Kind::loop_end);
   lexer_ = before;
+  if (lexer_.take("THEN") && !is_letter(lexer_.peek())) {
+    stop(Code::SC1029, at.column, lexer_.end(), "THEN without IF on its line");
+    return Found::statement;
+  }
+  lexer_ = before;
   return Found::nothing;
 }
 
 StatementReader::Found StatementReader::read_if() {
   const bool holds = condition();
   if (broke_off_) return Found::statement;
-  if (lexer_.take("THEN")) return holds ? Found::then_true : Found::then_false;
+  if (lexer_.take("THEN")) return read_then(holds);
   if (!lexer_.take("GOTO")) {
     stop_at_next(Code::SC1029, "GOTO or THEN");
     return Found::statement;
   }
   statement_.condition = holds;
   return read_jump();
+}
+
+/// What follows THEN stands on its line.
+StatementReader::Found StatementReader::read_then(bool holds) {
+  if (depth_ != Depth::outline && lexer_.peek() == 0) {
+    stop_at_next(Code::SC1029, "what THEN is to do");
+    return Found::statement;
+  }
+  return holds ? Found::then_true : Found::then_false;
 }
 
 StatementReader::Found StatementReader::read_while() {
@@ -211,7 +237,7 @@ StatementReader::Found StatementReader::read_loop(Kind kind) {
   if (number.fault == NumberFault::none)
     set_label(number.value, number.column);
   else
-    stop(Code::SC1029, number.column, number.end_column(), "a label is a whole number from 0");
+    stop(Code::SC1029, number.column, number.end_column(), kLabel);
   end_keyword();
   return depth_ == Depth::outline ? Found::statement : finish();
 }

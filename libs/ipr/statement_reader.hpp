@@ -44,11 +44,13 @@ class StatementReader {
 
  private:
   bool read_label();
+  void refuse_signed_label();
   void set_label(double value, int begin);
   Found read_behind_label(bool by_number);
   void read_value();
   void read_arguments();
   Found read_if();
+  Found read_then(bool holds);
   Found read_while();
   Found read_jump();
   Found read_loop(Statement::Kind kind);

@@ -115,6 +115,12 @@ AxisVector end_in_program(const Task& task) {
 
 }  // namespace
 
+bool has_point(const Task& task, const Word& word) {
+  const auto column = static_cast<std::size_t>(word.pos.column) - 1;
+  const auto length = static_cast<std::size_t>(word.pos.length);
+  return task.out.text().substr(column, length).find('.') != std::string_view::npos;
+}
+
 SourcePos place_of(const Task& task, char letter) {
   return task.values.has(letter) ? task.values.word(letter).pos : task.word.pos;
 }

@@ -100,7 +100,9 @@ void name_position(Task& task) {
 /// G92.1: no shift, and none to come back to; FANUC's has it of the axes that it names, whatever
 /// their values.
 void clear_shift(Task& task) {
-  if (task.options.dialect == Dialect::fanuc && task.values.letters().has_any(kAxisWords)) {
+  const bool named = task.values.letters().has_any(kAxisWords);
+  if (named) task.out.contradict(Contradiction::named_shift, task.word.pos);
+  if (named && task.options.dialect == Dialect::fanuc) {
     for_named_axes(task, [&](int axis, double) {
       task.modal.local_shift[axis] = task.modal.shift_of_g52[axis] = 0;
       task.modal.state.shift[axis] = 0;

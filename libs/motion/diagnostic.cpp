@@ -72,24 +72,34 @@ Diagnostic harmless(const Diagnostic& d) {
   }
   std::vector<CallPlace> calls = d.calls;
   for (CallPlace& call : calls) call.file = harmless(call.file);
-  return {d.code,          pos, harmless(d.message), harmless(d.file), harmless(d.source_line),
-          std::move(calls)};
+  return {
+      d.code,           pos,      harmless(d.message), harmless(d.file), harmless(d.source_line),
+      std::move(calls), d.subject};
+}
+
+/// As wide as the text is on a terminal; tabs stay tabs.
+std::string blank(std::string_view text) {
+  std::string blanks;
+  while (!text.empty()) {
+    const auto character = text.substr(0, std::max<std::size_t>(character_length(text), 1));
+    if (character == "\t")
+      blanks += '\t';
+    else
+      blanks.append(static_cast<std::size_t>(columns_of(character)), ' ');
+    text.remove_prefix(character.size());
+  }
+  return blanks;
 }
 
 std::string caret_line(std::string_view line, const SourcePos& pos) {
-  const int first = characters(line, pos.column - 1);
-  const int rest = characters(line, static_cast<int>(line.size())) - first;
-  const int wide =
-      std::clamp(characters(line, pos.column - 1 + pos.length) - first, 1, std::max(rest, 1));
-  std::string indent;
-  int seen = 0;
-  for (char c : line) {
-    if (continues_character(c)) continue;
-    if (seen++ == first) break;
-    indent += c == '\t' ? '\t' : ' ';
-  }
-  indent.append(static_cast<std::size_t>(std::max(0, first - seen)), ' ');
-  return indent + '^' + std::string(static_cast<std::size_t>(wide - 1), '~');
+  const auto begin = static_cast<std::size_t>(pos.column - 1);
+  const auto length = static_cast<std::size_t>(std::max(pos.length, 0));
+  const std::string_view before = line.substr(0, begin);
+  const std::string behind(begin - before.size(), ' ');
+  const auto marked = begin < line.size() ? line.substr(begin, length) : std::string_view{};
+  std::string tildes(std::max<std::size_t>(blank(marked).size(), 1), '~');
+  tildes.front() = '^';
+  return blank(before) + behind + tildes;
 }
 
 /// A number in which every bit depends on every bit given (the finalizer of SplitMix64).
@@ -202,17 +212,18 @@ std::vector<CallPlace> Diagnostics::calls_to(const SourcePos& place) const {
 }
 
 /// Remembers the place, and says whether it was known: of a line that makes many blocks, where the
-/// same is wrong with the one before.
+/// same, or the same subject, is wrong with the one before.
 bool Diagnostics::is_repeated(const Diagnostic& d) {
   if (d.pos.line == 0) return false;
   std::uint64_t place = 0;
   for (const int part : {d.pos.file, d.pos.line, d.pos.column, static_cast<int>(d.code)})
     place = mixed(place ^ static_cast<std::uint32_t>(part));
+  if (d.subject != 0) place = mixed(place ^ d.subject);
   const bool known = told_.count(place) > 0;
   const bool as_before = known && place == last_place_ && d.message == last_message_;
   last_place_ = place;
   last_message_ = d.message;
-  if (known) return lines_repeat_ || as_before;
+  if (known) return lines_repeat_ || d.subject != 0 || as_before;
   if (told_.size() < kRemembered) told_.insert(place);
   return false;
 }

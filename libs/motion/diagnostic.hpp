@@ -63,6 +63,7 @@ struct Diagnostic {
   std::string file;                   // as the user named it; empty until someone knows
   std::string source_line;            // the text of line pos.line; empty if unknown
   std::vector<CallPlace> calls = {};  // that led there, the last one first
+  std::uint32_t subject = 0;          // if any: a place is told once of each, whatever the message
 
   Severity severity() const noexcept { return code_info(code).severity; }
 };

@@ -2,6 +2,7 @@
 #include "motion/utf8.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace softcnc {
 namespace {
@@ -35,6 +36,47 @@ bool is_scalar(unsigned char lead, unsigned char second) {
   }
 }
 
+struct Block {
+  char32_t first, last;
+};
+
+constexpr std::array<Block, 11> kMarks{{{0x0300, 0x036F},
+                                        {0x0483, 0x0489},
+                                        {0x0591, 0x05BD},
+                                        {0x0610, 0x061A},
+                                        {0x064B, 0x065F},
+                                        {0x1AB0, 0x1AFF},
+                                        {0x1DC0, 0x1DFF},
+                                        {0x200B, 0x200F},
+                                        {0x20D0, 0x20FF},
+                                        {0xFE00, 0xFE0F},
+                                        {0xFE20, 0xFE2F}}};
+constexpr std::array<Block, 11> kWide{{{0x1100, 0x115F},
+                                       {0x2E80, 0x303E},
+                                       {0x3041, 0x4DBF},
+                                       {0x4E00, 0xA4CF},
+                                       {0xA960, 0xA97F},
+                                       {0xAC00, 0xD7A3},
+                                       {0xF900, 0xFAFF},
+                                       {0xFE30, 0xFE6F},
+                                       {0xFF01, 0xFF60},
+                                       {0xFFE0, 0xFFE6},
+                                       {0x1F300, 0x3FFFD}}};
+
+bool is_in(const std::array<Block, 11>& blocks, char32_t code) {
+  return std::any_of(blocks.begin(), blocks.end(),
+                     [&](const Block& block) { return code >= block.first && code <= block.last; });
+}
+
+char32_t code_of(std::string_view character) {
+  constexpr unsigned kBits = 6, kOfRest = 0x3F;
+  if (character.size() == 1) return byte(character, 0);
+  char32_t code = byte(character, 0) & (0xFFU >> (character.size() + 1));
+  for (std::size_t i = 1; i < character.size(); ++i)
+    code = code << kBits | (byte(character, i) & kOfRest);
+  return code;
+}
+
 }  // namespace
 
 std::size_t character_length(std::string_view text) noexcept {
@@ -63,6 +105,11 @@ std::string as_utf8(std::string_view text) {
     text.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return characters;
+}
+
+int columns_of(std::string_view character) noexcept {
+  const char32_t code = code_of(character);
+  return is_in(kMarks, code) ? 0 : is_in(kWide, code) ? 2 : 1;
 }
 
 }  // namespace softcnc

@@ -24,4 +24,8 @@ bool is_utf8(std::string_view text) noexcept;
 /// The text with U+FFFD for each byte that belongs to no character.
 std::string as_utf8(std::string_view text);
 
+/// Columns of a terminal that a character of UTF-8 takes: 2 for the wide ones of Unicode's East
+/// Asian Width (UAX #11), 0 for marks that stand over the one before, by their blocks; otherwise 1.
+int columns_of(std::string_view character) noexcept;
+
 }  // namespace softcnc

@@ -69,6 +69,14 @@ TEST_CASE("check looks at the travel of lines that have no feed, or another mist
   CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 9);
 }
 
+TEST_CASE("check tells once of each axes that the moves of a line leave", "[apps][check]") {
+  const Ended ended = call("check -", "G00 X0 Y0 Z5 F100\nG99 G91 G81 X40 Y30 Z-2 R-1 L500\nM30\n");
+  CHECK(ended.status == 3);
+  CHECK(ended.out.find("<stdin>:2:1: error SC4001: X reaches ") != std::string::npos);
+  CHECK(ended.out.find("; Y reaches ") != std::string::npos);
+  CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 2);
+}
+
 TEST_CASE("check tells once what is wrong with all moves of a line", "[apps][check]") {
   const Ended ended = call("check -", "G91 G81 R1 X1 Z-2000 F100 L3\nM30\n");
   CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 1);

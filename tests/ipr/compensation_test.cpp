@@ -266,6 +266,9 @@ TEST_CASE("a move that comes back to its neighbour is told", "[ipr][compensation
   // A full circle and the arc that leaves it, which crosses the contour of its beginning.
   CHECK(told("G41.1 D4 G01 X30 Y0\nG03 X30 Y0 I-20 J0\nG03 X20 Y10 R10\nG40 G01 X10 Y5") ==
         Places{});
+  // A line into the arc before: it ends beside the tool's way there, or reaches across it.
+  CHECK(told("G41.1 D8 G01 X-20 Y0\nX0\nG03 X-10 Y10 I0 J10\nG01 X4 Y10") == Places{});
+  CHECK(told("G41.1 D8 G01 X-20 Y0\nX0\nG03 X-10 Y10 I0 J10\nG01 X5 Y10") == Places{"SC2150 5:1"});
 }
 
 TEST_CASE("an error before the contour, or in it, causes no other", "[ipr][compensation]") {

@@ -125,6 +125,8 @@ const std::vector<Case> kCases{
      "SC2130 5:1", ""},
     {C::radius_number, "T2 M6\nF100 G1 G41 D2 X20\nX40\nG40 Y20\nG41 X60\nX80\nG40 Y50\nM30", "",
      ""},
+    {C::named_shift, "G92 X5\nG0 X1\nG92.1 X0\nM30", "SC2134 3:1", ""},
+    {C::named_shift, "G92 X5\nG0 X1\nG92.1\nX0\nM30", "", ""},
     {C::local_shift, "G92 X5\nG52 X2\nG0 X0\nM30", "SC2126 2:1", ""},
     {C::local_shift, "G52 X2\nG92.2\nG0 X0\nM30", "SC2126 2:1", ""},
     {C::local_shift, "G92 X5\nG52 Y2\nG0 X0\nY0\nG92 Y1\nG92.1\nX0\nM30", "", ""},

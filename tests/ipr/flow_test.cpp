@@ -263,6 +263,15 @@ TEST_CASE("what may be no label or argument of a call is told", "[ipr][flow]") {
   CHECK(told(sub + call + "\nM2").empty());
   CHECK(told(sub + call + " [31]\nM2") == Told{"3:150 SC1029 a call takes at most 30 arguments"});
   CHECK(told("o[1.5] call\nM2") == Told{"1:2 SC1029 a label is a whole number from 0"});
+  CHECK(told("o-1 call\nM2") == Told{"1:2 SC1029 a label is a whole number from 0"});
+  CHECK(told("o-1\nM2") == Told{"1:2 SC1029 a label is a whole number from 0"});
+  CHECK(told("o1 sub\no1 endsub\nG00 X1 o1 call\nM2") ==
+        Told{"3:8 SC1029 'o1 call' behind words: a statement begins its line"});
+  CHECK(told("o1 if [1]\nG00 X1 o1 endif\nM2") ==
+        Told{"2:8 SC1029 'o1 endif' behind words: a statement begins its line"});
+  CHECK(told("IF [1 EQ 1] THEN\nM2") ==
+        Told{"1:16 SC1029 what THEN is to do is expected at the end of the line"});
+  CHECK(told("THEN #1=1\nM2") == Told{"1:1 SC1029 THEN without IF on its line"});
   CHECK(told("o[-1] call\nM2") == Told{"1:2 SC1029 a label is a whole number from 0"});
   CHECK(told("DO 1.2.3\nM30", Dialect::fanuc) ==
         Told{"1:4 SC1029 a label is a whole number from 0"});

@@ -36,6 +36,19 @@ TEST_CASE("columns count characters, and tabs stay tabs", "[diagnostic]") {
         "      | \t      ^~~~~~\n");
 }
 
+TEST_CASE("the caret stands below characters that are wide, and below those under a mark",
+          "[diagnostic]") {
+  Diagnostic d = off_circle();
+  d.message = "m";
+  d.source_line = "(\uAC00\u65E5) X1.2.3 e\u0301 \uFF38";
+  d.pos = {3, 11, 5};
+  CHECK(render(d) ==
+        "part.nc:3:7: error SC2103: m\n    3 | " + d.source_line + "\n      |         ^~~~~\n");
+  d.pos = {3, 21, 3};
+  CHECK(render(d) == "part.nc:3:16: error SC2103: m\n    3 | " + d.source_line +
+                         "\n      |                 ^~\n");
+}
+
 TEST_CASE("control characters are shown, not obeyed, and the caret stays in its place",
           "[diagnostic]") {
   Diagnostic d = off_circle();

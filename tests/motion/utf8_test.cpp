@@ -6,6 +6,7 @@
 
 using softcnc::as_utf8;
 using softcnc::character_length;
+using softcnc::columns_of;
 using softcnc::is_utf8;
 
 TEST_CASE("a character is as long as its first byte says", "[motion][utf8]") {
@@ -40,4 +41,13 @@ TEST_CASE("what RFC 3629 does not define is no character", "[motion][utf8]") {
 TEST_CASE("each byte outside of a character becomes U+FFFD", "[motion][utf8]") {
   CHECK(as_utf8("a\x80\xE2\x82z\xC3\xA4") == "a\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBDz\xC3\xA4");
   CHECK(as_utf8("").empty());
+}
+
+TEST_CASE("a character takes two columns, one, or none", "[utf8]") {
+  for (const std::string_view wide :
+       {"\u1100", "\u3042", "\u4E2D", "\uD55C", "\uFF01", "\U0001F600"})
+    CHECK(columns_of(wide) == 2);
+  for (const std::string_view narrow : {"a", "\u00E9", "\u2212", "\uFFFD", "\uFF61", "\u1200"})
+    CHECK(columns_of(narrow) == 1);
+  for (const std::string_view mark : {"\u0301", "\u20D7", "\uFE0F"}) CHECK(columns_of(mark) == 0);
 }
