@@ -301,6 +301,7 @@ void Interpreter::execute() {
 /// What reading alone tells of lines that are never run.
 [[gnu::cold]] void Interpreter::read_unrun() {
   if (!options_.unrun_too) return;
+  out_.close();
   flow_.begin_unrun();
   while (const auto line = flow_.next_unrun()) interpret(*line);
 }

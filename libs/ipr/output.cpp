@@ -13,10 +13,11 @@ namespace softcnc::ipr {
   source_ = diagnostics_.in_calls(source_);
   failed_ = muted_ = hushed_ = false;
   certain_ = true;
-  kept_ = blocks_.size();
+  if (!closed_) kept_ = blocks_.size();
 }
 
 void Output::end() {
+  if (closed_) return;
   if (failed()) {
     if (refused_moves_ != nullptr && !muted_ && !compensation_.on()) show_moves();
     drop();

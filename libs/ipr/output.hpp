@@ -33,6 +33,8 @@ class Output {
 
   void begin(const Line& line);
   void end();
+  /// The program has ended: lines behind it are only read, and give no block.
+  void close() noexcept { closed_ = true; }
 
   /// Reports with the text of the line, unless the line is muted. An error makes the line fail.
   void report(Code code, SourcePos pos, std::string message);
@@ -122,6 +124,7 @@ class Output {
   std::string_view text_;
   bool failed_ = false, muted_ = false, hushed_ = false, certain_ = true;
   bool way_is_certain_ = false;  // of a hushed line
+  bool closed_ = false;
   Compensation compensation_;
 };
 

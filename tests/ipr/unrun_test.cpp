@@ -113,6 +113,18 @@ TEST_CASE("what cannot be read is told on lines that are passed over", "[ipr][un
   CHECK(told("WHILE [0 EQ 1] DO 1\nG999\nEND 1\nM30\n", Dialect::fanuc) == Told{"SC2001 2:1"});
 }
 
+TEST_CASE("lines that are only read leave the order of the blocks as it is", "[ipr][unrun]") {
+  InterpreterOptions options;
+  options.unrun_too = true;
+  for (const std::string end : {"M2\n", ""}) {
+    const auto ran = interpret("F100\nG41.1 D4\nG1 X5\nX9\n" + end + "o1 sub\nG0 X..1\no1 endsub\n",
+                               Machine{}, options);
+    REQUIRE(ran.blocks.size() == 3);
+    CHECK(std::holds_alternative<Move>(ran.blocks[1].what));
+    CHECK(std::holds_alternative<Action>(ran.blocks[2].what));
+  }
+}
+
 TEST_CASE("what is passed over at one time and run at another is told once", "[ipr][unrun]") {
   CHECK(told("#1=0\no1 repeat [2]\no2 if [#1]\nG00 X..1\no2 else\nG00 X..2\no2 endif\n#1=1\n"
              "o1 endrepeat\nM30\n") == Told{"SC1004 6:6", "SC1004 4:6"});
