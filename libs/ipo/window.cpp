@@ -90,7 +90,7 @@ void Window::slow_from(const Chain& appended, double way) {
 bool Window::drop_front() {
   const bool ends_move = chain_.intervals[front_].ends_move;
   ++front_;
-  if (front_ > 1024 && 2 * front_ > chain_.intervals.size()) forget();
+  if (front_ > forget_at_ && 2 * front_ > chain_.intervals.size()) forget();
   return ends_move;
 }
 
@@ -99,13 +99,15 @@ Window::Turn Window::front_turn() const noexcept {
   return {true, shares_its_step(chain_, front_, constraints_.period())};
 }
 
-/// Drops what lies so far behind the front that nothing ahead can feel it.
+/// Drops what lies so far behind the front that nothing ahead can feel it. Where that is next to
+/// nothing, it is looked for again when twice as much has been passed.
 void Window::forget() {
   std::size_t keep = front_;
   for (int i = 0; i < 3; ++i) keep = chain_.felt_from(keep, constraints_.period());
   chain_.drop_front(keep);
   front_ -= keep;
   derived_to_ -= std::min(derived_to_, keep);
+  forget_at_ = std::max(kFewPassed, 2 * front_);
 }
 
 std::unique_ptr<Window> make_window(const Constraints& constraints, double share,

@@ -119,6 +119,9 @@ class Window {
 
  private:
   void forget();
+
+  static constexpr std::size_t kFewPassed = 1024;  // intervals
+  std::size_t forget_at_ = kFewPassed;             // intervals behind the front
 };
 
 /// How much of the way ahead a plan with limits of jerk covers, if it has not ended before.
