@@ -19,6 +19,7 @@ constexpr int kStubborn = 5;                 // iterations after which tangents 
 // What a step aims for, as a part of the gap: with more, whole curves take up to twice as many
 // steps.
 constexpr double kLeastCentred = 1e-3, kMostCentred = 0.1;
+constexpr double kHopelessGap = 1e6;       // of the time: multipliers grow where nothing keeps all
 constexpr double kFirstGap = 100;          // of the time: how far from the bounds to begin
 constexpr double kFirstSlack = 0.1;        // of each bound
 constexpr double kFirstSpeed = 0.25;       // of the guess, in q
@@ -175,7 +176,7 @@ SpeedSolution InteriorPoint::run(const std::vector<double>& begin_at, int most) 
   const double bounds = static_cast<double>(caps_.size() + 2 * rows_.size());
   int iteration = 0;
   for (; iteration < most && !is_solved(); ++iteration) {
-    if (!std::isfinite(time_)) break;
+    if (is_hopeless()) break;
     const bool kept = violation_ < kTangentTolerance;
     const double aim = gap_ / bounds;
     assemble();
@@ -185,7 +186,11 @@ SpeedSolution InteriorPoint::run(const std::vector<double>& begin_at, int most) 
     if (!kept && iteration % kStubborn != kStubborn - 1) continue;
     move_tangents(speeds());
   }
-  return {coefficients_, iteration, iteration < most && std::isfinite(time_)};
+  return {coefficients_, iteration, iteration < most && !is_hopeless()};
+}
+
+bool InteriorPoint::is_hopeless() const noexcept {
+  return !std::isfinite(time_) || gap_ > kHopelessGap * time_;
 }
 
 /// From the guess, or, should that lead nowhere, from the optimum without jerk.

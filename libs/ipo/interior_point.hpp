@@ -33,6 +33,7 @@ class InteriorPoint {
   /// The cap of a node bounds the coefficient there, so that it holds between the nodes too.
   double over_cap(std::size_t node) const noexcept { return coefficients_[node + 1] - cap_[node]; }
   bool is_solved();
+  bool is_hopeless() const noexcept;
   void measure();
   double gradient_left();
   void add_to_step(std::size_t node, const SpeedSquare& y, double sign);
