@@ -2,6 +2,7 @@
 #include "ipo/speed_guess.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace softcnc::ipo {
@@ -30,14 +31,36 @@ bool hardly_felt(const PathPoint& point, double v, const Constraints& constraint
          (j.array() <= kHardly * constraints.jerk_limits().array()).all();
 }
 
+/// Whether an axis moves along the path at all.
+std::array<bool, kAxes> moving_axes(const PlanSpan& span) noexcept {
+  std::array<bool, kAxes> moving{};
+  for (std::size_t i = span.first; i < span.last; ++i) {
+    const Interval& in = span.interval(i);
+    for (int k = 0; k < kAxes; ++k)
+      if (in.left.dq[k] != 0 || in.right.dq[k] != 0) moving[static_cast<std::size_t>(k)] = true;
+  }
+  return moving;
+}
+
+/// The shortest time, s, in which an axis that moves takes up its acceleration; one that can do so
+/// within a period is followed from row to row.
+double shortest_phase(const PlanSpan& span) noexcept {
+  const double period = span.constraints.period();
+  const AxisVector times =
+      span.constraints.acceleration_limits().cwiseQuotient(span.constraints.jerk_limits());
+  const auto moving = moving_axes(span);
+  double shortest = kUnlimited;
+  for (int i = 0; i < kAxes; ++i)
+    if (moving[static_cast<std::size_t>(i)] && times[i] > 0)
+      shortest = std::min(shortest, times[i] < period ? kNodesPerPhase * period : times[i]);
+  return shortest;
+}
+
 }  // namespace
 
 SpeedGuess::SpeedGuess(const PlanSpan& span, const PlacedMotion& start, const PlacedMotion& end)
     : from_(start.s), to_(end.s) {
-  const AxisVector times =
-      span.constraints.acceleration_limits().cwiseQuotient(span.constraints.jerk_limits());
-  for (int i = 0; i < kAxes; ++i)
-    if (times[i] > 0) phase_ = std::min(phase_, times[i]);
+  phase_ = shortest_phase(span);
   shortest_ = kShortestTime * span.constraints.period();
   std::vector<Cell> cells;
   for (std::size_t i = span.first; i < span.last; ++i) cells.push_back(cell(span, i));

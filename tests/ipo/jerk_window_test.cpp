@@ -94,6 +94,18 @@ TEST_CASE("corners rounded by micrometres, and tips, do not hold a plan up", "[i
   }
 }
 
+TEST_CASE("an axis that stands still, or is as fast as a row, asks for no nodes", "[ipo][jerk]") {
+  const auto path = one(curve("butterfly"), 100);
+  Machine machine = machine_with(250, 1000, 20000);
+  const auto even = run(machine, path);
+  machine.axes[2].jerk = 1e6;
+  CHECK(run(machine, path).counts.effort.nodes == even.counts.effort.nodes);
+  machine.axes[1].jerk = 0;
+  const auto result = run(machine, path);
+  CHECK(exceeded(machine, result) == "");
+  CHECK(static_cast<double>(result.counts.effort.nodes) < 7000 * result.time);
+}
+
 TEST_CASE("where half a second ahead cannot be planned, a shorter way is", "[ipo][jerk]") {
   Machine machine = machine_with(250, 1000, 50000);
   machine.axes[1].jerk = 15000;
