@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "ipo/first_holding.hpp"
 #include "ipo/rest_to_rest.hpp"
 
 namespace softcnc::ipo {
@@ -19,6 +20,7 @@ constexpr double kLittleMore = 1.5;    // than the way of a stop
 constexpr double kSameSpeed = 1.002;   // squared
 constexpr double kSlowingPart = 0.04;  // of the way of a stop: so near the shortest way is found
 constexpr double kResolution = 1e-3;   // mm: of where the machine has slowed down
+constexpr Horizon kSlowed{2, 0};       // of a plan that tells whether the machine can slow down
 constexpr double kNodePart = 0.1;      // of an interval: a stop nearer to its end is there
 constexpr double kShortestStop = 0.8;  // of v^2 / 2A with all axes together
 
@@ -30,6 +32,14 @@ Limit name_of(const Ramp& ramp, const Constraints& constraints, double share) no
   if (ramp.limit != Limit::acceleration) return ramp.limit;
   const double a = std::max(std::abs(ramp.a0), std::abs(ramp.a1));
   return constraints.binding_acceleration(a, share);
+}
+
+/// The shortest way in which a motion along a straight line stops, mm: from the place where it is
+/// fastest it brakes with the jerk and the acceleration it may.
+double straight_stop(const Motion& motion, double a, double j) noexcept {
+  const double to_fastest = motion.a * (motion.v + motion.a * motion.a / (3 * j)) / j;
+  const double v = motion.v + motion.a * motion.a / (2 * j);
+  return to_fastest + 0.5 * v * (v > a * a / j ? v / a + a / j : 2 * std::sqrt(v / j));
 }
 
 }  // namespace
@@ -54,10 +64,9 @@ void JerkWindow::split_long_intervals(bool ended) {
 }
 
 /// The end of a plan: the first rest, or as many stopping distances away as it takes. `slowing`: mm
-/// ahead of the front in which the machine slows down first. `time`: s that it is to last where its
-/// cap stays the same.
+/// ahead of the front in which the machine slows down first.
 std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended, double slowing,
-                                                        double time) const noexcept {
+                                                        const Horizon& horizon) const noexcept {
   const auto& nodes = chain_.nodes;
   const std::size_t last = ended ? nodes.size() - 1 : last_final_cap();
   double top = slowing > 0 ? 0 : motion_.v;
@@ -68,7 +77,7 @@ std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended, double slowi
     top = std::max({top, speed(nodes[n].cap), speed(chain_.inside[n].cap)});
     const double distance = stopping_distance(top, constraints_);
     const bool steady = nodes[n + 1].cap.q == nodes[n].cap.q;
-    if (way < horizon_.stops * distance || (steady && way < time * top)) continue;
+    if (way < horizon.stops * distance || (steady && way < horizon.time * top)) continue;
     std::size_t taken = n + 1;
     while (taken > front_ + 1 && nodes[n + 1].s - nodes[taken].s < kLeft * distance) --taken;
     return Reach{n + 1, taken};
@@ -190,12 +199,12 @@ std::size_t JerkWindow::settle(bool ended) {
   const Straight straight = straight_to_rest(ended);
   if (straight.waits) return 0;
   if (straight.rest && run_straight(*straight.rest)) return planned_.size();
-  auto reach = look_ahead(ended, 0, horizon_.time);
+  auto reach = look_ahead(ended, 0, horizon_);
   if (!reach) return 0;
   if (slows_) return slow_down(ended);
   auto plan = this->plan(reach->end, reach->taken);
   if (!plan) {
-    const auto farther = std::exchange(reach, look_ahead(ended, 0, 0));
+    const auto farther = std::exchange(reach, look_ahead(ended, 0, {horizon_.stops, 0}));
     if (reach->end < farther->end) plan = this->plan(reach->end, reach->taken);
   }
   if (!plan) return fall_back(reach->end);
@@ -204,7 +213,8 @@ std::size_t JerkWindow::settle(bool ended) {
 }
 
 std::optional<Ramps> JerkWindow::plan(std::size_t end, std::size_t taken) {
-  return plan_to_rest({chain_, constraints_, front_, end, share_}, taken, motion_, effort_);
+  return plan_to_rest({chain_, constraints_, front_, end, share_, replans_}, taken, motion_,
+                      effort_);
 }
 
 void JerkWindow::take(Ramps plan, std::size_t intervals) {
@@ -243,46 +253,61 @@ bool JerkWindow::ends_interval(std::size_t count) const noexcept {
   return !ramps.empty() && ramps.back().s1 == chain_.intervals[front_ + count - 1].s1;
 }
 
-/// As soon as it can, if it can within the way of a stop or a little more; found by halving.
+/// As soon as it can, if it can within the way of a stop or a little more; found by halving. A plan
+/// that rests soon after tells whether it can.
 std::size_t JerkWindow::slow_down(bool ended) {
   const Chain appended = chain_;
-  const auto plan_from = [&](double way) {
+  const auto plan_from = [&](double way, const Horizon& horizon) {
     slow_from(appended, way);
-    const auto reach = look_ahead(ended, slowing_way_, horizon_.time);
+    const auto reach = look_ahead(ended, slowing_way_, horizon);
     auto plan = reach ? this->plan(reach->end, reach->taken) : std::nullopt;
     if (plan) take(std::move(*plan), reach->taken - front_);
     return plan.has_value();
   };
   slows_ = false;
   const bool too_fast = motion_.v * motion_.v > chain_.intervals[front_].slower_cap.q * kSameSpeed;
-  if (!too_fast && plan_from(0)) return planned_.size();
+  if (!too_fast && plan_from(0, horizon_)) return planned_.size();
   double no = 0, yes = stop_;
-  lost_ = !plan_from(yes) && !plan_from(yes *= kLittleMore);
+  lost_ = !plan_from(yes, kSlowed) && !plan_from(yes *= kLittleMore, kSlowed);
   while (!lost_ && yes - no > std::max(kSlowingPart * stop_, kResolution)) {
     const double middle = 0.5 * (no + yes);
-    (plan_from(middle) ? yes : no) = middle;
+    (plan_from(middle, kSlowed) ? yes : no) = middle;
   }
-  lost_ = lost_ || (slowing_way_ != yes && !plan_from(yes));
+  lost_ = lost_ || (!plan_from(yes, horizon_) && !plan_from(yes, kSlowed));
   return lost_ ? 0 : planned_.size();
 }
 
+/// Of stops that lie further and further on, each tried on the chain as it is appended.
 std::optional<std::size_t> JerkWindow::rest_early(double resolution) {
   if (size() == 0 || stands_still({chain_, constraints_, front_, front_ + 1, share_}, motion_))
     return std::nullopt;
   split_long_intervals(true);
   derive_anew();
   const double all = first_rest() - chain_.nodes[front_].s;
-  const double a = constraints_.tangential_u(chain_.intervals[front_].left);
-  double way = std::max(resolution, kShortestStop * motion_.v * motion_.v / (2 * a));
-  for (;; way *= kFurther) {
-    const std::size_t end = node_at(chain_.nodes[front_].s + std::min(way, all), kNodePart);
+  const PathPoint& here = chain_.intervals[front_].left;
+  const double a = constraints_.tangential_u(here);
+  const double shortest = std::max(resolution, kShortestStop * motion_.v * motion_.v / (2 * a));
+  const auto tries_to = [shortest](double way) {
+    return static_cast<int>(
+        std::ceil(std::max(std::log(way / shortest) / std::log(kFurther), 0.0)));
+  };
+  const Chain appended = chain_;
+  const auto stops_at = [&](int k) {
+    const double way = std::min(shortest * std::pow(kFurther, k), all);
+    Chain chain = std::exchange(chain_, appended);
+    const std::size_t end = node_at(chain_.nodes[front_].s + way, kNodePart);
     derive_anew();
-    if (auto plan = this->plan(end, end)) {
+    auto plan = this->plan(end, end);
+    if (plan)
       take(std::move(*plan), end - front_);
-      return planned_.size();
-    }
-    if (way >= all) return std::nullopt;
-  }
+    else
+      chain_ = std::move(chain);
+    return plan.has_value();
+  };
+  const int guess = tries_to(straight_stop(motion_, constraints_.straight_u(here.dq),
+                                           along(constraints_.jerk_limits(), here.dq)));
+  if (!first_holding(guess, tries_to(all), stops_at)) return std::nullopt;
+  return planned_.size();
 }
 
 bool JerkWindow::run_front(Profile& profile, std::optional<Limit> as) {
@@ -293,6 +318,7 @@ bool JerkWindow::run_front(Profile& profile, std::optional<Limit> as) {
     motion_ = {ramp.v1, ramp.a1};
   }
   planned_.pop_front();
+  replans_ = false;
   return drop_front();
 }
 

@@ -26,7 +26,10 @@ class JerkWindow final : public Window {
   bool settles_by_stretches() const noexcept override { return true; }
   std::optional<std::size_t> rest_early(double resolution) override;
   bool run_front(Profile& profile, std::optional<Limit> as) override;
-  void set_front(double v, double a) noexcept override { motion_ = {v, a}; }
+  void set_front(double v, double a) noexcept override {
+    motion_ = {v, a};
+    replans_ = true;
+  }
   bool front_rests() const noexcept override { return motion_.v == 0; }
   PlanEffort effort() const noexcept override { return effort_; }
 
@@ -35,7 +38,8 @@ class JerkWindow final : public Window {
   struct Reach {
     std::size_t end, taken;
   };
-  std::optional<Reach> look_ahead(bool ended, double slowing, double time) const noexcept;
+  std::optional<Reach> look_ahead(bool ended, double slowing,
+                                  const Horizon& horizon) const noexcept;
   /// The way to a rest along a straight line of one move, from rest or where begin_line() has
   /// ended: its end, a node of the chain; `waits`: what follows is still to tell whether there is
   /// one.
@@ -64,6 +68,7 @@ class JerkWindow final : public Window {
   std::deque<std::vector<Ramp>> planned_;  // by interval, from the front
   std::deque<std::vector<Ramp>> tail_;     // of the last plan, to its rest
   Motion motion_;                          // at the front
+  bool replans_ = false;                   // which no plan has foreseen
   double split_to_ = 0;                    // mm of the chain
   PlanEffort effort_;
 };

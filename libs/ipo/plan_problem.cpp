@@ -168,11 +168,14 @@ void PlanProblem::add_rows(std::size_t p, const PathPoint& point, const Inside& 
   }
 }
 
-/// 1 where the plan continues another one, down to 0 a stopping distance further on.
+/// 1 where the plan continues another one, down to 0 a stopping distance further on; from where the
+/// machine just is, 1 as far as it still has to speed up.
 double PlanProblem::first_part(std::size_t p) const noexcept {
   if (!ends_.continues) return 0;
-  const double way = stopping_distance(std::sqrt(ends_.start.q), span_.constraints);
-  return std::max(0.0, 1 - (nodes_[p].s - nodes_.front().s) / way);
+  const double v = std::sqrt(ends_.start.q), j = span_.constraints.jerk_limits().minCoeff();
+  const double faster = span_.replans ? way_to_fastest({v, 0.5 * ends_.start.dq}, j) : 0;
+  const double way = stopping_distance(v, span_.constraints);
+  return std::clamp(1 - (nodes_[p].s - nodes_.front().s - faster) / way, 0.0, 1.0);
 }
 
 /// The cap of a node holds up to its neighbours; that of the two ends is none.
@@ -193,6 +196,10 @@ Limit PlanProblem::limit(std::size_t p, const SpeedSquare& at) const noexcept {
         std::max(used, std::abs(row.value(at)) / row.bound * (row.over_root ? std::sqrt(at.q) : 1));
   }
   return jerk > acceleration ? Limit::jerk : Limit::acceleration;
+}
+
+double way_to_fastest(const Motion& motion, double j) noexcept {
+  return motion.a > 0 ? motion.a * (motion.v + motion.a * motion.a / (3 * j)) / j : 0;
 }
 
 double stopping_distance(double v, const Constraints& constraints) noexcept {

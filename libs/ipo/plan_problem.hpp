@@ -45,6 +45,9 @@ class PlanProblem {
   std::vector<Cap> caps_;  // by node, all of them; none at the ends
 };
 
+/// What speeds a motion up goes on for so many mm, until a jerk of -j has ended it.
+double way_to_fastest(const Motion& motion, double j) noexcept;
+
 /// No motion at `v` mm/s takes longer than this to stop on a straight line, mm.
 double stopping_distance(double v, const Constraints& constraints) noexcept;
 

@@ -19,7 +19,8 @@ struct PlanSpan {
   const Chain& chain;
   const Constraints& constraints;
   std::size_t first, last;
-  double share;  // of the axis accelerations and jerks
+  double share;          // of the axis accelerations and jerks
+  bool replans = false;  // begins where no plan was made to be followed by another
 
   double s(std::size_t node) const noexcept { return chain.nodes[node].s; }
   const Interval& interval(std::size_t i) const noexcept { return chain.intervals[i]; }

@@ -68,7 +68,9 @@ std::size_t Window::node_at(double s, double part) {
   while (n + 1 < nodes.size() && nodes[n].s < s && nodes[n].cap.q > 0) ++n;
   const Interval& interval = chain_.intervals[n - 1];
   const double from_left = s - nodes[n - 1].s, least = part * interval.length();
-  if (nodes[n].s - s > least && from_left > least) chain_.split(n - 1, interval.s0 + from_left);
+  if (nodes[n].s - s <= least) return n;
+  if (from_left <= least && n - 1 > front_) return n - 1;
+  chain_.split(n - 1, interval.s0 + from_left);
   return n;
 }
 

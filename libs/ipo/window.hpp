@@ -97,7 +97,7 @@ class Window {
   bool drop_front();
 
   /// A node at s, mm from the first node ever, or at the first rest before it; splits an interval
-  /// unless one of its ends lies nearer than this part of it.
+  /// unless one of its ends lies nearer than this part of it. The front is none.
   std::size_t node_at(double s, double part);
   /// The first node at which the machine rests anyway, mm of the chain.
   double first_rest() const noexcept;
