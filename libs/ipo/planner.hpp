@@ -45,10 +45,10 @@ class Planner {
   /// The same where nothing more may be pushed for long: finds out what is settled by now.
   std::optional<TimedPart> pop_part_now();
 
-  /// Plans all anew from the state `now` inside the first block of `rest` not passed, at program
+  /// Plans all anew from `state` inside the first block of `rest` not passed, at program
   /// time `t`, for the feed that is asked for from then on. pop() goes on with that block; a block
   /// in which the machine is held has no end. Returns what has been passed.
-  std::deque<TimedBlock> replan(PartlyPassed rest, const State& now, double t,
+  std::deque<TimedBlock> replan(PartlyPassed rest, const State& state, double t,
                                 const FeedControl& asked);
 
   PlannerCounts counts() const noexcept;
@@ -59,10 +59,11 @@ class Planner {
   void accept(Piece piece);
   void leave_out(Diagnostic diagnostic, const SourcePos& place);
   void flush_corners();
-  void take_back(PartlyPassed& rest);
+  void take_back(PartlyPassed& rest, double s, double t);
   void halt(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
   void go_on(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
-  StopPlan stop_from(const PartlyPassed& rest, const State& now, double t, Limit as);
+  std::vector<Profile> way_to_rest(PartlyPassed& rest, const State& now, double t, Limit as);
+  void plan_up_to_rest(PartlyPassed& rest);
   double stopping_way(double s) const;
   void lay_out(const std::deque<TimedBlock>& passed, double s);
   void append(const Move& move, bool rest);
@@ -103,6 +104,7 @@ class Planner {
   double begun_ = 0;              // mm of path where the last plan began,
   double slow_until_ = 0;         // and where the machine is as slow as it asks
   std::vector<Profile> way_out_;  // from there to rest, until slowing down is planned
+  bool rests_anyway_ = false;     // the way out is the one that the machine was on
   bool hurried_ = false;          // settling is worth its while however little has come
 };
 

@@ -47,6 +47,8 @@ class Profile {
   double duration() const noexcept { return duration_; }
   /// mm/s, where it ends.
   double end_speed() const noexcept;
+  /// mm from the start of the move, likewise.
+  double end_place() const noexcept { return pieces_.empty() ? 0 : pieces_.back().s1; }
   bool empty() const noexcept { return pieces_.empty(); }
 
   /// Realtime. `hint` carries the piece from call to call while t grows; start it at 0.

@@ -15,12 +15,20 @@ struct StopPlan {
   PlanEffort effort;
 };
 
+/// The blocks around the machine, in order; the first `passed` lie behind it.
+struct BlocksAround {
+  std::vector<const TimedBlock*> blocks;
+  std::size_t passed = 0;
+};
+
 /// The shortest stop on the path, under the same constraints, from the state `now` inside the first
-/// block not passed, at program time `t`; the last profile ends at rest. `as`: what the profiles
-/// are to say holds the feed down. Should rounding leave no way to stop at once, the plan goes on
-/// to its next rest at the end of a block, which counts as a fall-back.
-StopPlan plan_stop(const Constraints& constraints, const PartlyPassed& rest, const State& now,
-                   double t, Limit as);
+/// block not passed; the last profile ends at rest. `as`: what the profiles are to say holds the
+/// feed down. No profiles, should rounding leave no way to stop.
+StopPlan plan_stop(const Constraints& constraints, const BlocksAround& around, const State& now,
+                   Limit as);
+
+/// No stop from this state need be longer than this on a straight line, mm.
+double longest_stop(const State& now, const Constraints& constraints) noexcept;
 
 /// A plan leaves nothing of its accelerations unused where another one begins: what interpolating
 /// and rounding may cost is added here, well within the 0.1 % of the promise.

@@ -190,6 +190,92 @@ TEST_CASE("a hold that is taken back while it brakes takes no plan of countless 
   CHECK(result.counts.effort.nodes < 100000);
 }
 
+TEST_CASE("an event takes no plan of the way that it takes back", "[ipo][jerk][replan]") {
+  const Machine machine = machine_with(true);
+  const Arc arc = Arc::make({{0, 0, 0}, {0, 0, 0}, {20, 0, 0}, Plane::xy, true, 3}).value();
+  const auto blocks = number_blocks({Move{arc, false, 5, Join::follow}});
+  const auto plain = run(machine, blocks);
+  Controls controls;
+  for (int i = 1; i <= 10; ++i) controls[1000 * i] = override_of(i % 2 == 0 ? 1 : 0.9);
+  const auto result = run(machine, blocks, controls);
+  CHECK(exceeded(machine, result) == "");
+  CHECK(result.counts.effort.fallbacks == 0);
+  CHECK(result.counts.effort.nodes < 2 * plain.counts.effort.nodes);
+}
+
+TEST_CASE("a hold where the machine brakes anyway is no fall-back, nor is its release",
+          "[ipo][replan]") {
+  const bool jerk = GENERATE(false, true);
+  const int released = GENERATE(2, 500);  // rows later
+  const Machine machine = machine_with(jerk);
+  const auto blocks = number_blocks({Move{Line({0, 0, 0}, {20, 0, 0}), false, 100, Join::stop},
+                                     Move{Line({20, 0, 0}, {40, 0, 0}), false, 100, Join::follow}});
+  const auto plain = run(machine, blocks);
+  int stop = 10;
+  while (plain.rows[static_cast<std::size_t>(stop)].s < 20) ++stop;
+  for (int row = stop - 60; row <= stop + 1; ++row) {
+    CAPTURE(jerk, released, row);
+    Controls controls{{row, kHold}};
+    controls[row + released] = kGo;
+    const auto result = run(machine, blocks, controls);
+    CHECK(exceeded(machine, result) == "");
+    CHECK(result.counts.effort.fallbacks == 0);
+    CHECK(result.rows.back().position == AxisVector(40, 0, 0));
+  }
+}
+
+TEST_CASE("a hold soon after the start of a long line rests soon", "[ipo][jerk][replan]") {
+  const Machine machine = machine_with(true);
+  const auto result = run(machine, long_line(), Controls{{20, kHold}, {3000, kGo}});
+  CHECK(exceeded(machine, result) == "");
+  CHECK(result.rows[19].v > 5);
+  CHECK(result.rows[2000].v == 0);
+  CHECK(result.rows[2000].s - result.rows[19].s < 1.5);
+}
+
+TEST_CASE("a stop is found in few tries", "[ipo][jerk][replan]") {
+  const Machine machine = machine_with(true);
+  const Arc arc = Arc::make({{0, 0, 0}, {0, 0, 0}, {10, 0, 0}, Plane::xy, true, 3}).value();
+  const auto blocks = number_blocks({Move{arc, false, 80, Join::follow}});
+  const auto plain = run(machine, blocks);
+  for (const int row : {60, 300, 1000}) {
+    CAPTURE(row);
+    const auto result = run(machine, blocks, Controls{{row, kHold}, {row + 500, kGo}});
+    CHECK(exceeded(machine, result) == "");
+    CHECK(result.counts.effort.iterations < plain.counts.effort.iterations + 300);
+  }
+}
+
+TEST_CASE("a speed that is rounding is none", "[ipo][jerk][replan]") {
+  const Machine machine = machine_with(true);
+  const Arc arc = Arc::make({{0, 0, 0}, {20, 0, 0}, {10, 0, 0}, Plane::xy, true, 0}).value();
+  Diagnostics diagnostics;
+  ipo::Planner planner(machine, 1, diagnostics);
+  for (Block& block : number_blocks({Move{Line({-2e-7, 0, 0}, {0, 0, 0}), false, 100, Join::follow},
+                                     Move{arc, false, 100, Join::follow}}))
+    planner.push(std::move(block));
+  planner.finish();
+  ipo::BlockQueue queue(10 * machine.control.period);
+  while (auto part = planner.pop_part()) queue.push(std::move(*part));
+  planner.replan(queue.take_rest(), {0, 1e-29, 1e-13}, 0, override_of(0.5));
+  while (planner.pop()) {
+  }
+  CHECK(planner.counts().effort.fallbacks == 0);
+  CHECK(planner.counts().effort.nodes < 10000);
+}
+
+TEST_CASE("an event at the end of a move leaves it where it ends", "[ipo][jerk][replan]") {
+  const Machine machine = machine_with(true);
+  const auto blocks = number_blocks({Move{Line({0, 0, 0}, {20, 0, 0}), false, 100, Join::stop},
+                                     Move{Line({20, 0, 0}, {40, 0, 0}), false, 100, Join::follow}});
+  for (int row = 318; row <= 323; ++row) {  // it takes 0.32 s
+    CAPTURE(row);
+    const auto result = run(machine, blocks, Controls{{row, override_of(0.5)}});
+    CHECK(exceeded(machine, result) == "");
+    CHECK(result.rows.size() > 700);
+  }
+}
+
 TEST_CASE("a step keeps its chord where a curve bends most between two looks at it",
           "[ipo][replan]") {
   const RandomRun random = run_random(294741569, 2, 2);
