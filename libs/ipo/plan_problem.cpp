@@ -11,7 +11,8 @@ namespace {
 /// a plan continues another one it may use more at first, lest it find no way on.
 constexpr double kJerkPart = 0.995, kFirstJerkPart = 0.999;
 constexpr double kAccelerationPart = 0.998, kFirstAccelerationPart = 0.9995;
-constexpr double kCapPart = 0.9993, kFirstCapPart = 1.0003;
+constexpr double kCapPart = 0.9993, kFirstCapPart = 1;
+constexpr double kReplannedCapPart = 1.0003;  // first, of a plan that no other one has foreseen
 constexpr double kFirmCapPart = 0.996, kFirstFirmCapPart = 0.9999;  // those that hold everywhere
 constexpr double kSame = 1e-9;   // relative: derivatives that do not jump
 constexpr double kBinds = 0.99;  // of a limit: it is what holds back
@@ -55,7 +56,8 @@ void PlanProblem::add_node(std::size_t p) {
   Cap most = cap(p);
   const bool firm = most.limit == Limit::roughness;
   const double usual = firm ? kFirmCapPart : kCapPart;
-  const double part = usual + first_part(p) * ((firm ? kFirstFirmCapPart : kFirstCapPart) - usual);
+  const double first = firm ? kFirstFirmCapPart : span_.replans ? kReplannedCapPart : kFirstCapPart;
+  const double part = usual + first_part(p) * (first - usual);
   // Both ends are given.
   problem_.add_node(p == 0    ? 2 * ends_.start.q
                     : is_last ? 2 * ends_.end.q

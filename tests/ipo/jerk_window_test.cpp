@@ -106,6 +106,12 @@ TEST_CASE("an axis that stands still, or is as fast as a row, asks for no nodes"
   CHECK(static_cast<double>(result.counts.effort.nodes) < 7000 * result.time);
 }
 
+TEST_CASE("no plan that goes on from another one is faster than the feed", "[ipo][jerk]") {
+  const auto result = run(machine_with(250, 1000, 20000), one(curve("infinity8"), 200));
+  CHECK(result.counts.effort.fallbacks == 0);
+  for (const Setpoint& row : result.rows) REQUIRE(row.v <= 200 * (1 + 1e-6));
+}
+
 TEST_CASE("where half a second ahead cannot be planned, a shorter way is", "[ipo][jerk]") {
   Machine machine = machine_with(250, 1000, 50000);
   machine.axes[1].jerk = 15000;
