@@ -233,11 +233,12 @@ class Flow {
   std::set<int> leaves_;  // lines of the file that end it, or a subprogram, by a code
   std::deque<PassedLines::Stretch> unread_;  // still to be read, the first in work
   bool reading_stretch_ = false;
-  int program_line_ = 0;                                // of the main program's own O
-  std::int64_t executed_ = 0;                           // lines
-  std::int64_t jumped_back_ = 0;                        // lines, by GOTO
-  std::int64_t made_since_jump_ = 0;                    // blocks of cycles, since the last one back
-  std::int64_t vain_ = 0;                               // lines passed to find what is missing
+  bool order_lost_ = false;           // what follows the end may be of the program
+  int program_line_ = 0;              // of the main program's own O
+  std::int64_t executed_ = 0;         // lines
+  std::int64_t jumped_back_ = 0;      // lines, by GOTO
+  std::int64_t made_since_jump_ = 0;  // blocks of cycles, since the last one back
+  std::int64_t vain_ = 0;             // lines passed to find what is missing
   std::map<std::tuple<int, int, int>, Spot> backward_;  // targets of GOTO: by file, line and number
 };
 

@@ -183,11 +183,13 @@ void Flow::start() {
   go(call.sub.begin);
 }
 
+/// A return leaves the subprogram in which it stands, whatever its label, as in LinuxCNC.
 void Flow::leave_by_statement() {
   const Call& call = calls_.back();
   const bool end = statement_.kind == Kind::end_sub;
   const std::string& label = statement_.label;
-  if (!in_subprogram() || call.sub.kind != SubKind::o_word || call.sub.label != label)
+  const bool of_call = in_subprogram() && call.sub.kind == SubKind::o_word;
+  if (!of_call || (end && call.sub.label != label))
     return report_once(end ? Code::SC2304 : Code::SC2306, statement_.pos,
                        "'" + o_word(label, end ? "endsub" : "return") +
                            (end ? "' without '" : "' outside of '") + o_word(label, "sub") + "'",

@@ -17,6 +17,7 @@ bool has_unknown_label(const Line& line) {
 void Flow::begin_unrun() {
   if (broke_off()) return;
   leaves_.insert(passed_.last_read());
+  order_lost_ = uncertain_ || target_lost_ || end_lost_;
   diagnostics_.lines_repeat();
   while (in_subprogram()) {
     calls_.pop_back();
@@ -121,7 +122,7 @@ void Flow::close(Kind begin) {
 /// Of statements only what they say is read, not how they nest: a stretch may begin within a branch
 /// and end within another.
 std::optional<Line> Flow::next_passed() {
-  if (unread_.empty()) unread_ = passed_.take();
+  if (unread_.empty()) unread_ = passed_.take(order_lost_);
   while (!unread_.empty()) {
     const PassedLines::Stretch& stretch = unread_.front();
     if (!reading_stretch_ && !go_to(stretch)) return std::nullopt;
@@ -139,7 +140,7 @@ std::optional<Line> Flow::next_passed() {
 /// Behind the end of a program stands nothing of it up to the next one.
 bool Flow::go_to(const PassedLines::Stretch& stretch) {
   if (!go({0, stretch.begin})) return false;
-  bool outside = leaves_.contains(stretch.begin.line);
+  bool outside = !order_lost_ && leaves_.contains(stretch.begin.line);
   while (outside && parser_.line() < stretch.last) {
     const auto line = parser_.next_statement();
     outside = line && !(line->statement != nullptr && line->statement->kind == Kind::program);

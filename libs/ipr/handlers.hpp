@@ -206,6 +206,8 @@ bool has_near_lengths(Task& task, std::string_view letters);
 // words.cpp: what several handlers need
 /// Of the word with this letter, or of the code where the line has none.
 SourcePos place_of(const Task& task, char letter);
+/// Whether it is known where the machine is along the axes that the line names.
+bool knows_position(const Task& task) noexcept;
 /// Whether the word is written with a decimal point.
 bool has_point(const Task& task, const Word& word);
 /// Where the axis words lead, in mm and machine coordinates, from the position in force.

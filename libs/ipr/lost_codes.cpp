@@ -2,6 +2,7 @@
 #include "ipr/lost_codes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -54,10 +55,18 @@ std::size_t behind_comment(std::string_view text, std::size_t at) noexcept {
   return close == std::string_view::npos ? close : close + 1;
 }
 
+/// Codes that are not supported, and would turn, scale, mirror or bend coordinates: lathe
+/// diameters, polar and cylindrical coordinates, G16, G51, G68.
+bool changes_coordinates(double number) noexcept {
+  constexpr std::array<int, 7> kCodes{7, 12, 16, 51, 68, 107, 112};
+  return std::find(kCodes.begin(), kCodes.end(), static_cast<int>(number)) != kCodes.end();
+}
+
 }  // namespace
 
 Groups groups_of_code(double number) noexcept {
   const GCode* code = find_gcode('G', number);
+  if (code == nullptr && changes_coordinates(number)) return {Group::motion, Group::work_offset};
   if (code == nullptr) code = find_gcode('G', std::floor(number));
   const bool rests = code != nullptr && (code->number == kG04 || code->number == kG09);
   return rests ? Groups{} : Groups{code != nullptr ? code->group : Group::motion};

@@ -148,10 +148,15 @@ void check_curve_axes(Task& task, PendingCurve& curve) {
 
 /// The curve begins in the position exactly, wherever within the tolerance its first point lies.
 AxisVector first_point(Task& task, PendingCurve& curve) {
+  const bool known = knows_position(task);
   const AxisVector point = end_point(task);
   const double off = (point - task.modal.position).norm();
   if (off <= start_tolerance(task.machine)) return task.modal.position;
   curve.misshapen = true;
+  if (!known) {
+    task.out.mute();
+    return point;
+  }
   report_if_certain(task, kAxisWords, Code::SC3109, span_of(task.values, "XYZ"),
                     "the curve begins " + number_text(off) + " mm off the position");
   return task.modal.position;

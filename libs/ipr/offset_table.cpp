@@ -93,6 +93,7 @@ bool set_system(Task& task) {
 /// coordinates given, and the others keep theirs.
 template <typename With>
 bool rename_position(Task& task, AxisVector& offset, With&& with) {
+  if (!knows_position(task)) task.modal.doubt_offsets();
   const Coordinates before = with(offset);
   const AxisVector& position = task.modal.position;
   AxisVector wanted = before.to_program(position);

@@ -4,6 +4,7 @@
 #include "ipr/passed_lines.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace softcnc::ipr {
@@ -14,6 +15,12 @@ void PassedLines::read(int line, const Reader::Place& behind, bool moved) {
   const bool passed = moved && line > known_.line + 1;
   if (passed && stretches_.size() < kMost) stretches_.push_back({known_, line - 1});
   known_ = behind;
+}
+
+std::deque<PassedLines::Stretch> PassedLines::take(bool rest) {
+  constexpr int kEnd = std::numeric_limits<int>::max();
+  if (rest && known_.line < kEnd) stretches_.push_back({std::exchange(known_, {0, kEnd}), kEnd});
+  return std::exchange(stretches_, {});
 }
 
 /// Between lines that are read one after the other there are none but empty ones: all of them lie

@@ -24,8 +24,8 @@ class PassedLines {
   void read(int line, const Reader::Place& behind, bool moved);
   int last_read() const noexcept { return last_read_; }
 
-  /// In the order of the text; none are left.
-  std::deque<Stretch> take() { return std::exchange(stretches_, {}); }
+  /// In the order of the text; none are left. `rest`: behind them what follows all lines read.
+  std::deque<Stretch> take(bool rest);
 
  private:
   void cut_out(int first, int line, const Reader::Place& behind);

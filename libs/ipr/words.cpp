@@ -115,6 +115,12 @@ AxisVector end_in_program(const Task& task) {
 
 }  // namespace
 
+bool knows_position(const Task& task) noexcept {
+  const Letters unknown = task.modal.unknown_axes();
+  return std::none_of(kAxisLetters.begin(), kAxisLetters.end(),
+                      [&](char letter) { return task.values.has(letter) && unknown.has(letter); });
+}
+
 bool has_point(const Task& task, const Word& word) {
   const auto column = static_cast<std::size_t>(word.pos.column) - 1;
   const auto length = static_cast<std::size_t>(word.pos.length);

@@ -88,12 +88,14 @@ void name_position(Task& task) {
   compare_offsets(task);
   Modal& modal = task.modal;
   const AxisVector now = modal.coordinates.to_program(modal.position);
+  const bool known = knows_position(task);
   AxisVector shift = shift_in_force(modal.state);
   for_named_axes(task, [&](int axis, double value) {
     shift[axis] += now[axis] - value + modal.local_shift[axis];
     modal.local_shift[axis] = modal.shift_of_g52[axis] = 0;
     modal.uncertain.remove(axis_letter(axis));
   });
+  if (!known) modal.doubt_offsets();
   set_shift(task, shift);
 }
 

@@ -77,6 +77,20 @@ TEST_CASE("check tells once of each axes that the moves of a line leave", "[apps
   CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 2);
 }
 
+TEST_CASE("check tells no travel behind offsets that an error has left unknown", "[apps][check]") {
+  const auto carets = [](const std::string& program) {
+    const std::string out = call("check -", program + "M30\n").out;
+    return std::count(out.begin(), out.end(), '^');
+  };
+  CHECK(carets("G92 X0\nG0 X1200\n") == 1);
+  CHECK(carets("G0 X-5..00\nG92 X0\nG0 X1200\n") == 1);
+  CHECK(carets("G0 X-5..00\nG10 L20 P1 X0\nG0 X1200\n") == 1);
+  CHECK(carets("G0 Z-5..00\nG10 L10 P1 Z0\nG43 H1\nG0 Z-1200\n") == 1);
+  CHECK(carets("G0 Z-500\nG38.2 Z0 F100\nG92 Z0\nG1 Z-1200\n") == 1);
+  CHECK(carets("G68 X0 Y0 R90\nG0 X1500\n") == 1);
+  CHECK(carets("G51 X0 P0.5\nG0 X1500\n") == 1);
+}
+
 TEST_CASE("check tells once what is wrong with all moves of a line", "[apps][check]") {
   const Ended ended = call("check -", "G91 G81 R1 X1 Z-2000 F100 L3\nM30\n");
   CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 1);

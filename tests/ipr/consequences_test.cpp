@@ -226,3 +226,11 @@ TEST_CASE("names behind a code that is unknown may be its text", "[ipr][conseque
   CHECK(told("M117 hello world\nG00 X1 foo") == Places{"SC2001 1:1", "SC1020 2:8"});
   CHECK(told("M00 hello") == Places{"SC1020 1:5"});
 }
+
+TEST_CASE("a curve that begins where a broken line would have led is not off the position",
+          "[ipr][consequences]") {
+  const std::string curve = "G6.2 P2 K0 X10 Y0 F100\nK0 X20\nK1\nK1";
+  CHECK(told("G0 X10\n" + curve) == Places{});
+  CHECK(told("G0 X9\n" + curve) == Places{"SC3109 2:12"});
+  CHECK(told("G0 X1..0\n" + curve) == Places{"SC1004 1:5"});
+}

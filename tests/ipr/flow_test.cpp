@@ -243,6 +243,13 @@ TEST_CASE("of arguments of G65 with one letter the last counts", "[ipr][flow]") 
   CHECK(fanuc_way("O1\nG65 P2 D5 A1 I2 I6 D7 A3" + sub) == Positions{3, 2, 7});
 }
 
+TEST_CASE("a return leaves the subprogram whatever its label", "[ipr][flow]") {
+  CHECK(way_of(interpret("o1 sub\nG0 X1\no5 if [1]\no5 return [3]\no5 endif\nX2\no1 endsub\n"
+                         "o1 call\nG0 X#<_value>\nM2\n")) == Positions{1, 3});
+  CHECK(told("o1 if [1]\no1 return\no1 endif\nM2") ==
+        Told{"2:1 SC2306 'o1 return' outside of 'o1 sub'"});
+}
+
 TEST_CASE("a call that cannot be read is told, and leads nowhere", "[ipr][flow]") {
   CHECK(told("M98\nG0 X1\nM30", Dialect::fanuc) ==
         Told{"1:1 SC2005 M98 needs P, the number of the subprogram"});

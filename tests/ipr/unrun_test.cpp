@@ -113,6 +113,14 @@ TEST_CASE("what cannot be read is told on lines that are passed over", "[ipr][un
   CHECK(told("WHILE [0 EQ 1] DO 1\nG999\nEND 1\nM30\n", Dialect::fanuc) == Told{"SC2001 2:1"});
 }
 
+TEST_CASE("behind an end that may not be reached, lines are read all the same", "[ipr][unrun]") {
+  CHECK(told("o1 if [#1 gtt 3]\nM2\no1 endif\nG0 X..\nG0 X1\nM2\n") ==
+        Told{"SC1018 1:13", "SC1004 4:5"});
+  CHECK(told("IF [#2 EQQ 2] GOTO 10\nM30\nN10 G0 X..\nM30\n", Dialect::fanuc) ==
+        Told{"SC1018 1:10", "SC1004 3:9"});
+  CHECK(told("G0 X1\nM2\nG0 X..\n") == Told{});
+}
+
 TEST_CASE("lines that are only read leave the order of the blocks as it is", "[ipr][unrun]") {
   InterpreterOptions options;
   options.unrun_too = true;
