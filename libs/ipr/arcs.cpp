@@ -38,8 +38,11 @@ bool is_well_given(Task& task, const PlaneAxes& axes) {
                  code_name(task.code) + " takes R or a centre, not both");
   } else if (const char across = offset_letter(axes.across);
              values.has(across) && !may_pass_over(task, axes)) {
-    report_words(task, kOffsetLetters, Code::SC2105, values.word(across).pos,
-                 std::string(1, across) + " lies across the plane of the arc");
+    if (task.command.doubted().has(Group::plane))
+      task.out.mute();
+    else
+      report_words(task, kOffsetLetters, Code::SC2105, values.word(across).pos,
+                   std::string(1, across) + " lies across the plane of the arc");
   } else {
     return true;
   }

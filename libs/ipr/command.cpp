@@ -14,7 +14,8 @@ namespace {
 
 constexpr Letters kAfterUnknownCode{"GXYZ"};  // what it would have done is not known
 constexpr Groups kMoving{Group::motion, Group::cycle, Group::non_modal};
-constexpr Groups kWithWords{Group::cutter_compensation, Group::tool_length};
+constexpr Groups kWithWords{Group::cutter_compensation, Group::tool_length, Group::path_control,
+                            Group::surface};
 
 /// Of a word that is not going to act.
 void check_value(const Word& word, Output& out) {

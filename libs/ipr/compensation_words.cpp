@@ -21,7 +21,7 @@ bool is_dynamic(const GCode& code) {
 std::optional<double> radius_of_loaded_tool(Task& task) {
   const std::optional<int>& tool = task.modal.loaded_tool;
   const std::optional<double> radius = tool ? tools_of(task).radius(*tool) : std::nullopt;
-  if (!radius && !task.modal.uncertain.has('T'))
+  if (!radius && !task.modal.uncertain.has_any("TM") && !task.modal.offsets_uncertain)
     task.out.report(Code::SC2148, task.word.pos,
                     code_name(task.code) + " without D: " +
                         (tool ? "tool " + std::to_string(*tool) + " has no radius"
@@ -31,8 +31,11 @@ std::optional<double> radius_of_loaded_tool(Task& task) {
 }
 
 std::nullopt_t report_no_radius(Task& task, int tool) {
-  report_word(task, 'D', Code::SC2142,
-              "the radius of tool " + std::to_string(tool) + " is not known");
+  if (task.modal.offsets_uncertain)
+    task.out.mute();
+  else
+    report_word(task, 'D', Code::SC2142,
+                "the radius of tool " + std::to_string(tool) + " is not known");
   return std::nullopt;
 }
 

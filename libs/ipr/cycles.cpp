@@ -357,7 +357,7 @@ void lay_below(Task& task) {
 /// How the hole is left.
 void compare_ways_out(Task& task, const Holes& holes) {
   const Modal& modal = task.modal;
-  if (modal.cycle.start <= holes.retract) return;
+  if (modal.cycle.start <= holes.retract || modal.doubted.has(Group::retract)) return;
   if (!modal.retract_to_r)
     task.out.contradict(Contradiction::retract, task.word.pos);
   else if (!*modal.retract_to_r && feeds_out(task.code))

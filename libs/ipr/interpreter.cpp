@@ -154,6 +154,7 @@ bool Interpreter::tell_restored(const Line& next) {
   else if (unclear || out_.failed())
     out_.hush(way_is_certain());
   if (unclear) out_.withhold();
+  modal_.start_uncertain = modal_.uncertain.has_any(kAxisWords);
   execute();
   remember_uncertain();
   if (modal_.curve) note_faults(command_, modal_, out_, *modal_.curve);
@@ -206,6 +207,7 @@ void Interpreter::remember_uncertain() {
   const Groups doubted = command_.doubted();
   if (doubted.empty()) return;
   modal_.doubt(doubted);
+  if (doubted.has_any({Group::cycle, Group::motion})) modal_.cycle.told |= Letters("PQRXYZ");
   if (!doubted.has(Group::cutter_compensation)) return;
   out_.stop_compensation();
   modal_.cutter.reset();
@@ -226,7 +228,11 @@ const GCode* Interpreter::behind_g80() const noexcept {
 void Interpreter::find_motion() {
   const Letters unused = command_.unused(options_.dialect);
   if (unused.empty()) return;
-  if (command_.uncertain().has('G')) return out_.mute();
+  if (command_.uncertain().has('G')) {
+    for (const char axis : kAxisLetters)
+      if (unused.has(axis)) modal_.uncertain.add(axis);
+    return out_.mute();
+  }
   const GCode* motion = command_.has(Group::cycle) ? behind_g80() : modal_.motion;
   if (motion == nullptr && fanuc_goes_to_machine_point()) motion = find_gcode('G', 0);
   if (motion != nullptr && unused.has_any(motion->words))

@@ -127,7 +127,8 @@ struct Modal : Modes {
   /// An offset is wrong by an error: where the machine is in its own coordinates does not tell
   /// where it is in those of the program.
   bool offsets_uncertain = false;
-  Letters doubted_axes;  // along which
+  Letters doubted_axes;          // along which
+  bool start_uncertain = false;  // where the machine was before the line is not known
 
   /// A curve that was left too early, which has been told: words that only its blocks have. Blocks
   /// of it that follow are not told for that.

@@ -158,7 +158,7 @@ void add_spline_point(Task& task, PendingPoints& curve) {
   const bool same = (point - curve.points.back()).norm() < kSplineSamePoint;
   task.modal.position = point;
   if (same) curve.misshapen = true;
-  if (same && !task.modal.uncertain.has_any(kAxisWords))
+  if (same && !curve.broken && !task.modal.uncertain.has_any(kAxisWords))
     report_words(task, kAxisWords, Code::SC2351, span_of(task.values, "XYZ"),
                  "the point of the spline is the one before it");
   if (curve.points.size() < kMaxSplinePoints) return curve.points.push_back(point);

@@ -146,7 +146,7 @@ SourcePos place_of(const Task& task, char letter) {
 
 [[gnu::hot]] void emit_move(Task& task, Path&& path, bool rapid) {
   Modal& modal = task.modal;
-  if (modal.uncertain.has_any(kAxisWords)) task.out.mark_uncertain();
+  if (modal.start_uncertain || modal.uncertain.has_any(kAxisWords)) task.out.mark_uncertain();
   modal.beside.reset();
   if (!rapid && modal.feed_mode == FeedMode::inverse_time)
     modal.feed = held_feed(task, mm_s_from_mm_min(length(path) * modal.feed_word));
@@ -173,7 +173,8 @@ SourcePos place_of(const Task& task, char letter) {
 
 [[gnu::hot]] bool has_feed(Task& task) {
   Modal& modal = task.modal;
-  if (modal.doubted.has(Group::feed_mode) && modal.feed <= 0) {
+  const bool needs_feed = modal.feed <= 0 || modal.feed_mode == FeedMode::inverse_time;
+  if (modal.doubted.has(Group::feed_mode) && needs_feed) {
     task.out.withhold();
     return false;
   }

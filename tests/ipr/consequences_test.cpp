@@ -234,3 +234,28 @@ TEST_CASE("a curve that begins where a broken line would have led is not off the
   CHECK(told("G0 X9\n" + curve) == Places{"SC3109 2:12"});
   CHECK(told("G0 X1..0\n" + curve) == Places{"SC1004 1:5"});
 }
+
+TEST_CASE("what a broken code would have set is unknown to what rests on it",
+          "[ipr][consequences]") {
+  CHECK(told("G18\nG..17 G3 X10 Y0 I5 J0 F100") == Places{"SC1004 2:2"});
+  CHECK(told("G93 G1 X60 F5\nG..94 F300\nG1 X70\nX80") == Places{"SC1004 2:2"});
+  CHECK(told("G..64 P0.1\nG0 X1") == Places{"SC1004 1:2"});
+  CHECK(told("G6..4 D5 J0.5 H10 L2\nG0 X1") == Places{"SC1004 1:2"});
+  CHECK(told("G98 G..81 X1 Z-5 R2 F100\nG83 X2 Q2", Dialect::fanuc) == Places{"SC1004 1:6"});
+  CHECK(told("G0 X-20 Y-20\nG1 Z-2 F100\nG..42 X0 Y0\nX50\nG3 X60 Y10 I0 J10") ==
+        Places{"SC1004 3:2"});
+  CHECK(told("G6.1 X1 Y1 F100\nX..5 Y1\nX1 Y1\nX2 Y2") == Places{"SC1004 2:2"});
+}
+
+TEST_CASE("a contour that begins where a broken line would have led has no short first move",
+          "[ipr][consequences]") {
+  CHECK(told("G10 L1 P1 R3\nT1 M6\nG0 X-1..0\nG41 G1 X1 F100\nY10\nX-20\nG40 X-30") ==
+        Places{"SC1004 3:5"});
+  CHECK(told("G41.1 D6 G1 X10 Y10 F100\nX30\nG40 X4..0\nG41.1 D6 X31\nY50\nG40 X20") ==
+        Places{"SC1004 3:6"});
+}
+
+TEST_CASE("a tool whose radius is broken has one that is not known", "[ipr][consequences]") {
+  CHECK(told("G10 L1 P1 R2..0\nG41 D1 G1 X20 F100\nX40\nG40 X60") == Places{"SC1004 1:12"});
+  CHECK(told("G10 L1 P1 R2\nT1 M..6\nG41 G1 X20 F100\nX40\nG40 X60") == Places{"SC1004 2:5"});
+}
