@@ -105,6 +105,10 @@ std::optional<Subprogram> Flow::find(const std::string& label, bool program,
   if (library_.is_lost()) ended_ = broken_ = true;
   if (sub || diagnostics_.errors() > errors) return sub;
   if (!program && lost_o_words_.find(label) != std::string::npos) return sub;
+  if (options_.unrun_too && library_.may_be_misspelt(label)) {  // it is read, and told there
+    doubt_order();
+    return sub;
+  }
   const std::string nearest = library_.nearest(label);
   report(Code::SC2301, call,
          "no subprogram " + (program ? program_name(label) : o_word(label)) + " in this program" +

@@ -204,6 +204,8 @@ void Interpreter::remember_uncertain() {
   modal_.uncertain |= uncertain;
   const bool offsets = command_.has(Group::non_modal) && modal_.offsets_uncertain;
   if (offsets && out_.failed()) modal_.doubt_offsets();
+  const bool restores = uncertain.has('M') && modal_.saved.back();
+  if (restores) levels_.miss_call();
   const Groups doubted = command_.doubted();
   if (doubted.empty()) return;
   modal_.doubt(doubted);

@@ -126,6 +126,8 @@ void Library::search_on(int file, const std::string& label, bool program) {
 
 void Library::learn(Text& text, const Line& line) {
   const Statement* statement = line.statement;
+  const bool misspelt = statement != nullptr && statement->kind == Kind::misspelt;
+  if (misspelt && misspelt_.size() < kMostMissing) misspelt_.insert(statement->label);
   if (!begins_subprogram(statement)) return;
   const bool program = statement->kind == Kind::program;
   auto& known = program ? text.programs : text.subs;

@@ -121,6 +121,13 @@ TEST_CASE("behind an end that may not be reached, lines are read all the same", 
   CHECK(told("G0 X1\nM2\nG0 X..\n") == Told{});
 }
 
+TEST_CASE("where a subprogram's first line is misspelt, it is told and not the call",
+          "[ipr][unrun]") {
+  const std::string program = "o200 call\nM2\no200 suub\nG0 X1\no200 endsub\n";
+  CHECK(told(program) == Told{"SC1020 3:6"});
+  CHECK(places(interpret(program)) == Told{"SC2301 1:1"});
+}
+
 TEST_CASE("lines that are only read leave the order of the blocks as it is", "[ipr][unrun]") {
   InterpreterOptions options;
   options.unrun_too = true;
