@@ -153,7 +153,7 @@ AxisVector first_point(Task& task, PendingCurve& curve) {
   const double off = (point - task.modal.position).norm();
   if (off <= start_tolerance(task.machine)) return task.modal.position;
   curve.misshapen = true;
-  if (!known) {
+  if (!known || curve.broken) {
     task.out.mute();
     return point;
   }
@@ -328,7 +328,10 @@ void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, 
       continue;
     }
     if (code->group == Group::feed) {
-      out.report(Code::SC3110, word->pos, "F belongs to the first block of the curve");
+      const bool may_be_next =
+          command.has(Group::motion) && (curve.knots_uncertain || curve.order == 0);
+      if (!may_be_next)
+        out.report(Code::SC3110, word->pos, "F belongs to the first block of the curve");
       continue;
     }
     if (!curve.knots_uncertain) report_left_early(curve, *code, *word, out);

@@ -20,6 +20,10 @@ PendingPoints& begin_points(Task& task) {
   curve.code = &task.code;
   curve.points.push_back(task.modal.position);
   curve.head = curve_head(task);
+  if (task.modal.start_uncertain) {
+    curve.broken = true;
+    curve.lost_axes |= kAxisWords;
+  }
   return curve;
 }
 

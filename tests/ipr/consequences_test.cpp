@@ -259,3 +259,15 @@ TEST_CASE("a tool whose radius is broken has one that is not known", "[ipr][cons
   CHECK(told("G10 L1 P1 R2..0\nG41 D1 G1 X20 F100\nX40\nG40 X60") == Places{"SC1004 1:12"});
   CHECK(told("G10 L1 P1 R2\nT1 M..6\nG41 G1 X20 F100\nX40\nG40 X60") == Places{"SC1004 2:5"});
 }
+
+TEST_CASE("a spline whose start is not known is not too short", "[ipr][consequences]") {
+  CHECK(told("G0 X1\nG6.1 X1 Y0 F100") == Places{"SC2350 2:1"});
+  CHECK(told("G0 X1..0\nG6.1 X0 Y0 F100") == Places{"SC1004 1:5"});
+}
+
+TEST_CASE("behind an order that cannot be read the next curve is no part of the one before",
+          "[ipr][consequences]") {
+  const std::string next = "G6.2 P3 K0 X2 Y0 F100\nK0 X3\nK0 X4\nK1\nK1\nK1";
+  CHECK(told("G6.2 P..2 K0 X0 Y0 F100\nK0 X2\nK1\nK1\n" + next) == Places{"SC1004 1:7"});
+  CHECK(told("G6.2 P2 K0 X0 Y0 F100\nK0 X2\nK1\nK1..\n" + next) == Places{"SC1004 4:2"});
+}
