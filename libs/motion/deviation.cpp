@@ -11,21 +11,29 @@ namespace {
 constexpr int kNewtonSteps = 6;
 constexpr double kLastStep = 1e-9;  // of the portion
 
-double squared_distance(const Path& path, double s, const AxisVector& point) noexcept {
-  return (position(path, s) - point).squaredNorm();
+constexpr int kPieces = 32;  // of a portion, which are halved where they may be nearest
+constexpr double kNearer = 1e-3;
+constexpr double kResolution = 1e-6;  // mm
+
+double distance(const Path& path, double s, const AxisVector& point) noexcept {
+  return (position(path, s) - point).norm();
 }
 
-/// Where the path is nearest among evenly spaced places.
-double nearest_sample(const Portion& portion, const AxisVector& point, int samples) noexcept {
-  double best = portion.s0, least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= samples; ++i) {
-    const double s = portion.s0 + (portion.s1 - portion.s0) * i / samples;
-    const double squared = squared_distance(*portion.path, s, point);
-    if (squared >= least) continue;
-    least = squared;
-    best = s;
-  }
-  return best;
+/// The nearest place yet, and how near it is.
+struct Nearest {
+  double s = 0;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// A point of a piece is no further from its middle than half its length.
+void search(const Path& path, double s0, double s1, const AxisVector& point,
+            Nearest& best) noexcept {
+  const double middle = (s0 + s1) / 2, half = (s1 - s0) / 2;
+  const double off = distance(path, middle, point);
+  if (off < best.distance) best = {middle, off};
+  if (off - half >= best.distance * (1 - kNearer) - kResolution) return;
+  search(path, s0, middle, point, best);
+  search(path, middle, s1, point, best);
 }
 
 }  // namespace
@@ -56,15 +64,14 @@ double nearest(const Portion& portion, const AxisVector& point, double guess) no
   return s;
 }
 
-double distance(std::span<const Portion> portions, const AxisVector& point, int samples) noexcept {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Portion& portion : portions) {
-    const double sampled = nearest_sample(portion, point, samples);
-    const double s = nearest(portion, point, sampled);
-    least = std::min({least, squared_distance(*portion.path, s, point),
-                      squared_distance(*portion.path, sampled, point)});
-  }
-  return std::sqrt(least);
+double nearest(const Portion& portion, const AxisVector& point) noexcept {
+  const auto& [path, s0, s1] = portion;
+  Nearest best{s0, distance(*path, s0, point)};
+  if (const double off = distance(*path, s1, point); off < best.distance) best = {s1, off};
+  for (int i = 0; i < kPieces; ++i)
+    search(*path, s0 + (s1 - s0) * i / kPieces, s0 + (s1 - s0) * (i + 1) / kPieces, point, best);
+  const double polished = nearest(portion, point, best.s);
+  return distance(*path, polished, point) < best.distance ? polished : best.s;
 }
 
 }  // namespace softcnc

@@ -2,8 +2,6 @@
 // How far a point lies from paths, or from a straight way between two others.
 #pragma once
 
-#include <span>
-
 #include "motion/path.hpp"
 
 namespace softcnc {
@@ -21,9 +19,8 @@ struct Portion {
 /// the minimum that Newton's method finds from `guess`.
 double nearest(const Portion& portion, const AxisVector& point, double guess) noexcept;
 
-/// Distance, mm, of a point from what is nearest among several paths. Each is searched at
-/// `samples` places, and from the nearest of them by Newton's method.
-double distance(std::span<const Portion> portions, const AxisVector& point,
-                int samples = 32) noexcept;
+/// Where the whole portion comes nearest to `point`: no other place is nearer by more than a
+/// thousandth of the distance and a nanometre.
+double nearest(const Portion& portion, const AxisVector& point) noexcept;
 
 }  // namespace softcnc

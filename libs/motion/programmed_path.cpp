@@ -13,7 +13,6 @@ namespace {
 /// What is nearest lies within so many times its distance along the path.
 constexpr double kReach = 4;
 constexpr double kRounding = 1e-9;  // mm
-constexpr int kPlaces = 256;        // of a curve
 
 bool may_be_rounded(const Move& move) {
   return move.join == Join::follow && (move.corner_tolerance > 0 || move.chord_tolerance > 0);
@@ -62,36 +61,42 @@ void ProgrammedPath::find(int number) noexcept {
   if (here_ != before) guess_ = 0;
 }
 
-/// The search goes on in both directions while the path could still come back so near.
+/// Newton's method may go astray, so what it finds counts only where it raises neither record.
 void ProgrammedPath::measure_row(const AxisVector& point) noexcept {
+  const Deviation found = deviation(point, Search::near_guess);
+  count(is_record(found) ? deviation(point, Search::whole) : found);
+}
+
+/// The search goes on in both directions while the path could still come back so near.
+ProgrammedPath::Deviation ProgrammedPath::deviation(const AxisVector& point,
+                                                    Search search) noexcept {
   const Stretch& here = stretches_[here_];
+  guess_ = nearest_on(here, point, guess_, search);
   double allowed = here.allowed;
-  double least = distance(here, point, guess_);
+  double least = (position(here.path, guess_) - point).norm();
+  const auto try_stretch = [&](const Stretch& stretch, double guess) {
+    const double s = nearest_on(stretch, point, guess, search);
+    least = std::min(least, (position(stretch.path, s) - point).norm());
+    allowed = std::max(allowed, stretch.allowed);
+  };
   const double at = here.s_start + guess_;
   for (std::size_t i = here_; i > 0 && stretches_[i].follows; --i) {
     const Stretch& before = stretches_[i - 1];
     if (at - before.s_end > kReach * least + kRounding) break;
-    least = std::min(least, distance(before, point, length(before.path)));
-    allowed = std::max(allowed, before.allowed);
+    try_stretch(before, length(before.path));
   }
   for (std::size_t i = here_ + 1; i < stretches_.size() && stretches_[i].follows; ++i) {
     const Stretch& after = stretches_[i];
     if (after.s_start - at > kReach * least + kRounding) break;
-    least = std::min(least, distance(after, point, 0));
-    allowed = std::max(allowed, after.allowed);
+    try_stretch(after, 0);
   }
-  count({least, allowed});
+  return {least, allowed};
 }
 
-/// Where Newton's method may have gone astray, the whole of the stretch is searched.
-double ProgrammedPath::distance(const Stretch& stretch, const AxisVector& point,
-                                double guess) noexcept {
-  const double s = nearest({&stretch.path, 0, length(stretch.path)}, point, guess);
-  if (&stretch == &stretches_[here_]) guess_ = s;
-  const double off = (position(stretch.path, s) - point).norm();
-  if (off <= stretch.allowed || std::holds_alternative<Line>(stretch.path)) return off;
-  const Portion whole{&stretch.path, 0, length(stretch.path)};
-  return std::min(off, softcnc::distance({&whole, 1}, point, kPlaces));
+double ProgrammedPath::nearest_on(const Stretch& stretch, const AxisVector& point, double guess,
+                                  Search search) noexcept {
+  const Portion all{&stretch.path, 0, length(stretch.path)};
+  return search == Search::whole ? nearest(all, point) : nearest(all, point, guess);
 }
 
 /// Joints around the last row come near to the way from the row before to it.
@@ -132,6 +137,11 @@ void ProgrammedPath::forget() noexcept {
 
 void ProgrammedPath::count_joint(const Stretch& stretch) noexcept {
   if (std::isfinite(stretch.joint_off)) count({stretch.joint_off, stretch.allowed_before});
+}
+
+bool ProgrammedPath::is_record(const Deviation& found) const noexcept {
+  return found.off > std::max(largest_, kRounding) ||
+         found.off - found.allowed > worst_.off - worst_.allowed + kRounding;
 }
 
 void ProgrammedPath::count(const Deviation& deviation) noexcept {

@@ -47,9 +47,13 @@ class ProgrammedPath {
 
   void find(int number) noexcept;
   void measure_row(const AxisVector& point) noexcept;
-  double distance(const Stretch& stretch, const AxisVector& point, double guess) noexcept;
+  enum class Search { near_guess, whole };
+  Deviation deviation(const AxisVector& point, Search search) noexcept;
+  static double nearest_on(const Stretch& stretch, const AxisVector& point, double guess,
+                           Search search) noexcept;
   void near_joints(const AxisVector& from, const AxisVector& to) noexcept;
   void forget() noexcept;
+  bool is_record(const Deviation& found) const noexcept;
   void count(const Deviation& deviation) noexcept;
   void count_joint(const Stretch& stretch) noexcept;
 

@@ -287,6 +287,11 @@ TEST_CASE("joined chords end where the last one ends, to the bit", "[ipo][replan
   CHECK(random.run.rows.back().position == random.end);
 }
 
+TEST_CASE("rows on a hairpin of a spline are found on it", "[ipo][replan]") {
+  const RandomRun random = run_random(219071531, 2, 3, true);
+  CHECK(exceeded(random.machine, random.run) == "");
+}
+
 TEST_CASE("random holds and overrides of random programs keep every limit and the path",
           "[ipo][jerk][property][replan]") {
   const char* asked = std::getenv("SOFTCNC_PROGRAMS");
