@@ -3,6 +3,7 @@
 #include "ipr/command.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "ipr/faults.hpp"
@@ -27,6 +28,12 @@ void report_twice(const Word& word, Output& out) {
   out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
 }
 
+/// G38.2 to G38.9; G31 of FANUC.
+bool probes(const Word& word, Dialect dialect) noexcept {
+  const double code = dialect == Dialect::fanuc ? 31 : 38;
+  return word.letter == 'G' && std::floor(word.value) == code;
+}
+
 }  // namespace
 
 void Command::read(const Line& line, Dialect dialect, Output& out) {
@@ -35,6 +42,7 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
   groups_ = {};
   uncertain_ = line.lost;
   doubted_ = {};
+  lost_touch_ = false;
   lost_all_ = false;
   calls_macro_ = false;
   below_cycle_ = nullptr;
@@ -91,6 +99,7 @@ Letters Command::lastingly_uncertain() const noexcept {
     out.report(Code::SC2001, word.pos, code_name(word.letter, word.value) + " is not supported");
     uncertain_ |= word.letter == 'G' ? kAfterUnknownCode : Letters("M");
     if (word.letter == 'G') doubt(groups_of_code(word.value));
+    lost_touch_ = lost_touch_ || probes(word, dialect);
     return;
   }
   calls_macro_ = calls_macro(*code);

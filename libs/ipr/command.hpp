@@ -72,6 +72,8 @@ class Command {
   Letters lastingly_uncertain() const noexcept;
   /// Of which groups they leave open what is in force.
   Groups doubted() const noexcept { return doubted_; }
+  /// Whether one of them was a probing move.
+  bool lost_touch() const noexcept { return lost_touch_; }
 
  private:
   void read_code(const Word& word, Dialect dialect, Output& out);
@@ -94,6 +96,7 @@ class Command {
   std::string_view called_;
   Letters uncertain_;
   Groups doubted_;
+  bool lost_touch_ = false;
   bool lost_all_ = false;  // of the line: nobody knows what its words are
 };
 

@@ -85,6 +85,7 @@ void CommandFile::read_line() {
   if (!is_readable() || !split()) {
     spline_.reset();  // a part of it may be on this line
     pass_numbers_ = true;
+    feed_told_ = feed_told_ || row_ == nullptr || row_->kind == CommandRow::Kind::feed;
   } else if (head_.kind == Kind::name) {
     read_command();
   } else if (numbers_.empty() || pass_numbers_) {

@@ -59,6 +59,15 @@ std::string lacks_variable(const Variable& variable, Dialect dialect) {
          (clock ? ", a clock: a program does the same whenever it runs" : "");
 }
 
+/// LinuxCNC has names for what its configuration and its HAL hold.
+std::string lacks_value(const Variable& variable) {
+  const bool foreign = variable.name.starts_with("_hal[") || variable.name.starts_with("_ini[");
+  return foreign ? "#<" + variable.name.substr(0, 4) + "[...]> asks for a " +
+                       (variable.name[1] == 'h' ? "pin of LinuxCNC's HAL" : "setting of LinuxCNC") +
+                       ", and there is none"
+                 : name_of(variable) + " has no value";
+}
+
 /// What follows the '[' at column `open`.
 double Expression::bracket_rest(int open) {
   const double value = binary(kLowestLevel).value;
@@ -176,7 +185,7 @@ double Expression::read_variable(int begin) {
     return note(Code::SC1025, begin, end(), lacks_variable(*named, dialect_));
   }
   if (const auto value = parameters_.read(named->name)) return *value;
-  return note(Code::SC1024, begin, end(), name_of(*named) + " has no value");
+  return note(Code::SC1024, begin, end(), lacks_value(*named));
 }
 
 std::optional<Variable> Expression::variable() {

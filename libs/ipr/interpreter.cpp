@@ -206,6 +206,7 @@ void Interpreter::remember_uncertain() {
   if (offsets && out_.failed()) modal_.doubt_offsets();
   const bool restores = uncertain.has('M') && modal_.saved.back();
   if (restores) levels_.miss_call();
+  if (command_.lost_touch()) parser_.parameters().doubt_touch();
   const Groups doubted = command_.doubted();
   if (doubted.empty()) return;
   modal_.doubt(doubted);

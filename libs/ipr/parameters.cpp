@@ -17,6 +17,10 @@ constexpr int kFanucFirstKept = 500, kFanucEnd = 1000;
 
 constexpr int kDebugSwitch = 5599;  // LinuxCNC: (DEBUG,text) is shown unless it is 0
 
+constexpr int kTouch = 5061, kTouchEnd = 5071;
+
+constexpr bool is_touch(int number) noexcept { return number >= kTouch && number < kTouchEnd; }
+
 constexpr bool is_fanuc_ordinary(int number) noexcept {
   return (number >= 1 && number <= kFanucLocals) ||
          (number >= kFanucFirstCommon && number < kFanucEndVolatile) ||
@@ -53,6 +57,7 @@ void Parameters::store(int number, double value) {
 
 std::optional<double> Parameters::read(int number) const {
   if (number == 0 && dialect_ == Dialect::fanuc) return kVacant;
+  if (touch_doubtful_ && is_touch(number)) return kUncertain;
   if (is_system(number) && system_ != nullptr)
     if (const auto value = system_->read(number)) return value;
   if (!is_ordinary(number)) return std::nullopt;
@@ -163,6 +168,13 @@ void Parameters::doubt_all(bool locals) {
   if (!locals) return;
   levels_.back().numbered.fill(kUncertain);
   for (auto& [name, value] : levels_.back().named) value = kUncertain;
+}
+
+void Parameters::doubt_touch() {
+  if (dialect_ == Dialect::fanuc)
+    touch_doubtful_ = true;
+  else
+    for (int number = kTouch; number < kTouchEnd; ++number) store(number, kUncertain);
 }
 
 void Parameters::push(std::span<const double> arguments) {

@@ -92,6 +92,8 @@ class Parameters {
   void doubt() noexcept { doubtful_ = true; }
   /// So have been all that a subprogram might have done; `locals`: to those of its caller too.
   void doubt_all(bool locals);
+  /// A probing move has been refused: where it would have ended, #5061 to #5070, is not known.
+  void doubt_touch();
 
   /// Begins a level of calls: local variables of its own, the arguments in #1 and up.
   void push(std::span<const double> arguments);
@@ -130,7 +132,7 @@ class Parameters {
   Names global_;
   std::optional<double> given_back_;
   int line_ = 0;
-  bool doubtful_ = false, watching_ = false;
+  bool doubtful_ = false, touch_doubtful_ = false, watching_ = false;
 };
 
 }  // namespace softcnc::ipr

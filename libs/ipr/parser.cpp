@@ -8,6 +8,12 @@
 #include "ipr/faults.hpp"
 
 namespace softcnc::ipr {
+namespace {
+
+/// M66, whose E is a word and no exponent.
+bool takes_e(const Word& word) noexcept { return word.letter == 'M' && word.value == 66; }
+
+}  // namespace
 
 void Parser::configure(const ParserOptions& options) {
   options_ = options;
@@ -135,7 +141,8 @@ void Parser::refuse_file(std::string_view encoding) {
 Token Parser::read_word(Lexer& lexer, const Token& letter) {
   if (letter.letter == 'E' && !words_.empty()) {
     const SourcePos& before = words_.back().pos;
-    if (before.column + before.length == letter.column) return read_exponent(lexer, letter);
+    const bool behind = before.column + before.length == letter.column;
+    if (behind && !takes_e(words_.back())) return read_exponent(lexer, letter);
   }
   if (letter.letter == 'O' && read_o_word(lexer, letter)) return {};
   const Token number = lexer.next();

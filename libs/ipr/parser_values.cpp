@@ -96,10 +96,12 @@ bool Parser::pass_operation(Lexer& lexer, int begin) {
     if (!fault) fault = operand.fault();
     broke_off = operand.broke_off();
   }
+  const bool closed = !broke_off && lexer.take(']');
   const int length = lexer.end() - begin;
   const auto written =
       line_.text.substr(static_cast<std::size_t>(begin) - 1, static_cast<std::size_t>(length));
-  report(Code::SC1017, begin, length, quoted(written) + " needs '[' before it and ']' behind it");
+  report(Code::SC1017, begin, length,
+         quoted(written) + " needs '[' before it" + (closed ? "" : " and ']' behind it"));
   broke_off ? give_up(fault, lexer) : report(fault);
   return true;
 }

@@ -127,6 +127,13 @@ TEST_CASE("no way is no move", "[ipr][commands]") {
   CHECK(places(interpret("f 5\n", {}, {.format = Format::commands})).empty());
 }
 
+TEST_CASE("a feed that is not known is not one that is missing", "[ipr][commands]") {
+  CHECK(places(interpret("f 1..2\nl 10 10\n")) == Places{"SC1004 1:3"});
+  CHECK(places(interpret("qq 1\nl 10 10\n", {}, {.format = Format::commands})) ==
+        Places{"SC1050 1:1"});
+  CHECK(places(interpret("l 10\nl 10 10\n")) == Places{"SC1052 1:1", "SC2352 2:1"});
+}
+
 TEST_CASE("without f the machine's largest feed is used, and told once", "[ipr][commands]") {
   const Interpreted result = interpret("l 1 0\nl 1 0\nf 30\nl 1 0\n");
   CHECK(places(result) == Places{"SC2352 1:1"});

@@ -50,6 +50,21 @@ TEST_CASE("behind a broken expression in brackets the line is read on", "[ipr][c
   CHECK(told("G00 X[1+ Y1.2.3") == Places{"SC1018 1:10"});
 }
 
+TEST_CASE("an operation without brackets is told once, with a ']' at its end too",
+          "[ipr][consequences]") {
+  CHECK(told("#1=1\nG0 X#1+2] Y..1") == Places{"SC1017 2:5", "SC1004 2:12"});
+  CHECK(told("#1=1\nG0 X#1+2 ]") == Places{"SC1017 2:5"});
+}
+
+TEST_CASE("where a refused probing move would have ended is not known", "[ipr][consequences]") {
+  CHECK(told("G38.2 Z-5 F100\no1 while [#5070 EQ 0]\nG0 X1\no1 endwhile") == Places{"SC2001 1:1"});
+  CHECK(told("G38.2 Z-5 F100\n#1=[1/#5063]") == Places{"SC2001 1:1"});
+  CHECK(told("G38.2 Z-5 F100\n#5070=0\n#1=[1/#5070]") == Places{"SC2001 1:1", "SC1021 3:7"});
+  CHECK(told("#1=[1/#5063]") == Places{"SC1021 1:7"});
+  CHECK(told("G31 Z-5 F100\nG0 X#5061", Dialect::fanuc) == Places{"SC2001 1:1"});
+  CHECK(told("G0 X#5061", Dialect::fanuc) == Places{"SC1025 1:5"});
+}
+
 TEST_CASE("an argument that cannot be read has no known value", "[ipr][consequences]") {
   const std::string subprogram = "\nM30\nO1\n#3=[1/#2]\nM99";
   CHECK(told("G65 P1 A1 B2..0" + subprogram, Dialect::fanuc) == Places{"SC1004 1:12"});
