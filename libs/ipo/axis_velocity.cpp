@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Velocity limits of the axes: |x'| v <= V on every axis.
 #include <algorithm>
+#include <cmath>
 
 #include "ipo/constraint.hpp"
 
@@ -11,6 +12,8 @@ namespace {
 constexpr double kCurveMargin = 3e-4;
 
 double square(double x) { return x * x; }
+
+double longer(double x, double by) noexcept { return x + std::copysign(by, x); }
 
 /// The highest of x'^2 q on the way from one point to the other, where x' and q go along lines: at
 /// an end, or where what grows of the one is what shrinks of the other.
@@ -43,11 +46,11 @@ class AxisVelocity final : public Constraint {
     return v * v;
   }
 
-  bool holds_between(const Passing& from, const Passing& to,
+  bool holds_between(const Passing& from, const Passing& to, const AxisVector& sag,
                      double tolerance) const noexcept override {
     const double q = std::max(from.q, to.q);
     for (int i = 0; i < kAxes; ++i) {
-      const double x0 = from.point.dq[i], x1 = to.point.dq[i];
+      const double x0 = longer(from.point.dq[i], sag[i]), x1 = longer(to.point.dq[i], sag[i]);
       const double allowed = square(velocity_[i] * (1 - kCurveMargin)) * (1 + tolerance);
       if (std::max(square(x0), square(x1)) * q <= allowed) continue;
       if (fastest_square(x0, from.q, x1, to.q) > allowed) return false;

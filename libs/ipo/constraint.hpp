@@ -56,9 +56,10 @@ class Constraint {
     return true;
   }
 
-  /// False if a q on the line between two points exceeds the cap between them, where x' lies on the
-  /// line between theirs, by more than `tolerance` of it.
-  virtual bool holds_between(const Passing&, const Passing&, double /*tolerance*/) const noexcept {
+  /// False if a q on the line between two points exceeds the cap between them, where x' is longer
+  /// than on the line between theirs by up to `sag` on each axis, by more than `tolerance` of it.
+  virtual bool holds_between(const Passing&, const Passing&, const AxisVector& /*sag*/,
+                             double /*tolerance*/) const noexcept {
     return true;
   }
 };

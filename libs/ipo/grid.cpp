@@ -12,6 +12,7 @@ constexpr int kMaxDepth = 40;
 constexpr int kMostParts = 16;         // at a time, of what is longer than
 constexpr double kSplitEvenly = 1e-4;  // mm
 constexpr double kStepParts = 8;
+constexpr double kSagParts = 3;   // times the tolerance, of what a longer x' adds to velocities
 constexpr double kHalfParts = 4;  // a curve is so many times nearer to its chord over half the way
 constexpr double kSwing = 2;      // times the tolerance: what a bend may do between looks
 constexpr double kBrakingParts = 3;   // times the tolerance, of what is asked for while braking
@@ -163,12 +164,13 @@ class Refiner {
     const double off = off_middle(whole, mid);
     const bool linear = off <= kHalfParts * kGridTolerance && caps_are_linear(whole, mid, reached);
     const bool fine = depth >= least_depth_ && follows_ramps(whole) && follows_steps(whole, mid) &&
-                      linear && off <= kGridTolerance;
+                      linear && off <= kGridTolerance && caps_hold_outside(whole, mid, 1);
     const bool shortest =
         depth >= kMaxDepth || (depth >= least_depth_ && whole.length() < 2 * kShortest);
     const Cap of_steps = lowest_step_cap(whole.left, mid, whole.right);
     if (fine && bends_evenly(whole, kGridTolerance)) return keep(whole, of_steps, true);
-    if (linear && halves_do(first, second, whole, depth)) {
+    if (linear && caps_hold_outside(whole, mid, 1 / kHalfParts) &&
+        halves_do(first, second, whole, depth)) {
       keep(first, {}, true);
       keep(second, {}, true);
       return;
@@ -284,10 +286,28 @@ class Refiner {
     const Passing right{whole.right.point, whole.right.cap.q};
     for (const auto& constraint : constraints_.caps())
       if (!constraint->is_even(left.point, right.point, move_) ||
-          !constraint->holds_between(left, mid, kGridTolerance) ||
-          !constraint->holds_between(mid, right, kGridTolerance))
+          !holds_between(*constraint, left, mid, right, AxisVector::Zero(), kGridTolerance))
         return false;
     return true;
+  }
+
+  static bool holds_between(const Constraint& constraint, const Passing& left, const Passing& mid,
+                            const Passing& right, const AxisVector& sag, double tolerance) {
+    return constraint.holds_between(left, mid, sag, tolerance) &&
+           constraint.holds_between(mid, right, sag, tolerance);
+  }
+
+  /// Whether the caps hold although x' swings out from the line between the ends, by what the
+  /// middle shows of it times `part`.
+  bool caps_hold_outside(const Stretch& whole, const Look& middle, double part) const {
+    const PathPoint &a = whole.left.point, &b = whole.right.point;
+    const AxisVector sag = part * (middle.point.dq - 0.5 * (a.dq + b.dq)).cwiseAbs();
+    const Passing left{a, whole.left.cap.q}, right{b, whole.right.cap.q};
+    const Passing mid{middle.point, middle.cap.q};
+    return std::all_of(
+        constraints_.caps().begin(), constraints_.caps().end(), [&](const auto& constraint) {
+          return holds_between(*constraint, left, mid, right, sag, kSagParts * kGridTolerance);
+        });
   }
 
   /// What the middle asks for beyond the mean of the ends, as part of the limits. Where both x' and

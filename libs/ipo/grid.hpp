@@ -52,6 +52,12 @@ struct Interval {
     if (left_most == kUnlimited) return kUnlimited;
     return left_most + (right_most - left_most) * ((s - s0) / length());
   }
+  /// The cap at `s`, mm of the move, on the line between those of the ends.
+  double cap_at(double s) const noexcept {
+    const double w = std::clamp((s - s0) / length(), 0.0, 1.0);
+    if (w == 0 || left_cap.q == right_cap.q) return left_cap.q;
+    return left_cap.q + w * (right_cap.q - left_cap.q);
+  }
   bool straight() const noexcept { return left.ddq.isZero(0) && right.ddq.isZero(0); }
 };
 

@@ -9,6 +9,8 @@ namespace {
 
 /// Rows are promised to a little more.
 constexpr double kJerkAllowed = 1.0045, kAccelerationAllowed = 1.0007, kCapAllowed = 1.0004;
+constexpr double kPassingAllowed =
+    1.0012;                                // of the cap of a place, whose constraints keep a margin
 constexpr double kFirmAllowed = 1 + 1e-7;  // rounding of a cap that holds everywhere
 constexpr int kInstants = 4;               // beside the first
 constexpr double kStandstill = 1e-9;       // mm/s: slower is rounding
@@ -47,8 +49,10 @@ Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap) 
             ? interval.left
             : softcnc::at(*interval.path, at.s, k < kInstants ? Side::after : Side::before);
     used.rows = std::max(used.rows, used_rows(span, span.chain.inside[i], point, at));
-    used.cap = std::max({used.cap, at.v * at.v / (kCapAllowed * cap),
-                         at.v * at.v / (kFirmAllowed * interval.most_at(at.s))});
+    const double q = at.v * at.v;
+    used.cap =
+        std::max({used.cap, q / (kCapAllowed * cap), q / (kPassingAllowed * interval.cap_at(at.s)),
+                  q / (kFirmAllowed * interval.most_at(at.s))});
   }
   return used;
 }

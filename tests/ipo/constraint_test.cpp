@@ -91,11 +91,12 @@ TEST_CASE("an axis may be too fast between two points where it is not", "[constr
   Machine machine;
   for (Axis& axis : machine.axes) axis.velocity = 100;
   const auto velocity = make_axis_velocity(machine);
-  const auto holds = [&](double x0, double v0, double x1, double v1, double tolerance) {
+  const auto holds = [&](double x0, double v0, double x1, double v1, double tolerance,
+                         double sag = 0) {
     PathPoint from, to;
     from.dq[0] = x0;
     to.dq[0] = x1;
-    return velocity->holds_between({from, v0 * v0}, {to, v1 * v1}, tolerance);
+    return velocity->holds_between({from, v0 * v0}, {to, v1 * v1}, {sag, 0, 0}, tolerance);
   };
   // x'^2 q at both ends is 80^2, and between them (0.2 + 0.6 w)^2 (400^2 - 15 * 100^2 w): at
   // w = 0.6 it is 148^2.
@@ -108,6 +109,9 @@ TEST_CASE("an axis may be too fast between two points where it is not", "[constr
   CHECK(holds(0.9, 110, 0.89, 100, 0));
   CHECK_FALSE(holds(0.9, 112, 0.1, 50, 0));
   CHECK(holds(0, kUnlimited, 0, kUnlimited, 0));
+  CHECK(holds(-0.8, 110, -0.8, 110, 0, 0.1));
+  CHECK_FALSE(holds(-0.8, 112, -0.8, 112, 0, 0.1));
+  CHECK_FALSE(holds(0.8, 112, 0.8, 112, 0, 0.1));
 }
 
 TEST_CASE("the three-point method is left to limit the chord error itself", "[constraint]") {

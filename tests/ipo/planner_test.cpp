@@ -68,6 +68,29 @@ TEST_CASE("a line takes the trapezoid's time of its tangential limit", "[planner
   }
 }
 
+TEST_CASE("the peak of the bend of a rounded corner is passed within the normal limit",
+          "[planner]") {
+  Machine machine = machine_with(1000);
+  machine.axes[0].acceleration = 300;
+  machine.axes[1].jerk = 50000;
+  machine.axes[2].acceleration = 3000;
+  machine.limits.normal = 100;
+  auto blocks = polyline({{-1.10836, 0.91422, 0},
+                          {-7.3791, -3.09181, 0},
+                          {-7.39356, -3.70401, 0},
+                          {-4.06079, -8.57439, 0},
+                          {-3.10147, -9.33149, 0},
+                          {-1.97848, -9.81357, 0},
+                          {-1.37938, -9.94034, 0},
+                          {-0.76884, -9.98757, 0}},
+                         250);
+  for (Block& block : blocks) {
+    std::get<Move>(block.what).corner_tolerance = 0.005;
+    std::get<Move>(block.what).chord_tolerance = 0.01;
+  }
+  CHECK(exceeded(machine, run(machine, blocks)) == "");
+}
+
 TEST_CASE("a circle is run at the speed of its normal limit, ramps within the tangential one",
           "[planner]") {
   for (const double jerk : {0.0, 1e5}) {

@@ -292,6 +292,13 @@ TEST_CASE("rows on a hairpin of a spline are found on it", "[ipo][replan]") {
   CHECK(exceeded(random.machine, random.run) == "");
 }
 
+TEST_CASE("an axis keeps its velocity where an arc turns into it, however slowly it is left",
+          "[ipo][replan]") {
+  // The tangential limit of 190 mm/s^2 is a sixth of what the axes can do.
+  const RandomRun random = run_random(74235003, 2, 1, true);
+  CHECK(exceeded(random.machine, random.run) == "");
+}
+
 TEST_CASE("random holds and overrides of random programs keep every limit and the path",
           "[ipo][jerk][property][replan]") {
   const char* asked = std::getenv("SOFTCNC_PROGRAMS");

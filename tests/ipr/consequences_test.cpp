@@ -50,7 +50,7 @@ TEST_CASE("behind a broken expression in brackets the line is read on", "[ipr][c
   CHECK(told("G00 X[1+ Y1.2.3") == Places{"SC1018 1:10"});
 }
 
-TEST_CASE("an operation without brackets is told once, with a ']' at its end too",
+TEST_CASE("an operation without brackets is told once, with a bracket at its end too",
           "[ipr][consequences]") {
   CHECK(told("#1=1\nG0 X#1+2] Y..1") == Places{"SC1017 2:5", "SC1004 2:12"});
   CHECK(told("#1=1\nG0 X#1+2 ]") == Places{"SC1017 2:5"});
