@@ -366,7 +366,7 @@ std::string_view group_name(Group group) noexcept {
 const GCode* find_gcode(char letter, double value) noexcept {
   if (letter != 'G' && letter != 'M')
     return row(kWordIndex[static_cast<std::size_t>(letter - 'A')]);
-  constexpr double kRounding = 1e-6;
+  constexpr double kRounding = 1e-3;  // as LinuxCNC rounds: G1.00001 is G01
   const double tenths = value * 10;
   if (!(tenths > -kRounding && tenths + kRounding < kNumbers)) return nullptr;
   const auto nearest = static_cast<std::uint32_t>(tenths + 0.5);

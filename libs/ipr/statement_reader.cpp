@@ -64,6 +64,9 @@ std::optional<std::string> whole_text(double value) {
   return std::to_string(static_cast<long>(whole));
 }
 
+/// Of a loop: a variable is none.
+bool lacks_number(char next) noexcept { return next == 0 || next == '#' || next == '['; }
+
 }  // namespace
 
 StatementReader::Found StatementReader::read_o_word(SourcePos at) {
@@ -169,20 +172,35 @@ StatementReader::Found StatementReader::read_keyword(SourcePos at) {
   const Lexer before = lexer_;
   statement_ = Statement{};
   statement_.pos = at;
-  if (lexer_.take("IF") && !is_letter(lexer_.peek())) return read_if();
+  if (lexer_.take("IF")) {
+    const int end = lexer_.end();
+    if (!is_letter(lexer_.peek())) return read_if();
+    if (lexer_.take("GOTO") || lexer_.take("THEN"))
+      return refuse(at, end, "IF needs a condition between '[' and ']'");
+  }
   lexer_ = before;
   if (lexer_.take("WHILE")) return read_while();
   if (lexer_.take("GOTO")) return read_jump();
-  if (lexer_.take("DO") && is_digit(lexer_.peek())) return read_loop(Kind::loop_begin);
-  lexer_ = before;
-  if (lexer_.take("END") && is_digit(lexer_.peek())) return read_loop(Kind::loop_end);
-  lexer_ = before;
-  if (lexer_.take("THEN") && !is_letter(lexer_.peek())) {
-    stop(Code::SC1029, at.column, lexer_.end(), "THEN without IF on its line");
-    return Found::statement;
+  if (lexer_.take("DO")) {
+    if (is_digit(lexer_.peek())) return read_loop(Kind::loop_begin);
+    if (lacks_number(lexer_.peek())) return refuse(at, lexer_.end(), "DO needs its number");
   }
   lexer_ = before;
+  if (lexer_.take("END")) {
+    if (is_digit(lexer_.peek())) return read_loop(Kind::loop_end);
+    if (lacks_number(lexer_.peek()))
+      return refuse(at, lexer_.end(), "END needs the number of its DO");
+  }
+  lexer_ = before;
+  if (lexer_.take("THEN") && !is_letter(lexer_.peek()))
+    return refuse(at, lexer_.end(), "THEN without IF on its line");
+  lexer_ = before;
   return Found::nothing;
+}
+
+StatementReader::Found StatementReader::refuse(SourcePos at, int end, const char* why) {
+  stop(Code::SC1029, at.column, end, why);
+  return Found::statement;
 }
 
 StatementReader::Found StatementReader::read_if() {

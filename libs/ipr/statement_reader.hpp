@@ -49,6 +49,7 @@ class StatementReader {
   Found read_behind_label(bool by_number);
   void read_value();
   void read_arguments();
+  Found refuse(SourcePos at, int end, const char* why);
   Found read_if();
   Found read_then(bool holds);
   Found read_while();

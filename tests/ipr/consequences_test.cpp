@@ -56,6 +56,14 @@ TEST_CASE("an operation without brackets is told once, with a bracket at its end
   CHECK(told("#1=1\nG0 X#1+2 ]") == Places{"SC1017 2:5"});
 }
 
+TEST_CASE("a condition without brackets and a loop without its number are told as such",
+          "[ipr][consequences]") {
+  CHECK(told("N10 IF (#1 GT 0) GOTO 10", Dialect::fanuc) == Places{"SC1029 1:5"});
+  CHECK(told("IF THEN #1=2", Dialect::fanuc) == Places{"SC1029 1:1"});
+  CHECK(told("WHILE [1 EQ 2] DO1\nEND1\nDO", Dialect::fanuc) == Places{"SC1029 3:1"});
+  CHECK(told("WHILE [1 EQ 2] DO1\nEND1\nEND #1", Dialect::fanuc) == Places{"SC1029 3:1"});
+}
+
 TEST_CASE("where a refused probing move would have ended is not known", "[ipr][consequences]") {
   CHECK(told("G38.2 Z-5 F100\no1 while [#5070 EQ 0]\nG0 X1\no1 endwhile") == Places{"SC2001 1:1"});
   CHECK(told("G38.2 Z-5 F100\n#1=[1/#5063]") == Places{"SC2001 1:1"});

@@ -48,6 +48,9 @@ TEST_CASE("a code is found by its letter and number", "[ipr][table]") {
     CHECK(find_gcode(code.letter, code.number / 10.0) == &code);
   CHECK(find_gcode('G', 48) == nullptr);
   CHECK(find_gcode('G', 1.05) == nullptr);
+  CHECK(find_gcode('G', 1.00001) == find_gcode('G', 1));
+  CHECK(find_gcode('G', 0.99991) == find_gcode('G', 1));
+  CHECK(find_gcode('G', 1.001) == nullptr);
   CHECK(find_gcode('G', -1) == nullptr);
   CHECK(find_gcode('G', 100) == nullptr);
   CHECK(find_gcode('M', 1e9) == nullptr);
