@@ -31,14 +31,29 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// Names that the file of a subprogram may have.
-std::vector<std::string> file_names(const std::string& label, bool program) {
+std::vector<std::string> usual_file_names(const std::string& label, bool program) {
   if (!program) return {label + ".ngc", label + ".nc"};
   if (!is_number(label)) return {label + ".nc", label + ".ngc", label};
   const std::string padded = std::string(label.size() < 4 ? 4 - label.size() : 0, '0') + label;
   std::vector<std::string> names;
   for (const std::string& stem : {"O" + padded, "o" + padded, "O" + label, "o" + label, label})
     for (const char* suffix : {".nc", ".ngc", ""}) names.push_back(stem + suffix);
+  return names;
+}
+
+constexpr char upper_case(char c) noexcept {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+/// Names that the file of a subprogram may have. Some systems write all of a name in capitals.
+std::vector<std::string> file_names(const std::string& label, bool program) {
+  std::vector<std::string> names = usual_file_names(label, program);
+  for (std::size_t i = 0, usual = names.size(); i < usual; ++i) {
+    std::string capitals = names[i];
+    for (char& c : capitals) c = upper_case(c);
+    if (std::find(names.begin(), names.end(), capitals) == names.end())
+      names.push_back(std::move(capitals));
+  }
   return names;
 }
 

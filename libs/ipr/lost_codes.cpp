@@ -11,6 +11,7 @@
 namespace softcnc::ipr {
 namespace {
 
+constexpr double kTenths = 10;
 constexpr int kG04 = 40, kG09 = 90;  // as GCode::number: they leave nothing in force
 
 constexpr bool is_letter(char c) noexcept {
@@ -35,6 +36,13 @@ std::optional<int> number_meant(std::string_view behind) noexcept {
     if (digit >= 0) number = 10 * number.value_or(0) + digit;
   }
   return number;
+}
+
+/// Whether a point stands among the digits, so that those of G6..1 are not 61 alone.
+bool points_stand_in(std::string_view behind) noexcept {
+  const auto end = std::find_if(behind.begin(), behind.end(),
+                                [](char c) { return is_letter(c) || is_blank(c); });
+  return std::find(behind.begin(), end, '.') != end;
 }
 
 bool begins_word(std::span<const Word> words, std::size_t at) noexcept {
@@ -89,6 +97,9 @@ Groups lost_groups(const Line& line) noexcept {
     const auto number = number_meant(line.text.substr(at));
     const bool known = number && find_gcode('G', *number) != nullptr;
     lost |= known ? groups_of_code(*number) : kModesOfG;
+    const bool tenths = known && points_stand_in(line.text.substr(at));
+    if (tenths && find_gcode('G', *number / kTenths) != nullptr)
+      lost |= groups_of_code(*number / kTenths);
   }
   return lost;
 }

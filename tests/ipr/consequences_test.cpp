@@ -267,6 +267,7 @@ TEST_CASE("what a broken code would have set is unknown to what rests on it",
   CHECK(told("G98 G..81 X1 Z-5 R2 F100\nG83 X2 Q2", Dialect::fanuc) == Places{"SC1004 1:6"});
   CHECK(told("G0 X-20 Y-20\nG1 Z-2 F100\nG..42 X0 Y0\nX50\nG3 X60 Y10 I0 J10") ==
         Places{"SC1004 3:2"});
+  CHECK(told("F100\nG6..1 X1 Y1\nX2 Y2\nG1 X5") == Places{"SC1004 2:2"});
   CHECK(told("G6.1 X1 Y1 F100\nX..5 Y1\nX1 Y1\nX2 Y2") == Places{"SC1004 2:2"});
 }
 

@@ -341,8 +341,12 @@ TEST_CASE("a called file is found beside the program", "[ipr][flow]") {
             "o<inner> sub\nG0 X8\no<inner> endsub\nM2\n")
       .with("100.nc", "o100 sub\nG0 X4\no100 endsub\n")
       .with("O0007.nc", "%\nO0007 (MACRO)\nG0 X#1\nM99\n%\n")
-      .with("O1234", "G0 X6\nM99\n");
+      .with("O1234", "G0 X6\nM99\n")
+      .with("O0013.NC", "O0013\nG0 X9\nM99\n")
+      .with("RIM.NGC", "o<rim> sub\nG0 X5\no<rim> endsub\nM2\n");
   CHECK(way_of(folder.run("o<Pocket> call [3]\no100 call\nG0 X0\nM2")) == Positions{3, 8, 4, 0});
+  CHECK(way_of(folder.run("G65 P13\nM30\n", Dialect::fanuc)) == Positions{9});
+  CHECK(way_of(folder.run("o<Rim> call\nM2\n")) == Positions{5});
   CHECK(way_of(folder.run("%\nO1\n#1=2\nM98 P7\nG65 P7 A3 L2\nM98 P1234\nM30\n%",
                           Dialect::fanuc)) == Positions{2, 3, 6});
 }
