@@ -183,6 +183,7 @@ class Flow {
   Open* opened(Kind begin);
   void close_within(const Open& open, bool tell);
   void tell_open(const Open& open);
+  void tell_behind_else(const Statement& branch, std::string_view text);
   void tell_not_begun();
   const Landing* jump_into(Kind begin);
   bool leads_into(const Landing& landing, Kind begin, const Spot& here);

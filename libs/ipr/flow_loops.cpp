@@ -44,6 +44,13 @@ std::string_view keyword(Kind kind) {
 
 bool is_fanuc(Kind kind) { return kind == Kind::loop_begin || kind == Kind::loop_end; }
 
+/// Whether it is another branch of what is open.
+template <typename Open>
+bool is_branch_of(const Open& open, const Statement& statement) {
+  const bool branch = statement.kind == Kind::else_if || statement.kind == Kind::else_begin;
+  return branch && open.kind == Kind::if_begin && statement.label == open.label;
+}
+
 /// As it is written, in quotes.
 std::string spelled(Kind kind, const std::string& label) {
   if (!is_fanuc(kind)) return "'" + o_word(label, keyword(kind)) + "'";
@@ -195,9 +202,13 @@ void Flow::pass_top() {
 }
 
 Flow::Passed Flow::pass_to_end(const Open& open) {
-  bool misspelt = false;
+  bool misspelt = false, had_else = open.had_else;
   const bool found = pass_to([&](const Line& line) {
     if (line.statement == nullptr) return false;
+    if (is_branch_of(open, *line.statement)) {
+      if (had_else) tell_behind_else(*line.statement, line.text);
+      had_else = had_else || line.statement->kind == Kind::else_begin;
+    }
     misspelt = line.statement->kind == Kind::misspelt && line.statement->label == open.label;
     return misspelt || ends(*line.statement, open);
   });
@@ -236,16 +247,20 @@ void Flow::find_branch() {
   sought_in_vain(here, statement_.pos);
 }
 
+void Flow::tell_behind_else(const Statement& branch, std::string_view text) {
+  report_once(
+      Code::SC2304, branch.pos,
+      spelled(branch.kind, branch.label) + " after " + spelled(Kind::else_begin, branch.label),
+      text);
+}
+
 /// A branch has been run; the others are passed over.
 void Flow::next_branch() {
   const Open* open = opened(Kind::if_begin);
   if (open == nullptr) return tell_not_begun();
   close_within(*open, true);
-  if (opens_.back().had_else)
-    report_once(Code::SC2304, statement_.pos,
-                spelled(statement_.kind, statement_.label) + " after " +
-                    spelled(Kind::else_begin, statement_.label),
-                text_);
+  if (opens_.back().had_else) tell_behind_else(statement_, text_);
+  opens_.back().had_else = opens_.back().had_else || statement_.kind == Kind::else_begin;
   pass_top();
 }
 

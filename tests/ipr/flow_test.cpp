@@ -333,6 +333,16 @@ TEST_CASE("an alarm of FANUC that cannot be read is told", "[ipr][flow]") {
   CHECK(told("#1=[1/0]\n#3000=#1\nM30", Dialect::fanuc) == Told{"1:7 SC1021 division by zero"});
 }
 
+TEST_CASE("a branch behind the last one is told whichever is taken", "[ipr][flow]") {
+  for (const std::string condition : {"1", "0"}) {
+    CAPTURE(condition);
+    const std::string begin = "o1 if [" + condition + "]\nG0 X1\no1 else\nG0 X2\n";
+    CHECK(places(interpret(begin + "o1 else\no1 endif\nM2\n")) == Places{"SC2304 5:1"});
+    CHECK(places(interpret(begin + "o1 elseif [1]\no1 endif\nM2\n")) == Places{"SC2304 5:1"});
+    CHECK(places(interpret(begin + "o1 endif\nM2\n")).empty());
+  }
+}
+
 TEST_CASE("a called file is found beside the program", "[ipr][flow]") {
   Folder folder;
   folder
