@@ -2,6 +2,7 @@
 #include "ipo/jerk_window.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -24,7 +25,8 @@ constexpr Horizon kSlowed{2, 0};       // of a plan that tells whether the machi
 constexpr double kNodePart = 0.1;      // of an interval: a stop nearer to its end is there
 constexpr double kShortestStop = 0.8;  // of v^2 / 2A with all axes together
 
-constexpr double kRounding = 1e-6;  // of a speed
+constexpr std::array kSofter{0.4, 0.16};  // parts of the jerk
+constexpr double kRounding = 1e-6;        // of a speed
 
 double speed(const Cap& cap) noexcept { return std::sqrt(cap.q); }
 
@@ -207,6 +209,7 @@ std::size_t JerkWindow::settle(bool ended) {
     const auto farther = std::exchange(reach, look_ahead(ended, 0, {horizon_.stops, 0}));
     if (reach->end < farther->end) plan = this->plan(reach->end, reach->taken);
   }
+  if (!plan) plan = plan_softly(reach->end, reach->taken);
   if (!plan) return fall_back(reach->end);
   take(std::move(*plan), reach->taken - front_);
   return planned_.size();
@@ -215,6 +218,19 @@ std::size_t JerkWindow::settle(bool ended) {
 std::optional<Ramps> JerkWindow::plan(std::size_t end, std::size_t taken) {
   return plan_to_rest({chain_, constraints_, front_, end, share_, replans_}, taken, motion_,
                       effort_);
+}
+
+/// With less jerk than may be: what changes more slowly needs fewer nodes, and is found where kinks
+/// lie closer than the phases of a motion.
+std::optional<Ramps> JerkWindow::plan_softly(std::size_t end, std::size_t taken) {
+  for (const double part : kSofter) {
+    auto plan = plan_to_rest({chain_, constraints_, front_, end, share_, replans_, part}, taken,
+                             motion_, effort_);
+    if (!plan) continue;
+    ++effort_.fallbacks;
+    return plan;
+  }
+  return std::nullopt;
 }
 
 void JerkWindow::take(Ramps plan, std::size_t intervals) {

@@ -161,11 +161,12 @@ void PlanProblem::add_rows(std::size_t p, const PathPoint& point, const Inside& 
     if (x2 != 0) problem_.add_row({{x2, 0.5 * x1, -0.25 * left * x1}, a_part * most, false});
   };
   bound_acceleration(1, 0, span_.constraints.tangential_limit());
+  const AxisVector jerk = span_.jerk_limits();
   for (int i = 0; i < kAxes; ++i) {
     const double x1 = point.dq[i], x2 = point.ddq[i], x3 = point.dddq[i];
     if (x1 == 0 && x2 == 0 && x3 == 0) continue;
     bound_acceleration(x1, x2, span_.constraints.acceleration_limits()[i]);
-    const double j = j_part * inside.jerk_share[i] * span_.constraints.jerk_limits()[i];
+    const double j = j_part * inside.jerk_share[i] * jerk[i];
     if (j < kUnlimited) problem_.add_row({{x3, 1.5 * x2, 0.5 * x1}, j, true});
   }
 }
@@ -174,7 +175,7 @@ void PlanProblem::add_rows(std::size_t p, const PathPoint& point, const Inside& 
 /// machine just is, 1 as far as it still has to speed up.
 double PlanProblem::first_part(std::size_t p) const noexcept {
   if (!ends_.continues) return 0;
-  const double v = std::sqrt(ends_.start.q), j = span_.constraints.jerk_limits().minCoeff();
+  const double v = std::sqrt(ends_.start.q), j = span_.jerk_limits().minCoeff();
   const double faster = span_.replans ? way_to_fastest({v, 0.5 * ends_.start.dq}, j) : 0;
   const double way = stopping_distance(v, span_.constraints);
   return std::clamp(1 - (nodes_[p].s - nodes_.front().s - faster) / way, 0.0, 1.0);

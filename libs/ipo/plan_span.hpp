@@ -21,7 +21,9 @@ struct PlanSpan {
   std::size_t first, last;
   double share;          // of the axis accelerations and jerks
   bool replans = false;  // begins where no plan was made to be followed by another
+  double jerk_part = 1;  // of the axis jerks, which the plan aims at
 
+  AxisVector jerk_limits() const noexcept { return jerk_part * constraints.jerk_limits(); }
   double s(std::size_t node) const noexcept { return chain.nodes[node].s; }
   const Interval& interval(std::size_t i) const noexcept { return chain.intervals[i]; }
 

@@ -32,7 +32,7 @@ RestRamp rest_ramp(const PlanSpan& span, std::size_t i, Side of_rest) noexcept {
   const Interval& interval = span.interval(i);
   const Inside& inside = span.chain.inside[i];
   const PathPoint& point = starts ? interval.left : interval.right;
-  const double limit = along(span.constraints.jerk_limits(), point.dq);
+  const double limit = along(span.jerk_limits(), point.dq);
   const double acceleration = span.constraints.straight_u(point.dq);
   const Cap& other = span.chain.nodes[starts ? i + 1 : i].cap;
   const double q = other.q > 0 ? std::min(other.q, inside.cap.q) : inside.cap.q;

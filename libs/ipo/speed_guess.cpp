@@ -46,8 +46,7 @@ std::array<bool, kAxes> moving_axes(const PlanSpan& span) noexcept {
 /// within a period is followed from row to row.
 double shortest_phase(const PlanSpan& span) noexcept {
   const double period = span.constraints.period();
-  const AxisVector times =
-      span.constraints.acceleration_limits().cwiseQuotient(span.constraints.jerk_limits());
+  const AxisVector times = span.constraints.acceleration_limits().cwiseQuotient(span.jerk_limits());
   const auto moving = moving_axes(span);
   double shortest = kUnlimited;
   for (int i = 0; i < kAxes; ++i)
@@ -75,7 +74,7 @@ SpeedGuess::Cell SpeedGuess::cell(const PlanSpan& span, std::size_t i) const noe
   const auto cap = [&](const Node& node, const Cap& own) {
     return std::sqrt(node.cap.q > 0 ? node.cap.q : own.q);
   };
-  const AxisVector& jerk = span.constraints.jerk_limits();
+  const AxisVector jerk = span.jerk_limits();
   const bool straight = interval.straight();
   Cell cell{interval.length(),
             cap(span.chain.nodes[i], interval.left_cap),

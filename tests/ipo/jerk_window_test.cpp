@@ -3,10 +3,13 @@
 // independent optimum.
 #include "ipo/jerk_window.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "support/curves.hpp"
 #include "support/run.hpp"
+#include "support/sanitized.hpp"
 
 using namespace softcnc;
 using namespace softcnc::test;
@@ -104,6 +107,24 @@ TEST_CASE("an axis that stands still, or is as fast as a row, asks for no nodes"
   const auto result = run(machine, path);
   CHECK(exceeded(machine, result) == "");
   CHECK(static_cast<double>(result.counts.effort.nodes) < 7000 * result.time);
+}
+
+TEST_CASE("chords run exactly take no longer where more jerk is allowed", "[ipo][jerk]") {
+  std::vector<AxisVector> points{{0, 0, 0}};
+  const auto rounded = [](double mm) { return std::round(1e3 * mm) / 1e3; };
+  for (int i = 1; i < (kSanitized ? 40 : 150); ++i)
+    points.emplace_back(rounded(50 * std::sin(0.008 * i)), rounded(50 - 50 * std::cos(0.008 * i)),
+                        0);
+  double least = 1e9;
+  for (const double jerk : {2e5, 5e5, 1e6}) {
+    CAPTURE(jerk);
+    const Machine machine = machine_with(250, 1000, jerk);
+    const auto result = run(machine, polyline(points, 50));
+    CHECK(exceeded(machine, result) == "");
+    CHECK(result.time < 1.05 * least);
+    CHECK(result.counts.effort.fallbacks < points.size() / 4);
+    least = std::min(least, result.time);
+  }
 }
 
 TEST_CASE("no plan that goes on from another one is faster than the feed", "[ipo][jerk]") {
