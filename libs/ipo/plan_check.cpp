@@ -9,12 +9,11 @@ namespace {
 
 /// Rows are promised to a little more.
 constexpr double kJerkAllowed = 1.0045, kAccelerationAllowed = 1.0007, kCapAllowed = 1.0004;
-constexpr double kPassingAllowed =
-    1.0012;                                // of the cap of a place, whose constraints keep a margin
-constexpr double kFirmAllowed = 1 + 1e-7;  // rounding of a cap that holds everywhere
-constexpr int kInstants = 4;               // beside the first
-constexpr double kStandstill = 1e-9;       // mm/s: slower is rounding
-constexpr Used kTooMuch{kUnlimited, 0};    // no motion ahead
+constexpr double kPassingAllowed = 1.0012;  // of a place: its constraints keep more free
+constexpr double kFirmAllowed = 1 + 1e-7;   // rounding of a cap that holds everywhere
+constexpr int kInstants = 4;                // beside the first
+constexpr double kStandstill = 1e-9;        // mm/s: slower is rounding
+constexpr Used kTooMuch{kUnlimited, 0};     // no motion ahead
 
 double most(const AxisVector& values, const AxisVector& limits) noexcept {
   return values.cwiseAbs().cwiseQuotient(limits).maxCoeff();
