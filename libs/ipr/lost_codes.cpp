@@ -66,8 +66,8 @@ std::size_t behind_comment(std::string_view text, std::size_t at) noexcept {
 /// Codes that are not supported, and would turn, scale, mirror or bend coordinates: lathe
 /// diameters, polar and cylindrical coordinates, G16, G51, G68.
 bool changes_coordinates(double number) noexcept {
-  constexpr std::array<int, 7> kCodes{7, 12, 16, 51, 68, 107, 112};
-  return std::find(kCodes.begin(), kCodes.end(), static_cast<int>(number)) != kCodes.end();
+  constexpr std::array<double, 7> kCodes{7, 12, 16, 51, 68, 107, 112};
+  return std::find(kCodes.begin(), kCodes.end(), std::floor(number)) != kCodes.end();
 }
 
 }  // namespace

@@ -56,6 +56,11 @@ TEST_CASE("an operation without brackets is told once, with a bracket at its end
   CHECK(told("#1=1\nG0 X#1+2 ]") == Places{"SC1017 2:5"});
 }
 
+TEST_CASE("a code of any size is only one that there is not", "[ipr][consequences]") {
+  CHECK(told("G[10**308] X1") == Places{"SC2001 1:1"});
+  CHECK(told("G[-10**308] X1") == Places{"SC2001 1:1"});
+}
+
 TEST_CASE("a condition without brackets and a loop without its number are told as such",
           "[ipr][consequences]") {
   CHECK(told("N10 IF (#1 GT 0) GOTO 10", Dialect::fanuc) == Places{"SC1029 1:5"});
