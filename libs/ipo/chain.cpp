@@ -23,8 +23,7 @@ Halves cut(const Interval& interval, double s) {
   halves.left.right = halves.right.left = point_inside(interval, s);
   halves.left.ends_move = false;
   Cap cap = interval.left_cap.q <= interval.right_cap.q ? interval.left_cap : interval.right_cap;
-  const double w = (s - interval.s0) / interval.length();
-  cap.q = interval.left_cap.q + w * (interval.right_cap.q - interval.left_cap.q);
+  cap.q = interval.cap_at(s);
   halves.left.right_cap = halves.right.left_cap = cap;
   halves.left.right_most = halves.right.left_most = interval.most_at(s);
   return halves;

@@ -215,17 +215,16 @@ std::size_t JerkWindow::settle(bool ended) {
   return planned_.size();
 }
 
-std::optional<Ramps> JerkWindow::plan(std::size_t end, std::size_t taken) {
-  return plan_to_rest({chain_, constraints_, front_, end, share_, replans_}, taken, motion_,
-                      effort_);
+std::optional<Ramps> JerkWindow::plan(std::size_t end, std::size_t taken, double jerk_part) {
+  return plan_to_rest({chain_, constraints_, front_, end, share_, replans_, jerk_part}, taken,
+                      motion_, effort_);
 }
 
 /// With less jerk than may be: what changes more slowly needs fewer nodes, and is found where kinks
 /// lie closer than the phases of a motion.
 std::optional<Ramps> JerkWindow::plan_softly(std::size_t end, std::size_t taken) {
   for (const double part : kSofter) {
-    auto plan = plan_to_rest({chain_, constraints_, front_, end, share_, replans_, part}, taken,
-                             motion_, effort_);
+    auto plan = this->plan(end, taken, part);
     if (!plan) continue;
     ++effort_.fallbacks;
     return plan;

@@ -58,7 +58,7 @@ class JerkWindow final : public Window {
   bool keeps_caps(const std::vector<Ramp>& ramps, double fastest_at, std::size_t first,
                   std::size_t last) const noexcept;
   std::size_t slow_down(bool ended);
-  std::optional<Ramps> plan(std::size_t end, std::size_t taken);
+  std::optional<Ramps> plan(std::size_t end, std::size_t taken, double jerk_part = 1);
   std::optional<Ramps> plan_softly(std::size_t end, std::size_t taken);
   bool ends_interval(std::size_t count) const noexcept;
   void split_long_intervals(bool ended);

@@ -11,7 +11,6 @@ constexpr std::string_view kMacroCharacters = "#[]=<>*";
 
 constexpr bool is_upper(char c) noexcept { return c >= 'A' && c <= 'Z'; }
 constexpr bool is_lower(char c) noexcept { return c >= 'a' && c <= 'z'; }
-constexpr char upper(char c) noexcept { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
 /// By character: the letter in upper case where it can be nothing but that of a word, otherwise 0.
 constexpr auto kPlainLetters = [] {
   std::array<char, 256> letters{};
@@ -32,7 +31,7 @@ Token Lexer::next() {
     if (is_blank(c)) continue;
     if (is_upper(c) || is_lower(c)) {
       Token letter = token(Token::Kind::letter, 1);
-      letter.letter = upper(c);
+      letter.letter = upper_case(c);
       return letter;
     }
     if (is_number_part(c)) return read_number_token();
@@ -67,7 +66,7 @@ char Lexer::peek() noexcept {
     if (is_blank(c)) continue;
     if (c == ';') break;
     if (c == '\0') return kNul;
-    if (c != '(') return upper(c);
+    if (c != '(') return upper_case(c);
     const std::size_t before = at_;
     if (Token broken; !pass_comment(broken)) {
       at_ = before;
@@ -106,7 +105,9 @@ std::string_view Lexer::take_letters() noexcept {
   return line_.substr(begin, at_ - begin);
 }
 
-bool Lexer::at_letter() const noexcept { return at_ < line_.size() && is_upper(upper(line_[at_])); }
+bool Lexer::at_letter() const noexcept {
+  return at_ < line_.size() && is_upper(upper_case(line_[at_]));
+}
 
 int Lexer::last_column() const noexcept {
   const std::size_t last = line_.substr(0, at_).find_last_not_of(kBlanks);

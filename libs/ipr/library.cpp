@@ -41,10 +41,6 @@ std::vector<std::string> usual_file_names(const std::string& label, bool program
   return names;
 }
 
-constexpr char upper_case(char c) noexcept {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
 /// Names that the file of a subprogram may have. Some systems write all of a name in capitals.
 std::vector<std::string> file_names(const std::string& label, bool program) {
   std::vector<std::string> names = usual_file_names(label, program);

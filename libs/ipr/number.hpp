@@ -24,6 +24,9 @@ inline constexpr int kIntegerDigits = 9;  // before the point; more is NumberFau
 
 inline constexpr std::string_view kBlanks = " \t\v\f";
 constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+constexpr char upper_case(char c) noexcept {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
 constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 constexpr bool is_number_part(char c) noexcept {
   return is_digit(c) || c == '.' || c == '-' || c == '+';

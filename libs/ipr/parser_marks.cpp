@@ -52,7 +52,7 @@ std::string meant_by(std::string_view mark, Lexer lexer) {
 bool writes_to_device(std::string_view letters) {
   constexpr std::array<std::string_view, 4> kOrders{"POPEN", "BPRNT", "DPRNT", "PCLOS"};
   std::string upper(letters);
-  for (char& c : upper) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  for (char& c : upper) c = upper_case(c);
   return std::find(kOrders.begin(), kOrders.end(), upper) != kOrders.end();
 }
 

@@ -35,11 +35,9 @@ std::string_view without_blanks_around(std::string_view text) {
 std::optional<std::string_view> text_of_abort(std::string_view comment) {
   constexpr std::string_view kAbort = "ABORT,";
   const std::string_view said = without_blanks_around(comment);
-  const bool aborts =
-      said.size() >= kAbort.size() &&
-      std::equal(kAbort.begin(), kAbort.end(), said.begin(), [](char wanted, char c) {
-        return wanted == (c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c);
-      });
+  const bool aborts = said.size() >= kAbort.size() &&
+                      std::equal(kAbort.begin(), kAbort.end(), said.begin(),
+                                 [](char wanted, char c) { return wanted == upper_case(c); });
   if (!aborts) return std::nullopt;
   return without_blanks_around(said.substr(kAbort.size()));
 }
