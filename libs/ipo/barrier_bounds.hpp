@@ -114,7 +114,8 @@ class StepLength {
 
 /// A row as it is used: upper: +(a q + b q' + c q'') + tangent q <= bound, lower likewise with -.
 struct TwoBounds {
-  double a, b, c, tangent, bound;
+  double a, b, c;
+  Both tangent, bound;
   Bound<Both> bounds{};
 
   /// What both sides are over their bound where (q, q', q'') is `at`.

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ipo/chain.hpp"
+#include "ipo/jump_load.hpp"
 #include "ipo/step_spread.hpp"
 
 namespace softcnc::ipo {
@@ -122,9 +123,10 @@ class CapDerivation {
   }
 
   /// A jump of velocity adds |dx'| v / T to the second difference of one period, and |dx'| v / T^2
-  /// to the third; a jump of acceleration adds |dx''| v^2 kKernel / T to the third. Together with
-  /// their neighbours jumps may use a share of the limits, and the curve the rest; and the polyline
-  /// through the rows cuts a kink by at most turn * step / 4.
+  /// to the third; a jump of acceleration adds up to 3/4 |dx''| v^2 / T to the third, and may be as
+  /// large as the jerk times T. Together with their neighbours jumps may use a share of the limits,
+  /// and the curve the rest; and the polyline through the rows cuts a kink by at most
+  /// turn * step / 4.
   void pass_joint(std::size_t n) {
     const double tolerance = constraints_.chord_tolerance() * (1 - kMargin) *
                              (shares_its_step(chain_, n, period_) ? kTurnShare : 1.0);
@@ -146,24 +148,21 @@ class CapDerivation {
   }
 
   struct Load {
-    double tolerance = 0;               // mm
-    double acceleration = 0, jerk = 0;  // parts of the axis limits
-    AxisVector jerk_by_axis = AxisVector::Zero();
-    double cut = 0;     // mm
-    int joints = 0;     // that share the jerk
-    bool kink = false;  // at one of them
+    double tolerance = 0;                       // mm
+    double acceleration = 0;                    // part of the axis limits
+    AxisVector kink_jerk = AxisVector::Zero();  // parts of the axis limits
+    double jerk = 0;                            // part of what jumps may use
+    double cut = 0;                             // mm
+    int joints = 0;                             // that share the jerk
+    bool kink = false;                          // at one of them
 
-    bool exceeds() const {
-      return acceleration > kKinkShare || jerk > kJumpShare || cut > tolerance;
-    }
+    bool exceeds() const { return acceleration > kKinkShare || jerk > 1 || cut > tolerance; }
     /// By how much the speed is to be lower: a jump of acceleration goes with its square.
     double ratio() const {
-      const double jump = kJumpShare / jerk;
+      const double jump = 1 / jerk;
       return std::min({kKinkShare / acceleration, tolerance / cut, kink ? jump : std::sqrt(jump)});
     }
-    bool jerk_binds() const {
-      return jerk / kJumpShare > std::max(acceleration / kKinkShare, cut / tolerance);
-    }
+    bool jerk_binds() const { return jerk > std::max(acceleration / kKinkShare, cut / tolerance); }
     /// How far from the joint its speed is not to be exceeded: a jump of acceleration that stands
     /// alone goes by the speed at the joint itself.
     double steps() const { return jerk == 0 ? 1 : joints == 1 && !kink ? 0 : kJerkSteps; }
@@ -182,8 +181,9 @@ class CapDerivation {
     chain_.for_intervals_in_step(n, time, [&](std::size_t i) {
       const double way = std::abs(chain_.nodes[n].s - chain_.nodes[i < n ? i + 1 : i].s);
       if (way > reach) return false;
-      AxisVector& share = chain_.inside[i].jerk_share;
-      share = share.cwiseMin(AxisVector::Ones() - load.jerk_by_axis);
+      Inside& inside = chain_.inside[i];
+      inside.jerk_share = inside.jerk_share.cwiseMin(AxisVector::Ones() - load.kink_jerk);
+      inside.feels_jump = true;
       return true;
     });
   }
@@ -220,15 +220,19 @@ class CapDerivation {
         (kink * v / period_).cwiseQuotient(constraints_.acceleration_limits()).maxCoeff();
     load.cut = turn * (v * period_) / 4;
     if (!constraints_.limits_jerk()) return load;
-    AxisVector jump = AxisVector::Zero();  // of the third difference, times T^2
+    AxisVector kinks = AxisVector::Zero();
+    JumpLoad bends;
     for_nodes_within(n, kJerkSteps, v, [&](const Node& node) {
-      if (node.passes_kink()) jump += node.kink * v;
-      if (node.passes_bend()) jump += node.bend * (kKernel * v * v * period_);
+      if (node.passes_kink()) kinks += node.kink;
+      if (node.passes_bend()) bends.add(node.bend);
       load.joints += node.passes_kink() || node.passes_bend() ? 1 : 0;
       load.kink = load.kink || node.passes_kink();
     });
-    load.jerk_by_axis = (jump / (period_ * period_)).cwiseQuotient(constraints_.jerk_limits());
-    load.jerk = load.jerk_by_axis.maxCoeff();
+    const AxisVector& jerk = constraints_.jerk_limits();
+    load.kink_jerk = (kinks * v / (period_ * period_)).cwiseQuotient(jerk);
+    const AxisVector bend_jerk =
+        (bends.above.cwiseMax(bends.below) * v * v / period_).cwiseQuotient(jerk);
+    load.jerk = (load.kink_jerk / kKinkJerkShare + bend_jerk).maxCoeff();
     return load;
   }
 

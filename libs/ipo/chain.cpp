@@ -165,14 +165,15 @@ void Chain::add(std::span<const Interval> ahead, const Constraints& constraints,
 double Chain::bend(const Interval& before, const Interval& interval,
                    const Constraints& constraints) {
   if (!constraints.limits_jerk()) return kUnlimited;
-  const AxisVector jump = (interval.left.ddq - before.right.ddq).cwiseAbs();
-  if (jump.maxCoeff() <= kSameBend * (interval.left.ddq.norm() + before.right.ddq.norm()))
+  const AxisVector jump = interval.left.ddq - before.right.ddq;
+  if (jump.cwiseAbs().maxCoeff() <=
+      kSameBend * (interval.left.ddq.norm() + before.right.ddq.norm()))
     return kUnlimited;
   nodes.back().bend = jump;
   const double period = constraints.period();
   const double fastest = std::max(before.right_cap.q, interval.left_cap.q);
   const double passed =
-      kJumpShare * period / (kKernel * jump.cwiseQuotient(constraints.jerk_limits()).maxCoeff());
+      period / jump.cwiseAbs().cwiseQuotient(constraints.jerk_limits()).maxCoeff();
   return 0.5 * kJerkSteps * period * std::sqrt(std::min(fastest, passed));
 }
 

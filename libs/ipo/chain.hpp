@@ -23,7 +23,7 @@ struct Node {
   Cap own;                               // of its two intervals and of the joint itself
   double turn = 0;                       // rad; 0 where the path is tangent
   AxisVector kink = AxisVector::Zero();  // |jump of x'| by axis
-  AxisVector bend = AxisVector::Zero();  // |jump of x''| by axis
+  AxisVector bend = AxisVector::Zero();  // jump of x'' by axis
   double s = 0;                          // mm from the first node ever
   Cap cap;                               // own, and what neighbours ask for: derive_caps()
   double k = 0;                          // the largest q from which all ahead can be kept
@@ -37,7 +37,8 @@ struct Node {
 struct Inside {
   Cap cap;           // of a straight interval
   double share = 1;  // of the axis accelerations that the curve itself may use
-  AxisVector jerk_share = AxisVector::Ones();
+  AxisVector jerk_share = AxisVector::Ones();  // what kinks leave of the axis jerks
+  bool feels_jump = false;                     // of a third difference, by some joint
 };
 
 /// Interval i lies between nodes i and i + 1.
@@ -95,10 +96,8 @@ void derive_caps(Chain& chain, const Constraints& constraints, std::size_t first
 
 /// So many steps are felt in a third difference.
 inline constexpr double kJerkSteps = 3;
-/// Largest weight of one instant in a third difference, 1/T; its slope is at most 1/T^2.
-inline constexpr double kKernel = 0.75;
-/// Largest part of an axis jerk that jumps of velocity and acceleration may use within three steps.
-inline constexpr double kJumpShare = 0.7;
+/// Largest part of an axis jerk that jumps of velocity may use within three steps.
+inline constexpr double kKinkJerkShare = 0.7;
 
 /// Part of the chord tolerance that curves leave to corners and kinks within the same step.
 inline constexpr double kTurnShare = 0.5;

@@ -44,7 +44,8 @@ InteriorPoint::InteriorPoint(SpeedProblem problem)
   }
   rows_.reserve(problem_.rows().size());
   for (const SpeedRow& row : problem_.rows())
-    rows_.push_back({row.factor.q, row.factor.dq, row.factor.ddq, 0, row.bound, {}});
+    rows_.push_back(
+        {row.factor.q, row.factor.dq, row.factor.ddq, Both::Zero(), Both::Constant(row.bound), {}});
 }
 
 /// Speeds under the caps and about half of what the rows allow: a place to begin, no more.
@@ -78,7 +79,7 @@ void InteriorPoint::for_each_measured_bound(Act act) {
     act(caps_[i], over_cap(i), cap_[i]);
     for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
       TwoBounds& row = rows_[r];
-      act(row.bounds, row.over(at_[i]), row.bound);
+      act(row.bounds, row.over(at_[i]), row.bound.minCoeff());
     }
   }
 }
@@ -102,15 +103,17 @@ void InteriorPoint::begin(const std::vector<double>& guess) {
   });
 }
 
-/// bound / sqrt(q) >= bound (3/2 p^-1/2 - 1/2 p^-3/2 q), the tangent at p.
+/// bound / sqrt(q) >= bound (3/2 p^-1/2 - 1/2 p^-3/2 q), the tangent at p, and what a jump takes
+/// from it is k sqrt(q) <= k (1/2 p^1/2 + 1/2 p^-1/2 q).
 void InteriorPoint::move_tangents(const std::vector<double>& q) {
   for (std::size_t i = 0; i < n_; ++i) {
     const double root = 1 / std::sqrt(q[i]);
     for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
       const SpeedRow& row = problem_.rows()[r];
       if (!row.over_root) continue;
-      rows_[r].tangent = 0.5 * row.bound * root / q[i];
-      rows_[r].bound = 1.5 * row.bound * root;
+      const Both taken{row.above * q[i], row.below * q[i]};
+      rows_[r].tangent = (0.5 * root / q[i]) * (row.bound + taken);
+      rows_[r].bound = root * (1.5 * row.bound - 0.5 * taken);
     }
   }
 }

@@ -108,8 +108,7 @@ bool JerkWindow::may_run_closed() const noexcept {
 /// Whether a joint leaves all of the axes to it.
 bool JerkWindow::is_free_line(std::size_t interval) const noexcept {
   const Inside& inside = chain_.inside[interval];
-  return chain_.intervals[interval].straight() && inside.share >= 1 &&
-         inside.jerk_share.minCoeff() >= 1;
+  return chain_.intervals[interval].straight() && inside.share >= 1 && !inside.feels_jump;
 }
 
 /// Whether the front is where begin_line() has ended.

@@ -19,26 +19,28 @@ double most(const AxisVector& values, const AxisVector& limits) noexcept {
   return values.cwiseAbs().cwiseQuotient(limits).maxCoeff();
 }
 
-double used_rows(const PlanSpan& span, const Inside& inside, const PathPoint& x,
-                 const Instant& at) noexcept {
+double used_rows(const PlanSpan& span, const Inside& inside, const PathPoint& x, const Instant& at,
+                 const JumpLoad& load) noexcept {
   const double q = at.v * at.v;
   const AxisVector jerk = x.dddq * (q * at.v) + x.ddq * (3 * at.v * at.a) + x.dq * at.j;
   const AxisVector acceleration = x.ddq * q + x.dq * at.a;
   const Constraints& limits = span.constraints;
   const double pushed = std::max(most(acceleration, limits.acceleration_limits()),
                                  std::abs(at.a) / limits.tangential_limit());
-  return std::max(most(jerk, limits.jerk_limits().cwiseProduct(inside.jerk_share)) /
-                      (kJerkAllowed * span.share),
+  const AxisVector most_jerk = limits.jerk_limits().cwiseProduct(inside.jerk_share);
+  const AxisVector used = (jerk + load.above).cwiseMax(load.below - jerk);
+  return std::max(most(used, most_jerk) / (kJerkAllowed * span.share),
                   pushed / (kAccelerationAllowed * span.share * inside.share));
 }
 
-}  // namespace
-
-Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap) {
+/// Of a ramp that begins at `t` s of its plan.
+Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap, double t,
+             PassedJumps& jumps) {
   const Quintic motion = quintic(ramp);
   Used used;
   for (int k = 0; k <= kInstants; ++k) {
-    const Instant at = motion.at(ramp.duration * k / kInstants);
+    const double passed = ramp.duration * k / kInstants;
+    const Instant at = motion.at(passed);
     if (!(at.v > -kStandstill && at.s > ramp.s0 - kStandstill && at.s < ramp.s1 + kStandstill))
       return kTooMuch;
     while (i + 1 < span.last && k < kInstants && span.interval(i).s1 <= at.s) ++i;
@@ -47,7 +49,8 @@ Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap) 
         interval.straight()
             ? interval.left
             : softcnc::at(*interval.path, at.s, k < kInstants ? Side::after : Side::before);
-    used.rows = std::max(used.rows, used_rows(span, span.chain.inside[i], point, at));
+    used.rows =
+        std::max(used.rows, used_rows(span, span.chain.inside[i], point, at, jumps.at(t + passed)));
     const double q = at.v * at.v;
     used.cap =
         std::max({used.cap, q / (kCapAllowed * cap), q / (kPassingAllowed * interval.cap_at(at.s)),
@@ -56,12 +59,23 @@ Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap) 
   return used;
 }
 
+}  // namespace
+
+Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap) {
+  PassedJumps none;
+  return used_by(span, i, ramp, cap, 0, none);
+}
+
 std::vector<Used> used_by(const PlanSpan& span, const std::vector<PlanNode>& nodes,
                           const PlanProblem& problem, const std::vector<Ramp>& ramps) {
+  PassedJumps jumps(span, problem.jumps(), nodes.front().s, problem.problem().start(), ramps);
   std::vector<Used> all;
   all.reserve(ramps.size());
-  for (std::size_t p = 0; p < ramps.size(); ++p)
-    all.push_back(used_by(span, nodes[p].interval, ramps[p], problem.cap_between(p)));
+  double t = 0;
+  for (std::size_t p = 0; p < ramps.size(); ++p) {
+    all.push_back(used_by(span, nodes[p].interval, ramps[p], problem.cap_between(p), t, jumps));
+    t += ramps[p].duration;
+  }
   return all;
 }
 

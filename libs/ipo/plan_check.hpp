@@ -18,7 +18,8 @@ struct Used {
   bool keeps() const noexcept { return rows <= 1 && cap <= 1; }
 };
 
-/// At a few instants of the motion as it will be driven; `i`: interval in which it begins.
+/// At a few instants of the motion as it will be driven; `i`: interval in which it begins. Joints
+/// around are not felt.
 Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap);
 
 /// By ramp, each from its node to the next.

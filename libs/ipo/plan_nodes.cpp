@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "ipo/jump_load.hpp"
 
 namespace softcnc::ipo {
 namespace {
@@ -11,6 +14,7 @@ constexpr double kTurn = 0.06;          // rad between two nodes
 constexpr double kCapChange = 0.04;     // of a roughness, between two nodes
 constexpr double kGrading = 0.15;       // how fast that spacing may change along the way
 constexpr double kShortestTime = 0.35;  // periods: what turns faster is not resolved
+constexpr double kFeltJump = 0.05;      // of the axis jerk
 constexpr double kSame = 1e-9;          // relative: derivatives that do not jump
 
 bool same(const AxisVector& a, const AxisVector& b) noexcept {
@@ -21,6 +25,17 @@ bool is_joint(const PlanSpan& span, std::size_t node) noexcept {
   const Interval &before = span.interval(node - 1), &after = span.interval(node);
   return before.ends_move || !same(before.right.dq, after.left.dq) ||
          !same(before.right.ddq, after.left.ddq) || !same(before.right.dddq, after.left.dddq);
+}
+
+/// mm: so far beside a joint at which x'' jumps the jump is felt most, and a node is to be; 0 where
+/// it hardly counts.
+double jump_step(const PlanSpan& span, std::size_t joint) noexcept {
+  const Node& node = span.chain.nodes[joint];
+  if (!node.passes_bend()) return 0;
+  const double period = span.constraints.period();
+  const double used =
+      node.bend.cwiseAbs().cwiseQuotient(span.constraints.jerk_limits()).maxCoeff() * node.cap.q;
+  return used > kFeltJump * period ? (kJumpFlat + kJumpNearer) * period * std::sqrt(node.cap.q) : 0;
 }
 
 /// The cap of a roughness has steep flanks where the way is level.
@@ -61,33 +76,77 @@ class BendSpacing {
   std::vector<double> h_;
 };
 
+/// The nodes of a plan, from one joint to the next.
+class NodePlacement {
+ public:
+  NodePlacement(const PlanSpan& span, const SpeedGuess& guess, double from)
+      : span_(span),
+        guess_(guess),
+        bends_(span),
+        shortest_(kShortestTime * span.constraints.period()),
+        nodes_{{span.first, from, false}},
+        interval_(span.first),
+        begin_(from) {}
+
+  void go_to(std::size_t joint, double end) {
+    const bool ends = joint == span_.last;
+    const double beside = ends ? 0 : jump_step(span_, joint);
+    if (beside_ > 0 && end - begin_ > 2 * beside_) add(joint, begin_ + beside_);
+    if (beside > 0 && end - nodes_.back().s > 2 * beside) add(joint, end - beside);
+    fill_to(joint, end);
+    interval_ = std::min(joint, span_.last - 1);
+    nodes_.push_back({interval_, end, !ends});
+    begin_ = end;
+    beside_ = beside;
+  }
+
+  std::vector<PlanNode> take() { return std::move(nodes_); }
+
+ private:
+  double spacing(std::size_t i, double s) const noexcept {
+    return std::min(guess_.spacing(s), std::max(bends_(i, s), shortest_ * guess_.speed(s)));
+  }
+
+  void fill_to(std::size_t joint, double end) {
+    double s = nodes_.back().s;
+    while (nodes_.size() <= kMostNodes) {
+      const double h = spacing(interval_, s);
+      const double left = end - s;
+      if (left <= 1.25 * h) break;
+      s += left < 2.5 * h ? 0.5 * left : h;
+      push(joint, s);
+    }
+  }
+
+  void add(std::size_t joint, double s) {
+    fill_to(joint, s);
+    push(joint, s);
+  }
+
+  void push(std::size_t joint, double s) {
+    while (interval_ + 1 < joint && span_.s(interval_ + 1) <= s) ++interval_;
+    nodes_.push_back({interval_, s, false});
+  }
+
+  const PlanSpan& span_;
+  const SpeedGuess& guess_;
+  const BendSpacing bends_;
+  const double shortest_;
+  std::vector<PlanNode> nodes_;
+  std::size_t interval_;  // of the chain, where the last node lies
+  double begin_;          // mm: the last joint
+  double beside_ = 0;     // mm: its jump_step
+};
+
 }  // namespace
 
 std::vector<PlanNode> place_nodes(const PlanSpan& span, const SpeedGuess& guess, double from,
                                   double to, std::size_t cut) {
-  const BendSpacing bends(span);
-  const double shortest = kShortestTime * span.constraints.period();
-  const auto spacing = [&](std::size_t i, double s) {
-    return std::min(guess.spacing(s), std::max(bends(i, s), shortest * guess.speed(s)));
-  };
-  std::vector<PlanNode> nodes{{span.first, from, false}};
-  std::size_t i = span.first;
-  for (std::size_t joint = span.first + 1; joint <= span.last; ++joint) {
-    if (joint < span.last && joint != cut && !is_joint(span, joint)) continue;
-    const double end = joint == span.last ? to : span.s(joint);
-    double s = nodes.back().s;
-    while (nodes.size() <= kMostNodes) {
-      const double h = spacing(i, s);
-      const double left = end - s;
-      if (left <= 1.25 * h) break;
-      s += left < 2.5 * h ? 0.5 * left : h;
-      while (i + 1 < joint && span.s(i + 1) <= s) ++i;
-      nodes.push_back({i, s, false});
-    }
-    i = std::min(joint, span.last - 1);
-    nodes.push_back({i, end, joint < span.last});
-  }
-  return nodes;
+  NodePlacement placement(span, guess, from);
+  for (std::size_t n = span.first + 1; n < span.last; ++n)
+    if (n == cut || is_joint(span, n)) placement.go_to(n, span.s(n));
+  placement.go_to(span.last, to);
+  return placement.take();
 }
 
 void refine(const PlanSpan& span, std::vector<PlanNode>& nodes, const std::vector<bool>& marked) {

@@ -34,7 +34,7 @@ bool same(const PathPoint& a, const PathPoint& b) noexcept {
 /// The lower of two insides.
 Inside lower(const Inside& a, const Inside& b) noexcept {
   return {a.cap.q <= b.cap.q ? a.cap : b.cap, std::min(a.share, b.share),
-          a.jerk_share.cwiseMin(b.jerk_share)};
+          a.jerk_share.cwiseMin(b.jerk_share), a.feels_jump || b.feels_jump};
 }
 
 }  // namespace
@@ -45,6 +45,8 @@ PlanProblem::PlanProblem(const PlanSpan& span, const std::vector<PlanNode>& node
       nodes_(nodes),
       ends_(ends),
       shares_(shares),
+      jumps_(find_jumps(span, nodes)),
+      loads_(jump_loads(span, nodes, jumps_)),
       problem_(places(nodes), ends.start, ends.end) {
   caps_.reserve(nodes.size());
   for (std::size_t p = 0; p < nodes.size(); ++p) add_node(p);
@@ -161,13 +163,19 @@ void PlanProblem::add_rows(std::size_t p, const PathPoint& point, const Inside& 
     if (x2 != 0) problem_.add_row({{x2, 0.5 * x1, -0.25 * left * x1}, a_part * most, false});
   };
   bound_acceleration(1, 0, span_.constraints.tangential_limit());
-  const AxisVector jerk = span_.jerk_limits();
+  const AxisVector& jerk = span_.constraints.jerk_limits();
   for (int i = 0; i < kAxes; ++i) {
     const double x1 = point.dq[i], x2 = point.ddq[i], x3 = point.dddq[i];
     if (x1 == 0 && x2 == 0 && x3 == 0) continue;
     bound_acceleration(x1, x2, span_.constraints.acceleration_limits()[i]);
-    const double j = j_part * inside.jerk_share[i] * jerk[i];
-    if (j < kUnlimited) problem_.add_row({{x3, 1.5 * x2, 0.5 * x1}, j, true});
+    const double part = j_part * inside.jerk_share[i] * span_.jerk_part;
+    const double j = part * jerk[i];
+    if (j < kUnlimited)
+      problem_.add_row({{x3, 1.5 * x2, 0.5 * x1},
+                        j,
+                        true,
+                        part * loads_[p].above[i],
+                        part * loads_[p].below[i]});
   }
 }
 

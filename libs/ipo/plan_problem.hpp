@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "ipo/plan_jumps.hpp"
 #include "ipo/plan_nodes.hpp"
 #include "ipo/speed_problem.hpp"
 
@@ -22,6 +23,7 @@ class PlanProblem {
               const std::vector<NodeShare>& shares);
 
   const SpeedProblem& problem() const noexcept { return problem_; }
+  const std::vector<BendJump>& jumps() const noexcept { return jumps_; }
   /// What no speed between the nodes p and p + 1 may exceed, whatever their shares; mm^2/s^2.
   double cap_between(std::size_t p) const noexcept;
 
@@ -41,6 +43,8 @@ class PlanProblem {
   const std::vector<PlanNode>& nodes_;
   const PlanEnds ends_;
   const std::vector<NodeShare>& shares_;
+  std::vector<BendJump> jumps_;
+  std::vector<JumpLoad> loads_;  // by node
   SpeedProblem problem_;
   std::vector<Cap> caps_;  // by node, all of them; none at the ends
 };

@@ -18,6 +18,7 @@ struct SpeedRow {
   SpeedSquare factor;
   double bound = 0;
   bool over_root = false;
+  double above = 0, below = 0;  // of q: taken from the bound on either side, over a root alone
 
   double value(const SpeedSquare& at) const noexcept {
     return factor.q * at.q + factor.dq * at.dq + factor.ddq * at.ddq;

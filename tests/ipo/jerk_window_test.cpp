@@ -180,6 +180,28 @@ TEST_CASE("corners rest, and joints of line and arc jump in acceleration no more
   CHECK(joined.rows.back().position == AxisVector(60, 60, 0));
 }
 
+TEST_CASE("where line and arc meet askew of the axes, jump and jerk share the third difference",
+          "[ipo][jerk]") {
+  // What jumps and what drives along the path lie on the same axes.
+  const double jerk = GENERATE(50000.0, 500000.0), turn = GENERATE(0.3, 0.8, 2.5, 4.0);
+  CAPTURE(jerk, turn);
+  const Machine machine = machine_with(250, 3000, jerk);
+  const auto turned = [turn](double x, double y) {
+    return AxisVector(x * std::cos(turn) - y * std::sin(turn),
+                      x * std::sin(turn) + y * std::cos(turn), 0);
+  };
+  const AxisVector first = turned(0, 0), second = turned(8, 0), third = turned(8, 6);
+  const Arc arc = Arc::make({second, third, turned(8, 3), Plane::xy, true, 0}).value();
+  const auto result =
+      run(machine, number_blocks({Move{Line(first, second), false, 250, Join::follow},
+                                  Move{arc, false, 250, Join::follow},
+                                  Move{Line(third, turned(0, 6)), false, 250, Join::follow}}));
+  CHECK(exceeded(machine, result) == "");
+  CHECK(result.counts.effort.fallbacks == 0);
+  CHECK(result.counts.effort.iterations < 60);
+  CHECK(result.rows.back().position.isApprox(turned(0, 6), 1e-12));
+}
+
 TEST_CASE("in its last moment on a tight arc an axis may not use more jerk than it has",
           "[ipo][jerk]") {
   // At rest the arc points along x but for 0.04; its bend asks y for more than its direction does.

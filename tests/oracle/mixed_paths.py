@@ -99,6 +99,7 @@ def slalom(pen):
     pen.line(5)
 
 
+# Turned, what jumps at a joint and what drives along the path lie on the same axes.
 PATHS = {"contour": (contour, 0), "contour, 30°": (contour, 30), "slalom": (slalom, 0), "slalom, 30°": (slalom, 30)}
 
 
