@@ -21,24 +21,36 @@ constexpr double kHopeless = 1.1;
 constexpr double kCreep = 1.0 / 3;     // of each limit
 constexpr std::size_t kAroundCap = 8;  // nodes
 constexpr int kMostSlower = 30;        // times twice as slow
+constexpr double kKept = 0.6;          // of the way that the last plan had left
 
 class JerkPlan {
  public:
-  JerkPlan(const PlanSpan& span, std::size_t cut, const Motion& start, PlanEffort& effort)
-      : span_(span), cut_(cut), start_(start), effort_(effort), from_rest_(start.v == 0) {
+  JerkPlan(const PlanSpan& span, std::size_t cut, const Motion& start,
+           std::span<const ProvenNode> last, PlanEffort& effort)
+      : span_(span),
+        cut_(cut),
+        start_(start),
+        last_(last),
+        effort_(effort),
+        from_rest_(start.v == 0) {
     end_ramp_ = rest_ramp(span, span.last - 1, Side::before);
     if (from_rest_) start_ramp_ = rest_ramp(span, span.first, Side::after);
   }
 
-  std::optional<Ramps> run() {
+  std::optional<Plan> run() {
     const Motion start = from_rest_ ? motion(start_ramp_) : start_;
     const double from = span_.s(span_.first) + start_ramp_.way();
     const double to = span_.s(span_.last) - end_ramp_.way();
     const SpeedGuess guess(span_, {from, start}, {to, motion(end_ramp_)});
-    nodes_ = place_nodes(span_, guess, from, to, cut_);
+    const auto given = to_begin_with(from, to);
+    nodes_ = place_nodes(span_, guess, from, to, cut_, given);
     if (nodes_.size() > kMostNodes) return std::nullopt;
     shares_.assign(nodes_.size(), {});
     for (const PlanNode& node : nodes_) begin_at_.push_back(std::pow(guess.speed(node.s), 2));
+    for (std::size_t k = 0; k < given.size(); ++k) {
+      shares_[k + 1] = given[k].share;
+      begin_at_[k + 1] = given[k].q;
+    }
     const PlanEnds ends{{start.v * start.v, 2 * start.a, 0}, end_ramp_.square(-1), !from_rest_};
     for (int round = 0; round < kMostRounds; ++round) {
       const PlanProblem problem(span_, nodes_, ends, shares_);
@@ -49,7 +61,7 @@ class JerkPlan {
       const std::vector<Ramp> ramps = make_ramps(problem, solution);
       const auto used = used_by(span_, nodes_, problem, ramps);
       if (std::all_of(used.begin(), used.end(), [](const Used& u) { return u.keeps(); }))
-        return by_interval(ramps);
+        return Plan{by_interval(ramps), proven_nodes(ramps)};
       for (std::size_t p = 0; p < nodes_.size(); ++p)
         begin_at_[p] = problem.problem().spline().at_node(p, solution.coefficients).q;
       tighten(used);
@@ -60,6 +72,27 @@ class JerkPlan {
  private:
   static Motion motion(const RestRamp& ramp) noexcept {
     return {ramp.speed(), ramp.acceleration()};
+  }
+
+  /// Those of the last plan, but for the part of its tail that is about to end.
+  std::span<const ProvenNode> to_begin_with(double from, double to) const noexcept {
+    if (from_rest_ || last_.empty()) return {};
+    const double end = std::min({from + kKept * (last_.back().s - from), to, span_.s(cut_)});
+    const auto first = std::partition_point(
+        last_.begin(), last_.end(), [from](const ProvenNode& node) { return node.s <= from; });
+    const auto stop = std::partition_point(first, last_.end(),
+                                           [end](const ProvenNode& node) { return node.s < end; });
+    return {first, stop};
+  }
+
+  std::vector<ProvenNode> proven_nodes(const std::vector<Ramp>& ramps) const {
+    std::vector<ProvenNode> proven;
+    proven.reserve(nodes_.size());
+    for (std::size_t p = 0; p < nodes_.size(); ++p) {
+      const double v = p < ramps.size() ? ramps[p].v0 : ramps[p - 1].v1;
+      proven.push_back({nodes_[p].s, nodes_[p].joint, shares_[p], v * v});
+    }
+    return proven;
   }
 
   /// Where too much is used: more nodes, and less for their rows and caps.
@@ -156,6 +189,7 @@ class JerkPlan {
   const PlanSpan& span_;
   const std::size_t cut_;
   const Motion start_;
+  const std::span<const ProvenNode> last_;
   PlanEffort& effort_;
   const bool from_rest_;
   RestRamp start_ramp_, end_ramp_;
@@ -172,10 +206,10 @@ bool stands_still(const PlanSpan& span, const Motion& motion) noexcept {
   return motion.a < 0 && motion.v < kHopeless * motion.a * motion.a / (2 * jerk);
 }
 
-std::optional<Ramps> plan_to_rest(const PlanSpan& span, std::size_t cut, const Motion& start,
-                                  PlanEffort& effort) {
+std::optional<Plan> plan_to_rest(const PlanSpan& span, std::size_t cut, const Motion& start,
+                                 std::span<const ProvenNode> last, PlanEffort& effort) {
   if (stands_still(span, start)) return std::nullopt;
-  return JerkPlan(span, cut, start, effort).run();
+  return JerkPlan(span, cut, start, last, effort).run();
 }
 
 /// s = h (10 u^3 - 15 u^4 + 6 u^5): at most 15/8 h/d fast, 10/sqrt(3) h/d^2, 60 h/d^3.

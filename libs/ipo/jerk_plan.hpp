@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "ipo/plan_nodes.hpp"
 #include "ipo/plan_span.hpp"
 #include "ipo/ramp.hpp"
 #include "ipo/window.hpp"
@@ -18,10 +20,16 @@ using Ramps = std::vector<std::vector<Ramp>>;
 /// Whether a motion brakes so hard that no jerk it may use keeps it from standing still at once.
 bool stands_still(const PlanSpan& span, const Motion& motion) noexcept;
 
+struct Plan {
+  Ramps ramps;
+  std::vector<ProvenNode> nodes;
+};
+
 /// Plans the span from `start` to rest; no ramp crosses the chain's node `cut`. Nothing if no
-/// speeds were found that keep the limits.
-std::optional<Ramps> plan_to_rest(const PlanSpan& span, std::size_t cut, const Motion& start,
-                                  PlanEffort& effort);
+/// speeds were found that keep the limits. `last`: nodes of the plan that this one goes on from. It
+/// begins at the same ones, so that what the last one found for them is a way that it has, too.
+std::optional<Plan> plan_to_rest(const PlanSpan& span, std::size_t cut, const Motion& start,
+                                 std::span<const ProvenNode> last, PlanEffort& effort);
 
 /// From rest to rest over the first interval of the span, far below all limits.
 std::vector<Ramp> creep(const PlanSpan& span);

@@ -137,7 +137,7 @@ bool JerkWindow::begin_line() {
   ramps[cruise - front_ - 1] = begin;
   ramps.back() = end;
   effort_.nodes += begin.size();
-  take(std::move(ramps), cruise - front_);
+  take({std::move(ramps), {}}, cruise - front_);
   return true;
 }
 
@@ -170,7 +170,7 @@ bool JerkWindow::run_straight(std::size_t rest) {
   if (cruises() && ramps.back().front().v0 != motion_.v) return false;
   if (!keeps_caps(ramps.back(), fastest_at, front_, rest)) return false;
   effort_.nodes += ramps.back().size();
-  take(std::move(ramps), rest - front_);
+  take({std::move(ramps), {}}, rest - front_);
   return true;
 }
 
@@ -214,14 +214,15 @@ std::size_t JerkWindow::settle(bool ended) {
   return planned_.size();
 }
 
-std::optional<Ramps> JerkWindow::plan(std::size_t end, std::size_t taken, double jerk_part) {
-  return plan_to_rest({chain_, constraints_, front_, end, share_, replans_, jerk_part}, taken,
-                      motion_, effort_);
+std::optional<Plan> JerkWindow::plan(std::size_t end, std::size_t taken, double jerk_part) {
+  const PlanSpan span{chain_, constraints_, front_, end, share_, replans_, jerk_part};
+  const auto last = replans_ ? std::span<const ProvenNode>() : proven_;
+  return plan_to_rest(span, taken, motion_, last, effort_);
 }
 
 /// With less jerk than may be: what changes more slowly needs fewer nodes, and is found where kinks
 /// lie closer than the phases of a motion.
-std::optional<Ramps> JerkWindow::plan_softly(std::size_t end, std::size_t taken) {
+std::optional<Plan> JerkWindow::plan_softly(std::size_t end, std::size_t taken) {
   for (const double part : kSofter) {
     auto plan = this->plan(end, taken, part);
     if (!plan) continue;
@@ -231,10 +232,12 @@ std::optional<Ramps> JerkWindow::plan_softly(std::size_t end, std::size_t taken)
   return std::nullopt;
 }
 
-void JerkWindow::take(Ramps plan, std::size_t intervals) {
-  const auto cut = plan.begin() + static_cast<std::ptrdiff_t>(intervals);
-  planned_.assign(std::make_move_iterator(plan.begin()), std::make_move_iterator(cut));
-  tail_.assign(std::make_move_iterator(cut), std::make_move_iterator(plan.end()));
+void JerkWindow::take(Plan plan, std::size_t intervals) {
+  Ramps& ramps = plan.ramps;
+  const auto cut = ramps.begin() + static_cast<std::ptrdiff_t>(intervals);
+  planned_.assign(std::make_move_iterator(ramps.begin()), std::make_move_iterator(cut));
+  tail_.assign(std::make_move_iterator(cut), std::make_move_iterator(ramps.end()));
+  proven_ = std::move(plan.nodes);
 }
 
 /// On the way to a rest the last plan leads there; half of it is taken before another one is tried.

@@ -58,16 +58,17 @@ class JerkWindow final : public Window {
   bool keeps_caps(const std::vector<Ramp>& ramps, double fastest_at, std::size_t first,
                   std::size_t last) const noexcept;
   std::size_t slow_down(bool ended);
-  std::optional<Ramps> plan(std::size_t end, std::size_t taken, double jerk_part = 1);
-  std::optional<Ramps> plan_softly(std::size_t end, std::size_t taken);
+  std::optional<Plan> plan(std::size_t end, std::size_t taken, double jerk_part = 1);
+  std::optional<Plan> plan_softly(std::size_t end, std::size_t taken);
   bool ends_interval(std::size_t count) const noexcept;
   void split_long_intervals(bool ended);
-  void take(Ramps plan, std::size_t intervals);
+  void take(Plan plan, std::size_t intervals);
   std::size_t fall_back(std::size_t end);
 
   Horizon horizon_;
   std::deque<std::vector<Ramp>> planned_;  // by interval, from the front
   std::deque<std::vector<Ramp>> tail_;     // of the last plan, to its rest
+  std::vector<ProvenNode> proven_;         // of the last plan
   Motion motion_;                          // at the front
   bool replans_ = false;                   // which no plan has foreseen
   double split_to_ = 0;                    // mm of the chain

@@ -88,6 +88,16 @@ class NodePlacement {
         interval_(span.first),
         begin_(from) {}
 
+  void begin_with(std::span<const ProvenNode> given) {
+    for (const ProvenNode& node : given) {
+      push(span_.last, node.s);
+      nodes_.back().joint = node.joint;
+    }
+    begin_ = nodes_.back().s;
+  }
+
+  double reached() const noexcept { return begin_; }
+
   void go_to(std::size_t joint, double end) {
     const bool ends = joint == span_.last;
     const double beside = ends ? 0 : jump_step(span_, joint);
@@ -141,10 +151,12 @@ class NodePlacement {
 }  // namespace
 
 std::vector<PlanNode> place_nodes(const PlanSpan& span, const SpeedGuess& guess, double from,
-                                  double to, std::size_t cut) {
+                                  double to, std::size_t cut, std::span<const ProvenNode> given) {
   NodePlacement placement(span, guess, from);
+  placement.begin_with(given);
   for (std::size_t n = span.first + 1; n < span.last; ++n)
-    if (n == cut || is_joint(span, n)) placement.go_to(n, span.s(n));
+    if (span.s(n) > placement.reached() && (n == cut || is_joint(span, n)))
+      placement.go_to(n, span.s(n));
   placement.go_to(span.last, to);
   return placement.take();
 }

@@ -69,13 +69,26 @@ void PlanProblem::add_node(std::size_t p) {
   if (p == 0 || is_last) most.q = p == 0 ? ends_.start.q : ends_.end.q;
   caps_.push_back(most);
   const std::size_t i = node.interval;
-  Inside inside = span_.chain.inside[i];
-  if (node.joint) inside = lower(inside, span_.chain.inside[i - 1]);
+  const Inside inside = inside_around(p);
   const PathPoint point = span_.point(i, node.s, is_last ? Side::before : Side::after);
   add_rows(p, point, inside);
   if (!node.joint) return;
   const PathPoint before = span_.point(i - 1, node.s, Side::before);
   if (!same(before, point)) add_rows(p, before, inside);
+}
+
+/// The lowest between the nodes around it.
+Inside PlanProblem::inside_around(std::size_t p) const noexcept {
+  const Chain& chain = span_.chain;
+  const double from = p > 0 ? nodes_[p - 1].s : nodes_[p].s;
+  const double to = p + 1 < nodes_.size() ? nodes_[p + 1].s : nodes_[p].s;
+  std::size_t i = nodes_[p].interval;
+  Inside inside = chain.inside[i];
+  for (std::size_t k = i; k > span_.first && chain.nodes[k].s > from; --k)
+    inside = lower(inside, chain.inside[k - 1]);
+  for (std::size_t k = i + 1; k < span_.last && chain.nodes[k].s < to; ++k)
+    inside = lower(inside, chain.inside[k]);
+  return inside;
 }
 
 /// The lowest cap between the nodes around it.

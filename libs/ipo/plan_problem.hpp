@@ -34,6 +34,7 @@ class PlanProblem {
   void add_node(std::size_t p);
   void add_rows(std::size_t p, const PathPoint& point, const Inside& inside);
   double first_part(std::size_t p) const noexcept;
+  Inside inside_around(std::size_t p) const noexcept;
   Cap cap(std::size_t p) const noexcept;
   bool slopes(std::size_t i, double from, double to) const noexcept;
   Cap sloped_cap(std::size_t p, double from, double to) const noexcept;
