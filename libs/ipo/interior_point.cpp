@@ -10,7 +10,7 @@ namespace softcnc::ipo {
 namespace {
 
 constexpr int kMostIterations = 150;
-constexpr int kFewIterations = 32;           // a good guess needs no more
+constexpr int kFewIterations = 45;           // a good guess needs no more
 constexpr double kTimeTolerance = 1e-4;      // of the time
 constexpr double kRowTolerance = 1e-7;       // of each bound
 constexpr double kGradientTolerance = 1e-3;  // of the gradient of the time

@@ -21,7 +21,7 @@ constexpr double kHopeless = 1.1;
 constexpr double kCreep = 1.0 / 3;     // of each limit
 constexpr std::size_t kAroundCap = 8;  // nodes
 constexpr int kMostSlower = 30;        // times twice as slow
-constexpr double kKept = 0.6;          // of the way that the last plan had left
+constexpr double kKept = 0.7;          // of the way that the last plan had left
 
 class JerkPlan {
  public:
