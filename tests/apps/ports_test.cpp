@@ -50,7 +50,7 @@ TEST_CASE("the rows for HAL are those of the trace, counted and checksummed", "[
         std::string::npos);
 }
 
-TEST_CASE("a reader of rows that goes away ends the run quietly; one that takes none is status 5",
+TEST_CASE("a reader of rows that goes away ends the run quietly, one that takes none is status 5",
           "[apps][ports]") {
   const std::string patience = "- --set backend.hal-stream.patience_s=0.1 -q $data/zigzag.nc";
   const Ended gone = shell("{ " + kToHal + patience + "; echo status $? >&2; } | head -c 5000");

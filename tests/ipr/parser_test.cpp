@@ -125,7 +125,7 @@ TEST_CASE("a word with a vacant variable is not written", "[ipr][parser]") {
   CHECK(parse("#2=7\nX#1 Y#2\nX#1\n#2=#0\nY#2 Z-#2 F1", kFanuc) == "2: Y7.\n5: F1.\n");
 }
 
-TEST_CASE("a failed assignment breaks its line; what rests on it is lost without a word",
+TEST_CASE("a failed assignment breaks its line, and what rests on it is lost without a word",
           "[ipr][parser]") {
   Reader reader = Reader::from_text("#1=[1/0]\n#<a>=SQRT[-1]\nG0 X#1 Y#<a> Z1\n#1=2\nX#1");
   Diagnostics diagnostics;
