@@ -102,6 +102,37 @@ std::string caret_line(std::string_view line, const SourcePos& pos) {
   return blank(before) + behind + tildes;
 }
 
+/// Where a character begins, at a byte of the line or before it.
+std::size_t character_at(std::string_view line, std::size_t byte) {
+  while (byte > 0 && byte < line.size() && continues_character(line[byte])) --byte;
+  return std::min(byte, line.size());
+}
+
+/// The line and its caret; of a line that nobody would read to its end, what stands around the
+/// place.
+std::string excerpt(std::string_view line, SourcePos pos) {
+  constexpr std::size_t kLongest = 240, kBefore = 80, kShown = 160;  // bytes
+  constexpr std::string_view kLeftOut = "...";
+  const auto place = static_cast<std::size_t>(std::max(pos.column - 1, 0));
+  std::string text(line);
+  if (line.size() > kLongest) {
+    const std::size_t last = line.size() - kShown;
+    const std::size_t begin =
+        place < kBefore ? 0 : character_at(line, std::min(place - kBefore, last));
+    const std::size_t end = character_at(line, begin + kShown);
+    text = line.substr(begin, end - begin);
+    if (begin > 0) {
+      text.insert(0, kLeftOut);
+      pos.column -= static_cast<int>(begin) - static_cast<int>(kLeftOut.size());
+    }
+    pos.length = std::min(pos.length, static_cast<int>(text.size()) - pos.column + 1);
+    if (end < line.size()) text += kLeftOut;
+  }
+  std::string shown = fmt::format("{:>5} | {}\n", pos.line, text);
+  if (pos.column > 0) shown += fmt::format("      | {}\n", caret_line(text, pos));
+  return shown;
+}
+
 /// A number in which every bit depends on every bit given (the finalizer of SplitMix64).
 constexpr std::uint64_t mixed(std::uint64_t x) noexcept {
   x += 0x9E3779B97F4A7C15U;
@@ -148,10 +179,7 @@ std::string render(const Diagnostic& diagnostic) {
   const int column = d.pos.column > 0 ? characters(d.source_line, d.pos.column - 1) + 1 : 0;
   if (d.pos.line > 0) text += fmt::format(":{}:{}", d.pos.line, std::max(column, 1));
   text += fmt::format(": {} SC{}: {}\n", name(d.severity()), static_cast<int>(d.code), d.message);
-  if (d.pos.line > 0 && !d.source_line.empty()) {
-    text += fmt::format("{:>5} | {}\n", d.pos.line, d.source_line);
-    if (d.pos.column > 0) text += fmt::format("      | {}\n", caret_line(d.source_line, d.pos));
-  }
+  if (d.pos.line > 0 && !d.source_line.empty()) text += excerpt(d.source_line, d.pos);
   for (std::size_t i = 0, same = 0; i < d.calls.size(); i += same) {
     const CallPlace& call = d.calls[i];
     for (same = 1; i + same < d.calls.size() && d.calls[i + same] == call;) ++same;

@@ -84,6 +84,30 @@ TEST_CASE("a caret never leaves its line", "[diagnostic]") {
   CHECK(render(d) == "part.nc:1:5: error SC2103: m\n    1 | G1 X\n      |     ^\n");
 }
 
+TEST_CASE("of a line that nobody would read to its end, what stands around the caret is shown",
+          "[diagnostic]") {
+  Diagnostic d = off_circle();
+  d.message = "m";
+  const auto shown = [&](std::string line, SourcePos pos) {
+    d.source_line = std::move(line);
+    d.pos = pos;
+    return render(d);
+  };
+  const std::string x(500, 'x'), left(80, 'x');
+  CHECK(shown(x + "AB" + x, {1, 501, 2}) == "part.nc:1:501: error SC2103: m\n    1 | ..." + left +
+                                                "AB" + left.substr(2) + "...\n      |    " +
+                                                std::string(80, ' ') + "^~\n");
+  CHECK(shown(x, {1, 1, 500}) == "part.nc:1:1: error SC2103: m\n    1 | " + left + left +
+                                     "...\n      | ^" + std::string(159, '~') + "\n");
+  CHECK(shown(x, {1, 0, 1}) == "part.nc:1:1: error SC2103: m\n    1 | " + left + left + "...\n");
+  CHECK(shown(x, {1, 500, 1}) == "part.nc:1:500: error SC2103: m\n    1 | ..." + left + left +
+                                     "\n      |    " + std::string(159, ' ') + "^\n");
+  std::string wide;
+  for (int i = 0; i < 200; ++i) wide += "\xc3\xa9";  // no character is cut in two
+  CHECK(shown(wide, {1, 202, 2}).find("\xef\xbf\xbd") == std::string::npos);
+  CHECK(shown(std::string(240, 'x'), {1, 0, 1}).find("...") == std::string::npos);
+}
+
 TEST_CASE("exit statuses follow the family of the code and the order of the contract",
           "[diagnostic]") {
   CHECK(exit_status(off_circle()) == 1);
