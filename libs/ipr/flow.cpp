@@ -29,6 +29,7 @@ Flow::Flow(Parser& parser, Diagnostics& diagnostics, FlowOptions options)
       diagnostics_(diagnostics),
       options_(std::move(options)),
       library_(parser, diagnostics, options_.folder) {
+  if (options_.unrun_too) parser_.show_passed_over();
   Call main;
   main.sub.kind = SubKind::program;
   main.sub.begin = library_.here();
@@ -41,6 +42,7 @@ std::optional<Line> Flow::next() {
     auto line = parser_.next_if_there();
     if (!line && parser_.waiting()) return std::nullopt;
     if (!line) {
+      if (!in_subprogram()) remember_end();
       if (!in_subprogram() || parser_.broke_off()) break;
       end_text();
       continue;
@@ -48,6 +50,7 @@ std::optional<Line> Flow::next() {
     ++executed_;
     if (options_.unrun_too) remember(*line);
     if (line->broken) doubt(*line);
+    if (line->passed_over && line->words.empty()) continue;
     const bool plain = line->statement == nullptr && !new_round_;
     if (plain || obey(*line)) return line;
   }
@@ -58,7 +61,15 @@ std::optional<Line> Flow::next() {
 void Flow::remember(const Line& line) {
   const bool elseif = line.statement != nullptr && line.statement->kind == Kind::else_if;
   if (parser_.file() != 0 || elseif) return;
+  moved_ = moved_ || line.passed_over;
+  if (line.passed_over) return;
   passed_.read(line.number, parser_.reader().place(), std::exchange(moved_, false));
+}
+
+/// Lines may have been passed over up to here.
+void Flow::remember_end() {
+  if (!options_.unrun_too || !std::exchange(moved_, false)) return;
+  passed_.read(parser_.line() + 1, parser_.reader().place(), true);
 }
 
 /// What cannot be read may have begun or ended something, an M code the program.
@@ -70,6 +81,10 @@ void Flow::doubt(const Line& line) {
   if (line.statement == nullptr && !looks_like_statement(line.text)) return;
   doubt_order();
   const bool misspelt = line.statement != nullptr && line.statement->kind == Kind::misspelt;
+  const bool labelled = line.statement != nullptr &&
+                        (!line.statement->label.empty() || line.statement->kind == Kind::go_to);
+  if (!labelled) opens_lost_ = true;
+  if (labelled && misspelt) is_new({Misfit::Role::between, Kind::misspelt, line.statement->label});
   if ((line.statement != nullptr && !misspelt) || lost_o_words_.size() > kMostLost) return;
   for (const char c : line.text)
     if (!is_blank(c)) lost_o_words_ += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -97,6 +112,7 @@ bool Flow::obey(const Line& line) {
 void Flow::take(const Line& line) {
   statement_ = *line.statement;
   statement_.uncertain = statement_.uncertain || line.broken;
+  opens_lost_ = opens_lost_ || (uncertain_ && statement_.label_computed);
   text_ = line.text;
   head_ = {parser_.file(), parser_.reader().place_before(line.text)};
 }
@@ -104,6 +120,7 @@ void Flow::take(const Line& line) {
 void Flow::obey() {
   switch (statement_.kind) {
     case Kind::none:
+    case Kind::misspelt_end:
       return;
     case Kind::misspelt:
       return miss_misspelt();
@@ -157,26 +174,33 @@ void Flow::jump(Jump jump, std::string_view text) {
 void Flow::end_text() {
   const auto& [kind, label, begin] = calls_.back().sub;
   const SourcePos pos{parser_.line(), 0, 1, parser_.file()};
-  if (end_lost_) doubt_order();
-  report_once(Code::SC2303, pos,
-              kind == SubKind::o_word
-                  ? "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'"
-                  : program_name(label) + " ends without M99",
-              {});
+  if (end_lost_) {
+    doubt_order();
+    opens_lost_ = true;
+  }
+  report({Misfit::Role::beginning, Kind::sub, label}, Code::SC2303, pos,
+         kind == SubKind::o_word
+             ? "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'"
+             : program_name(label) + " ends without M99",
+         {});
   calls_.back().times = 1;
   leave(std::nullopt, pos);
 }
 
 void Flow::finish() {
   if (broke_off()) return;
-  while (!uncertain_ && opens_.size() > calls_.back().opens) {
-    const Open& top = opens_.back();
-    const Passed passed = top.end ? Passed::to_end : pass_to_end(top);
-    if (passed == Passed::nowhere) tell_open(top);
-    if (passed == Passed::to_misspelt) parser_.next();  // which tells it
+  std::vector<Open> without_end;
+  while (opens_.size() > calls_.back().opens) {
+    Open top = std::move(opens_.back());
     opens_.pop_back();
-    if (passed == Passed::to_misspelt) return;
+    const Spot here = library_.here();
+    const Passed passed = top.end ? Passed::to_end : pass_to_end(top);
+    if (passed == Passed::nowhere) without_end.push_back(std::move(top));
+    if (passed == Passed::nowhere && !go(here)) return;
+    if (passed == Passed::to_misspelt) parser_.next();  // which tells it
   }
+  std::for_each(without_end.rbegin(), without_end.rend(),
+                [&](const Open& open) { tell_open(open); });
 }
 
 void Flow::report(Code code, SourcePos pos, std::string message) {
@@ -184,9 +208,43 @@ void Flow::report(Code code, SourcePos pos, std::string message) {
 }
 
 /// For what may follow from an earlier error of its kind.
-void Flow::report_once(Code code, SourcePos pos, std::string message, std::string_view text) {
-  if (!uncertain_) diagnostics_.report(code, pos, std::move(message), text);
+void Flow::report(Misfit misfit, Code code, SourcePos pos, std::string message,
+                  std::string_view text) {
+  if (is_new(std::move(misfit))) diagnostics_.report(code, pos, std::move(message), text);
+}
+
+/// A wrong label makes two of one error: the other one's is looked for and not found. The `while`
+/// that ends a do has none of its own, and looks like a beginning.
+bool Flow::follows(Misfit& one) {
+  using Role = Misfit::Role;
+  const auto is_do_or_while = [](const Misfit& misfit, Kind kind) {
+    return misfit.role == Role::beginning && misfit.begin == kind;
+  };
+  for (Misfit& told : misfits_) {
+    const Spot &here = one.within, &there = told.within;
+    const bool together = here.file == there.file && here.place.line == there.place.line;
+    if (!together && one.begin != Kind::sub) continue;
+    if (may_mean(told.label, one.label)) return true;
+    const bool both_ends = one.begin == told.begin && one.role != told.role &&
+                           one.role != Role::between && told.role != Role::between;
+    const bool of_do =
+        (is_do_or_while(one, Kind::do_begin) && is_do_or_while(told, Kind::while_begin)) ||
+        (is_do_or_while(told, Kind::do_begin) && is_do_or_while(one, Kind::while_begin));
+    if ((both_ends || of_do) && !told.paired && !one.paired) return told.paired = one.paired = true;
+  }
+  return false;
+}
+
+/// True if it follows from nothing. What follows from it from here on is not told.
+bool Flow::is_new(Misfit misfit) {
+  misfit.within = calls_.back().sub.begin;
+  const bool follows = opens_lost_ || this->follows(misfit);
+  if (misfits_.size() < kMostMisfits)
+    misfits_.push_back(std::move(misfit));
+  else
+    opens_lost_ = true;
   doubt_order();
+  return !follows;
 }
 
 void Flow::break_off(Code code, SourcePos pos, std::string message, std::string_view text) {

@@ -119,6 +119,19 @@ class Flow {
     std::int64_t since = 0;
   };
 
+  /// A beginning, an end or what stands between them, without the others. What is told of it may
+  /// follow from another one: from that of its label, or, of a beginning, from an end of its kind
+  /// whose label is wrong.
+  struct Misfit {
+    enum class Role : std::uint8_t { beginning, end, between };
+    Role role = Role::between;
+    Kind begin = Kind::none;  // the kind of its beginning
+    std::string label;
+    Spot within{};        // where the subprogram begins
+    bool paired = false;  // something has followed from its label
+  };
+  static constexpr std::size_t kMostMisfits = 1000;
+
   /// Where a jump has led, and from where.
   struct Landing {
     SourcePos pos;  // of the jump
@@ -134,6 +147,7 @@ class Flow {
 
   // flow.cpp
   void remember(const Line& line);
+  void remember_end();
   void doubt(const Line& line);
   void doubt_order() noexcept;
   bool obey(const Line& line);
@@ -142,7 +156,9 @@ class Flow {
   bool go(const Spot& spot);
   void end_text();
   void report(Code code, SourcePos pos, std::string message);
-  void report_once(Code code, SourcePos pos, std::string message, std::string_view text);
+  void report(Misfit misfit, Code code, SourcePos pos, std::string message, std::string_view text);
+  bool follows(Misfit& one);
+  bool is_new(Misfit misfit);
   void break_off(Code code, SourcePos pos, std::string message, std::string_view text);
   void sought_in_vain(const Spot& from, const SourcePos& pos);
   bool runs_too_long(std::int64_t lines, const std::string& what, SourcePos pos,
@@ -150,6 +166,8 @@ class Flow {
 
   // flow_calls.cpp
   void pass_definition();
+  void end_definition(const Spot& from, const std::optional<Spot>& next);
+  bool lacks_end(const Subprogram& sub) const;
   void begin_program();
   void call();
   std::optional<Subprogram> find(const std::string& label, bool program, const SourcePos& call);
@@ -183,6 +201,8 @@ class Flow {
   Open* opened(Kind begin);
   void close_within(const Open& open, bool tell);
   void tell_open(const Open& open);
+  void tell_open_from(std::size_t first);
+  void tell_crossed(std::size_t first);
   void tell_behind_else(const Statement& branch, std::string_view text);
   void tell_not_begun();
   const Landing* jump_into(Kind begin);
@@ -219,7 +239,9 @@ class Flow {
   Statement statement_;            // in work
   std::string text_;               // of its line, or of the one that asked for a jump
   Spot head_;                      // before it
-  bool uncertain_ = false;         // what is open is not known after an error
+  bool uncertain_ = false;         // which lines are executed is not known after an error
+  bool opens_lost_ = false;        // nor what is open: something that no one can tell may be
+  std::vector<Misfit> misfits_;    // that have been told, or follow from one that has
   bool target_lost_ = false;       // of a jump: each round of a loop may be the last
   bool end_lost_ = false;          // by an M code that could not be read
   std::string lost_o_words_;       // text of lines that could not be read: labels may stand there

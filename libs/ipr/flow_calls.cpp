@@ -39,41 +39,67 @@ std::optional<int> number_meant(std::string_view line) {
 /// A definition is passed over where it stands. Without its end nobody knows which of the lines
 /// behind it are the program's.
 void Flow::pass_definition() {
+  const Spot from = library_.here();
   SourcePos nested;
-  std::string nested_text, nested_name;
+  std::string nested_text, nested_label;
+  std::optional<Spot> next;  // where something else begins for certain
   moved_ = true;
   while (const auto line = parser_.next_statement()) {
     const Statement* inner = line->statement;
     if (inner == nullptr) continue;
     if (inner->kind == Kind::program) break;
-    if (inner->kind == Kind::misspelt && inner->label == statement_.label) {
+    if (may_be_of(*inner, statement_.label)) {
       go({parser_.file(),
           parser_.reader().place_before(line->text)});  // it is told where it is read
       return;
     }
     if (inner->kind == Kind::end_sub && inner->label == statement_.label) {
       if (nested.line > 0)
-        report_once(Code::SC2307, nested,
-                    nested_name + " within '" + o_word(statement_.label, "sub") + "'", nested_text);
+        report({Misfit::Role::between, Kind::sub, nested_label}, Code::SC2307, nested,
+               "'" + o_word(nested_label, "sub") + "' within '" + o_word(statement_.label, "sub") +
+                   "'",
+               nested_text);
       return;
     }
+    if (inner->kind == Kind::end_sub && !next) next = library_.here();
     if (inner->kind != Kind::sub || nested.line > 0) continue;
+    if (!next) next = Spot{parser_.file(), parser_.reader().place_before(line->text)};
     nested = inner->pos;
-    nested_name = "'" + o_word(inner->label, "sub") + "'";
+    nested_label = inner->label;
     nested_text = line->text;
   }
   const std::string& label = statement_.label;
-  report_once(Code::SC2303, statement_.pos,
-              "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'", text_);
-  ended_ = broken_ = true;
+  report({Misfit::Role::beginning, Kind::sub, label}, Code::SC2303, statement_.pos,
+         "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'", text_);
+  end_definition(from, next);
+}
+
+/// Of one without its end: it has ended before the next one began, or at an end of another label.
+/// Without either nobody knows which of the lines are the program's: they are only read.
+void Flow::end_definition(const Spot& from, const std::optional<Spot>& next) {
+  if (!next || in_subprogram()) {
+    ended_ = end_lost_ = true;
+    return;
+  }
+  miss_call(false);
+  sought_in_vain(from, statement_.pos);
+  if (!ended_) go(*next);
+}
+
+/// Which has been told.
+bool Flow::lacks_end(const Subprogram& sub) const {
+  return std::any_of(misfits_.begin(), misfits_.end(), [&](const Misfit& told) {
+    return told.role == Misfit::Role::beginning && told.begin == Kind::sub &&
+           told.label == sub.label;
+  });
 }
 
 /// The O of the main program, or of the one behind it.
 void Flow::begin_program() {
   if (in_subprogram()) {
     const std::string name = name_of(calls_.back().sub);
-    report_once(Code::SC2303, statement_.pos,
-                name + " has no end before " + program_name(statement_.label), text_);
+    report({Misfit::Role::beginning, Kind::sub, calls_.back().sub.label}, Code::SC2303,
+           statement_.pos, name + " has no end before " + program_name(statement_.label), text_);
     calls_.back().times = 1;
     return leave(std::nullopt, statement_.pos);
   }
@@ -103,6 +129,7 @@ std::optional<Subprogram> Flow::find(const std::string& label, bool program,
   const int errors = diagnostics_.errors();
   auto sub = library_.find(label, program, call, text_);
   if (library_.is_lost()) ended_ = broken_ = true;
+  if (sub && lacks_end(*sub)) return std::nullopt;
   if (sub || diagnostics_.errors() > errors) return sub;
   if (!program && lost_o_words_.find(label) != std::string::npos) return sub;
   if (options_.unrun_too && library_.may_be_misspelt(label)) {  // it is read, and told there
@@ -124,10 +151,10 @@ void Flow::miss_call(bool has_level) {
 
 /// It may be a call, unless something of its label is in work.
 void Flow::miss_misspelt() {
-  const bool of_call = in_subprogram() && calls_.back().sub.label == statement_.label;
+  const bool of_call = in_subprogram() && may_be_of(statement_, calls_.back().sub.label);
   const bool of_open =
       std::any_of(opens_.begin() + static_cast<std::ptrdiff_t>(calls_.back().opens), opens_.end(),
-                  [&](const Open& open) { return open.label == statement_.label; });
+                  [&](const Open& open) { return may_be_of(statement_, open.label); });
   if (!of_call && !of_open) miss_call(true);
 }
 
@@ -194,11 +221,12 @@ void Flow::leave_by_statement() {
   const std::string& label = statement_.label;
   const bool of_call = in_subprogram() && call.sub.kind == SubKind::o_word;
   if (!of_call || (end && call.sub.label != label))
-    return report_once(end ? Code::SC2304 : Code::SC2306, statement_.pos,
-                       "'" + o_word(label, end ? "endsub" : "return") +
-                           (end ? "' without '" : "' outside of '") + o_word(label, "sub") + "'",
-                       text_);
-  if (end && opens_.size() > call.opens) tell_open(opens_.back());
+    return report({end ? Misfit::Role::end : Misfit::Role::between, Kind::sub, label},
+                  end ? Code::SC2304 : Code::SC2306, statement_.pos,
+                  "'" + o_word(label, end ? "endsub" : "return") +
+                      (end ? "' without '" : "' outside of '") + o_word(label, "sub") + "'",
+                  text_);
+  if (end) tell_open_from(call.opens);
   std::optional<double> value;
   if (statement_.uncertain) value = kUncertain;
   if (statement_.has_value) value = statement_.value;

@@ -51,6 +51,12 @@ bool is_branch_of(const Open& open, const Statement& statement) {
   return branch && open.kind == Kind::if_begin && statement.label == open.label;
 }
 
+template <typename Open>
+bool may_end_loop(const Statement& statement, const Open& open) {
+  return statement.kind == Kind::misspelt_end && is_fanuc(open.kind) &&
+         statement.label == open.label;
+}
+
 /// As it is written, in quotes.
 std::string spelled(Kind kind, const std::string& label) {
   if (!is_fanuc(kind)) return "'" + o_word(label, keyword(kind)) + "'";
@@ -115,23 +121,34 @@ Flow::Open* Flow::opened(Kind begin) {
 /// Makes it the innermost; others begun within it have no end, which is told.
 void Flow::close_within(const Open& open, bool tell) {
   const auto wanted = static_cast<std::size_t>(&open - opens_.data());
-  if (tell && opens_.size() > wanted + 1) {
-    const Open& top = opens_.back();
-    if (is_fanuc(top.kind) && is_fanuc(statement_.kind))
-      report_once(Code::SC2312, statement_.pos,
-                  spelled(statement_.kind, statement_.label) + " before " +
-                      spelled(end_of(top.kind), top.label) + ": the loops cross",
-                  text_);
-    else
-      tell_open(top);
-  }
+  const bool others = tell && opens_.size() > wanted + 1;
+  if (others && is_fanuc(opens_.back().kind) && is_fanuc(statement_.kind))
+    tell_crossed(wanted + 1);
+  else if (others)
+    tell_open_from(wanted + 1);
   opens_.resize(wanted + 1);
 }
 
 void Flow::tell_open(const Open& open) {
-  report_once(Code::SC2302, open.pos,
-              spelled(open.kind, open.label) + " has no " + spelled(end_of(open.kind), open.label),
-              open.text);
+  report({Misfit::Role::beginning, open.kind, open.label}, Code::SC2302, open.pos,
+         spelled(open.kind, open.label) + " has no " + spelled(end_of(open.kind), open.label),
+         open.text);
+}
+
+void Flow::tell_open_from(std::size_t first) {
+  for (; first < opens_.size(); ++first) tell_open(opens_[first]);
+}
+
+/// Loops of FANUC have three labels for all: only the first that cross are told.
+void Flow::tell_crossed(std::size_t first) {
+  const Open& top = opens_.back();
+  if (!uncertain_)
+    diagnostics_.report(Code::SC2312, statement_.pos,
+                        spelled(statement_.kind, statement_.label) + " before " +
+                            spelled(end_of(top.kind), top.label) + ": the loops cross",
+                        text_);
+  for (; first < opens_.size(); ++first)
+    is_new({Misfit::Role::between, Kind::loop_begin, opens_[first].label});
 }
 
 /// The last jump from outside to between the beginning and the end in work; nullptr if there was
@@ -162,15 +179,21 @@ bool Flow::leads_into(const Landing& landing, Kind begin, const Spot& here) {
 
 void Flow::tell_not_begun() {
   const Kind begin = begin_of(statement_.kind);
-  if (const Landing* jump = uncertain_ ? nullptr : jump_into(begin))
-    return report_once(Code::SC2304, jump->pos,
-                       "the jump leads past " + spelled(begin, statement_.label) + " to before " +
-                           spelled(statement_.kind, statement_.label),
-                       jump->text);
-  report_once(
-      Code::SC2304, statement_.pos,
-      spelled(statement_.kind, statement_.label) + " without " + spelled(begin, statement_.label),
-      text_);
+  const bool branch = statement_.kind == Kind::else_if || statement_.kind == Kind::else_begin;
+  const bool jumps_are_known = !uncertain_;
+  if (!is_new({branch ? Misfit::Role::between : Misfit::Role::end, begin, statement_.label}))
+    return;
+  const Landing* jump = jump_into(begin);
+  if (jump == nullptr)
+    diagnostics_.report(
+        Code::SC2304, statement_.pos,
+        spelled(statement_.kind, statement_.label) + " without " + spelled(begin, statement_.label),
+        text_);
+  else if (jumps_are_known)
+    diagnostics_.report(Code::SC2304, jump->pos,
+                        "the jump leads past " + spelled(begin, statement_.label) + " to before " +
+                            spelled(statement_.kind, statement_.label),
+                        jump->text);
 }
 
 /// Told if so: its end could not be told from the other's.
@@ -179,10 +202,11 @@ bool Flow::is_open_already() {
     const Open& open = opens_[i];
     if (open.label != statement_.label || is_fanuc(open.kind) != is_fanuc(statement_.kind))
       continue;
-    report_once(is_fanuc(open.kind) ? Code::SC2312 : Code::SC2313, statement_.pos,
-                spelled(statement_.kind, statement_.label) + " within " +
-                    spelled(open.kind, open.label) + " of line " + std::to_string(open.pos.line),
-                text_);
+    report({Misfit::Role::between, statement_.kind, statement_.label},
+           is_fanuc(open.kind) ? Code::SC2312 : Code::SC2313, statement_.pos,
+           spelled(statement_.kind, statement_.label) + " within " +
+               spelled(open.kind, open.label) + " of line " + std::to_string(open.pos.line),
+           text_);
     return true;
   }
   return false;
@@ -209,7 +233,7 @@ Flow::Passed Flow::pass_to_end(const Open& open) {
       if (had_else) tell_behind_else(*line.statement, line.text);
       had_else = had_else || line.statement->kind == Kind::else_begin;
     }
-    misspelt = line.statement->kind == Kind::misspelt && line.statement->label == open.label;
+    misspelt = may_be_of(*line.statement, open.label) || may_end_loop(*line.statement, open);
     return misspelt || ends(*line.statement, open);
   });
   if (misspelt) go(before_);
@@ -228,10 +252,12 @@ void Flow::find_branch() {
   Kind found = Kind::none;
   const auto is_branch = [&](const Line& line) {
     const Statement* statement = line.statement;
-    if (statement == nullptr || statement->label != opens_.back().label) return false;
+    if (statement == nullptr) return false;
     found = statement->kind;
-    return found == Kind::else_if || found == Kind::else_begin || found == Kind::if_end ||
-           found == Kind::misspelt;
+    if (found == Kind::misspelt) return may_be_of(*statement, opens_.back().label);
+    const bool branch =
+        found == Kind::else_if || found == Kind::else_begin || found == Kind::if_end;
+    return branch && statement->label == opens_.back().label;
   };
   while (pass_to(is_branch)) {
     ++executed_;
@@ -248,10 +274,9 @@ void Flow::find_branch() {
 }
 
 void Flow::tell_behind_else(const Statement& branch, std::string_view text) {
-  report_once(
-      Code::SC2304, branch.pos,
-      spelled(branch.kind, branch.label) + " after " + spelled(Kind::else_begin, branch.label),
-      text);
+  report({Misfit::Role::between, Kind::if_begin, branch.label}, Code::SC2304, branch.pos,
+         spelled(branch.kind, branch.label) + " after " + spelled(Kind::else_begin, branch.label),
+         text);
 }
 
 /// A branch has been run; the others are passed over.
@@ -297,8 +322,8 @@ bool Flow::has_loop_number() {
   const std::string& label = statement_.label;
   if (statement_.kind != Kind::loop_begin || label == "1" || label == "2" || label == "3")
     return true;
-  report_once(Code::SC2312, statement_.pos, "'DO " + label + "': a loop is numbered 1, 2 or 3",
-              text_);
+  report({Misfit::Role::between, Kind::loop_begin, label}, Code::SC2312, statement_.pos,
+         "'DO " + label + "': a loop is numbered 1, 2 or 3", text_);
   return false;
 }
 
@@ -334,10 +359,11 @@ void Flow::next_round_or_leave() {
   for (const Kind kind : {Kind::while_begin, Kind::do_begin, Kind::repeat_begin})
     if (loop == nullptr) loop = opened(kind);
   if (loop == nullptr)
-    return report_once(Code::SC2305, statement_.pos,
-                       spelled(statement_.kind, statement_.label) + " outside of a loop " +
-                           o_word(statement_.label),
-                       text_);
+    return report({Misfit::Role::between, Kind::while_begin, statement_.label}, Code::SC2305,
+                  statement_.pos,
+                  spelled(statement_.kind, statement_.label) + " outside of a loop " +
+                      o_word(statement_.label),
+                  text_);
   close_within(*loop, false);
   if (statement_.kind == Kind::leave_loop) return pass_top();
   const Spot here = library_.here();

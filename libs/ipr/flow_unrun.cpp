@@ -16,6 +16,7 @@ bool has_unknown_label(const Line& line) {
 
 void Flow::begin_unrun() {
   if (broke_off()) return;
+  ended_ = false;
   leaves_.insert(passed_.last_read());
   order_lost_ = uncertain_ || target_lost_ || end_lost_;
   diagnostics_.lines_repeat();
@@ -30,6 +31,7 @@ void Flow::begin_unrun() {
     return line == main_begin || entered_.contains(line);
   });
   parser_.doubt_order();
+  parser_.only_read();
 }
 
 std::optional<Line> Flow::next_unrun() {
@@ -51,7 +53,7 @@ std::optional<Line> Flow::next_uncalled() {
       check_order(*line);
       continue;
     }
-    if (!uncertain_ && !opens_.empty()) tell_open(opens_.back());
+    tell_open_from(0);
     reading_uncalled_ = false;
     uncalled_.erase(uncalled_.begin());
   }
@@ -69,7 +71,8 @@ std::optional<Line> Flow::read_unrun() {
 bool Flow::go_to_uncalled(const Subprogram& sub) {
   opens_.clear();
   landings_.clear();
-  uncertain_ = false;
+  misfits_.clear();
+  uncertain_ = opens_lost_ = false;
   return go(sub.begin);
 }
 
@@ -78,8 +81,9 @@ bool Flow::ends_uncalled(const Line& line) const {
   if (line.statement == nullptr) return false;
   const Kind kind = line.statement->kind;
   if (kind == Kind::program || kind == Kind::sub) return true;
-  const bool of_sub = sub.kind == SubKind::o_word && line.statement->label == sub.label;
-  return of_sub && (kind == Kind::end_sub || kind == Kind::misspelt);
+  if (sub.kind != SubKind::o_word) return false;
+  return may_be_of(*line.statement, sub.label) ||
+         (kind == Kind::end_sub && line.statement->label == sub.label);
 }
 
 /// Tells what begins without an end, and ends without a beginning.

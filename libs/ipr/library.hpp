@@ -58,7 +58,7 @@ class Library {
   /// parser's place is lost.
   std::vector<Subprogram> all_of_program();
   /// A line of this label whose keyword cannot be read may be the beginning of such.
-  bool may_be_misspelt(const std::string& label) const { return misspelt_.contains(label); }
+  bool may_be_misspelt(std::string_view label) const;
   /// The known label that resembles one that is not; empty if none does.
   std::string nearest(const std::string& label) const;
 
@@ -98,7 +98,7 @@ class Library {
   std::map<int, Text> texts_;                        // by SourcePos::file
   std::map<std::string, int, std::less<>> file_of_;  // by name in the folder; -1: unreadable
   std::set<std::string> missing_;
-  std::set<std::string> misspelt_;  // labels, of all texts
+  std::vector<Statement> misspelt_;  // of all texts
 };
 
 }  // namespace softcnc::ipr

@@ -68,7 +68,9 @@ std::optional<Line> Parser::next_line(Read read) {
     if (lone_percent_.line > 0 && goes_on_behind_end()) break;
     read();
     if (ended_) break;
-    if (words_.empty() && line_.statement == nullptr && !line_.broken) continue;
+    const bool shown = line_.passed_over && passed_over_too_;
+    const bool says_nothing = words_.empty() && line_.statement == nullptr && !shown;
+    if (says_nothing && !line_.broken) continue;
     if (!line_.broken) started_ = true;
     if (file_ != 0) name_file();
     return line_;
@@ -92,6 +94,7 @@ std::optional<Line> Parser::next_line(Read read) {
   line_.text = text;
   given_up_ = false;
   trusted_.reset();
+  before_then_.reset();
 }
 
 void Parser::read_line(Depth depth) {
@@ -101,6 +104,7 @@ void Parser::read_line(Depth depth) {
   read_words();
   if (!assignments_.empty()) apply_assignments();
   line_.words = words_;
+  if (before_then_) trusted_ = before_then_;
   if (strange()) divide_words();
 }
 

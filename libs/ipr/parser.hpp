@@ -33,6 +33,8 @@ struct Line {
   bool skip = false;                     // begins with '/'
   bool broken = false;                   // reported already; `words` are those that could be read
   Letters lost;                          // of a broken line: words that could not be read
+  std::optional<double> lone_number;     // the first one that has no letter
+  bool passed_over = false;              // what stands behind a THEN: it does not count
   std::string_view called;               // FANUC: the program that it calls by name, in lower case
 };
 
@@ -75,6 +77,12 @@ class Parser {
   /// After an error it is not known which lines are executed: from here on an alarm of the program
   /// is passed over, since it may be that nothing leads to it.
   void doubt_order() noexcept { order_uncertain_ = true; }
+  /// From here on lines are read for what is wrong with them alone: what stands behind a THEN too,
+  /// whatever its condition.
+  void only_read() noexcept { only_read_ = true; }
+  /// Lines that say nothing, but for what stands behind a THEN that does not count, are handed out
+  /// as well.
+  void show_passed_over() noexcept { passed_over_too_ = true; }
 
   /// Number of the line last read.
   int line() const noexcept { return reader_->line(); }
@@ -105,6 +113,7 @@ class Parser {
   bool refuse_late_statement(Lexer& lexer, const Token& letter);
   std::optional<Token> read_keyword(Lexer& lexer, const Token& letter);
   void settle(const StatementReader& reader, Lexer& lexer);
+  Token read_consequence(Lexer& lexer, bool known);
   Token read_assignment(Lexer& lexer, const Token& sign);
   Token read_order(Lexer& lexer, const Token& sign, int number);
   std::string comment_behind(const Lexer& lexer) const;
@@ -144,6 +153,7 @@ class Parser {
   void give_up(Code code, const Token& token, std::string message);
   void give_up(const std::optional<Fault>& fault, Lexer& lexer);
   bool strange() const noexcept { return trusted_.has_value(); }
+  bool counts() const noexcept { return !strange() && !before_then_ && !only_read_; }
   void lose_words();
   void lose_rest();
 
@@ -165,8 +175,10 @@ class Parser {
   SourcePos lone_percent_{};  // that ends a program which none has begun; line 0: none
   bool started_ = false, given_up_ = false, ended_ = false, broke_off_ = false;
   bool nul_seen_ = false;
-  std::optional<std::size_t> trusted_;  // words before something that is none
-  bool order_uncertain_ = false;        // which lines are executed
+  std::optional<std::size_t> trusted_;      // words before something that is none
+  std::optional<std::size_t> before_then_;  // words before a THEN whose condition is not known
+  bool order_uncertain_ = false;            // which lines are executed
+  bool only_read_ = false, passed_over_too_ = false;
 };
 
 }  // namespace softcnc::ipr

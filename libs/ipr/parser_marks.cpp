@@ -212,9 +212,11 @@ std::optional<Token> Parser::sign_of_program(Lexer& lexer, const Token& mark) co
 }
 
 Token Parser::pass_number(Lexer& lexer, const Token& number) {
-  if (!strange())
+  if (!strange()) {
     report(Code::SC1007, number.column, number.length,
            "the number " + quoted(text_of(line_.text, number)) + " has no letter before it");
+    line_.lone_number = number.value;
+  }
   lose_words();
   return lexer.next();
 }
@@ -233,7 +235,7 @@ Token Parser::pass_stranger(Lexer& lexer, const Token& stranger) {
     report(Code::SC1001, stranger.column, stranger.length,
            "unknown character " + character_name(text) + meant_by(text, lexer));
   if (text == ",") pass_corner(lexer);
-  if (is_digit(lexer.peek())) lose_number_before(stranger);
+  if (is_digit(lexer.peek()) || lexer.peek() == '.') lose_number_before(stranger);
   return go_on_behind(lexer);
 }
 

@@ -106,13 +106,16 @@ void Parser::read_outline() {
   }
   token = sign_of_program(lexer, token).value_or(token);
   line_.broken = token.kind == Token::Kind::unknown;
+  const bool strange_start = line_.broken;
+  if (strange_start) token = lexer.next();
   if (line_.skip && options_.block_skip) words_.clear();
   line_.words = words_;
   if (token.kind != Token::Kind::letter || (line_.skip && options_.block_skip)) return;
   if (token.letter == 'O')
     read_o_word(lexer, token);
-  else
+  else if (!strange_start)
     read_keyword(lexer, token);
+  if (strange_start && line_.statement != nullptr) statement_.kind = Statement::Kind::misspelt;
 }
 
 Token Parser::pass_slash(Lexer& lexer, const Token& token) {
@@ -166,23 +169,34 @@ std::optional<Token> Parser::read_keyword(Lexer& lexer, const Token& letter) {
   note(reader.other_value());
   if (found == Found::nothing) return std::nullopt;
   lexer = ahead;
-  if (found == Found::statement || reader.fault() || statement_.uncertain)
-    settle(reader, lexer);
-  else if (found == Found::then_true && depth_ != Depth::outline)
-    return lexer.next();
+  if (found != Found::statement && depth_ != Depth::outline) {
+    report(reader.fault());
+    const bool known = !reader.fault() && !statement_.uncertain;
+    return known && found == Found::then_true ? lexer.next() : read_consequence(lexer, known);
+  }
+  if (found == Found::statement) settle(reader, lexer);
   return Token{};
+}
+
+/// What stands behind a THEN whose condition is false, or not known: that is looked at all the
+/// same.
+Token Parser::read_consequence(Lexer& lexer, bool known) {
+  line_.passed_over = known && !only_read_;
+  if (line_.passed_over) return {};
+  before_then_ = words_.size();
+  line_.broken = true;
+  line_.lost = kAllLetters;
+  doubt_assignments();
+  return lexer.next();
 }
 
 /// Hands over what has been read of a statement.
 void Parser::settle(const StatementReader& reader, Lexer& lexer) {
   if (statement_.kind != Statement::Kind::none) line_.statement = &statement_;
   if (depth_ == Depth::outline) return;
-  const bool then = line_.statement == nullptr;
-  if (reader.broke_off() || (then && reader.fault())) return give_up(reader.fault(), lexer);
+  if (reader.broke_off()) return give_up(reader.fault(), lexer);
   report(reader.fault());
-  if (!statement_.uncertain) return;
-  line_.broken = true;
-  if (then) lose_rest();
+  if (statement_.uncertain) line_.broken = true;
 }
 
 /// `sign` is the '#' of a variable that a line assigns to.
@@ -217,7 +231,7 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
   if (pass_operation(lexer, begin)) value = kUncertain;
   if (is_uncertain(value) || !variable) line_.broken = true;
   const double kept = assignable ? within_limit(*variable, value, at) : kUncertain;
-  if (assignable) assign(std::move(*variable), strange() ? kUncertain : kept);
+  if (assignable) assign(std::move(*variable), counts() ? kept : kUncertain);
   return lexer.next();
 }
 
@@ -255,7 +269,7 @@ void Parser::obey_comment(int column) {
 
 /// What stands behind it is not executed, and so not told.
 void Parser::end_by_alarm(int column, int length, std::string message) {
-  if (order_uncertain_ || strange()) {
+  if (order_uncertain_ || !counts()) {
     line_.broken = true;
     return;
   }

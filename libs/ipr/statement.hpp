@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "motion/diagnostic.hpp"
@@ -31,11 +32,12 @@ struct Statement {
     repeat_end,
     next_round,  // continue
     leave_loop,  // break
-    misspelt,    // a label, and no keyword that there is
+    misspelt,    // a label, and no keyword that there is, or a label with unknown characters
     // FANUC; `label` is the number of the loop
-    go_to,       // value: the line number N; not taken where has_condition and condition is false
-    loop_begin,  // WHILE [..] DO m, or DO m alone
-    loop_end,    // END m
+    go_to,         // value: the line number N; not taken where has_condition and condition is false
+    loop_begin,    // WHILE [..] DO m, or DO m alone
+    loop_end,      // END m
+    misspelt_end,  // what END m may have been meant by
   };
 
   Kind kind = Kind::none;
@@ -48,5 +50,11 @@ struct Statement {
   std::vector<double> arguments;  // of call
   SourcePos pos;                  // from O or the keyword to its end
 };
+
+/// Whether one label may have been meant for the other: an unknown character in it stands for one
+/// of that, or for none.
+bool may_mean(std::string_view strange, std::string_view label) noexcept;
+/// Whether it is misspelt, and may have been meant for this label.
+bool may_be_of(const Statement& statement, std::string_view label) noexcept;
 
 }  // namespace softcnc::ipr

@@ -2,6 +2,7 @@
 // A table of the keywords behind O, and a function per statement of FANUC macros.
 #include "ipr/statement_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -64,10 +65,37 @@ std::optional<std::string> whole_text(double value) {
   return std::to_string(static_cast<long>(whole));
 }
 
+/// What has a meaning nowhere in a program.
+constexpr bool is_stranger(char upper) noexcept {
+  constexpr std::string_view kKnown = "%/#[]=<>*+-.,:;()@^";
+  return upper != 0 && !is_letter(upper) && !is_digit(upper) &&
+         kKnown.find(upper) == std::string_view::npos;
+}
+
+/// Three letters, of which two are those of END, or one more or less.
+bool resembles_end(std::string_view letters) noexcept {
+  const auto of_end = std::count_if(letters.begin(), letters.end(), [](char c) {
+    return std::string_view("END").find(upper_case(c)) != std::string_view::npos;
+  });
+  return letters.size() >= 2 && letters.size() <= 4 && of_end >= 2;
+}
+
 /// Of a loop: a variable is none.
 bool lacks_number(char next) noexcept { return next == 0 || next == '#' || next == '['; }
 
 }  // namespace
+
+bool may_mean(std::string_view strange, std::string_view label) noexcept {
+  if (strange.empty()) return label.empty();
+  const std::string_view rest = strange.substr(1);
+  if (!is_stranger(upper_case(strange.front())))
+    return !label.empty() && strange.front() == label.front() && may_mean(rest, label.substr(1));
+  return may_mean(rest, label) || (!label.empty() && may_mean(rest, label.substr(1)));
+}
+
+bool may_be_of(const Statement& statement, std::string_view label) noexcept {
+  return statement.kind == Kind::misspelt && may_mean(statement.label, label);
+}
 
 StatementReader::Found StatementReader::read_o_word(SourcePos at) {
   const Lexer before = lexer_;
@@ -92,10 +120,12 @@ bool StatementReader::read_label() {
     return variable.has_value();
   }
   if (is_digit(first)) {
+    const Lexer before = lexer_;
     const Token number = lexer_.take_number();
     if (number.fault != NumberFault::none) return false;
     set_label(number.value, begin);
-    return true;
+    if (is_stranger(lexer_.peek())) read_strange_label(before);
+    return !broke_off_;
   }
   if (first == '-' || first == '+') refuse_signed_label();
   if (first != '#' && first != '[') return false;
@@ -104,6 +134,21 @@ bool StatementReader::read_label() {
   const double value = keep(expression, expression.value());
   if (!broke_off_ && !is_uncertain(value)) set_label(value, begin);
   return !broke_off_;
+}
+
+/// `o1?00 sub`: its first unknown character is the next token.
+void StatementReader::read_strange_label(Lexer label) {
+  constexpr std::size_t kLongest = 20;
+  std::string text;
+  for (char c = label.peek(); is_digit(c) || is_stranger(c); c = label.peek()) {
+    if (text.size() == kLongest) return;
+    text += c;
+    label.pass();
+  }
+  if (take_keyword(label) == nullptr) return;
+  statement_.kind = Kind::misspelt;
+  statement_.label = std::move(text);
+  broke_off_ = true;
 }
 
 void StatementReader::set_label(double value, int begin) {
@@ -195,6 +240,8 @@ StatementReader::Found StatementReader::read_keyword(SourcePos at) {
   if (lexer_.take("THEN") && !is_letter(lexer_.peek()))
     return refuse(at, lexer_.end(), "THEN without IF on its line");
   lexer_ = before;
+  if (depth_ == Depth::outline && read_misspelt_end()) return Found::statement;
+  lexer_ = before;
   return Found::nothing;
 }
 
@@ -258,6 +305,16 @@ StatementReader::Found StatementReader::read_loop(Kind kind) {
     stop(Code::SC1029, number.column, number.end_column(), kLabel);
   end_keyword();
   return depth_ == Depth::outline ? Found::statement : finish();
+}
+
+/// EDN1: what is told where it is read may be the end of a loop that is passed over.
+bool StatementReader::read_misspelt_end() {
+  if (!resembles_end(lexer_.take_letters()) || !is_digit(lexer_.peek())) return false;
+  const Token number = lexer_.take_number();
+  if (number.fault != NumberFault::none || lexer_.peek() != 0) return false;
+  statement_.kind = Kind::misspelt_end;
+  set_label(number.value, number.column);
+  return true;
 }
 
 /// '[..]' as true or false. In an outline it is passed over.

@@ -44,6 +44,7 @@ class StatementReader {
 
  private:
   bool read_label();
+  void read_strange_label(Lexer label);
   void refuse_signed_label();
   void set_label(double value, int begin);
   Found read_behind_label(bool by_number);
@@ -55,6 +56,7 @@ class StatementReader {
   Found read_while();
   Found read_jump();
   Found read_loop(Statement::Kind kind);
+  bool read_misspelt_end();
   bool condition();
   double keep(const Expression& expression, double value);
   void end_keyword() noexcept;

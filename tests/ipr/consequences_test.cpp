@@ -300,3 +300,67 @@ TEST_CASE("behind an order that cannot be read the next curve is no part of the 
   CHECK(told("G6.2 P..2 K0 X0 Y0 F100\nK0 X2\nK1\nK1\n" + next) == Places{"SC1004 1:7"});
   CHECK(told("G6.2 P2 K0 X0 Y0 F100\nK0 X2\nK1\nK1..\n" + next) == Places{"SC1004 4:2"});
 }
+
+TEST_CASE("an error in how loops and branches begin and end hides no other one",
+          "[ipr][consequences]") {
+  CHECK(told("o1 endif\no2 endwhile\no3 endrepeat\no4 break\no5 else") ==
+        Places{"SC2304 1:1", "SC2304 2:1", "SC2304 3:1", "SC2305 4:1", "SC2304 5:1"});
+  CHECK(told("o1 if [1]\no2 repeat [2]\no3 while [0]\no3 endwhile\no4 do") ==
+        Places{"SC2302 1:1", "SC2302 2:1", "SC2302 5:1"});
+  CHECK(told("o1 if [1]\no2 repeat [2]\no3 while [1]\no1 endif\no7 break") ==
+        Places{"SC2302 2:1", "SC2302 3:1", "SC2305 5:1"});
+  CHECK(told("o9 endif\no1 if [0]\nG0 X1\no1 endif\no2 if [0]\nG0 X1") ==
+        Places{"SC2304 1:1"});  // the label of either may be wrong
+  CHECK(told("o9 endif\no1 if [0]\nG0 X1\no2 if [0]\nG0 X1") == Places{"SC2304 1:1", "SC2302 4:1"});
+  CHECK(told("o1 whle [1]\no1 endwhile\no2 endif") == Places{"SC1020 1:4", "SC2304 3:1"});
+}
+
+TEST_CASE("a wrong label or keyword is one error, whatever lacks its other end for it",
+          "[ipr][consequences]") {
+  CHECK(told("o1 if [1]\no2 endif") == Places{"SC2304 2:1"});
+  CHECK(told("o1 while [0]\nG0 X1\no2 endwhile") == Places{"SC2302 1:1"});
+  CHECK(told("o1 while [1]\no1 endif") == Places{"SC2304 2:1"});
+  CHECK(told("o1 if [0]\nG0 X1\no1 else\nG0 X2\no1 endwhile") == Places{"SC2304 5:1"});
+  CHECK(told("o1 if [1]\nG0 X1\no2 else\nG0 X2\no1 endif") == Places{"SC2304 3:1"});
+  CHECK(told("o2 if [1]\nG0 X1\no1 else\nG0 X2\no1 endif") == Places{"SC2304 3:1"});
+  CHECK(told("o1 do\nG0 X1\no2 while [0]") == Places{"SC2302 3:1"});
+  CHECK(told("o2 while [1]\no1 break\no1 endwhile") == Places{"SC2305 2:1"});
+  CHECK(told("o1 if [1]\no2 repeat [2]\no3 endrepeat\no1 endif") == Places{"SC2304 3:1"});
+}
+
+TEST_CASE("behind a subprogram without its end the program is read on", "[ipr][consequences]") {
+  InterpreterOptions options;
+  options.unrun_too = true;
+  const auto checked = [&](const std::string& text) {
+    return places(interpret(text, Machine{}, options));
+  };
+  CHECK(checked("o1 sub\nG0 X1\no2 sub\nG0 X2\no2 endsub\nG0 X..1\nM2\n") ==
+        Places{"SC2303 1:1", "SC1004 6:5"});
+  CHECK(checked("o1 sub\nG0 X1..2\nG0 X1\nM2\n") == Places{"SC2303 1:1", "SC1004 2:5"});
+  CHECK(checked("o1 sub\nG0 X1\no2 endsub\nG0 X..1\no1 call\nX5\nM2\n") ==
+        Places{"SC2303 1:1", "SC1004 4:5"});
+}
+
+TEST_CASE("a label with an unknown character is told where it stands alone",
+          "[ipr][consequences]") {
+  InterpreterOptions options;
+  options.unrun_too = true;
+  const auto checked = [&](const std::string& text) {
+    return places(interpret(text, Machine{}, options));
+  };
+  CHECK(checked("o1?00 sub\nG0 X1\no100 endsub\no100 call\nM2\n") == Places{"SC1001 1:3"});
+  CHECK(checked("o100 sub\nG0 X1\no1?0 endsub\no100 call\nM2\n") == Places{"SC1001 3:3"});
+  CHECK(checked("o100 call\nM2\no1?00 sub\nG0 X1\no100 endsub\n") == Places{"SC1001 3:3"});
+  CHECK(checked("o100 call\nM2\n?o100 sub\nG0 X1\no100 endsub\n") == Places{"SC1001 3:1"});
+  CHECK(checked("o1 if [0]\nG0 X1\no1$ endif\nM2\n") == Places{"SC1001 3:3"});
+  CHECK(checked("o$1 while [0]\nG0 X1\no1 endwhile\nM2\n") == Places{"SC1001 1:2"});
+  CHECK(checked("o1?0 sub\nG0 X1\no10 endsub\no2 endif\nM2\n") ==
+        Places{"SC1001 1:3", "SC2304 4:1"});
+}
+
+TEST_CASE("a misspelt END may be that of a loop that is passed over", "[ipr][consequences]") {
+  for (const std::string end : {"EDN1", "EN1", "ENDD 1", "EMD1"})
+    CHECK(told("WHILE [1 EQ 2] DO 1\nG0 X1\n" + end + "\nG0 X2", Dialect::fanuc).size() == 1);
+  CHECK(told("WHILE [1 EQ 2] DO 1\nG0 X1\nEDN1\nG0 X..2", Dialect::fanuc) ==
+        Places{"SC1020 3:1", "SC1004 4:5"});
+}

@@ -455,9 +455,13 @@ TEST_CASE("the search for many things that are missing comes to an end", "[ipr][
   const std::string too_long =
       "SC2310 the search for what is missing has run more than 1000 blocks";
   // 100 lines behind the first, 99 behind the second, ... 90 behind the eleventh
-  CHECK(told(ifs + "M2") == Told{"1:1 SC2302 'o1 if' has no 'o1 endif'", "11:1 " + too_long});
-  CHECK(told(definitions + "M2") ==
-        Told{"1:1 SC2303 'o1 sub' has no 'o1 endsub'"});      // and nothing behind it
+  const Told of_ifs = told(ifs + "M2"), of_definitions = told(definitions + "M2");
+  REQUIRE(of_ifs.size() == 12);
+  CHECK(of_ifs[10] == "11:1 SC2302 'o11 if' has no 'o11 endif'");
+  CHECK(of_ifs.back() == "11:1 " + too_long);
+  REQUIRE(of_definitions.size() == 12);
+  CHECK(of_definitions[10] == "11:1 SC2303 'o11 sub' has no 'o11 endsub'");
+  CHECK(of_definitions.back() == "11:1 " + too_long);
   const Told of_jumps = told(jumps + "M30", Dialect::fanuc);  // 101 lines for each
   REQUIRE(of_jumps.size() == 11);
   CHECK(of_jumps.front() == "1:1 SC2308 no line N1001 in the program");

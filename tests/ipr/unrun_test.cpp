@@ -162,3 +162,22 @@ TEST_CASE("branches never taken of a called subprogram are read, what stands bet
   CHECK(told("o<a> sub\no1 if [#1]\nG00 X..1\no1 endif\no<a> endsub\no<a> call [0]\nM30\n") ==
         Told{"SC1004 3:6"});
 }
+
+TEST_CASE("what stands behind a THEN that does not count is read all the same", "[ipr][unrun]") {
+  const auto fanuc = [](const std::string& text) { return told(text, Dialect::fanuc); };
+  CHECK(fanuc("IF [1 EQ 2] THEN #1=1..2\nM30\n") == Told{"SC1004 1:21"});
+  CHECK(fanuc("N5 IF [1 EQ 2] THEN #1=[2+\nG0 X..1\nM30\n") == Told{"SC1004 2:5", "SC1016 1:26"});
+  CHECK(fanuc("#1=0\nIF [#1 NE 0] THEN #2=[10/#1]\nG0 X#2\nM30\n") == Told{});
+  CHECK(fanuc("#1=7\nIF [#1 EQ 0] THEN #3000=1(NEVER)\nIF [#1 EQ 0] THEN #1=99\n"
+              "IF [#1 EQ 99] GOTO 77\nM30\n") == Told{});
+  CHECK(fanuc("IF [1 EQ 2] THEN #1=1..2") == Told{"SC1004 1:21", "SC2205 1:0"});
+  CHECK(fanuc("O1\nM30\nO2\nIF [#1 EQ 2] THEN #1=1..2\nM99\n") == Told{"SC1004 4:22"});
+  CHECK(fanuc("#1=0\nWHILE [#1 LT 2] DO 1\nIF [#1 EQ 1] THEN #2=1..2\n#1=#1+1\nEND 1\nM30\n") ==
+        Told{"SC1004 3:22"});
+  CHECK(fanuc("#1=1..2\nIF [#1 EQ 2] THEN #2=3..4\nM30\n") == Told{"SC1004 1:4", "SC1004 2:22"});
+  CHECK(places(interpret("IF [1 EQ 2] THEN #1=1..2\nM30\n")) == Told{});
+}
+
+TEST_CASE("lines passed over at the end of the text are read as well", "[ipr][unrun]") {
+  CHECK(told("o1 if [0]\nG00 X..1\no1 endif\n") == Told{"SC2205 3:0", "SC1004 2:6"});
+}
