@@ -41,6 +41,7 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
   count_ = 0;
   groups_ = {};
   uncertain_ = line.lost;
+  missing_ = {};
   doubted_ = {};
   lost_touch_ = false;
   lost_all_ = false;
@@ -74,8 +75,20 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
   doubt(lost);
 }
 
+[[gnu::cold]] void Command::doubt_missing() noexcept {
+  constexpr Groups kKept{Group::cutter_compensation, Group::tool_length, Group::non_modal};
+  Letters missing{"FSTXYZ"}, given = values_.letters();
+  for (const CodeWord& code : codes()) {
+    missing |= Letters(code.code->words);
+    given.add(code.code->letter);
+    if (kKept.has(code.code->group)) doubted_ |= {code.code->group};
+  }
+  missing_ = missing.without(given);
+}
+
 Letters Command::lastingly_uncertain() const noexcept {
   Letters uncertain = uncertain_;
+  uncertain |= missing_;
   if (!lost_all_ && !doubted_.has_any(kMoving)) uncertain.remove('G');
   return uncertain;
 }

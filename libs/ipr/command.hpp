@@ -47,6 +47,8 @@ class Command {
 
   /// Adds the motion in force, if words of the line are meant for it.
   void add_modal_motion(const GCode& motion, const Word& word) { add(motion, word); }
+  /// A word that no code takes has been told: it may have been meant for any that is missing.
+  void doubt_missing() noexcept;
   /// Adds the codes that D and H are where no code of the line takes them.
   void add_lone_letters(Dialect dialect);
 
@@ -68,7 +70,9 @@ class Command {
   std::string_view called() const noexcept { return called_; }
   /// What the line's own errors have made uncertain.
   Letters uncertain() const noexcept { return uncertain_; }
-  /// What of that holds for the lines behind as well.
+  /// What a word that no code of the line takes may have been meant for, once that is told.
+  Letters missing() const noexcept { return missing_; }
+  /// What of both holds for the lines behind as well.
   Letters lastingly_uncertain() const noexcept;
   /// Of which groups they leave open what is in force.
   Groups doubted() const noexcept { return doubted_; }
@@ -94,7 +98,7 @@ class Command {
   const GCode* below_cycle_ = nullptr;
   std::span<const Word> arguments_;
   std::string_view called_;
-  Letters uncertain_;
+  Letters uncertain_, missing_;
   Groups doubted_;
   bool lost_touch_ = false;
   bool lost_all_ = false;  // of the line: nobody knows what its words are

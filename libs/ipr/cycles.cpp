@@ -50,7 +50,8 @@ bool in_row(const Modal& modal) {
 void doubt_lost_words(Task& task, const PlaneAxes& axes) {
   CycleWords& words = task.modal.cycle;
   const char across = across_letter(axes);
-  const Letters lost = task.command.uncertain();
+  Letters lost = task.command.uncertain();
+  lost |= task.command.missing();
   if (lost.has('R')) words.retract.reset();
   if (lost.has(across)) words.bottom.reset();
   if (lost.has('Q')) words.peck.reset();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ipr/handlers.hpp"
+#include "ipr/lost_codes.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -45,6 +46,14 @@ bool leads_by_itself(const GCode& code) noexcept {
 bool is_straight(const GCode& code) noexcept {
   constexpr int kG01 = 10;
   return code.letter == 'G' && code.number <= kG01;
+}
+
+/// M03 or M04 with another letter.
+bool may_be_spindle(const Values& values, Letters unused) noexcept {
+  constexpr double kM03 = 3, kM04 = 4;
+  for (char letter = 'A'; letter <= 'Z'; ++letter)
+    if (unused.has(letter) && (values[letter] == kM03 || values[letter] == kM04)) return true;
+  return false;
 }
 
 }  // namespace
@@ -148,7 +157,7 @@ bool Interpreter::tell_restored(const Line& next) {
   check_axes();
   if (command_.has(Group::non_modal) || command_.has(Group::tool_length)) check_axis_codes();
   const bool unclear = line.broken || out_.failed();
-  if (!command_.uncertain().has_any(kActing)) check_unused();
+  if (!command_.uncertain().has_any(kActing) && check_unused()) doubt_missing();
   if (unclear && !leads_all_the_same(line))
     out_.mute();
   else if (unclear || out_.failed())
@@ -156,7 +165,7 @@ bool Interpreter::tell_restored(const Line& next) {
   if (unclear) out_.withhold();
   modal_.start_uncertain = modal_.uncertain.has_any(kAxisWords);
   execute();
-  remember_uncertain();
+  remember_uncertain(line);
   if (modal_.curve) note_faults(command_, modal_, out_, *modal_.curve);
   if (modal_.points) note_faults(command_, modal_, out_, *modal_.points);
   out_.end();
@@ -193,11 +202,13 @@ void Interpreter::excuse_left_curve() {
   if (of_curve) return out_.mute();
   const GCode* motion = command_.find(Group::motion);
   const bool leaves = out_.failed() || (motion != nullptr && motion->act == end_control_points);
-  if (motion != nullptr && !leaves) modal_.words_of_left_curve = {};
+  if (motion == nullptr || leaves) return;
+  modal_.words_of_left_curve = {};
+  if (motion->act != nurbs) modal_.left_curve_may_go_on = false;
 }
 
 /// What an error leaves unknown. A motion code that could be read is known all the same.
-void Interpreter::remember_uncertain() {
+void Interpreter::remember_uncertain(const Line& line) {
   Letters uncertain = command_.lastingly_uncertain();
   if (command_.has(Group::motion)) uncertain.remove('G');
   if (uncertain.has('G')) modal_.motion = modal_.motion_below = nullptr;
@@ -206,6 +217,7 @@ void Interpreter::remember_uncertain() {
   if (offsets && out_.failed()) modal_.doubt_offsets();
   const bool restores = uncertain.has('M') && modal_.saved.back();
   if (restores) levels_.miss_call();
+  if (uncertain.has('M') && flow_.in_subprogram() && may_save_modes(line)) levels_.lose_save();
   if (command_.lost_touch()) parser_.parameters().doubt_touch();
   const Groups doubted = command_.doubted();
   if (doubted.empty()) return;
@@ -282,18 +294,39 @@ void Interpreter::check_axis_codes() {
   }
 }
 
-void Interpreter::check_unused() {
+/// True if one is told.
+bool Interpreter::check_unused() {
   const Letters unused = command_.unused(options_.dialect);
-  if (unused.empty()) return;
-  if (modal_.uncertain.has('G') && !command_.has(Group::motion)) return out_.mute();
+  if (unused.empty()) return false;
+  if (modal_.uncertain.has('G') && !command_.has(Group::motion)) {
+    out_.mute();
+    return false;
+  }
+  bool of_centre = false;  // of I J K one is told: no arc stands beside them
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     if (!unused.has(letter)) continue;
+    if (kOffsetLetters.find(letter) != std::string_view::npos && std::exchange(of_centre, true))
+      continue;
     const SourcePos& pos = command_.values().word(letter).pos;
     if (Letters("ABCUVW").has(letter))
       out_.report(Code::SC2008, pos, lacks_axis(letter));
     else
       out_.report(Code::SC2004, pos, std::string(1, letter) + " is used by no code of this line");
   }
+  return true;
+}
+
+/// For one of them a word that no code takes may stand.
+[[gnu::cold]] void Interpreter::doubt_missing() {
+  command_.doubt_missing();
+  for (const char letter : kAxisLetters)
+    if (command_.missing().has(letter)) modal_.uncertain.add(letter);
+  const bool names_axis = command_.values().letters().has_any(kAxisWords);
+  if (modal_.curve && !names_axis) modal_.curve->knots_uncertain = true;
+  if (may_be_spindle(command_.values(), command_.unused(options_.dialect)))
+    modal_.uncertain.add('M');
+  const GCode* motion = command_.find(Group::motion);
+  if (motion != nullptr && is_line_or_arc(*motion) && !is_straight(*motion)) out_.mute();
 }
 
 void Interpreter::execute() {

@@ -65,10 +65,11 @@ class Interpreter {
   void check_axes();
   void check_axis_codes();
   bool fanuc_goes_to_machine_point() const noexcept;
-  void check_unused();
+  bool check_unused();
+  void doubt_missing();
   void execute();
   void excuse_left_curve();
-  void remember_uncertain();
+  void remember_uncertain(const Line& line);
   bool tell_restored(const Line& next);
   bool leads_all_the_same(const Line& line);
   bool way_is_certain() const;

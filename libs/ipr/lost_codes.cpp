@@ -29,10 +29,12 @@ constexpr int digit_of(char c) noexcept {
 std::optional<int> number_meant(std::string_view behind) noexcept {
   constexpr int kLargest = 1000;
   std::optional<int> number;
+  bool behind_blank = false;
   for (const char c : behind) {
     const int digit = digit_of(c);
-    if ((digit < 0 && is_letter(c)) || (number && is_blank(c)) || number.value_or(0) > kLargest)
-      break;
+    if (is_letter(c) && (digit < 0 || behind_blank)) break;
+    if ((number && is_blank(c)) || number.value_or(0) > kLargest) break;
+    behind_blank = is_blank(c);
     if (digit >= 0) number = 10 * number.value_or(0) + digit;
   }
   return number;
@@ -70,6 +72,22 @@ bool changes_coordinates(double number) noexcept {
   return std::find(kCodes.begin(), kCodes.end(), std::floor(number)) != kCodes.end();
 }
 
+/// The G or M codes on a line that are no words of it: what stands behind the letter of each.
+template <typename Function>
+void for_each_lost(const Line& line, char letter, Function function) {
+  for (std::size_t at = 0; at < line.text.size();) {
+    const char c = line.text[at];
+    if (c == '(' || c == ';') {
+      at = behind_comment(line.text, at);
+      continue;
+    }
+    const bool code = upper_case(c) == letter && !is_of_name(line.text, at) &&
+                      !begins_word(line.words, at) && !begins_word(line.doubtful, at);
+    ++at;
+    if (code) function(line.text.substr(at));
+  }
+}
+
 }  // namespace
 
 Groups groups_of_code(double number) noexcept {
@@ -84,24 +102,28 @@ Groups lost_groups(const Line& line) noexcept {
   Groups lost;
   for (const Word& word : line.doubtful)
     if (word.letter == 'G') lost |= groups_of_code(word.value);
-  for (std::size_t at = 0; at < line.text.size();) {
-    const char c = line.text[at];
-    if (c == '(' || c == ';') {
-      at = behind_comment(line.text, at);
-      continue;
-    }
-    const bool code = (c == 'G' || c == 'g') && !is_of_name(line.text, at) &&
-                      !begins_word(line.words, at) && !begins_word(line.doubtful, at);
-    ++at;
-    if (!code) continue;
-    const auto number = number_meant(line.text.substr(at));
+  if (line.lone_number && find_gcode('G', *line.lone_number) != nullptr)
+    lost |= groups_of_code(*line.lone_number);
+  for_each_lost(line, 'G', [&](std::string_view behind) {
+    const auto number = number_meant(behind);
     const bool known = number && find_gcode('G', *number) != nullptr;
     lost |= known ? groups_of_code(*number) : kModesOfG;
-    const bool tenths = known && points_stand_in(line.text.substr(at));
+    const bool tenths = known && points_stand_in(behind);
     if (tenths && find_gcode('G', *number / kTenths) != nullptr)
       lost |= groups_of_code(*number / kTenths);
-  }
+  });
   return lost;
+}
+
+bool may_save_modes(const Line& line) noexcept {
+  constexpr int kM73 = 73;
+  bool may = false;
+  for (const Word& word : line.doubtful) may = may || (word.letter == 'M' && word.value == kM73);
+  for_each_lost(line, 'M', [&](std::string_view behind) {
+    const auto number = number_meant(behind);
+    may = may || !number || *number == kM73 || find_gcode('M', *number) == nullptr;
+  });
+  return may;
 }
 
 }  // namespace softcnc::ipr

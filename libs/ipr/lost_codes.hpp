@@ -21,4 +21,7 @@ Groups groups_of_code(double number) noexcept;
 /// like one among them. Where these make no code, it may have been any.
 Groups lost_groups(const Line& line) noexcept;
 
+/// Whether an M code on a line that is no word of it may have been M73.
+bool may_save_modes(const Line& line) noexcept;
+
 }  // namespace softcnc::ipr

@@ -43,6 +43,8 @@ struct PendingCurve : OpenCurve {
   bool full = false;             // it has been told that there are too many points
   bool repeats = false;          // LinuxCNC's form: G06.2 in its second block too
   double order_word = 0;         // P as written; 0: left out
+  bool knot_told = false;        // of its last block another word, which may stand for it
+  bool headless = false;         // points before its first may be those of a curve that was left
 };
 
 /// A curve of G05.2 or G06.1, whose points are still coming.
@@ -82,6 +84,7 @@ struct SavedModes {
   Letters uncertain;  // as of Modal
   bool offsets_uncertain = false;
   bool automatic = false;  // by M73: the end of the call restores them
+  bool lost = false;       // by what may have been M73: behind the call nobody knows the modes
 };
 
 /// Modes that the end of a call has restored, and nobody was told yet.
@@ -133,6 +136,7 @@ struct Modal : Modes {
   /// A curve that was left too early, which has been told: words that only its blocks have. Blocks
   /// of it that follow are not told for that.
   Letters words_of_left_curve;
+  bool left_curve_may_go_on = false;  // by G06.2 in its next block, in LinuxCNC's form
 
   // Told once a file.
   bool feed_warned = false, spindle_warned = false, dwell_warned = false, peck_warned = false;

@@ -18,6 +18,13 @@ constexpr int kFanucOrder = 4;  // the largest of a FANUC control
 constexpr std::string_view kSurfaceWords = "DJHL";
 constexpr Letters kWordsOfBlocks{"KR"};
 
+/// What cannot be read, or may be what a word stands for that no code takes.
+Letters lost(const Command& command) noexcept {
+  Letters lost = command.uncertain();
+  lost |= command.missing();
+  return lost;
+}
+
 bool is_first(const PendingCurve& curve) { return curve.spec.control.empty(); }
 
 void note_order(Task& task, const Word& word) {
@@ -31,7 +38,7 @@ void note_order(Task& task, const Word& word) {
 
 std::optional<int> read_order(Task& task) {
   if (!task.values.has('P'))
-    return task.command.uncertain().has('P') ? std::nullopt : std::optional(kDefaultOrder);
+    return lost(task.command).has('P') ? std::nullopt : std::optional(kDefaultOrder);
   const Word& word = task.values.word('P');
   const bool legal = word.value == std::floor(word.value) && word.value >= kLeastOrder &&
                      word.value <= Nurbs::kMaxDegree + 1;
@@ -58,7 +65,9 @@ void begin_curve(Task& task) {
   ask_for_surface_of_curve(task);
   PendingCurve& curve = task.modal.curve.emplace();
   curve.order = read_order(task).value_or(0);
-  curve.knots_uncertain = curve.order == 0;
+  curve.headless = std::exchange(task.modal.left_curve_may_go_on, false);
+  curve.broken = curve.headless;
+  curve.knots_uncertain = curve.order == 0 || curve.headless;
   curve.spec.degree = curve.order - 1;
   curve.order_word = task.values.value_or('P', 0);
   curve.head = curve_head(task);
@@ -112,12 +121,16 @@ void check_knot(Task& task, PendingCurve& curve) {
 }
 
 void read_knot(Task& task, PendingCurve& curve) {
+  if (curve.knot_told) return;
   if (!task.values.has('K')) {
     task.out.report(Code::SC3102, task.word.pos, "a block of a curve needs its knot, K");
     curve.knots_uncertain = curve.misshapen = true;
     return;
   }
-  if (task.command.uncertain().has('K')) return;
+  if (task.command.uncertain().has('K')) {
+    curve.knots_uncertain = true;
+    return;
+  }
   const double knot = task.values['K'];
   if (curve.order > 0) curve.spec.knots.push_back(knot);
   if (!falls(task, curve, knot) && !curve.knots_uncertain) check_knot(task, curve);
@@ -136,7 +149,7 @@ double read_weight(Task& task, PendingCurve& curve) {
 void check_curve_axes(Task& task, PendingCurve& curve) {
   const bool naming = curve.axes.empty() && curve.spec.control.size() <= 1;
   for (const char letter : kAxisLetters) {
-    if (naming && task.command.uncertain().has(letter)) curve.axes.add(letter);
+    if (naming && lost(task.command).has(letter)) curve.axes.add(letter);
     if (!task.values.has(letter) || curve.axes.has(letter)) continue;
     curve.axes.add(letter);
     if (naming) continue;
@@ -193,7 +206,7 @@ void read_control_point(Task& task, PendingCurve& curve) {
 
 void read_closing_knot(Task& task, PendingCurve& curve) {
   const int points = static_cast<int>(curve.spec.control.size());
-  if (curve.closing_knots++ == 0 && points < curve.order) {
+  if (curve.closing_knots++ == 0 && points < curve.order && !curve.headless) {
     task.out.report(Code::SC3002, task.word.pos,
                     "the curve ends after " + std::to_string(points) +
                         " control points; its order asks for " + std::to_string(curve.order));
@@ -250,10 +263,14 @@ bool has_words_of_first(Task& task, const PendingCurve& curve) {
 
 void read_block(Task& task, PendingCurve& curve) {
   const bool begins = is_first(curve);
-  const bool has_axes =
-      task.values.letters().has_any(kAxisWords) || task.command.uncertain().has_any(kAxisWords);
+  const bool named = task.values.letters().has_any(kAxisWords);
+  const bool strays = curve.closing_knots == 0 && task.command.missing().has_any(kAxisWords);
+  const bool has_axes = named || strays || task.command.uncertain().has_any(kAxisWords);
   read_chopping(task);
-  if (!begins && has_words_of_first(task, curve) && !has_axes && !task.values.has('K')) return;
+  const bool misplaced = !begins && has_words_of_first(task, curve);
+  curve.knot_told = misplaced && !task.values.has('K');
+  if (curve.knot_told) curve.knots_uncertain = curve.misshapen = true;
+  if (curve.knot_told && !has_axes) return;
   if (begins || has_axes)
     read_control_point(task, curve);
   else
@@ -339,7 +356,9 @@ void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, 
     note_stranger(*code, curve);
     curve.knots_uncertain = true;
   }
-  if (command.uncertain().has('G')) leave_curve(modal);
+  if (command.find(Group::motion) == modal.motion || !command.uncertain().has('G')) return;
+  modal.left_curve_may_go_on = curve.repeats || curve.spec.control.size() == 1;
+  leave_curve(modal);
 }
 
 void end_pending_curve(Modal& modal, Output& out) {

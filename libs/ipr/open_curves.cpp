@@ -25,7 +25,9 @@ void note_faults(const Command& command, const Modal& modal, const Output& out, 
   curve.lost_axes |= modal.unknown_axes();
   if (!out.failed()) return;
   curve.broken = true;
-  const Letters lost = command.uncertain().without(kBesideTheWay);
+  Letters lost = command.uncertain();
+  lost |= command.missing();
+  lost = lost.without(kBesideTheWay);
   curve.lost_axes |= lost;
   if (!lost.without(kAxisWords).empty() || !command.doubted().empty()) curve.misshapen = true;
 }

@@ -48,6 +48,17 @@ void follow_coolant(const Modes& before, const Modal& modal, Output& out, const 
   if (modal.flood && (off || !before.flood)) tell(kFlood);
 }
 
+/// What M70 saves.
+SavedModes modes_of(const Modal& modal) {
+  SavedModes saved;
+  saved.modes = modal;
+  saved.work_system = modal.state.active;
+  saved.shift_on = modal.state.shift_on;
+  saved.uncertain = modal.uncertain;
+  saved.offsets_uncertain = modal.offsets_uncertain;
+  return saved;
+}
+
 /// As G40, and as the G41 or G42 that was in force.
 void follow_cutter(const Modes& before, Modal& modal, Output& out) {
   if (before.cutter == modal.cutter) return;
@@ -66,9 +77,15 @@ void follow_restored(const Modes& before, Modal& modal, Output& out, const Sourc
 void SavedLevels::end_call(const SourcePos& pos) {
   const std::optional<SavedModes> ended = std::move(modal_.saved.back());
   modal_.saved.pop_back();
+  if (ended && ended->lost) return miss_call();
   if (!ended || !ended->automatic) return;
   if (!modal_.restored) modal_.restored = Restored{modal_, pos};
   restore(modal_, *ended);
+}
+
+void SavedLevels::lose_save() {
+  modal_.saved.back() = modes_of(modal_);
+  modal_.saved.back()->lost = true;
 }
 
 void SavedLevels::miss_call() {
@@ -81,10 +98,8 @@ void SavedLevels::miss_call() {
 
 /// M70, M73.
 void save_modes(Task& task) {
-  const Modal& modal = task.modal;
-  task.modal.saved.back() =
-      SavedModes{modal,           modal.state.active,      modal.state.shift_on,
-                 modal.uncertain, modal.offsets_uncertain, task.code.number == kM73};
+  SavedModes& saved = task.modal.saved.back().emplace(modes_of(task.modal));
+  saved.automatic = task.code.number == kM73;
 }
 
 /// M71

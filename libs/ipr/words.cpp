@@ -181,7 +181,7 @@ SourcePos place_of(const Task& task, char letter) {
   if (modal.feed_mode == FeedMode::inverse_time) return has_inverse_time(task);
   if (modal.feed_mode == FeedMode::per_turn && modal.feed_word > 0) return sets_feed_per_turn(task);
   if (modal.feed > 0) return true;
-  if (modal.uncertain.has('F'))
+  if (modal.uncertain.has('F') || task.command.missing().has('F'))
     task.out.withhold();
   else if (modal.zero_feed)
     report_zero_feed(task);

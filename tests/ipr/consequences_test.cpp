@@ -341,6 +341,35 @@ TEST_CASE("behind a subprogram without its end the program is read on", "[ipr][c
         Places{"SC2303 1:1", "SC1004 4:5"});
 }
 
+TEST_CASE("a word that no code takes may have been meant for any that is missing",
+          "[ipr][consequences]") {
+  const std::string f = "F100\n";
+  CHECK(told(f + "G1 X10\nE10\nG2 X20 Y0 I5 J0") == Places{"SC2004 3:1"});
+  CHECK(told(f + "G1 X10 E6\nG2 X20 Y6 I5 J0") == Places{"SC2004 2:8"});
+  CHECK(told(f + "G1 X10 E6\nG2 X20 Y6 I9 J0") == Places{"SC2004 2:8"});
+  CHECK(told(f + "G1 X10 Q6\nX0 Y0\nG2 X20 Y6 I9 J0") == Places{"SC2004 2:8", "SC2103 4:4"});
+  CHECK(told("D500 M3\nG95 F.1\nG1 X5") == Places{"SC2004 1:1"});
+  CHECK(told("H3 S500\nG95 F.1\nG1 X5\nG84 X1 Z-1 R1") == Places{"SC2004 1:1"});
+  CHECK(told("R1 M6\nM6") == Places{"SC2004 1:1"});
+  CHECK(told("G1 X1 E100\nX2") == Places{"SC2004 1:7"});
+  CHECK(told("G92 E0\nG1 X10 F100\nG53 G0 X0\nG0 X5\nG2 X20 Y6 I9 J0") == Places{"SC2004 1:5"});
+  CHECK(told(f + "G81 X1 Z-5 E2\nX2\nX3") == Places{"SC2004 2:12"});
+  CHECK(told("G0 E5\nG6.2 P2 K0 X5 Y0 F100\nX2 K0\nK1\nK1") == Places{"SC2004 1:4"});
+  CHECK(told(f + "G6.2 P2 K0 X0 Y0\nE1 K0\nX2 K1\nK2\nK2\nG1 X5") == Places{"SC2004 3:1"});
+  CHECK(told(f + "G6.2 P2 K0 X0 Y0\nX1 K0\nE1\nK1\nG1 X5") == Places{"SC2004 4:1"});
+}
+
+TEST_CASE("an M code that may have been M73 leaves open what its call restores",
+          "[ipr][consequences]") {
+  const auto program = [](const std::string& saves) {
+    return "G21 G94 F100\nM98 P2\nG1 X1\nM30\nO2\n" + saves + "\nG93\nM99";
+  };
+  CHECK(told(program("M73")) == Places{});
+  CHECK(told(program("M70")) == Places{"SC2102 3:1"});
+  CHECK(told(program("M..73")) == Places{"SC1004 6:2"});
+  CHECK(told(program("M..8")) == Places{"SC1004 6:2", "SC2102 3:1"});
+}
+
 TEST_CASE("a label with an unknown character is told where it stands alone",
           "[ipr][consequences]") {
   InterpreterOptions options;
@@ -363,4 +392,20 @@ TEST_CASE("a misspelt END may be that of a loop that is passed over", "[ipr][con
     CHECK(told("WHILE [1 EQ 2] DO 1\nG0 X1\n" + end + "\nG0 X2", Dialect::fanuc).size() == 1);
   CHECK(told("WHILE [1 EQ 2] DO 1\nG0 X1\nEDN1\nG0 X..2", Dialect::fanuc) ==
         Places{"SC1020 3:1", "SC1004 4:5"});
+}
+
+TEST_CASE("behind a broken word in the first line of a curve its blocks are not counted",
+          "[ipr][consequences]") {
+  CHECK(told("G6.2 P2 K0 X0 Y$0 F100\nX2 K0\nK1\nK1\nG1 X5 F100") == Places{"SC1001 1:16"});
+  CHECK(told("G6.2 X0 Y$0 K0 P2 F100\nX2 K0\nK1\nK1\nG1 X5 F100") == Places{"SC1001 1:10"});
+  for (const std::string line : {"G6.2 P2 X$2 K", "G..6.2 P2 X2 K", "$G6.2 P2 X2 K", "G6.2 P2 $2 K",
+                                 "G6.2 P2 E2 K", "G6.2 $2 X2 K"})
+    for (int at = 1; at < 5; ++at) {
+      std::string text = "F100\n";
+      for (int i = 0; i < 5; ++i)
+        text += (i == at ? line : "G6.2 P2 X" + std::to_string(i) + " K") +
+                std::to_string(i < 2 ? 0 : i) + "\n";
+      CAPTURE(line, at);
+      CHECK(told(text + "K5\nK5\nG1 X7").size() == 1);
+    }
 }
