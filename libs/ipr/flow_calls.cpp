@@ -136,6 +136,8 @@ std::optional<Subprogram> Flow::find(const std::string& label, bool program,
     doubt_order();
     return sub;
   }
+  const bool begins_elsewhere = !program && library_.has_end(label);  // its `sub` is wrong
+  if (begins_elsewhere && !is_new({Misfit::Role::end, Kind::sub, label})) return sub;
   const std::string nearest = library_.nearest(label);
   report(Code::SC2301, call,
          "no subprogram " + (program ? program_name(label) : o_word(label)) + " in this program" +

@@ -240,6 +240,8 @@ inline constexpr std::size_t kMostCurvePoints = 10'000;
 void report_too_many(Task& task);
 /// How far the first point of a curve may lie off the position, mm.
 double start_tolerance(const Machine& machine);
+/// Whether it is an O beside other words, which has been told.
+bool is_told_number(const GCode& code, const Command& command) noexcept;
 /// Whether the line has another motion code, or one that stops or ends the program.
 bool ends_curve(const Command& command, const GCode& curve) noexcept;
 /// False, and told or muted, if there is no feed. In G95 sets that of the spindle's speed.

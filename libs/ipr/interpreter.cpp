@@ -48,6 +48,17 @@ bool is_straight(const GCode& code) noexcept {
   return code.letter == 'G' && code.number <= kG01;
 }
 
+/// `H21`, where G21 may have been meant.
+[[gnu::cold]] void doubt_modes_meant(const Line& line, Letters unused, Modal& modal) noexcept {
+  constexpr Groups kModes{Group::plane, Group::units, Group::distance, Group::arc_distance,
+                          Group::feed_mode};
+  const auto first = std::find_if(line.words.begin(), line.words.end(),
+                                  [](const Word& word) { return word.letter != 'N'; });
+  if (first == line.words.end() || !unused.has(first->letter)) return;
+  const GCode* code = find_gcode('G', first->value);
+  if (code != nullptr && kModes.has(code->group)) modal.doubt({code->group});
+}
+
 /// M03 or M04 with another letter.
 bool may_be_spindle(const Values& values, Letters unused) noexcept {
   constexpr double kM03 = 3, kM04 = 4;
@@ -213,6 +224,16 @@ void Interpreter::remember_uncertain(const Line& line) {
   if (command_.has(Group::motion)) uncertain.remove('G');
   if (uncertain.has('G')) modal_.motion = modal_.motion_below = nullptr;
   modal_.uncertain |= uncertain;
+  const Letters unused = command_.missing().empty() ? Letters() : command_.unused(options_.dialect);
+  if (!unused.empty()) doubt_modes_meant(line, unused, modal_);
+  const GCode* motion = command_.find(Group::motion);
+  const bool by_mode = motion != nullptr && is_line_or_arc(*motion) &&
+                       command_.find_word(Group::motion).letter != 'G';
+  if (by_mode &&
+      unused.has_any("IJKR")) {  // the code of an arc, or a cycle, may be what is missing
+    modal_.motion = modal_.motion_below = nullptr;
+    modal_.uncertain |= "GXYZ";
+  }
   const bool offsets = command_.has(Group::non_modal) && modal_.offsets_uncertain;
   if (offsets && out_.failed()) modal_.doubt_offsets();
   const bool restores = uncertain.has('M') && modal_.saved.back();
@@ -289,6 +310,7 @@ void Interpreter::check_axis_codes() {
       out_.report(Code::SC2110, word->pos,
                   code_name(*code) + " beside " + code_name(*user) + ": both take the axes");
       modal_.doubt_offsets();
+      command_.doubt_missing();
     }
     user = code;
   }

@@ -139,6 +139,8 @@ void Library::learn(Text& text, const Line& line) {
   const Statement* statement = line.statement;
   const bool misspelt = statement != nullptr && statement->kind == Kind::misspelt;
   if (misspelt && misspelt_.size() < kMostMissing) misspelt_.push_back(*statement);
+  const bool ends = statement != nullptr && statement->kind == Kind::end_sub;
+  if (ends && ends_.size() < kMostMissing) ends_.insert(statement->label);
   if (!begins_subprogram(statement)) return;
   const bool program = statement->kind == Kind::program;
   auto& known = program ? text.programs : text.subs;

@@ -57,6 +57,8 @@ class Library {
   /// All of the program's own file, in the order of their lines, those of one name too. The
   /// parser's place is lost.
   std::vector<Subprogram> all_of_program();
+  /// An endsub of this label has been seen.
+  bool has_end(const std::string& label) const { return ends_.contains(label); }
   /// A line of this label whose keyword cannot be read may be the beginning of such.
   bool may_be_misspelt(std::string_view label) const;
   /// The known label that resembles one that is not; empty if none does.
@@ -98,6 +100,7 @@ class Library {
   std::map<int, Text> texts_;                        // by SourcePos::file
   std::map<std::string, int, std::less<>> file_of_;  // by name in the folder; -1: unreadable
   std::set<std::string> missing_;
+  std::set<std::string> ends_;       // labels of endsubs, of all texts
   std::vector<Statement> misspelt_;  // of all texts
 };
 

@@ -59,10 +59,16 @@ void check_feed_mode(Task& task) {
                   code_name(task.code) + " while G95 is in force: F cannot be its feed");
 }
 
+/// One alone, where the knot is missing, may stand for that.
+std::ptrdiff_t surface_words(const Values& values) {
+  return std::count_if(kSurfaceWords.begin(), kSurfaceWords.end(),
+                       [&](char letter) { return values.has(letter); });
+}
+
 void begin_curve(Task& task) {
   begin_motion(task);
   check_feed_mode(task);
-  ask_for_surface_of_curve(task);
+  if (task.values.has('K') || surface_words(task.values) != 1) ask_for_surface_of_curve(task);
   PendingCurve& curve = task.modal.curve.emplace();
   curve.order = read_order(task).value_or(0);
   curve.headless = std::exchange(task.modal.left_curve_may_go_on, false);
@@ -338,7 +344,7 @@ void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, 
   if (command.uncertain().has('K')) curve.knots_uncertain = true;
   const bool left = ends_curve(command, *modal.motion);
   for (const auto& [code, word] : command.codes()) {
-    if (code->group == Group::line_number) continue;
+    if (code->group == Group::line_number || is_told_number(*code, command)) continue;
     if (code == modal.motion && goes_on(curve, command)) {
       if (dialect == Dialect::fanuc && !curve.repeats) refuse_repetition(curve, *word, out);
       curve.repeats = true;

@@ -148,6 +148,8 @@ class Parser {
   void report(Code code, int column, int length, std::string message);
   void report(const std::optional<Fault>& fault);
   Token pass_number(Lexer& lexer, const Token& number);
+  Token pass_word_at(Lexer& lexer, int column);
+  Token pass_sign(Lexer& lexer, const Token& letter, const Token& sign);
   Token pass_stranger(Lexer& lexer, const Token& stranger);
   Token go_on_behind(Lexer& lexer);
   void give_up(Code code, const Token& token, std::string message);

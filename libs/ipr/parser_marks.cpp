@@ -218,7 +218,20 @@ Token Parser::pass_number(Lexer& lexer, const Token& number) {
     line_.lone_number = number.value;
   }
   lose_words();
-  return lexer.next();
+  return pass_word_at(lexer, number.end_column());
+}
+
+/// The word that begins in this column, right behind a number without a letter: `6G.2`, its digits
+/// may be in the wrong place. Returns the token behind it.
+Token Parser::pass_word_at(Lexer& lexer, int column) {
+  const Token letter = lexer.next();
+  const Lexer behind = lexer;
+  const Token number = lexer.next();
+  const bool right_behind = letter.kind == Token::Kind::letter && letter.column == column &&
+                            number.kind == Token::Kind::number;
+  if (right_behind) return lexer.next();
+  lexer = behind;
+  return letter;
 }
 
 void Parser::divide_words() noexcept {

@@ -204,6 +204,10 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
   Expression expression(lexer, parameters_);
   const bool computed = lexer.peek() == '#' || lexer.peek() == '[';
   auto variable = expression.variable();
+  if (strange() && !variable) {
+    lose_rest();
+    return {};
+  }
   if (variable && (is_order(*variable) || is_tool_value(*variable)))
     note(Contradiction::system_variable, sign.column, lexer.end() - sign.column);
   if (variable && parameters_.fanuc_unit(variable->number) != 1)

@@ -69,8 +69,24 @@ Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) 
                            (first.letter == 'O' || first.column == letter.end_column());
     return for_digit ? pass_letter_for_digit(lexer, letter) : first;
   }
-  report_number(letter, first);
-  return lexer.next();
+  return sign ? pass_sign(lexer, letter, first) : (report_number(letter, first), lexer.next());
+}
+
+/// A sign with no digit behind it: what stands there instead is told, if it is none that begins
+/// something else, and is a part of the number if it looks like a digit.
+Token Parser::pass_sign(Lexer& lexer, const Token& letter, const Token& sign) {
+  const Lexer before = lexer;
+  const Token next = lexer.next();
+  const bool right_behind = next.column == sign.end_column();
+  if (right_behind && next.kind == Token::Kind::unknown) {
+    line_.lost.add(letter.letter);
+    return next;
+  }
+  report_number(letter, sign);
+  lexer = before;
+  const bool for_digit = right_behind && next.kind == Token::Kind::letter && looks_like_digit(next);
+  lexer.next();
+  return for_digit ? pass_letter_for_digit(lexer, letter) : next;
 }
 
 /// Behind signs that have been told: the value they were meant for, if one stands there.

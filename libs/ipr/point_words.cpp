@@ -224,7 +224,7 @@ void check_pending_points(const Command& command, Modal& modal, Output& out) {
   const bool ends = ends_curve(command, *curve.code) && !(by_control && closed);
   if (ends && !by_control) return finish_points(modal, out);
   for (const auto& [code, word] : command.codes()) {
-    if (belongs(*code, curve)) continue;
+    if (belongs(*code, curve) || is_told_number(*code, command)) continue;
     report_stranger(curve, *code, *word, out);
     note_stranger(*code, curve);
     if (ends) return leave_points(modal);

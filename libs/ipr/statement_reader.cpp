@@ -67,9 +67,18 @@ std::optional<std::string> whole_text(double value) {
 
 /// What has a meaning nowhere in a program.
 constexpr bool is_stranger(char upper) noexcept {
-  constexpr std::string_view kKnown = "%/#[]=<>*+-.,:;()@^";
+  constexpr std::string_view kKnown = "%/#[]=<>*+-.,:;()@^_";
   return upper != 0 && !is_letter(upper) && !is_digit(upper) &&
          kKnown.find(upper) == std::string_view::npos;
+}
+
+/// An unknown character in the first stands for one of the other, or for none.
+bool alike(std::string_view strange, std::string_view label) noexcept {
+  if (strange.empty()) return label.empty();
+  const std::string_view rest = strange.substr(1);
+  if (!is_stranger(upper_case(strange.front())))
+    return !label.empty() && strange.front() == label.front() && alike(rest, label.substr(1));
+  return alike(rest, label) || (!label.empty() && alike(rest, label.substr(1)));
 }
 
 /// Three letters, of which two are those of END, or one more or less.
@@ -86,11 +95,10 @@ bool lacks_number(char next) noexcept { return next == 0 || next == '#' || next 
 }  // namespace
 
 bool may_mean(std::string_view strange, std::string_view label) noexcept {
-  if (strange.empty()) return label.empty();
-  const std::string_view rest = strange.substr(1);
-  if (!is_stranger(upper_case(strange.front())))
-    return !label.empty() && strange.front() == label.front() && may_mean(rest, label.substr(1));
-  return may_mean(rest, label) || (!label.empty() && may_mean(rest, label.substr(1)));
+  constexpr int kMost = 3;  // the ways to read them double with each
+  const auto strangers = std::count_if(strange.begin(), strange.end(),
+                                       [](char c) { return is_stranger(upper_case(c)); });
+  return strangers > kMost ? strange == label : alike(strange, label);
 }
 
 bool may_be_of(const Statement& statement, std::string_view label) noexcept {

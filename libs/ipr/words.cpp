@@ -227,6 +227,10 @@ double start_tolerance(const Machine& machine) {
   return tolerance;
 }
 
+bool is_told_number(const GCode& code, const Command& command) noexcept {
+  return code.group == Group::program_number && !command.values().letters().empty();
+}
+
 bool ends_curve(const Command& command, const GCode& curve) noexcept {
   if (command.has(Group::cycle) || command.has(Group::stopping)) return true;
   const auto is_other = [&](const Command::CodeWord& code) {

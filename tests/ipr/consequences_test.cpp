@@ -409,3 +409,51 @@ TEST_CASE("behind a broken word in the first line of a curve its blocks are not 
       CHECK(told(text + "K5\nK5\nG1 X7").size() == 1);
     }
 }
+
+TEST_CASE("one letter or digit out of its place is one error", "[ipr][consequences]") {
+  const std::string f = "G1 F100\n";
+  CHECK(told(f + "X1 Z-O.03") == Places{"SC1002 2:5"});
+  CHECK(told(f + "X1 Z+O.") == Places{"SC1002 2:5"});
+  CHECK(told(f + "X-?2 Y..1") == Places{"SC1001 2:3", "SC1004 2:7"});
+  CHECK(told(f + "6G.2 P3 K0 X0 Y0") == Places{"SC1007 2:1"});
+  CHECK(told(f + "19 X1..2") == Places{"SC1007 2:1", "SC1004 2:5"});
+  CHECK(told(f + "19\nG2 Y1 Z1 J1 K0") == Places{"SC1007 2:1"});
+  CHECK(told("1#=[#1+0.2]") == Places{"SC1007 1:1"});
+  CHECK(told(f + "G I5") == Places{"SC1002 2:1"});
+  CHECK(told(f + "F3 X35 Y40 I-5 J0") == Places{"SC2004 2:12"});
+  CHECK(told(f + "G1 G28 Z0") == Places{"SC2110 2:1"});
+  CHECK(told("G1 G28 Z0") == Places{"SC2110 1:1"});
+  CHECK(told("F100\nG5'.2 X0 Y1 P1 L3\nX2 Y8 P2\nX9 Y7 P1\nG5.3") == Places{"SC1001 2:3"});
+  CHECK(told("F100\nG5.2 X0 Y1 P1 L3\nX2 Y8 O2\nX9 Y7 P1\nG5.3") == Places{"SC2006 3:7"});
+}
+
+TEST_CASE("another letter in the place of G leaves open what it may have set",
+          "[ipr][consequences]") {
+  CHECK(told("G1 X1 F100\nF3 X4 Y4 R4\nX5 Y5 R4\nX6 Y6 R4\nG2 X9 Y9 I5") == Places{"SC2004 2:10"});
+  CHECK(told("G1 X1 F100\nX4 R4\nG1 X5 R4") == Places{"SC2004 2:4", "SC2004 3:7"});
+  CHECK(told("H18\nG2 X1 Z1 I1 K0 F100") == Places{"SC2004 1:1"});
+  CHECK(told("N5 H21\nG2 X1 Z1 I1 K0 F100") == Places{"SC2004 1:4", "SC2105 2:13"});
+  CHECK(told("G06.2 P2 J0 X0 Y0 F100\nX2 K0\nK1\nK1") == Places{"SC3102 1:1"});
+}
+
+TEST_CASE("another letter in the place of a knot is one error", "[ipr][consequences]") {
+  const std::string curve = "G6.2 P2 K0 X0 Y0 F100\nX2 K0\n";
+  CHECK(told(curve + "L1\nK1\nG1 X5") == Places{"SC3110 3:1"});
+  CHECK(told(curve + "X3 L1\nK1\nK1\nG1 X5") == Places{"SC3110 3:4"});
+  CHECK(told(curve + "X3 L1 K1\nK2\nG1 X5") == Places{"SC3110 3:4", "SC3104 5:1"});
+  CHECK(told(curve + "X3\nK2\nK2\nG1 X5") == Places{"SC3102 3:1"});
+}
+
+TEST_CASE("a subprogram whose first line is wrong is told once", "[ipr][consequences]") {
+  InterpreterOptions options;
+  options.unrun_too = true;
+  const auto checked = [&](const std::string& text) {
+    return places(interpret(text, Machine{}, options));
+  };
+  const std::string call = "o<a> call\n", body = "G0 X1\no<a> endsub\n", end = "M2\n";
+  CHECK(checked("o<b> sub\n" + body + call + end) == Places{"SC2303 1:1"});
+  CHECK(checked(call + end + "o<b> sub\n" + body) == Places{"SC2301 1:1"});
+  CHECK(checked(body + call + end) == Places{"SC2304 2:1"});
+  CHECK(checked(call + body + end) == Places{"SC2301 1:1"});
+  CHECK(checked("o<b> sub\n" + body + "o<c> call\n" + end) == Places{"SC2303 1:1", "SC2301 4:1"});
+}
