@@ -3,6 +3,7 @@
 #include "ipr/flow.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace softcnc::ipr {
@@ -12,6 +13,13 @@ constexpr std::size_t kMostLost = 10000;  // bytes
 
 constexpr bool is_letter(char c) noexcept {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+/// A keyword of a loop, a branch or a subprogram stands somewhere.
+bool names_order(std::string_view line) {
+  constexpr std::array<std::string_view, 6> kWords{"end", "while", "if", "repeat", "sub", "else"};
+  return std::any_of(kWords.begin(), kWords.end(),
+                     [&](std::string_view word) { return names(line, word); });
 }
 
 /// The first letter but that of a line number is one with which statements begin.
@@ -74,11 +82,13 @@ void Flow::remember_end() {
 
 /// What cannot be read may have begun or ended something, an M code the program.
 void Flow::doubt(const Line& line) {
-  if (line.lost.has('M') && line.text.find_first_of("Mm") != std::string_view::npos) {
+  const bool names_m = line.text.find_first_of("Mm") != std::string_view::npos;
+  if (line.lost.has('M') && (names_m || line.lone_number)) {
     end_lost_ = true;
     parser_.doubt_order();
   }
-  if (line.statement == nullptr && !looks_like_statement(line.text)) return;
+  if (line.statement == nullptr && !looks_like_statement(line.text) && !names_order(line.text))
+    return;
   doubt_order();
   const bool misspelt = line.statement != nullptr && line.statement->kind == Kind::misspelt;
   const bool labelled = line.statement != nullptr &&
@@ -227,10 +237,13 @@ bool Flow::follows(Misfit& one) {
     if (may_mean(told.label, one.label)) return true;
     const bool both_ends = one.begin == told.begin && one.role != told.role &&
                            one.role != Role::between && told.role != Role::between;
+    const bool branch = one.begin == Kind::if_begin && told.begin == Kind::if_begin &&
+                        one.role == Role::between && told.role == Role::beginning;
     const bool of_do =
         (is_do_or_while(one, Kind::do_begin) && is_do_or_while(told, Kind::while_begin)) ||
         (is_do_or_while(told, Kind::do_begin) && is_do_or_while(one, Kind::while_begin));
-    if ((both_ends || of_do) && !told.paired && !one.paired) return told.paired = one.paired = true;
+    if ((both_ends || branch || of_do) && !told.paired && !one.paired)
+      return told.paired = one.paired = true;
   }
   return false;
 }

@@ -42,17 +42,17 @@ void Flow::pass_definition() {
   const Spot from = library_.here();
   SourcePos nested;
   std::string nested_text, nested_label;
-  std::optional<Spot> next;  // where something else begins for certain
+  std::optional<Spot> next;      // where something else begins for certain
+  std::optional<Spot> misspelt;  // counts where there is no end
   moved_ = true;
   while (const auto line = parser_.next_statement()) {
     const Statement* inner = line->statement;
+    if (inner == nullptr && line->broken && names(line->text, "endsub") && !misspelt)
+      misspelt = Spot{parser_.file(), parser_.reader().place_before(line->text)};
     if (inner == nullptr) continue;
     if (inner->kind == Kind::program) break;
-    if (may_be_of(*inner, statement_.label)) {
-      go({parser_.file(),
-          parser_.reader().place_before(line->text)});  // it is told where it is read
-      return;
-    }
+    if (may_be_of(*inner, statement_.label) && !misspelt)
+      misspelt = Spot{parser_.file(), parser_.reader().place_before(line->text)};
     if (inner->kind == Kind::end_sub && inner->label == statement_.label) {
       if (nested.line > 0)
         report({Misfit::Role::between, Kind::sub, nested_label}, Code::SC2307, nested,
@@ -67,6 +67,10 @@ void Flow::pass_definition() {
     nested = inner->pos;
     nested_label = inner->label;
     nested_text = line->text;
+  }
+  if (misspelt) {  // it is told where it is read
+    go(*misspelt);
+    return;
   }
   const std::string& label = statement_.label;
   report({Misfit::Role::beginning, Kind::sub, label}, Code::SC2303, statement_.pos,

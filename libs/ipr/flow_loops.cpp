@@ -91,6 +91,10 @@ Kind begin_of(Kind end) {
   }
 }
 
+std::string_view keyword_at_end(Kind begin) {
+  return is_fanuc(begin) ? "end" : keyword(end_of(begin));
+}
+
 constexpr double kMostRounds = 1e15;
 
 }  // namespace
@@ -202,6 +206,12 @@ bool Flow::is_open_already() {
     const Open& open = opens_[i];
     if (open.label != statement_.label || is_fanuc(open.kind) != is_fanuc(statement_.kind))
       continue;
+    Misfit ended{Misfit::Role::beginning, open.kind, open.label};
+    ended.within = calls_.back().sub.begin;
+    if (!is_fanuc(open.kind) && !opens_lost_ && follows(ended)) {  // by an end of another label
+      opens_.resize(i);
+      return false;
+    }
     report({Misfit::Role::between, statement_.kind, statement_.label},
            is_fanuc(open.kind) ? Code::SC2312 : Code::SC2313, statement_.pos,
            spelled(statement_.kind, statement_.label) + " within " +
@@ -226,18 +236,25 @@ void Flow::pass_top() {
 }
 
 Flow::Passed Flow::pass_to_end(const Open& open) {
-  bool misspelt = false, had_else = open.had_else;
+  bool had_else = open.had_else;
+  std::optional<Spot> misspelt;  // counts where there is no end
   const bool found = pass_to([&](const Line& line) {
+    const bool may_end =
+        line.statement == nullptr
+            ? line.broken && names(line.text, keyword_at_end(open.kind))
+            : may_be_of(*line.statement, open.label) || may_end_loop(*line.statement, open);
+    if (may_end && !misspelt)
+      misspelt = Spot{parser_.file(), parser_.reader().place_before(line.text)};
     if (line.statement == nullptr) return false;
     if (is_branch_of(open, *line.statement)) {
       if (had_else) tell_behind_else(*line.statement, line.text);
       had_else = had_else || line.statement->kind == Kind::else_begin;
     }
-    misspelt = may_be_of(*line.statement, open.label) || may_end_loop(*line.statement, open);
-    return misspelt || ends(*line.statement, open);
+    return ends(*line.statement, open);
   });
-  if (misspelt) go(before_);
-  return !found ? Passed::nowhere : misspelt ? Passed::to_misspelt : Passed::to_end;
+  if (found) return Passed::to_end;
+  if (misspelt) go(*misspelt);
+  return misspelt ? Passed::to_misspelt : Passed::nowhere;
 }
 
 void Flow::begin_branch() {
@@ -250,8 +267,12 @@ void Flow::begin_branch() {
 void Flow::find_branch() {
   const Spot here = library_.here();
   Kind found = Kind::none;
+  std::optional<Spot> unreadable;  // counts where there is no end
   const auto is_branch = [&](const Line& line) {
     const Statement* statement = line.statement;
+    if (statement == nullptr && line.broken && names(line.text, keyword(Kind::if_end)) &&
+        !unreadable)
+      unreadable = Spot{parser_.file(), parser_.reader().place_before(line.text)};
     if (statement == nullptr) return false;
     found = statement->kind;
     if (found == Kind::misspelt) return may_be_of(*statement, opens_.back().label);
@@ -267,6 +288,11 @@ void Flow::find_branch() {
     if (found == Kind::else_begin) return;
     const Line line = parser_.evaluate();
     if (line.broken || line.statement == nullptr || line.statement->value != 0) return;
+  }
+  if (unreadable) {
+    opens_.pop_back();
+    go(*unreadable);
+    return;
   }
   tell_open(opens_.back());
   opens_.pop_back();
@@ -367,10 +393,9 @@ void Flow::next_round_or_leave() {
   close_within(*loop, false);
   if (statement_.kind == Kind::leave_loop) return pass_top();
   const Spot here = library_.here();
-  if (pass_to_end(opens_.back()) != Passed::nowhere) {
-    go(before_);
-    return;
-  }
+  const Passed passed = pass_to_end(opens_.back());
+  if (passed == Passed::to_end) go(before_);
+  if (passed != Passed::nowhere) return;
   tell_open(opens_.back());
   opens_.pop_back();
   sought_in_vain(here, statement_.pos);

@@ -31,6 +31,18 @@ std::string lacks_axis(char letter) {
   return message;
 }
 
+/// All of them in one: it may be their code that is missing.
+std::string used_by_none(Letters letters) {
+  std::string names;
+  int count = 0;
+  for (char letter = 'Z'; letter >= 'A'; --letter) {
+    if (!letters.has(letter)) continue;
+    names.insert(0, count == 0 ? "" : count == 1 ? " and " : ", ").insert(0, 1, letter);
+    ++count;
+  }
+  return names + (count > 1 ? " are" : " is") + " used by no code of this line";
+}
+
 /// Among parameters and their values there are no codes.
 [[gnu::cold]] bool is_data(const Line& line) noexcept {
   return std::none_of(line.words.begin(), line.words.end(),
@@ -324,17 +336,12 @@ bool Interpreter::check_unused() {
     out_.mute();
     return false;
   }
-  bool of_centre = false;  // of I J K one is told: no arc stands beside them
-  for (char letter = 'A'; letter <= 'Z'; ++letter) {
-    if (!unused.has(letter)) continue;
-    if (kOffsetLetters.find(letter) != std::string_view::npos && std::exchange(of_centre, true))
-      continue;
-    const SourcePos& pos = command_.values().word(letter).pos;
-    if (Letters("ABCUVW").has(letter))
-      out_.report(Code::SC2008, pos, lacks_axis(letter));
-    else
-      out_.report(Code::SC2004, pos, std::string(1, letter) + " is used by no code of this line");
-  }
+  constexpr Letters kOtherAxes{"ABCUVW"};
+  for (char letter = 'A'; letter <= 'Z'; ++letter)
+    if (unused.has(letter) && kOtherAxes.has(letter))
+      out_.report(Code::SC2008, command_.values().word(letter).pos, lacks_axis(letter));
+  if (const Word* first = first_of(command_.values(), unused.without(kOtherAxes)))
+    out_.report(Code::SC2004, first->pos, used_by_none(unused.without(kOtherAxes)));
   return true;
 }
 

@@ -225,6 +225,10 @@ Token Parser::pass_number(Lexer& lexer, const Token& number) {
 /// may be in the wrong place. Returns the token behind it.
 Token Parser::pass_word_at(Lexer& lexer, int column) {
   const Token letter = lexer.next();
+  if (letter.kind == Token::Kind::macro && letter.column == column) {
+    lose_rest();
+    return {};
+  }
   const Lexer behind = lexer;
   const Token number = lexer.next();
   const bool right_behind = letter.kind == Token::Kind::letter && letter.column == column &&

@@ -110,11 +110,13 @@ void Parser::read_outline() {
   if (strange_start) token = lexer.next();
   if (line_.skip && options_.block_skip) words_.clear();
   line_.words = words_;
-  if (token.kind != Token::Kind::letter || (line_.skip && options_.block_skip)) return;
-  if (token.letter == 'O')
+  if (line_.skip && options_.block_skip) return;
+  if (token.kind == Token::Kind::letter && token.letter == 'O')
     read_o_word(lexer, token);
-  else if (!strange_start)
+  else if (token.kind == Token::Kind::letter && !strange_start)
     read_keyword(lexer, token);
+  if (line_.statement == nullptr && (names(line_.text, "end") || names(line_.text, "while")))
+    line_.broken = true;  // what may have been meant for an end
   if (strange_start && line_.statement != nullptr) statement_.kind = Statement::Kind::misspelt;
 }
 
@@ -215,7 +217,10 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
   if (variable && is_order(*variable) && options_.dialect == Dialect::fanuc)
     return read_order(lexer, sign, variable->number);
   const SourcePos at{line_.number, sign.column, lexer.end() - sign.column};
-  const bool assignable = variable && may_assign(*variable, at);
+  const bool assigns = lexer.peek() == '=';
+  const bool assignable =
+      variable && (assigns ? may_assign(*variable, at)
+                           : access_to(*variable, parameters_) == Parameters::Access::granted);
   if (!expression.broke_off() && !lexer.take('='))
     expression.refuse_next(Code::SC1028, "'=' and a value");
   const bool bare = options_.dialect == Dialect::fanuc;  // RS274 wants brackets around operators

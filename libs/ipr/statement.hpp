@@ -54,6 +54,8 @@ struct Statement {
 /// Whether one label may have been meant for the other: an unknown character in it stands for one
 /// of that, or for none.
 bool may_mean(std::string_view strange, std::string_view label) noexcept;
+/// Whether a word in lower case stands in a line, before its comments.
+bool names(std::string_view line, std::string_view word) noexcept;
 /// Whether it is misspelt, and may have been meant for this label.
 bool may_be_of(const Statement& statement, std::string_view label) noexcept;
 

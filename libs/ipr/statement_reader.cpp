@@ -101,6 +101,13 @@ bool may_mean(std::string_view strange, std::string_view label) noexcept {
   return strangers > kMost ? strange == label : alike(strange, label);
 }
 
+bool names(std::string_view line, std::string_view word) noexcept {
+  const std::string_view text = line.substr(0, line.find_first_of("(;"));
+  return std::search(text.begin(), text.end(), word.begin(), word.end(), [](char c, char wanted) {
+           return upper_case(c) == upper_case(wanted);
+         }) != text.end();
+}
+
 bool may_be_of(const Statement& statement, std::string_view label) noexcept {
   return statement.kind == Kind::misspelt && may_mean(statement.label, label);
 }
@@ -186,6 +193,13 @@ StatementReader::Found StatementReader::read_behind_label(bool by_number) {
   }
   const Keyword* keyword = take_keyword(lexer_);
   if (keyword == nullptr) {
+    Lexer behind = lexer_;
+    if (!behind.take_letters().empty() && is_stranger(behind.peek())) {
+      statement_.kind = Kind::misspelt;
+      lexer_ = behind;  // what stands there is told
+      broke_off_ = true;
+      return Found::statement;
+    }
     if (by_number && (!is_letter(next) || is_word(lexer_))) return Found::nothing;
     statement_.kind = Kind::misspelt;
     stop_at_next(Code::SC1020, "a keyword like 'call'");

@@ -457,3 +457,38 @@ TEST_CASE("a subprogram whose first line is wrong is told once", "[ipr][conseque
   CHECK(checked(call + body + end) == Places{"SC2301 1:1"});
   CHECK(checked("o<b> sub\n" + body + "o<c> call\n" + end) == Places{"SC2303 1:1", "SC2301 4:1"});
 }
+
+TEST_CASE("an end that cannot be read is looked for before its beginning is told",
+          "[ipr][consequences]") {
+  for (const std::string end :
+       {"o endif", "p1 endif", "1 endif", "1o endif", "o1 e$ndif", "o1 endi"})
+    CHECK(told("o1 if [0]\nG0 X1\n" + end + "\nG0 X2").size() == 1);
+  CHECK(told("o1 do\nG0 X1\np1 while [0]") == Places{"SC1020 3:4"});
+  CHECK(told("p1 while [1]\nG0 X1\no1 endwhile") == Places{"SC1020 1:4"});
+  CHECK(told("DO 1\nG0 X1\nEND", Dialect::fanuc) == Places{"SC1029 3:1"});
+  CHECK(told("o<a> sub\nG0 X1\np<a> endsub\no<a> call") == Places{"SC1001 3:2"});
+  CHECK(told("p1 if [0]\n(ABORT,never)\no1 endif") == Places{"SC1020 1:4"});
+}
+
+TEST_CASE("a keyword that is none is no end where there is one", "[ipr][consequences]") {
+  CHECK(told("o<a> sub\no1 if [#1 GT 0]\no<a> cqll [#1-1]\no1 endif\no<a> endsub\no<a> call [2]") ==
+        Places{"SC1020 3:6"});
+  CHECK(told("o1 while [0]\no3 if [1]\no1 brek\no3 endif\no1 endwhile\nG0 X..1") ==
+        Places{"SC1004 6:5"});
+}
+
+TEST_CASE("the label of a beginning that is wrong is one error", "[ipr][consequences]") {
+  CHECK(told("o2 if [0]\nG0 X1\no1 elseif [0]\nG0 X2\no1 endif") == Places{"SC2302 1:1"});
+  CHECK(told("o2 repeat [2]\nG0 X1\no1 endrepeat\no2 do\no2 while [0]") == Places{"SC2304 3:1"});
+}
+
+TEST_CASE("words that one missing code leaves without a use are told as one",
+          "[ipr][consequences]") {
+  CHECK(told("N98 P2000 L3") == Places{"SC2004 1:5"});
+  const auto told_of = interpret("G0 X1 Q1 P2 L3\nM30\n").diagnostics;
+  REQUIRE(told_of.size() == 1);
+  CHECK(told_of[0].message == "L, P and Q are used by no code of this line");
+  CHECK(told("1#0=0") == Places{"SC1007 1:1"});
+  CHECK(told("G0 X3#0 Y20") == Places{"SC1028 1:9"});
+  CHECK(told("2\n(ABORT,not behind the end)") == Places{"SC1007 1:1"});
+}
