@@ -9,6 +9,7 @@
 
 #include "ipo/chain.hpp"
 #include "ipo/jump_load.hpp"
+#include "ipo/kink_load.hpp"
 #include "ipo/step_spread.hpp"
 
 namespace softcnc::ipo {
@@ -16,6 +17,11 @@ namespace {
 
 /// Largest part of an axis acceleration that jumps of velocity may use within one period.
 constexpr double kKinkShare = 0.25;
+/// The same between straight lines alone, where what they leave is known at every speed.
+constexpr double kStraightKinkShare = 0.9;
+/// So far from a kink, in periods, it is felt beside others: in the rows that lie up to one period
+/// nearer to it, which reach one period further.
+constexpr double kKinkReach = 2;
 /// Kept free of the chord tolerance at kinks.
 constexpr double kMargin = 1e-3;
 
@@ -128,6 +134,7 @@ class CapDerivation {
   /// and the curve the rest; and the polyline through the rows cuts a kink by at most
   /// turn * step / 4.
   void pass_joint(std::size_t n) {
+    if (!constraints_.limits_jerk() && straight_around(n)) return pass_kink(n);
     const double tolerance = constraints_.chord_tolerance() * (1 - kMargin) *
                              (shares_its_step(chain_, n, period_) ? kTurnShare : 1.0);
     const double planned = std::sqrt(chain_.own_cap(n).q);
@@ -140,6 +147,32 @@ class CapDerivation {
     if (v < planned)
       slow_down(n, {v * v, load.jerk_binds() ? Limit::jerk : Limit::corner}, load.steps());
     leave_the_rest(n, load, v);
+  }
+
+  bool straight_around(std::size_t n) const {
+    bool straight = true;
+    chain_.for_intervals_in_step(n, kKinkReach * period_, [&](std::size_t i) {
+      return straight = straight && chain_.intervals[i].straight();
+    });
+    return straight;
+  }
+
+  void pass_kink(std::size_t n) {
+    const double planned = std::sqrt(chain_.own_cap(n).q);
+    KinkLoad load(kStraightKinkShare * constraints_.acceleration_limits(),
+                  (1 - kMargin) * constraints_.chord_tolerance() *
+                      (shares_its_step(chain_, n, period_) ? kTurnShare : 1.0),
+                  period_);
+    for_nodes_within(n, 1, planned, [&](const Node& node) {
+      if (node.passes_kink()) load.add(std::abs(node.s - chain_.nodes[n].s), node.kink, node.turn);
+    });
+    const double v = load.fastest(planned);
+    if (v < planned) slow_down(n, {v * v, Limit::corner}, 1);
+    const AxisVector used = load.at(v).cwiseQuotient(constraints_.acceleration_limits());
+    chain_.for_intervals_in_step(n, kKinkReach * period_, [&](std::size_t i) {
+      chain_.inside[i].kinks.add(used, v);
+      return true;
+    });
   }
 
   void slow_down(std::size_t n, const Cap& cap, double steps) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ipo/grid.hpp"
+#include "ipo/kink_load.hpp"
 
 namespace softcnc::ipo {
 
@@ -39,6 +40,7 @@ struct Inside {
   double share = 1;  // of the axis accelerations that the curve itself may use
   AxisVector jerk_share = AxisVector::Ones();  // what kinks leave of the axis jerks
   bool feels_jump = false;                     // of a third difference, by some joint
+  KinkUse kinks = {};                          // of a straight interval without limits of jerk
 };
 
 /// Interval i lies between nodes i and i + 1.

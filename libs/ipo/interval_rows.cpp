@@ -12,12 +12,13 @@ constexpr double kCurveMargin = 5e-4;
 
 }  // namespace
 
-IntervalRows::IntervalRows(const Interval& interval, const Constraints& constraints,
-                           double share) noexcept
+IntervalRows::IntervalRows(const Interval& interval, const Constraints& constraints, double share,
+                           const KinkUse& kinks) noexcept
     : length_(interval.length()), stopping_(-1 / (2 * length_)) {
   const PathPoint &left = interval.left, &right = interval.right;
   if (interval.straight()) {
     straight_u_ = share * constraints.straight_u(left.dq);
+    leave_to(kinks, interval, constraints, share);
     return;
   }
   const double free = share * (1.0 - kCurveMargin);
@@ -28,6 +29,40 @@ IntervalRows::IntervalRows(const Interval& interval, const Constraints& constrai
     add(left.ddq[i], left.dq[i], bound * free);
     add(right.ddq[i], right.dq[i] + 2 * length_ * right.ddq[i], bound * free);
   }
+}
+
+/// A row that sees an instant here sees kinks within two periods of it, where the machine may be
+/// faster by what it gains in that time.
+void IntervalRows::leave_to(const KinkUse& kinks, const Interval& interval,
+                            const Constraints& constraints, double share) noexcept {
+  if (kinks.part.isZero(0)) return;
+  const double gained = 2 * constraints.period() * constraints.acceleration_limits().norm();
+  for (int i = 0; i < kAxes; ++i) {
+    if (kinks.part[i] == 0 || interval.left.dq[i] == 0) continue;
+    const double all = share * constraints.acceleration_limits()[i] / std::abs(interval.left.dq[i]);
+    const double slope = all * kinks.per_speed[i];
+    falling_[falling_count_++] = {all - slope * gained, slope, all * (1 - kinks.part[i])};
+  }
+}
+
+double IntervalRows::straight_u(double q) const noexcept {
+  double u = straight_u_;
+  for (std::size_t i = 0; i < falling_count_; ++i)
+    u = std::min(
+        u, std::max(falling_[i].least, falling_[i].at_rest - falling_[i].slope * std::sqrt(q)));
+  return u;
+}
+
+/// v^2 = q + 2 length (at_rest - slope v).
+double IntervalRows::straight_rise(double q, double length) const noexcept {
+  double rise = q + 2 * straight_u_ * length;
+  for (std::size_t i = 0; i < falling_count_; ++i) {
+    const auto& [at_rest, slope, least] = falling_[i];
+    const double free = q + 2 * length * at_rest, half = length * slope;
+    const double v = free > 0 ? free / (half + std::sqrt(half * half + free)) : 0;
+    rise = std::min(rise, std::max(v * v, q + 2 * length * least));
+  }
+  return rise;
 }
 
 /// A strip |c0 q + c1 u| <= bound, solved for u.

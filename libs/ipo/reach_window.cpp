@@ -123,7 +123,8 @@ void ReachWindow::back_from(std::size_t last) {
   rows_.clear();
   rows_run_ = 0;
   for (std::size_t i = front_; i < last; ++i)
-    rows_.emplace_back(chain_.intervals[i], constraints_, chain_.inside[i].share * share_);
+    rows_.emplace_back(chain_.intervals[i], constraints_, chain_.inside[i].share * share_,
+                       chain_.inside[i].kinks);
   nodes[last].k = 0;
   for (std::size_t i = last; i > front_; --i)
     nodes[i - 1].k = reach_back(chain_.intervals[i - 1], rows(i - 1), reach(i - 1));

@@ -51,6 +51,15 @@ Limit limit_along_k(const Reach& reach) {
   return corner ? Limit::acceleration : lower.limit;
 }
 
+/// The largest |u| of a straight interval at every speed of who goes from q to `right_k` as fast as
+/// may be.
+double straight_u(const Interval& interval, const IntervalRows& rows, const Reach& reach,
+                  double q) {
+  const double h = interval.length();
+  return rows.straight_u(std::min({reach.inside.q, rows.straight_rise(q, h),
+                                   rows.straight_rise(0.5 * (q + reach.right_k), 0.5 * h)}));
+}
+
 double run_straight(const Interval& interval, const Reach& reach, double u, double q,
                     std::vector<SpeedPiece>& out) {
   const double top = reach.inside.q;
@@ -73,12 +82,15 @@ double run_straight(const Interval& interval, const Reach& reach, double u, doub
 
 double reach_back(const Interval& interval, const IntervalRows& rows, const Reach& reach) noexcept {
   if (!interval.straight()) return rows.largest_q(reach.left.q, reach.right_k);
-  return std::min(reach.left.q, reach.right_k + 2 * rows.straight_u() * interval.length());
+  const double h = interval.length();
+  const double u = rows.straight_u(rows.straight_rise(reach.right_k, h));
+  return std::min(reach.left.q, reach.right_k + 2 * u * h);
 }
 
 double run_forward(const Interval& interval, const IntervalRows& rows, const Reach& reach, double q,
                    std::vector<SpeedPiece>& out) {
-  if (interval.straight()) return run_straight(interval, reach, rows.straight_u(), q, out);
+  if (interval.straight())
+    return run_straight(interval, reach, straight_u(interval, rows, reach, q), q, out);
   const double u = rows.largest_u(q);
   const double h = interval.length();
   // The line of K can be followed where K itself could; from below it, one slope is always left.
