@@ -15,10 +15,6 @@
 namespace softcnc::ipo {
 namespace {
 
-/// Largest part of an axis acceleration that jumps of velocity may use within one period.
-constexpr double kKinkShare = 0.25;
-/// The same between straight lines alone, where what they leave is known at every speed.
-constexpr double kStraightKinkShare = 0.9;
 /// So far from a kink, in periods, it is felt beside others: in the rows that lie up to one period
 /// nearer to it, which reach one period further.
 constexpr double kKinkReach = 2;
@@ -210,7 +206,7 @@ class CapDerivation {
     });
     if (load.jerk == 0) return;
     const double time = kJerkSteps * period_;
-    const double reach = (v + 0.5 * constraints_.acceleration_limits().norm() * time) * time;
+    const double reach = farthest(v, time);
     chain_.for_intervals_in_step(n, time, [&](std::size_t i) {
       const double way = std::abs(chain_.nodes[n].s - chain_.nodes[i < n ? i + 1 : i].s);
       if (way > reach) return false;
@@ -219,6 +215,16 @@ class CapDerivation {
       inside.feels_jump = true;
       return true;
     });
+  }
+
+  /// No machine that passes a place at speed v is further from it within `time`. Its acceleration
+  /// is no more than what it can have gained from rest: a^2 <= 2 j v.
+  double farthest(double v, double time) const {
+    constexpr double kCurved = 2;  // what bends add to the jerk along the path, and more
+    const double jerk = kCurved * constraints_.jerk_limits().norm();
+    const double acceleration = std::min(constraints_.acceleration_limits().norm(),
+                                         std::sqrt(2 * jerk * v) + jerk * time / 3);
+    return (v + 0.5 * acceleration * time) * time;
   }
 
   /// Calls visit(node) for the nodes that so many steps of v or less can touch together with n.

@@ -29,6 +29,17 @@ Halves cut(const Interval& interval, double s) {
   return halves;
 }
 
+/// How far the speed is felt at which a kink that stands alone may be passed, mm.
+double step_over(const AxisVector& kink, const Constraints& constraints) {
+  const double period = constraints.period();
+  const double by_acceleration =
+      period / kink.cwiseQuotient(constraints.acceleration_limits()).maxCoeff() * period;
+  if (!constraints.limits_jerk()) return kStraightKinkShare * by_acceleration;
+  const double by_jerk =
+      period * period / kink.cwiseQuotient(constraints.jerk_limits()).maxCoeff() * period;
+  return std::min(kKinkShare * by_acceleration, kJerkSteps * kKinkJerkShare * by_jerk);
+}
+
 double middle(const Interval& interval) { return 0.5 * (interval.s0 + interval.s1); }
 
 /// The step that an interval, or the joint before it, asks of a neighbour that could be faster.
@@ -137,11 +148,13 @@ void Chain::add(std::span<const Interval> ahead, const Constraints& constraints,
       joint.kink = jump.cwiseAbs();
       if (turn > kTangentTolerance) rest = true;
       const double kink_step =
-          std::min(4 * kTurnShare * constraints.chord_tolerance() / turn,
-                   std::sqrt(std::max(before.right_cap.q, interval.left_cap.q)) * period);
+          std::min({4 * kTurnShare * constraints.chord_tolerance() / turn,
+                    std::sqrt(std::max(before.right_cap.q, interval.left_cap.q)) * period,
+                    step_over(joint.kink, constraints)});
       back = std::min(back, kink_step);
       step = std::min(step, kink_step);
-    } else if (before.ends_move) {
+    }
+    if (before.ends_move) {
       back = std::min(back, step_across(ahead.begin(), ahead.end(), before.right_cap, period));
       step = std::min(step,
                       step_across(intervals.rbegin(), intervals.rend(), interval.left_cap, period));

@@ -96,6 +96,10 @@ struct Chain {
 /// Left of node `first` they stand already.
 void derive_caps(Chain& chain, const Constraints& constraints, std::size_t first = 0);
 
+/// Largest part of an axis acceleration that jumps of velocity may use within one period.
+inline constexpr double kKinkShare = 0.25;
+/// The same between straight lines alone, where what they leave is known at every speed.
+inline constexpr double kStraightKinkShare = 0.9;
 /// So many steps are felt in a third difference.
 inline constexpr double kJerkSteps = 3;
 /// Largest part of an axis jerk that jumps of velocity may use within three steps.

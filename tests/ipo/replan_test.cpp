@@ -48,10 +48,12 @@ struct RandomRun {
 };
 
 /// A random program on a random machine, with limits of jerk twice out of three times. `varied`:
-/// with what is less usual.
-RandomRun run_random(unsigned seed, int moves, int control_count, bool varied = false) {
+/// with what is less usual. `period`: another one than the machine's, s; 0: its own.
+RandomRun run_random(unsigned seed, int moves, int control_count, bool varied = false,
+                     double period = 0) {
   std::mt19937 random(seed);
   Machine machine = random_machine(random);
+  if (period > 0) machine.control.period = period;
   if (random() % 3 == 0)
     for (Axis& axis : machine.axes) axis.jerk = 0;
   auto blocks = random_program(random, moves);
@@ -306,7 +308,8 @@ TEST_CASE("random holds and overrides of random programs keep every limit and th
       [] {
         const auto seed = static_cast<unsigned>(integer(1, 1'000'000'000));
         const int moves = integer(1, 4);
-        const RandomRun random = run_random(seed, moves, integer(1, 5), true);
+        const RandomRun random = run_random(seed, moves, integer(1, 5), true,
+                                            integer(0, 7) == 0 ? integer(1, 2) * 2.5e-4 : 0);
         RC_ASSERT(exceeded(random.machine, random.run) == "");
         RC_ASSERT(random.run.rows.back().position == random.end);
         RC_ASSERT(random.run.rows.back().v == 0);
