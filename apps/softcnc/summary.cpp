@@ -87,11 +87,18 @@ std::string axes(const Machine& machine, const Performance& performance) {
   return text;
 }
 
-std::string along_path(const Machine& machine, const Measured& measured) {
+std::string further_limits(const Machine& machine, const Measured& measured) {
   const auto row = [](std::string_view name, double value, double limit) {
     return limit > 0 ? fmt::format("\n  {:<24} {:>8.1f} / {:<8.6g}", name, value, limit) : "";
   };
-  return row("tangential, mm/s2", measured.tangential, machine.limits.tangential) +
+  std::string text;
+  for (int i = 0; i < kAxes; ++i) {
+    const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
+    if (axis.present)
+      text += row(fmt::format("jerk of {}, mm/s3", kAxisLetters[static_cast<std::size_t>(i)]),
+                  measured.jerk[i], axis.jerk);
+  }
+  return text + row("tangential, mm/s2", measured.tangential, machine.limits.tangential) +
          row("normal, mm/s2", measured.normal, machine.limits.normal);
 }
 
@@ -121,7 +128,7 @@ std::string cost(const Outcome& outcome) {
 std::string summary(const Job& job, const Performance& performance) {
   const Outcome& outcome = performance.outcome;
   return head(job, performance) + sizes(job, outcome) + held_by(outcome) +
-         axes(job.machine, performance) + along_path(job.machine, outcome.measured) +
+         axes(job.machine, performance) + further_limits(job.machine, outcome.measured) +
          sent(performance) + punctuality(performance) + cost(outcome);
 }
 

@@ -44,6 +44,16 @@ TEST_CASE("a run writes nothing to stdout and a summary to stderr", "[apps][run]
   CHECK(call("run --quiet $data/square.nc").err.empty());
 }
 
+TEST_CASE("the summary tells of the jerk of axes that have a limit of it", "[apps][run]") {
+  const std::string told = call("run $data/square.nc --set axis.x.jerk_mm_s3=50000").err;
+  const std::size_t row = told.find("  jerk of X, mm/s3 ");
+  REQUIRE(row != std::string::npos);
+  const std::string figures = told.substr(row + 19, told.find('\n', row) - row - 19);
+  CHECK(std::stod(figures) == Approx(50000).epsilon(0.05));
+  CHECK(figures.find(" / 50000") != std::string::npos);
+  CHECK(told.find("jerk of Y") == std::string::npos);
+}
+
 TEST_CASE("the report tells the figures of the run", "[apps][run]") {
   const json report = report_of("$data/square.nc");
   CHECK(report["status"] == "done");
