@@ -454,18 +454,24 @@ TEST_CASE("the search for many things that are missing comes to an end", "[ipr][
   }
   const std::string too_long =
       "SC2310 the search for what is missing has run more than 1000 blocks";
+  const auto first = [&](int last, const auto& message) {
+    Told all;
+    for (int i = 1; i <= last; ++i)
+      all.push_back(std::to_string(i) + ":1 " + message(std::to_string(i)));
+    all.push_back(std::to_string(last) + ":1 " + too_long);
+    return all;
+  };
   // 100 lines behind the first, 99 behind the second, ... 90 behind the eleventh
-  const Told of_ifs = told(ifs + "M2"), of_definitions = told(definitions + "M2");
-  REQUIRE(of_ifs.size() == 12);
-  CHECK(of_ifs[10] == "11:1 SC2302 'o11 if' has no 'o11 endif'");
-  CHECK(of_ifs.back() == "11:1 " + too_long);
-  REQUIRE(of_definitions.size() == 12);
-  CHECK(of_definitions[10] == "11:1 SC2303 'o11 sub' has no 'o11 endsub'");
-  CHECK(of_definitions.back() == "11:1 " + too_long);
-  const Told of_jumps = told(jumps + "M30", Dialect::fanuc);  // 101 lines for each
-  REQUIRE(of_jumps.size() == 11);
-  CHECK(of_jumps.front() == "1:1 SC2308 no line N1001 in the program");
-  CHECK(of_jumps.back() == "10:1 " + too_long);
+  CHECK(told(ifs + "M2") == first(11, [](const std::string& label) {
+          return "SC2302 'o" + label + " if' has no 'o" + label + " endif'";
+        }));
+  CHECK(told(definitions + "M2") == first(11, [](const std::string& label) {
+          return "SC2303 'o" + label + " sub' has no 'o" + label + " endsub'";
+        }));
+  CHECK(told(jumps + "M30", Dialect::fanuc) ==  // 101 lines for each
+        first(10, [](const std::string& label) {
+          return "SC2308 no line N" + std::to_string(1000 + std::stoi(label)) + " in the program";
+        }));
 }
 
 TEST_CASE("a loop without end is told, and ends the program", "[ipr][flow]") {
