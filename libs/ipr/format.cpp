@@ -18,6 +18,7 @@ struct Shape {
   bool other = false;           // something else is on it
   bool command_behind = false;  // and that can only be a command
   bool fault = false;           // what no language has
+  bool comment = false;         // and that is one end of a comment
 };
 
 bool is_arc_command(std::string_view name) {
@@ -36,19 +37,32 @@ Shape shape_of(std::string_view line) {
   Shape shape;
   CommandLine fields(line);
   for (auto field = fields.next(); field.kind != CommandField::Kind::end; field = fields.next()) {
-    if (field.kind == CommandField::Kind::number)
+    if (field.kind == CommandField::Kind::number) {
       ++shape.numbers;
-    else if (field.kind == CommandField::Kind::name && shape.name.empty() && shape.numbers == 0)
+    } else if (field.kind == CommandField::Kind::name && shape.name.empty() && shape.numbers == 0) {
       shape.name = field.name;
-    else if (field.kind == CommandField::Kind::fault)
+    } else if (field.kind == CommandField::Kind::fault) {
       shape.fault = true;
-    else {
+      const char first = line[static_cast<std::size_t>(field.column) - 1];
+      shape.comment = first == '(' || first == ')';
+    } else {
       shape.other = true;
       shape.command_behind = is_command(field.name, fields);
     }
     if (shape.other || shape.fault) break;
   }
   return shape;
+}
+
+/// No letter at the beginning, or several, or one alone with its numbers that is neither a command
+/// nor begins G-code: wrong in either, or nothing that moves. The other letters are those of codes,
+/// numbers of lines and programs.
+bool is_stray(const Shape& line) {
+  if (line.name.empty()) return !line.fault || line.comment;
+  if (line.name.size() > 1) return true;
+  constexpr std::string_view kBeginners = "gmnotlsf";
+  const bool alone = !line.other && !line.fault && line.numbers > 0;
+  return alone && kBeginners.find(line.name.front()) == std::string_view::npos;
 }
 
 /// Looks at lines until one decides.
@@ -80,15 +94,14 @@ class Detector {
     const std::string& name = line.name;
     const bool alone = line.numbers == 1 && !line.other;
     const bool of_both = name == "s" || name == "f" || name == "l";
-    const bool misspelt = name.size() > 1 && line.numbers > 0 && !line.other;
     if (is_arc_command(name) || (of_both && line.command_behind)) {
       format_ = Format::commands;
     } else if (name.empty() && line.numbers == 0 && !line.other && !line.fault) {
       return;
-    } else if (misspelt || (of_both && line.fault)) {
-      return;  // wrong in either
     } else if (name.empty() && spline_ && !line.fault) {
       format_ = Format::commands;
+    } else if (is_stray(line) || (of_both && line.fault)) {
+      return;
     } else if ((name == "l" || name == "s") && line.numbers > 1 && !line.other) {
       format_ = Format::commands;
     } else if (alone && of_both) {
