@@ -6,6 +6,8 @@
 #include <array>
 #include <utility>
 
+#include "ipr/lost_codes.hpp"
+
 namespace softcnc::ipr {
 namespace {
 
@@ -13,6 +15,20 @@ constexpr std::size_t kMostLost = 10000;  // bytes
 
 constexpr bool is_letter(char c) noexcept {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+/// `GOT 15`: three letters in a row, behind no others.
+bool begins_with_name(std::string_view line) {
+  const std::string_view text = line.substr(0, line.find_first_of("(;"));
+  const auto first = std::find_if(text.begin(), text.end(), is_letter);
+  return text.end() - first >= 3 && is_letter(first[1]) && is_letter(first[2]);
+}
+
+/// FANUC's IF, behind which nothing begins or ends: it jumps, or has a THEN.
+bool begins_with_if(std::string_view line) {
+  const auto first = std::find_if(line.begin(), line.end(),
+                                  [](char c) { return is_letter(c) && c != 'N' && c != 'n'; });
+  return line.end() - first >= 2 && upper_case(first[0]) == 'I' && upper_case(first[1]) == 'F';
 }
 
 /// A keyword of a loop, a branch or a subprogram stands somewhere.
@@ -82,11 +98,16 @@ void Flow::remember_end() {
 
 /// What cannot be read may have begun or ended something, an M code the program.
 void Flow::doubt(const Line& line) {
-  const bool names_m = line.text.find_first_of("Mm") != std::string_view::npos;
-  if (line.lost.has('M') && (names_m || line.lone_number)) {
+  const std::string_view before_comment = line.text.substr(0, line.text.find('('));
+  const bool names_m = before_comment.find_first_of("Mm") != std::string_view::npos;
+  if (line.lost.has('M') && (names_m || line.lone_number) && !means_end(line)) {
     end_lost_ = true;
     parser_.doubt_order();
   }
+  if (line.may_count) return;
+  if (line.statement == nullptr && begins_with_if(line.text)) return doubt_order();
+  if (line.statement == nullptr && begins_with_name(line.text)) doubt_order();
+  if (line.statement == nullptr && names(line.text, "call")) miss_call(true);
   if (line.statement == nullptr && !looks_like_statement(line.text) && !names_order(line.text))
     return;
   doubt_order();
@@ -230,6 +251,11 @@ bool Flow::follows(Misfit& one) {
   const auto is_do_or_while = [](const Misfit& misfit, Kind kind) {
     return misfit.role == Role::beginning && misfit.begin == kind;
   };
+  const auto may_belong = [](const Misfit& misfit, Kind begin) {
+    const bool of_loop = begin != Kind::if_begin && begin != Kind::loop_begin;
+    return misfit.begin == begin ||
+           (misfit.role == Role::between && misfit.begin == Kind::while_begin && of_loop);
+  };
   for (Misfit& told : misfits_) {
     const Spot &here = one.within, &there = told.within;
     const bool together = here.file == there.file && here.place.line == there.place.line;
@@ -242,7 +268,9 @@ bool Flow::follows(Misfit& one) {
     const bool of_do =
         (is_do_or_while(one, Kind::do_begin) && is_do_or_while(told, Kind::while_begin)) ||
         (is_do_or_while(told, Kind::do_begin) && is_do_or_while(one, Kind::while_begin));
-    if ((both_ends || branch || of_do) && !told.paired && !one.paired)
+    const bool of_twice = told.role == Role::twice && one.role != Role::twice &&
+                          (may_belong(one, told.begin) || may_belong(one, told.outer));
+    if ((both_ends || branch || of_do || of_twice) && !told.paired && !one.paired)
       return told.paired = one.paired = true;
   }
   return false;

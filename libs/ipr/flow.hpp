@@ -121,14 +121,15 @@ class Flow {
 
   /// A beginning, an end or what stands between them, without the others. What is told of it may
   /// follow from another one: from that of its label, or, of a beginning, from an end of its kind
-  /// whose label is wrong.
+  /// whose label is wrong. Of two beginnings of one label, one has a wrong one.
   struct Misfit {
-    enum class Role : std::uint8_t { beginning, end, between };
+    enum class Role : std::uint8_t { beginning, end, between, twice };
     Role role = Role::between;
     Kind begin = Kind::none;  // the kind of its beginning
     std::string label;
-    Spot within{};        // where the subprogram begins
-    bool paired = false;  // something has followed from its label
+    Spot within{};            // where the subprogram begins
+    bool paired = false;      // something has followed from its label
+    Kind outer = Kind::none;  // of two beginnings the kind of the first
   };
   static constexpr std::size_t kMostMisfits = 1000;
 

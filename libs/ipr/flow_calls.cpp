@@ -16,7 +16,8 @@ std::string name_of(const Subprogram& sub) {
 }
 
 /// The N of a line that cannot be read: its digits, letters O among them, and nothing else of what
-/// stands before the next blank or letter. Nothing for a number that can be read.
+/// stands before the next blank or letter; N may stand twice. Nothing for a number that can be
+/// read.
 std::optional<int> number_meant(std::string_view line) {
   constexpr int kLargest = 99'999'999;
   const std::string_view before = line.substr(0, line.find_first_of("Nn"));
@@ -24,8 +25,13 @@ std::optional<int> number_meant(std::string_view line) {
   if (before.size() == line.size() || std::any_of(before.begin(), before.end(), is_letter))
     return std::nullopt;
   bool readable = before.find_first_not_of(" \t/") == std::string_view::npos;
+  std::string_view behind = line.substr(before.size() + 1);
+  if (behind.starts_with('N') || behind.starts_with('n')) {
+    readable = false;
+    behind.remove_prefix(1);
+  }
   std::optional<int> number;
-  for (const char c : line.substr(before.size() + 1)) {
+  for (const char c : behind) {
     const bool zero = c == 'O' || c == 'o';
     if (number.value_or(0) > kLargest || is_blank(c) || (is_letter(c) && !zero)) break;
     readable = readable && is_digit(c);
@@ -332,6 +338,7 @@ void Flow::go_back(const Spot& from, const Spot& to, const SourcePos& pos) {
   const int line = to.place.line;
   const std::int64_t made = std::exchange(made_since_jump_, 0);
   const bool again = landing_of(pos) != landings_.end();
+  if (again && (uncertain_ || target_lost_)) return static_cast<void>(go(from));
   jumped_back_ += from.place.line - line + (again ? made : 0);
   if (runs_too_long(jumped_back_, "jumping back to line " + std::to_string(line + 1), pos, text_))
     return;

@@ -212,8 +212,9 @@ bool Flow::is_open_already() {
       opens_.resize(i);
       return false;
     }
-    report({Misfit::Role::between, statement_.kind, statement_.label},
-           is_fanuc(open.kind) ? Code::SC2312 : Code::SC2313, statement_.pos,
+    Misfit twice{Misfit::Role::twice, statement_.kind, statement_.label};
+    twice.outer = open.kind;
+    report(std::move(twice), is_fanuc(open.kind) ? Code::SC2312 : Code::SC2313, statement_.pos,
            spelled(statement_.kind, statement_.label) + " within " +
                spelled(open.kind, open.label) + " of line " + std::to_string(open.pos.line),
            text_);

@@ -53,10 +53,26 @@ bool begins_word(std::span<const Word> words, std::size_t at) noexcept {
                      [&](const Word& word) { return word.pos.column == column; });
 }
 
-/// A letter of a longer name, like that of GOTO or GT.
+/// A letter of a longer name, like that of GOTO or GT. One letter behind it may stand for a digit.
 bool is_of_name(std::string_view text, std::size_t at) noexcept {
   if (at > 0 && is_letter(text[at - 1])) return true;
-  return at + 1 < text.size() && is_letter(text[at + 1]) && digit_of(text[at + 1]) < 0;
+  const auto is_letter_at = [&](std::size_t i) {
+    return i < text.size() && is_letter(text[i]) && digit_of(text[i]) < 0;
+  };
+  const bool in_brackets = text.substr(0, at).find('[') != std::string_view::npos;
+  return is_letter_at(at + 1) && (in_brackets || is_letter_at(at + 2));
+}
+
+/// `1i`: a letter that stands for a digit, since no value follows it.
+bool ends_in_letter(std::string_view behind) noexcept {
+  const auto at = behind.find_first_not_of("0123456789.");
+  if (at == 0 || at == std::string_view::npos || !is_letter(behind[at]) ||
+      digit_of(behind[at]) >= 0)
+    return false;
+  const std::string_view rest = behind.substr(at + 1);
+  const auto next = rest.find_first_not_of(" \t");
+  return next == std::string_view::npos ||
+         std::string_view("0123456789.+-#[").find(rest[next]) == std::string_view::npos;
 }
 
 /// Behind the comment that begins at `at`; npos if it has no end.
@@ -106,13 +122,24 @@ Groups lost_groups(const Line& line) noexcept {
     lost |= groups_of_code(*line.lone_number);
   for_each_lost(line, 'G', [&](std::string_view behind) {
     const auto number = number_meant(behind);
-    const bool known = number && find_gcode('G', *number) != nullptr;
+    const bool known = number && find_gcode('G', *number) != nullptr && !ends_in_letter(behind);
     lost |= known ? groups_of_code(*number) : kModesOfG;
     const bool tenths = known && points_stand_in(behind);
     if (tenths && find_gcode('G', *number / kTenths) != nullptr)
       lost |= groups_of_code(*number / kTenths);
   });
   return lost;
+}
+
+bool means_end(const Line& line) noexcept {
+  constexpr int kM02 = 2, kM30 = 30;
+  int lost = 0, ends = 0;
+  for_each_lost(line, 'M', [&](std::string_view behind) {
+    const auto number = number_meant(behind);
+    ++lost;
+    ends += number == kM02 || number == kM30 ? 1 : 0;
+  });
+  return lost == 1 && ends == 1;
 }
 
 bool may_save_modes(const Line& line) noexcept {

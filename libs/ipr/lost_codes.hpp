@@ -21,6 +21,9 @@ Groups groups_of_code(double number) noexcept;
 /// like one among them. Where these make no code, it may have been any.
 Groups lost_groups(const Line& line) noexcept;
 
+/// Whether an M code on a line that is no word of it, like M3O, can only have been M02 or M30.
+bool means_end(const Line& line) noexcept;
+
 /// Whether an M code on a line that is no word of it may have been M73.
 bool may_save_modes(const Line& line) noexcept;
 

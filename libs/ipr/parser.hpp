@@ -35,6 +35,7 @@ struct Line {
   Letters lost;                          // of a broken line: words that could not be read
   std::optional<double> lone_number;     // the first one that has no letter
   bool passed_over = false;              // what stands behind a THEN: it does not count
+  bool may_count = false;                // likewise, where that is not known
   std::string_view called;               // FANUC: the program that it calls by name, in lower case
 };
 
@@ -140,6 +141,9 @@ class Parser {
   void lose_number_before(const Token& stranger);
   bool looks_like_digit(const Token& letter) const noexcept;
   Token pass_letter_for_digit(Lexer& lexer, const Token& letter);
+  Token pass_letter_in_number(Lexer& lexer, const Token& letter);
+  bool is_comment_without_begin(Code code, int column, int length) const noexcept;
+  void doubt_unset(const Fault& fault);
   std::optional<Token> pass_name(Lexer& lexer, const Token& letter);
   void report_missing_number(const Token& letter, const Token& instead);
   Token read_exponent(Lexer& lexer, const Token& letter);

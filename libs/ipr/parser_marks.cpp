@@ -77,6 +77,9 @@ bool has_unknown_code(std::span<const Word> words) {
   });
 }
 
+/// Of a code whose number may go on, so that nobody knows which it is.
+constexpr bool is_acting(char letter) noexcept { return letter == 'G' || letter == 'M'; }
+
 /// The letter of FANUC's ,C and ,R.
 void pass_corner(Lexer& lexer) {
   if (lexer.peek() == 'C' || lexer.peek() == 'R') lexer.pass();
@@ -157,7 +160,7 @@ void Parser::lose_word_before(const Token& letter) {
   const SourcePos& before = words_.back().pos;
   if (before.column + before.length != letter.column) return;
   line_.lost.add(words_.back().letter);
-  if (looks_like_digit(letter)) words_.pop_back();
+  if (looks_like_digit(letter) || is_acting(words_.back().letter)) words_.pop_back();
 }
 
 void Parser::report_number(const Token& letter, const Token& number) {
@@ -381,6 +384,18 @@ bool Parser::only_line_number() const noexcept {
 void Parser::report(Code code, int column, int length, std::string message) {
   line_.broken = true;
   diagnostics_.report(code, {line_.number, column, length, file_}, std::move(message), line_.text);
+  if (is_comment_without_begin(code, column, length)) lose_rest();
+}
+
+/// Prose, behind which a ')' ends a comment that nothing has begun: it is one error.
+bool Parser::is_comment_without_begin(Code code, int column, int length) const noexcept {
+  const auto begin = static_cast<std::size_t>(std::max(column - 1, 0));
+  const std::string_view rest = line_.text.substr(std::min(begin, line_.text.size()));
+  const bool of_prose = code == Code::SC1002 || code == Code::SC1007 || code == Code::SC1020 ||
+                        (code == Code::SC1001 && rest.starts_with(')'));
+  if (!of_prose) return false;
+  const std::size_t mark = rest.find_first_of("();", static_cast<std::size_t>(length));
+  return mark != std::string_view::npos && rest[mark] == ')';
 }
 
 /// For a fault behind which nothing can be trusted: the rest of the line is lost.
@@ -390,7 +405,9 @@ void Parser::give_up(Code code, const Token& token, std::string message) {
 }
 
 void Parser::report(const std::optional<Fault>& fault) {
-  if (fault) report(fault->code, fault->column, fault->length, fault->message);
+  if (!fault) return;
+  report(fault->code, fault->column, fault->length, fault->message);
+  if (fault->code == Code::SC1024) doubt_unset(*fault);
 }
 
 /// The same for a fault in an expression; without one the next token tells what is wrong.

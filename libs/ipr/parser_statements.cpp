@@ -186,6 +186,7 @@ Token Parser::read_consequence(Lexer& lexer, bool known) {
   line_.passed_over = known && !only_read_;
   if (line_.passed_over) return {};
   before_then_ = words_.size();
+  line_.may_count = true;
   line_.broken = true;
   line_.lost = kAllLetters;
   doubt_assignments();
@@ -329,10 +330,19 @@ void Parser::doubt_assignments() {
     const std::string_view before = without_blanks_around(text.substr(0, at));
     if (before.empty() || before.back() == '=') continue;
     const auto variable = variable_at_end(before);
+    if (is_digit(before.front())) parameters_.doubt_all(true);  // a digit for '#', or before it
     if (!variable && before.find('#') != std::string_view::npos) parameters_.doubt_all(true);
     if (variable && access_to(*variable, parameters_) == Parameters::Access::granted)
       write(*variable, kUncertain, parameters_);
   }
+}
+
+/// A name that nothing has set is told once: it may have been meant to be set where another one is.
+void Parser::doubt_unset(const Fault& fault) {
+  const auto end = static_cast<std::size_t>(fault.column + fault.length) - 1;
+  const auto variable = variable_at_end(line_.text.substr(0, end));
+  if (variable && access_to(*variable, parameters_) == Parameters::Access::granted)
+    write(*variable, kUncertain, parameters_);
 }
 
 /// The value of a variable before the line.

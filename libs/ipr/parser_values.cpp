@@ -67,9 +67,28 @@ Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) 
     report_missing_number(letter, first);
     const bool for_digit = first.kind == Token::Kind::letter && looks_like_digit(first) &&
                            (first.letter == 'O' || first.column == letter.end_column());
-    return for_digit ? pass_letter_for_digit(lexer, letter) : first;
+    if (for_digit) return pass_letter_for_digit(lexer, letter);
+    const bool right_behind =
+        first.kind == Token::Kind::letter && first.column == letter.end_column();
+    return right_behind ? pass_letter_in_number(lexer, first) : first;
   }
   return sign ? pass_sign(lexer, letter, first) : (report_number(letter, first), lexer.next());
+}
+
+/// `Xq0`: a letter in the place of the first digit is a part of the number, unless a value follows
+/// that can only be its own.
+Token Parser::pass_letter_in_number(Lexer& lexer, const Token& letter) {
+  const Lexer before = lexer;
+  const Token behind = lexer.next();
+  if (behind.kind == Token::Kind::macro) {
+    lexer = before;
+    return letter;
+  }
+  line_.lost.add(letter.letter);
+  if (behind.kind != Token::Kind::number) return behind;
+  const bool readable = behind.fault == NumberFault::none || behind.fault == NumberFault::no_digits;
+  if (!readable) report_number(letter, behind);
+  return lexer.next();
 }
 
 /// A sign with no digit behind it: what stands there instead is told, if it is none that begins
@@ -84,9 +103,10 @@ Token Parser::pass_sign(Lexer& lexer, const Token& letter, const Token& sign) {
   }
   report_number(letter, sign);
   lexer = before;
-  const bool for_digit = right_behind && next.kind == Token::Kind::letter && looks_like_digit(next);
   lexer.next();
-  return for_digit ? pass_letter_for_digit(lexer, letter) : next;
+  if (!right_behind || next.kind != Token::Kind::letter) return next;
+  return looks_like_digit(next) ? pass_letter_for_digit(lexer, letter)
+                                : pass_letter_in_number(lexer, next);
 }
 
 /// Behind signs that have been told: the value they were meant for, if one stands there.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ipr/library.hpp"
+
 namespace softcnc::ipr {
 namespace {
 
@@ -81,6 +83,18 @@ bool alike(std::string_view strange, std::string_view label) noexcept {
   return alike(rest, label) || (!label.empty() && alike(rest, label.substr(1)));
 }
 
+/// Of the letters O and l, which many take for 0 and 1; 0 for any other character.
+constexpr char digit_meant(char upper) noexcept {
+  if (upper == 'O') return '0';
+  return upper == 'L' ? '1' : '\0';
+}
+
+/// As the label of a number is written, without the zeros before it.
+std::string without_leading_zeros(std::string digits) {
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
+  return digits;
+}
+
 /// Three letters, of which two are those of END, or one more or less.
 bool resembles_end(std::string_view letters) noexcept {
   const auto of_end = std::count_if(letters.begin(), letters.end(), [](char c) {
@@ -126,6 +140,7 @@ StatementReader::Found StatementReader::read_o_word(SourcePos at) {
 /// False: what stands there is no label.
 bool StatementReader::read_label() {
   const int begin = lexer_.column();
+  if (refuse_letter_in_label()) return false;
   const char first = lexer_.peek();
   if (first == '<') {
     Expression name(lexer_, parameters_);
@@ -171,6 +186,36 @@ void StatementReader::set_label(double value, int begin) {
     statement_.label = std::move(*text);
   else
     stop(Code::SC1029, begin, lexer_.end(), kLabel);
+}
+
+/// `o1O0 sub`, `ol sub`, `oo<add> call`: the label that is meant counts as one that is misspelt.
+bool StatementReader::refuse_letter_in_label() {
+  constexpr std::size_t kLongest = 9;
+  Lexer label = lexer_;
+  std::string digits;
+  int letter = 0;  // the column of the first one
+  for (char c = label.peek(); is_digit(c) || digit_meant(c) != 0; c = label.peek()) {
+    if (digits.size() == kLongest) return false;
+    if (letter == 0 && !is_digit(c)) letter = label.column();
+    digits += is_digit(c) ? c : digit_meant(c);
+    label.pass();
+  }
+  if (letter == 0) return false;
+  const bool named = digits == "0" && label.peek() == '<';
+  if (named) {
+    label.pass();
+    const auto name = label.take_name();
+    if (!name) return false;
+    digits = lower_case(*name);
+  }
+  const Lexer behind = label;
+  if (take_keyword(label) == nullptr) return false;
+  statement_.kind = Kind::misspelt;
+  statement_.label = named ? digits : without_leading_zeros(digits);
+  statement_.pos.length = behind.end() - statement_.pos.column;
+  stop(Code::SC1029, letter, letter + 1,
+       "a letter in the label; is " + o_word(statement_.label) + " meant?");
+  return true;
 }
 
 /// Before other words it is none.

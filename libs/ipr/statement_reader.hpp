@@ -45,6 +45,7 @@ class StatementReader {
  private:
   bool read_label();
   void read_strange_label(Lexer label);
+  bool refuse_letter_in_label();
   void refuse_signed_label();
   void set_label(double value, int begin);
   Found read_behind_label(bool by_number);

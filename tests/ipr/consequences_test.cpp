@@ -92,7 +92,7 @@ TEST_CASE("what a call would have done that cannot be made is not known", "[ipr]
 TEST_CASE("a statement that cannot be read may have begun or ended what is open",
           "[ipr][consequences]") {
   CHECK(told("?o2 repeat [6]\nG00 X1\no2 endrepeat") == Places{"SC1001 1:1"});
-  CHECK(told("oO1 sub\nG00 X1\no1 endsub") == Places{"SC1002 1:1"});
+  CHECK(told("oO1 sub\nG00 X1\no1 endsub") == Places{"SC1029 1:2"});
   CHECK(told("o sub\nG00 X1\no endsub") == Places{"SC1002 1:1", "SC1002 3:1"});
   CHECK(told("o1.2.3 while [1]\no1 endwhile") == Places{"SC1004 1:2"});
   CHECK(told("o  if [1]") == Places{"SC1002 1:1"});
@@ -491,4 +491,121 @@ TEST_CASE("words that one missing code leaves without a use are told as one",
   CHECK(told("1#0=0") == Places{"SC1007 1:1"});
   CHECK(told("G0 X3#0 Y20") == Places{"SC1028 1:9"});
   CHECK(told("2\n(ABORT,not behind the end)") == Places{"SC1007 1:1"});
+}
+
+TEST_CASE("a letter in the place of a digit of a label is told there, and at no other end",
+          "[ipr][consequences]") {
+  InterpreterOptions options;
+  options.unrun_too = true;
+  const auto checked = [&](const std::string& text) {
+    return interpret(text, Machine{}, options).diagnostics;
+  };
+  const auto only = [&](const std::string& text, int line, int column, const std::string& meant) {
+    const auto all = checked(text);
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].code == Code::SC1029);
+    CHECK((all[0].pos.line == line && all[0].pos.column == column));
+    CHECK(all[0].message == "a letter in the label; is " + meant + " meant?");
+  };
+  const std::string call = "o100 call\n", end = "M2\n";
+  only(call + end + "o1OO sub\nG0 X0\no100 endsub\n", 3, 3, "o100");
+  only(call + end + "ol00 sub\nG0 X0\no100 endsub\n", 3, 2, "o100");
+  only("o1O0 sub\nG0 X1\no100 endsub\n" + call + end, 1, 3, "o100");
+  only("o100 sub\nG0 X1\no1O0 endsub\n" + call + end, 3, 3, "o100");
+  only("o<a> sub\nG0 X1\no<a> endsub\noo<a> call\n" + end, 4, 2, "o<a>");
+  for (const std::string holds : {"0", "1"}) {
+    only("o10 if [" + holds + "]\nG0 X1\no1O endif\n" + end, 3, 3, "o10");
+    only("o1O if [" + holds + "]\nG0 X1\no10 endif\n" + end, 1, 3, "o10");
+  }
+  only("ol while [0]\nG0 X1\no1 endwhile\n" + end, 1, 2, "o1");
+  const auto both = checked("ol while [0]\nG0 X1\no1 endwhile\no2 endif\n" + end);
+  REQUIRE(both.size() == 2);
+  CHECK(both[1].message == "'o2 endif' without 'o2 if'");
+}
+
+TEST_CASE("of two beginnings of one label one has a wrong label: what it was meant for follows",
+          "[ipr][consequences]") {
+  const std::string begin = "#1=1\no1 while [#1 LT 3]\n", end = "#1=[#1+1]\no1 endwhile\n";
+  const std::string broken = begin + "o1 repeat [3]\nG0 X1\no2 break\no2 endrepeat\n" + end;
+  CHECK(told(broken) == Places{"SC2313 3:1"});
+  CHECK(told(broken + "o3 break") == Places{"SC2313 3:1", "SC2305 9:1"});
+  CHECK(told(broken + "o3 endif") == Places{"SC2313 3:1", "SC2304 9:1"});
+  CHECK(told(begin + "o1 if [1]\nG0 X1\no2 endif\n" + end) == Places{"SC2313 3:1"});
+  CHECK(told(begin + "o1 if [1]\nG0 X1\no2 endrepeat\n" + end) ==
+        Places{"SC2313 3:1", "SC2304 5:1"});
+  CHECK(told("o2 while [1]\no2 if [1]\nG0 X1\no1 continue\no2 endif\no1 endwhile") ==
+        Places{"SC2313 2:1"});
+  CHECK(told("WHILE [1] DO 1\nWHILE [1] DO 1\nG0 X1\nEND 2\nEND 1", Dialect::fanuc) ==
+        Places{"SC2312 2:1"});
+}
+
+TEST_CASE("a letter in the place of a digit belongs to the number", "[ipr][consequences]") {
+  const std::string f = "G1 F100\n";
+  for (const std::string line : {"G1 X1 Yp", "G1 X1 Ye0", "Nw0 G1 X1", "G1 Xq0", "Gq X1", "G6q",
+                                 "X1 Sq0", "G1i G2 X1 I0.5", "Xy0 Y1", "G1 X1 Yt.5"}) {
+    CAPTURE(line);
+    CHECK(told(f + line).size() == 1);
+  }
+  CHECK(told(f + "Gq8\nG2 X10 I5 K0") == Places{"SC1002 2:1"});
+  CHECK(told(f + "G1i G2 X10 I5 K0") == Places{"SC1002 2:3"});
+  CHECK(told(f + "Gq X1\nX2 Y3") == Places{"SC1002 2:1"});
+  CHECK(told(f + "X1 Yp Q..5") == Places{"SC1002 2:4", "SC1004 2:8"});
+  CHECK(told(f + "XY1.2.3") == Places{"SC1002 2:1", "SC1004 2:3"});
+  CHECK(told(f + "Yp X1\nX1 Q5") == Places{"SC1002 2:1", "SC2004 3:4"});
+  CHECK(told(f + "Y X1 Zq\nX..5") == Places{"SC1002 2:1", "SC1002 2:6", "SC1004 3:2"});
+}
+
+TEST_CASE("a comment that has lost its beginning is one error", "[ipr][consequences]") {
+  CHECK(told("G0 X1\nin force until another code, say G1)") == Places{"SC1002 2:1"});
+  CHECK(told("9G01: straight to the point)\nG0 X..1") == Places{"SC1007 1:1", "SC1004 2:5"});
+  CHECK(told("Lines in Y and Z.)") == Places{"SC1020 1:1"});
+  CHECK(told(")G01: straight, at the feed)") == Places{"SC1001 1:1"});
+  CHECK(told("G0 X..1 to the left, then up)") == Places{"SC1004 1:5", "SC1002 1:9"});
+  CHECK(told("G0 X? Y..1 (left)") == Places{"SC1001 1:5", "SC1004 1:8"});
+}
+
+TEST_CASE("a name that nothing has set is told once", "[ipr][consequences]") {
+  CHECK(told("#<widht>=4\nG0 X#<width>\nG0 Y[2*#<width>]") == Places{"SC1024 2:5"});
+  CHECK(told("G0 X#<width>\nG0 Y#<depth>") == Places{"SC1024 1:5", "SC1024 2:5"});
+  CHECK(told("G0 X#<width>\n#<width>=0\nG0 X[1/#<width>]") == Places{"SC1024 1:5", "SC1021 3:8"});
+}
+
+TEST_CASE("a line number that is doubled is the one a jump looks for", "[ipr][consequences]") {
+  CHECK(told("GOTO 99\nG0 X1\nNN99 G0 X1", Dialect::fanuc) == Places{"SC1002 3:1"});
+  CHECK(told("GOTO 98\nG0 X1\nNN99 G0 X1", Dialect::fanuc) == Places{"SC2308 1:1", "SC1002 3:1"});
+}
+
+TEST_CASE("a jump back that a broken one would have left does not run on", "[ipr][consequences]") {
+  const std::string begin = "N10 #1=#1+1\n", end = "GOTO 10\nN20 G0 X1\n";
+  CHECK(told(begin + "IF [#1 GT 5] GTO 20\n" + end, Dialect::fanuc) == Places{"SC1029 2:14"});
+  CHECK(told(begin + "IF [#1 GT 5] GOTO 30\n" + end, Dialect::fanuc) == Places{"SC2308 2:1"});
+  CHECK(told(begin + "IF [#1 GT 5] GTO 20\n" + end + "G0 X..1", Dialect::fanuc) ==
+        Places{"SC1029 2:14", "SC1004 5:5"});
+  CHECK(told(begin + end, Dialect::fanuc) == Places{"SC2310 2:1"});
+}
+
+TEST_CASE("a THEN of which nobody knows whether it counts hides no structure",
+          "[ipr][consequences]") {
+  const std::string then = "IF [#1 EQ 1..2] THEN #2=1\n";
+  CHECK(told(then + "o1 endif", Dialect::linuxcnc) == Places{"SC1004 1:11", "SC2304 2:1"});
+  CHECK(told(then + "WHILE [1 EQ 2] DO 1\nG0 X1", Dialect::fanuc) ==
+        Places{"SC1004 1:11", "SC2302 2:1"});
+  CHECK(told(then + "G0 X[1/#2]", Dialect::fanuc) == Places{"SC1004 1:11"});
+  const std::string unknown = "#1=1..2\nIF [#1 EQ 1] THEN #2=1\n";
+  CHECK(told(unknown + "o1 endif") == Places{"SC1004 1:4", "SC2304 3:1"});
+  CHECK(told("IF [#1 EQ 1] GTO 20\no1 endif\nN20 G0 X1") == Places{"SC1029 1:14", "SC2304 2:1"});
+}
+
+TEST_CASE("a letter behind a sign belongs to the number", "[ipr][consequences]") {
+  const std::string f = "G1 F100\n";
+  CHECK(told(f + "Y-q0 X1") == Places{"SC1002 2:2"});
+  CHECK(told(f + "Y-w") == Places{"SC1002 2:2"});
+  CHECK(told(f + "Y-q1.2.3 X..1") == Places{"SC1002 2:2", "SC1004 2:4", "SC1004 2:11"});
+}
+
+TEST_CASE("a loop that an unread name or number would have left does not run on",
+          "[ipr][consequences]") {
+  CHECK(told("#1=1\no1 while [#1 LT 5]\n31=[#1+1]\no1 endwhile") == Places{"SC1007 3:1"});
+  CHECK(told("#1=1\nWHILE [#1 EQ 1] DO 2\nGOT 15\nEND 2\nN15 G0 X..1", Dialect::fanuc) ==
+        Places{"SC1020 3:1", "SC1004 5:9"});
 }
