@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "ipr/handlers.hpp"
 #include "motion/units.hpp"
@@ -49,17 +50,27 @@ bool is_well_given(Task& task, const PlaneAxes& axes) {
   return false;
 }
 
-/// Where the arc leads, if it is known where it begins.
+/// Where the arc leads, if it is known where it begins. Its end may be what is wrong, and with it
+/// the start of the next one.
 void report_way(Task& task, Letters depends_on, Code code, SourcePos pos, std::string message) {
   if (task.modal.uncertain.has_any(depends_on)) return task.out.mute();
   task.out.report_way(code, pos, std::move(message));
+  task.modal.end_in_doubt = depends_on;
 }
 
+/// Of lines behind one without a centre, on which no code stands, nothing is told: that of an arc
+/// may be what is wrong.
 bool has_centre_or_radius(Task& task) {
   const Values& values = task.values;
   if (values.has('R') || values.letters().has_any(kOffsetLetters)) return true;
+  const bool by_mode = task.word.letter != 'G';
+  if (std::exchange(task.modal.centre_told, true) && by_mode) {
+    task.out.mute();
+    return false;
+  }
   task.out.report_way(Code::SC2107, span_of(values, "XYZP"),
                       code_name(task.code) + " needs a centre or R");
+  task.modal.end_in_doubt = plane_letters(plane_axes(task.modal.plane));
   return false;
 }
 
@@ -150,6 +161,8 @@ bool lies_in_plane(Task& task) {
 void arc(Task& task, bool ccw) {
   begin_motion(task);
   if (!task.values.letters().has_any(task.code.words)) return;
+  task.modal.end_in_doubt = {};
+  if (task.word.letter == 'G') task.modal.centre_told = false;
   const PlaneAxes axes = plane_axes(task.modal.plane);
   const Letters at_start = task.modal.uncertain;
   const AxisVector to = end_point(task);
@@ -172,6 +185,7 @@ void arc(Task& task, bool ccw) {
   }
   task.modal.uncertain = task.modal.uncertain.without(found);
   task.modal.uncertain |= lost;
+  task.modal.uncertain |= task.modal.end_in_doubt;
   task.modal.position = to;
 }
 

@@ -14,6 +14,7 @@ namespace softcnc::ipr {
 namespace {
 
 constexpr Letters kAfterUnknownCode{"GXYZ"};  // what it would have done is not known
+constexpr double kLargeCode = 200;  // from here on no control has codes: `G400` may be an F
 constexpr Groups kMoving{Group::motion, Group::cycle, Group::non_modal};
 constexpr Groups kWithWords{Group::cutter_compensation, Group::tool_length, Group::path_control,
                             Group::surface};
@@ -44,7 +45,7 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
   missing_ = {};
   doubted_ = {};
   lost_touch_ = false;
-  lost_all_ = false;
+  lost_all_ = stands_for_value_ = false;
   calls_macro_ = false;
   below_cycle_ = nullptr;
   called_ = line.called;
@@ -58,6 +59,7 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
   if (has(Group::program_number)) check_program_number(line, out);
   if (!line.doubtful.empty() && !calls_macro_) look_at(line.doubtful, dialect, out);
   if (line.broken) doubt_lost_codes(line);
+  if (stands_for_value_) doubt_missing();
 }
 
 /// What codes would have done that are told is not known: of a code that moves, where it leads.
@@ -112,6 +114,7 @@ Letters Command::lastingly_uncertain() const noexcept {
     out.report(Code::SC2001, word.pos, code_name(word.letter, word.value) + " is not supported");
     uncertain_ |= word.letter == 'G' ? kAfterUnknownCode : Letters("M");
     if (word.letter == 'G') doubt(groups_of_code(word.value));
+    stands_for_value_ = stands_for_value_ || (word.letter == 'G' && word.value >= kLargeCode);
     lost_touch_ = lost_touch_ || probes(word, dialect);
     return;
   }

@@ -101,7 +101,8 @@ class Command {
   Letters uncertain_, missing_;
   Groups doubted_;
   bool lost_touch_ = false;
-  bool lost_all_ = false;  // of the line: nobody knows what its words are
+  bool lost_all_ = false;          // of the line: nobody knows what its words are
+  bool stands_for_value_ = false;  // a code so large that another letter may be meant
 };
 
 }  // namespace softcnc::ipr

@@ -71,6 +71,17 @@ bool is_straight(const GCode& code) noexcept {
   if (code != nullptr && kModes.has(code->group)) modal.doubt({code->group});
 }
 
+/// `B02 X1 I5`: another letter in the place of G, which is told, and whose code takes the others.
+bool may_be_code_of(const Values& values, Letters unused, Letters told) noexcept {
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    if (!unused.has(letter) || !told.has(letter)) continue;
+    const GCode* code = find_gcode('G', values[letter]);
+    if (code == nullptr) continue;
+    return unused.without(told).without(code->words).empty();
+  }
+  return false;
+}
+
 /// M03 or M04 with another letter.
 bool may_be_spindle(const Values& values, Letters unused) noexcept {
   constexpr double kM03 = 3, kM04 = 4;
@@ -192,10 +203,19 @@ bool Interpreter::tell_restored(const Line& next) {
   if (modal_.curve) note_faults(command_, modal_, out_, *modal_.curve);
   if (modal_.points) note_faults(command_, modal_, out_, *modal_.points);
   out_.end();
+  if (line.broken && !line.may_count && means_end(line)) end_all_the_same(line);
   if (!modal_.ended) return;
   flow_.finish();
   read_unrun();
   contradictions_.tell();
+}
+
+/// M3O: nobody doubts that the program ends there.
+[[gnu::cold]] void Interpreter::end_all_the_same(const Line& line) {
+  out_.begin(line);
+  out_.stop_compensation();
+  out_.emit(Action{Action::Kind::end, 30, 0});
+  modal_.ended = true;
 }
 
 /// Whether what is wrong with a line has nothing to do with where its words lead.
@@ -290,6 +310,8 @@ void Interpreter::find_motion() {
   if (modal_.uncertain.has('G')) return out_.mute();
   out_.report(Code::SC2101, word.pos,
               std::string(1, word.letter) + " with no motion code in force");
+  for (const char axis : kAxisLetters)
+    if (unused.has(axis)) modal_.uncertain.add(axis);
   modal_.uncertain.add('G');
 }
 
@@ -340,6 +362,7 @@ bool Interpreter::check_unused() {
   for (char letter = 'A'; letter <= 'Z'; ++letter)
     if (unused.has(letter) && kOtherAxes.has(letter))
       out_.report(Code::SC2008, command_.values().word(letter).pos, lacks_axis(letter));
+  if (may_be_code_of(command_.values(), unused, kOtherAxes)) return true;
   if (const Word* first = first_of(command_.values(), unused.without(kOtherAxes)))
     out_.report(Code::SC2004, first->pos, used_by_none(unused.without(kOtherAxes)));
   return true;

@@ -61,6 +61,7 @@ class Interpreter {
   void interpret(const Line& line);
   /// The motion in force on a line with G80.
   const GCode* behind_g80() const noexcept;
+  void end_all_the_same(const Line& line);
   void find_motion();
   void check_axes();
   void check_axis_codes();

@@ -40,6 +40,7 @@ void report_unknown(Task& task, char letter, const char* what) {
                                 : "the machine file has none for tool " + std::to_string(tool);
   report_if_certain(task, "T", Code::SC3125, task.word.pos,
                     std::string(1, letter) + ", " + what + ", is missing, and " + where);
+  if (tool == 0) task.modal.uncertain.add('T');
 }
 
 void report_missing(Task& task, char letter, const char* what) {

@@ -564,10 +564,44 @@ TEST_CASE("a comment that has lost its beginning is one error", "[ipr][consequen
   CHECK(told("G0 X? Y..1 (left)") == Places{"SC1001 1:5", "SC1004 1:8"});
 }
 
+TEST_CASE("an arc that cannot be may end elsewhere, where the next one begins",
+          "[ipr][consequences]") {
+  const std::string f = "F100\n", far = "G2 X9 Y0 I1 J0\n";
+  CHECK(told(f + far + "G2 X4 Y0 I1 J0") == Places{"SC2103 2:4"});
+  CHECK(told(f + far + "G2 X20 Y0 I1 J0\nG2 X30 Y0 I1 J0") == Places{"SC2103 2:4", "SC2103 4:4"});
+  CHECK(told(f + far + "G1 X2 Y0\nG2 X20 Y0 I1 J0") == Places{"SC2103 2:4", "SC2103 4:4"});
+  CHECK(told(f + far + "G2 X4 Y0") == Places{"SC2103 2:4", "SC2107 3:4"});
+  CHECK(told(f + far + "G2 X4 K1 Q..4") == Places{"SC2103 2:4", "SC2105 3:7", "SC1004 3:11"});
+  CHECK(told("X40 Y40\nG2 X41 Y41 I1 J0 F100") == Places{"SC2101 1:1"});
+  CHECK(told("X40 Y40\nG1 X2 Y0 F100\nG2 X20 Y0 I1 J0") == Places{"SC2101 1:1", "SC2103 3:4"});
+}
+
+TEST_CASE("lines behind an arc without a centre, which its code makes arcs, are not told",
+          "[ipr][consequences]") {
+  const std::string f = "F100\n";
+  CHECK(told(f + "G2 X1\nX2\nY3") == Places{"SC2107 2:4"});
+  CHECK(told(f + "G2 X1\nX2\nG3 Y3") == Places{"SC2107 2:4", "SC2107 4:4"});
+  CHECK(told(f + "G2 X1\nX2 Q..3") == Places{"SC2107 2:4", "SC1004 3:5"});
+  CHECK(told(f + "G2 X2 Y0 I1\nX4\nG1 X9") == Places{"SC2107 3:1"});
+}
+
 TEST_CASE("a name that nothing has set is told once", "[ipr][consequences]") {
   CHECK(told("#<widht>=4\nG0 X#<width>\nG0 Y[2*#<width>]") == Places{"SC1024 2:5"});
   CHECK(told("G0 X#<width>\nG0 Y#<depth>") == Places{"SC1024 1:5", "SC1024 2:5"});
   CHECK(told("G0 X#<width>\n#<width>=0\nG0 X[1/#<width>]") == Places{"SC1024 1:5", "SC1021 3:8"});
+}
+
+TEST_CASE("behind an M30 with a letter for its zero there is no program", "[ipr][consequences]") {
+  const auto checked = [](const std::string& text) {
+    InterpreterOptions options;
+    options.unrun_too = true;
+    return places(interpret(text, Machine{}, options));
+  };
+  CHECK(checked("G0 X1\nM3O\nthis is prose\nand more of it\n") == Places{"SC1002 2:3"});
+  CHECK(checked("G0 X1\nMO2\nthis is prose\n") == Places{"SC1002 2:1"});
+  CHECK(checked("G0 X1\nMO8\nG0 X..1\nM2\n") == Places{"SC1002 2:1", "SC1004 3:5"});
+  CHECK(checked("o1 call\nM3O\no1 sub\nG0 X..1\no1 endsub\n") ==
+        Places{"SC1004 4:5", "SC1002 2:3"});
 }
 
 TEST_CASE("a line number that is doubled is the one a jump looks for", "[ipr][consequences]") {
@@ -603,9 +637,24 @@ TEST_CASE("a letter behind a sign belongs to the number", "[ipr][consequences]")
   CHECK(told(f + "Y-q1.2.3 X..1") == Places{"SC1002 2:2", "SC1004 2:4", "SC1004 2:11"});
 }
 
+TEST_CASE("a code so large that there is none may be a word with another letter",
+          "[ipr][consequences]") {
+  CHECK(told("G400\nG1 X1") == Places{"SC2001 1:1"});
+  CHECK(told("G400 F0\nG1 X1") == Places{"SC2001 1:1", "SC2102 2:1"});
+  CHECK(told("G68\nG1 X1") == Places{"SC2001 1:1", "SC2102 2:1"});
+  CHECK(told("G1 F100\nB02 X1 I5") == Places{"SC2008 2:1"});
+  CHECK(told("F100\nG1 B02 X1 Q5") == Places{"SC2008 2:4", "SC2004 2:11"});
+}
+
 TEST_CASE("a loop that an unread name or number would have left does not run on",
           "[ipr][consequences]") {
   CHECK(told("#1=1\no1 while [#1 LT 5]\n31=[#1+1]\no1 endwhile") == Places{"SC1007 3:1"});
   CHECK(told("#1=1\nWHILE [#1 EQ 1] DO 2\nGOT 15\nEND 2\nN15 G0 X..1", Dialect::fanuc) ==
         Places{"SC1020 3:1", "SC1004 5:9"});
+}
+
+TEST_CASE("that no tool is in the spindle is told once of the words it would give",
+          "[ipr][consequences]") {
+  CHECK(told("N06 T7\nG06.4 J.5 H10\nG06.4 J.5 H20") == Places{"SC3125 2:1"});
+  CHECK(told("G06.4 J.5 H10\nG06.4 D5 H10 L2") == Places{"SC3125 1:1", "SC3125 2:1"});
 }

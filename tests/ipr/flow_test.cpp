@@ -304,9 +304,8 @@ TEST_CASE("an alarm to which an error may have led is not told", "[ipr][flow]") 
 }
 
 TEST_CASE("an alarm behind an M code that could not be read is not told", "[ipr][flow]") {
-  CHECK(told("M3O\n(ABORT,x)\nG0 Q1\nM2") ==
-        Told{"1:3 SC1002 no number after O; is the digit 0 meant?",
-             "3:4 SC2004 Q is used by no code of this line"});
+  CHECK(told("M..9\n(ABORT,x)\nG0 Q1\nM2") == Told{"1:2 SC1004 two decimal points in '..9'",
+                                                   "3:4 SC2004 Q is used by no code of this line"});
   CHECK(told("G0 X1 ? m30\n(ABORT,x)\nM2") == Told{"1:7 SC1001 unknown character '?'"});
   CHECK(told("G0 X--1\n(ABORT,x)\nM2") ==
         Told{"1:5 SC1003 a sign inside the number '--1'", "2:1 SC1031 the program aborts: x"});
