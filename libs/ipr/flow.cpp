@@ -24,8 +24,12 @@ bool begins_with_name(std::string_view line) {
   return text.end() - first >= 3 && is_letter(first[1]) && is_letter(first[2]);
 }
 
-/// FANUC's IF, behind which nothing begins or ends: it jumps, or has a THEN.
+/// FANUC's IF, behind which nothing begins or ends: something stands behind its condition.
 bool begins_with_if(std::string_view line) {
+  const auto condition = line.substr(0, line.find_first_of("(;")).rfind(']');
+  if (condition == std::string_view::npos ||
+      std::none_of(line.begin() + static_cast<std::ptrdiff_t>(condition), line.end(), is_letter))
+    return false;
   const auto first = std::find_if(line.begin(), line.end(),
                                   [](char c) { return is_letter(c) && c != 'N' && c != 'n'; });
   return line.end() - first >= 2 && upper_case(first[0]) == 'I' && upper_case(first[1]) == 'F';

@@ -108,6 +108,10 @@ bool Flow::lacks_end(const Subprogram& sub) const {
 void Flow::begin_program() {
   if (in_subprogram()) {
     const std::string name = name_of(calls_.back().sub);
+    if (end_lost_) {
+      doubt_order();
+      opens_lost_ = true;
+    }
     report({Misfit::Role::beginning, Kind::sub, calls_.back().sub.label}, Code::SC2303,
            statement_.pos, name + " has no end before " + program_name(statement_.label), text_);
     calls_.back().times = 1;

@@ -80,7 +80,9 @@ Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) 
 Token Parser::pass_letter_in_number(Lexer& lexer, const Token& letter) {
   const Lexer before = lexer;
   const Token behind = lexer.next();
-  if (behind.kind == Token::Kind::macro) {
+  const bool sign = behind.kind == Token::Kind::number && behind.length == 1 &&
+                    behind.fault == NumberFault::no_digits;
+  if (behind.kind == Token::Kind::macro || sign) {
     lexer = before;
     return letter;
   }

@@ -550,6 +550,7 @@ TEST_CASE("a letter in the place of a digit belongs to the number", "[ipr][conse
   CHECK(told(f + "G1i G2 X10 I5 K0") == Places{"SC1002 2:3"});
   CHECK(told(f + "Gq X1\nX2 Y3") == Places{"SC1002 2:1"});
   CHECK(told(f + "X1 Yp Q..5") == Places{"SC1002 2:4", "SC1004 2:8"});
+  CHECK(told("#1=5\n" + f + "XX-#1") == Places{"SC1002 3:1"});
   CHECK(told(f + "XY1.2.3") == Places{"SC1002 2:1", "SC1004 2:3"});
   CHECK(told(f + "Yp X1\nX1 Q5") == Places{"SC1002 2:1", "SC2004 3:4"});
   CHECK(told(f + "Y X1 Zq\nX..5") == Places{"SC1002 2:1", "SC1002 2:6", "SC1004 3:2"});
@@ -627,6 +628,8 @@ TEST_CASE("a THEN of which nobody knows whether it counts hides no structure",
   CHECK(told(then + "G0 X[1/#2]", Dialect::fanuc) == Places{"SC1004 1:11"});
   const std::string unknown = "#1=1..2\nIF [#1 EQ 1] THEN #2=1\n";
   CHECK(told(unknown + "o1 endif") == Places{"SC1004 1:4", "SC2304 3:1"});
+  CHECK(told(" if [1 EQ 1]\nG0 X1\no1 endif") == Places{"SC1029 1:12"});
+  CHECK(told("91 if [1]\nG0 X1\no1 endif") == Places{"SC1007 1:1"});
   CHECK(told("IF [#1 EQ 1] GTO 20\no1 endif\nN20 G0 X1") == Places{"SC1029 1:14", "SC2304 2:1"});
 }
 
@@ -657,4 +660,11 @@ TEST_CASE("that no tool is in the spindle is told once of the words it would giv
           "[ipr][consequences]") {
   CHECK(told("N06 T7\nG06.4 J.5 H10\nG06.4 J.5 H20") == Places{"SC3125 2:1"});
   CHECK(told("G06.4 J.5 H10\nG06.4 D5 H10 L2") == Places{"SC3125 1:1", "SC3125 2:1"});
+}
+
+TEST_CASE("an M99 that cannot be read may have been the end before the next program",
+          "[ipr][consequences]") {
+  const std::string call = "M98 P2\nM30\nO2\nG0 X1\n", next = "O3\nG0 X2\nM99";
+  CHECK(told(call + "MM99\n" + next) == Places{"SC1002 5:1"});
+  CHECK(told(call + next) == Places{"SC2303 5:1"});
 }
