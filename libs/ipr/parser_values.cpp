@@ -80,8 +80,8 @@ Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) 
 Token Parser::pass_letter_in_number(Lexer& lexer, const Token& letter) {
   const Lexer before = lexer;
   const Token behind = lexer.next();
-  const bool sign = behind.kind == Token::Kind::number && behind.length == 1 &&
-                    behind.fault == NumberFault::no_digits;
+  const std::string_view text = line_.text.substr(static_cast<std::size_t>(behind.column) - 1);
+  const bool sign = behind.fault == NumberFault::no_digits && !text.starts_with('.');
   if (behind.kind == Token::Kind::macro || sign) {
     lexer = before;
     return letter;

@@ -542,7 +542,7 @@ TEST_CASE("of two beginnings of one label one has a wrong label: what it was mea
 TEST_CASE("a letter in the place of a digit belongs to the number", "[ipr][consequences]") {
   const std::string f = "G1 F100\n";
   for (const std::string line : {"G1 X1 Yp", "G1 X1 Ye0", "Nw0 G1 X1", "G1 Xq0", "Gq X1", "G6q",
-                                 "X1 Sq0", "G1i G2 X1 I0.5", "Xy0 Y1", "G1 X1 Yt.5"}) {
+                                 "X1 Sq0", "G1i G2 X1 I0.5", "Xy0 Y1", "G1 X1 Yt.5", "Zq."}) {
     CAPTURE(line);
     CHECK(told(f + line).size() == 1);
   }
