@@ -35,6 +35,20 @@ bool probes(const Word& word, Dialect dialect) noexcept {
   return word.letter == 'G' && std::floor(word.value) == code;
 }
 
+/// 32, 530, 3: of M codes that are unknown.
+bool resembles_end(double number) noexcept {
+  const std::string written = number_text(number);
+  const auto differs_in_one = [&](std::string_view end) {
+    if (written.size() == end.size()) return (written[0] != end[0]) + (written[1] != end[1]) == 1;
+    if (written.size() != end.size() + 1) return false;
+    for (std::size_t extra = 0; extra < written.size(); ++extra)
+      if (std::string(written).erase(extra, 1) == end) return true;
+    return false;
+  };
+  return differs_in_one("30") || (written.size() == 2 && written[1] == '2') ||
+         (written.size() == 2 && written[0] == '2');
+}
+
 }  // namespace
 
 void Command::read(const Line& line, Dialect dialect, Output& out) {
@@ -44,7 +58,7 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
   uncertain_ = line.lost;
   missing_ = {};
   doubted_ = {};
-  lost_touch_ = false;
+  lost_touch_ = may_be_end_ = false;
   lost_all_ = stands_for_value_ = false;
   calls_macro_ = false;
   below_cycle_ = nullptr;
@@ -116,6 +130,7 @@ Letters Command::lastingly_uncertain() const noexcept {
     if (word.letter == 'G') doubt(groups_of_code(word.value));
     stands_for_value_ = stands_for_value_ || (word.letter == 'G' && word.value >= kLargeCode);
     lost_touch_ = lost_touch_ || probes(word, dialect);
+    may_be_end_ = may_be_end_ || (word.letter == 'M' && resembles_end(word.value));
     return;
   }
   calls_macro_ = calls_macro(*code);

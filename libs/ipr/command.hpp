@@ -78,6 +78,9 @@ class Command {
   Groups doubted() const noexcept { return doubted_; }
   /// Whether one of them was a probing move.
   bool lost_touch() const noexcept { return lost_touch_; }
+  /// Whether it has an unknown M code that may be M02 or M30 with one digit that is wrong, too many
+  /// or missing.
+  bool may_be_end() const noexcept { return may_be_end_; }
 
  private:
   void read_code(const Word& word, Dialect dialect, Output& out);
@@ -101,6 +104,7 @@ class Command {
   Letters uncertain_, missing_;
   Groups doubted_;
   bool lost_touch_ = false;
+  bool may_be_end_ = false;
   bool lost_all_ = false;          // of the line: nobody knows what its words are
   bool stands_for_value_ = false;  // a code so large that another letter may be meant
 };

@@ -104,10 +104,7 @@ void Flow::remember_end() {
 void Flow::doubt(const Line& line) {
   const std::string_view before_comment = line.text.substr(0, line.text.find('('));
   const bool names_m = before_comment.find_first_of("Mm") != std::string_view::npos;
-  if (line.lost.has('M') && (names_m || line.lone_number) && !means_end(line)) {
-    end_lost_ = true;
-    parser_.doubt_order();
-  }
+  if (line.lost.has('M') && (names_m || line.lone_number) && !means_end(line)) doubt_end();
   if (line.may_count) return;
   if (line.statement == nullptr && begins_with_if(line.text)) return doubt_order();
   if (line.statement == nullptr && begins_with_name(line.text)) doubt_order();
@@ -123,6 +120,11 @@ void Flow::doubt(const Line& line) {
   if ((line.statement != nullptr && !misspelt) || lost_o_words_.size() > kMostLost) return;
   for (const char c : line.text)
     if (!is_blank(c)) lost_o_words_ += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+void Flow::doubt_end() noexcept {
+  end_lost_ = true;
+  parser_.doubt_order();
 }
 
 void Flow::doubt_order() noexcept {

@@ -83,6 +83,9 @@ class Flow {
   bool in_subprogram() const noexcept { return calls_.size() > 1; }
   /// An error that has been reported ends the program.
   bool broke_off() const noexcept { return broken_ || parser_.broke_off(); }
+  /// An M code of a line that is wrong may be another one: whether the program ends there is not
+  /// known.
+  void doubt_end() noexcept;
   /// An M code could not be read: it may have been the end of the program.
   bool end_lost() const noexcept { return end_lost_; }
   const Parameters& parameters() const noexcept { return parser_.parameters(); }

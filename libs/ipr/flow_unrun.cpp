@@ -18,7 +18,7 @@ void Flow::begin_unrun() {
   if (broke_off()) return;
   ended_ = false;
   leaves_.insert(passed_.last_read());
-  order_lost_ = uncertain_ || target_lost_ || end_lost_;
+  order_lost_ = uncertain_ || target_lost_;
   diagnostics_.lines_repeat();
   while (in_subprogram()) {
     calls_.pop_back();

@@ -12,7 +12,8 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr Letters kActing{"GM"};  // of codes that take words
+constexpr Letters kActing{"GM"};         // of codes that take words
+constexpr Letters kOtherAxes{"ABCUVW"};  // which no machine of softcnc has
 
 /// The first word of these letters on the line.
 const Word* first_of(const Values& values, Letters letters) noexcept {
@@ -53,6 +54,14 @@ std::string used_by_none(Letters letters) {
 bool leads_by_itself(const GCode& code) noexcept {
   constexpr int kG05 = 50, kG051 = 51;
   return is_line_or_arc(code) || code.number == kG05 || code.number == kG051;
+}
+
+/// By the codes that may be in force behind their line.
+Letters taken_in_force() noexcept {
+  Letters taken;
+  for (const GCode& code : gcode_table())
+    if (code.group == Group::motion && code.act != refuse_thread) taken |= Letters(code.words);
+  return taken;
 }
 
 bool is_straight(const GCode& code) noexcept {
@@ -183,6 +192,10 @@ bool Interpreter::tell_restored(const Line& next) {
   out_.begin(line);
   command_.read(line, options_.dialect, out_);
   if (modal_.ended) return;  // it is only read
+  if (command_.may_be_end()) {
+    flow_.doubt_end();
+    parser_.end_at_prose();
+  }
   if (modal_.curve) check_pending_curve(command_, options_.dialect, modal_, out_);
   if (modal_.points) check_pending_points(command_, modal_, out_);
   if (!modal_.words_of_left_curve.empty()) excuse_left_curve();
@@ -350,15 +363,30 @@ void Interpreter::check_axis_codes() {
   }
 }
 
+/// Words that the motion in force does not take, whichever it is. In the fanuc dialect it may be
+/// the call of a macro, which takes them all. True if one is told.
+[[gnu::cold]] bool Interpreter::tell_never_used(Letters unused) {
+  static const Letters taken = taken_in_force();
+  const Letters never = unused.without(taken);
+  if (never.empty() || options_.dialect == Dialect::fanuc) return false;
+  for (char letter = 'A'; letter <= 'Z'; ++letter)
+    if (never.has(letter) && kOtherAxes.has(letter))
+      out_.report_by_itself(Code::SC2008, command_.values().word(letter).pos, lacks_axis(letter));
+  const Letters others = never.without(kOtherAxes);
+  if (const Word* first = first_of(command_.values(), others))
+    out_.report_by_itself(Code::SC2004, first->pos, used_by_none(others));
+  return true;
+}
+
 /// True if one is told.
 bool Interpreter::check_unused() {
   const Letters unused = command_.unused(options_.dialect);
   if (unused.empty()) return false;
   if (modal_.uncertain.has('G') && !command_.has(Group::motion)) {
+    const bool told = tell_never_used(unused);
     out_.mute();
-    return false;
+    return told;
   }
-  constexpr Letters kOtherAxes{"ABCUVW"};
   for (char letter = 'A'; letter <= 'Z'; ++letter)
     if (unused.has(letter) && kOtherAxes.has(letter))
       out_.report(Code::SC2008, command_.values().word(letter).pos, lacks_axis(letter));
@@ -381,13 +409,20 @@ bool Interpreter::check_unused() {
   if (motion != nullptr && is_line_or_arc(*motion) && !is_straight(*motion)) out_.mute();
 }
 
+/// `G10 M2 P1`, where L2 is missing: M02 may be another word, if its line has others.
+bool Interpreter::stands_for_word() const noexcept { return !command_.values().letters().empty(); }
+
 void Interpreter::execute() {
+  const int errors = diagnostics_.errors();
   if (!modal_.doubted.empty())
     for (const auto& [code, word] : command_.codes()) modal_.doubted.remove(code->group);
   for (const auto& [code, word] : command_.codes()) {
     Task task{*code, *word, command_, command_.values(), machine_, options_, modal_, out_, flow_};
     if ((out_.compensating() || modal_.beside) && !may_act(task)) continue;
-    if (code->act != nullptr) code->act(task);
+    if (code->act == end_program && diagnostics_.errors() > errors && stands_for_word())
+      flow_.doubt_end();
+    else if (code->act != nullptr)
+      code->act(task);
   }
   modal_.machine_coordinates = modal_.stops_once = false;
 }

@@ -66,8 +66,10 @@ class Interpreter {
   void check_axes();
   void check_axis_codes();
   bool fanuc_goes_to_machine_point() const noexcept;
+  bool tell_never_used(Letters unused);
   bool check_unused();
   void doubt_missing();
+  bool stands_for_word() const noexcept;
   void execute();
   void excuse_left_curve();
   void remember_uncertain(const Line& line);

@@ -81,6 +81,8 @@ class Parser {
   /// From here on lines are read for what is wrong with them alone: what stands behind a THEN too,
   /// whatever its condition.
   void only_read() noexcept { only_read_ = true; }
+  /// An end may have been meant: a line of names alone is prose behind it, and is not read.
+  void end_at_prose() noexcept { prose_ends_ = true; }
   /// Lines that say nothing, but for what stands behind a THEN that does not count, are handed out
   /// as well.
   void show_passed_over() noexcept { passed_over_too_ = true; }
@@ -183,7 +185,8 @@ class Parser {
   bool nul_seen_ = false;
   std::optional<std::size_t> trusted_;      // words before something that is none
   std::optional<std::size_t> before_then_;  // words before a THEN whose condition is not known
-  bool order_uncertain_ = false;            // which lines are executed
+  bool prose_ends_ = false;
+  bool order_uncertain_ = false;  // which lines are executed
   bool only_read_ = false, passed_over_too_ = false;
 };
 

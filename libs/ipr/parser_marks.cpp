@@ -48,6 +48,17 @@ std::string meant_by(std::string_view mark, Lexer lexer) {
   return corner ? "; chamfers and roundings within a line are not supported" : "";
 }
 
+/// Two words or more, of letters and marks of a sentence.
+bool is_prose(std::string_view line) {
+  constexpr std::string_view kMarks{".,:;-!?'\""};
+  const auto plain = [&](char c) {
+    return is_letter(c) || is_blank(c) || kMarks.find(c) != std::string_view::npos;
+  };
+  const auto begin = line.find_first_not_of(" \t"), end = line.find_last_not_of(" \t.");
+  return std::all_of(line.begin(), line.end(), plain) &&
+         line.substr(begin, end - begin).find(' ') != std::string_view::npos;
+}
+
 /// FANUC's orders to a device that takes down what a program tells.
 bool writes_to_device(std::string_view letters) {
   constexpr std::array<std::string_view, 4> kOrders{"POPEN", "BPRNT", "DPRNT", "PCLOS"};
@@ -108,6 +119,10 @@ std::optional<Token> Parser::pass_name(Lexer& lexer, const Token& letter) {
   if (!is_name(line_.text, letter, letters)) return std::nullopt;
   if (strange() || has_unknown_code(words_)) {
     lose_rest();
+    return Token{};
+  }
+  if (prose_ends_ && only_line_number() && is_prose(line_.text)) {
+    ended_ = true;
     return Token{};
   }
   if (writes_to_device(letters)) {

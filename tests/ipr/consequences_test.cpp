@@ -668,3 +668,55 @@ TEST_CASE("an M99 that cannot be read may have been the end before the next prog
   CHECK(told(call + "MM99\n" + next) == Places{"SC1002 5:1"});
   CHECK(told(call + next) == Places{"SC2303 5:1"});
 }
+
+TEST_CASE("a word that no code in force takes is told, whatever motion that is",
+          "[ipr][consequences]") {
+  const Places words{"SC2008 3:4", "SC2008 4:5", "SC2008 5:7", "SC2008 6:4"};
+  for (const std::string line : {"5", "?", "G", "-30"}) {
+    CAPTURE(line);
+    Places all = told("G0 X1 F100\n" + line + "\nX2 B5\nG54 B5\nG61.1 B5\nM5 B5");
+    REQUIRE(all.size() == words.size() + 1);
+    all.erase(all.begin());
+    CHECK(all == words);
+  }
+  CHECK(told("5\nG54 E5\nT1 B5\nX2 P5") == Places{"SC1007 1:1", "SC2004 2:5", "SC2008 3:4"});
+  CHECK(told("5\nX2 B5", Dialect::fanuc) == Places{"SC1007 1:1"});
+  const auto all = interpret("5\nX2 B5 E1\nM2\n").diagnostics;
+  REQUIRE(all.size() == 3);
+  CHECK(all[1].message == "the machine has no axis B");
+  CHECK(all[2].message == "E is used by no code of this line");
+}
+
+TEST_CASE("an end that may be another word of its line does not end the program",
+          "[ipr][consequences]") {
+  const std::string f = "G1 X1 F100\n";
+  CHECK(told(f + "G10 M2 P1 X0\nG123\nG1 X1 Q1") ==
+        Places{"SC2005 2:1", "SC2001 3:1", "SC2004 4:7"});
+  CHECK(told(f + "G10 L2 P1 X0 M2\nG123") == Places{});
+  CHECK(told(f + "G0 X..1 M2\nG123") == Places{"SC1004 2:5"});
+}
+
+TEST_CASE("what stands behind an end is no program, though one before it cannot be read",
+          "[ipr][consequences]") {
+  const auto checked = [](const std::string& text) {
+    InterpreterOptions options;
+    options.unrun_too = true;
+    return places(interpret(text, Machine{}, options));
+  };
+  CHECK(checked("G0 X1\n5\nM2\ntext is here\n") == Places{"SC1007 2:1"});
+  CHECK(checked("2G1 G90 G0 X1\nG0 X2\nM2\nG0 X99\nthis is no program\n") == Places{"SC1007 1:1"});
+  CHECK(checked("o1 call\n5\nM2\no1 sub\nG0 X..1\no1 endsub\n") ==
+        Places{"SC1004 5:5", "SC1007 2:1"});
+  CHECK(checked("o1 if [1\nM2\no1 endif\nG0 X..1\n") == Places{"SC1017 1:7", "SC1004 4:5"});
+}
+
+TEST_CASE("an end with a wrong digit is told, and not the prose behind it", "[ipr][consequences]") {
+  for (const std::string end : {"M32", "M530", "M22", "M39", "M320"}) {
+    CAPTURE(end);
+    CHECK(places(interpret("G0 X1\n" + end + "\nthis is prose\nand more of it\n")) ==
+          Places{"SC2001 2:1"});
+    CHECK(told("G0 X1\n" + end + "\nX..1\nGTO 5") ==
+          Places{"SC2001 2:1", "SC1004 3:2", "SC1020 4:1"});
+  }
+  CHECK(told("G0 X1\nM117\nthis is prose") == Places{"SC2001 2:1", "SC1020 3:1"});
+}
