@@ -98,7 +98,7 @@ class Detector {
       format_ = Format::commands;
     } else if (name.empty() && line.numbers == 0 && !line.other && !line.fault) {
       return;
-    } else if (name.empty() && spline_ && !line.fault) {
+    } else if (name.empty() && spline_ && !line.fault && !line.other) {
       format_ = Format::commands;
     } else if (is_stray(line) || (of_both && line.fault)) {
       return;

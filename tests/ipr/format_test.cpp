@@ -99,6 +99,12 @@ TEST_CASE("two commands on one line are no G-code", "[ipr][format]") {
   CHECK(format_of("F100 L3\n") == "gcode");
 }
 
+TEST_CASE("a number before a word of G-code is no point of a spline", "[ipr][format]") {
+  CHECK(format_through_pipe("S1000\n0M3\nF600\nG1 X1\nM5\nM2\n") == "gcode");
+  CHECK(format_through_pipe("S1000\n5 G0 X1\nG1 X2 F100\nM3\nM2\n") == "gcode");
+  CHECK(format_through_pipe("s 3\n1 1\n") == "commands");
+}
+
 TEST_CASE("how a text comes in pieces does not matter", "[ipr][format]") {
   CHECK(format_through_pipe("(a comment)\nf 600\nl 10 0\nl 0 10\n") == "commands");
   CHECK(format_through_pipe("f 600\nG01 X1\n") == "gcode");
