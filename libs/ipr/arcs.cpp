@@ -29,7 +29,8 @@ bool may_pass_over(const Task& task, const PlaneAxes& axes) {
          task.values.letters().has_any(centre.without(std::string_view(&across, 1)));
 }
 
-/// Told apart: centre and radius, or a centre off the plane.
+/// Told apart: centre and radius, or a centre off the plane. The code may be what is wrong: on the
+/// lines behind it that only its mode makes arcs, nothing is told.
 bool is_well_given(Task& task, const PlaneAxes& axes) {
   const Values& values = task.values;
   const bool radius = values.has('R');
@@ -39,7 +40,9 @@ bool is_well_given(Task& task, const PlaneAxes& axes) {
                  code_name(task.code) + " takes R or a centre, not both");
   } else if (const char across = offset_letter(axes.across);
              values.has(across) && !may_pass_over(task, axes)) {
-    if (task.command.doubted().has(Group::plane))
+    const bool by_mode = task.word.letter != 'G';
+    const bool told = std::exchange(task.modal.centre_told, true) && by_mode;
+    if (task.command.doubted().has(Group::plane) || told)
       task.out.mute();
     else
       report_words(task, kOffsetLetters, Code::SC2105, values.word(across).pos,

@@ -160,8 +160,10 @@ bool is_curve(const Task& task) {
 /// The move behind G40 begins beside the contour, where no arc or curve was meant to begin: not
 /// even where G41 or G42 follows.
 void report_beside(Task& task) {
-  task.out.report(Code::SC2149, task.word.pos,
-                  code_name(task.code) + " behind G40; the first move leads away on a line");
+  const bool told = task.modal.centre_told && task.word.letter != 'G';  // of the code in force
+  if (!told)
+    task.out.report(Code::SC2149, task.word.pos,
+                    code_name(task.code) + " behind G40; the first move leads away on a line");
   task.out.mute();
   task.modal.beside.reset();
 }

@@ -269,13 +269,17 @@ void Interpreter::remember_uncertain(const Line& line) {
   if (command_.has(Group::motion)) uncertain.remove('G');
   if (uncertain.has('G')) modal_.motion = modal_.motion_below = nullptr;
   modal_.uncertain |= uncertain;
+  if (command_.has(Group::motion) && command_.doubted().has(Group::motion))
+    modal_.centre_told = true;  // nobody knows whether lines behind it are arcs: `G6.G2 P3`
   const Letters unused = command_.missing().empty() ? Letters() : command_.unused(options_.dialect);
   if (!unused.empty()) doubt_modes_meant(line, unused, modal_);
   const GCode* motion = command_.find(Group::motion);
   const bool by_mode = motion != nullptr && is_line_or_arc(*motion) &&
                        command_.find_word(Group::motion).letter != 'G';
   if (by_mode &&
-      unused.has_any("IJKR")) {  // the code of an arc, or a cycle, may be what is missing
+      unused.has_any(is_straight(*motion)
+                         ? "IJKPR"
+                         : "IJKR")) {  // the code of an arc, or a cycle, may be what is missing
     modal_.motion = modal_.motion_below = nullptr;
     modal_.uncertain |= "GXYZ";
   }
@@ -320,6 +324,9 @@ void Interpreter::find_motion() {
     return command_.add_modal_motion(*motion, *first_of(command_.values(), motion->words));
   if (motion != nullptr || !unused.has_any(kAxisWords)) return;
   const Word& word = *first_of(command_.values(), kAxisWords);
+  const bool alone = unused.without(Letters({&word.letter, 1})).empty();
+  if (alone && modal_.feed <= 0) modal_.uncertain.add('F');              // `X600`, for F600
+  if (command_.uncertain().has(word.letter)) modal_.uncertain.add('G');  // `x0 X1`, for G0 X1
   if (modal_.uncertain.has('G')) return out_.mute();
   out_.report(Code::SC2101, word.pos,
               std::string(1, word.letter) + " with no motion code in force");

@@ -104,10 +104,31 @@ void for_each_lost(const Line& line, char letter, Function function) {
   }
 }
 
+/// `G(8`: another character stands in the place of the first digit.
+bool begins_strangely(std::string_view behind) noexcept {
+  constexpr std::string_view kOfNumbers{" \t.+-#["};
+  return !behind.empty() && !is_digit(behind[0]) && !is_letter(behind[0]) &&
+         kOfNumbers.find(behind[0]) == std::string_view::npos;
+}
+
+/// `*18`: what stands behind another character in the place of the first letter.
+std::string_view behind_stranger(std::string_view text) noexcept {
+  constexpr std::string_view kOther{"/%(;#[<.+-\""};
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos || first + 1 >= text.size()) return {};
+  const char c = text[first];
+  const bool strange = !is_digit(c) && !is_letter(c) && kOther.find(c) == std::string_view::npos;
+  return strange && is_digit(text[first + 1]) ? text.substr(first + 1) : std::string_view{};
+}
+
 }  // namespace
 
 Groups groups_of_code(double number) noexcept {
+  constexpr int kLeast = 200;  // of codes that there are on no control
   const GCode* code = find_gcode('G', number);
+  if (code == nullptr && number < 1) code = find_gcode('G', std::round(number * 100));  // G.91
+  if (code == nullptr && number >= kLeast)
+    return {Group::motion, Group::plane, Group::distance, Group::arc_distance};
   if (code == nullptr && changes_coordinates(number)) return {Group::motion, Group::work_offset};
   if (code == nullptr) code = find_gcode('G', std::floor(number));
   const bool rests = code != nullptr && (code->number == kG04 || code->number == kG09);
@@ -120,9 +141,13 @@ Groups lost_groups(const Line& line) noexcept {
     if (word.letter == 'G') lost |= groups_of_code(word.value);
   if (line.lone_number && find_gcode('G', *line.lone_number) != nullptr)
     lost |= groups_of_code(*line.lone_number);
+  if (const auto number = number_meant(behind_stranger(line.text));
+      number && find_gcode('G', *number) != nullptr)
+    lost |= groups_of_code(*number);
   for_each_lost(line, 'G', [&](std::string_view behind) {
     const auto number = number_meant(behind);
-    const bool known = number && find_gcode('G', *number) != nullptr && !ends_in_letter(behind);
+    const bool known = !begins_strangely(behind) && number && find_gcode('G', *number) != nullptr &&
+                       !ends_in_letter(behind);
     lost |= known ? groups_of_code(*number) : kModesOfG;
     const bool tenths = known && points_stand_in(behind);
     if (tenths && find_gcode('G', *number / kTenths) != nullptr)

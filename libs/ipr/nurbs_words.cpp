@@ -65,12 +65,28 @@ std::ptrdiff_t surface_words(const Values& values) {
                        [&](char letter) { return values.has(letter); });
 }
 
+/// `L3` for P3: with one of them alone no surface is asked for, and the order is not known.
+bool stands_for_order(const Task& task) {
+  return task.values.has('K') && !task.values.has('P') && surface_words(task.values) == 1;
+}
+
+void report_order_meant(Task& task) {
+  for (const char letter : kSurfaceWords)
+    if (task.values.has(letter))
+      report_word(task, letter, Code::SC3125,
+                  std::string(1, letter) + " alone asks for no surface: it takes D, J and H");
+}
+
 void begin_curve(Task& task) {
   begin_motion(task);
   check_feed_mode(task);
-  if (task.values.has('K') || surface_words(task.values) != 1) ask_for_surface_of_curve(task);
+  const bool order_lost = stands_for_order(task);
+  if (order_lost)
+    report_order_meant(task);
+  else if (task.values.has('K') || surface_words(task.values) != 1)
+    ask_for_surface_of_curve(task);
   PendingCurve& curve = task.modal.curve.emplace();
-  curve.order = read_order(task).value_or(0);
+  curve.order = order_lost ? 0 : read_order(task).value_or(0);
   curve.headless = std::exchange(task.modal.left_curve_may_go_on, false);
   curve.broken = curve.headless;
   curve.knots_uncertain = curve.order == 0 || curve.headless;
@@ -154,8 +170,9 @@ double read_weight(Task& task, PendingCurve& curve) {
 /// The first block names the axes of the curve; if it names none, the second one does.
 void check_curve_axes(Task& task, PendingCurve& curve) {
   const bool naming = curve.axes.empty() && curve.spec.control.size() <= 1;
+  const bool doubled = task.command.uncertain().has_any("KPR");  // one may stand for an axis
   for (const char letter : kAxisLetters) {
-    if (naming && lost(task.command).has(letter)) curve.axes.add(letter);
+    if (naming && (doubled || lost(task.command).has(letter))) curve.axes.add(letter);
     if (!task.values.has(letter) || curve.axes.has(letter)) continue;
     curve.axes.add(letter);
     if (naming) continue;
@@ -197,6 +214,22 @@ void refuse_late_point(Task& task, PendingCurve& curve) {
                         std::to_string(curve.order) + " closing knots");
   curve.knots_uncertain = curve.disordered = true;
   curve.lost_axes |= kAxisWords;
+}
+
+/// `Z1` for the closing knot K1: a coordinate alone, where only a knot is due or no axis has its
+/// letter.
+bool stands_for_knot(const Task& task, const PendingCurve& curve) {
+  const Letters given = task.values.letters();
+  if (is_first(curve) || given.has('K') || lost(task.command).has('K')) return false;
+  for (const char letter : kAxisLetters)
+    if (given == Letters({&letter, 1})) return curve.closing_knots > 0 || !curve.axes.has(letter);
+  return false;
+}
+
+/// It is told, and counts as one.
+void read_knot_meant(Task& task, PendingCurve& curve) {
+  ++curve.closing_knots;
+  read_knot(task, curve);
 }
 
 void read_control_point(Task& task, PendingCurve& curve) {
@@ -277,6 +310,7 @@ void read_block(Task& task, PendingCurve& curve) {
   curve.knot_told = misplaced && !task.values.has('K');
   if (curve.knot_told) curve.knots_uncertain = curve.misshapen = true;
   if (curve.knot_told && !has_axes) return;
+  if (!misplaced && stands_for_knot(task, curve)) return read_knot_meant(task, curve);
   if (begins || has_axes)
     read_control_point(task, curve);
   else

@@ -194,6 +194,8 @@ bool write_table(Task& task) {
   if (!task.values.has('L')) {
     if (!task.command.uncertain().has('L'))
       task.out.report(Code::SC2005, task.word.pos, "G10 needs L, the table");
+    if (task.modal.motion == nullptr && !task.values.has('P'))
+      task.modal.uncertain.add('G');  // it may be G0 or G1
     return false;
   }
   const auto table = whole_number(task, task.values.word('L'));

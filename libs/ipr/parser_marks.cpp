@@ -140,8 +140,9 @@ std::optional<Token> Parser::pass_name(Lexer& lexer, const Token& letter) {
 
 void Parser::report_missing_number(const Token& letter, const Token& instead) {
   using Kind = Token::Kind;
-  const bool excused = instead.kind != Kind::letter && instead.kind != Kind::end &&
-                       instead.kind != Kind::slash;  // what stands there is told instead
+  const bool excused =
+      instead.kind != Kind::letter && instead.kind != Kind::end &&
+      (instead.kind != Kind::slash || !only_line_number());  // what stands there is told instead
   line_.lost.add(letter.letter);
   lose_word_before(letter);
   if (excused || strange()) return;
@@ -180,7 +181,11 @@ void Parser::lose_word_before(const Token& letter) {
 
 void Parser::report_number(const Token& letter, const Token& number) {
   line_.lost.add(letter.letter);
-  TextFault fault = number_fault(number.fault, text_of(line_.text, number), {&letter.letter, 1});
+  const std::string_view written = text_of(line_.text, number);
+  const bool divided = written.find_first_of(" \t") != std::string_view::npos;
+  if (number.fault == NumberFault::sign_inside && divided)
+    line_.lost |= kAxisWords;  // `Y1 -5`: the second one's letter may be what is missing
+  TextFault fault = number_fault(number.fault, written, {&letter.letter, 1});
   report(fault.code, number.column, number.length, std::move(fault.message));
 }
 
@@ -398,8 +403,10 @@ bool Parser::only_line_number() const noexcept {
 
 void Parser::report(Code code, int column, int length, std::string message) {
   line_.broken = true;
+  const bool comment = is_comment_without_begin(code, column, length);
+  if (comment) message += "; the ')' behind it has no '('";
   diagnostics_.report(code, {line_.number, column, length, file_}, std::move(message), line_.text);
-  if (is_comment_without_begin(code, column, length)) lose_rest();
+  if (comment) lose_rest();
 }
 
 /// Prose, behind which a ')' ends a comment that nothing has begun: it is one error.

@@ -99,7 +99,8 @@ Token Parser::pass_sign(Lexer& lexer, const Token& letter, const Token& sign) {
   const Lexer before = lexer;
   const Token next = lexer.next();
   const bool right_behind = next.column == sign.end_column();
-  if (right_behind && next.kind == Token::Kind::unknown) {
+  const bool told = next.kind == Token::Kind::unknown || next.kind == Token::Kind::macro;
+  if (right_behind && told) {
     line_.lost.add(letter.letter);
     return next;
   }

@@ -215,6 +215,19 @@ void spline(Task& task) {
   if (task.values.letters().has_any(kAxisWords)) add_spline_point(task, *task.modal.points);
 }
 
+namespace {
+
+/// `F5.3`, for G5.3.
+bool is_end_meant(const Command& command) {
+  constexpr double kG053 = 5.3;
+  return std::any_of(command.codes().begin(), command.codes().end(),
+                     [](const Command::CodeWord& code) {
+                       return code.word->letter == 'F' && code.word->value == kG053;
+                     });
+}
+
+}  // namespace
+
 void check_pending_points(const Command& command, Modal& modal, Output& out) {
   PendingPoints& curve = *modal.points;
   const bool by_control = curve.code->number == kControlPoints;
@@ -229,7 +242,9 @@ void check_pending_points(const Command& command, Modal& modal, Output& out) {
     note_stranger(*code, curve);
     if (ends) return leave_points(modal);
   }
-  if (command.uncertain().has('G')) leave_points(modal);
+  const bool may_end = by_control && !command.values().letters().has_any(kAxisWords);
+  const bool end_lost = command.uncertain().has('M') || is_end_meant(command);
+  if (command.uncertain().has('G') || (may_end && end_lost)) leave_points(modal);
 }
 
 void end_pending_spline(Modal& modal, Output& out) {

@@ -17,8 +17,10 @@ void report(Task& task, const std::string& why) {
 /// Told if not: LinuxCNC does not know the code.
 bool is_of_fanuc(Task& task) {
   if (task.options.dialect == Dialect::fanuc) return true;
+  constexpr int kG09 = 90;  // its digits are those of G90
   task.out.report(Code::SC2001, task.word.pos,
                   code_name(task.code) + " is not supported in the linuxcnc dialect");
+  if (task.code.number == kG09) task.modal.doubt({Group::distance});
   return false;
 }
 

@@ -720,3 +720,58 @@ TEST_CASE("an end with a wrong digit is told, and not the prose behind it", "[ip
   }
   CHECK(told("G0 X1\nM117\nthis is prose") == Places{"SC2001 2:1", "SC1020 3:1"});
 }
+
+TEST_CASE("a code that may be no arc is told once, and so are its lines", "[ipr][consequences]") {
+  const std::string f = "F100\n", knots = "K0 X1 Y1\nK0 X2 Y0\nK1\nK1\n";
+  CHECK(told(f + "G2 X5 I2.5\n" + knots) == Places{"SC2105 3:1"});
+  CHECK(told(f + "G2 X5 I2.5\n" + knots + "G3 X1 K1") == Places{"SC2105 3:1", "SC2105 7:7"});
+  CHECK(told(f + "G6.G2 P3 K0 X0 Y0\n" + knots + "G1 X5") == Places{"SC2001 2:1"});
+  CHECK(told(f + "G6.G2 P3 K0 X0 Y0\n" + knots + "G2 X5") == Places{"SC2001 2:1", "SC2107 7:4"});
+  CHECK(told(f + "G0 X0\nX5 Y3 P1\nX6 Y2 P2\nX7 Y3 P1\nG5.3") == Places{"SC2004 3:7"});
+  CHECK(told(f + "G0 X5 P1\nG1 X7 P1") == Places{"SC2004 2:7", "SC2004 3:7"});
+}
+
+TEST_CASE("the first or the last block of a curve with a wrong letter is one error",
+          "[ipr][consequences]") {
+  const std::string rest = "K0 X1 Y1\nK0 X2 Y0\nK1\nK1\n", f = "F100\n";
+  CHECK(told(f + "G6.2 P3 K0 P0 Y0\n" + rest + "K1") == Places{"SC2003 2:12"});
+  CHECK(told(f + "G6.2 P3 K0 X0 Y0\n" + rest + "Z1") == Places{"SC3102 7:1"});
+  CHECK(told(f + "G6.2 P3 K0 X0 Y0\n" + rest + "Y1\nG1 X5 Q1") ==
+        Places{"SC3102 7:1", "SC2004 8:7"});
+  const auto all = interpret(f + "G6.2 L3 K0 X0 Y0\n" + rest + "K1\nM2\n").diagnostics;
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].code == Code::SC3125);
+  CHECK(all[0].pos.column == 6);
+  CHECK(all[0].message == "L alone asks for no surface: it takes D, J and H");
+  const std::string points = f + "G5.2 X0 Y1 P1 L3\nX2 Y8 P2\nX9 Y7 P1\n";
+  CHECK(told(points + "M5.3") == Places{"SC2001 5:1"});
+  CHECK(told(points + "F5.3") == Places{"SC3110 5:1"});
+  CHECK(told(points + "F5.3\nG1 X5 Q1") == Places{"SC3110 5:1", "SC2004 6:7"});
+}
+
+TEST_CASE("what a mistyped code would have set is not known", "[ipr][consequences]") {
+  const std::string arc = "G1 X10 Y5\nG3 X-20 Y0 I-10 J0", across = "G3 X20 Z10 I0 K10";
+  CHECK(told("G.91 F600\n" + arc) == Places{"SC2001 1:1"});
+  CHECK(told("G09 F600\n" + arc) == Places{"SC2001 1:1"});
+  CHECK(told("G61 F600\n" + arc) == Places{"SC2103 3:4"});
+  for (const std::string line : {"G718", "G(8", "*18", "G$8"}) {
+    CAPTURE(line);
+    CHECK(told("F600\n" + line + "\nG0 X10 Z0\n" + across).size() == 1);
+    CHECK(told("F600\n" + line + "\nG0 X10 Z0\n" + across + "\nG17 G3 X1 K1").size() == 2);
+  }
+  CHECK(told("G10 X2\nX2\nX3") == Places{"SC2005 1:1"});
+  CHECK(told("G91 X600\nG1 X1\nX2") == Places{"SC2101 1:5"});
+  CHECK(told("X6 Y5\nG1 X1") == Places{"SC2101 1:1", "SC2102 2:1"});
+  CHECK(told("x0 X1") == Places{"SC2003 1:4"});
+  CHECK(told("G98 G81 X1 Y1 -5 R2 F100\nX2\nG80") == Places{"SC1003 1:13"});
+}
+
+TEST_CASE("one typed character is one error of its line", "[ipr][consequences]") {
+  CHECK(told("G0 X/1") == Places{"SC1011 1:5"});
+  CHECK(told("G0 X-]10") == Places{"SC1017 1:6"});
+  CHECK(told("G0 Z-=1.") == Places{"SC1001 1:6"});
+  CHECK(told("G0 X-]10\nY..1") == Places{"SC1017 1:6", "SC1004 2:2"});
+  const auto all = interpret("G00 X10 up again, as fast)\nM2\n").diagnostics;
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].message == "no number after U; the ')' behind it has no '('");
+}
