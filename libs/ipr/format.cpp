@@ -15,6 +15,7 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 struct Shape {
   std::string name;
   int numbers = 0;
+  double number = 0;            // the first one
   bool other = false;           // something else is on it
   bool command_behind = false;  // and that can only be a command
   bool fault = false;           // what no language has
@@ -38,7 +39,7 @@ Shape shape_of(std::string_view line) {
   CommandLine fields(line);
   for (auto field = fields.next(); field.kind != CommandField::Kind::end; field = fields.next()) {
     if (field.kind == CommandField::Kind::number) {
-      ++shape.numbers;
+      if (shape.numbers++ == 0) shape.number = field.value;
     } else if (field.kind == CommandField::Kind::name && shape.name.empty() && shape.numbers == 0) {
       shape.name = field.name;
     } else if (field.kind == CommandField::Kind::fault) {
@@ -62,7 +63,9 @@ bool is_stray(const Shape& line) {
   if (line.name.size() > 1) return true;
   constexpr std::string_view kBeginners = "gmnotlsf";
   const bool alone = !line.other && !line.fault && line.numbers > 0;
-  return alone && kBeginners.find(line.name.front()) == std::string_view::npos;
+  constexpr double kLargeCode = 200;  // no control has codes from here on: `M300` may be F300
+  const bool no_code = (line.name == "m" || line.name == "g") && line.number >= kLargeCode;
+  return alone && (no_code || kBeginners.find(line.name.front()) == std::string_view::npos);
 }
 
 /// Looks at lines until one decides.

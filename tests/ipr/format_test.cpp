@@ -105,6 +105,12 @@ TEST_CASE("a number before a word of G-code is no point of a spline", "[ipr][for
   CHECK(format_through_pipe("s 3\n1 1\n") == "commands");
 }
 
+TEST_CASE("a code that no control has decides nothing", "[ipr][format]") {
+  CHECK(format_through_pipe("M300\nl 0 5\nl 10 -10\npcw 10 0 5 0\n") == "commands");
+  CHECK(format_through_pipe("M300\nG0 X1\n") == "gcode");
+  CHECK(format_through_pipe("M30\nl 0 5\n") == "gcode");
+}
+
 TEST_CASE("how a text comes in pieces does not matter", "[ipr][format]") {
   CHECK(format_through_pipe("(a comment)\nf 600\nl 10 0\nl 0 10\n") == "commands");
   CHECK(format_through_pipe("f 600\nG01 X1\n") == "gcode");
