@@ -56,6 +56,15 @@ void Flow::pass_definition() {
     if (inner == nullptr && line->broken && names(line->text, "endsub") && !misspelt)
       misspelt = Spot{parser_.file(), parser_.reader().place_before(line->text)};
     if (inner == nullptr) continue;
+    if (inner->kind == Kind::program && inner->label == statement_.label && nested.line == 0 &&
+        !next && !misspelt) {
+      const std::string& label = statement_.label;
+      report({Misfit::Role::beginning, Kind::sub, label}, Code::SC2303, inner->pos,
+             "'" + o_word(label) + "' within its 'sub' lacks a keyword; is '" +
+                 o_word(label, "endsub") + "' meant?",
+             line->text);
+      return;
+    }
     if (inner->kind == Kind::program) break;
     if (may_be_of(*inner, statement_.label) && !misspelt)
       misspelt = Spot{parser_.file(), parser_.reader().place_before(line->text)};

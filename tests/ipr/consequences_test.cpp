@@ -775,3 +775,12 @@ TEST_CASE("one typed character is one error of its line", "[ipr][consequences]")
   REQUIRE(all.size() == 1);
   CHECK(all[0].message == "no number after U; the ')' behind it has no '('");
 }
+
+TEST_CASE("an end of a subprogram that has lost its keyword is told there", "[ipr][consequences]") {
+  const auto all = interpret("o1 sub\nG0 X1\no1\no1 call\nX..5\nM2\n").diagnostics;
+  REQUIRE(all.size() == 2);
+  CHECK(all[0].code == Code::SC2303);
+  CHECK((all[0].pos.line == 3 && all[0].pos.column == 1));
+  CHECK(all[0].message == "'o1' within its 'sub' lacks a keyword; is 'o1 endsub' meant?");
+  CHECK((all[1].code == Code::SC1004 && all[1].pos.line == 5));
+}
