@@ -35,6 +35,11 @@ bool probes(const Word& word, Dialect dialect) noexcept {
   return word.letter == 'G' && std::floor(word.value) == code;
 }
 
+bool is_end(double number) noexcept {
+  constexpr double kM02 = 2, kM30 = 30;
+  return number == kM02 || number == kM30;
+}
+
 /// 32, 530, 3: of M codes that are unknown.
 bool resembles_end(double number) noexcept {
   const std::string written = number_text(number);
@@ -70,6 +75,8 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
                    out);
     break;
   }
+  if (line.lone_number && line.words.empty() && line.doubtful.empty())
+    may_be_end_ = is_end(std::abs(*line.lone_number)) || resembles_end(std::abs(*line.lone_number));
   if (has(Group::program_number)) check_program_number(line, out);
   if (!line.doubtful.empty() && !calls_macro_) look_at(line.doubtful, dialect, out);
   if (line.broken) doubt_lost_codes(line);

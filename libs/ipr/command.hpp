@@ -79,7 +79,7 @@ class Command {
   /// Whether one of them was a probing move.
   bool lost_touch() const noexcept { return lost_touch_; }
   /// Whether it has an unknown M code that may be M02 or M30 with one digit that is wrong, too many
-  /// or missing.
+  /// or missing, or is a number alone that may be such.
   bool may_be_end() const noexcept { return may_be_end_; }
 
  private:

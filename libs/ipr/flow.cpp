@@ -116,7 +116,11 @@ void Flow::doubt(const Line& line) {
   const bool labelled = line.statement != nullptr &&
                         (!line.statement->label.empty() || line.statement->kind == Kind::go_to);
   if (!labelled) opens_lost_ = true;
-  if (labelled && misspelt) is_new({Misfit::Role::between, Kind::misspelt, line.statement->label});
+  if (labelled && misspelt) {
+    const std::string &label = line.statement->label, &meant = line.statement->label_meant;
+    is_new({Misfit::Role::between, Kind::misspelt, label});
+    if (!meant.empty() && meant != label) is_new({Misfit::Role::between, Kind::misspelt, meant});
+  }
   if ((line.statement != nullptr && !misspelt) || lost_o_words_.size() > kMostLost) return;
   for (const char c : line.text)
     if (!is_blank(c)) lost_o_words_ += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

@@ -161,6 +161,8 @@ std::optional<Subprogram> Flow::find(const std::string& label, bool program,
   }
   const bool begins_elsewhere = !program && library_.has_end(label);  // its `sub` is wrong
   if (begins_elsewhere && !is_new({Misfit::Role::end, Kind::sub, label})) return sub;
+  if (begins_elsewhere && options_.unrun_too && library_.has_sub_without_label())
+    return sub;  // which is read, and told there
   const std::string nearest = library_.nearest(label);
   report(Code::SC2301, call,
          "no subprogram " + (program ? program_name(label) : o_word(label)) + " in this program" +

@@ -137,6 +137,8 @@ void Library::search_on(int file, const std::string& label, bool program) {
 
 void Library::learn(Text& text, const Line& line) {
   const Statement* statement = line.statement;
+  if (statement == nullptr && parser_.file() == 0 && names_sub_alone(line.text))
+    sub_without_label_ = true;
   const bool misspelt = statement != nullptr && statement->kind == Kind::misspelt;
   if (misspelt && misspelt_.size() < kMostMissing) misspelt_.push_back(*statement);
   const bool ends = statement != nullptr && statement->kind == Kind::end_sub;

@@ -59,6 +59,8 @@ class Library {
   std::vector<Subprogram> all_of_program();
   /// An endsub of this label has been seen.
   bool has_end(const std::string& label) const { return ends_.contains(label); }
+  /// A ` sub` without a label has been seen in the program's own file.
+  bool has_sub_without_label() const noexcept { return sub_without_label_; }
   /// A line of this label whose keyword cannot be read may be the beginning of such.
   bool may_be_misspelt(std::string_view label) const;
   /// The known label that resembles one that is not; empty if none does.
@@ -97,6 +99,7 @@ class Library {
   Diagnostics& diagnostics_;
   std::string folder_;
   bool lost_ = false;
+  bool sub_without_label_ = false;
   std::map<int, Text> texts_;                        // by SourcePos::file
   std::map<std::string, int, std::less<>> file_of_;  // by name in the folder; -1: unreadable
   std::set<std::string> missing_;

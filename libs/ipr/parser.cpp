@@ -157,6 +157,7 @@ Token Parser::read_word(Lexer& lexer, const Token& letter) {
     words_.push_back({letter.letter, number.value, {line_.number, letter.column, length}});
   } else {
     report_number(letter, number);
+    if (number.fault == NumberFault::sign_inside) lexer.take(']');  // whose '[' is missing
     return pass_value(lexer);
   }
   return lexer.next();

@@ -143,6 +143,7 @@ class Parser {
   void lose_number_before(const Token& stranger);
   bool looks_like_digit(const Token& letter) const noexcept;
   Token pass_letter_for_digit(Lexer& lexer, const Token& letter);
+  Token pass_skipped(Lexer& lexer);
   Token pass_letter_in_number(Lexer& lexer, const Token& letter);
   bool is_comment_without_begin(Code code, int column, int length) const noexcept;
   void doubt_unset(const Fault& fault);

@@ -48,8 +48,9 @@ std::string meant_by(std::string_view mark, Lexer lexer) {
   return corner ? "; chamfers and roundings within a line are not supported" : "";
 }
 
-/// Two words or more, of letters and marks of a sentence.
-bool is_prose(std::string_view line) {
+/// Two words or more, of letters and marks of a sentence; before a '(', which need not be closed.
+bool is_prose(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find('('));
   constexpr std::string_view kMarks{".,:;-!?'\""};
   const auto plain = [&](char c) {
     return is_letter(c) || is_blank(c) || kMarks.find(c) != std::string_view::npos;

@@ -115,8 +115,9 @@ void Parser::read_outline() {
     read_o_word(lexer, token);
   else if (token.kind == Token::Kind::letter && !strange_start)
     read_keyword(lexer, token);
-  if (line_.statement == nullptr && (names(line_.text, "end") || names(line_.text, "while")))
-    line_.broken = true;  // what may have been meant for an end
+  if (line_.statement == nullptr &&
+      (names(line_.text, "end") || names(line_.text, "while") || names_sub_alone(line_.text)))
+    line_.broken = true;  // what may have been meant for an end, or a sub
   if (strange_start && line_.statement != nullptr) statement_.kind = Statement::Kind::misspelt;
 }
 

@@ -43,6 +43,24 @@ bool pass_value_in_brackets(Lexer& lexer) {
   return true;
 }
 
+/// `[]1+2]`: whether '[]' has just been passed, and a value stands right behind it.
+bool ends_empty(std::string_view line, Lexer lexer) {
+  const auto end = static_cast<std::size_t>(lexer.end()) - 1;
+  return line.substr(0, end).ends_with("[]") && end < line.size() && is_number_part(line[end]);
+}
+
+/// That value, and its ']'.
+void pass_behind_empty(Lexer& lexer) {
+  const auto is_of_value = [](char c) {
+    return is_number_part(c) || std::string_view("*/#").find(c) != std::string_view::npos;
+  };
+  for (char c = lexer.peek(); c != 0 && is_of_value(c); c = lexer.peek()) {
+    if (lexer.column() != lexer.end()) return;
+    lexer.pass();
+  }
+  lexer.take(']');
+}
+
 }  // namespace
 
 /// A word whose value begins with no digit: `first` is the token behind its letter.
@@ -68,11 +86,18 @@ Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) 
     const bool for_digit = first.kind == Token::Kind::letter && looks_like_digit(first) &&
                            (first.letter == 'O' || first.column == letter.end_column());
     if (for_digit) return pass_letter_for_digit(lexer, letter);
+    if (first.kind == Token::Kind::slash && only_line_number()) return pass_skipped(lexer);
     const bool right_behind =
         first.kind == Token::Kind::letter && first.column == letter.end_column();
     return right_behind ? pass_letter_in_number(lexer, first) : first;
   }
   return sign ? pass_sign(lexer, letter, first) : (report_number(letter, first), lexer.next());
+}
+
+/// `M/05`: the number behind a '/' that stands in it.
+Token Parser::pass_skipped(Lexer& lexer) {
+  const Token number = lexer.next();
+  return number.kind == Token::Kind::number ? lexer.next() : number;
 }
 
 /// `Xq0`: a letter in the place of the first digit is a part of the number, unless a value follows
@@ -154,6 +179,7 @@ Token Parser::pass_broken(Lexer& lexer, Lexer begin, const std::optional<Fault>&
   }
   report(fault);
   lexer = begin;
+  if (fault->code == Code::SC1016 && ends_empty(line_.text, lexer)) pass_behind_empty(lexer);
   return lexer.next();
 }
 

@@ -42,6 +42,7 @@ struct Statement {
 
   Kind kind = Kind::none;
   std::string label;
+  std::string label_meant;      // of a misspelt one: `1` in `o1 0epeat`, `ramp` in `o3ramp>`
   bool label_computed = false;  // by #.. or [..]
   double value = 0;        // condition, number of rounds, line number, or what return gives back
   bool has_value = false;  // return and endsub may go without
@@ -56,6 +57,8 @@ struct Statement {
 bool may_mean(std::string_view strange, std::string_view label) noexcept;
 /// Whether a word in lower case stands in a line, before its comments.
 bool names(std::string_view line, std::string_view word) noexcept;
+/// Whether it is ` sub` or `R200 sub`: the word alone, or behind one other.
+bool names_sub_alone(std::string_view line) noexcept;
 /// Whether it is misspelt, and may have been meant for this label.
 bool may_be_of(const Statement& statement, std::string_view label) noexcept;
 

@@ -106,6 +106,19 @@ bool resembles_end(std::string_view letters) noexcept {
 /// Of a loop: a variable is none.
 bool lacks_number(char next) noexcept { return next == 0 || next == '#' || next == '['; }
 
+/// Where a number and no keyword follow the O: the name in `3ramp>`, whose '<' is what is wrong, or
+/// the digits before a blank, behind which the keyword may begin.
+std::string label_meant(Lexer label, Lexer behind) {
+  const std::string name = lower_case(behind.take_letters());
+  if (behind.peek() == '>') return name;
+  std::string digits;
+  for (int column = label.column(); is_digit(label.peek()) && label.column() == column; ++column) {
+    digits += label.peek();
+    label.pass();
+  }
+  return without_leading_zeros(digits);
+}
+
 }  // namespace
 
 bool may_mean(std::string_view strange, std::string_view label) noexcept {
@@ -122,8 +135,26 @@ bool names(std::string_view line, std::string_view word) noexcept {
          }) != text.end();
 }
 
+bool names_sub_alone(std::string_view line) noexcept {
+  constexpr std::string_view kSpaces{" \t"}, kSub{"SUB"};
+  std::string_view text = line.substr(0, line.find_first_of("(;"));
+  text = text.substr(0, text.find_last_not_of(kSpaces) + 1);
+  if (text.size() < kSub.size()) return false;
+  const std::string_view word = text.substr(text.size() - kSub.size());
+  std::string_view before = text.substr(0, text.size() - kSub.size());
+  if (!std::equal(word.begin(), word.end(), kSub.begin(),
+                  [](char c, char wanted) { return upper_case(c) == wanted; }))
+    return false;
+  const auto behind = before.find_last_not_of(kSpaces);
+  if (behind == std::string_view::npos) return true;
+  if (behind + 1 == before.size()) return false;
+  before = before.substr(0, behind + 1);
+  return before.find_first_of(kSpaces, before.find_first_not_of(kSpaces)) == std::string_view::npos;
+}
+
 bool may_be_of(const Statement& statement, std::string_view label) noexcept {
-  return statement.kind == Kind::misspelt && may_mean(statement.label, label);
+  if (statement.kind != Kind::misspelt) return false;
+  return may_mean(statement.label, label) || statement.label_meant == label;
 }
 
 StatementReader::Found StatementReader::read_o_word(SourcePos at) {
@@ -132,7 +163,7 @@ StatementReader::Found StatementReader::read_o_word(SourcePos at) {
   statement_ = Statement{};
   statement_.pos = at;
   const bool labelled = read_label();
-  const Found found = labelled ? read_behind_label(by_number) : Found::nothing;
+  const Found found = labelled ? read_behind_label(by_number, before) : Found::nothing;
   if (found == Found::program || (found == Found::nothing && !broke_off_)) lexer_ = before;
   return broke_off_ ? Found::statement : found;
 }
@@ -228,7 +259,7 @@ void StatementReader::refuse_signed_label() {
   if (lexer_.peek() == 0 || take_keyword(lexer_) != nullptr) stop(Code::SC1029, begin, end, kLabel);
 }
 
-StatementReader::Found StatementReader::read_behind_label(bool by_number) {
+StatementReader::Found StatementReader::read_behind_label(bool by_number, const Lexer& label) {
   if (broke_off_) return Found::statement;
   const char next = lexer_.peek();
   const bool may_be_named = parameters_.dialect() == Dialect::fanuc && !statement_.label_computed;
@@ -241,12 +272,14 @@ StatementReader::Found StatementReader::read_behind_label(bool by_number) {
     Lexer behind = lexer_;
     if (!behind.take_letters().empty() && is_stranger(behind.peek())) {
       statement_.kind = Kind::misspelt;
+      if (by_number) statement_.label_meant = label_meant(label, lexer_);
       lexer_ = behind;  // what stands there is told
       broke_off_ = true;
       return Found::statement;
     }
     if (by_number && (!is_letter(next) || is_word(lexer_))) return Found::nothing;
     statement_.kind = Kind::misspelt;
+    if (by_number) statement_.label_meant = label_meant(label, lexer_);
     stop_at_next(Code::SC1020, "a keyword like 'call'");
     return Found::statement;
   }

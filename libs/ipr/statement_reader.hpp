@@ -48,7 +48,7 @@ class StatementReader {
   bool refuse_letter_in_label();
   void refuse_signed_label();
   void set_label(double value, int begin);
-  Found read_behind_label(bool by_number);
+  Found read_behind_label(bool by_number, const Lexer& label);
   void read_value();
   void read_arguments();
   Found refuse(SourcePos at, int end, const char* why);

@@ -784,3 +784,40 @@ TEST_CASE("an end of a subprogram that has lost its keyword is told there", "[ip
   CHECK(all[0].message == "'o1' within its 'sub' lacks a keyword; is 'o1 endsub' meant?");
   CHECK((all[1].code == Code::SC1004 && all[1].pos.line == 5));
 }
+
+TEST_CASE("a label or keyword of which one character is lost is one error", "[ipr][consequences]") {
+  InterpreterOptions options;
+  options.unrun_too = true;
+  const auto checked = [&](const std::string& text) {
+    return places(interpret(text, Machine{}, options));
+  };
+  const std::string body = "G0 X1\no200 endsub\n", call = "o200 call\n", end = "M2\n";
+  CHECK(checked(call + end + " sub\n" + body) == Places{"SC1020 3:2"});
+  CHECK(checked(call + end + "R200 sub\n" + body) == Places{"SC1020 3:6"});
+  CHECK(checked(call + "o3 call\n" + end + " sub\n" + body) == Places{"SC2301 2:1", "SC1020 4:2"});
+  CHECK(told("o1 0epeat [6]\nG0 X1\no1 endrepeat") == Places{"SC1020 1:5"});
+  CHECK(told("o1 0epeat [6]\nG0 X1\no1 endrepeat\no2 endif") == Places{"SC1020 1:5", "SC2304 4:1"});
+  const std::string ramp = "o<ramp> sub\nG0 X1\no3ramp> endsub\no<ramp> call";
+  CHECK(told(ramp) == Places{"SC1020 3:3"});
+  CHECK(told(ramp + "\nG0 X..1") == Places{"SC1020 3:3", "SC1004 5:5"});
+}
+
+TEST_CASE("behind a number alone that may be an end prose is not told", "[ipr][consequences]") {
+  for (const std::string line : {"-30", "22", "M530"}) {
+    CAPTURE(line);
+    const std::string begin = "G0 X1\n" + line + "\n";
+    CHECK(places(interpret(begin + "this is never read (nor this\n#1=2\n")).size() == 1);
+    CHECK(told(begin + "G0 X..1\nGTO 5").size() == 3);
+  }
+  CHECK(told("G0 X1\n7\nthis is prose") == Places{"SC1007 2:1", "SC1020 3:1"});
+}
+
+TEST_CASE("a bracket or a slash too many in a value is one error", "[ipr][consequences]") {
+  const std::string f = "G1 F100\n";
+  CHECK(told(f + "X[]1+2*3] Y1") == Places{"SC1016 2:3"});
+  CHECK(told(f + "X[]1+2*3] Y..1") == Places{"SC1016 2:3", "SC1004 2:12"});
+  CHECK(told(f + "X[] 5") == Places{"SC1016 2:3", "SC1007 2:5"});
+  CHECK(told(f + "G[]0 X1") == Places{"SC1016 2:3"});
+  CHECK(told(f + "M/05") == Places{"SC1002 2:1"});
+  CHECK(told(f + "G10+11] G90 Y..1") == Places{"SC1003 2:2", "SC1004 2:14"});
+}
