@@ -132,7 +132,12 @@ Groups groups_of_code(double number) noexcept {
   if (code == nullptr && changes_coordinates(number)) return {Group::motion, Group::work_offset};
   if (code == nullptr) code = find_gcode('G', std::floor(number));
   const bool rests = code != nullptr && (code->number == kG04 || code->number == kG09);
-  return rests ? Groups{} : Groups{code != nullptr ? code->group : Group::motion};
+  if (rests) return {};
+  Groups groups{code != nullptr ? code->group : Group::motion};
+  const bool tenths = code != nullptr && find_gcode('G', number) == nullptr;
+  if (tenths && find_gcode('G', std::fmod(number, kTenths)) != nullptr)
+    groups |= {Group::motion};  // `G95.2`, for G5.2
+  return groups;
 }
 
 Groups lost_groups(const Line& line) noexcept {

@@ -821,3 +821,10 @@ TEST_CASE("a bracket or a slash too many in a value is one error", "[ipr][conseq
   CHECK(told(f + "M/05") == Places{"SC1002 2:1"});
   CHECK(told(f + "G10+11] G90 Y..1") == Places{"SC1003 2:2", "SC1004 2:14"});
 }
+
+TEST_CASE("a digit too many before a code with a point leaves its motion open",
+          "[ipr][consequences]") {
+  const std::string points = "F100\nG95.2 X0 Y1 P1 L3\nX2 Y8 P2\nX9 Y7 P1\nG5.3\n";
+  CHECK(told(points) == Places{"SC2001 2:1"});
+  CHECK(told(points + "G1 X1 Q1") == Places{"SC2001 2:1", "SC2004 6:7"});
+}
