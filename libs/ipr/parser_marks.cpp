@@ -56,7 +56,7 @@ bool is_prose(std::string_view text) {
     return is_letter(c) || is_blank(c) || kMarks.find(c) != std::string_view::npos;
   };
   const auto begin = line.find_first_not_of(" \t"), end = line.find_last_not_of(" \t.");
-  return std::all_of(line.begin(), line.end(), plain) &&
+  return begin != std::string_view::npos && std::all_of(line.begin(), line.end(), plain) &&
          line.substr(begin, end - begin).find(' ') != std::string_view::npos;
 }
 

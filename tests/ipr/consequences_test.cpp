@@ -719,6 +719,7 @@ TEST_CASE("an end with a wrong digit is told, and not the prose behind it", "[ip
           Places{"SC2001 2:1", "SC1004 3:2", "SC1020 4:1"});
   }
   CHECK(told("G0 X1\nM117\nthis is prose") == Places{"SC2001 2:1", "SC1020 3:1"});
+  CHECK(told("G0 X1\nM530\n(a comment) abc def") == Places{"SC2001 2:1", "SC1020 3:13"});
 }
 
 TEST_CASE("a code that may be no arc is told once, and so are its lines", "[ipr][consequences]") {
