@@ -11,7 +11,8 @@ namespace {
 constexpr double kJerkAllowed = 1.0045, kAccelerationAllowed = 1.0007, kCapAllowed = 1.0004;
 constexpr double kPassingAllowed = 1.0012;  // of a place: its constraints keep more free
 constexpr double kFirmAllowed = 1 + 1e-7;   // rounding of a cap that holds everywhere
-constexpr int kInstants = 4;                // beside the first
+constexpr int kInstants = 4;                // beside the first, or one a row up to
+constexpr int kMostInstants = 16;           // so many
 constexpr double kStandstill = 1e-9;        // mm/s: slower is rounding
 constexpr Used kTooMuch{kUnlimited, 0};     // no motion ahead
 
@@ -37,18 +38,20 @@ double used_rows(const PlanSpan& span, const Inside& inside, const PathPoint& x,
 Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap, double t,
              PassedJumps& jumps) {
   const Quintic motion = quintic(ramp);
+  const double rows = std::min<double>(ramp.duration / span.constraints.period(), kMostInstants);
+  const int instants = std::max(kInstants, static_cast<int>(rows));
   Used used;
-  for (int k = 0; k <= kInstants; ++k) {
-    const double passed = ramp.duration * k / kInstants;
+  for (int k = 0; k <= instants; ++k) {
+    const double passed = ramp.duration * k / instants;
     const Instant at = motion.at(passed);
     if (!(at.v > -kStandstill && at.s > ramp.s0 - kStandstill && at.s < ramp.s1 + kStandstill))
       return kTooMuch;
-    while (i + 1 < span.last && k < kInstants && span.interval(i).s1 <= at.s) ++i;
+    while (i + 1 < span.last && k < instants && span.interval(i).s1 <= at.s) ++i;
     const Interval& interval = span.interval(i);
     const PathPoint point =
         interval.straight()
             ? interval.left
-            : softcnc::at(*interval.path, at.s, k < kInstants ? Side::after : Side::before);
+            : softcnc::at(*interval.path, at.s, k < instants ? Side::after : Side::before);
     used.rows =
         std::max(used.rows, used_rows(span, span.chain.inside[i], point, at, jumps.at(t + passed)));
     const double q = at.v * at.v;

@@ -64,6 +64,15 @@ TEST_CASE("a near cusp between two nodes of a plan is seen", "[ipo][jerk]") {
   CHECK(result.rows.back().position == end(last_path(blocks)));
 }
 
+TEST_CASE("no row between the nodes of a plan with short periods is forgotten", "[ipo][jerk]") {
+  const unsigned seed = GENERATE(24830191U, 40175367U);
+  auto [machine, blocks] = case_of(seed, 1);
+  std::mt19937 random(seed + 1);
+  vary(random, machine, blocks);
+  machine.control.period = 2.5e-4;
+  CHECK(exceeded(machine, run(machine, blocks)) == "");
+}
+
 TEST_CASE("a stop at any moment of a jerk-limited program ends at rest on the path",
           "[ipo][jerk][property][stop]") {
   holds(
