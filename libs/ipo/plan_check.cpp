@@ -34,12 +34,17 @@ double used_rows(const PlanSpan& span, const Inside& inside, const PathPoint& x,
                   pushed / (kAccelerationAllowed * span.share * inside.share));
 }
 
+/// One a row. The duration of a plan that went wrong may not be a number.
+int instants_on(const Ramp& ramp, double period) noexcept {
+  const double rows = ramp.duration / period;
+  return static_cast<int>(std::fmin(std::fmax(rows, kInstants), kMostInstants));
+}
+
 /// Of a ramp that begins at `t` s of its plan.
 Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap, double t,
              PassedJumps& jumps) {
   const Quintic motion = quintic(ramp);
-  const double rows = std::min<double>(ramp.duration / span.constraints.period(), kMostInstants);
-  const int instants = std::max(kInstants, static_cast<int>(rows));
+  const int instants = instants_on(ramp, span.constraints.period());
   Used used;
   for (int k = 0; k <= instants; ++k) {
     const double passed = ramp.duration * k / instants;
