@@ -15,7 +15,8 @@ constexpr double kStepParts = 8;
 constexpr double kSagParts = 3;   // times the tolerance, of what a longer x' adds to velocities
 constexpr double kHalfParts = 4;  // a curve is so many times nearer to its chord over half the way
 constexpr double kSwing = 2;      // times the tolerance: what a bend may do between looks
-constexpr double kBrakingParts = 3;   // times the tolerance, of what is asked for while braking
+constexpr double kBrakingParts = 2;   // times the tolerance, of what is asked for while braking:
+                                      // with kAccelerationShare it stays within the promise
 constexpr double kEvenSteps = 0.01;   // of their q
 constexpr double kShortest = 1e-7;    // mm; shorter than any machine resolves
 constexpr int kLooks = 16;            // at a cap that holds everywhere, between two nodes
