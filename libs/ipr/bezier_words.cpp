@@ -113,8 +113,9 @@ bool follows_cubic(const Task& task) {
 
 void cubic_curve(Task& task, const PlaneAxes& axes, const AxisVector& to) {
   const bool goes_on = follows_cubic(task);
+  if (!needs_both(task, {'P', 'Q'})) return;
   const auto handle = first_handle(task, axes, goes_on);
-  if (!needs_both(task, {'P', 'Q'}) || !handle) return;
+  if (!handle) return;
   const AxisVector& from = task.modal.position;
   emit_bezier(task, {from, from + *handle, to + way(task, axes, {'P', 'Q'}), to});
 }

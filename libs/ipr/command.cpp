@@ -35,6 +35,12 @@ bool probes(const Word& word, Dialect dialect) noexcept {
   return word.letter == 'G' && std::floor(word.value) == code;
 }
 
+/// M70 to M73, whatever the letter.
+bool saves_or_restores(double number) noexcept {
+  constexpr double kM70 = 70, kM73 = 73;
+  return number >= kM70 && number <= kM73;
+}
+
 bool is_end(double number) noexcept {
   constexpr double kM02 = 2, kM30 = 30;
   return number == kM02 || number == kM30;
@@ -62,7 +68,8 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
   groups_ = {};
   uncertain_ = line.lost;
   missing_ = {};
-  doubted_ = {};
+  doubted_ = contradicted_ = {};
+  doubled_ = unknown_code_ = false;
   lost_touch_ = may_be_end_ = false;
   lost_all_ = stands_for_value_ = false;
   calls_macro_ = false;
@@ -80,13 +87,18 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
   if (has(Group::program_number)) check_program_number(line, out);
   if (!line.doubtful.empty() && !calls_macro_) look_at(line.doubtful, dialect, out);
   if (line.broken) doubt_lost_codes(line);
-  if (stands_for_value_) doubt_missing();
+  if (stands_for_value_ || doubled_) doubt_missing();
 }
 
 /// What codes would have done that are told is not known: of a code that moves, where it leads.
 [[gnu::cold]] void Command::doubt(Groups groups) noexcept {
   doubted_ |= groups;
   if (groups.has_any(kMoving)) uncertain_ |= kAfterUnknownCode;
+}
+
+[[gnu::cold]] void Command::doubt_motion() noexcept {
+  contradicted_.add(Group::motion);
+  doubt({Group::motion});
 }
 
 /// A code that takes no words leaves the others to the motion in force.
@@ -133,8 +145,10 @@ Letters Command::lastingly_uncertain() const noexcept {
   const GCode* code = find_gcode(word.letter, word.value);
   if (code == nullptr) {
     out.report(Code::SC2001, word.pos, code_name(word.letter, word.value) + " is not supported");
+    unknown_code_ = true;
     uncertain_ |= word.letter == 'G' ? kAfterUnknownCode : Letters("M");
     if (word.letter == 'G') doubt(groups_of_code(word.value));
+    if (saves_or_restores(word.value)) uncertain_.add('M');
     stands_for_value_ = stands_for_value_ || (word.letter == 'G' && word.value >= kLargeCode);
     lost_touch_ = lost_touch_ || probes(word, dialect);
     may_be_end_ = may_be_end_ || (word.letter == 'M' && resembles_end(word.value));
@@ -148,6 +162,7 @@ Letters Command::lastingly_uncertain() const noexcept {
     report_twice(word, out);
     return check_value(word, out);
   }
+  contradicted_.add(code->group);
   if (word.letter == 'G')
     doubt({code->group});
   else
@@ -164,6 +179,7 @@ void Command::read_arguments(std::span<const Word> words, Output& out) {
 
 [[gnu::hot]] void Command::read_value(const Word& word, Output& out) {
   if (values_.has(word.letter)) {
+    doubled_ = true;
     uncertain_.add(word.letter);
     return report_twice(word, out);
   }
@@ -172,7 +188,7 @@ void Command::read_arguments(std::span<const Word> words, Output& out) {
 }
 
 /// O names the program; only a line number may stand beside it. Behind other words it is told
-/// itself, and what it was meant for is not known.
+/// itself, and what it was meant for is not known; before them it may be another letter's code.
 void Command::check_program_number(const Line& line, Output& out) {
   const auto& words = line.words;
   const auto number =
@@ -182,7 +198,9 @@ void Command::check_program_number(const Line& line, Output& out) {
   });
   if (other == words.end()) return;
   const bool behind = other < number;
-  if (behind) uncertain_ |= kAfterUnknownCode;
+  if (behind || find_gcode('G', number->value) != nullptr) uncertain_ |= kAfterUnknownCode;
+  if (!behind && find_gcode('G', number->value) != nullptr) doubt(groups_of_code(number->value));
+  if (!behind && find_gcode('M', number->value) != nullptr) uncertain_.add('M');
   out.report(Code::SC2006, behind ? number->pos : other->pos,
              std::string("O stands alone on its line") + (behind ? kLetterForDigit : ""));
 }

@@ -49,6 +49,8 @@ class Command {
   void add_modal_motion(const GCode& motion, const Word& word) { add(motion, word); }
   /// A word that no code takes has been told: it may have been meant for any that is missing.
   void doubt_missing() noexcept;
+  /// It may be another motion that the line asks for.
+  void doubt_motion() noexcept;
   /// Adds the codes that D and H are where no code of the line takes them.
   void add_lone_letters(Dialect dialect);
 
@@ -76,6 +78,12 @@ class Command {
   Letters lastingly_uncertain() const noexcept;
   /// Of which groups they leave open what is in force.
   Groups doubted() const noexcept { return doubted_; }
+  /// Whether a word is given twice, and told: one of the two may be any other.
+  bool doubled() const noexcept { return doubled_; }
+  /// Groups of which the line has several codes, or not the one that is meant, and that is told.
+  Groups contradicted() const noexcept { return contradicted_; }
+  /// Whether it has a code that is unknown, and told: it may be another word of the line.
+  bool has_unknown_code() const noexcept { return unknown_code_; }
   /// Whether one of them was a probing move.
   bool lost_touch() const noexcept { return lost_touch_; }
   /// Whether it has an unknown M code that may be M02 or M30 with one digit that is wrong, too many
@@ -103,6 +111,8 @@ class Command {
   std::string_view called_;
   Letters uncertain_, missing_;
   Groups doubted_;
+  Groups contradicted_;
+  bool doubled_ = false, unknown_code_ = false;
   bool lost_touch_ = false;
   bool may_be_end_ = false;
   bool lost_all_ = false;          // of the line: nobody knows what its words are

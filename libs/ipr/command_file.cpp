@@ -136,7 +136,10 @@ bool CommandFile::take(CommandField&& field) {
     return false;
   }
   const bool good = field.kind == Kind::number;
-  if (!good) report(field.fault.code, pos_of(field), std::move(field.fault.message));
+  if (!good) {
+    countable_ = countable_ && field.fault.code != Code::SC1002;  // `-o0`: what follows is of it
+    report(field.fault.code, pos_of(field), std::move(field.fault.message));
+  }
   numbers_.push_back(std::move(field));
   return good;
 }
@@ -144,7 +147,8 @@ bool CommandFile::take(CommandField&& field) {
 bool CommandFile::take_name(CommandField&& name) {
   if (head_.kind == Kind::end && numbers_.empty()) {
     head_ = std::move(name);
-    if (spline_) leave_spline(quoted(head_.name) + " too early");
+    const bool may_be_point = find_row(head_.name) == nullptr && stands_for_digit(head_);
+    if (spline_ && !may_be_point) leave_spline(quoted(head_.name) + " too early");
     return is_known();
   }
   report_stray(Code::SC1053, name, quoted(name.name) + " within a line; a command begins one");
@@ -155,6 +159,12 @@ bool CommandFile::take_name(CommandField&& name) {
 void CommandFile::report_stray(Code code, const CommandField& field, std::string message) {
   if (countable_ || code == Code::SC1009) report(code, pos_of(field), std::move(message));
   countable_ = false;
+}
+
+/// `J0` among the points of a spline, for 10: a letter right before a number.
+bool CommandFile::stands_for_digit(const CommandField& name) const noexcept {
+  const auto behind = static_cast<std::size_t>(name.column + name.length) - 1;
+  return name.length == 1 && behind < text_.size() && is_digit(text_[behind]);
 }
 
 bool CommandFile::is_known() {

@@ -61,6 +61,7 @@ class CommandFile {
   bool take(CommandField&& field);
   bool take_name(CommandField&& name);
   void report_stray(Code code, const CommandField& field, std::string message);
+  bool stands_for_digit(const CommandField& name) const noexcept;
   bool is_known();
   void read_command();
   bool has_its_numbers(const CommandRow& row);

@@ -117,6 +117,8 @@ bool Flow::lacks_end(const Subprogram& sub) const {
 void Flow::begin_program() {
   if (in_subprogram()) {
     const std::string name = name_of(calls_.back().sub);
+    if (calls_.back().sub.label == statement_.label)  // its own, twice: the library has told that
+      return report(Code::SC2314, statement_.pos, name + " stands in this file before");
     if (end_lost_) {
       doubt_order();
       opens_lost_ = true;

@@ -65,7 +65,9 @@ bool is_stray(const Shape& line) {
   const bool alone = !line.other && !line.fault && line.numbers > 0;
   constexpr double kLargeCode = 200;  // no control has codes from here on: `M300` may be F300
   const bool no_code = (line.name == "m" || line.name == "g") && line.number >= kLargeCode;
-  return alone && (no_code || kBeginners.find(line.name.front()) == std::string_view::npos);
+  const bool no_feed = line.name == "f" && line.numbers > 1;  // `f3 00`
+  const bool any = line.name == "o" || no_code || no_feed;    // `O 1200` may be `f 1200`
+  return alone && (any || kBeginners.find(line.name.front()) == std::string_view::npos);
 }
 
 /// Looks at lines until one decides.

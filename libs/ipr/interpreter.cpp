@@ -248,7 +248,7 @@ bool Interpreter::leads_all_the_same(const Line& line) {
 [[gnu::cold]] bool Interpreter::way_is_certain() const {
   constexpr Letters kBesideTheWay{"FMNST"};
   return command_.uncertain().without(kBesideTheWay).empty() && command_.doubted().empty() &&
-         command_.unused(options_.dialect).empty();
+         !command_.has_unknown_code() && command_.unused(options_.dialect).empty();
 }
 
 /// Blocks of a curve that was left too early: they end at a motion code that has none of their
@@ -263,11 +263,20 @@ void Interpreter::excuse_left_curve() {
   if (motion->act != nurbs) modal_.left_curve_may_go_on = false;
 }
 
+/// `G682 P3 K0`: it may have been G06.2, whose blocks follow, with the code in each or without.
+void Interpreter::excuse_curve_of_lost_code() {
+  constexpr Letters kWordsOfBlocks{"KR"};
+  modal_.words_of_left_curve |= kWordsOfBlocks;
+  modal_.left_curve_may_go_on = true;
+}
+
 /// What an error leaves unknown. A motion code that could be read is known all the same.
 void Interpreter::remember_uncertain(const Line& line) {
   Letters uncertain = command_.lastingly_uncertain();
-  if (command_.has(Group::motion)) uncertain.remove('G');
+  if (command_.has(Group::motion) && !command_.contradicted().has(Group::motion))
+    uncertain.remove('G');
   if (uncertain.has('G')) modal_.motion = modal_.motion_below = nullptr;
+  if (uncertain.has('G') && command_.values().has('K')) excuse_curve_of_lost_code();
   modal_.uncertain |= uncertain;
   if (command_.has(Group::motion) && command_.doubted().has(Group::motion))
     modal_.centre_told = true;  // nobody knows whether lines behind it are arcs: `G6.G2 P3`
@@ -398,6 +407,8 @@ bool Interpreter::check_unused() {
     if (unused.has(letter) && kOtherAxes.has(letter))
       out_.report(Code::SC2008, command_.values().word(letter).pos, lacks_axis(letter));
   if (may_be_code_of(command_.values(), unused, kOtherAxes)) return true;
+  const bool coded = command_.has(Group::motion) && command_.find_word(Group::motion).letter == 'G';
+  if (command_.doubled() && !coded) return true;  // one of the two may be the code
   if (const Word* first = first_of(command_.values(), unused.without(kOtherAxes)))
     out_.report(Code::SC2004, first->pos, used_by_none(unused.without(kOtherAxes)));
   return true;
@@ -414,6 +425,10 @@ bool Interpreter::check_unused() {
     modal_.uncertain.add('M');
   const GCode* motion = command_.find(Group::motion);
   if (motion != nullptr && is_line_or_arc(*motion) && !is_straight(*motion)) out_.mute();
+  const bool curve_by_mode = motion != nullptr && !is_line_or_arc(*motion) &&
+                             leads_by_itself(*motion) &&
+                             command_.find_word(Group::motion).letter != 'G';
+  if (curve_by_mode) command_.doubt_motion();
 }
 
 /// `G10 M2 P1`, where L2 is missing: M02 may be another word, if its line has others.

@@ -72,6 +72,7 @@ class Interpreter {
   bool stands_for_word() const noexcept;
   void execute();
   void excuse_left_curve();
+  void excuse_curve_of_lost_code();
   void remember_uncertain(const Line& line);
   bool tell_restored(const Line& next);
   bool leads_all_the_same(const Line& line);

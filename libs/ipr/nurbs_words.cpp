@@ -46,6 +46,7 @@ std::optional<int> read_order(Task& task) {
     note_order(task, word);
     return static_cast<int>(word.value);
   }
+  if (!task.values.has('K')) return std::nullopt;  // what is told is that
   report_word(task, 'P', Code::SC3001,
               "P, the order of the curve, is a whole number from 2 to " +
                   std::to_string(Nurbs::kMaxDegree + 1));
@@ -142,13 +143,18 @@ void check_knot(Task& task, PendingCurve& curve) {
                     " times in a row; at most " + std::to_string(most) + " can be here");
 }
 
+/// What else seems wrong with the block may be the word that stands for it. A curve that lacks it
+/// from its first block on may be one of another code.
+void tell_missing_knot(Task& task, PendingCurve& curve) {
+  if (is_first(curve)) curve.knotless = true;
+  if (!curve.knotless || is_first(curve))
+    task.out.report(Code::SC3102, task.word.pos, "a block of a curve needs its knot, K");
+  curve.knot_told = curve.knots_uncertain = curve.misshapen = true;
+  task.out.mute();
+}
+
 void read_knot(Task& task, PendingCurve& curve) {
   if (curve.knot_told) return;
-  if (!task.values.has('K')) {
-    task.out.report(Code::SC3102, task.word.pos, "a block of a curve needs its knot, K");
-    curve.knots_uncertain = curve.misshapen = true;
-    return;
-  }
   if (task.command.uncertain().has('K')) {
     curve.knots_uncertain = true;
     return;
@@ -162,6 +168,7 @@ double read_weight(Task& task, PendingCurve& curve) {
   if (!task.values.has('R')) return 1;
   const Word& word = task.values.word('R');
   if (word.value > 0) return word.value;
+  if (curve.knot_told) return 1;
   report_word(task, 'R', Code::SC3007, "R, the weight of a control point, must be above 0");
   curve.misshapen = true;
   return 1;
@@ -229,7 +236,7 @@ bool stands_for_knot(const Task& task, const PendingCurve& curve) {
 /// It is told, and counts as one.
 void read_knot_meant(Task& task, PendingCurve& curve) {
   ++curve.closing_knots;
-  read_knot(task, curve);
+  tell_missing_knot(task, curve);
 }
 
 void read_control_point(Task& task, PendingCurve& curve) {
@@ -250,7 +257,7 @@ void read_closing_knot(Task& task, PendingCurve& curve) {
                     "the curve ends after " + std::to_string(points) +
                         " control points; its order asks for " + std::to_string(curve.order));
     curve.knots_uncertain = true;
-  } else if (task.values.has('R')) {
+  } else if (task.values.has('R') && !curve.knot_told) {
     report_word(task, 'R', Code::SC3111, "a closing knot takes K alone");
     curve.lost_axes |= kAxisWords;
   }
@@ -289,7 +296,7 @@ bool has_words_of_first(Task& task, const PendingCurve& curve) {
   const Values& values = task.values;
   Letters first = kSurfaceWords;
   const bool again = curve.repeats && values.has('P') && values['P'] == curve.order_word;
-  if (!again) first.add('P');
+  if (!again && curve.order > 0) first.add('P');
   bool told = false;
   for (const char letter : std::string_view("PDJHL")) {
     if (!first.has(letter) || !values.has(letter)) continue;
@@ -311,6 +318,7 @@ void read_block(Task& task, PendingCurve& curve) {
   if (curve.knot_told) curve.knots_uncertain = curve.misshapen = true;
   if (curve.knot_told && !has_axes) return;
   if (!misplaced && stands_for_knot(task, curve)) return read_knot_meant(task, curve);
+  if (!curve.knot_told && !task.values.has('K')) tell_missing_knot(task, curve);
   if (begins || has_axes)
     read_control_point(task, curve);
   else
@@ -351,6 +359,17 @@ bool goes_on(const PendingCurve& curve, const Command& command) {
   return !values.has('P') || values['P'] == curve.order_word;
 }
 
+/// F within a curve, where no next one may begin with it. Beside a code the line may be the first
+/// of the curve once more, with its knot.
+void tell_late_feed(const Command& command, Modal& modal, const Word& word, Output& out) {
+  PendingCurve& curve = *modal.curve;
+  const bool coded = command.has(Group::motion);
+  const bool repeated = command.find(Group::motion) == modal.motion && goes_on(curve, command);
+  if (coded && (!repeated || curve.knots_uncertain || curve.order == 0)) return;
+  out.report(Code::SC3110, word.pos, "F belongs to the first block of the curve");
+  if (coded) curve.knots_uncertain = true;
+}
+
 /// LinuxCNC's form in the fanuc dialect is told once, and read on as what it is.
 void refuse_repetition(PendingCurve& curve, const Word& word, Output& out) {
   if (!curve.knots_uncertain) out.report(Code::SC3105, word.pos, "G06.2 within a curve of G06.2");
@@ -385,10 +404,7 @@ void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, 
       continue;
     }
     if (code->group == Group::feed) {
-      const bool may_be_next =
-          command.has(Group::motion) && (curve.knots_uncertain || curve.order == 0);
-      if (!may_be_next)
-        out.report(Code::SC3110, word->pos, "F belongs to the first block of the curve");
+      tell_late_feed(command, modal, *word, out);
       continue;
     }
     if (!curve.knots_uncertain) report_left_early(curve, *code, *word, out);

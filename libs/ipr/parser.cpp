@@ -93,6 +93,7 @@ std::optional<Line> Parser::next_line(Read read) {
   line_.number = reader_->line();
   line_.text = text;
   given_up_ = false;
+  told_to_ = 0;
   trusted_.reset();
   before_then_.reset();
 }

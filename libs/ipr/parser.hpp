@@ -147,6 +147,7 @@ class Parser {
   Token pass_letter_in_number(Lexer& lexer, const Token& letter);
   bool is_comment_without_begin(Code code, int column, int length) const noexcept;
   void doubt_unset(const Fault& fault);
+  void doubt_shorter(const Variable& variable);
   std::optional<Token> pass_name(Lexer& lexer, const Token& letter);
   void report_missing_number(const Token& letter, const Token& instead);
   Token read_exponent(Lexer& lexer, const Token& letter);
@@ -184,6 +185,7 @@ class Parser {
   SourcePos lone_percent_{};  // that ends a program which none has begun; line 0: none
   bool started_ = false, given_up_ = false, ended_ = false, broke_off_ = false;
   bool nul_seen_ = false;
+  int told_to_ = 0;  // the column behind the last fault of the line that was told; 0: none
   std::optional<std::size_t> trusted_;      // words before something that is none
   std::optional<std::size_t> before_then_;  // words before a THEN whose condition is not known
   bool prose_ends_ = false;

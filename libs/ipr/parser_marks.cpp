@@ -203,6 +203,7 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
     case Token::Kind::macro:
       return read_macro(lexer, mark);
     case Token::Kind::open_comment:
+      lose_number_before(mark);
       give_up(Code::SC1009, mark, "the comment has no ')'");
       break;
     case Token::Kind::nested_comment:
@@ -276,7 +277,8 @@ Token Parser::pass_stranger(Lexer& lexer, const Token& stranger) {
     report(Code::SC1001, stranger.column, stranger.length,
            "unknown character " + character_name(text) + meant_by(text, lexer));
   if (text == ",") pass_corner(lexer);
-  if (is_digit(lexer.peek()) || lexer.peek() == '.') lose_number_before(stranger);
+  if (is_digit(lexer.peek()) || lexer.peek() == '.' || before.ends_with('.'))
+    lose_number_before(stranger);
   return go_on_behind(lexer);
 }
 
@@ -335,7 +337,10 @@ Token Parser::read_macro(Lexer& lexer, const Token& mark) {
   const bool name = text == "<" && calls_program();
   const bool fanuc = options_.dialect == Dialect::fanuc;
   if (name && fanuc && line_.called.empty()) return read_called(lexer, mark);
-  if (text == "[")
+  lose_number_before(mark);
+  if (text == "]" && line_.broken)
+    lose_rest();  // what is told may be the place of its '['
+  else if (text == "[")
     give_up(Code::SC1007, mark, "'[' has no letter before it");
   else if (text == "]")
     give_up(Code::SC1017, mark, "this ']' has no '['");
@@ -386,6 +391,9 @@ Token Parser::read_slash(Lexer& lexer, const Token& slash) {
     if (!strange())
       report(Code::SC1011, slash.column, slash.length,
              "'/' (block skip) within a line; it stands at its beginning");
+    Lexer behind = lexer;
+    if (const Token number = behind.next(); number.kind == Token::Kind::number)
+      line_.lone_number = number.value;  // of `/19`, for G19
     return go_on_behind(lexer);
   }
   const Token after = lexer.next();
@@ -404,6 +412,8 @@ bool Parser::only_line_number() const noexcept {
 
 void Parser::report(Code code, int column, int length, std::string message) {
   line_.broken = true;
+  const bool of_the_last = column == std::exchange(told_to_, column + length);
+  if (of_the_last) return;  // `2e)`: where the fault before it ends
   const bool comment = is_comment_without_begin(code, column, length);
   if (comment) message += "; the ')' behind it has no '('";
   diagnostics_.report(code, {line_.number, column, length, file_}, std::move(message), line_.text);

@@ -235,6 +235,8 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
   note(expression.other_value());
   if (!variable || (computed && !assignable)) parameters_.doubt_all(true);
   if (expression.broke_off()) {
+    lose_number_before(sign);
+    if (!assigns && variable) doubt_shorter(*variable);
     if (assignable) assign(std::move(*variable), kUncertain);
     return pass_broken(lexer, before, expression.fault());
   }
@@ -336,6 +338,14 @@ void Parser::doubt_assignments() {
     if (variable && access_to(*variable, parameters_) == Parameters::Access::granted)
       write(*variable, kUncertain, parameters_);
   }
+}
+
+/// `#510`, for `#5=10`: the number ends somewhere within its digits.
+void Parser::doubt_shorter(const Variable& variable) {
+  constexpr int kBase = 10;
+  for (int number = variable.number / kBase; number > 0; number /= kBase)
+    if (parameters_.access(number) == Parameters::Access::granted)
+      parameters_.write(number, kUncertain);
 }
 
 /// A name that nothing has set is told once: it may have been meant to be set where another one is.

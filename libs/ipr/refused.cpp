@@ -20,6 +20,7 @@ bool is_of_fanuc(Task& task) {
   constexpr int kG09 = 90;  // its digits are those of G90
   task.out.report(Code::SC2001, task.word.pos,
                   code_name(task.code) + " is not supported in the linuxcnc dialect");
+  task.out.hush(false);  // it may be another word of the line
   if (task.code.number == kG09) task.modal.doubt({Group::distance});
   return false;
 }

@@ -54,6 +54,30 @@ const Keyword* take_keyword(Lexer& lexer) {
   return nullptr;
 }
 
+/// Whether one of two texts becomes the other by one character more, less or other.
+bool differ_in_one(std::string_view one, std::string_view other) noexcept {
+  if (one.size() > other.size()) std::swap(one, other);
+  if (other.size() - one.size() > 1) return false;
+  const auto end = static_cast<std::ptrdiff_t>(one.size());
+  const auto [at, there] = std::mismatch(one.begin(), one.begin() + end, other.begin());
+  if (at == one.end()) return true;
+  const auto rest = one.size() == other.size() ? at + 1 : at;
+  return std::equal(rest, one.end(), there + 1, other.end());
+}
+
+/// `e9ndif`, `e.ndsub`, `e-dif`: what stands behind a label, by its letters alone.
+bool resembles_keyword(Lexer lexer) {
+  constexpr std::size_t kShortest = 4, kLongest = 12;
+  std::string letters;
+  for (char c = lexer.peek(); c != 0 && c != '[' && letters.size() < kLongest; c = lexer.peek()) {
+    if (is_letter(c)) letters += c;
+    lexer.pass();
+  }
+  return std::any_of(std::begin(kKeywords), std::end(kKeywords), [&](const Keyword& keyword) {
+    return keyword.name.size() >= kShortest && differ_in_one(letters, keyword.name);
+  });
+}
+
 /// What begins with two letters is no word.
 bool is_word(Lexer lexer) {
   lexer.pass();
@@ -277,7 +301,8 @@ StatementReader::Found StatementReader::read_behind_label(bool by_number, const 
       broke_off_ = true;
       return Found::statement;
     }
-    if (by_number && (!is_letter(next) || is_word(lexer_))) return Found::nothing;
+    const bool may_be_word = !is_letter(next) || is_word(lexer_);
+    if (by_number && may_be_word && !resembles_keyword(lexer_)) return Found::nothing;
     statement_.kind = Kind::misspelt;
     if (by_number) statement_.label_meant = label_meant(label, lexer_);
     stop_at_next(Code::SC1020, "a keyword like 'call'");

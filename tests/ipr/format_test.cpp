@@ -53,8 +53,9 @@ TEST_CASE("the commands of paper 003 are known by their first line", "[ipr][form
     CHECK(format_of(text) == "commands");
   }
   CHECK(format_of(std::string("l 1 1\0\nf 600\n", 13)) == "commands");
-  for (const char* fault : {"f 300?\n", "xx 10\n", "l 1 ? 2\n", "s 2 $\n", "k 10 10\n", "10 10\n",
-                            "x 600\n", "(open\n", "of arcs and (so on)\n", "9of arcs)\n"}) {
+  for (const char* fault :
+       {"f 300?\n", "xx 10\n", "l 1 ? 2\n", "s 2 $\n", "k 10 10\n", "10 10\n", "x 600\n",
+        "F 600 700\n", "f3 00\n", "O 1200\n", "(open\n", "of arcs and (so on)\n", "9of arcs)\n"}) {
     INFO(fault);
     CHECK(format_of(std::string(fault) + "l 1 1\n") == "commands");
     CHECK(format_of(std::string(fault) + "G00 X1\n") == "gcode");
@@ -82,7 +83,6 @@ TEST_CASE("everything else is G-code", "[ipr][format]") {
                            "s 2\n; only a comment\n",
                            "o100 sub\n",
                            "#1=5\n",
-                           "F 600 700\nl 1 1\n",
                            "$\nl 1 1\n",
                            "lx 1 1\n",
                            "l 1 1 q\n"}) {
