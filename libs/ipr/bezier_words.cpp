@@ -147,10 +147,10 @@ template <typename Draw>
 void draw(Task& task, Draw draw_curve) {
   const PlaneAxes axes = plane_axes(task.modal.plane);
   const AxisVector to = end_point(task);
-  has_feed(task);
-  if (knows_plane(task) && has_plane_axes(task, axes) && is_in_plane(task, axes) &&
-      has_near_lengths(task, "IJKPQ"))
-    draw_curve(task, axes, to);
+  if (knows_plane(task) && has_plane_axes(task, axes) && is_in_plane(task, axes)) {
+    has_feed(task);
+    if (has_near_lengths(task, "IJKPQ")) draw_curve(task, axes, to);
+  }
   begin_motion(task);
   task.modal.position = to;
 }

@@ -14,7 +14,8 @@ namespace softcnc::ipr {
 namespace {
 
 constexpr Letters kAfterUnknownCode{"GXYZ"};  // what it would have done is not known
-constexpr double kLargeCode = 200;  // from here on no control has codes: `G400` may be an F
+constexpr double kLargeMCode = 100;  // likewise, but for the user's own: `M100` may be an F
+constexpr double kLargeCode = 200;   // from here on no control has codes: `G400` may be an F
 constexpr Groups kMoving{Group::motion, Group::cycle, Group::non_modal};
 constexpr Groups kWithWords{Group::cutter_compensation, Group::tool_length, Group::path_control,
                             Group::surface};
@@ -39,11 +40,6 @@ bool probes(const Word& word, Dialect dialect) noexcept {
 bool saves_or_restores(double number) noexcept {
   constexpr double kM70 = 70, kM73 = 73;
   return number >= kM70 && number <= kM73;
-}
-
-bool is_end(double number) noexcept {
-  constexpr double kM02 = 2, kM30 = 30;
-  return number == kM02 || number == kM30;
 }
 
 /// 32, 530, 3: of M codes that are unknown.
@@ -150,6 +146,7 @@ Letters Command::lastingly_uncertain() const noexcept {
     if (word.letter == 'G') doubt(groups_of_code(word.value));
     if (saves_or_restores(word.value)) uncertain_.add('M');
     stands_for_value_ = stands_for_value_ || (word.letter == 'G' && word.value >= kLargeCode);
+    if (word.letter == 'M' && word.value >= kLargeMCode) missing_ |= Letters("FS");
     lost_touch_ = lost_touch_ || probes(word, dialect);
     may_be_end_ = may_be_end_ || (word.letter == 'M' && resembles_end(word.value));
     return;

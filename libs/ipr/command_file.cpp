@@ -177,6 +177,7 @@ bool CommandFile::is_known() {
 
 void CommandFile::read_command() {
   pass_numbers_ = !has_its_numbers(*row_);
+  feed_told_ = feed_told_ || (pass_numbers_ && row_->kind == CommandRow::Kind::feed);
   if (!pass_numbers_) act(row_->kind);
 }
 

@@ -17,6 +17,7 @@ struct Shape {
   int numbers = 0;
   double number = 0;            // the first one
   bool other = false;           // something else is on it
+  std::string other_name;       // what it begins with
   bool command_behind = false;  // and that can only be a command
   bool fault = false;           // what no language has
   bool comment = false;         // and that is one end of a comment
@@ -48,6 +49,7 @@ Shape shape_of(std::string_view line) {
       shape.comment = first == '(' || first == ')';
     } else {
       shape.other = true;
+      shape.other_name = field.name;
       shape.command_behind = is_command(field.name, fields);
     }
     if (shape.other || shape.fault) break;
@@ -62,11 +64,15 @@ bool is_stray(const Shape& line) {
   if (line.name.empty()) return !line.fault || line.comment;
   if (line.name.size() > 1) return true;
   constexpr std::string_view kBeginners = "gmnotlsf";
+  constexpr std::string_view kBesideNoFeed = "ijkpqrhdlbcuvwe";  // alone: `f 3J0`, for f 300
+  if (line.name == "f" && line.other && line.other_name.size() == 1 &&
+      kBesideNoFeed.find(line.other_name) != std::string_view::npos)
+    return true;
   const bool alone = !line.other && !line.fault && line.numbers > 0;
   constexpr double kLargeCode = 200;  // no control has codes from here on: `M300` may be F300
   const bool no_code = (line.name == "m" || line.name == "g") && line.number >= kLargeCode;
   const bool no_feed = line.name == "f" && line.numbers > 1;  // `f3 00`
-  const bool any = line.name == "o" || no_code || no_feed;    // `O 1200` may be `f 1200`
+  const bool any = line.name == "o" || line.name == "n" || no_code || no_feed;
   return alone && (any || kBeginners.find(line.name.front()) == std::string_view::npos);
 }
 
@@ -106,7 +112,7 @@ class Detector {
     } else if (name.empty() && spline_ && !line.fault && !line.other) {
       format_ = Format::commands;
     } else if (is_stray(line) || (of_both && line.fault)) {
-      return;
+      spline_ = spline_ || (alone && name.size() == 1);  // `N 5`, for `s 5`
     } else if ((name == "l" || name == "s") && line.numbers > 1 && !line.other) {
       format_ = Format::commands;
     } else if (alone && of_both) {

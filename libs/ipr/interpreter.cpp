@@ -3,6 +3,7 @@
 #include "ipr/interpreter.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -204,7 +205,11 @@ bool Interpreter::tell_restored(const Line& next) {
   check_axes();
   if (command_.has(Group::non_modal) || command_.has(Group::tool_length)) check_axis_codes();
   const bool unclear = line.broken || out_.failed();
-  if (!command_.uncertain().has_any(kActing) && check_unused()) doubt_missing();
+  if (has_own_motion()) told_unused_ = {};
+  if (!command_.uncertain().has_any(kActing) && check_unused()) {
+    doubt_missing();
+    excuse_end(line);
+  }
   if (unclear && !leads_all_the_same(line))
     out_.mute();
   else if (unclear || out_.failed())
@@ -276,7 +281,8 @@ void Interpreter::remember_uncertain(const Line& line) {
   if (command_.has(Group::motion) && !command_.contradicted().has(Group::motion))
     uncertain.remove('G');
   if (uncertain.has('G')) modal_.motion = modal_.motion_below = nullptr;
-  if (uncertain.has('G') && command_.values().has('K')) excuse_curve_of_lost_code();
+  const bool code_lost = uncertain.has('G') || (command_.doubled() && !has_own_motion());
+  if (code_lost && command_.values().has('K')) excuse_curve_of_lost_code();
   modal_.uncertain |= uncertain;
   if (command_.has(Group::motion) && command_.doubted().has(Group::motion))
     modal_.centre_told = true;  // nobody knows whether lines behind it are arcs: `G6.G2 P3`
@@ -336,6 +342,7 @@ void Interpreter::find_motion() {
   const bool alone = unused.without(Letters({&word.letter, 1})).empty();
   if (alone && modal_.feed <= 0) modal_.uncertain.add('F');              // `X600`, for F600
   if (command_.uncertain().has(word.letter)) modal_.uncertain.add('G');  // `x0 X1`, for G0 X1
+  if (tool_may_be_code()) modal_.uncertain.add('G');
   if (modal_.uncertain.has('G')) return out_.mute();
   out_.report(Code::SC2101, word.pos,
               std::string(1, word.letter) + " with no motion code in force");
@@ -394,6 +401,34 @@ void Interpreter::check_axis_codes() {
   return true;
 }
 
+bool Interpreter::has_own_motion() const noexcept {
+  return command_.has(Group::motion) && command_.find_word(Group::motion).letter == 'G';
+}
+
+/// `T6.2`, for G6.2.
+bool Interpreter::tool_may_be_code() const noexcept {
+  if (!command_.has(Group::tool)) return false;
+  const double number = command_.find_word(Group::tool).value;
+  return number != std::floor(number);
+}
+
+/// The code that takes them may be one of two words of a letter, or a tool that is no whole number;
+/// or it is missing on a line before, which has been told of the same letters.
+[[gnu::cold]] bool Interpreter::is_told_already(Letters unused) {
+  if (has_own_motion()) return false;
+  const bool told = command_.doubled() || tool_may_be_code() ||
+                    (!told_unused_.empty() && unused.without(told_unused_).empty());
+  told_unused_ |= unused;
+  return told;
+}
+
+/// `H2`, for M2, alone on its line.
+[[gnu::cold]] void Interpreter::excuse_end(const Line& line) {
+  if (line.words.size() != 1 || !is_end(line.words.front().value)) return;
+  flow_.doubt_end();
+  parser_.end_at_prose();
+}
+
 /// True if one is told.
 bool Interpreter::check_unused() {
   const Letters unused = command_.unused(options_.dialect);
@@ -407,8 +442,10 @@ bool Interpreter::check_unused() {
     if (unused.has(letter) && kOtherAxes.has(letter))
       out_.report(Code::SC2008, command_.values().word(letter).pos, lacks_axis(letter));
   if (may_be_code_of(command_.values(), unused, kOtherAxes)) return true;
-  const bool coded = command_.has(Group::motion) && command_.find_word(Group::motion).letter == 'G';
-  if (command_.doubled() && !coded) return true;  // one of the two may be the code
+  if (is_told_already(unused)) {
+    out_.mute();
+    return true;
+  }
   if (const Word* first = first_of(command_.values(), unused.without(kOtherAxes)))
     out_.report(Code::SC2004, first->pos, used_by_none(unused.without(kOtherAxes)));
   return true;
@@ -425,6 +462,8 @@ bool Interpreter::check_unused() {
     modal_.uncertain.add('M');
   const GCode* motion = command_.find(Group::motion);
   if (motion != nullptr && is_line_or_arc(*motion) && !is_straight(*motion)) out_.mute();
+  if (!has_own_motion() && command_.unused(options_.dialect).has_any("IJKR"))
+    out_.mute();  // of an arc whose code is missing
   const bool curve_by_mode = motion != nullptr && !is_line_or_arc(*motion) &&
                              leads_by_itself(*motion) &&
                              command_.find_word(Group::motion).letter != 'G';

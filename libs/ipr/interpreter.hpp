@@ -68,6 +68,10 @@ class Interpreter {
   bool fanuc_goes_to_machine_point() const noexcept;
   bool tell_never_used(Letters unused);
   bool check_unused();
+  bool is_told_already(Letters unused);
+  bool tool_may_be_code() const noexcept;
+  bool has_own_motion() const noexcept;
+  void excuse_end(const Line& line);
   void doubt_missing();
   bool stands_for_word() const noexcept;
   void execute();
@@ -93,6 +97,7 @@ class Interpreter {
   Flow flow_;
   Command command_;
   std::optional<CommandFile> commands_;  // where the text is not G-code
+  Letters told_unused_;                  // by the motion in force, on lines before
   bool entering_data_ = false;           // up to G11 lines are passed over
   std::optional<Line> next_;             // waits for what its blocks come behind
 };

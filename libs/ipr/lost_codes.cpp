@@ -121,7 +121,20 @@ std::string_view behind_stranger(std::string_view text) noexcept {
   return strange && is_digit(text[first + 1]) ? text.substr(first + 1) : std::string_view{};
 }
 
+/// `1G9`: of G19 and G91, whose digits stand around the letter.
+Groups groups_of_both(double one, double other) noexcept {
+  Groups groups;
+  for (const double number : {one * 10 + other, other * 10 + one})
+    if (find_gcode('G', number) != nullptr) groups |= groups_of_code(number);
+  return groups;
+}
+
 }  // namespace
+
+bool is_end(double number) noexcept {
+  constexpr double kM02 = 2, kM30 = 30;
+  return number == kM02 || number == kM30;
+}
 
 Groups groups_of_code(double number) noexcept {
   constexpr int kLeast = 200;  // of codes that there are on no control
@@ -154,6 +167,7 @@ Groups lost_groups(const Line& line) noexcept {
     const bool known = !begins_strangely(behind) && number && find_gcode('G', *number) != nullptr &&
                        !ends_in_letter(behind);
     lost |= known ? groups_of_code(*number) : kModesOfG;
+    if (line.lone_number && number) lost |= groups_of_both(*line.lone_number, *number);
     const bool tenths = known && points_stand_in(behind);
     if (tenths && find_gcode('G', *number / kTenths) != nullptr)
       lost |= groups_of_code(*number / kTenths);
@@ -162,12 +176,11 @@ Groups lost_groups(const Line& line) noexcept {
 }
 
 bool means_end(const Line& line) noexcept {
-  constexpr int kM02 = 2, kM30 = 30;
   int lost = 0, ends = 0;
   for_each_lost(line, 'M', [&](std::string_view behind) {
     const auto number = number_meant(behind);
     ++lost;
-    ends += number == kM02 || number == kM30 ? 1 : 0;
+    ends += number && is_end(*number) ? 1 : 0;
   });
   return lost == 1 && ends == 1;
 }

@@ -17,6 +17,9 @@ inline constexpr Groups kModesOfG{
 /// not known at all.
 Groups groups_of_code(double number) noexcept;
 
+/// M02 and M30, by their numbers.
+bool is_end(double number) noexcept;
+
 /// The groups of the G codes on a line that are no words of it: by their digits, letters that look
 /// like one among them. Where these make no code, it may have been any.
 Groups lost_groups(const Line& line) noexcept;

@@ -87,7 +87,8 @@ void begin_curve(Task& task) {
   else if (task.values.has('K') || surface_words(task.values) != 1)
     ask_for_surface_of_curve(task);
   PendingCurve& curve = task.modal.curve.emplace();
-  curve.order = order_lost ? 0 : read_order(task).value_or(0);
+  const bool other_code = task.command.contradicted().has(Group::motion);
+  curve.order = order_lost || other_code ? 0 : read_order(task).value_or(0);
   curve.headless = std::exchange(task.modal.left_curve_may_go_on, false);
   curve.broken = curve.headless;
   curve.knots_uncertain = curve.order == 0 || curve.headless;
@@ -153,6 +154,14 @@ void tell_missing_knot(Task& task, PendingCurve& curve) {
   task.out.mute();
 }
 
+/// `y1`, for K1: of a coordinate alone where the knot is missing nobody knows whether it leads
+/// there.
+void doubt_lone_coordinate(Task& task, const PendingCurve& curve) {
+  if (!curve.knot_told) return;
+  for (const char letter : kAxisLetters)
+    if (task.values.letters() == Letters({&letter, 1})) task.modal.uncertain.add(letter);
+}
+
 void read_knot(Task& task, PendingCurve& curve) {
   if (curve.knot_told) return;
   if (task.command.uncertain().has('K')) {
@@ -177,7 +186,9 @@ double read_weight(Task& task, PendingCurve& curve) {
 /// The first block names the axes of the curve; if it names none, the second one does.
 void check_curve_axes(Task& task, PendingCurve& curve) {
   const bool naming = curve.axes.empty() && curve.spec.control.size() <= 1;
-  const bool doubled = task.command.uncertain().has_any("KPR");  // one may stand for an axis
+  const bool feed_is_zero = task.command.has(Group::feed) && task.modal.zero_feed;  // `F0`, for Y0
+  const bool doubled = task.command.uncertain().has_any("KPR") ||  // one may stand for an axis
+                       feed_is_zero;
   for (const char letter : kAxisLetters) {
     if (naming && (doubled || lost(task.command).has(letter))) curve.axes.add(letter);
     if (!task.values.has(letter) || curve.axes.has(letter)) continue;
@@ -323,6 +334,7 @@ void read_block(Task& task, PendingCurve& curve) {
     read_control_point(task, curve);
   else
     read_closing_knot(task, curve);
+  doubt_lone_coordinate(task, curve);
 }
 
 void forget_curve(Modal& modal) {
@@ -356,7 +368,7 @@ void report_left_early(const PendingCurve& curve, const GCode& code, const Word&
 bool goes_on(const PendingCurve& curve, const Command& command) {
   if (!curve.repeats && curve.spec.control.size() != 1) return false;
   const Values& values = command.values();
-  return !values.has('P') || values['P'] == curve.order_word;
+  return !values.has('P') || values['P'] == curve.order_word || !command.uncertain().empty();
 }
 
 /// F within a curve, where no next one may begin with it. Beside a code the line may be the first

@@ -60,6 +60,12 @@ bool is_prose(std::string_view text) {
          line.substr(begin, end - begin).find(' ') != std::string_view::npos;
 }
 
+/// Whether a '(' without its ')' stands behind a name.
+bool opens_comment(std::string_view line, const Token& name) {
+  const auto open = line.find('(', static_cast<std::size_t>(name.column));
+  return open != std::string_view::npos && line.find(')', open) == std::string_view::npos;
+}
+
 /// FANUC's orders to a device that takes down what a program tells.
 bool writes_to_device(std::string_view letters) {
   constexpr std::array<std::string_view, 4> kOrders{"POPEN", "BPRNT", "DPRNT", "PCLOS"};
@@ -134,6 +140,10 @@ std::optional<Token> Parser::pass_name(Lexer& lexer, const Token& letter) {
   }
   report(Code::SC1020, letter.column, static_cast<int>(letters.size()),
          quoted(letters) + " is no keyword and no function" + title_meant(line_.number));
+  if (opens_comment(line_.text, letter)) {  // behind words it may be one itself
+    lose_rest();
+    return Token{};
+  }
   lexer.back_to(letter);
   lexer.take_letters();
   return go_on_behind(lexer);
@@ -338,8 +348,8 @@ Token Parser::read_macro(Lexer& lexer, const Token& mark) {
   const bool fanuc = options_.dialect == Dialect::fanuc;
   if (name && fanuc && line_.called.empty()) return read_called(lexer, mark);
   lose_number_before(mark);
-  if (text == "]" && line_.broken)
-    lose_rest();  // what is told may be the place of its '['
+  if ((text == "]" || text == "<") && line_.broken)
+    lose_rest();  // what is told may be the place of its '[', or before a name
   else if (text == "[")
     give_up(Code::SC1007, mark, "'[' has no letter before it");
   else if (text == "]")

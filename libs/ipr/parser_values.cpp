@@ -133,6 +133,10 @@ Token Parser::pass_sign(Lexer& lexer, const Token& letter, const Token& sign) {
   lexer = before;
   lexer.next();
   if (!right_behind || next.kind != Token::Kind::letter) return next;
+  if (lexer.at_letter()) {  // `-qrt[4]`: of a function
+    lose_rest();
+    return {};
+  }
   return looks_like_digit(next) ? pass_letter_for_digit(lexer, letter)
                                 : pass_letter_in_number(lexer, next);
 }

@@ -17,11 +17,11 @@ void report(Task& task, const std::string& why) {
 /// Told if not: LinuxCNC does not know the code.
 bool is_of_fanuc(Task& task) {
   if (task.options.dialect == Dialect::fanuc) return true;
-  constexpr int kG09 = 90;  // its digits are those of G90
+  constexpr int kG09 = 90;  // its digit is one of G90, G91 and G19
   task.out.report(Code::SC2001, task.word.pos,
                   code_name(task.code) + " is not supported in the linuxcnc dialect");
   task.out.hush(false);  // it may be another word of the line
-  if (task.code.number == kG09) task.modal.doubt({Group::distance});
+  if (task.code.number == kG09) task.modal.doubt({Group::distance, Group::plane});
   return false;
 }
 

@@ -283,6 +283,28 @@ void StatementReader::refuse_signed_label() {
   if (lexer_.peek() == 0 || take_keyword(lexer_) != nullptr) stop(Code::SC1029, begin, end, kLabel);
 }
 
+/// `o10I0 endsub`: a letter within the digits stands for one of them, or for none.
+void StatementReader::mean_label(Lexer label) {
+  constexpr std::size_t kLongest = 20;
+  statement_.label_meant = label_meant(label, lexer_);
+  std::string text;
+  int column = label.column();
+  for (char c = label.peek(); is_letter(c) || is_digit(c); c = label.peek()) {
+    if (label.column() != column++ || text.size() == kLongest) break;
+    text += is_digit(c) ? c : '?';
+    label.pass();
+  }
+  if (!text.empty() && is_digit(text.back()) && text.find('?') != std::string::npos)
+    statement_.label = text;
+}
+
+/// `o<dow>n endsub`
+void StatementReader::mean_longer_label() {
+  Lexer behind = lexer_;
+  statement_.label_meant = statement_.label;
+  if (behind.at_letter()) statement_.label_meant += lower_case(behind.take_letters());
+}
+
 StatementReader::Found StatementReader::read_behind_label(bool by_number, const Lexer& label) {
   if (broke_off_) return Found::statement;
   const char next = lexer_.peek();
@@ -304,7 +326,7 @@ StatementReader::Found StatementReader::read_behind_label(bool by_number, const 
     const bool may_be_word = !is_letter(next) || is_word(lexer_);
     if (by_number && may_be_word && !resembles_keyword(lexer_)) return Found::nothing;
     statement_.kind = Kind::misspelt;
-    if (by_number) statement_.label_meant = label_meant(label, lexer_);
+    by_number ? mean_label(label) : mean_longer_label();
     stop_at_next(Code::SC1020, "a keyword like 'call'");
     return Found::statement;
   }

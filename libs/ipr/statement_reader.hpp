@@ -48,6 +48,8 @@ class StatementReader {
   bool refuse_letter_in_label();
   void refuse_signed_label();
   void set_label(double value, int begin);
+  void mean_label(Lexer label);
+  void mean_longer_label();
   Found read_behind_label(bool by_number, const Lexer& label);
   void read_value();
   void read_arguments();

@@ -48,6 +48,24 @@ Join join_of(const Modal& modal) { return modal.stops_once ? Join::stop : modal.
   return false;
 }
 
+/// `X2 100`: a blank among digits. The letter of a word behind it may be what is missing.
+bool has_divided_number(std::string_view line) noexcept {
+  const std::string_view text = line.substr(0, line.find_first_of("(;"));
+  for (auto at = text.find(' '); at != std::string_view::npos; at = text.find(' ', at + 1)) {
+    const auto behind = text.find_first_not_of(' ', at);
+    if (at > 0 && behind != std::string_view::npos && is_number_part(text[at - 1]) &&
+        is_digit(text[behind]))
+      return true;
+  }
+  return false;
+}
+
+[[gnu::cold]] void report_no_feed(Task& task) {
+  report_words(task, "F", Code::SC2102, task.word.pos,
+               code_name(task.code) + " needs a feed, and F is not set");
+  if (has_divided_number(task.out.text())) task.out.mute();
+}
+
 /// Only moves whose length is known on their line have a time of their own.
 bool has_inverse_time(Task& task) {
   const int number = task.code.number;
@@ -186,8 +204,7 @@ SourcePos place_of(const Task& task, char letter) {
   else if (modal.zero_feed)
     report_zero_feed(task);
   else
-    report_words(task, "F", Code::SC2102, task.word.pos,
-                 code_name(task.code) + " needs a feed, and F is not set");
+    report_no_feed(task);
   modal.uncertain.add('F');
   return false;
 }
