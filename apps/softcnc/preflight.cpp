@@ -2,6 +2,7 @@
 #include "preflight.hpp"
 
 #include "endless.hpp"
+#include "held_errors.hpp"
 #include "verification.hpp"
 
 namespace softcnc::app {
@@ -31,11 +32,13 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
                     Messages& messages, Watcher* watcher, Tells tells) {
   auto backend = hal::open_backend(without_backend(machine));
   if (!backend) return {messages.fail(backend.error()), Outcome()};
-  Diagnostics diagnostics(messages.sink(program));
+  HeldErrors errors(program, machine, options, messages);
+  Diagnostics diagnostics(errors.sink());
   diagnostics.set_file(program.name());
   Preflight result;
   if (!program.streamed() && is_endless(program, machine, options, watcher)) {
     result.outcome = read_unplanned(program, machine, options, diagnostics, watcher);
+    errors.finish();
     result.status = diagnostics.status();
     return result;
   }
@@ -47,6 +50,7 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
     if (tells == Tells::surface_too) result.outcome.surface.tell_blocks(diagnostics);
     result.outcome.surface.warn(diagnostics);
   }
+  errors.finish();
   result.status = diagnostics.status();
   return result;
 }
