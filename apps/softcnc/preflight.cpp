@@ -2,7 +2,6 @@
 #include "preflight.hpp"
 
 #include "endless.hpp"
-#include "held_errors.hpp"
 #include "verification.hpp"
 
 namespace softcnc::app {
@@ -32,13 +31,11 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
                     Messages& messages, Watcher* watcher, Tells tells) {
   auto backend = hal::open_backend(without_backend(machine));
   if (!backend) return {messages.fail(backend.error()), Outcome()};
-  HeldErrors errors(program, machine, options, messages);
-  Diagnostics diagnostics(errors.sink());
+  Diagnostics diagnostics(messages.sink(program));
   diagnostics.set_file(program.name());
   Preflight result;
   if (!program.streamed() && is_endless(program, machine, options, watcher)) {
     result.outcome = read_unplanned(program, machine, options, diagnostics, watcher);
-    errors.finish();
     result.status = diagnostics.status();
     return result;
   }
@@ -50,7 +47,6 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
     if (tells == Tells::surface_too) result.outcome.surface.tell_blocks(diagnostics);
     result.outcome.surface.warn(diagnostics);
   }
-  errors.finish();
   result.status = diagnostics.status();
   return result;
 }

@@ -47,8 +47,6 @@ bool is_well_given(Task& task, const PlaneAxes& axes) {
     else
       report_words(task, kOffsetLetters, Code::SC2105, values.word(across).pos,
                    std::string(1, across) + " lies across the plane of the arc");
-    // `K0`, for X0
-    task.modal.end_in_doubt = plane_letters(axes).without(values.letters());
   } else {
     return true;
   }

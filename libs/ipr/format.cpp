@@ -72,7 +72,7 @@ bool is_stray(const Shape& line) {
   constexpr double kLargeCode = 200;  // no control has codes from here on: `M300` may be F300
   const bool no_code = (line.name == "m" || line.name == "g") && line.number >= kLargeCode;
   const bool no_feed = line.name == "f" && line.numbers > 1;  // `f3 00`
-  const bool any = line.name == "o" || line.name == "n" || no_code || no_feed;
+  const bool any = line.name == "o" || no_code || no_feed;
   return alone && (any || kBeginners.find(line.name.front()) == std::string_view::npos);
 }
 
@@ -112,7 +112,6 @@ class Detector {
     } else if (name.empty() && spline_ && !line.fault && !line.other) {
       format_ = Format::commands;
     } else if (is_stray(line) || (of_both && line.fault)) {
-      spline_ = spline_ || (alone && name.size() == 1);  // `N 5`, for `s 5`
     } else if ((name == "l" || name == "s") && line.numbers > 1 && !line.other) {
       format_ = Format::commands;
     } else if (alone && of_both) {

@@ -205,11 +205,7 @@ bool Interpreter::tell_restored(const Line& next) {
   check_axes();
   if (command_.has(Group::non_modal) || command_.has(Group::tool_length)) check_axis_codes();
   const bool unclear = line.broken || out_.failed();
-  if (has_own_motion()) told_unused_ = {};
-  if (!command_.uncertain().has_any(kActing) && check_unused()) {
-    doubt_missing();
-    excuse_end(line);
-  }
+  if (!command_.uncertain().has_any(kActing)) look_for_unused(line);
   if (unclear && !leads_all_the_same(line))
     out_.mute();
   else if (unclear || out_.failed())
@@ -413,11 +409,12 @@ bool Interpreter::tool_may_be_code() const noexcept {
 }
 
 /// The code that takes them may be one of two words of a letter, or a tool that is no whole number;
-/// or it is missing on a line before, which has been told of the same letters.
-[[gnu::cold]] bool Interpreter::is_told_already(Letters unused) {
+/// or it is missing right before a line of values alone, which has been told of the same letters.
+[[gnu::cold]] bool Interpreter::is_told_already(const Line& line, Letters unused) {
   if (has_own_motion()) return false;
-  const bool told = command_.doubled() || tool_may_be_code() ||
-                    (!told_unused_.empty() && unused.without(told_unused_).empty());
+  const bool told =
+      command_.doubled() || tool_may_be_code() ||
+      (is_data(line) && !told_unused_.empty() && unused.without(told_unused_).empty());
   told_unused_ |= unused;
   return told;
 }
@@ -429,8 +426,17 @@ bool Interpreter::tool_may_be_code() const noexcept {
   parser_.end_at_prose();
 }
 
+void Interpreter::look_for_unused(const Line& line) {
+  if (!check_unused(line)) {
+    told_unused_ = {};
+    return;
+  }
+  doubt_missing();
+  excuse_end(line);
+}
+
 /// True if one is told.
-bool Interpreter::check_unused() {
+bool Interpreter::check_unused(const Line& line) {
   const Letters unused = command_.unused(options_.dialect);
   if (unused.empty()) return false;
   if (modal_.uncertain.has('G') && !command_.has(Group::motion)) {
@@ -442,7 +448,7 @@ bool Interpreter::check_unused() {
     if (unused.has(letter) && kOtherAxes.has(letter))
       out_.report(Code::SC2008, command_.values().word(letter).pos, lacks_axis(letter));
   if (may_be_code_of(command_.values(), unused, kOtherAxes)) return true;
-  if (is_told_already(unused)) {
+  if (is_told_already(line, unused)) {
     out_.mute();
     return true;
   }

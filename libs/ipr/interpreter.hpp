@@ -67,8 +67,9 @@ class Interpreter {
   void check_axis_codes();
   bool fanuc_goes_to_machine_point() const noexcept;
   bool tell_never_used(Letters unused);
-  bool check_unused();
-  bool is_told_already(Letters unused);
+  void look_for_unused(const Line& line);
+  bool check_unused(const Line& line);
+  bool is_told_already(const Line& line, Letters unused);
   bool tool_may_be_code() const noexcept;
   bool has_own_motion() const noexcept;
   void excuse_end(const Line& line);

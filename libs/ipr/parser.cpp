@@ -86,7 +86,6 @@ std::optional<Line> Parser::next_line(Read read) {
 }
 
 [[gnu::hot]] void Parser::begin_line(std::string_view text) {
-  ++lines_read_;
   words_.clear();
   assignments_.clear();
   before_.clear();

@@ -2,7 +2,6 @@
 // Lines as words, a letter and a number each, and as statements; assignments are done on the way.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -90,8 +89,6 @@ class Parser {
 
   /// Number of the line last read.
   int line() const noexcept { return reader_->line(); }
-  /// How many lines have been read, those read again among them.
-  std::int64_t lines_read() const noexcept { return lines_read_; }
   /// The text could not be read to its end: that has been reported.
   bool broke_off() const noexcept { return broke_off_; }
 
@@ -188,7 +185,6 @@ class Parser {
   SourcePos lone_percent_{};  // that ends a program which none has begun; line 0: none
   bool started_ = false, given_up_ = false, ended_ = false, broke_off_ = false;
   bool nul_seen_ = false;
-  std::int64_t lines_read_ = 0;
   int told_to_ = 0;  // the column behind the last fault of the line that was told; 0: none
   std::optional<std::size_t> trusted_;      // words before something that is none
   std::optional<std::size_t> before_then_;  // words before a THEN whose condition is not known

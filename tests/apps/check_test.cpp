@@ -243,15 +243,3 @@ TEST_CASE("a program that cannot be read to its end is told of once", "[apps][ch
     CHECK(told.find("SC6002", first + 30) == std::string::npos);
   }
 }
-
-TEST_CASE("check leaves out what follows from one character of another line", "[apps][check]") {
-  const Folder folder;
-  const std::string part = folder / "part.nc";
-  shell("printf 'G188\\nG21 G90 F100\\nG2 X0 Z10 I0 K5\\nG0 X0 Z0\\nM30\\n' > " + part);
-  const Ended ended = call("check " + part);
-  CHECK(ended.status == 1);
-  CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 1);
-  CHECK(ended.out.find(":1:1: error SC2001") != std::string::npos);
-  const Ended streamed = shell("cat " + part + " | $softcnc check -");
-  CHECK(std::count(streamed.out.begin(), streamed.out.end(), '^') == 2);
-}

@@ -82,6 +82,7 @@ TEST_CASE("everything else is G-code", "[ipr][format]") {
                            "f 600\n1 1\n",
                            "s 2\n; only a comment\n",
                            "o100 sub\n",
+                           "O100\n5\nG21\nl 1 1\n",
                            "#1=5\n",
                            "$\nl 1 1\n",
                            "lx 1 1\n",

@@ -79,6 +79,9 @@ TEST_CASE("words that no code takes are told once while none of them changes",
           "[ipr][consequences]") {
   CHECK(told("G1 F9 X1\nG52. P1 L3\nX5 Y3 P1\nX2 P2\nG1 P2") == Places{"SC2004 2:6", "SC2004 5:4"});
   CHECK(told("T6.2 P3 K0 X0 Y0") == Places{"SC2007 1:1"});
+  CHECK(told("G0 X0\nM3 S100 P5\nG54 P5\nG17 P5") ==
+        Places{"SC2004 2:9", "SC2004 3:5", "SC2004 4:5"});
+  CHECK(told("G0 X0\nP5\nG4 P1 R7\nG92 X1 P5") == Places{"SC2004 2:1", "SC2004 3:7", "SC2004 4:8"});
 }
 
 TEST_CASE("an end whose letter is wrong may be one", "[ipr][consequences]") {
