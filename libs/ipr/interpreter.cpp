@@ -274,7 +274,8 @@ void Interpreter::excuse_curve_of_lost_code() {
 /// What an error leaves unknown. A motion code that could be read is known all the same.
 void Interpreter::remember_uncertain(const Line& line) {
   Letters uncertain = command_.lastingly_uncertain();
-  if (command_.has(Group::motion) && !command_.contradicted().has(Group::motion))
+  const bool within_curve = modal_.curve || modal_.points;  // whose code is the one in force
+  if (command_.has(Group::motion) && (within_curve || !command_.contradicted().has(Group::motion)))
     uncertain.remove('G');
   if (uncertain.has('G')) modal_.motion = modal_.motion_below = nullptr;
   const bool code_lost = uncertain.has('G') || (command_.doubled() && !has_own_motion());
