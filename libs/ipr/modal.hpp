@@ -43,7 +43,7 @@ struct PendingCurve : OpenCurve {
   bool full = false;             // it has been told that there are too many points
   bool repeats = false;          // LinuxCNC's form: G06.2 in its second block too
   double order_word = 0;         // P as written; 0: left out
-  bool knotless = false;         // its first block lacks its knot, which has been told
+  bool knotless = false;         // its first block lacks its knot, or has another code: told
   bool knot_told = false;        // of its last block another word, which may stand for it
   bool headless = false;         // points before its first may be those of a curve that was left
 };

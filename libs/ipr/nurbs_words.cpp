@@ -91,6 +91,7 @@ void begin_curve(Task& task) {
   curve.order = order_lost || other_code ? 0 : read_order(task).value_or(0);
   curve.headless = std::exchange(task.modal.left_curve_may_go_on, false);
   curve.broken = curve.headless;
+  curve.knotless = other_code;  // its blocks may be those of that one
   curve.knots_uncertain = curve.order == 0 || curve.headless;
   curve.spec.degree = curve.order - 1;
   curve.order_word = task.values.value_or('P', 0);
