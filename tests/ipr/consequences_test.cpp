@@ -2,20 +2,10 @@
 // What follows from an error that has been told is not told, and nothing else is lost for it.
 #include <catch2/catch.hpp>
 
-#include "ipr/interpret.hpp"
+#include "ipr/told.hpp"
 
 using namespace softcnc;
 using namespace softcnc::ipr;
-
-namespace {
-
-Places told(std::string text, Dialect dialect = Dialect::linuxcnc) {
-  InterpreterOptions options;
-  options.dialect = dialect;
-  return places(interpret(std::move(text) + "\nM30\n", Machine{}, options));
-}
-
-}  // namespace
 
 TEST_CASE("a variable whose assignment is broken has no known value", "[ipr][consequences]") {
   CHECK(told("#1=[3+4\nG00 X[1/#1]") == Places{"SC1017 1:4"});

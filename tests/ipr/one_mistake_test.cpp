@@ -3,18 +3,12 @@
 // behind it; what is wrong beside it is told all the same.
 #include <catch2/catch.hpp>
 
-#include "ipr/interpret.hpp"
+#include "ipr/told.hpp"
 
 using namespace softcnc;
 using namespace softcnc::ipr;
 
 namespace {
-
-Places told(std::string text, Dialect dialect = Dialect::linuxcnc) {
-  InterpreterOptions options;
-  options.dialect = dialect;
-  return places(interpret(std::move(text) + "\nM30\n", Machine{}, options));
-}
 
 Places told_of_commands(std::string text) {
   return places(interpret(std::move(text), Machine{}, InterpreterOptions{}));
