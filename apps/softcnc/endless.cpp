@@ -34,10 +34,9 @@ bool is_endless(Program& program, const Machine& machine, const ChannelOptions& 
   return endless;
 }
 
-Outcome read_unplanned(Program& program, const Machine& machine, const ChannelOptions& options,
-                       Diagnostics& diagnostics, Watcher* watcher) {
+Unplanned read_unplanned(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+                         Diagnostics& diagnostics, Watcher* watcher) {
   RefusedTravel travel(machine, diagnostics);
-  ipr::Reader reader = program.reader();
   ipr::Parser parser(reader, diagnostics);
   ipr::InterpreterOptions reading = options.interpreter;
   reading.refused_moves = &travel;
@@ -45,10 +44,7 @@ Outcome read_unplanned(Program& program, const Machine& machine, const ChannelOp
   read(interpreter, watcher, [&](const Block& block) {
     if (const Move* move = std::get_if<Move>(&block.what)) travel.see(*move, block.source);
   });
-  Outcome outcome;
-  outcome.called_files = interpreter.called_files();
-  outcome.missing_files = interpreter.missing_files();
-  return outcome;
+  return {interpreter.called_files(), interpreter.missing_files(), parser.bytes_read()};
 }
 
 }  // namespace softcnc::app

@@ -2,6 +2,11 @@
 // Programs that never end: reading tells so in a moment, planning what they do would take long.
 #pragma once
 
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
 #include "channel.hpp"
 #include "program.hpp"
 
@@ -12,9 +17,14 @@ namespace softcnc::app {
 bool is_endless(Program& program, const Machine& machine, const ChannelOptions& options,
                 Watcher* watcher);
 
-/// Tells what reading the program tells, and where it would leave the travel. Of what it returns
-/// only the files are of interest.
-Outcome read_unplanned(Program& program, const Machine& machine, const ChannelOptions& options,
-                       Diagnostics& diagnostics, Watcher* watcher);
+struct Unplanned {
+  std::vector<std::string> called_files;  // as of Outcome
+  std::set<std::string> missing_files;
+  std::int64_t bytes_read = 0;  // of lines, those read again among them
+};
+
+/// Tells what reading a program tells, and where it would leave the travel.
+Unplanned read_unplanned(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+                         Diagnostics& diagnostics, Watcher* watcher);
 
 }  // namespace softcnc::app

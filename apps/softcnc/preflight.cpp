@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "preflight.hpp"
 
+#include <utility>
+
 #include "endless.hpp"
+#include "held_errors.hpp"
 #include "verification.hpp"
 
 namespace softcnc::app {
@@ -31,11 +34,16 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
                     Messages& messages, Watcher* watcher, Tells tells) {
   auto backend = hal::open_backend(without_backend(machine));
   if (!backend) return {messages.fail(backend.error()), Outcome()};
-  Diagnostics diagnostics(messages.sink(program));
+  HeldErrors errors(program, machine, options, messages, watcher);
+  Diagnostics diagnostics(errors.sink());
   diagnostics.set_file(program.name());
   Preflight result;
   if (!program.streamed() && is_endless(program, machine, options, watcher)) {
-    result.outcome = read_unplanned(program, machine, options, diagnostics, watcher);
+    ipr::Reader reader = program.reader();
+    Unplanned read = read_unplanned(reader, machine, options, diagnostics, watcher);
+    result.outcome.called_files = std::move(read.called_files);
+    result.outcome.missing_files = std::move(read.missing_files);
+    errors.finish();
     result.status = diagnostics.status();
     return result;
   }
@@ -47,6 +55,7 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
     if (tells == Tells::surface_too) result.outcome.surface.tell_blocks(diagnostics);
     result.outcome.surface.warn(diagnostics);
   }
+  errors.finish();
   result.status = diagnostics.status();
   return result;
 }

@@ -44,9 +44,12 @@ bool is_well_given(Task& task, const PlaneAxes& axes) {
     const bool told = std::exchange(task.modal.centre_told, true) && by_mode;
     if (task.command.doubted().has(Group::plane) || told)
       task.out.mute();
+    else if (!by_mode && task.modal.across_told.has(across))
+      task.out.withhold();
     else
       report_words(task, kOffsetLetters, Code::SC2105, values.word(across).pos,
                    std::string(1, across) + " lies across the plane of the arc");
+    if (!by_mode) task.modal.across_told.add(across);
   } else {
     return true;
   }

@@ -42,7 +42,7 @@ bool saves_or_restores(double number) noexcept {
   return number >= kM70 && number <= kM73;
 }
 
-/// 32, 530, 3: of M codes that are unknown.
+/// 32, 530, 3, 999: of M codes that are unknown; M99 ends a program, too.
 bool resembles_end(double number) noexcept {
   const std::string written = number_text(number);
   const auto differs_in_one = [&](std::string_view end) {
@@ -52,8 +52,8 @@ bool resembles_end(double number) noexcept {
       if (std::string(written).erase(extra, 1) == end) return true;
     return false;
   };
-  return differs_in_one("30") || (written.size() == 2 && written[1] == '2') ||
-         (written.size() == 2 && written[0] == '2');
+  return differs_in_one("30") || differs_in_one("99") ||
+         (written.size() == 2 && written[1] == '2') || (written.size() == 2 && written[0] == '2');
 }
 
 }  // namespace
@@ -151,6 +151,7 @@ Letters Command::lastingly_uncertain() const noexcept {
     may_be_end_ = may_be_end_ || (word.letter == 'M' && resembles_end(word.value));
     return;
   }
+  if (code->act == refuse_signal) may_be_end_ = may_be_end_ || resembles_end(word.value);
   calls_macro_ = calls_macro(*code);
   if (!has(code->group)) return add(*code, word);
   if (dialect == Dialect::fanuc && put_above(*code, word)) return;

@@ -17,11 +17,12 @@ constexpr bool is_letter(char c) noexcept {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
-/// `GOT 15`: three letters in a row, behind no others.
+/// `GOT 15`: three letters in a row, behind no others; `G+TO 15`: TO.
 bool begins_with_name(std::string_view line) {
   const std::string_view text = line.substr(0, line.find_first_of("(;"));
   const auto first = std::find_if(text.begin(), text.end(), is_letter);
-  return text.end() - first >= 3 && is_letter(first[1]) && is_letter(first[2]);
+  const bool name = text.end() - first >= 3 && is_letter(first[1]) && is_letter(first[2]);
+  return name || names(text, "TO");
 }
 
 /// FANUC's IF, behind which nothing begins or ends: something stands behind its condition.
@@ -77,6 +78,8 @@ std::optional<Line> Flow::next() {
     }
     ++executed_;
     if (options_.unrun_too) remember(*line);
+    if (options_.lines_run != nullptr && parser_.file() == 0)
+      options_.lines_run->insert(line->number);
     if (line->broken) doubt(*line);
     if (line->passed_over && line->words.empty()) continue;
     const bool plain = line->statement == nullptr && !new_round_;
@@ -104,7 +107,9 @@ void Flow::remember_end() {
 void Flow::doubt(const Line& line) {
   const std::string_view before_comment = line.text.substr(0, line.text.find('('));
   const bool names_m = before_comment.find_first_of("Mm") != std::string_view::npos;
-  if (line.lost.has('M') && (names_m || line.lone_number) && !means_end(line)) doubt_end();
+  const bool loses_m = line.lost.has('M') && !means_end(line);
+  if (loses_m && names_m) expect_end();
+  if (loses_m && line.lone_number) doubt_end();
   if (line.may_count) return;
   if (line.statement == nullptr && begins_with_if(line.text)) return doubt_order();
   if (line.statement == nullptr && begins_with_name(line.text)) doubt_order();
@@ -129,6 +134,11 @@ void Flow::doubt(const Line& line) {
 void Flow::doubt_end() noexcept {
   end_lost_ = true;
   parser_.doubt_order();
+}
+
+void Flow::expect_end() noexcept {
+  doubt_end();
+  parser_.expect_prose();
 }
 
 void Flow::doubt_order() noexcept {

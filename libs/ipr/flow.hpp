@@ -36,6 +36,7 @@ struct FlowOptions {
   int block_limit = 2'000'000;       // lines that one loop, or one call with all it calls, may run
   CallObserver* observer = nullptr;  // must outlive the flow
   bool unrun_too = false;            // remember which lines are not run
+  std::set<int>* lines_run = nullptr;  // takes the lines of the program's own file that are
 };
 
 /// What a code asks for that leads to other lines; done when its line is.
@@ -86,6 +87,8 @@ class Flow {
   /// An M code of a line that is wrong may be another one: whether the program ends there is not
   /// known.
   void doubt_end() noexcept;
+  /// The same of one that is likely to have been meant as an end: behind it prose may stand.
+  void expect_end() noexcept;
   /// An M code could not be read: it may have been the end of the program.
   bool end_lost() const noexcept { return end_lost_; }
   const Parameters& parameters() const noexcept { return parser_.parameters(); }
@@ -246,6 +249,7 @@ class Flow {
   bool uncertain_ = false;         // which lines are executed is not known after an error
   bool opens_lost_ = false;        // nor what is open: something that no one can tell may be
   std::vector<Misfit> misfits_;    // that have been told, or follow from one that has
+  std::set<std::string> missing_;  // labels of subprograms that are, which is told once
   bool target_lost_ = false;       // of a jump: each round of a loop may be the last
   bool end_lost_ = false;          // by an M code that could not be read
   std::string lost_o_words_;       // text of lines that could not be read: labels may stand there

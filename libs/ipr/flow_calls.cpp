@@ -69,7 +69,12 @@ void Flow::pass_definition() {
     if (may_be_of(*inner, statement_.label) && !misspelt)
       misspelt = Spot{parser_.file(), parser_.reader().place_before(line->text)};
     if (inner->kind == Kind::end_sub && inner->label == statement_.label) {
-      if (nested.line > 0)
+      const bool twice = nested_label == statement_.label;
+      if (nested.line > 0 && twice)
+        diagnostics_.report(Code::SC2314, nested,
+                            o_word(nested_label, "sub") + " stands in this file before",
+                            nested_text);
+      else if (nested.line > 0)
         report({Misfit::Role::between, Kind::sub, nested_label}, Code::SC2307, nested,
                "'" + o_word(nested_label, "sub") + "' within '" + o_word(statement_.label, "sub") +
                    "'",
@@ -165,6 +170,7 @@ std::optional<Subprogram> Flow::find(const std::string& label, bool program,
   if (begins_elsewhere && !is_new({Misfit::Role::end, Kind::sub, label})) return sub;
   if (begins_elsewhere && options_.unrun_too && library_.has_sub_without_label())
     return sub;  // which is read, and told there
+  if (missing_.size() < kMostMisfits && !missing_.insert(label).second) return sub;
   const std::string nearest = library_.nearest(label);
   report(Code::SC2301, call,
          "no subprogram " + (program ? program_name(label) : o_word(label)) + " in this program" +

@@ -20,11 +20,20 @@ struct Shape {
   std::string other_name;       // what it begins with
   bool command_behind = false;  // and that can only be a command
   bool fault = false;           // what no language has
-  bool comment = false;         // and that is one end of a comment
+  bool of_gcode = false;        // but G-code: a variable, a '%', a '/'
 };
 
 bool is_arc_command(std::string_view name) {
   return name == "pcw" || name == "pccw" || name == "dcw" || name == "dccw";
+}
+
+/// A variable, its assignment, a '%', a '/', a '$' as of grbl: no line of the other language begins
+/// so.
+bool begins_gcode(std::string_view text) {
+  if (text.starts_with('%') || text.starts_with('/') || text.starts_with('$')) return true;
+  constexpr std::string_view kBehindSign{"0123456789<[#"};
+  return text.size() > 1 && text.front() == '#' &&
+         kBehindSign.find(text[1]) != std::string_view::npos;
 }
 
 /// A second name on a line, with what follows it: no word has that many numbers.
@@ -45,8 +54,7 @@ Shape shape_of(std::string_view line) {
       shape.name = field.name;
     } else if (field.kind == CommandField::Kind::fault) {
       shape.fault = true;
-      const char first = line[static_cast<std::size_t>(field.column) - 1];
-      shape.comment = first == '(' || first == ')';
+      shape.of_gcode = begins_gcode(line.substr(static_cast<std::size_t>(field.column) - 1));
     } else {
       shape.other = true;
       shape.other_name = field.name;
@@ -61,7 +69,7 @@ Shape shape_of(std::string_view line) {
 /// nor begins G-code: wrong in either, or nothing that moves. The other letters are those of codes,
 /// numbers of lines and programs.
 bool is_stray(const Shape& line) {
-  if (line.name.empty()) return !line.fault || line.comment;
+  if (line.name.empty()) return !line.of_gcode;
   if (line.name.size() > 1) return true;
   constexpr std::string_view kBeginners = "gmnotlsf";
   constexpr std::string_view kBesideNoFeed = "ijkpqrhdlbcuvwe";  // alone: `f 3J0`, for f 300
@@ -74,6 +82,13 @@ bool is_stray(const Shape& line) {
   const bool no_feed = line.name == "f" && line.numbers > 1;  // `f3 00`
   const bool any = line.name == "o" || no_code || no_feed;
   return alone && (any || kBeginners.find(line.name.front()) == std::string_view::npos);
+}
+
+/// `f 1M00`, `S6000 03`: a feed or a speed, or what is left of a command or a code. The next line
+/// decides, if it is there.
+bool is_weak(const Shape& line, Format decided) {
+  if (decided == Format::gcode) return (line.name == "f" || line.name == "l") && line.other;
+  return line.name == "s" && line.numbers == 2;
 }
 
 /// Looks at lines until one decides.
@@ -91,7 +106,8 @@ class Detector {
   void look_at_last(std::string_view text) {
     if (format_ == Format::automatic) decide(line(text, text.size()));
   }
-  Format format() const noexcept { return format_; }
+  /// As far as the lines tell, which may be weak.
+  Format format() const noexcept { return format_ == Format::automatic ? weak_ : format_; }
 
  private:
   std::string_view line(std::string_view text, std::size_t end) const {
@@ -102,26 +118,28 @@ class Detector {
 
   void decide(std::string_view text) {
     const Shape line = shape_of(text.substr(0, text.find('\0')));  // behind it the file is damaged
+    const Format decided = told_by(line);
+    if (decided != Format::automatic && is_weak(line, decided) && weak_ == Format::automatic)
+      weak_ = decided;
+    else
+      format_ = decided;
+  }
+
+  Format told_by(const Shape& line) {
     const std::string& name = line.name;
     const bool alone = line.numbers == 1 && !line.other;
     const bool of_both = name == "s" || name == "f" || name == "l";
-    if (is_arc_command(name) || (of_both && line.command_behind)) {
-      format_ = Format::commands;
-    } else if (name.empty() && line.numbers == 0 && !line.other && !line.fault) {
-      return;
-    } else if (name.empty() && spline_ && !line.fault && !line.other) {
-      format_ = Format::commands;
-    } else if (is_stray(line) || (of_both && line.fault)) {
-    } else if ((name == "l" || name == "s") && line.numbers > 1 && !line.other) {
-      format_ = Format::commands;
-    } else if (alone && of_both) {
-      spline_ = name == "s";
-    } else {
-      format_ = Format::gcode;
-    }
+    if (is_arc_command(name) || (of_both && line.command_behind)) return Format::commands;
+    if (name.empty() && line.numbers == 0 && !line.other && !line.fault) return Format::automatic;
+    if (name.empty() && spline_ && !line.fault && !line.other) return Format::commands;
+    if (is_stray(line) || (of_both && line.fault)) return Format::automatic;
+    if ((name == "l" || name == "s") && line.numbers > 1 && !line.other) return Format::commands;
+    if (!alone || !of_both) return Format::gcode;
+    spline_ = name == "s";
+    return Format::automatic;
   }
 
-  Format format_ = Format::automatic;
+  Format format_ = Format::automatic, weak_ = Format::automatic;
   std::size_t at_ = 0;   // of the line to be looked at next
   bool spline_ = false;  // the line before may begin a spline
 };

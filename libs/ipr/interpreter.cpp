@@ -113,7 +113,8 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       variables_(modal_, machine, options.dialect),
       levels_(modal_),
       flow_(parser, diagnostics,
-            {options_.folder, machine.program.block_limit, &levels_, options_.unrun_too}) {
+            {options_.folder, machine.program.block_limit, &levels_, options_.unrun_too,
+             options_.lines_run}) {
   modal_.state = std::move(state);
   modal_.update_coordinates();
   modal_.corner_tolerance = modal_.chord_tolerance = machine.control.corner_tolerance;
@@ -193,10 +194,7 @@ bool Interpreter::tell_restored(const Line& next) {
   out_.begin(line);
   command_.read(line, options_.dialect, out_);
   if (modal_.ended) return;  // it is only read
-  if (command_.may_be_end()) {
-    flow_.doubt_end();
-    parser_.end_at_prose();
-  }
+  if (command_.may_be_end()) flow_.expect_end();
   if (modal_.curve) check_pending_curve(command_, options_.dialect, modal_, out_);
   if (modal_.points) check_pending_points(command_, modal_, out_);
   if (!modal_.words_of_left_curve.empty()) excuse_left_curve();
@@ -423,8 +421,7 @@ bool Interpreter::tool_may_be_code() const noexcept {
 /// `H2`, for M2, alone on its line.
 [[gnu::cold]] void Interpreter::excuse_end(const Line& line) {
   if (line.words.size() != 1 || !is_end(line.words.front().value)) return;
-  flow_.doubt_end();
-  parser_.end_at_prose();
+  flow_.expect_end();
 }
 
 void Interpreter::look_for_unused(const Line& line) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct InterpreterOptions {
   bool unrun_too = false;         // read lines that are never run as well, for their errors
   std::string folder = {};        // where files lie that the program calls; empty: it can call none
   RefusedMoves* refused_moves = nullptr;  // is shown them
+  std::set<int>* lines_run = nullptr;     // takes those of the program itself
 };
 
 class Interpreter {

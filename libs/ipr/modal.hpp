@@ -135,6 +135,7 @@ struct Modal : Modes {
   bool start_uncertain = false;  // where the machine was before the line is not known
   Letters end_in_doubt;          // of the last arc: axes along which it may be what is wrong
   bool centre_told = false;      // that the arcs of the code in force have none
+  Letters across_told;           // of arcs across the plane in force, which may be what is wrong
 
   /// A curve that was left too early, which has been told: words that only its blocks have. Blocks
   /// of it that follow are not told for that.

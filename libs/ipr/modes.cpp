@@ -48,6 +48,7 @@ void select_plane(Task& task) {
   task.modal.plane = task.code.number == kG17   ? Plane::xy
                      : task.code.number == kG18 ? Plane::zx
                                                 : Plane::yz;
+  task.modal.across_told = {};
 }
 
 void use_inches(Task& task) { task.modal.mm_per_unit = kMmPerInch; }

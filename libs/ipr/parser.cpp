@@ -86,6 +86,7 @@ std::optional<Line> Parser::next_line(Read read) {
 }
 
 [[gnu::hot]] void Parser::begin_line(std::string_view text) {
+  bytes_read_ += static_cast<std::int64_t>(text.size());
   words_.clear();
   assignments_.clear();
   before_.clear();
@@ -102,6 +103,7 @@ void Parser::read_line(Depth depth) {
   depth_ = depth;
   parameters_.set_line(line_.number);
   if (!is_readable()) return;
+  if (prose_expected_ && is_prose(line_.text)) return;
   read_words();
   if (!assignments_.empty()) apply_assignments();
   line_.words = words_;

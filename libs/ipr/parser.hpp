@@ -2,6 +2,7 @@
 // Lines as words, a letter and a number each, and as statements; assignments are done on the way.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -45,6 +46,10 @@ struct ParserOptions {
   Contradictions* contradictions = nullptr;  // takes what the other dialect reads otherwise
 };
 
+/// Two words or more, of letters and marks of a sentence, or a row of such marks; before a '(',
+/// which need not be closed.
+bool is_prose(std::string_view text) noexcept;
+
 class Parser {
  public:
   Parser(Reader& reader, Diagnostics& diagnostics) : reader_(&reader), diagnostics_(diagnostics) {}
@@ -81,14 +86,16 @@ class Parser {
   /// From here on lines are read for what is wrong with them alone: what stands behind a THEN too,
   /// whatever its condition.
   void only_read() noexcept { only_read_ = true; }
-  /// An end may have been meant: a line of names alone is prose behind it, and is not read.
-  void end_at_prose() noexcept { prose_ends_ = true; }
+  /// An end may have been meant: lines of prose behind it are not read.
+  void expect_prose() noexcept { prose_expected_ = true; }
   /// Lines that say nothing, but for what stands behind a THEN that does not count, are handed out
   /// as well.
   void show_passed_over() noexcept { passed_over_too_ = true; }
 
   /// Number of the line last read.
   int line() const noexcept { return reader_->line(); }
+  /// Bytes of all lines read, those read again among them.
+  std::int64_t bytes_read() const noexcept { return bytes_read_; }
   /// The text could not be read to its end: that has been reported.
   bool broke_off() const noexcept { return broke_off_; }
 
@@ -185,10 +192,11 @@ class Parser {
   SourcePos lone_percent_{};  // that ends a program which none has begun; line 0: none
   bool started_ = false, given_up_ = false, ended_ = false, broke_off_ = false;
   bool nul_seen_ = false;
+  std::int64_t bytes_read_ = 0;
   int told_to_ = 0;  // the column behind the last fault of the line that was told; 0: none
   std::optional<std::size_t> trusted_;      // words before something that is none
   std::optional<std::size_t> before_then_;  // words before a THEN whose condition is not known
-  bool prose_ends_ = false;
+  bool prose_expected_ = false;
   bool order_uncertain_ = false;  // which lines are executed
   bool only_read_ = false, passed_over_too_ = false;
 };

@@ -48,17 +48,22 @@ std::string meant_by(std::string_view mark, Lexer lexer) {
   return corner ? "; chamfers and roundings within a line are not supported" : "";
 }
 
-/// Two words or more, of letters and marks of a sentence; before a '(', which need not be closed.
-bool is_prose(std::string_view text) {
+}  // namespace
+
+bool is_prose(std::string_view text) noexcept {
   const std::string_view line = text.substr(0, text.find('('));
-  constexpr std::string_view kMarks{".,:;-!?'\""};
+  constexpr std::string_view kMarks{".,:;-!?'\"=*_~+"};
   const auto plain = [&](char c) {
     return is_letter(c) || is_blank(c) || kMarks.find(c) != std::string_view::npos;
   };
   const auto begin = line.find_first_not_of(" \t"), end = line.find_last_not_of(" \t.");
-  return begin != std::string_view::npos && std::all_of(line.begin(), line.end(), plain) &&
-         line.substr(begin, end - begin).find(' ') != std::string_view::npos;
+  if (begin == std::string_view::npos || !std::all_of(line.begin(), line.end(), plain))
+    return false;
+  const bool ruler = std::none_of(line.begin(), line.end(), is_letter);
+  return ruler || line.substr(begin, end - begin).find(' ') != std::string_view::npos;
 }
+
+namespace {
 
 /// Whether a '(' without its ')' stands behind a name.
 bool opens_comment(std::string_view line, const Token& name) {
@@ -120,16 +125,12 @@ Token Parser::read_exponent(Lexer& lexer, const Token& letter) {
   return exponent ? lexer.next() : after;
 }
 
-/// What is neither a keyword nor a letter and its value. Two of them are prose.
+/// What is neither a keyword nor a letter and its value.
 std::optional<Token> Parser::pass_name(Lexer& lexer, const Token& letter) {
   const std::string_view letters = letters_at(line_.text, letter);
   if (!is_name(line_.text, letter, letters)) return std::nullopt;
   if (strange() || has_unknown_code(words_)) {
     lose_rest();
-    return Token{};
-  }
-  if (prose_ends_ && only_line_number() && is_prose(line_.text)) {
-    ended_ = true;
     return Token{};
   }
   if (writes_to_device(letters)) {

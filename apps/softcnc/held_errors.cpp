@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "held_errors.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "endless.hpp"
+#include "ipr/repairs.hpp"
+
+namespace softcnc::app {
+namespace {
+
+constexpr std::size_t kMostHeld = 100;
+constexpr std::size_t kLongestText = 100'000;  // bytes
+constexpr int kMostExecuted = 20'000;          // lines of one trial
+constexpr auto kEnough = std::int64_t{1} << 40;
+
+/// Empty if it is too long.
+std::string text_of(Program& program) {
+  std::string text;
+  program.for_each_piece([&](std::string_view piece) {
+    if (text.size() <= kLongestText) text += piece;
+  });
+  return text.size() <= kLongestText ? text : std::string();
+}
+
+bool is_error(const Diagnostic& diagnostic) { return diagnostic.severity() == Severity::error; }
+
+}  // namespace
+
+HeldErrors::HeldErrors(Program& program, const Machine& machine, const ChannelOptions& options,
+                       Messages& messages, Watcher* watcher)
+    : program_(program),
+      machine_(machine),
+      options_(options),
+      watcher_(watcher),
+      show_(messages.sink(program)),
+      holding_(!program.streamed()) {}
+
+Diagnostics::Sink HeldErrors::sink() {
+  return [this](const Diagnostic& diagnostic) { take(diagnostic); };
+}
+
+void HeldErrors::take(const Diagnostic& diagnostic) {
+  const bool waits = holding_ && (!held_.empty() || is_error(diagnostic));
+  if (!waits) return show_(diagnostic);
+  held_.push_back(diagnostic);
+  if (held_.size() > kMostHeld) show_all();
+}
+
+/// From here on they are shown as they come.
+void HeldErrors::show_all() {
+  for (const Diagnostic& diagnostic : held_) show_(diagnostic);
+  held_.clear();
+  holding_ = false;
+}
+
+void HeldErrors::finish() {
+  if (std::count_if(held_.begin(), held_.end(), is_error) < 2) return show_all();
+  const std::vector<bool> follows = find_out();
+  for (std::size_t i = 0; i < held_.size(); ++i)
+    if (!follows[i]) show_(held_[i]);
+  held_.clear();
+}
+
+/// By diagnostic, whether it follows from others.
+std::vector<bool> HeldErrors::find_out() const {
+  std::string text = text_of(program_);
+  if (text.empty()) return std::vector<bool>(held_.size(), false);
+  Machine machine = machine_;
+  machine.program.block_limit = std::min(machine.program.block_limit, kMostExecuted);
+  ChannelOptions reading = options_;
+  reading.interpreter.compare_dialects = false;
+  const ipr::Judge judge = [&](const std::string& changed) {
+    ipr::Verdict verdict;
+    if (watcher_ != nullptr && watcher_->wants_stop()) verdict.work = kEnough;
+    if (verdict.work > 0) return verdict;
+    reading.interpreter.lines_run = &verdict.lines_run;
+    Diagnostics errors([&](const Diagnostic& told) {
+      if (is_error(told)) verdict.errors.push_back(told);
+    });
+    ipr::Reader reader = ipr::Reader::from_text(changed);
+    verdict.work = read_unplanned(reader, machine, reading, errors, watcher_).bytes_read;
+    return verdict;
+  };
+  return ipr::follow_from_others(std::move(text), held_, judge);
+}
+
+}  // namespace softcnc::app

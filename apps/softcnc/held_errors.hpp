@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Errors of a program that wait until it is known which of them follow from others.
+#pragma once
+
+#include <vector>
+
+#include "channel.hpp"
+#include "messages.hpp"
+#include "program.hpp"
+
+namespace softcnc::app {
+
+/// Shows what is told of a program as it comes up to its first error; that and what is told behind
+/// it wait for finish(), which leaves out errors that follow from others. Of a stream and where
+/// there are very many, all are shown at once; of a long text none is left out.
+class HeldErrors {
+ public:
+  /// What is referred to must outlive it.
+  HeldErrors(Program& program, const Machine& machine, const ChannelOptions& options,
+             Messages& messages, Watcher* watcher);
+
+  Diagnostics::Sink sink();
+  void finish();
+
+ private:
+  void take(const Diagnostic& diagnostic);
+  void show_all();
+  std::vector<bool> find_out() const;
+
+  Program& program_;
+  const Machine& machine_;
+  const ChannelOptions& options_;
+  Watcher* watcher_;
+  Diagnostics::Sink show_;
+  bool holding_;
+  std::vector<Diagnostic> held_;
+};
+
+}  // namespace softcnc::app
