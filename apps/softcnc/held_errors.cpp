@@ -41,16 +41,21 @@ Diagnostics::Sink HeldErrors::sink() {
   return [this](const Diagnostic& diagnostic) { take(diagnostic); };
 }
 
+void HeldErrors::show(const Diagnostic& diagnostic) {
+  status_ = worse_status(status_, exit_status(diagnostic));
+  show_(diagnostic);
+}
+
 void HeldErrors::take(const Diagnostic& diagnostic) {
   const bool waits = holding_ && (!held_.empty() || is_error(diagnostic));
-  if (!waits) return show_(diagnostic);
+  if (!waits) return show(diagnostic);
   held_.push_back(diagnostic);
   if (held_.size() > kMostHeld) show_all();
 }
 
 /// From here on they are shown as they come.
 void HeldErrors::show_all() {
-  for (const Diagnostic& diagnostic : held_) show_(diagnostic);
+  for (const Diagnostic& diagnostic : held_) show(diagnostic);
   held_.clear();
   holding_ = false;
 }
@@ -59,7 +64,7 @@ void HeldErrors::finish() {
   if (std::count_if(held_.begin(), held_.end(), is_error) < 2) return show_all();
   const std::vector<bool> follows = find_out();
   for (std::size_t i = 0; i < held_.size(); ++i)
-    if (!follows[i]) show_(held_[i]);
+    if (!follows[i]) show(held_[i]);
   held_.clear();
 }
 

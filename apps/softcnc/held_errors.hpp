@@ -21,8 +21,11 @@ class HeldErrors {
 
   Diagnostics::Sink sink();
   void finish();
+  /// The worst exit status of what has been shown.
+  int status() const noexcept { return status_; }
 
  private:
+  void show(const Diagnostic& diagnostic);
   void take(const Diagnostic& diagnostic);
   void show_all();
   std::vector<bool> find_out() const;
@@ -33,6 +36,7 @@ class HeldErrors {
   Watcher* watcher_;
   Diagnostics::Sink show_;
   bool holding_;
+  int status_ = 0;
   std::vector<Diagnostic> held_;
 };
 

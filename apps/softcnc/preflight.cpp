@@ -44,7 +44,7 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
     result.outcome.called_files = std::move(read.called_files);
     result.outcome.missing_files = std::move(read.missing_files);
     errors.finish();
-    result.status = diagnostics.status();
+    result.status = errors.status();
     return result;
   }
   ipr::Reader reader = program.reader();
@@ -56,7 +56,7 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
     result.outcome.surface.warn(diagnostics);
   }
   errors.finish();
-  result.status = diagnostics.status();
+  result.status = errors.status();
   return result;
 }
 

@@ -243,3 +243,13 @@ TEST_CASE("a program that cannot be read to its end is told of once", "[apps][ch
     CHECK(told.find("SC6002", first + 30) == std::string::npos);
   }
 }
+
+TEST_CASE("check leaves out what follows from one character of another line", "[apps][check]") {
+  const Folder folder;
+  const std::string part = folder / "part.nc";
+  shell("printf 'F100\\nG81\\nG2 X0 Z10 I0 K5\\nM30\\n' > " + part);
+  const Ended ended = call("check " + part);
+  CHECK(ended.status == 1);
+  CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 1);
+  CHECK(ended.out.find(":2:1: error SC") != std::string::npos);
+}
