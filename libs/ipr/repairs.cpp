@@ -159,15 +159,16 @@ class Repairs {
   /// word of it may be what is wrong.
   Columns columns_told(int line) const {
     std::optional<Columns> columns;
+    bool whole = true;
     for (const Diagnostic& error : wrong_) {
       const auto& [at, column, length, file, call] = error.pos;
       if (!is_on(error.pos, line)) continue;
-      if (is_of_line(error.code)) return {0, static_cast<int>(kLongestLine)};
+      whole = whole && is_of_line(error.code);
       if (!columns) columns = Columns{column - 1, column - 1};
       columns->first = std::min(columns->first, column - 1);
       columns->end = std::max(columns->end, column - 1 + length);
     }
-    return columns.value_or(Columns{});
+    return whole ? Columns{0, static_cast<int>(kLongestLine)} : columns.value_or(Columns{});
   }
 
   std::string text_;
@@ -191,7 +192,8 @@ std::vector<bool> follow_from_others(std::string text, std::span<const Diagnosti
     bool first = true;  // of the line, which is what is told of it
     for (std::size_t i = 0; i < errors.size(); ++i) {
       if (!repairs.is_wrong(errors[i]) || places.contains(place_of(errors[i]))) continue;
-      const bool told = is_on(errors[i].pos, line) && std::exchange(first, false);
+      const bool way = errors[i].code == Code::SC4001;
+      const bool told = is_on(errors[i].pos, line) && (way || std::exchange(first, false));
       if (!told) follows[i] = true;
     }
   };
