@@ -172,6 +172,7 @@ class Flow {
                      std::string_view text);
 
   // flow_calls.cpp
+  void tell_sub_again(const std::string& label, SourcePos pos, std::string_view text);
   void pass_definition();
   void end_definition(const Spot& from, const std::optional<Spot>& next);
   bool lacks_end(const Subprogram& sub) const;

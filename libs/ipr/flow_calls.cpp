@@ -42,9 +42,18 @@ std::optional<int> number_meant(std::string_view line) {
 
 }  // namespace
 
+void Flow::tell_sub_again(const std::string& label, SourcePos pos, std::string_view text) {
+  diagnostics_.report(Code::SC2314, pos, o_word(label, "sub") + " stands in this file before",
+                      text);
+}
+
 /// A definition is passed over where it stands. Without its end nobody knows which of the lines
 /// behind it are the program's.
 void Flow::pass_definition() {
+  const Subprogram& within = calls_.back().sub;
+  const bool twice =
+      in_subprogram() && within.kind == SubKind::o_word && within.label == statement_.label;
+  if (twice) return tell_sub_again(statement_.label, statement_.pos, text_);
   const Spot from = library_.here();
   SourcePos nested;
   std::string nested_text, nested_label;
@@ -69,11 +78,8 @@ void Flow::pass_definition() {
     if (may_be_of(*inner, statement_.label) && !misspelt)
       misspelt = Spot{parser_.file(), parser_.reader().place_before(line->text)};
     if (inner->kind == Kind::end_sub && inner->label == statement_.label) {
-      const bool twice = nested_label == statement_.label;
-      if (nested.line > 0 && twice)
-        diagnostics_.report(Code::SC2314, nested,
-                            o_word(nested_label, "sub") + " stands in this file before",
-                            nested_text);
+      if (nested.line > 0 && nested_label == statement_.label)
+        tell_sub_again(nested_label, nested, nested_text);
       else if (nested.line > 0)
         report({Misfit::Role::between, Kind::sub, nested_label}, Code::SC2307, nested,
                "'" + o_word(nested_label, "sub") + "' within '" + o_word(statement_.label, "sub") +

@@ -84,11 +84,11 @@ bool is_stray(const Shape& line) {
   return alone && (any || kBeginners.find(line.name.front()) == std::string_view::npos);
 }
 
-/// `f 1M00`, `S6000 03`: a feed or a speed, or what is left of a command or a code. The next line
-/// decides, if it is there.
+/// `f 1M00`, `S6000 03`, `903` behind S1000: a feed or a speed, or what is left of a command or a
+/// code. The next line decides, if it is there.
 bool is_weak(const Shape& line, Format decided) {
   if (decided == Format::gcode) return (line.name == "f" || line.name == "l") && line.other;
-  return line.name == "s" && line.numbers == 2;
+  return line.name.empty() ? line.numbers == 1 : line.name == "s" && line.numbers == 2;
 }
 
 /// Looks at lines until one decides.

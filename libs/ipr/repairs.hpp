@@ -30,8 +30,9 @@ using Judge = std::function<Verdict(const std::string& text)>;
 /// this error goes with it, while every line with an error that goes is run as before and no other
 /// error comes: the search of Burke and Fisher (ACM TOPLAS 9, 1987) for a repair of one symbol,
 /// held against the whole program. Of several such lines the one counts that leaves the fewest
-/// errors. What the judge does not tell of the text as it is never follows. The same for the same
-/// arguments: work is counted, and for long programs not everything is tried.
+/// errors. A way beyond the travel never follows from another error of its line, and what the judge
+/// does not tell of the text as it is from nothing. The same for the same arguments: work is
+/// counted, and for long programs not everything is tried.
 std::vector<bool> follow_from_others(std::string text, std::span<const Diagnostic> errors,
                                      const Judge& judge);
 

@@ -138,3 +138,23 @@ TEST_CASE("commands with a wrong letter are commands all the same", "[ipr][conse
   CHECK(told_of_commands("f 9\ns 3\n1 1\nJ0\n2 2\n3 1\n") == Places{"SC1050 4:1"});
   CHECK(told_of_commands("f 9\nl -o0 10\nl 1 1\n") == Places{"SC1002 2:3"});
 }
+
+TEST_CASE("lines that may be of either language leave that to the next one",
+          "[ipr][consequences]") {
+  CHECK(told_of_commands("f 1M00\nl 20 0\npcw 10 0 5 0\n").size() == 1);
+  CHECK(told_of_commands("l 20 M\nl 5 5\npcw 10 0 5 0\nf 9\n").front() == "SC1053 1:6");
+  CHECK(told("S6000 03\nG0 X1\nG0 X2").size() == 1);
+  CHECK(told("S1000\n903\nG0 X1\nG0 X2").size() == 1);
+}
+
+TEST_CASE("what one line lacks is told where it is met first", "[ipr][consequences]") {
+  CHECK(told("o7 call\no7 call") == Places{"SC2301 1:1"});
+  CHECK(told("F9\nG2 X5 K1\nG3 X1 K1\nG17 G3 X2 K1") == Places{"SC2105 2:7", "SC2105 4:11"});
+  CHECK(told("o1 sub\no1 sub\nG0 X1\no1 endsub\no1 call") == Places{"SC2314 2:1"});
+}
+
+TEST_CASE("behind an end that cannot be read prose and rulers are not told",
+          "[ipr][consequences]") {
+  for (const std::string end : {"M22", "M/", "M62"})
+    CHECK(told("G0 X1\n" + end + "\n===\nthis is prose\nG0 X1..2").size() == 2);
+}
