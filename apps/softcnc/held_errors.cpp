@@ -11,9 +11,9 @@ namespace softcnc::app {
 namespace {
 
 constexpr std::size_t kMostHeld = 100;
-constexpr std::size_t kLongestText = 100'000;  // bytes
-constexpr int kMostExecuted = 20'000;          // lines of one trial
-constexpr auto kEnough = std::int64_t{1} << 40;
+constexpr std::size_t kLongestText = 100'000;    // bytes
+constexpr int kMostExecuted = 20'000;            // lines of one trial
+constexpr auto kEnough = std::int64_t{1} << 40;  // bytes: more than are ever read
 
 /// Empty if it is too long.
 std::string text_of(Program& program) {

@@ -30,6 +30,12 @@ Place place_of(const Diagnostic& error) {
   return {error.pos.file, error.pos.line, error.pos.column, error.code};
 }
 
+Places places_of(const std::vector<Diagnostic>& errors) {
+  Places places;
+  for (const Diagnostic& error : errors) places.insert(place_of(error));
+  return places;
+}
+
 bool is_on(const SourcePos& pos, int line) { return pos.file == 0 && pos.line == line; }
 
 /// Words that do not fit the codes, which may be what is wrong, or a way that all words make
@@ -132,16 +138,13 @@ class Repairs {
 
   void set_wrong(std::vector<Diagnostic> errors) {
     wrong_ = std::move(errors);
-    places_.clear();
-    for (const Diagnostic& error : wrong_) places_.insert(place_of(error));
+    places_ = places_of(wrong_);
   }
 
   bool mends(int line, const Verdict& verdict) const {
-    Places left;
-    for (const Diagnostic& error : verdict.errors) {
-      if (is_on(error.pos, line)) return false;
-      left.insert(place_of(error));
-    }
+    const auto stays = [&](const Diagnostic& error) { return is_on(error.pos, line); };
+    if (std::any_of(verdict.errors.begin(), verdict.errors.end(), stays)) return false;
+    const Places left = places_of(verdict.errors);
     if (!std::includes(places_.begin(), places_.end(), left.begin(), left.end())) return false;
     return std::all_of(wrong_.begin(), wrong_.end(), [&](const Diagnostic& error) {
       const auto& [at, column, length, file, call] = error.pos;
@@ -187,8 +190,7 @@ std::vector<bool> follow_from_others(std::string text, std::span<const Diagnosti
   Repairs repairs(std::move(text), judge);
   std::set<int> mended;  // lines
   const auto mark = [&](int line, const std::vector<Diagnostic>& left) {
-    Places places;
-    for (const Diagnostic& error : left) places.insert(place_of(error));
+    const Places places = places_of(left);
     bool first = true;  // of the line, which is what is told of it
     for (std::size_t i = 0; i < errors.size(); ++i) {
       if (!repairs.is_wrong(errors[i]) || places.contains(place_of(errors[i]))) continue;
