@@ -21,6 +21,7 @@ struct Shape {
   bool command_behind = false;  // and that can only be a command
   bool fault = false;           // what no language has
   bool of_gcode = false;        // but G-code: a variable, a '%', a '/'
+  bool skipped = false;         // begins with '/'
 };
 
 bool is_arc_command(std::string_view name) {
@@ -46,6 +47,7 @@ bool is_command(const std::string& name, CommandLine fields) {
 
 Shape shape_of(std::string_view line) {
   Shape shape;
+  shape.skipped = line.starts_with('/');
   CommandLine fields(line);
   for (auto field = fields.next(); field.kind != CommandField::Kind::end; field = fields.next()) {
     if (field.kind == CommandField::Kind::number) {
@@ -84,10 +86,11 @@ bool is_stray(const Shape& line) {
   return alone && (any || kBeginners.find(line.name.front()) == std::string_view::npos);
 }
 
-/// `f 1M00`, `S6000 03`, `903` behind S1000: a feed or a speed, or what is left of a command or a
-/// code. The next line decides, if it is there.
+/// `f 1M00`, `S6000 03`, `/F 600`, `903` behind S1000: a feed or a speed, or what is left of a
+/// command or a code. The next line decides, if it is there.
 bool is_weak(const Shape& line, Format decided) {
-  if (decided == Format::gcode) return (line.name == "f" || line.name == "l") && line.other;
+  if (decided == Format::gcode)
+    return line.skipped || ((line.name == "f" || line.name == "l") && line.other);
   return line.name.empty() ? line.numbers == 1 : line.name == "s" && line.numbers == 2;
 }
 

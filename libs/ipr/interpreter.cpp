@@ -100,6 +100,12 @@ bool may_be_spindle(const Values& values, Letters unused) noexcept {
   return false;
 }
 
+/// Of a line of which some words could not be read.
+bool may_name_knot(const Line& line, const Command& command) {
+  return command.values().has('K') ||
+         (line.lost.has('K') && line.text.find_first_of("Kk") != line.text.npos);
+}
+
 }  // namespace
 
 Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& diagnostics,
@@ -277,7 +283,7 @@ void Interpreter::remember_uncertain(const Line& line) {
     uncertain.remove('G');
   if (uncertain.has('G')) modal_.motion = modal_.motion_below = nullptr;
   const bool code_lost = uncertain.has('G') || (command_.doubled() && !has_own_motion());
-  if (code_lost && command_.values().has('K')) excuse_curve_of_lost_code();
+  if (code_lost && may_name_knot(line, command_)) excuse_curve_of_lost_code();
   modal_.uncertain |= uncertain;
   if (command_.has(Group::motion) && command_.doubted().has(Group::motion))
     modal_.centre_told = true;  // nobody knows whether lines behind it are arcs: `G6.G2 P3`

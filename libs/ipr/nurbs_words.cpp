@@ -365,11 +365,14 @@ void report_left_early(const PendingCurve& curve, const GCode& code, const Word&
     out.report(Code::SC3105, word.pos, name + " within a curve of G06.2");
 }
 
-/// LinuxCNC's form: G06.2 stands in the second block too. With another P it begins a new curve.
+/// LinuxCNC's form: G06.2 stands in the second block too. With another P it begins a new curve,
+/// unless that of the first block could not be read.
 bool goes_on(const PendingCurve& curve, const Command& command) {
   if (!curve.repeats && curve.spec.control.size() != 1) return false;
   const Values& values = command.values();
-  return !values.has('P') || values['P'] == curve.order_word || !command.uncertain().empty();
+  const bool order_lost = curve.order == 0 && curve.order_word == 0;
+  const bool any = !values.has('P') || order_lost || !command.uncertain().empty();
+  return any || values['P'] == curve.order_word;
 }
 
 /// F within a curve, where no next one may begin with it. Beside a code the line may be the first
@@ -414,6 +417,7 @@ void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, 
     if (code == modal.motion && goes_on(curve, command)) {
       if (dialect == Dialect::fanuc && !curve.repeats) refuse_repetition(curve, *word, out);
       curve.repeats = true;
+      if (curve.order_word == 0) curve.order_word = command.values().value_or('P', 0);
       continue;
     }
     if (code->group == Group::feed) {

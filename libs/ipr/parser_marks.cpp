@@ -349,6 +349,7 @@ Token Parser::read_macro(Lexer& lexer, const Token& mark) {
   const bool fanuc = options_.dialect == Dialect::fanuc;
   if (name && fanuc && line_.called.empty()) return read_called(lexer, mark);
   lose_number_before(mark);
+  if (text == "=") assignments_.clear();  // `#1=10 2=5`: where the value before it ends
   if ((text == "]" || text == "<") && line_.broken)
     lose_rest();  // what is told may be the place of its '[', or before a name
   else if (text == "[")

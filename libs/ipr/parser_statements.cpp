@@ -238,6 +238,7 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
     lose_number_before(sign);
     if (!assigns && variable) doubt_shorter(*variable);
     if (assignable) assign(std::move(*variable), kUncertain);
+    if (!assigns) lose_words();  // `7#5`, for Y#5
     return pass_broken(lexer, before, expression.fault());
   }
   report(expression.fault());

@@ -41,7 +41,14 @@ bool is_on(const SourcePos& pos, int line) { return pos.file == 0 && pos.line ==
 /// Words that do not fit the codes, which may be what is wrong, or a way that all words make
 /// together.
 bool is_of_line(Code code) {
-  constexpr std::array kCodes{Code::SC2004, Code::SC2005, Code::SC2006, Code::SC2007, Code::SC4001};
+  constexpr std::array kCodes{Code::SC2003, Code::SC2004, Code::SC2005,
+                              Code::SC2006, Code::SC2007, Code::SC4001};
+  return std::find(kCodes.begin(), kCodes.end(), code) != kCodes.end();
+}
+
+/// Of which lines belong together, which is told whether they are run or not.
+bool is_of_structure(Code code) {
+  constexpr std::array kCodes{Code::SC2302, Code::SC2303, Code::SC2304, Code::SC2305};
   return std::find(kCodes.begin(), kCodes.end(), code) != kCodes.end();
 }
 
@@ -149,7 +156,7 @@ class Repairs {
     return std::all_of(wrong_.begin(), wrong_.end(), [&](const Diagnostic& error) {
       const auto& [at, column, length, file, call] = error.pos;
       const bool goes = file == 0 && at != line && !left.contains(place_of(error));
-      return !goes || !lines_run_.contains(at) || verdict.lines_run.contains(at);
+      return !goes || is_of_structure(error.code) || !lines_run_.contains(at) || verdict.lines_run.contains(at);
     });
   }
 

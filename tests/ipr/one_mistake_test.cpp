@@ -122,7 +122,18 @@ TEST_CASE("a keyword or a label with a stray character is the one that is meant"
 TEST_CASE("an assignment whose number runs into its value leaves both open",
           "[ipr][consequences]") {
   CHECK(told("F9\n#510\nG3 X0 Y#5 I[-#5] J0") == Places{"SC1028 2:4"});
+  CHECK(told("F9\n#5=1\nG3 X0 7#5 I[-#5] J0") == Places{"SC1028 3:11"});
   CHECK(told("F9\n#510\nG0 X[1/#6]") == Places{"SC1028 2:4", "SC1021 3:8"});
+  CHECK(told("#1=10 210=25\nG0 X#1\nG0 Y#210") == Places{"SC1001 1:10"});
+}
+
+TEST_CASE("a curve whose first block could not be read goes on in its second one",
+          "[ipr][consequences]") {
+  const std::string rest =
+      "G6.2 P3 X0 Y10 R0.7 K0\nG6.2 P3 X10 Y10 K0\nG6.2 K1\nG6.2 K1\nG6.2 K1\nG1 X0\n";
+  CHECK(told("F9\nG6.2# P3 X0 Y0 K0\n" + rest) == Places{"SC1018 2:7"});
+  CHECK(told("F9\nG6.2 L3 X0 Y0 K0\n" + rest) == Places{"SC3125 2:6"});
+  CHECK(told("F9\nG6.2 P3 X0 Y0 K0\n" + rest).empty());
 }
 
 TEST_CASE("a number with a blank may hide the letter of the feed", "[ipr][consequences]") {
@@ -143,6 +154,8 @@ TEST_CASE("lines that may be of either language leave that to the next one",
           "[ipr][consequences]") {
   CHECK(told_of_commands("f 1M00\nl 20 0\npcw 10 0 5 0\n").size() == 1);
   CHECK(told_of_commands("l 20 M\nl 5 5\npcw 10 0 5 0\nf 9\n").front() == "SC1053 1:6");
+  CHECK(told_of_commands("/F 600\nL 10, 5\nPCW 10,0,5,0\n") == Places{"SC1001 1:1"});
+  CHECK(told("/F 600\nG0 X1\n").empty());
   CHECK(told("S6000 03\nG0 X1\nG0 X2").size() == 1);
   CHECK(told("S1000\n903\nG0 X1\nG0 X2").size() == 1);
 }
