@@ -81,16 +81,19 @@ bool is_stray(const Shape& line) {
   const bool alone = !line.other && !line.fault && line.numbers > 0;
   constexpr double kLargeCode = 200;  // no control has codes from here on: `M300` may be F300
   const bool no_code = (line.name == "m" || line.name == "g") && line.number >= kLargeCode;
-  const bool no_feed = line.name == "f" && line.numbers > 1;  // `f3 00`
-  const bool any = line.name == "o" || no_code || no_feed;
+  const bool several = line.numbers > 1 && (line.name == "f" || line.name == "g");  // `f3 00`
+  const bool any = line.name == "o" || no_code || several;
   return alone && (any || kBeginners.find(line.name.front()) == std::string_view::npos);
 }
 
-/// `f 1M00`, `S6000 03`, `/F 600`, `903` behind S1000: a feed or a speed, or what is left of a
-/// command or a code. The next line decides, if it is there.
+/// `f 1M00`, `S6000 03`, `s N`, `/F 600`, `903` behind S1000: a feed or a speed, or what is left of
+/// a command or a code. The next line decides, if it is there.
 bool is_weak(const Shape& line, Format decided) {
-  if (decided == Format::gcode)
-    return line.skipped || ((line.name == "f" || line.name == "l") && line.other);
+  if (decided == Format::gcode) {
+    const bool of_both = line.name == "f" || line.name == "l";
+    const bool lone_spline = line.name == "s" && line.numbers == 0;
+    return line.skipped || (line.other && (of_both || lone_spline));
+  }
   return line.name.empty() ? line.numbers == 1 : line.name == "s" && line.numbers == 2;
 }
 

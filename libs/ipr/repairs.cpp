@@ -156,7 +156,8 @@ class Repairs {
     return std::all_of(wrong_.begin(), wrong_.end(), [&](const Diagnostic& error) {
       const auto& [at, column, length, file, call] = error.pos;
       const bool goes = file == 0 && at != line && !left.contains(place_of(error));
-      return !goes || is_of_structure(error.code) || !lines_run_.contains(at) || verdict.lines_run.contains(at);
+      return !goes || is_of_structure(error.code) || !lines_run_.contains(at) ||
+             verdict.lines_run.contains(at);
     });
   }
 

@@ -17,14 +17,23 @@ double turning(const Modes& modes) {
   return modes.spindle_direction * modes.spindle_speed.value_or(0);
 }
 
+/// That one of them was not set when they were saved may have been told since.
+Letters uncertain_of(const SavedModes& saved, Letters told) {
+  Letters uncertain;
+  for (const char letter : {'F', 'S'})
+    if (saved.uncertain.has(letter)) uncertain.add(letter);
+  if (told.has('F') && saved.modes.feed <= 0) uncertain.add('F');
+  if (told.has('S') && turning(saved.modes) == 0) uncertain.add('S');
+  return uncertain;
+}
+
 void restore(Modal& modal, const SavedModes& saved) {
+  const Letters uncertain = uncertain_of(saved, modal.uncertain);
   static_cast<Modes&>(modal) = saved.modes;
   modal.state.active = saved.work_system;
   modal.state.shift_on = saved.shift_on;
-  for (const char letter : {'F', 'S'}) {
-    modal.uncertain.remove(letter);
-    if (saved.uncertain.has(letter)) modal.uncertain.add(letter);
-  }
+  modal.uncertain = modal.uncertain.without("FS");
+  modal.uncertain |= uncertain;
   if (saved.offsets_uncertain) modal.doubt_offsets();
   modal.update_coordinates();
 }

@@ -60,10 +60,18 @@ bool has_divided_number(std::string_view line) noexcept {
   return false;
 }
 
+/// What the axes of such a line say may be their word and the feed together.
+void doubt_divided_axes(Task& task) {
+  if (!has_divided_number(task.out.text())) return;
+  task.out.mute();
+  for (const char letter : kAxisLetters)
+    if (task.values.has(letter)) task.modal.uncertain.add(letter);
+}
+
 [[gnu::cold]] void report_no_feed(Task& task) {
   report_words(task, "F", Code::SC2102, task.word.pos,
                code_name(task.code) + " needs a feed, and F is not set");
-  if (has_divided_number(task.out.text())) task.out.mute();
+  doubt_divided_axes(task);
 }
 
 /// Only moves whose length is known on their line have a time of their own.
@@ -80,6 +88,9 @@ bool has_inverse_time(Task& task) {
   }
   report_if_certain(task, "F", Code::SC2102, task.word.pos,
                     code_name(task.code) + " needs F on its own line while G93 is in force");
+  doubt_divided_axes(task);
+  const bool first = task.modal.feed_word <= 0;  // told once, where it may be G93 that is wrong
+  if (first) task.modal.uncertain.add('F');
   return false;
 }
 

@@ -132,13 +132,15 @@ TEST_CASE("a curve whose first block could not be read goes on in its second one
   const std::string rest =
       "G6.2 P3 X0 Y10 R0.7 K0\nG6.2 P3 X10 Y10 K0\nG6.2 K1\nG6.2 K1\nG6.2 K1\nG1 X0\n";
   CHECK(told("F9\nG6.2# P3 X0 Y0 K0\n" + rest) == Places{"SC1018 2:7"});
-  CHECK(told("F9\nG6.2 L3 X0 Y0 K0\n" + rest) == Places{"SC3125 2:6"});
+  CHECK(told("F9\nG6.2 P-- X0 Y0 K0\n" + rest) == Places{"SC1003 2:7"});
   CHECK(told("F9\nG6.2 P3 X0 Y0 K0\n" + rest).empty());
 }
 
 TEST_CASE("a number with a blank may hide the letter of the feed", "[ipr][consequences]") {
   CHECK(told("G1 X2 100") == Places{"SC2102 1:1"});
   CHECK(told("G1 X2") == Places{"SC2102 1:1"});
+  CHECK(told("G1 X20 3000\nF9\nG1 Y1\nG2 X0 R5") == Places{"SC2102 1:1"});
+  CHECK(told("G93\nG1 X20 F3\nX60 3000\nY1 F3") == Places{"SC2102 3:1"});
 }
 
 TEST_CASE("commands with a wrong letter are commands all the same", "[ipr][consequences]") {
@@ -155,12 +157,18 @@ TEST_CASE("lines that may be of either language leave that to the next one",
   CHECK(told_of_commands("f 1M00\nl 20 0\npcw 10 0 5 0\n").size() == 1);
   CHECK(told_of_commands("l 20 M\nl 5 5\npcw 10 0 5 0\nf 9\n").front() == "SC1053 1:6");
   CHECK(told_of_commands("/F 600\nL 10, 5\nPCW 10,0,5,0\n") == Places{"SC1001 1:1"});
+  CHECK(told_of_commands("f 9\ns N\n1 1\n2 2\n3 1\nl 4 2\n") == Places{"SC1053 2:3"});
+  CHECK(told_of_commands("f 9\nG 20 0\npcw 10 0 5 0\nl 1 1\n") == Places{"SC1050 2:1"});
   CHECK(told("/F 600\nG0 X1\n").empty());
   CHECK(told("S6000 03\nG0 X1\nG0 X2").size() == 1);
   CHECK(told("S1000\n903\nG0 X1\nG0 X2").size() == 1);
 }
 
 TEST_CASE("what one line lacks is told where it is met first", "[ipr][consequences]") {
+  CHECK(told("G93\nG1 X1\nX2\nX3 F1\nX4") == Places{"SC2102 2:1", "SC2102 5:1"});
+  CHECK(told("M70\nG1 X1\nM72\nG1 X2") == Places{"SC2102 2:1"});
+  CHECK(told("M70\nG1 X1 F9\nM72\nG1 X2") == Places{"SC2102 4:1"});
+  CHECK(told("G95 F9\nM70\nG1 X1\nM72\nG1 X2") == Places{"SC2222 3:1"});
   CHECK(told("o7 call\no7 call") == Places{"SC2301 1:1"});
   CHECK(told("F9\nG2 X5 K1\nG3 X1 K1\nG17 G3 X2 K1") == Places{"SC2105 2:7", "SC2105 4:11"});
   CHECK(told("o1 sub\no1 sub\nG0 X1\no1 endsub\no1 call") == Places{"SC2314 2:1"});
