@@ -2,10 +2,10 @@
 #include "held_errors.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "endless.hpp"
-#include "ipr/repairs.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -72,23 +72,52 @@ void HeldErrors::finish() {
 std::vector<bool> HeldErrors::find_out() const {
   std::string text = text_of(program_);
   if (text.empty()) return std::vector<bool>(held_.size(), false);
-  Machine machine = machine_;
-  machine.program.block_limit = std::min(machine.program.block_limit, kMostExecuted);
-  ChannelOptions reading = options_;
-  reading.interpreter.compare_dialects = false;
-  const ipr::Judge judge = [&](const std::string& changed) {
-    ipr::Verdict verdict;
-    if (watcher_ != nullptr && watcher_->wants_stop()) verdict.work = kEnough;
-    if (verdict.work > 0) return verdict;
-    reading.interpreter.lines_run = &verdict.lines_run;
-    Diagnostics errors([&](const Diagnostic& told) {
-      if (is_error(told)) verdict.errors.push_back(told);
-    });
-    ipr::Reader reader = ipr::Reader::from_text(changed);
-    verdict.work = read_unplanned(reader, machine, reading, errors, watcher_).bytes_read;
+  std::vector<bool> follows = follow_from_endless_loop(
+      held_, [&](int block_limit) { return read_rounds(text, block_limit); });
+  const std::vector<bool> mended = ipr::follow_from_others(
+      std::move(text), held_, [&](const std::string& changed) { return judge(changed); });
+  std::transform(follows.begin(), follows.end(), mended.begin(), follows.begin(),
+                 std::logical_or<>());
+  return follows;
+}
+
+Rounds HeldErrors::read_rounds(const std::string& text, int block_limit) const {
+  Rounds rounds;
+  ipr::InterpreterOptions reading = options_.interpreter;
+  reading.lines_run = &rounds.run;
+  read(text, block_limit, reading, [&](const Diagnostic& told) {
+    if (told.pos.file != 0 || !leads_too_far(told)) return;
+    rounds.first_told.try_emplace({told.pos.line, told.code}, rounds.run[told.pos.line]);
+  });
+  return rounds;
+}
+
+ipr::Verdict HeldErrors::judge(const std::string& text) const {
+  ipr::Verdict verdict;
+  if (watcher_ != nullptr && watcher_->wants_stop()) {
+    verdict.work = kEnough;
     return verdict;
-  };
-  return ipr::follow_from_others(std::move(text), held_, judge);
+  }
+  ipr::InterpreterOptions reading = options_.interpreter;
+  reading.lines_run = &verdict.lines_run;
+  reading.lines_in_doubt = &verdict.lines_in_doubt;
+  verdict.work = read(text, kMostExecuted, reading, [&](const Diagnostic& told) {
+    if (is_error(told)) verdict.errors.push_back(told);
+  });
+  return verdict;
+}
+
+/// Returns how many bytes of lines were read.
+std::int64_t HeldErrors::read(const std::string& text, int block_limit,
+                              ipr::InterpreterOptions reading, Diagnostics::Sink told) const {
+  Machine machine = machine_;
+  machine.program.block_limit = std::min(machine.program.block_limit, block_limit);
+  ChannelOptions options = options_;
+  options.interpreter = std::move(reading);
+  options.interpreter.compare_dialects = false;
+  Diagnostics diagnostics(std::move(told));
+  ipr::Reader reader = ipr::Reader::from_text(text);
+  return read_unplanned(reader, machine, options, diagnostics, watcher_).bytes_read;
 }
 
 }  // namespace softcnc::app

@@ -2,9 +2,14 @@
 // Errors of a program that wait until it is known which of them follow from others.
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "channel.hpp"
+#include "endless_rounds.hpp"
+#include "ipr/repairs.hpp"
 #include "messages.hpp"
 #include "program.hpp"
 
@@ -29,6 +34,10 @@ class HeldErrors {
   void take(const Diagnostic& diagnostic);
   void show_all();
   std::vector<bool> find_out() const;
+  Rounds read_rounds(const std::string& text, int block_limit) const;
+  ipr::Verdict judge(const std::string& text) const;
+  std::int64_t read(const std::string& text, int block_limit, ipr::InterpreterOptions reading,
+                    Diagnostics::Sink told) const;
 
   Program& program_;
   const Machine& machine_;

@@ -76,7 +76,10 @@ bool has_centre_or_radius(Task& task) {
   }
   task.out.report_way(Code::SC2107, span_of(values, "XYZP"),
                       code_name(task.code) + " needs a centre or R");
-  task.modal.end_in_doubt = plane_letters(plane_axes(task.modal.plane));
+  const PlaneAxes axes = plane_axes(task.modal.plane);
+  const bool whole = values.has(kAxisLetters[static_cast<std::size_t>(axes.first)]) &&
+                     values.has(kAxisLetters[static_cast<std::size_t>(axes.second)]);
+  if (!whole) task.modal.end_in_doubt = plane_letters(axes);
   return false;
 }
 

@@ -106,9 +106,21 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
   doubt(lost);
 }
 
+/// A feed, a speed and a tool may stand anywhere, but seldom do beside codes that need none.
+Letters Command::words_meant() const noexcept {
+  constexpr int kG00 = 0;
+  const GCode* motion = find(Group::motion);
+  const bool words_alone = count_ == (has(Group::line_number) ? 1 : 0);
+  Letters meant{"XYZ"};
+  if (words_alone || (motion != nullptr && motion->number != kG00)) meant.add('F');
+  if (words_alone || has(Group::spindle)) meant.add('S');
+  if (words_alone || has(Group::tool_change)) meant.add('T');
+  return meant;
+}
+
 [[gnu::cold]] void Command::doubt_missing() noexcept {
   constexpr Groups kKept{Group::cutter_compensation, Group::tool_length, Group::non_modal};
-  Letters missing{"FSTXYZ"}, given = values_.letters();
+  Letters missing = words_meant(), given = values_.letters();
   for (const CodeWord& code : codes()) {
     missing |= Letters(code.code->words);
     given.add(code.code->letter);

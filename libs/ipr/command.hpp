@@ -98,6 +98,7 @@ class Command {
   void check_program_number(const Line& line, Output& out);
   void add(const GCode& code, const Word& word);
   bool put_above(const GCode& cycle, const Word& word);
+  Letters words_meant() const noexcept;
   void doubt(Groups groups) noexcept;
   void doubt_lost_codes(const Line& line) noexcept;
 

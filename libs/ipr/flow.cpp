@@ -78,8 +78,7 @@ std::optional<Line> Flow::next() {
     }
     ++executed_;
     if (options_.unrun_too) remember(*line);
-    if (options_.lines_run != nullptr && parser_.file() == 0)
-      options_.lines_run->insert(line->number);
+    if (options_.lines_run != nullptr && parser_.file() == 0) ++(*options_.lines_run)[line->number];
     if (line->broken) doubt(*line);
     if (line->passed_over && line->words.empty()) continue;
     const bool plain = line->statement == nullptr && !new_round_;

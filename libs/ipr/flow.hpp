@@ -36,7 +36,7 @@ struct FlowOptions {
   int block_limit = 2'000'000;       // lines that one loop, or one call with all it calls, may run
   CallObserver* observer = nullptr;  // must outlive the flow
   bool unrun_too = false;            // remember which lines are not run
-  std::set<int>* lines_run = nullptr;  // takes the lines of the program's own file that are
+  std::map<int, int>* lines_run = nullptr;  // takes how often each line of the program itself is
 };
 
 /// What a code asks for that leads to other lines; done when its line is.

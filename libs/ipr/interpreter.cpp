@@ -220,12 +220,19 @@ bool Interpreter::tell_restored(const Line& next) {
   remember_uncertain(line);
   if (modal_.curve) note_faults(command_, modal_, out_, *modal_.curve);
   if (modal_.points) note_faults(command_, modal_, out_, *modal_.points);
+  note_doubt(line);
   out_.end();
   if (line.broken && !line.may_count && means_end(line)) end_all_the_same(line);
   if (!modal_.ended) return;
   flow_.finish();
   read_unrun();
   contradictions_.tell();
+}
+
+void Interpreter::note_doubt(const Line& line) {
+  if (options_.lines_in_doubt == nullptr || parser_.file() != 0) return;
+  if (out_.failed() || modal_.start_uncertain || modal_.uncertain.has_any(kAxisWords))
+    options_.lines_in_doubt->insert(line.number);
 }
 
 /// M3O: nobody doubts that the program ends there.

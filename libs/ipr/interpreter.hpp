@@ -2,6 +2,7 @@
 // Lines to blocks, one at a time.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -29,8 +30,9 @@ struct InterpreterOptions {
   bool compare_dialects = false;  // warn where a line means something else in the other one
   bool unrun_too = false;         // read lines that are never run as well, for their errors
   std::string folder = {};        // where files lie that the program calls; empty: it can call none
-  RefusedMoves* refused_moves = nullptr;  // is shown them
-  std::set<int>* lines_run = nullptr;     // takes those of the program itself
+  RefusedMoves* refused_moves = nullptr;    // is shown them
+  std::map<int, int>* lines_run = nullptr;  // takes how often each of the program itself is
+  std::set<int>* lines_in_doubt = nullptr;  // and those of them of which something is not known
 };
 
 class Interpreter {
@@ -80,6 +82,7 @@ class Interpreter {
   void execute();
   void excuse_left_curve();
   void excuse_curve_of_lost_code();
+  void note_doubt(const Line& line);
   void remember_uncertain(const Line& line);
   bool tell_restored(const Line& next);
   bool leads_all_the_same(const Line& line);

@@ -81,6 +81,12 @@ std::size_t behind_comment(std::string_view text, std::size_t at) noexcept {
   return close == std::string_view::npos ? close : close + 1;
 }
 
+/// Behind the name that begins at `at` with its '<'.
+std::size_t behind_name(std::string_view text, std::size_t at) noexcept {
+  const std::size_t close = text.find('>', at);
+  return close == std::string_view::npos ? at + 1 : close + 1;
+}
+
 /// Codes that are not supported, and would turn, scale, mirror or bend coordinates: lathe
 /// diameters, polar and cylindrical coordinates, G16, G51, G68.
 bool changes_coordinates(double number) noexcept {
@@ -95,6 +101,10 @@ void for_each_lost(const Line& line, char letter, Function function) {
     const char c = line.text[at];
     if (c == '(' || c == ';') {
       at = behind_comment(line.text, at);
+      continue;
+    }
+    if (c == '<') {
+      at = behind_name(line.text, at);
       continue;
     }
     const bool code = upper_case(c) == letter && !is_of_name(line.text, at) &&

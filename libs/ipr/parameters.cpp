@@ -58,6 +58,7 @@ void Parameters::store(int number, double value) {
 std::optional<double> Parameters::read(int number) const {
   if (number == 0 && dialect_ == Dialect::fanuc) return kVacant;
   if (touch_doubtful_ && is_touch(number)) return kUncertain;
+  if (!refused_.empty() && refused_.contains(number)) return kUncertain;
   if (is_system(number) && system_ != nullptr)
     if (const auto value = system_->read(number)) return value;
   if (!is_ordinary(number)) return std::nullopt;

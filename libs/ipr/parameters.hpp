@@ -90,6 +90,10 @@ class Parameters {
 
   /// An assignment has been lost by an error, and with it, whose it was.
   void doubt() noexcept { doubtful_ = true; }
+  /// An assignment to this one of the system has been refused: what the program would go on with is
+  /// not known.
+  void doubt(int number) { refused_.insert(number); }
+  void doubt(std::string_view name) { write(name, kUncertain); }
   /// So have been all that a subprogram might have done; `locals`: to those of its caller too.
   void doubt_all(bool locals);
   /// A probing move has been refused: where it would have ended, #5061 to #5070, is not known.
@@ -127,7 +131,7 @@ class Parameters {
   SystemVariables* system_ = nullptr;
   std::vector<double> numbered_;  // by number, unset_ behind the last; local ones lie in levels_
   double unset_ = kVacant;
-  std::set<int> kept_;
+  std::set<int> kept_, refused_;
   std::vector<Level> levels_;
   Names global_;
   std::optional<double> given_back_;

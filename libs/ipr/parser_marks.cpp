@@ -198,6 +198,8 @@ void Parser::report_number(const Token& letter, const Token& number) {
   if (number.fault == NumberFault::sign_inside && divided)
     line_.lost |= kAxisWords;  // `Y1 -5`: the second one's letter may be what is missing
   TextFault fault = number_fault(number.fault, written, {&letter.letter, 1});
+  if (letter.letter == 'O' && number.fault == NumberFault::no_digits)
+    fault.message += kLetterForDigit;
   report(fault.code, number.column, number.length, std::move(fault.message));
 }
 

@@ -303,9 +303,10 @@ std::string Parser::comment_behind(const Lexer& lexer) const {
 bool Parser::may_assign(const Variable& variable, SourcePos at) {
   using Access = Parameters::Access;
   const Access access = access_to(variable, parameters_);
-  if (access == Access::read_only)
+  if (access == Access::read_only) {
     report(Code::SC1026, at.column, at.length, name_of(variable) + " cannot be assigned to");
-  else if (access == Access::no_such)
+    variable.name.empty() ? parameters_.doubt(variable.number) : parameters_.doubt(variable.name);
+  } else if (access == Access::no_such)
     report(Code::SC1025, at.column, at.length, lacks_variable(variable, options_.dialect));
   return access == Access::granted;
 }

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <tuple>
 #include <utility>
+
+#include "ipr/number.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -43,12 +46,6 @@ bool is_on(const SourcePos& pos, int line) { return pos.file == 0 && pos.line ==
 bool is_of_line(Code code) {
   constexpr std::array kCodes{Code::SC2003, Code::SC2004, Code::SC2005,
                               Code::SC2006, Code::SC2007, Code::SC4001};
-  return std::find(kCodes.begin(), kCodes.end(), code) != kCodes.end();
-}
-
-/// Of which lines belong together, which is told whether they are run or not.
-bool is_of_structure(Code code) {
-  constexpr std::array kCodes{Code::SC2302, Code::SC2303, Code::SC2304, Code::SC2305};
   return std::find(kCodes.begin(), kCodes.end(), code) != kCodes.end();
 }
 
@@ -95,6 +92,17 @@ void for_each_edit(const std::string& line, Columns columns, Attempt attempt) {
   }
 }
 
+/// A word that other lines may lack, a feed, a speed, a tool, and a label: what they lack is an
+/// error of their own, whatever else this line could have been.
+bool brings_what_others_lack(std::string_view before, std::string_view edited) {
+  constexpr std::string_view kLetters = "FSTO";
+  const auto count = [](std::string_view line, char letter) {
+    return std::count_if(line.begin(), line.end(), [&](char c) { return upper_case(c) == letter; });
+  };
+  return std::any_of(kLetters.begin(), kLetters.end(),
+                     [&](char letter) { return count(edited, letter) > count(before, letter); });
+}
+
 struct Mended {
   std::string text;
   std::vector<Diagnostic> left;  // what is wrong with it
@@ -119,7 +127,7 @@ class Repairs {
     std::optional<Mended> best;
     const auto attempt = [&](const std::string& edited) {
       const bool done = work_ > kMostWork || (best && best->left.empty());
-      if (done || edited == before) return;
+      if (done || edited == before || brings_what_others_lack(before, edited)) return;
       std::string text = text_;
       text.replace(range->begin, before.size(), edited);
       Verdict verdict = this->verdict(text);
@@ -154,11 +162,16 @@ class Repairs {
     const Places left = places_of(verdict.errors);
     if (!std::includes(places_.begin(), places_.end(), left.begin(), left.end())) return false;
     return std::all_of(wrong_.begin(), wrong_.end(), [&](const Diagnostic& error) {
-      const auto& [at, column, length, file, call] = error.pos;
-      const bool goes = file == 0 && at != line && !left.contains(place_of(error));
-      return !goes || is_of_structure(error.code) || !lines_run_.contains(at) ||
-             verdict.lines_run.contains(at);
+      const bool goes = !is_on(error.pos, line) && !left.contains(place_of(error));
+      return !goes || is_looked_at(error.pos, verdict);
     });
+  }
+
+  /// Whether an error there, had it one, would be told as before.
+  bool is_looked_at(const SourcePos& pos, const Verdict& verdict) const {
+    if (pos.file != 0) return true;
+    return lines_run_.contains(pos.line) && verdict.lines_run.contains(pos.line) &&
+           !verdict.lines_in_doubt.contains(pos.line);
   }
 
   bool stands_twice(int line, const std::string& text) const {
@@ -186,7 +199,7 @@ class Repairs {
   const Judge& judge_;
   std::vector<Diagnostic> wrong_;  // with the text
   Places places_;                  // of that
-  std::set<int> lines_run_;        // of the text as it was
+  std::map<int, int> lines_run_;   // of the text as it was
   std::int64_t work_ = 0;
 };
 

@@ -244,6 +244,30 @@ TEST_CASE("a program that cannot be read to its end is told of once", "[apps][ch
   }
 }
 
+TEST_CASE("check tells of a loop without an end, not where its later rounds lead",
+          "[apps][check]") {
+  const Folder folder;
+  const std::string part = folder / "part.nc";
+  const auto told = [&](const std::string& program) {
+    shell("printf '" + program + "' > " + part);
+    const Ended ended = call("check " + part);
+    std::vector<std::string> places;
+    for (std::size_t at = 0; (at = ended.out.find(": error ", at)) != std::string::npos; ++at)
+      places.push_back(ended.out.substr(at + 8, 6));
+    std::sort(places.begin(), places.end());
+    return places;
+  };
+  using Codes = std::vector<std::string>;
+  const std::string begin = "F100 G91\nG1 X900\n#1=1\no1 while [#1 LT 5]\n",
+                    end = "o1 endwhile\nM30\n";
+  CHECK(told(begin + "G1 Y1\n" + end) == Codes{"SC2310"});
+  CHECK(told(begin + "G1 Y0.001\n" + end) == Codes{"SC2310"});
+  CHECK(told(begin + "G1 Y1001\n" + end) == Codes{"SC2310", "SC4001"});
+  CHECK(told("F100 G91\no2 repeat [11]\nG1 Z-100\no2 endrepeat\n" + begin + "G1 Y1\n" + end) ==
+        Codes{"SC2310", "SC4001"});
+  CHECK(told("F100 G91\no2 repeat [11]\nG1 X100\no2 endrepeat\nM30\n") == Codes{"SC4001"});
+}
+
 TEST_CASE("check leaves out what follows from one character of another line", "[apps][check]") {
   const Folder folder;
   const std::string part = folder / "part.nc";

@@ -819,3 +819,39 @@ TEST_CASE("a digit too many before a code with a point leaves its motion open",
   CHECK(told(points) == Places{"SC2001 2:1"});
   CHECK(told(points + "G1 X1 Q1") == Places{"SC2001 2:1", "SC2004 6:7"});
 }
+
+TEST_CASE("a name that looks like a code loses none", "[ipr][consequences]") {
+  for (const std::string name : {"#<m2>", "#<g_z>", "#<g91>"}) {
+    CAPTURE(name);
+    CHECK(told("#<a> = #<no>\n" + name + " = #<a>\no1 endif\nG0 X1..2") ==
+          Places{"SC1024 1:8", "SC2304 3:1", "SC1004 4:5"});
+  }
+}
+
+TEST_CASE("a word that no code takes leaves open what its line could need", "[ipr][consequences]") {
+  CHECK(told("G0 X1 X2\nG1 Y1") == Places{"SC2003 1:7", "SC2102 2:1"});
+  CHECK(told("G1 X1 X2\nG1 Y1") == Places{"SC2003 1:7"});
+  CHECK(told("G54 P1\nG1 Y1") == Places{"SC2004 1:5", "SC2102 2:1"});
+  CHECK(told("D100\nG1 Y1") == Places{"SC2004 1:1"});
+  CHECK(told("N5 D100\nG1 Y1") == Places{"SC2004 1:4"});
+  CHECK(told("G0 Z5 H1\nM6") == Places{"SC2004 1:7", "SC2204 2:1"});
+  CHECK(told("M6 H1\nM6") == Places{"SC2004 1:4"});
+}
+
+TEST_CASE("an arc without a centre leads where both its letters say", "[ipr][consequences]") {
+  const std::string behind = "\nG1 X80\nG2 X90 Y50 I0 J10";
+  CHECK(told("F9\nG2 X10 Y60" + behind) == Places{"SC2107 2:4", "SC2103 4:4"});
+  CHECK(told("F9\nG2 Y60" + behind) == Places{"SC2107 2:4"});
+}
+
+TEST_CASE("a variable of the system that cannot be assigned is not known any more",
+          "[ipr][consequences]") {
+  CHECK(told("o1 while [#<_z> GT -2]\n#<_z> = [#<_z> - 1]\no1 endwhile\nG0 X1..2") ==
+        Places{"SC1026 2:1", "SC1004 4:5"});
+  CHECK(told("o1 while [#5420 GT -2]\n#5420 = [#5420 - 1]\no1 endwhile\nG0 X1..2") ==
+        Places{"SC1026 2:1", "SC1004 4:5"});
+}
+
+TEST_CASE("an O for the digit 0 loses the digits before it", "[ipr][consequences]") {
+  CHECK(told("F9\nG1 Y5O.\nG2 X10. Y60. R10.") == Places{"SC1002 2:7"});
+}

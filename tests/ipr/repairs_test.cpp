@@ -22,6 +22,7 @@ Verdict verdict_of(const std::string& text, Dialect dialect) {
   options.dialect = dialect;
   options.unrun_too = true;
   options.lines_run = &verdict.lines_run;
+  options.lines_in_doubt = &verdict.lines_in_doubt;
   verdict.errors = interpret(text, machine, options).diagnostics;
   std::erase_if(verdict.errors,
                 [](const Diagnostic& d) { return d.severity() != Severity::error; });
@@ -96,6 +97,31 @@ TEST_CASE("no line is mended so that one with an error is not run", "[ipr][repai
   CHECK(told(branch).rest == told(branch).all);
   // M10 might be M30, behind which nothing is wrong.
   CHECK(told("M10\nG0 X1..2\nM30\n").rest == Places{"SC2001 1:1", "SC1004 2:5"});
+}
+
+TEST_CASE("no line is mended with what another one lacks", "[ipr][repairs]") {
+  for (const std::string wrong : {"M6", "G45", "M66", "G0 X1 X2"}) {
+    const Told feed = told("G21 G90\n" + wrong + "\nG1 X10\nM2\n");
+    CAPTURE(wrong);
+    CHECK(feed.all.size() == 2);
+    CHECK(feed.rest == feed.all);
+  }
+  CHECK(told("G43 H1 Z#<far>\n#<_z> = 1\no1 endif\nM2\n").rest.size() == 3);
+}
+
+TEST_CASE("no line is mended so that lines never run are not read", "[ipr][repairs]") {
+  // M21 might be M2, behind which nothing is looked at.
+  const Told branch = told("M21\no1 if [0]\nG0 X1O\no1 endif\nM2\n");
+  CHECK(branch.rest == Places{"SC2001 1:1", "SC1002 3:6"});
+  const std::string program = "%\nO1000\nG21 G90\nM6\nM98 P2000\nM30\nO2000\nG0 Z50.\nM9\n%\n";
+  CHECK(told(program, Dialect::fanuc).rest == told(program, Dialect::fanuc).all);
+}
+
+TEST_CASE("no line is mended so that where another one leads is not known", "[ipr][repairs]") {
+  // G81 might be G91, behind which a lost Y is never known again.
+  const Told arc = told("F9\nG81 X10 Y10 Z-5\nG0 X20 Y#<saef>\nG0 X0 Y0\nG3 X5 Y5 I1 J0\nM2\n");
+  CHECK(arc.all.size() == 3);
+  CHECK(arc.rest == arc.all);
 }
 
 TEST_CASE("what the judge does not tell does not follow", "[ipr][repairs]") {
