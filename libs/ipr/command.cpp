@@ -208,6 +208,7 @@ void Command::check_program_number(const Line& line, Output& out) {
   });
   if (other == words.end()) return;
   const bool behind = other < number;
+  if (behind) missing_ |= Letters("FST").without(values_.letters());  // `O500`, for F500
   if (behind || find_gcode('G', number->value) != nullptr) uncertain_ |= kAfterUnknownCode;
   if (!behind && find_gcode('G', number->value) != nullptr) doubt(groups_of_code(number->value));
   if (!behind && find_gcode('M', number->value) != nullptr) uncertain_.add('M');

@@ -14,8 +14,6 @@ constexpr bool is_separator(char c) noexcept { return is_blank(c) || c == ','; }
 constexpr char lower(char c) noexcept {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
-constexpr bool is_letter(char c) noexcept { return lower(c) >= 'a' && lower(c) <= 'z'; }
-
 /// How many of the first characters are of one kind.
 template <typename Is>
 std::size_t run_of(std::string_view text, Is&& is) {

@@ -18,8 +18,6 @@ constexpr int kLargestNumber = 1000000;
 constexpr std::size_t kLongestShown = 24;  // of a name
 constexpr std::string_view kOperand = "a number, '#', '[' or a function";
 
-constexpr bool is_letter(char upper) noexcept { return upper >= 'A' && upper <= 'Z'; }
-
 /// A character that tells by itself what is wrong.
 bool is_strange(Lexer lexer) {
   using Kind = Token::Kind;

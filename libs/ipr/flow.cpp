@@ -13,10 +13,6 @@ namespace {
 
 constexpr std::size_t kMostLost = 10000;  // bytes
 
-constexpr bool is_letter(char c) noexcept {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
-
 /// `GOT 15`: three letters in a row, behind no others; `G+TO 15`: TO.
 bool begins_with_name(std::string_view line) {
   const std::string_view text = line.substr(0, line.find_first_of("(;"));

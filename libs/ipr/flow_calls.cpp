@@ -21,7 +21,6 @@ std::string name_of(const Subprogram& sub) {
 std::optional<int> number_meant(std::string_view line) {
   constexpr int kLargest = 99'999'999;
   const std::string_view before = line.substr(0, line.find_first_of("Nn"));
-  const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
   if (before.size() == line.size() || std::any_of(before.begin(), before.end(), is_letter))
     return std::nullopt;
   bool readable = before.find_first_not_of(" \t/") == std::string_view::npos;

@@ -277,8 +277,7 @@ void Interpreter::excuse_left_curve() {
 
 /// `G682 P3 K0`: it may have been G06.2, whose blocks follow, with the code in each or without.
 void Interpreter::excuse_curve_of_lost_code() {
-  constexpr Letters kWordsOfBlocks{"KR"};
-  modal_.words_of_left_curve |= kWordsOfBlocks;
+  modal_.words_of_left_curve |= kWordsOfCurveBlocks;
   modal_.left_curve_may_go_on = true;
 }
 

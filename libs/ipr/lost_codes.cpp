@@ -14,10 +14,6 @@ namespace {
 constexpr double kTenths = 10;
 constexpr int kG04 = 40, kG09 = 90;  // as GCode::number: they leave nothing in force
 
-constexpr bool is_letter(char c) noexcept {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
-
 /// The digit that a character is, or looks like; -1: none.
 constexpr int digit_of(char c) noexcept {
   if (is_digit(c)) return c - '0';

@@ -31,6 +31,8 @@ struct OpenCurve {
   Letters lost_axes;       // along which not all of its points are known
 };
 
+inline constexpr Letters kWordsOfCurveBlocks{"KR"};  // of G06.2, beside the axes
+
 /// A curve of G06.2 between its first block and its last closing knot.
 struct PendingCurve : OpenCurve {
   NurbsSpec spec;                // what has been read so far

@@ -27,6 +27,7 @@ constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == 
 constexpr char upper_case(char c) noexcept {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
+constexpr bool is_letter(char c) noexcept { return upper_case(c) >= 'A' && upper_case(c) <= 'Z'; }
 constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 constexpr bool is_number_part(char c) noexcept {
   return is_digit(c) || c == '.' || c == '-' || c == '+';

@@ -16,7 +16,6 @@ constexpr int kDefaultOrder = 4;
 constexpr int kLeastOrder = 2;
 constexpr int kFanucOrder = 4;  // the largest of a FANUC control
 constexpr std::string_view kSurfaceWords = "DJHL";
-constexpr Letters kWordsOfBlocks{"KR"};
 
 /// What cannot be read, or may be what a word stands for that no code takes.
 Letters lost(const Command& command) noexcept {
@@ -348,7 +347,7 @@ void forget_curve(Modal& modal) {
 void leave_curve(Modal& modal) {
   forget_curve(modal);
   modal.uncertain.add('G');
-  modal.words_of_left_curve = kWordsOfBlocks;
+  modal.words_of_left_curve = kWordsOfCurveBlocks;
 }
 
 std::string unfinished(const PendingCurve& curve) {

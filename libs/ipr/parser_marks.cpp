@@ -17,10 +17,6 @@ std::string_view text_of(std::string_view line, const Token& token) {
                      static_cast<std::size_t>(token.length));
 }
 
-constexpr bool is_letter(char c) noexcept {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
-
 std::string_view letters_at(std::string_view line, const Token& letter) {
   const std::string_view rest = line.substr(static_cast<std::size_t>(letter.column) - 1);
   std::size_t count = 0;

@@ -43,8 +43,6 @@ constexpr const char* kLabel = "a label is a whole number from 0";
 constexpr double kWhole = 1e-4;  // how far from a whole number a label may be
 constexpr double kLargestLabel = 1e9;
 
-constexpr bool is_letter(char upper) noexcept { return upper >= 'A' && upper <= 'Z'; }
-
 const Keyword* take_keyword(Lexer& lexer) {
   for (const Keyword& keyword : kKeywords) {
     const Lexer before = lexer;

@@ -139,6 +139,7 @@ TEST_CASE("a curve whose first block could not be read goes on in its second one
 TEST_CASE("a number with a blank may hide the letter of the feed", "[ipr][consequences]") {
   CHECK(told("G1 X2 100") == Places{"SC2102 1:1"});
   CHECK(told("G1 X2") == Places{"SC2102 1:1"});
+  CHECK(told("G21 O500\nG1 X2") == Places{"SC2006 1:5"});
   CHECK(told("G1 X20 3000\nF9\nG1 Y1\nG2 X0 R5") == Places{"SC2102 1:1"});
   CHECK(told("G93\nG1 X20 F3\nX60 3000\nY1 F3") == Places{"SC2102 3:1"});
 }
