@@ -282,9 +282,11 @@ void Parser::divide_words() noexcept {
 Token Parser::pass_stranger(Lexer& lexer, const Token& stranger) {
   const std::string_view text = text_of(line_.text, stranger);
   const auto before = line_.text.substr(0, static_cast<std::size_t>(stranger.column) - 1);
+  const bool name = text == ":" && only_line_number() && is_digit(lexer.peek());
   if (!strange() || begins_something(before))
     report(Code::SC1001, stranger.column, stranger.length,
-           "unknown character " + character_name(text) + meant_by(text, lexer));
+           "unknown character " + character_name(text) +
+               (name ? kFanucName : meant_by(text, lexer)));
   if (text == ",") pass_corner(lexer);
   if (is_digit(lexer.peek()) || lexer.peek() == '.' || before.ends_with('.'))
     lose_number_before(stranger);
