@@ -7,28 +7,12 @@
 #include <catch2/catch.hpp>
 
 #include "ipr/interpret.hpp"
+#include "ipr/judge.hpp"
 
 using namespace softcnc;
 using namespace softcnc::ipr;
 
 namespace {
-
-/// Reads without a look at the travel; an endless program breaks off soon.
-Verdict verdict_of(const std::string& text, Dialect dialect) {
-  Verdict verdict;
-  Machine machine;
-  machine.program.block_limit = 1000;
-  InterpreterOptions options;
-  options.dialect = dialect;
-  options.unrun_too = true;
-  options.lines_run = &verdict.lines_run;
-  options.lines_in_doubt = &verdict.lines_in_doubt;
-  verdict.errors = interpret(text, machine, options).diagnostics;
-  std::erase_if(verdict.errors,
-                [](const Diagnostic& d) { return d.severity() != Severity::error; });
-  verdict.work = static_cast<std::int64_t>(text.size());
-  return verdict;
-}
 
 Places places_of(const std::vector<Diagnostic>& errors) {
   Interpreted result;
