@@ -106,13 +106,18 @@ void Command::read(const Line& line, Dialect dialect, Output& out) {
   doubt(lost);
 }
 
-/// A feed, a speed and a tool may stand anywhere, but seldom do beside codes that need none.
+/// A feed, a speed and a tool may stand anywhere, but seldom do beside codes that need none: as
+/// `R600` beside modes.
 Letters Command::words_meant() const noexcept {
   constexpr int kG00 = 0;
+  constexpr double kFeed = 10;
   const GCode* motion = find(Group::motion);
   const bool words_alone = count_ == (has(Group::line_number) ? 1 : 0);
+  bool may_be_feed = words_alone || (motion != nullptr && motion->number != kG00);
+  for (char letter = 'A'; letter <= 'Z' && motion == nullptr; ++letter)
+    may_be_feed = may_be_feed || (values_.has(letter) && values_[letter] >= kFeed);
   Letters meant{"XYZ"};
-  if (words_alone || (motion != nullptr && motion->number != kG00)) meant.add('F');
+  if (may_be_feed) meant.add('F');
   if (words_alone || has(Group::spindle)) meant.add('S');
   if (words_alone || has(Group::tool_change)) meant.add('T');
   return meant;

@@ -44,6 +44,15 @@ bool grazes(const PlaneCurve& before, const PlaneCurve& behind, const PlaneVecto
   return sine * sine < 2 * bend * kGrazing;
 }
 
+/// Whether they do, and not just touch, in a point that counts.
+template <typename Counts>
+bool cross_at(const PlaneCurve& before, const PlaneCurve& behind, Counts counts) {
+  const Meetings all = meetings(before, behind);
+  return std::any_of(
+      all.of.begin(), all.of.begin() + static_cast<std::ptrdiff_t>(all.count),
+      [&](const Meeting& at) { return counts(at) && !grazes(before, behind, at.at); });
+}
+
 const Path& path_of(const Block& block) { return std::get<Move>(block.what).path; }
 
 /// The whole line, from its first word on.
@@ -208,18 +217,33 @@ void Compensation::turn_around(const Along& next) {
 void Compensation::let_out_whole() { let_out(held_->parallel.to(), 0); }
 
 /// Where the parallels of neighbours cross elsewhere than at the corner, the tool cuts into both
-/// contours. Moves at other heights may pass over each other, and the entry is no contour.
+/// contours; where one behind an outside corner crosses the contour of the other, into that. Moves
+/// at other heights may pass over each other, and the entry is no contour.
 void Compensation::check_gouge() {
   if (!before_ || before_->entry) return;
   if (!same_height(path_of(before_->block), path_of(held_->block), axes_)) return;
-  const Meetings all = meetings(before_->parallel, held_->parallel);
-  for (std::size_t i = 0; i < all.count; ++i) {
-    const Meeting& at = all.of[i];
-    if (!before_->keeps(before_->parallel.length() - at.cut_before)) continue;
-    if (!held_->keeps(at.cut_behind) || grazes(before_->parallel, held_->parallel, at.at)) continue;
-    return report(Code::SC2150, held_->block, held_->text,
-                  tool_text(mode_->radius) + "does not fit between this move and the one before");
-  }
+  if (parallels_cross() || cuts_behind_outside_corner())
+    report(Code::SC2150, held_->block, held_->text,
+           tool_text(mode_->radius) + "does not fit between this move and the one before");
+}
+
+bool Compensation::parallels_cross() const {
+  const PlaneCurve &before = before_->parallel, &behind = held_->parallel;
+  return cross_at(before, behind, [&](const Meeting& at) {
+    return before_->keeps(before.length() - at.cut_before) && held_->keeps(at.cut_behind);
+  });
+}
+
+bool Compensation::cuts_behind_outside_corner() const {
+  const PlaneCurve &before = before_->contour, &behind = held_->contour;
+  if (corner_between(before, behind, mode_->side, mode_->radius) != Corner::outside) return false;
+  const bool into_before = cross_at(before, held_->parallel, [&](const Meeting& at) {
+    return at.cut_before > kAtEnd && held_->keeps(at.cut_behind);
+  });
+  return into_before || cross_at(before_->parallel, behind, [&](const Meeting& at) {
+           return before_->keeps(before_->parallel.length() - at.cut_before) &&
+                  at.cut_behind > kAtEnd;
+         });
 }
 
 /// The held move as far as this point, and what has waited behind it.

@@ -56,6 +56,8 @@ class Compensation {
   void turn_around(const Along& next);
   void let_out(const PlaneVector& to, double cut);
   void check_gouge();
+  bool parallels_cross() const;
+  bool cuts_behind_outside_corner() const;
   void let_out_whole();
   void move_to(const Block& like, const PlaneVector& to, double across);
   void turn_to(const Block& like, const PlaneVector& to, double across, const PlaneVector& center,

@@ -279,6 +279,7 @@ void Flow::leave_by_code(const Jump& jump) {
     if (jump.line_number) calls_.back().times = 1;
     leave(std::nullopt, jump.pos);
   } else if (!jump.line_number) {
+    if (end_lost_) return static_cast<void>(ended_ = true);  // nobody knows whether it comes here
     if (runs_too_long(executed_, "the program, which M99 starts again,", jump.pos, text_)) return;
     diagnostics_.lines_repeat();
     opens_.clear();

@@ -87,7 +87,7 @@ bool is_stray(const Shape& line) {
 }
 
 /// `f 1M00`, `S6000 03`, `s N`, `/F 600`, `903` behind S1000: a feed or a speed, or what is left of
-/// a command or a code. The next line decides, if it is there.
+/// a command or a code. The lines behind it decide, if one does.
 bool is_weak(const Shape& line, Format decided) {
   if (decided == Format::gcode) {
     const bool of_both = line.name == "f" || line.name == "l";
@@ -125,10 +125,11 @@ class Detector {
   void decide(std::string_view text) {
     const Shape line = shape_of(text.substr(0, text.find('\0')));  // behind it the file is damaged
     const Format decided = told_by(line);
-    if (decided != Format::automatic && is_weak(line, decided) && weak_ == Format::automatic)
-      weak_ = decided;
-    else
+    const bool weak = decided != Format::automatic && is_weak(line, decided);
+    if (!weak || weak_lines_++ == kMostWeakLines)
       format_ = decided;
+    else if (weak_ == Format::automatic)
+      weak_ = decided;
   }
 
   Format told_by(const Shape& line) {
@@ -138,14 +139,18 @@ class Detector {
     if (is_arc_command(name) || (of_both && line.command_behind)) return Format::commands;
     if (name.empty() && line.numbers == 0 && !line.other && !line.fault) return Format::automatic;
     if (name.empty() && spline_ && !line.fault && !line.other) return Format::commands;
-    if (is_stray(line) || (of_both && line.fault)) return Format::automatic;
+    const bool empty = of_both && line.numbers == 0 && !line.other;
+    if (empty || is_stray(line) || (of_both && line.fault)) return Format::automatic;
     if ((name == "l" || name == "s") && line.numbers > 1 && !line.other) return Format::commands;
     if (!alone || !of_both) return Format::gcode;
     spline_ = name == "s";
     return Format::automatic;
   }
 
+  static constexpr int kMostWeakLines = 20;
+
   Format format_ = Format::automatic, weak_ = Format::automatic;
+  int weak_lines_ = 0;
   std::size_t at_ = 0;   // of the line to be looked at next
   bool spline_ = false;  // the line before may begin a spline
 };

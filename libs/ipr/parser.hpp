@@ -165,6 +165,8 @@ class Parser {
   Token pass_number(Lexer& lexer, const Token& number);
   Token pass_word_at(Lexer& lexer, int column);
   Token pass_sign(Lexer& lexer, const Token& letter, const Token& sign);
+  bool is_decimal_comma(const Token& mark, Lexer behind) const;
+  Token pass_decimal_comma(Lexer& lexer, const Token& comma);
   Token pass_stranger(Lexer& lexer, const Token& stranger);
   Token go_on_behind(Lexer& lexer);
   void give_up(Code code, const Token& token, std::string message);

@@ -278,15 +278,34 @@ void Parser::divide_words() noexcept {
   line_.words = line_.words.first(trusted);
 }
 
+/// `Z-0,6`: one number was meant.
+bool Parser::is_decimal_comma(const Token& mark, Lexer behind) const {
+  if (words_.empty() || strange() || text_of(line_.text, mark) != ",") return false;
+  const SourcePos& before = words_.back().pos;
+  const auto last = line_.text[static_cast<std::size_t>(std::max(mark.column - 2, 0))];
+  return before.column + before.length == mark.column && is_digit(last) &&
+         is_digit(behind.peek()) && !is_acting(words_.back().letter);
+}
+
+Token Parser::pass_decimal_comma(Lexer& lexer, const Token& comma) {
+  line_.lost.add(words_.back().letter);
+  words_.pop_back();
+  report(Code::SC1001, comma.column, comma.length,
+         "unknown character ','; the decimal point is '.'");
+  lexer.next();  // what stands behind it
+  return lexer.next();
+}
+
 /// An unknown character is told where it begins something: it may be one of a word.
 Token Parser::pass_stranger(Lexer& lexer, const Token& stranger) {
+  if (is_decimal_comma(stranger, lexer)) return pass_decimal_comma(lexer, stranger);
   const std::string_view text = text_of(line_.text, stranger);
   const auto before = line_.text.substr(0, static_cast<std::size_t>(stranger.column) - 1);
   const bool name = text == ":" && only_line_number() && is_digit(lexer.peek());
   if (!strange() || begins_something(before))
-    report(Code::SC1001, stranger.column, stranger.length,
-           "unknown character " + character_name(text) +
-               (name ? kFanucName : meant_by(text, lexer)));
+    report(
+        Code::SC1001, stranger.column, stranger.length,
+        "unknown character " + character_name(text) + (name ? kFanucName : meant_by(text, lexer)));
   if (text == ",") pass_corner(lexer);
   if (is_digit(lexer.peek()) || lexer.peek() == '.' || before.ends_with('.'))
     lose_number_before(stranger);

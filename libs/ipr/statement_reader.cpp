@@ -63,7 +63,7 @@ bool differ_in_one(std::string_view one, std::string_view other) noexcept {
   return std::equal(rest, one.end(), there + 1, other.end());
 }
 
-/// `e9ndif`, `e.ndsub`, `e-dif`: what stands behind a label, by its letters alone.
+/// `e9ndif`, `e.ndsub`, `e-dif`, `i [#1]`: what stands behind a label, by its letters alone.
 bool resembles_keyword(Lexer lexer) {
   constexpr std::size_t kShortest = 4, kLongest = 12;
   std::string letters;
@@ -71,6 +71,7 @@ bool resembles_keyword(Lexer lexer) {
     if (is_letter(c)) letters += c;
     lexer.pass();
   }
+  if (lexer.peek() == '[' && (letters == "I" || letters == "F")) return true;
   return std::any_of(std::begin(kKeywords), std::end(kKeywords), [&](const Keyword& keyword) {
     return keyword.name.size() >= kShortest && differ_in_one(letters, keyword.name);
   });

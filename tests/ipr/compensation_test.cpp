@@ -271,6 +271,15 @@ TEST_CASE("a move that comes back to its neighbour is told", "[ipr][compensation
   CHECK(told("G41.1 D8 G01 X-20 Y0\nX0\nG03 X-10 Y10 I0 J10\nG01 X5 Y10") == Places{"SC2150 5:1"});
 }
 
+TEST_CASE("a move that leads back through its neighbour behind an outside corner is told",
+          "[ipr][compensation]") {
+  const std::string entry = "G41.1 D6 G01 X0 Y10\n";
+  // The arc passes over the line, whose other side it is on, and comes down through it.
+  CHECK(told(entry + "X-40 Y9\nG02 X10 Y-1 R100\nG40 G01 X30 Y-9") == Places{"SC2150 4:1"});
+  CHECK(told(entry + "X-40 Y9\nG02 X-30 Y9.5 R100\nG40 G01 X30 Y90") == Places{});
+  CHECK(told(entry + "X-40 Y9\nG01 X10 Y40\nG40 G01 X30 Y90") == Places{});
+}
+
 TEST_CASE("an error before the contour, or in it, causes no other", "[ipr][compensation]") {
   CHECK(told("G41 D77 G01 X10\nX11\nY10\nG42.1 D2 X30\nX50\nG40 Y9") == Places{"SC2142 2:5"});
   CHECK(told("G41 G01 X20\nX40\nX--1\nY10\nX39\nX38\nY50\nG40 X0") == Places{"SC1003 4:2"});

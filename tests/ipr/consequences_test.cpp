@@ -832,6 +832,7 @@ TEST_CASE("a word that no code takes leaves open what its line could need", "[ip
   CHECK(told("G0 X1 X2\nG1 Y1") == Places{"SC2003 1:7", "SC2102 2:1"});
   CHECK(told("G1 X1 X2\nG1 Y1") == Places{"SC2003 1:7"});
   CHECK(told("G54 P1\nG1 Y1") == Places{"SC2004 1:5", "SC2102 2:1"});
+  CHECK(told("G17 R600\nG1 Y1") == Places{"SC2004 1:5"});
   CHECK(told("D100\nG1 Y1") == Places{"SC2004 1:1"});
   CHECK(told("N5 D100\nG1 Y1") == Places{"SC2004 1:4"});
   CHECK(told("G0 Z5 H1\nM6") == Places{"SC2004 1:7", "SC2204 2:1"});
@@ -854,4 +855,24 @@ TEST_CASE("a variable of the system that cannot be assigned is not known any mor
 
 TEST_CASE("an O for the digit 0 loses the digits before it", "[ipr][consequences]") {
   CHECK(told("F9\nG1 Y5O.\nG2 X10. Y60. R10.") == Places{"SC1002 2:7"});
+}
+
+TEST_CASE("a decimal comma is told of its number, and the line is read on", "[ipr][consequences]") {
+  CHECK(told("F9\nG1 X1\nX7 Z-0,6\nX5 Q5\nX6 R2") ==
+        Places{"SC1001 3:7", "SC2004 4:4", "SC2004 5:4"});
+  CHECK(told("F9\nG6.2 P2 K0 X0 Y0\nK0 X5 Y2,5\nK1 X9 R-1\nK0.5 X10\nK2\nK2") ==
+        Places{"SC1001 3:9", "SC3007 4:7", "SC3004 5:1"});
+  CHECK(told("G0 X1 Y2,C3") == Places{"SC1001 1:9"});
+}
+
+TEST_CASE("behind an M that may be the end M99 begins nothing anew", "[ipr][consequences]") {
+  const std::string sub = "\nO2000\nG0 X1\nM99";
+  CHECK(told("G0 X1 Y\nM98 P2000\nM" + sub) == Places{"SC1002 1:7", "SC1002 3:1"});
+  CHECK(told("G0 X1 Y\nM98 P2000\nM031" + sub) == Places{"SC1002 1:7", "SC2001 3:1"});
+}
+
+TEST_CASE("one letter of an IF before its condition is a keyword that is none",
+          "[ipr][consequences]") {
+  CHECK(told("o1 f [0]\nG0 X1\no1 endif") == Places{"SC1020 1:4"});
+  CHECK(told("o1 i [0]\n(ABORT,never)\no1 endif\nG0 X1..2") == Places{"SC1020 1:4", "SC1004 4:5"});
 }

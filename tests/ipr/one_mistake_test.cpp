@@ -160,6 +160,9 @@ TEST_CASE("lines that may be of either language leave that to the next one",
   CHECK(told_of_commands("/F 600\nL 10, 5\nPCW 10,0,5,0\n") == Places{"SC1001 1:1"});
   CHECK(told_of_commands("f 9\ns N\n1 1\n2 2\n3 1\nl 4 2\n") == Places{"SC1053 2:3"});
   CHECK(told_of_commands("f 9\nG 20 0\npcw 10 0 5 0\nl 1 1\n") == Places{"SC1050 2:1"});
+  CHECK(told_of_commands("f\nl 20 0\nl 0 10\ndcw 0 90 5\n") == Places{"SC1052 1:1"});
+  CHECK(told_of_commands("f 3O00\nl 2O 0\nl 1 1\npcw 10 0 5 0\n") ==
+        Places{"SC1053 1:4", "SC1053 2:4"});
   CHECK(told("/F 600\nG0 X1\n").empty());
   CHECK(told("S6000 03\nG0 X1\nG0 X2").size() == 1);
   CHECK(told("S1000\n903\nG0 X1\nG0 X2").size() == 1);
