@@ -125,7 +125,8 @@ Letters Command::words_meant() const noexcept {
 
 [[gnu::cold]] void Command::doubt_missing() noexcept {
   constexpr Groups kKept{Group::cutter_compensation, Group::tool_length, Group::non_modal};
-  Letters missing = words_meant(), given = values_.letters();
+  Letters missing = stands_for_value_ ? Letters("FSTXYZ") : words_meant();
+  Letters given = values_.letters();
   for (const CodeWord& code : codes()) {
     missing |= Letters(code.code->words);
     given.add(code.code->letter);

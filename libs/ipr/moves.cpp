@@ -60,7 +60,8 @@ void rapid(Task& task) { line(task, true); }
 void cancel_motion(Task& task) {
   const bool fanuc = task.options.dialect == Dialect::fanuc;
   task.modal.motion = fanuc ? task.modal.motion_below : nullptr;
-  if (!fanuc || task.modal.motion != nullptr) task.modal.uncertain.remove('G');
+  const bool known = !task.out.failed() && (!fanuc || task.modal.motion != nullptr);
+  if (known) task.modal.uncertain.remove('G');
 }
 
 }  // namespace softcnc::ipr

@@ -24,6 +24,11 @@ inline constexpr int kIntegerDigits = 9;  // before the point; more is NumberFau
 
 inline constexpr std::string_view kBlanks = " \t\v\f";
 constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+constexpr std::string_view without_blanks_around(std::string_view text) noexcept {
+  const auto begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
 constexpr char upper_case(char c) noexcept {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }

@@ -178,13 +178,24 @@ Token Parser::pass_letter_for_digit(Lexer& lexer, const Token& letter) {
   return after.kind == Token::Kind::number ? lexer.next() : after;
 }
 
+/// `K1 1X.`: the digits behind the blank may be those of the letter.
+bool Parser::stands_behind_divided(const Token& letter) const {
+  if (words_.empty()) return false;
+  const SourcePos& before = words_.back().pos;
+  if (before.column + before.length != letter.column) return false;
+  const std::string_view number = without_blanks_around(line_.text.substr(
+      static_cast<std::size_t>(before.column), static_cast<std::size_t>(before.length) - 1));
+  return number.find_first_of(kBlanks) != std::string_view::npos;
+}
+
 /// What stands right behind a number may have been meant as a part of it; an l was.
 void Parser::lose_word_before(const Token& letter) {
   if (words_.empty()) return;
   const SourcePos& before = words_.back().pos;
   if (before.column + before.length != letter.column) return;
   line_.lost.add(words_.back().letter);
-  if (looks_like_digit(letter) || is_acting(words_.back().letter)) words_.pop_back();
+  if (stands_behind_divided(letter) || looks_like_digit(letter) || is_acting(words_.back().letter))
+    words_.pop_back();
 }
 
 void Parser::report_number(const Token& letter, const Token& number) {

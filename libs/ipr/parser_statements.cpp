@@ -24,12 +24,6 @@ bool is_tool_value(const Variable& variable) noexcept {
   return variable.number >= kToolValues && variable.number < kToolValuesEnd;
 }
 
-std::string_view without_blanks_around(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
 /// The text of "ABORT,text": blanks may stand before the word, none in it; nothing for any other
 /// comment.
 std::optional<std::string_view> text_of_abort(std::string_view comment) {

@@ -91,7 +91,7 @@ Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) 
         first.kind == Token::Kind::letter && first.column == letter.end_column();
     return right_behind ? pass_letter_in_number(lexer, first) : first;
   }
-  if (looks_like_digit(letter)) lose_word_before(letter);
+  if (looks_like_digit(letter) || stands_behind_divided(letter)) lose_word_before(letter);
   return sign ? pass_sign(lexer, letter, first) : (report_number(letter, first), lexer.next());
 }
 

@@ -183,3 +183,15 @@ TEST_CASE("behind an end that cannot be read prose and rulers are not told",
   for (const std::string end : {"M22", "M/", "M62"})
     CHECK(told("G0 X1\n" + end + "\n===\nthis is prose\nG0 X1..2").size() == 2);
 }
+
+TEST_CASE("a digit on the wrong side of a letter leaves the word before it open",
+          "[ipr][consequences]") {
+  CHECK(told("F9\nG03 0X. Y30. R10.") == Places{"SC1002 2:7"});
+  CHECK(told("F9\nG6.2 P2 K0 X0 Y0\nK1 1X. Y0\nK2 X2\nK2\nK2") == Places{"SC1002 3:6"});
+}
+
+TEST_CASE("what a code leaves behind that cannot act on its line is told once",
+          "[ipr][consequences]") {
+  CHECK(told("G80 X1\nX2") == Places{"SC2101 1:5"});
+  CHECK(told("G21 G90 100\nG1 X1") == Places{"SC2001 1:5"});
+}
