@@ -2,7 +2,6 @@
 #include "held_errors.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "endless.hpp"
@@ -61,24 +60,25 @@ void HeldErrors::show_all() {
 }
 
 void HeldErrors::finish() {
-  if (std::count_if(held_.begin(), held_.end(), is_error) < 2) return show_all();
-  const std::vector<bool> follows = find_out();
-  for (std::size_t i = 0; i < held_.size(); ++i)
-    if (!follows[i]) show(held_[i]);
-  held_.clear();
+  if (std::count_if(held_.begin(), held_.end(), is_error) >= 2) leave_out();
+  show_all();
 }
 
-/// By diagnostic, whether it follows from others.
-std::vector<bool> HeldErrors::find_out() const {
-  std::string text = text_of(program_);
-  if (text.empty()) return std::vector<bool>(held_.size(), false);
-  std::vector<bool> follows = follow_from_endless_loop(
-      held_, [&](int block_limit) { return read_rounds(text, block_limit); });
-  const std::vector<bool> mended = ipr::follow_from_others(
-      std::move(text), held_, [&](const std::string& changed) { return judge(changed); });
-  std::transform(follows.begin(), follows.end(), mended.begin(), follows.begin(),
-                 std::logical_or<>());
-  return follows;
+/// What follows from a loop without an end first: nothing that is told may follow from that.
+void HeldErrors::leave_out() {
+  const std::string text = text_of(program_);
+  if (text.empty()) return;
+  leave_out(follow_from_endless_loop(
+      held_, [&](int block_limit) { return read_rounds(text, block_limit); }));
+  leave_out(ipr::follow_from_others(text, held_,
+                                    [&](const std::string& changed) { return judge(changed); }));
+}
+
+void HeldErrors::leave_out(const std::vector<bool>& follows) {
+  std::vector<Diagnostic> rest;
+  for (std::size_t i = 0; i < held_.size(); ++i)
+    if (!follows[i]) rest.push_back(std::move(held_[i]));
+  held_ = std::move(rest);
 }
 
 Rounds HeldErrors::read_rounds(const std::string& text, int block_limit) const {

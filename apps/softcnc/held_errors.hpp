@@ -33,7 +33,8 @@ class HeldErrors {
   void show(const Diagnostic& diagnostic);
   void take(const Diagnostic& diagnostic);
   void show_all();
-  std::vector<bool> find_out() const;
+  void leave_out();
+  void leave_out(const std::vector<bool>& follows);
   Rounds read_rounds(const std::string& text, int block_limit) const;
   ipr::Verdict judge(const std::string& text) const;
   std::int64_t read(const std::string& text, int block_limit, ipr::InterpreterOptions reading,

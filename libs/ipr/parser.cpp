@@ -146,11 +146,8 @@ void Parser::refuse_file(std::string_view encoding) {
 
 /// Returns the first token that does not belong to the word.
 Token Parser::read_word(Lexer& lexer, const Token& letter) {
-  if (letter.letter == 'E' && !words_.empty()) {
-    const SourcePos& before = words_.back().pos;
-    const bool behind = before.column + before.length == letter.column;
-    if (behind && !takes_e(words_.back())) return read_exponent(lexer, letter);
-  }
+  if (letter.letter == 'E' && has_word_before(letter) && !takes_e(words_.back()))
+    return read_exponent(lexer, letter);
   if (letter.letter == 'O' && read_o_word(lexer, letter)) return {};
   const Token number = lexer.next();
   if (number.kind != Token::Kind::number || number.fault == NumberFault::no_digits)

@@ -148,6 +148,7 @@ class Parser {
   Token read_slash(Lexer& lexer, const Token& slash);
   void lose_word_before(const Token& letter);
   void lose_number_before(const Token& stranger);
+  bool has_word_before(const Token& token) const noexcept;
   bool stands_behind_divided(const Token& letter) const;
   bool looks_like_digit(const Token& letter) const noexcept;
   Token pass_letter_for_digit(Lexer& lexer, const Token& letter);

@@ -159,11 +159,16 @@ void Parser::report_missing_number(const Token& letter, const Token& instead) {
          std::string("no number after ") + letter.letter + (zero ? kLetterForDigit : ""));
 }
 
+/// Whether one ends right before it.
+bool Parser::has_word_before(const Token& token) const noexcept {
+  if (words_.empty()) return false;
+  const SourcePos& before = words_.back().pos;
+  return before.column + before.length == token.column;
+}
+
 /// `G1,8`: one number was meant.
 void Parser::lose_number_before(const Token& stranger) {
-  if (words_.empty() || strange()) return;
-  const SourcePos& before = words_.back().pos;
-  if (before.column + before.length == stranger.column) words_.pop_back();
+  if (!strange() && has_word_before(stranger)) words_.pop_back();
 }
 
 /// Of the letters O and l, which many take for 0 and 1.
@@ -180,9 +185,8 @@ Token Parser::pass_letter_for_digit(Lexer& lexer, const Token& letter) {
 
 /// `K1 1X.`: the digits behind the blank may be those of the letter.
 bool Parser::stands_behind_divided(const Token& letter) const {
-  if (words_.empty()) return false;
+  if (!has_word_before(letter)) return false;
   const SourcePos& before = words_.back().pos;
-  if (before.column + before.length != letter.column) return false;
   const std::string_view number = without_blanks_around(line_.text.substr(
       static_cast<std::size_t>(before.column), static_cast<std::size_t>(before.length) - 1));
   return number.find_first_of(kBlanks) != std::string_view::npos;
@@ -190,9 +194,7 @@ bool Parser::stands_behind_divided(const Token& letter) const {
 
 /// What stands right behind a number may have been meant as a part of it; an l was.
 void Parser::lose_word_before(const Token& letter) {
-  if (words_.empty()) return;
-  const SourcePos& before = words_.back().pos;
-  if (before.column + before.length != letter.column) return;
+  if (!has_word_before(letter)) return;
   line_.lost.add(words_.back().letter);
   if (stands_behind_divided(letter) || looks_like_digit(letter) || is_acting(words_.back().letter))
     words_.pop_back();
@@ -291,11 +293,9 @@ void Parser::divide_words() noexcept {
 
 /// `Z-0,6`: one number was meant.
 bool Parser::is_decimal_comma(const Token& mark, Lexer behind) const {
-  if (words_.empty() || strange() || text_of(line_.text, mark) != ",") return false;
-  const SourcePos& before = words_.back().pos;
-  const auto last = line_.text[static_cast<std::size_t>(std::max(mark.column - 2, 0))];
-  return before.column + before.length == mark.column && is_digit(last) &&
-         is_digit(behind.peek()) && !is_acting(words_.back().letter);
+  if (strange() || !has_word_before(mark) || text_of(line_.text, mark) != ",") return false;
+  const char last = line_.text[static_cast<std::size_t>(mark.column) - 2];
+  return is_digit(last) && is_digit(behind.peek()) && !is_acting(words_.back().letter);
 }
 
 Token Parser::pass_decimal_comma(Lexer& lexer, const Token& comma) {
