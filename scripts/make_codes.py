@@ -20,10 +20,10 @@ HEAD = """# What the codes mean
 
 <!-- made by scripts/make_codes.py from libs/motion/diagnostic_table.inc; a test compares it -->
 
-A diagnostic names its place, its code, and what is wrong; then comes the line with the place marked:
+A diagnostic names its place, what is wrong, and its code; then comes the line with the place marked:
 
 ```
-part.nc:12:9: error SC2103: G02 ends 0.35 mm off its circle (radius 10 mm at the start, 10.35 mm at the end)
+part.nc:12:9: error: G02 ends 0.35 mm off its circle (radius 10 mm at the start, 10.35 mm at the end) [SC2103]
    12 | N40 G02 X10 Y0 I0 J-10
       |         ^~~~~~~~~~~~~~
 ```

@@ -28,11 +28,10 @@ std::string line_of(const Diagnostic& diagnostic) {
   return text;
 }
 
-/// Severity and code in colour.
+/// The severity in colour.
 std::string coloured(const Diagnostic& diagnostic) {
   std::string text = render(diagnostic);
-  const std::string plain =
-      fmt::format("{} SC{}", name(diagnostic.severity()), static_cast<int>(diagnostic.code));
+  const std::string plain = fmt::format("{}:", name(diagnostic.severity()));
   const auto at = text.find(plain);
   if (at == std::string::npos) return text;
   constexpr std::string_view kBold[] = {"\033[1;36m", "\033[1;35m", "\033[1;31m"};

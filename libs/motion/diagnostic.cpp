@@ -178,7 +178,7 @@ std::string render(const Diagnostic& diagnostic) {
   std::string text = d.file.empty() ? "softcnc" : d.file;
   const int column = d.pos.column > 0 ? characters(d.source_line, d.pos.column - 1) + 1 : 0;
   if (d.pos.line > 0) text += fmt::format(":{}:{}", d.pos.line, std::max(column, 1));
-  text += fmt::format(": {} SC{}: {}\n", name(d.severity()), static_cast<int>(d.code), d.message);
+  text += fmt::format(": {}: {} [{}]\n", name(d.severity()), d.message, code_name(d.code));
   if (d.pos.line > 0 && !d.source_line.empty()) text += excerpt(d.source_line, d.pos);
   for (std::size_t i = 0, same = 0; i < d.calls.size(); i += same) {
     const CallPlace& call = d.calls[i];

@@ -68,8 +68,8 @@ struct Diagnostic {
   Severity severity() const noexcept { return code_info(code).severity; }
 };
 
-/// file:line:column: severity SCnnnn: message, then the source line and a caret below its columns.
-/// The column shown counts characters (UTF-8 code points), as editors do; control
+/// file:line:column: severity: message [SCnnnn], then the source line and a caret below its
+/// columns. The column shown counts characters (UTF-8 code points), as editors do; control
 /// characters are shown as U+FFFD. Ends with a newline.
 std::string render(const Diagnostic& diagnostic);
 

@@ -150,6 +150,6 @@ TEST_CASE("a document that cannot be written is an error, told as text", "[apps]
     const Ended ended =
         call(std::string("check --diagnostics ") + form + " $data/square.nc >/dev/full");
     CHECK(ended.status == 5);
-    CHECK(ended.err == "<stdout>: error SC6012: writing failed: No space left on device\n");
+    CHECK(ended.err == "<stdout>: error: writing failed: No space left on device [SC6012]\n");
   }
 }

@@ -7,6 +7,7 @@
 #include "lateness.hpp"
 #include "realtime.hpp"
 #include "support/sanitized.hpp"
+#include "support/shown.hpp"
 
 using namespace softcnc::app;
 using namespace softcnc::app::test;
@@ -100,8 +101,9 @@ TEST_CASE("latency says where it has no real-time rights", "[apps]") {
       "without='setpriv --bounding-set -sys_nice,-ipc_lock,-sys_resource'; "
       "prlimit --rtprio=0 --memlock=65536 $without $softcnc latency --seconds 0.01");
   CHECK(ended.status == 0);
-  CHECK(ended.err.find("softcnc: warning SC6075: no real-time rights: SCHED_FIFO: Operation not "
-                       "permitted") != std::string::npos);
+  CHECK(shows(ended.err,
+              "softcnc: warning: no real-time rights: SCHED_FIFO: Operation not "
+              "permitted... [SC6075]"));
   CHECK(ended.out.find("an ordinary thread, memory ") != std::string::npos);
   if (softcnc::test::kSanitized) return;  // there mlockall does nothing, and succeeds
   CHECK(ended.err.find("permitted; mlockall: ") != std::string::npos);

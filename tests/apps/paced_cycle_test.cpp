@@ -9,6 +9,7 @@
 
 #include "apps/shell.hpp"
 #include "performance.hpp"
+#include "support/shown.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;
@@ -75,13 +76,11 @@ void check_told(const Ended& ended, const json& report, double seconds) {
   const json& kept = report["realtime"];
   const bool overrun = kept["overruns"] > 0;
   const bool rights = kept["scheduled_first"] == true && kept["memory_locked"] == true;
-  const auto told = [&ended](const char* words) {
-    return ended.err.find(words) != std::string::npos;
-  };
+  const auto told = [&ended](const char* words) { return shows(ended.err, words); };
   CHECK(ended.status == (overrun && rights ? 4 : 0));
-  CHECK(told("error SC5040: ") == (overrun && rights));
-  CHECK(told("warning SC5041: ") == (overrun && !rights));
-  CHECK(told("warning SC6075: ") == !rights);
+  CHECK(told("error: ... [SC5040]") == (overrun && rights));
+  CHECK(told("warning: ... [SC5041]") == (overrun && !rights));
+  CHECK(told("warning: ... [SC6075]") == !rights);
   CHECK(told(" periods missed, at most "));
   CHECK(kept["periods"] == report["setpoints"]);
   CHECK(kept["late_us"]["max"] >= kept["late_us"]["p50"]);
@@ -95,11 +94,11 @@ TEST_CASE("periods missed are an error with real-time rights, a warning without"
   Punctuality punctuality{Lateness(1'000'000), 1, {true, true, {}}};
   for (const std::int64_t late : {20'000, 1'500'000, 30'000}) punctuality.lateness.add(late);
   CHECK(render(missed_periods(punctuality, "part.nc")) ==
-        "part.nc: error SC5040: 2 of 3 periods were missed; the latest came 1500.0 us late\n");
+        "part.nc: error: 2 of 3 periods were missed; the latest came 1500.0 us late [SC5040]\n");
   punctuality.unplanned = 0;
   punctuality.rights.locked = false;
   CHECK(render(missed_periods(punctuality, "part.nc")) ==
-        "part.nc: warning SC5041: 1 of 3 periods was missed; the latest came 1500.0 us late\n");
+        "part.nc: warning: 1 of 3 periods was missed; the latest came 1500.0 us late [SC5041]\n");
 }
 
 TEST_CASE("every setpoint is exchanged once, in order, in its period", "[apps][realtime]") {
@@ -253,7 +252,7 @@ TEST_CASE("without the rights a run by the clock goes on, with a word", "[apps][
       "- <<'.'\nG01 X1 F600\nM30\n.\n");
   if (ended.err.find("setpriv") != std::string::npos) return;  // itself not allowed to give up any
   CHECK(ended.status == 0);
-  CHECK(ended.err.find("warning SC6075: no real-time rights: ") != std::string::npos);
+  CHECK(shows(ended.err, "warning: no real-time rights: ... [SC6075]"));
 }
 
 TEST_CASE("an alarm of the mill ends a run by the clock where it came", "[apps][realtime]") {

@@ -10,6 +10,7 @@
 
 #include "apps/shell.hpp"
 #include "support/recorded_port.hpp"
+#include "support/shown.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;
@@ -231,10 +232,11 @@ TEST_CASE("a parallel port that is not there, or none, is status 5", "[apps][par
       "--set axis.z.velocity_mm_min=1500 --set backend.parport.device=";
   const app::test::Ended missing = app::test::call(run + "/dev/parport77 $data/square.nc");
   CHECK(missing.status == 5);
-  CHECK(missing.err ==
-        "/dev/parport77: error SC6072: there is no such port (open: No such file or directory)\n");
+  CHECK(
+      missing.err ==
+      "/dev/parport77: error: there is no such port (open: No such file or directory) [SC6072]\n");
   const app::test::Ended wrong = app::test::call(run + "/dev/null $data/square.nc");
   CHECK(wrong.status == 5);
-  CHECK(wrong.err.find("error SC6072: this is no parallel port") != std::string::npos);
+  CHECK(shows(wrong.err, "error: this is no parallel port... [SC6072]"));
   CHECK(app::test::call(run + "'\"\"' $data/square.nc").status == 0);
 }

@@ -32,8 +32,8 @@ TEST_CASE("corners that are rounded by more than G64 allows are an error", "[app
   report_excess({}, {0.0512, 0.05}, machine, diagnostics);
   REQUIRE(diagnostics.all().size() == 1);
   CHECK(render(diagnostics.all()[0]) ==
-        "part.nc: error SC4002: the motion leaves the programmed path by 51.2 um, where G64 allows "
-        "50 um\n");
+        "part.nc: error: the motion leaves the programmed path by 51.2 um, where G64 allows "
+        "50 um [SC4002]\n");
 }
 
 TEST_CASE("rows above a limit are an error that names axis, value and limit", "[apps][parts]") {
@@ -48,13 +48,13 @@ TEST_CASE("rows above a limit are an error that names axis, value and limit", "[
   REQUIRE(diagnostics.all().size() == 3);
   CHECK(diagnostics.status() == 3);
   CHECK(render(diagnostics.all()[0]) ==
-        "part.nc: error SC4002: the velocity of Y reaches 250.3 mm/s, 0.12 % above its limit of "
-        "250 mm/s\n");
+        "part.nc: error: the velocity of Y reaches 250.3 mm/s, 0.12 % above its limit of "
+        "250 mm/s [SC4002]\n");
   CHECK(render(diagnostics.all()[1]) ==
-        "part.nc: error SC4002: the acceleration of Y reaches 1001.1 mm/s2, 0.11 % above its limit "
-        "of 1000 mm/s2\n");
+        "part.nc: error: the acceleration of Y reaches 1001.1 mm/s2, 0.11 % above its limit "
+        "of 1000 mm/s2 [SC4002]\n");
   CHECK(render(diagnostics.all()[2]) ==
-        "part.nc: error SC4002: the chord error reaches 1.1 um, 10 % above its limit of 1 um\n");
+        "part.nc: error: the chord error reaches 1.1 um, 10 % above its limit of 1 um [SC4002]\n");
 }
 
 TEST_CASE("the same excess by a method of the literature is a note", "[apps][parts]") {
@@ -67,8 +67,8 @@ TEST_CASE("the same excess by a method of the literature is a note", "[apps][par
   REQUIRE(diagnostics.all().size() == 1);
   CHECK(diagnostics.status() == 0);
   CHECK(render(diagnostics.all()[0]) ==
-        "softcnc: note SC4003: curvature3p: the chord error reaches 1.1 um, 10 % above its limit "
-        "of 1 um\n");
+        "softcnc: note: curvature3p: the chord error reaches 1.1 um, 10 % above its limit "
+        "of 1 um [SC4003]\n");
 }
 
 TEST_CASE("a large excess is told in plain digits", "[apps][parts]") {
@@ -87,14 +87,14 @@ TEST_CASE("a defect of softcnc ends with 70", "[apps][parts]") {
   std::string shown;
   Messages messages([&](std::string_view text) { shown += text; }, false);
   CHECK(messages.fail({Code::SC9001, {}, "an axis is nowhere", {}, {}}) == 70);
-  CHECK(shown == "softcnc: error SC9001: an axis is nowhere\n");
+  CHECK(shown == "softcnc: error: an axis is nowhere [SC9001]\n");
 }
 
 TEST_CASE("in colour a diagnostic says the same", "[apps][parts]") {
   std::string shown;
   Messages messages([&](std::string_view text) { shown += text; }, true);
   messages.show({Code::SC4001, {3, 1, 1}, "X is away", "a.nc", "X1"});
-  CHECK(shown == "a.nc:3:1: \033[1;31merror SC4001\033[0m: X is away\n    3 | X1\n      | ^\n");
+  CHECK(shown == "a.nc:3:1: \033[1;31merror:\033[0m X is away [SC4001]\n    3 | X1\n      | ^\n");
 }
 
 TEST_CASE("values of a trace are the same within what builds may differ by", "[apps][parts]") {

@@ -7,6 +7,7 @@
 
 #include "apps/shell.hpp"
 #include "hal/hash.hpp"
+#include "support/shown.hpp"
 
 using namespace softcnc::app::test;
 using softcnc::hal::hash_hex;
@@ -57,8 +58,8 @@ TEST_CASE("a reader of rows that goes away ends the run quietly, one that takes 
   CHECK(gone.err == "status 141\n");
   const Ended stuck = shell("{ " + kToHal + patience + "; echo status $? >&2; } | sleep 2");
   CHECK(stuck.err.find(
-            "<stdout>: error SC6071: the pipe is full, and its reader has taken nothing for 0.1 s; "
-            "HAL holds the last row it got\n") != std::string::npos);
+            "<stdout>: error: the pipe is full, and its reader has taken nothing for 0.1 s; "
+            "HAL holds the last row it got [SC6071]\n") != std::string::npos);
   CHECK(stuck.err.find("status 5\n") != std::string::npos);
 }
 
@@ -68,16 +69,16 @@ TEST_CASE("a FIFO that nobody reads is refused before anything moves", "[apps][p
   const Ended ended = shell("mkfifo " + fifo + " && " + kToHal + fifo +
                             " -q $data/square.nc --trace " + (folder / "t.csv"));
   CHECK(ended.status == 5);
-  CHECK(ended.err == fifo + ": error SC6070: no program reads this pipe; start its reader first\n");
+  CHECK(ended.err ==
+        fifo + ": error: no program reads this pipe; start its reader first [SC6070]\n");
   CHECK_FALSE(std::filesystem::exists(folder / "t.csv"));
 }
 
 TEST_CASE("a full disk ends a stream of rows with status 5", "[apps][ports]") {
   const Ended ended = shell(kToHal + "/dev/full -q $data/square.nc");
   CHECK(ended.status == 5);
-  CHECK(
-      ended.err.find("/dev/full: error SC6012: writing failed: No space left on device; HAL holds "
-                     "the last row it got\n") != std::string::npos);
+  CHECK(ended.err.find("/dev/full: error: writing failed: No space left on device; HAL holds "
+                       "the last row it got [SC6012]\n") != std::string::npos);
 }
 
 TEST_CASE("replay and dry runs send no rows", "[apps][ports]") {
@@ -106,14 +107,15 @@ TEST_CASE("a backend does not write over what is read or written besides: SC7072
     const Ended ended = shell("$softcnc run -q " + command);
     CAPTURE(command, ended.err);
     CHECK(ended.status == 2);
-    CHECK(ended.err.find("error SC7072: ") != std::string::npos);
+    CHECK(shows(ended.err, "error: ... [SC7072]"));
     CHECK(ended.err.find(" name the same file: ") != std::string::npos);
     return ended.err;
   };
   const std::string step = "--backend stepdir --set backend.stepdir.file=";
   const std::string rows = "--backend hal-stream --set backend.hal-stream.file=";
   CHECK(refused(step + part + " " + part) ==
-        "softcnc: error SC7072: PART and backend.stepdir.file name the same file: " + part + "\n");
+        "softcnc: error: PART and backend.stepdir.file name the same file: " + part +
+            " [SC7072]\n");
   refused(step + (folder / "link.vcd") + " " + part);
   refused(rows + part + " " + part);
   refused("--machine " + machine + " " + part);

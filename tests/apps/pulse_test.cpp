@@ -7,6 +7,7 @@
 #include "hal/edge_reader.hpp"
 #include "hal/pulse_rules.hpp"
 #include "hal/stepdir.hpp"
+#include "support/shown.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app::test;
@@ -81,8 +82,8 @@ TEST_CASE("a move that the paper's clock cannot make is told with its place", "[
                            " --set control.interpolation=sam --set control.pulse_clock=paper"
                            " --set axis.y.blu_um=5");
   CHECK(ended.status == 2);
-  CHECK(ended.out.find("p.nc:3:3: error SC7080: one reference clock cannot serve a BLU of 2.5 um "
-                       "of X and one of 5 um of Y\n") != std::string::npos);
+  CHECK(ended.out.find("p.nc:3:3: error: one reference clock cannot serve a BLU of 2.5 um "
+                       "of X and one of 5 um of Y [SC7080]\n") != std::string::npos);
 }
 
 TEST_CASE("a lost pulse stops the run with 4, whoever makes the pulses", "[apps][pulse]") {
@@ -94,8 +95,9 @@ TEST_CASE("a lost pulse stops the run with 4, whoever makes the pulses", "[apps]
   CHECK(call(run + "100000").status == 0);
   const Ended ended = call(run + "3000");
   CHECK(ended.status == 4);
-  CHECK(ended.err.find("p.nc:3:1: error SC5020: lost pulses of Y: its counter has missed one on "
-                       "the way to ") != std::string::npos);
+  CHECK(shows(ended.err,
+              "p.nc:3:1: error: lost pulses of Y: its counter has missed one on "
+              "the way to ... [SC5020]"));
   const json report = json::parse(read(folder / "r.json"));
   CHECK(report["status"] == "alarm");
   CHECK(report["counts"]["y"].get<int>() >= 3000);
@@ -108,5 +110,5 @@ TEST_CASE("pulses too fast for one step of the counter overflow it", "[apps][pul
                            " --set control.interpolation=dsm --set axis.x.drive.counter_bits=8"
                            " --set axis.x.drive.following_error_um=50000");
   CHECK(ended.status == 4);
-  CHECK(ended.err.find("error SC5002: counter overflow of X: it is ") != std::string::npos);
+  CHECK(shows(ended.err, "error: counter overflow of X: it is ... [SC5002]"));
 }

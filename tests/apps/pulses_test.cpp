@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
+#include "support/shown.hpp"
 
 using namespace softcnc::app::test;
 
@@ -53,33 +54,32 @@ TEST_CASE("pulses counts and measures what keeps the rules", "[apps][pulse]") {
 
 TEST_CASE("pulses finds a broken rule of each kind", "[apps][pulse][code]") {
   CHECK(told("#10 1s #12 0s\n") ==
-        "<stdin>:6:12: error SC4090: x at 12000 ns: step length 2000 ns, at least 2500 ns is asked "
-        "for\n"
+        "<stdin>:6:12: error: x at 12000 ns: step length 2000 ns, at least 2500 ns is asked "
+        "for [SC4090]\n"
         "    6 | #10 1s #12 0s\n"
         "      |            ^~\n");
-  CHECK(told("#10 1s #18 0s\n#20 1s #23 0s\n")
-            .starts_with(
-                "<stdin>:7:5: error SC4090: x at 20000 ns: step space 2000 ns, at least 2500 ns "));
-  CHECK(told("#10 1s #13 0s\n#19 1s #23 0s\n")
-            .starts_with("<stdin>:7:5: error SC4090: x at 19000 ns: step interval 9000 ns, at "
-                         "least 10000 ns "));
-  CHECK(told("#10 1d #14 1s #17 0s\n")
-            .starts_with("<stdin>:6:12: error SC4090: x at 14000 ns: direction set-up 4000 ns, at "
-                         "least 5000 ns "));
-  CHECK(told("#10 1s #13 0s #17 1d\n")
-            .starts_with("<stdin>:6:19: error SC4090: x at 17000 ns: direction hold 4000 ns, at "
-                         "least 5000 ns "));
-  CHECK(
-      told("#10 1z 1s #12 1d #13 0s 0z\n")
-          .starts_with(
-              "<stdin>:6:15: error SC4090: x at 12000 ns: the direction changes during a step\n"));
+  CHECK(begins_showing(
+      told("#10 1s #18 0s\n#20 1s #23 0s\n"),
+      "<stdin>:7:5: error: x at 20000 ns: step space 2000 ns, at least 2500 ns ... [SC4090]"));
+  CHECK(begins_showing(told("#10 1s #13 0s\n#19 1s #23 0s\n"),
+                       "<stdin>:7:5: error: x at 19000 ns: step interval 9000 ns, at "
+                       "least 10000 ns ... [SC4090]"));
+  CHECK(begins_showing(told("#10 1d #14 1s #17 0s\n"),
+                       "<stdin>:6:12: error: x at 14000 ns: direction set-up 4000 ns, at "
+                       "least 5000 ns ... [SC4090]"));
+  CHECK(begins_showing(told("#10 1s #13 0s #17 1d\n"),
+                       "<stdin>:6:19: error: x at 17000 ns: direction hold 4000 ns, at "
+                       "least 5000 ns ... [SC4090]"));
+  CHECK(told("#10 1z 1s #12 1d #13 0s 0z\n")
+            .starts_with("<stdin>:6:15: error: x at 12000 ns: the direction changes during a step "
+                         "[SC4090]\n"));
   CHECK(told("#10 1z #13 0z 0z\n")
-            .starts_with("<stdin>:6:15: error SC4090: z at 13000 ns: the line is low already\n"));
+            .starts_with("<stdin>:6:15: error: z at 13000 ns: the line is low already [SC4090]\n"));
   CHECK(told("#10 1z #13 0z #9 1d\n")
-            .starts_with("<stdin>:6:18: error SC4090: x at 9000 ns: comes before the edge ahead of "
-                         "it, at 13000 ns\n"));
+            .starts_with("<stdin>:6:18: error: x at 9000 ns: comes before the edge ahead of "
+                         "it, at 13000 ns [SC4090]\n"));
   CHECK(told("#10 1s\n") ==
-        "<stdin>: error SC4090: x at 10000 ns: the step that begins here has no end\n");
+        "<stdin>: error: x at 10000 ns: the step that begins here has no end [SC4090]\n");
 }
 
 TEST_CASE("pulses tells every broken rule, in order, and how many there are", "[apps][pulse]") {
@@ -110,8 +110,8 @@ TEST_CASE("the machine says what its drivers ask for", "[apps][pulse]") {
              "axis.x.velocity_mm_min=12500 --set axis.y.velocity_mm_min=12500 --set "
              "axis.z.velocity_mm_min=12500",
              list)
-            .err.starts_with("<stdin>:7:5: error SC4090: x at 19000 ns: step interval 9000 ns, at "
-                             "least 12000 ns is asked for\n"));
+            .err.starts_with("<stdin>:7:5: error: x at 19000 ns: step interval 9000 ns, at "
+                             "least 12000 ns is asked for [SC4090]\n"));
   CHECK(call("pulses - --machine /no/such.toml", list).status == 2);
   CHECK(call("pulses - --set backend.stepdir.max_rate=1", list).status == 2);
 }
@@ -150,23 +150,23 @@ TEST_CASE("a list of edges that cannot be read or is not whole is refused", "[ap
     REQUIRE(ended.err.starts_with(name));
     return ended.err.substr(name.size());
   };
-  CHECK(refused("") == ": error SC6091: empty\n");
+  CHECK(refused("") == ": error: empty [SC6091]\n");
   CHECK(refused("PK\3\4not a list of edges")
-            .starts_with(": error SC6091: neither a Value Change Dump nor a list that begins with "
-                         "'edges 1'\n"));
-  CHECK(refused("edges 7\n").starts_with(": error SC6091: a list of edges, but not of form 1"));
+            .starts_with(": error: neither a Value Change Dump nor a list that begins with "
+                         "'edges 1' [SC6091]\n"));
+  CHECK(begins_showing(refused("edges 7\n"),
+                       ": error: a list of edges, but not of form 1... [SC6091]"));
   CHECK(refused(std::string("edges 1\n\x05\x01\x85", 11)) ==
-        ": error SC6091: not whole: it ends within an edge\n");
+        ": error: not whole: it ends within an edge [SC6091]\n");
   CHECK(refused(kHead + "#10 1s #2") ==
-        ":6:8: error SC6091: not whole: it ends within a line\n"
+        ":6:8: error: not whole: it ends within a line [SC6091]\n"
         "    6 | #10 1s #2\n"
         "      |        ^~\n");
-  CHECK(refused(kHead.substr(0, 60)).find(" error SC6091: not whole: it ends within ") !=
-        std::string::npos);
+  CHECK(shows(refused(kHead.substr(0, 60)), " error: not whole: it ends within ... [SC6091]"));
   const Ended missing = call("pulses " + (folder / "none"));
   CHECK(missing.status == 5);
   CHECK(missing.err ==
-        (folder / "none") + ": error SC6090: cannot be read: No such file or directory\n");
+        (folder / "none") + ": error: cannot be read: No such file or directory [SC6090]\n");
   CHECK(call("pulses").status == 2);
   CHECK(call("pulses a b").status == 2);
   CHECK(call("pulses " + (folder / "f") + " --report " + (folder / "f")).status == 2);

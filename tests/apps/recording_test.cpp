@@ -9,6 +9,7 @@
 #include "apps/shell.hpp"
 #include "hal/hash.hpp"
 #include "hal/zip_file.hpp"
+#include "support/shown.hpp"
 
 using namespace softcnc::app::test;
 using nlohmann::json;
@@ -149,7 +150,7 @@ TEST_CASE("a program is replayed in the dialect it was recorded in", "[apps][rec
   held.meta = meta.dump();
   pack(file, held);
   CHECK(call("replay -q " + file).err ==
-        file + ": error SC6022: was made in a dialect this version does not know: 'siemens'\n");
+        file + ": error: was made in a dialect this version does not know: 'siemens' [SC6022]\n");
 }
 
 TEST_CASE("a recording keeps the format that was asked for", "[apps][recording]") {
@@ -165,7 +166,7 @@ TEST_CASE("a recording keeps the format that was asked for", "[apps][recording]"
   held.meta = meta.dump();
   pack(file, held);
   CHECK(call("replay -q " + file).err ==
-        file + ": error SC6022: was made of a format this version does not know: 'step'\n");
+        file + ": error: was made of a format this version does not know: 'step' [SC6022]\n");
 }
 
 TEST_CASE("one BLU in one row is a difference: the row is shown, exit status 1",
@@ -267,12 +268,13 @@ TEST_CASE("a damaged recording is refused with SC6021, exit status 5", "[apps][r
     CAPTURE(ended.err, with);
     CHECK(ended.status == 5);
     CHECK(ended.out.empty());
-    CHECK(ended.err.starts_with(file + ": error SC6021: "));
+    CHECK(begins_showing(ended.err, file + ": error: ... [SC6021]"));
     CHECK(ended.err.find(with) != std::string::npos);
     return ended.err;
   };
   write(file, "no recording");
-  CHECK(refused("") == file + ": error SC6021: cannot be read as a recording: Not a zip archive\n");
+  CHECK(refused("") ==
+        file + ": error: cannot be read as a recording: Not a zip archive [SC6021]\n");
   write(file, bytes.substr(0, bytes.size() / 2));
   refused("cannot be read as a recording: ");
   std::string flipped = bytes;
@@ -317,8 +319,8 @@ TEST_CASE("a recording of a later form is refused with SC6022", "[apps][recordin
   const Ended ended = call("replay " + file);
   CHECK(ended.status == 5);
   CHECK(ended.err == file +
-                         ": error SC6022: is a recording of schema 2; this version replays "
-                         "schema 1\n");
+                         ": error: is a recording of schema 2; this version replays "
+                         "schema 1 [SC6022]\n");
 }
 
 TEST_CASE("a recording that cannot be made leaves no file", "[apps][recording]") {
@@ -329,9 +331,10 @@ TEST_CASE("a recording that cannot be made leaves no file", "[apps][recording]")
   const Ended nowhere = call("record $data/square.nc -o " + (folder / "no/x.rec"));
   CHECK(nowhere.status == 5);  // and no summary: nothing has moved
   CHECK(nowhere.err ==
-        (folder / "no/x.rec") + ": error SC6011: cannot be created: No such file or directory\n");
-  CHECK(shell("TMPDIR=/no/folder $softcnc record -q $data/square.nc -o " + (folder / "x.rec"))
-            .err.find("error SC6003: ") != std::string::npos);
+        (folder / "no/x.rec") + ": error: cannot be created: No such file or directory [SC6011]\n");
+  CHECK(shows(
+      shell("TMPDIR=/no/folder $softcnc record -q $data/square.nc -o " + (folder / "x.rec")).err,
+      "error: ... [SC6003]"));
   CHECK(folder.files().empty());
 }
 
@@ -367,7 +370,7 @@ TEST_CASE("what happens in a called file is told with its name", "[apps][check]"
   write(folder / "far.ngc", "(far away)\no<far> sub\nG0 X2000\no<far> endsub\n");
   const Ended ended = call("check " + (folder / "main.nc"));
   CHECK(ended.status == 3);
-  CHECK(ended.out.find(folder / "far.ngc:3:1: error SC4001: ") != std::string::npos);
+  CHECK(shows(ended.out, folder / "far.ngc:3:1: error: ... [SC4001]"));
   CHECK(ended.out.find("    3 | G0 X2000\n") != std::string::npos);
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
+#include "support/shown.hpp"
 
 using namespace softcnc::app::test;
 using json = nlohmann::json;
@@ -50,7 +51,7 @@ bool warns_of_phase(const std::string& program, const std::string& text,
                     const std::string& options = {}) {
   const Ended ended = call("check " + options + " -", program);
   UNSCOPED_INFO(ended.out);
-  return ended.status == 0 && ended.out.find(text) != std::string::npos;
+  return ended.status == 0 && shows(ended.out, text);
 }
 
 json report_of(const std::string& program, const std::string& options) {
@@ -68,7 +69,7 @@ json report_of(const std::string& program, const std::string& options) {
 TEST_CASE("check notes the roughness of every block that asks for one", "[apps][roughness]") {
   const Ended ended = call("check -", cylinder(kWords));
   CHECK(ended.status == 0);
-  CHECK(ended.out.find("<stdin>:5:1: note SC4010: an Rmax of 10.6") != std::string::npos);
+  CHECK(shows(ended.out, "<stdin>:5:1: note: an Rmax of 10.6... [SC4010]"));
   CHECK(ended.out.find("where 10.67 um are asked for") != std::string::npos);
   CHECK(ended.out.find("SC4011") == std::string::npos);
   CHECK(call("check -", cylinder("")).out.empty());
@@ -77,8 +78,7 @@ TEST_CASE("check notes the roughness of every block that asks for one", "[apps][
 TEST_CASE("check warns where the formulas of the paper miss the target", "[apps][roughness]") {
   const Ended ended = call("check --set surface.model=paper -", cylinder(kWords));
   CHECK(ended.status == 0);
-  CHECK(ended.out.find("<stdin>:5:1: warning SC4011: edges may leave an Rmax of up to 1") !=
-        std::string::npos);
+  CHECK(shows(ended.out, "<stdin>:5:1: warning: edges may leave an Rmax of up to 1... [SC4011]"));
 }
 
 TEST_CASE("check warns of passes that are not in phase", "[apps][roughness]") {
@@ -87,14 +87,17 @@ TEST_CASE("check warns of passes that are not in phase", "[apps][roughness]") {
   const std::string round = head + "G01 X20\nG03 Y0.5 J0.25\nG01 X0\nM30\n";
   const std::string staggered = head + one_way({0, 0.13, 0.31, 0.07});
   const std::string contour = head + "G01 X20\nY20\nX0\nY0\nX0.5 Y0.5\nX19.5\nY19.5\nM30\n";
-  CHECK(warns_of_phase(to_and_fro, "<stdin>:5:1: warning SC4012: passes run to and fro"));
-  CHECK(warns_of_phase(round, "<stdin>:5:1: warning SC4012: passes run to and fro"));
+  CHECK(warns_of_phase(to_and_fro, "<stdin>:5:1: warning: passes run to and fro... [SC4012]"));
+  CHECK(warns_of_phase(round, "<stdin>:5:1: warning: passes run to and fro... [SC4012]"));
   CHECK(warns_of_phase(
-      staggered, "<stdin>:10:1: warning SC4012: this pass is out of phase with the one beside it"));
+      staggered,
+      "<stdin>:10:1: warning: this pass is out of phase with the one beside it... [SC4012]"));
   CHECK(warns_of_phase(
-      contour, "<stdin>:8:1: warning SC4012: this pass is out of phase with the one beside it"));
+      contour,
+      "<stdin>:8:1: warning: this pass is out of phase with the one beside it... [SC4012]"));
   const std::string twice = cylinder(kWords + cylinder_pass("0.5"));
-  CHECK(warns_of_phase(twice, "<stdin>:9:1: warning SC4012: the spindle begins passes at any phase",
+  CHECK(warns_of_phase(twice,
+                       "<stdin>:9:1: warning: the spindle begins passes at any phase... [SC4012]",
                        "--set surface.phase=time"));
 }
 
@@ -117,7 +120,7 @@ TEST_CASE("where Q stands for any phase check does not warn of it", "[apps][roug
   const std::string program =
       "S6000 M03 F6000\nG06.4 D5 J0.5 H10.67 L2 Q1\nG01 X20\nY0.5\nX0\nY1\nX20\nM30\n";
   CHECK(call("check -", program).out.find("SC4012") == std::string::npos);
-  CHECK(warns_of_phase(program, "<stdin>:5:1: warning SC4012: passes run to and fro",
+  CHECK(warns_of_phase(program, "<stdin>:5:1: warning: passes run to and fro... [SC4012]",
                        "--set surface.model=paper"));
 }
 
@@ -125,7 +128,7 @@ TEST_CASE("a plunge leaves no surface", "[apps][roughness]") {
   const Ended ended =
       call("check --set surface.phase=time -", "S6000 M03 F6000\n" + kWords + "G01 Z-5\nX5\nM30\n");
   CHECK(ended.out.find("<stdin>:3:1") == std::string::npos);
-  CHECK(ended.out.find("<stdin>:4:1: note SC4010") != std::string::npos);
+  CHECK(shows(ended.out, "<stdin>:4:1: note: ... [SC4010]"));
   CHECK(ended.out.find("SC4012") == std::string::npos);
 }
 
@@ -133,9 +136,9 @@ TEST_CASE("check warns of slopes across the feed that are not stated, and says w
           "[apps][roughness]") {
   const Ended without = call("check -", tilted(""));
   CHECK(without.status == 0);
-  CHECK(without.out.find(
-            "<stdin>:26:1: warning SC4042: the surface slopes by 20.0 degrees across the feed, "
-            "which is not stated: edges may leave an Rmax of up to 1") != std::string::npos);
+  CHECK(shows(without.out,
+              "<stdin>:26:1: warning: the surface slopes by 20.0 degrees across the feed, "
+              "which is not stated: edges may leave an Rmax of up to 1... [SC4042]"));
   CHECK(without.out.find("; Q20 in G06.4 states all of its slopes") != std::string::npos);
   CHECK(call("check -", tilted("Q20")).out.find("SC4042") == std::string::npos);
   CHECK(call("check -", tilted("Q10")).out.find("SC4042") != std::string::npos);

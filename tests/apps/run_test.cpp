@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
+#include "support/shown.hpp"
 
 using namespace softcnc::app::test;
 using nlohmann::json;
@@ -159,7 +160,8 @@ TEST_CASE("standard input that is a file is read from where it stands", "[apps][
 TEST_CASE("a pipe that cannot be kept for its second reading is refused", "[apps][run]") {
   const Ended ended = shell("cat $data/square.nc | TMPDIR=/no/folder $softcnc run -");
   CHECK(ended.status == 5);
-  CHECK(ended.err.starts_with("<stdin>: error SC6003: cannot be kept in a temporary file: "));
+  CHECK(begins_showing(ended.err,
+                       "<stdin>: error: cannot be kept in a temporary file: ... [SC6003]"));
 }
 
 TEST_CASE("a program with errors moves nothing: no trace, exit status 1", "[apps][run]") {
@@ -167,8 +169,8 @@ TEST_CASE("a program with errors moves nothing: no trace, exit status 1", "[apps
   const Ended ended = call("run $data/two_errors.nc --trace " + (folder / "t.csv"));
   CHECK(ended.status == 1);
   CHECK(ended.out.empty());
-  CHECK(ended.err.find(":3:6: error SC1004: ") != std::string::npos);
-  CHECK(ended.err.find(":5:5: error SC2001: ") != std::string::npos);
+  CHECK(shows(ended.err, ":3:6: error: ... [SC1004]"));
+  CHECK(shows(ended.err, ":5:5: error: ... [SC2001]"));
   CHECK(folder.files().empty());
   const json report = report_of("$data/two_errors.nc 2>/dev/null", 1);
   CHECK(report["status"] == "error");
@@ -182,8 +184,8 @@ TEST_CASE("a program with errors moves nothing: no trace, exit status 1", "[apps
 TEST_CASE("a dry run ends at rest behind the last good block and tells all errors", "[apps][run]") {
   const Ended ended = call("run --dry-run $data/two_errors.nc");
   CHECK(ended.status == 1);
-  CHECK(ended.err.find(":3:6: error SC1004: ") != std::string::npos);
-  CHECK(ended.err.find(":5:5: error SC2001: ") != std::string::npos);
+  CHECK(shows(ended.err, ":3:6: error: ... [SC1004]"));
+  CHECK(shows(ended.err, ":5:5: error: ... [SC2001]"));
   const Trace trace = parse_trace(ended.out);
   const std::size_t last = trace.rows.size() - 1;
   CHECK(trace.number(last, "x_mm") == 10);
@@ -196,16 +198,14 @@ TEST_CASE("a move beyond the travel of an axis is refused with its line, exit st
   const Ended ended = call("run $data/beyond.nc");
   CHECK(ended.status == 3);
   const std::string file = data("beyond.nc");
-  CHECK(ended.err.starts_with(file +
-                              ":4:2: error SC4001: X reaches 1010.5 mm, 10.5 mm beyond its travel "
-                              "from -1000 to 1000 mm\n"
-                              "    4 |  X1010.5\n"
-                              "      |  ^~~~~~~\n"));
-  CHECK(ended.err.ends_with(file +
-                            ":6:1: error SC4001: Y reaches -1200 mm, 200 mm beyond its travel "
-                            "from -1000 to 1000 mm\n"
-                            "    6 | Y-1200\n"
-                            "      | ^~~~~~\n"));
+  CHECK(ended.err.starts_with(file + ":4:2: error: X reaches 1010.5 mm, 10.5 mm beyond its travel "
+                                     "from -1000 to 1000 mm [SC4001]\n"
+                                     "    4 |  X1010.5\n"
+                                     "      |  ^~~~~~~\n"));
+  CHECK(ended.err.ends_with(file + ":6:1: error: Y reaches -1200 mm, 200 mm beyond its travel "
+                                   "from -1000 to 1000 mm [SC4001]\n"
+                                   "    6 | Y-1200\n"
+                                   "      | ^~~~~~\n"));
 }
 
 TEST_CASE("an axis that lags too far stops the run with 4 and a whole trace", "[apps][run]") {
@@ -214,8 +214,7 @@ TEST_CASE("an axis that lags too far stops the run with 4 and a whole trace", "[
       call("run $data/zigzag.nc --set axis.x.drive.following_error_um=500 --trace " +
            (folder / "t.csv") + " --report " + (folder / "r.json"));
   CHECK(ended.status == 4);
-  CHECK(ended.err.find("zigzag.nc:3:1: error SC5001: following error of X: it is 0.509 ") !=
-        std::string::npos);
+  CHECK(shows(ended.err, "zigzag.nc:3:1: error: following error of X: it is 0.509 ... [SC5001]"));
   const json report = json::parse(read(folder / "r.json"));
   CHECK(report["status"] == "alarm");
   CHECK(report["diagnostics"][0]["code"] == "SC5001");
@@ -230,15 +229,13 @@ TEST_CASE("an up/down counter that overflows stops the run with 4", "[apps][run]
       "run $data/zigzag.nc --set axis.x.drive.counter_bits=8 "
       "--set axis.x.drive.following_error_um=50000");
   CHECK(ended.status == 4);
-  CHECK(ended.err.find("zigzag.nc:3:1: error SC5002: counter overflow of X: it is ") !=
-        std::string::npos);
+  CHECK(shows(ended.err, "zigzag.nc:3:1: error: counter overflow of X: it is ... [SC5002]"));
 }
 
 TEST_CASE("a method that exceeds a limit says by how much and exits with 0", "[apps][run]") {
   const Ended ended = call("run $programs/08_butterfly.nc --set control.interpolation=taylor1");
   CHECK(ended.status == 0);
-  CHECK(ended.err.find("note SC4003: taylor1: the acceleration of X reaches ") !=
-        std::string::npos);
+  CHECK(shows(ended.err, "note: taylor1: the acceleration of X reaches ... [SC4003]"));
 }
 
 TEST_CASE("progress as JSON lines can be read by a program", "[apps][run]") {
@@ -302,7 +299,7 @@ TEST_CASE("a file of edges that cannot be written is status 5", "[apps][run]") {
   const Ended nowhere =
       call("run -q --backend stepdir --set backend.stepdir.file=/no/folder/s.vcd $data/square.nc");
   CHECK(nowhere.status == 5);
-  CHECK(nowhere.err.find("/no/folder/s.vcd: error SC6011") != std::string::npos);
+  CHECK(shows(nowhere.err, "/no/folder/s.vcd: error: ... [SC6011]"));
   const Folder folder;
   const std::string full = folder / "full.edges";
   const Ended disk =
@@ -310,7 +307,7 @@ TEST_CASE("a file of edges that cannot be written is status 5", "[apps][run]") {
             " && $softcnc run -q --backend stepdir --set backend.stepdir.file=" + full +
             " $data/square.nc");
   CHECK(disk.status == 5);
-  CHECK(disk.err.find("error SC6012") != std::string::npos);
+  CHECK(shows(disk.err, "error: ... [SC6012]"));
   CHECK(
       call("run --backend stepdir --set backend.stepdir.max_rate_hz=1000 $data/square.nc").status ==
       2);

@@ -5,7 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "support/shown.hpp"
+
 namespace softcnc::app::test {
+
+using softcnc::begins_showing;
+using softcnc::shows;
+using softcnc::where_shown;
 
 struct Ended {
   int status = 0;  // as a shell tells it: 128 + n for signal n

@@ -8,6 +8,7 @@
 #include "hal/state_file.hpp"
 #include "machine_memory.hpp"
 #include "state_history.hpp"
+#include "support/shown.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;
@@ -96,8 +97,8 @@ TEST_CASE("a state file that is not there yet is noted and begins at 0", "[apps]
   const Ended ended = call("check $data/zigzag.nc --state " + file);
   CHECK(ended.status == 0);
   CHECK(ended.out == file +
-                         ": note SC7017: is not there yet: work offsets, tool table and parameters "
-                         "begin at 0\n");
+                         ": note: is not there yet: work offsets, tool table and parameters "
+                         "begin at 0 [SC7017]\n");
   CHECK(folder.files().empty());
 }
 
@@ -123,13 +124,13 @@ TEST_CASE("a wrong state file is told, and nothing moves, exit status 2", "[apps
         call(std::string(command) + " $data/square.nc --state " + (folder / "mill.state"));
     CHECK(ended.status == 2);
     const std::string told = ended.out + ended.err;
-    const std::size_t first = told.find("mill.state:3:1: error SC7015: ");
+    const std::size_t first = where_shown(told, "mill.state:3:1: error: ... [SC7015]");
     CHECK(first != std::string::npos);
-    CHECK(told.find("mill.state:4:8: error SC7005: ", first) != std::string::npos);
+    CHECK(where_shown(told, "mill.state:4:8: error: ... [SC7005]", first) != std::string::npos);
   }
   const Ended nowhere = call("run $data/square.nc --state " + (folder / "no/mill.state"));
   CHECK(nowhere.status == 5);
-  CHECK(nowhere.err.find("error SC6011: cannot be created: ") != std::string::npos);
+  CHECK(shows(nowhere.err, "error: cannot be created: ... [SC6011]"));
   CHECK(call("run " + (folder / "mill.state") + " --state " + (folder / "mill.state")).status == 2);
 }
 

@@ -11,6 +11,7 @@
 #include "hal/backend.hpp"
 #include "hal/hash.hpp"
 #include "stream_memory.hpp"
+#include "support/shown.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;
@@ -145,13 +146,13 @@ TEST_CASE("check tells what is wrong with a line before the next one is written"
           "[apps][stream]") {
   Talk talk({"check", "-"});
   talk.say("G01 X1 Q3 F600\n");
-  CHECK(talk.hear("<stdin>:1:8: error SC2004: ").size() == 1);
+  CHECK(talk.hear("<stdin>:1:8: error: ... [SC2004]").size() == 1);
   talk.hear("      | ");
   talk.say("G00 X5\nY2000\n");
-  CHECK(talk.hear("<stdin>:3:1: error SC4001: ").size() == 1);
+  CHECK(talk.hear("<stdin>:3:1: error: ... [SC4001]").size() == 1);
   talk.hear("      | ");
   talk.say("(nothing)\nG02 X3\nM30\n");
-  CHECK(talk.hear("<stdin>:5:5: error SC2107: ").size() == 1);
+  CHECK(talk.hear("<stdin>:5:5: error: ... [SC2107]").size() == 1);
   talk.hear("      | ");
   CHECK(talk.finish().empty());
   CHECK(talk.status() == 1);
@@ -160,7 +161,7 @@ TEST_CASE("check tells what is wrong with a line before the next one is written"
 TEST_CASE("a warning of check does not wait for an error", "[apps][stream]") {
   Talk talk({"check", "-"});
   talk.say("G01 X1 F99999\n");
-  talk.hear("<stdin>:1:8: warning SC2201: ");
+  talk.hear("<stdin>:1:8: warning: ... [SC2201]");
   talk.hear("      | ");
   talk.say("M30\n");
   CHECK(talk.finish().empty());
@@ -261,7 +262,7 @@ TEST_CASE("what is wrong with a streamed program is shown with its line", "[apps
     CAPTURE(command);
     const std::string out = shell("cat " + (folder / "p.nc") + " | $softcnc " + command).out;
     if (std::string(command) != "blocks - 2>&1") {
-      CHECK(out.find("<stdin>:20002:1: error SC4001: Y reaches 2000 mm") != std::string::npos);
+      CHECK(shows(out, "<stdin>:20002:1: error: Y reaches 2000 mm... [SC4001]"));
       CHECK(out.find("20002 | Y2000\n") != std::string::npos);
     }
     CHECK(out.find("20003 | X Y1\n") != std::string::npos);

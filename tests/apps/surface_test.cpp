@@ -9,6 +9,7 @@
 #include "png_file.hpp"
 #include "roughness_map.hpp"
 #include "support/milled.hpp"
+#include "support/shown.hpp"
 #include "surface_bands.hpp"
 
 using namespace softcnc;
@@ -192,7 +193,7 @@ TEST_CASE("a surface tells by region whether its target is met", "[apps][surface
   CHECK(missed.status == 0);
   const double most = number(folder / "own.npz", "numpy.nanmax(f['rmax_um'])");
   CHECK(most > 9);
-  CHECK(missed.err.find("own.nc: warning SC4040: an Rmax of 9.") != std::string::npos);
+  CHECK(shows(missed.err, "own.nc: warning: an Rmax of 9... [SC4040]"));
   CHECK(missed.err.find("where 9 um are asked for; ") != std::string::npos);
   CHECK(number(folder / "own.npz", "int(((f['met'] == 0) == (f['rmax_um'] > 9.00001)).all())") ==
         1);
@@ -278,7 +279,7 @@ TEST_CASE("a surface that cannot be cut is refused, and no file is left", "[apps
     CAPTURE(arguments, ended.err);
     CHECK(ended.status == status);
     CHECK(ended.out.empty());
-    CHECK(ended.err.find(text) != std::string::npos);
+    CHECK(shows(ended.err, text));
   };
   const Folder programs;
   const auto program = [&](const std::string& text) {
@@ -286,24 +287,23 @@ TEST_CASE("a surface that cannot be cut is refused, and no file is left", "[apps
     return programs / "p.nc";
   };
   refused("$data/plane.nc -o " + file, 1,
-          "plane.nc:9:3: error SC2380: no tool with a radius and teeth is in the spindle");
+          "plane.nc:9:3: error: no tool with a radius and teeth is in the spindle [SC2380]");
   refused("$data/plane.nc --set tool.1.radius_mm=5 --set tool.1.teeth=101 -o " + file, 3,
-          "plane.nc:9:3: error SC4041: a tool of 101 teeth: surfaces are cut by 100 at most");
+          "plane.nc:9:3: error: a tool of 101 teeth: surfaces are cut by 100 at most [SC4041]");
   refused(program("T1 M06\nG01 X5 F100\nM30\n") + kTool + "-o " + file, 1,
-          ":2:1: error SC2381: a cutting move while the spindle stands still");
+          ":2:1: error: a cutting move while the spindle stands still [SC2381]");
   refused(program("T1 M06\nS100 M03\nG00 X5\nM30\n") + kTool + "-o " + file, 1,
-          "p.nc: error SC2382: the program has no cutting move");
+          "p.nc: error: the program has no cutting move [SC2382]");
   refused(program("T1 M06\nS100 M03\nG01 X5 F100 Q\nM30\n") + kTool + "-o " + file, 1, "p.nc:3:");
   refused("$data/plane.nc" + kTool + "-o " + (folder / "x.obj"), 2,
-          "x.obj: error SC6060: no form of a surface has this suffix; known are .npz, .png");
-  refused(
-      "$data/plane.nc" + kTool + "--set stock.x_mm=90000 --set stock.grid_um=1 -o " + file, 2,
-      "softcnc: error SC7050: a surface of 90000001 x 13001 points, one every 1 um: at most 200000 "
-      "along X and 4000000000 in all are cut\n");
+          "x.obj: error: no form of a surface has this suffix; known are .npz, .png [SC6060]");
+  refused("$data/plane.nc" + kTool + "--set stock.x_mm=90000 --set stock.grid_um=1 -o " + file, 2,
+          "softcnc: error: a surface of 90000001 x 13001 points, one every 1 um: at most 200000 "
+          "along X and 4000000000 in all are cut [SC7050]\n");
   refused("$data/plane.nc" + kTool + "--set 'stock.origin_mm=[2, 1, 50]' -o " + file, 1,
-          "error SC2382: the stock lies beyond all that the program cuts");
-  refused("$data/plane.nc" + kTool + "-o " + (folder / "no/x.npz"), 5, "error SC6011");
-  refused("$data/plane.nc" + kTool + "--set axis.x.max_mm=3 -o " + file, 3, "error SC4001");
+          "error: the stock lies beyond all that the program cuts [SC2382]");
+  refused("$data/plane.nc" + kTool + "-o " + (folder / "no/x.npz"), 5, "error: ... [SC6011]");
+  refused("$data/plane.nc" + kTool + "--set axis.x.max_mm=3 -o " + file, 3, "error: ... [SC4001]");
   refused("$data/plane.nc" + kTool, 2, "--output");
   refused("$data/plane.nc" + kTool + "-o $data/plane.nc", 2, "name the same file");
   CHECK(folder.files().empty());
@@ -315,7 +315,7 @@ TEST_CASE("a surface on a full disk ends with 5", "[apps][surface]") {
     REQUIRE(shell("ln -s /dev/full " + (folder / form)).status == 0);
     const Ended ended = cut(folder / form);
     CHECK(ended.status == 5);
-    CHECK(ended.err.find("error SC6012") != std::string::npos);
+    CHECK(shows(ended.err, "error: ... [SC6012]"));
   }
 }
 

@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <utility>
+#include "support/shown.hpp"
 
 namespace softcnc::app::test {
 
@@ -69,7 +70,7 @@ std::vector<std::string> Talk::hear(const std::string& begin) {
   std::vector<std::string> lines;
   do {
     lines.push_back(line());
-  } while (!lines.back().starts_with(begin));
+  } while (!begins_showing(lines.back(), begin));
   return lines;
 }
 

@@ -11,6 +11,7 @@
 #include "hal/edge_reader.hpp"
 #include "hal/port_timing.hpp"
 #include "hal/pulse_rules.hpp"
+#include "support/shown.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app::test;
@@ -183,8 +184,8 @@ TEST_CASE("an unknown suffix of a trace is wrong usage, before anything moves", 
     const Ended ended = call(run + "$data/square.nc --trace " + (folder / "t.xls"));
     CHECK(ended.status == 2);
     CHECK(ended.err == (folder / "t.xls") +
-                           ": error SC6014: no trace format has this suffix; known are .csv, .npz, "
-                           ".vcd, .hal, each with or without a further .zst\n");
+                           ": error: no trace format has this suffix; known are .csv, .npz, "
+                           ".vcd, .hal, each with or without a further .zst [SC6014]\n");
   }
   CHECK(folder.files().empty());
 }
@@ -197,15 +198,15 @@ TEST_CASE("a full disk, a full folder for temporary files, no folder: status 5",
   const Ended full = call(run + (folder / ("t" + suffix)));
   CHECK(full.status == 5);
   CHECK(full.err ==
-        (folder / ("t" + suffix)) + ": error SC6012: writing failed: No space left on device\n");
+        (folder / ("t" + suffix)) + ": error: writing failed: No space left on device [SC6012]\n");
   const Ended nowhere = call(run + (folder / "none/t") + suffix);
   CHECK(nowhere.status == 5);
-  CHECK(nowhere.err.find("error SC6011: cannot be created: ") != std::string::npos);
+  CHECK(shows(nowhere.err, "error: cannot be created: ... [SC6011]"));
   if (!suffix.starts_with(".npz")) return;
   const Ended homeless =
       shell("TMPDIR=" + (folder / "none") + " $softcnc " + run + (folder / ("u" + suffix)));
   CHECK(homeless.status == 5);
-  CHECK(homeless.err.find("error SC6003: no temporary file: ") != std::string::npos);
+  CHECK(shows(homeless.err, "error: no temporary file: ... [SC6003]"));
   CHECK(folder.files() == std::vector<std::string>{"t" + suffix});
 }
 

@@ -7,6 +7,7 @@
 
 #include "apps/shell.hpp"
 #include "apps/talk.hpp"
+#include "support/shown.hpp"
 
 using namespace softcnc::app::test;
 
@@ -27,7 +28,7 @@ TEST_CASE("a program is checked again when it changes, until Ctrl-C", "[apps][wa
 
   write(part, kBad);
   const auto told = talk.hear("---");
-  CHECK(told.front().starts_with(part + ":1:6: error SC1004: "));
+  CHECK(begins_showing(told.front(), part + ":1:6: error: ... [SC1004]"));
   CHECK(told.back() == kOne);
 
   write(folder / "p.nc~", kGood);  // as editors save
@@ -35,7 +36,7 @@ TEST_CASE("a program is checked again when it changes, until Ctrl-C", "[apps][wa
   CHECK(talk.hear("---") == std::vector<std::string>{kNothing});
 
   std::filesystem::remove(part);
-  CHECK(talk.hear("---").front().starts_with(part + ": error SC6001: "));
+  CHECK(begins_showing(talk.hear("---").front(), part + ": error: ... [SC6001]"));
   write(part, kGood);
   CHECK(talk.hear("---").back() == kNothing);
 
@@ -52,14 +53,14 @@ TEST_CASE("a program is found again where its folder is made anew", "[apps][watc
   Talk talk({"check", "--watch", part});
   CHECK(talk.hear("---").back() == kNothing);
   std::filesystem::remove_all(parts);
-  CHECK(talk.hear("---").front().starts_with(part + ": error SC6001: "));
+  CHECK(begins_showing(talk.hear("---").front(), part + ": error: ... [SC6001]"));
   std::filesystem::create_directory(parts);
   write(part, kBad);
   CHECK(talk.hear("---").back() == kOne);
   write(part, kGood);
   CHECK(talk.hear("---").back() == kNothing);
   std::filesystem::rename(parts, folder / "away");
-  CHECK(talk.hear("---").front().starts_with(part + ": error SC6001: "));
+  CHECK(begins_showing(talk.hear("---").front(), part + ": error: ... [SC6001]"));
   std::filesystem::rename(folder / "away", parts);
   CHECK(talk.hear("---").back() == kNothing);
   talk.send(SIGINT);
@@ -124,12 +125,12 @@ TEST_CASE("a program is checked again when a file appears that it calls", "[apps
   const Folder folder;
   write(folder / "p.nc", "M98 P123\nM30\n");
   Talk talk({"check", "--watch", folder / "p.nc"});
-  CHECK(talk.hear("---").front().find("error SC2301: no subprogram O123 in ") != std::string::npos);
+  CHECK(shows(talk.hear("---").front(), "error: no subprogram O123 in ... [SC2301]"));
   write(folder / "124.ngc", "G00 X10\nM99\n");  // of another number: nothing is told of it
   write(folder / "123.ngc", "G00 X10\nM99\n");
   CHECK(talk.hear("---") == std::vector<std::string>{kNothing});
   write(folder / "O0123.nc", "G00 X1.0.0\nM99\n");  // which is looked for before the other
-  CHECK(talk.hear("---").front().find("O0123.nc:1:6: error SC1004: ") != std::string::npos);
+  CHECK(shows(talk.hear("---").front(), "O0123.nc:1:6: error: ... [SC1004]"));
   std::filesystem::remove(folder / "O0123.nc");
   CHECK(talk.hear("---") == std::vector<std::string>{kNothing});
   talk.send(SIGINT);
@@ -150,7 +151,7 @@ TEST_CASE("each round is a document of its own where that is asked for", "[apps]
 TEST_CASE("what cannot be watched is told", "[apps][watch]") {
   const Ended folder = call("check --watch no/p.nc");
   CHECK(folder.status == 5);
-  CHECK(folder.err == "no/p.nc: error SC6041: cannot be watched: No such file or directory\n");
+  CHECK(folder.err == "no/p.nc: error: cannot be watched: No such file or directory [SC6041]\n");
   const Ended input = call("check --watch -");
   CHECK(input.status == 2);
   CHECK(input.err.starts_with("--watch cannot watch standard input\n"));

@@ -164,8 +164,8 @@ TEST_CASE("a pipe that nobody reads is refused", "[hal][code]") {
   const auto backend = HalRows::open(streamed(folder / "rows"));
   REQUIRE_FALSE(backend);
   CHECK(render(backend.error()) == (folder / "rows") +
-                                       ": error SC6070: no program reads this pipe; start its "
-                                       "reader first\n");
+                                       ": error: no program reads this pipe; start its "
+                                       "reader first [SC6070]\n");
   CHECK(exit_status(backend.error()) == 5);
 }
 
@@ -176,21 +176,23 @@ TEST_CASE("a pipe that stays full, or is closed, is an alarm of the port", "[hal
   machine.hal_stream.patience = 0.05;
   auto backend = HalRows::open(machine);
   REQUIRE(backend);
-  std::string text;
+  std::string text, code;
   SECTION("full") {
     CHECK(rows_until_alarm(**backend, 100'000) < 10'000);
-    text = "SC6071: the pipe is full, and its reader has taken nothing for 0.05 s";
+    text = "the pipe is full, and its reader has taken nothing for 0.05 s";
+    code = "SC6071";
   }
   SECTION("closed") {
     CHECK(rows_until_alarm(**backend, 1000) == 1000);
     fifo.close();
     CHECK(rows_until_alarm(**backend, 100'000) < 2000);
-    text = "SC6013: the reader closed the pipe";
+    text = "the reader closed the pipe";
+    code = "SC6013";
   }
   const Status finished = (*backend)->finish();
   REQUIRE_FALSE(finished);
-  CHECK(render(finished.error()) ==
-        (folder / "rows") + ": error " + text + "; HAL holds the last row it got\n");
+  CHECK(render(finished.error()) == (folder / "rows") + ": error: " + text +
+                                        "; HAL holds the last row it got [" + code + "]\n");
 }
 
 TEST_CASE("a full disk and a folder that is not there are told", "[hal][code]") {

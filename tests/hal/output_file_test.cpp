@@ -71,10 +71,10 @@ TEST_CASE("a symbolic link to nowhere is told and stays", "[hal][output]") {
   REQUIRE_FALSE(lost);
   REQUIRE_FALSE(circle);
   CHECK(render(lost.error()) ==
-        (folder / "lost") + ": error SC6011: cannot be created: No such file or directory\n");
+        (folder / "lost") + ": error: cannot be created: No such file or directory [SC6011]\n");
   CHECK(render(circle.error()) == (folder / "circle") +
-                                      ": error SC6011: cannot be created: Too many levels of "
-                                      "symbolic links\n");
+                                      ": error: cannot be created: Too many levels of "
+                                      "symbolic links [SC6011]\n");
   CHECK(fs::is_symlink(folder / "lost"));
   CHECK(fs::is_symlink(folder / "circle"));
 }
@@ -83,20 +83,20 @@ TEST_CASE("a file that cannot be created says why", "[hal][output]") {
   const auto missing = OutputFile::open("no/such/folder/out.csv");
   REQUIRE_FALSE(missing);
   CHECK(render(missing.error()) ==
-        "no/such/folder/out.csv: error SC6011: cannot be created: No such file or directory\n");
+        "no/such/folder/out.csv: error: cannot be created: No such file or directory [SC6011]\n");
   CHECK(exit_status(missing.error()) == 5);
   const test::Folder folder;
   const auto directory = OutputFile::open(folder.path());
   REQUIRE_FALSE(directory);
   CHECK(render(directory.error()) ==
-        folder.path() + ": error SC6011: cannot be created: Is a directory\n");
+        folder.path() + ": error: cannot be created: Is a directory [SC6011]\n");
 }
 
 TEST_CASE("a full disk is told", "[hal][output]") {
   const auto written = write_file("/dev/full", "x");
   REQUIRE_FALSE(written);
   CHECK(render(written.error()) ==
-        "/dev/full: error SC6012: writing failed: No space left on device\n");
+        "/dev/full: error: writing failed: No space left on device [SC6012]\n");
   CHECK(exit_status(written.error()) == 5);
   CHECK_FALSE(fs::exists("/dev/full.part"));
 }
@@ -120,7 +120,7 @@ TEST_CASE("a closed pipe can be told from other failures", "[hal][output]") {
   const auto written = (*output)->write("read by nobody");
   REQUIRE_FALSE(written);
   CHECK(render(written.error()) ==
-        pipe + ": error SC6013: the reader closed the pipe: Broken pipe\n");
+        pipe + ": error: the reader closed the pipe: Broken pipe [SC6013]\n");
   CHECK_FALSE(fs::exists(pipe + ".part"));
 }
 

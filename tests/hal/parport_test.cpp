@@ -187,23 +187,23 @@ TEST_CASE("a port that fails is told, and so is every other alarm", "[hal][parpo
   record.fails = true;
   CHECK(backend->exchange(at({0.01, 0, 0})).alarm == Alarm::port);
   const PortOutput output(std::make_unique<RecordedPort>(record), machine);
-  CHECK(render(output.diagnostic(Alarm::port)) == "port: error SC6074: it was told to\n");
+  CHECK(render(output.diagnostic(Alarm::port)) == "port: error: it was told to [SC6074]\n");
   const auto told = [&](Alarm alarm) {
     CHECK(exit_status(output.diagnostic(alarm)) == 4);
     return render(output.diagnostic(alarm));
   };
   CHECK(told(Alarm::emergency_stop) ==
-        "/dev/parport0: error SC5031: emergency stop: the input of backend.parport.estop_pin is "
-        "on; the drives are disabled\n");
+        "/dev/parport0: error: emergency stop: the input of backend.parport.estop_pin is "
+        "on; the drives are disabled [SC5031]\n");
   CHECK(told(Alarm::limit_switch) ==
-        "/dev/parport0: error SC5032: an axis is on a limit switch: the input of "
-        "backend.parport.limit_pin is on; the drives are disabled\n");
+        "/dev/parport0: error: an axis is on a limit switch: the input of "
+        "backend.parport.limit_pin is on; the drives are disabled [SC5032]\n");
   CHECK(told(Alarm::driver_fault) ==
-        "/dev/parport0: error SC5033: a drive reports a fault: the input of "
-        "backend.parport.fault_pin is on; the drives are disabled\n");
+        "/dev/parport0: error: a drive reports a fault: the input of "
+        "backend.parport.fault_pin is on; the drives are disabled [SC5033]\n");
   CHECK(told(Alarm::overrun) ==
-        "/dev/parport0: error SC5030: the port was not written to for a whole period; the drives "
-        "are disabled\n");
+        "/dev/parport0: error: the port was not written to for a whole period; the drives "
+        "are disabled [SC5030]\n");
 }
 
 TEST_CASE("what the system refuses is told by its reason", "[hal][parport][code]") {
@@ -213,22 +213,22 @@ TEST_CASE("what the system refuses is told by its reason", "[hal][parport][code]
     return render(told);
   };
   CHECK(text("open", ENOENT) ==
-        "/dev/parport0: error SC6072: there is no such port (open: No such file or directory)\n");
+        "/dev/parport0: error: there is no such port (open: No such file or directory) [SC6072]\n");
   CHECK(text("open", ENXIO) ==
-        "/dev/parport0: error SC6072: there is no such port (open: No such device or address)\n");
+        "/dev/parport0: error: there is no such port (open: No such device or address) [SC6072]\n");
   CHECK(text("open", EACCES) ==
-        "/dev/parport0: error SC6072: you may not use this port (open: Permission denied)\n");
+        "/dev/parport0: error: you may not use this port (open: Permission denied) [SC6072]\n");
   CHECK(text("PPCLAIM", ENXIO) ==
-        "/dev/parport0: error SC6073: another driver or program uses "
-        "this port (PPCLAIM: No such device or address)\n");
+        "/dev/parport0: error: another driver or program uses "
+        "this port (PPCLAIM: No such device or address) [SC6073]\n");
   CHECK(text("open", EBUSY) ==
-        "/dev/parport0: error SC6073: another driver or program uses this "
-        "port (open: Device or resource busy)\n");
+        "/dev/parport0: error: another driver or program uses this "
+        "port (open: Device or resource busy) [SC6073]\n");
   const auto null = Ppdev::open("/dev/null");
   REQUIRE_FALSE(null);
   CHECK(render(null.error()) ==
-        "/dev/null: error SC6072: this is no parallel port (PPEXCL: "
-        "Inappropriate ioctl for device)\n");
+        "/dev/null: error: this is no parallel port (PPEXCL: "
+        "Inappropriate ioctl for device) [SC6072]\n");
   CHECK_FALSE(Ppdev::open("/no/such/port"));
 }
 

@@ -12,6 +12,7 @@
 
 #include "hal/output_file.hpp"
 #include "motion/units.hpp"
+#include "support/shown.hpp"
 #include "support_hal.hpp"
 
 namespace softcnc::hal {
@@ -118,60 +119,61 @@ TEST_CASE("parameters that are 0 need not be told", "[hal][state]") {
 
 TEST_CASE("what is wrong with a state file is told with its place", "[hal][state]") {
   CHECK(refused("[work.G54]\nx = 3\n") ==
-        "mill.state:3:1: error SC7015: unknown key 'work.G54.x'\n"
+        "mill.state:3:1: error: unknown key 'work.G54.x' [SC7015]\n"
         "    3 | x = 3\n      | ^\n");
   CHECK(refused("[parameter]\n30 = 3\n")
-            .starts_with("mill.state:3:1: error SC7015: unknown key 'parameter.30'\n"));
+            .starts_with("mill.state:3:1: error: unknown key 'parameter.30' [SC7015]\n"));
   CHECK(refused("[work.G60]\n")
-            .starts_with("mill.state:2:7: error SC7015: unknown key 'work.G60'\n"));
+            .starts_with("mill.state:2:7: error: unknown key 'work.G60' [SC7015]\n"));
   CHECK(refused("[g28]\nx_mm = \"a\"\n")
-            .starts_with("mill.state:3:8: error SC7004: g28.x_mm takes a number\n"));
+            .starts_with("mill.state:3:8: error: g28.x_mm takes a number [SC7004]\n"));
+  CHECK(refused("tool = 3\n")
+            .starts_with("mill.state:2:8: error: tool is a table of keys [SC7004]\n"));
+  CHECK(refused("[g28]\nx_mm = 1e7\n")
+            .starts_with("mill.state:3:8: error: g28.x_mm must be from -1e+06 to 1e+06, not 1e+07 "
+                         "[SC7005]\n"));
+  CHECK(begins_showing(refused("[parameter]\n31 = nan\n"), "mill.state:3:6: error: ... [SC7005]"));
+  CHECK(begins_showing(refused("active = \"G60\"\n"),
+                       "mill.state:2:10: error: active takes one of 'G54', 'G55', ... [SC7006]"));
   CHECK(
-      refused("tool = 3\n").starts_with("mill.state:2:8: error SC7004: tool is a table of keys\n"));
-  CHECK(
-      refused("[g28]\nx_mm = 1e7\n")
-          .starts_with(
-              "mill.state:3:8: error SC7005: g28.x_mm must be from -1e+06 to 1e+06, not 1e+07\n"));
-  CHECK(refused("[parameter]\n31 = nan\n").starts_with("mill.state:3:6: error SC7005: "));
-  CHECK(refused("active = \"G60\"\n")
-            .starts_with("mill.state:2:10: error SC7006: active takes one of 'G54', 'G55', "));
-  CHECK(refused("g92_in_force = 1\n")
-            .starts_with("mill.state:2:16: error SC7004: g92_in_force takes one of 'no', 'yes'\n"));
-  CHECK(refused("[g28\n").starts_with(
-      "mill.state:2:5: error SC7013: not TOML: table header: expected ']', saw "));
-  CHECK(refused("[g28]\nx_mm = 1\nx_mm = 2\n").find("error SC7012: ") != std::string::npos);
+      refused("g92_in_force = 1\n")
+          .starts_with("mill.state:2:16: error: g92_in_force takes one of 'no', 'yes' [SC7004]\n"));
+  CHECK(begins_showing(
+      refused("[g28\n"),
+      "mill.state:2:5: error: not TOML: table header: expected ']', saw ... [SC7013]"));
+  CHECK(shows(refused("[g28]\nx_mm = 1\nx_mm = 2\n"), "error: ... [SC7012]"));
   CHECK(told(parse_state("", "mill.state")) ==
-        "mill.state: error SC7016: is no state file of softcnc: it names no schema\n");
+        "mill.state: error: is no state file of softcnc: it names no schema [SC7016]\n");
   CHECK(told(parse_state("schema = 2\n", "mill.state"))
-            .starts_with("mill.state:1:10: error SC7016: is a state of schema 2; this version "
-                         "reads schema 1\n"));
+            .starts_with("mill.state:1:10: error: is a state of schema 2; this version "
+                         "reads schema 1 [SC7016]\n"));
   CHECK(told(load_state("no/such.state")) ==
-        "no/such.state: error SC7014: cannot be read: No such file or directory\n");
+        "no/such.state: error: cannot be read: No such file or directory [SC7014]\n");
 }
 
 TEST_CASE("all errors of a state file are told, by their lines", "[hal][state]") {
   CHECK(refused("[work.G54]\ny = 3\nx_mm = 1\nz_mm = 1e7\n[g28]\nx_mm = \"a\"\n") ==
-        "mill.state:3:1: error SC7015: unknown key 'work.G54.y'\n"
+        "mill.state:3:1: error: unknown key 'work.G54.y' [SC7015]\n"
         "    3 | y = 3\n      | ^\n"
-        "mill.state:5:8: error SC7005: work.G54.z_mm must be from -1e+06 to 1e+06, not 1e+07\n"
+        "mill.state:5:8: error: work.G54.z_mm must be from -1e+06 to 1e+06, not 1e+07 [SC7005]\n"
         "    5 | z_mm = 1e7\n      |        ^~~\n"
-        "mill.state:7:8: error SC7004: g28.x_mm takes a number\n"
+        "mill.state:7:8: error: g28.x_mm takes a number [SC7004]\n"
         "    7 | x_mm = \"a\"\n      |        ^~~\n");
 }
 
 TEST_CASE("what stands in a table that is refused is not told as well", "[hal][state]") {
   CHECK(refused("[work.G60]\nx_mm = 3\ny = 4\n[work.G600]\n[g92]\nq = 1\n") ==
-        "mill.state:2:7: error SC7015: unknown key 'work.G60'\n"
+        "mill.state:2:7: error: unknown key 'work.G60' [SC7015]\n"
         "    2 | [work.G60]\n      |       ^~~\n"
-        "mill.state:5:7: error SC7015: unknown key 'work.G600'\n"
+        "mill.state:5:7: error: unknown key 'work.G600' [SC7015]\n"
         "    5 | [work.G600]\n      |       ^~~~\n"
-        "mill.state:7:1: error SC7015: unknown key 'g92.q'\n"
+        "mill.state:7:1: error: unknown key 'g92.q' [SC7015]\n"
         "    7 | q = 1\n      | ^\n");
 }
 
 TEST_CASE("of a file of another schema nothing else is told", "[hal][state]") {
   CHECK(told(parse_state("axis = 3\nperiod = \"a\"\n", "mill.state")) ==
-        "mill.state: error SC7016: is no state file of softcnc: it names no schema\n");
+        "mill.state: error: is no state file of softcnc: it names no schema [SC7016]\n");
   CHECK(told(parse_state("schema = 2\nnew = 3\n", "mill.state")).find("SC7015") ==
         std::string::npos);
 }

@@ -158,7 +158,7 @@ TEST_CASE("an edge list that cannot be made is refused", "[hal][pulse][code]") {
   const auto unknown = StepDir::open(stepper("steps.txt"));
   REQUIRE_FALSE(unknown);
   CHECK(render(unknown.error()) ==
-        "steps.txt: error SC6050: a list of edges ends in .vcd or .edges\n");
+        "steps.txt: error: a list of edges ends in .vcd or .edges [SC6050]\n");
   const auto nowhere = StepDir::open(stepper("/no/such/folder/steps.vcd"));
   REQUIRE_FALSE(nowhere);
   CHECK(nowhere.error().code == Code::SC6011);

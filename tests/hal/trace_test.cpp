@@ -191,8 +191,8 @@ TEST_CASE("an unknown suffix is refused and names those known", "[hal][trace]") 
     REQUIRE_FALSE(written);
     CHECK(render(written.error()) ==
           std::string(file) +
-              ": error SC6014: no trace format has this suffix; known are .csv, .npz, .vcd, .hal, "
-              "each with or without a further .zst\n");
+              ": error: no trace format has this suffix; known are .csv, .npz, .vcd, .hal, "
+              "each with or without a further .zst [SC6014]\n");
     CHECK_FALSE(fs::exists(file));
   }
 }
@@ -210,7 +210,7 @@ TEST_CASE("a full disk ends a trace with its reason", "[hal][trace]") {
   const auto finished = (*trace)->finish();
   REQUIRE_FALSE(finished);
   CHECK(render(finished.error()) ==
-        "/dev/full: error SC6012: writing failed: No space left on device\n");
+        "/dev/full: error: writing failed: No space left on device [SC6012]\n");
 }
 
 TEST_CASE("a reader that closes the pipe ends a trace", "[hal][trace]") {

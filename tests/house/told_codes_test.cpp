@@ -35,12 +35,23 @@ std::string joined(const std::string& source) {
   return std::regex_replace(source, between_literals, "");
 }
 
+/// The code at the end of what begins at a byte of `text`; empty if another one, or another
+/// statement, begins before it.
+std::string code_after(const std::string& text, std::size_t begin) {
+  static const std::regex end_or_code(R"(: (error|warning|note): |\);|\n\S|\[(SC\d{4})\])");
+  std::smatch found;
+  const auto from = text.begin() + static_cast<std::ptrdiff_t>(begin);
+  return std::regex_search(from, text.end(), found, end_or_code) ? found[2].str() : "";
+}
+
 /// Adds what stands in `text` in the form in which render() shows it.
 void collect(const std::string& text, Asserted& asserted) {
-  static const std::regex shown(R"((:\d+(:\d+)?)?: (error|warning|note) (SC\d{4}): [^"\\\n]{8})");
+  static const std::regex shown(R"((:\d+(:\d+)?)?: (error|warning|note): (?!\.\.\.)[^"\\\n]{8})");
   for (std::sregex_iterator found(text.begin(), text.end(), shown), end; found != end; ++found) {
     const bool has_place = (*found)[1].matched;
-    (has_place ? asserted.with_place : asserted.without_place).insert((*found)[4]);
+    const auto after = static_cast<std::size_t>(found->position() + found->length());
+    const std::string code = code_after(text, after);
+    if (!code.empty()) (has_place ? asserted.with_place : asserted.without_place).insert(code);
   }
 }
 
@@ -73,11 +84,12 @@ TEST_CASE("every diagnostic has a test of its place, its code and its text", "[h
 
 TEST_CASE("only what is shown in full counts as a test of a diagnostic", "[house][code]") {
   Asserted found;
-  collect(joined("\"a.nc:2:3: error SC1111: some\"\n   \" words\""), found);
-  collect("\"a.nc: note SC2222: some words\"", found);
-  collect("\"a.nc:2:3: error SC3333: \"", found);          // no text
-  collect("\"warning SC4444: some words\"", found);        // of what file?
-  collect("Code::SC5555, {3, 4}, \"some words\"", found);  // not asserted together
+  collect(joined("\"a.nc:2:3: error: some\"\n   \" words [SC1111]\""), found);
+  collect("\"a.nc: note: some words [SC2222]\"", found);
+  collect("\"a.nc:2:3: error: ... [SC3333]\"", found);              // no text
+  collect("\"warning: some words [SC4444]\"", found);               // of what file?
+  collect("\"a.nc: note: some words\"); f(\"[SC6666]\");", found);  // another statement
+  collect("Code::SC5555, {3, 4}, \"some words\"", found);           // not asserted together
   CHECK(found.with_place == std::set<std::string>{"SC1111"});
   CHECK(found.without_place == std::set<std::string>{"SC2222"});
 }

@@ -400,8 +400,8 @@ TEST_CASE("a called file that cannot be read is SC6031, at the call", "[ipr][flo
   const Interpreted result = folder.run("o<dir> call\nM2\n");
   REQUIRE(result.diagnostics.size() == 1);
   CHECK(render(result.diagnostics.front())
-            .starts_with("softcnc:1:1: error SC6031: cannot read '" + folder / "dir.ngc" +
-                         "': Is a directory\n"));
+            .starts_with("softcnc:1:1: error: cannot read '" + folder / "dir.ngc" +
+                         "': Is a directory [SC6031]\n"));
   CHECK(exit_status(result.diagnostics.front()) == 5);
 }
 

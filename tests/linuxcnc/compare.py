@@ -123,7 +123,7 @@ def softcnc(options, *arguments):
 def try_unread(options, folder):
     os.mkfifo(folder / "unread")
     early = softcnc(options, f"--set=backend.hal-stream.file={folder / 'unread'}", options.program)
-    check(early.returncode == 5 and "error SC6070" in early.stderr,
+    check(early.returncode == 5 and "[SC6070]" in early.stderr,
           "a FIFO that nobody reads is refused: status 5, SC6070")
 
 

@@ -2,6 +2,7 @@
 #include "motion/diagnostic.hpp"
 
 #include <catch2/catch.hpp>
+#include <regex>
 
 using namespace softcnc;
 
@@ -17,12 +18,32 @@ Diagnostic off_circle() {
 
 }  // namespace
 
-TEST_CASE("a diagnostic shows file, line, column, code, text, source and caret", "[diagnostic]") {
+TEST_CASE("a diagnostic shows file, line, column, text, code, source and caret", "[diagnostic]") {
   CHECK(render(off_circle()) ==
-        "part.nc:12:9: error SC2103: G02 ends 0.35 mm off its circle (radius 10 mm at the start, "
-        "10.35 mm at the end)\n"
+        "part.nc:12:9: error: G02 ends 0.35 mm off its circle (radius 10 mm at the start, "
+        "10.35 mm at the end) [SC2103]\n"
         "   12 | N40 G02 X10 Y0 I0 J-10\n"
         "      |         ^~~~~~~~~~~~~~\n");
+}
+
+TEST_CASE("editors find place, severity and text by their matcher of gcc", "[diagnostic]") {
+  // As Visual Studio Code's $gcc, and the errorformat %f:%l:%c: %trror: %m of Vim, read a line.
+  static const std::regex gcc(
+      R"(^(.*?):(\d+):(\d*):?\s+(?:fatal\s+)?(warning|error|note):\s+(.*)$)");
+  for (const auto& [code, severity] :
+       {std::pair(Code::SC2103, "error"), {Code::SC2210, "warning"}, {Code::SC4010, "note"}}) {
+    Diagnostic d = off_circle();
+    d.code = code;
+    d.message = "F: 3 (G02: see G03)";
+    const std::string shown = render(d), line = shown.substr(0, shown.find('\n'));
+    std::smatch found;
+    REQUIRE(std::regex_match(line, found, gcc));
+    CHECK(found[1] == "part.nc");
+    CHECK(found[2] == "12");
+    CHECK(found[3] == "9");
+    CHECK(found[4] == severity);
+    CHECK(found[5] == d.message + " [" + code_name(code) + "]");
+  }
 }
 
 TEST_CASE("columns count characters, and tabs stay tabs", "[diagnostic]") {
@@ -31,7 +52,7 @@ TEST_CASE("columns count characters, and tabs stay tabs", "[diagnostic]") {
   d.pos = {3, 10, 6};
   d.message = "m";
   CHECK(render(d) ==
-        "part.nc:3:8: error SC2103: m\n"
+        "part.nc:3:8: error: m [SC2103]\n"
         "    3 | \t(\xc3\xa9t\xc3\xa9) X1.2.3\n"
         "      | \t      ^~~~~~\n");
 }
@@ -43,9 +64,9 @@ TEST_CASE("the caret stands below characters that are wide, and below those unde
   d.source_line = "(\uAC00\u65E5) X1.2.3 e\u0301 \uFF38";
   d.pos = {3, 11, 5};
   CHECK(render(d) ==
-        "part.nc:3:7: error SC2103: m\n    3 | " + d.source_line + "\n      |         ^~~~~\n");
+        "part.nc:3:7: error: m [SC2103]\n    3 | " + d.source_line + "\n      |         ^~~~~\n");
   d.pos = {3, 21, 3};
-  CHECK(render(d) == "part.nc:3:16: error SC2103: m\n    3 | " + d.source_line +
+  CHECK(render(d) == "part.nc:3:16: error: m [SC2103]\n    3 | " + d.source_line +
                          "\n      |                 ^~\n");
 }
 
@@ -59,7 +80,7 @@ TEST_CASE("control characters are shown, not obeyed, and the caret stays in its 
   d.file = "a\nb";
   CHECK(render(d) ==
         "a\xef\xbf\xbd"
-        "b:3:16: error SC2103: '\xef\xbf\xbd' here\n"
+        "b:3:16: error: '\xef\xbf\xbd' here [SC2103]\n"
         "    3 | G1\xef\xbf\xbd[2J \xef\xbf\xbd \xef\xbf\xbd \xef\xbf\xbd \xc3\xa9 X1.2.3\n"
         "      |                ^~~~~~\n");
 }
@@ -69,9 +90,9 @@ TEST_CASE("a diagnostic without a place names only its file", "[diagnostic]") {
   d.pos = {};
   d.source_line.clear();
   d.message = "m";
-  CHECK(render(d) == "part.nc: error SC2103: m\n");
+  CHECK(render(d) == "part.nc: error: m [SC2103]\n");
   d.file.clear();
-  CHECK(render(d) == "softcnc: error SC2103: m\n");
+  CHECK(render(d) == "softcnc: error: m [SC2103]\n");
 }
 
 TEST_CASE("a caret never leaves its line", "[diagnostic]") {
@@ -79,9 +100,9 @@ TEST_CASE("a caret never leaves its line", "[diagnostic]") {
   d.source_line = "G1 X";
   d.pos = {1, 4, 100};
   d.message = "m";
-  CHECK(render(d) == "part.nc:1:4: error SC2103: m\n    1 | G1 X\n      |    ^\n");
+  CHECK(render(d) == "part.nc:1:4: error: m [SC2103]\n    1 | G1 X\n      |    ^\n");
   d.pos = {1, 5, 1};  // behind the last character: something is missing there
-  CHECK(render(d) == "part.nc:1:5: error SC2103: m\n    1 | G1 X\n      |     ^\n");
+  CHECK(render(d) == "part.nc:1:5: error: m [SC2103]\n    1 | G1 X\n      |     ^\n");
 }
 
 TEST_CASE("of a line that nobody would read to its end, what stands around the caret is shown",
@@ -94,13 +115,13 @@ TEST_CASE("of a line that nobody would read to its end, what stands around the c
     return render(d);
   };
   const std::string x(500, 'x'), left(80, 'x');
-  CHECK(shown(x + "AB" + x, {1, 501, 2}) == "part.nc:1:501: error SC2103: m\n    1 | ..." + left +
+  CHECK(shown(x + "AB" + x, {1, 501, 2}) == "part.nc:1:501: error: m [SC2103]\n    1 | ..." + left +
                                                 "AB" + left.substr(2) + "...\n      |    " +
                                                 std::string(80, ' ') + "^~\n");
-  CHECK(shown(x, {1, 1, 500}) == "part.nc:1:1: error SC2103: m\n    1 | " + left + left +
+  CHECK(shown(x, {1, 1, 500}) == "part.nc:1:1: error: m [SC2103]\n    1 | " + left + left +
                                      "...\n      | ^" + std::string(159, '~') + "\n");
-  CHECK(shown(x, {1, 0, 1}) == "part.nc:1:1: error SC2103: m\n    1 | " + left + left + "...\n");
-  CHECK(shown(x, {1, 500, 1}) == "part.nc:1:500: error SC2103: m\n    1 | ..." + left + left +
+  CHECK(shown(x, {1, 0, 1}) == "part.nc:1:1: error: m [SC2103]\n    1 | " + left + left + "...\n");
+  CHECK(shown(x, {1, 500, 1}) == "part.nc:1:500: error: m [SC2103]\n    1 | ..." + left + left +
                                      "\n      |    " + std::string(159, ' ') + "^\n");
   std::string wide;
   for (int i = 0; i < 200; ++i) wide += "\xc3\xa9";  // no character is cut in two

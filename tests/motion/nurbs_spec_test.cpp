@@ -52,35 +52,35 @@ TEST_CASE("a specification in order passes", "[motion][nurbs]") {
 
 TEST_CASE("orders below 2 and above 10 are refused", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) { s.degree = 0; }) ==
-        "softcnc: error SC3001: a NURBS of order 1: orders 2 to 10 can be run\n");
+        "softcnc: error: a NURBS of order 1: orders 2 to 10 can be run [SC3001]\n");
   CHECK(refusal([](auto& s) { s.degree = 10; }) ==
-        "softcnc: error SC3001: a NURBS of order 11: orders 2 to 10 can be run\n");
+        "softcnc: error: a NURBS of order 11: orders 2 to 10 can be run [SC3001]\n");
   CHECK(refusal([](auto& s) { s.degree = -1; }) ==
-        "softcnc: error SC3001: a NURBS of order 0: orders 2 to 10 can be run\n");
+        "softcnc: error: a NURBS of order 0: orders 2 to 10 can be run [SC3001]\n");
 }
 
 TEST_CASE("fewer points than the order are refused", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) { s.control.resize(3); }) ==
-        "softcnc: error SC3002: 3 control points are too few for a NURBS of order 4\n");
+        "softcnc: error: 3 control points are too few for a NURBS of order 4 [SC3002]\n");
 }
 
 TEST_CASE("knots too few or too many are refused", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) { s.knots.pop_back(); }) ==
-        "softcnc: error SC3003: 9 knots for 6 control points of order 4: there must be 10\n");
+        "softcnc: error: 9 knots for 6 control points of order 4: there must be 10 [SC3003]\n");
   CHECK(refusal([](auto& s) { s.knots.push_back(1); }) ==
-        "softcnc: error SC3003: 11 knots for 6 control points of order 4: there must be 10\n");
+        "softcnc: error: 11 knots for 6 control points of order 4: there must be 10 [SC3003]\n");
 }
 
 TEST_CASE("decreasing knots are refused by number", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) { s.knots[5] = 0.25; }) ==
-        "softcnc: error SC3004: knot 6 (0.25) is less than the knot before it (0.5)\n");
+        "softcnc: error: knot 6 (0.25) is less than the knot before it (0.5) [SC3004]\n");
 }
 
 TEST_CASE("ends that are not clamped are refused", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) { s.knots[0] = -1; }) ==
-        "softcnc: error SC3005: the first 4 knots are not equal (-1 to 0)\n");
+        "softcnc: error: the first 4 knots are not equal (-1 to 0) [SC3005]\n");
   CHECK(refusal([](auto& s) { s.knots[9] = 1.5; }) ==
-        "softcnc: error SC3005: the last 4 knots are not equal (1 to 1.5)\n");
+        "softcnc: error: the last 4 knots are not equal (1 to 1.5) [SC3005]\n");
 }
 
 TEST_CASE("knots that would tear the curve are refused", "[motion][nurbs][code]") {
@@ -88,39 +88,39 @@ TEST_CASE("knots that would tear the curve are refused", "[motion][nurbs][code]"
                                        {3, 3, 0}, {4, 0, 0}, {5, 0, 0}};
   const std::vector<double> weights(6, 1.0);
   CHECK(refusal({2, points, weights, {0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}}) ==
-        "softcnc: error SC3006: knot 4 (0.5) stands 3 times: a curve of order 3 would be torn\n");
+        "softcnc: error: knot 4 (0.5) stands 3 times: a curve of order 3 would be torn [SC3006]\n");
   CHECK(refusal({2, points, weights, {0, 0, 0, 0, 0.5, 0.7, 1, 1, 1}}) ==
-        "softcnc: error SC3006: knot 2 (0) stands 4 times: a curve of order 3 would be torn\n");
+        "softcnc: error: knot 2 (0) stands 4 times: a curve of order 3 would be torn [SC3006]\n");
   CHECK(refusal({2, points, weights, {0, 0, 0, 0.5, 0.7, 1, 1, 1, 1}}) ==
-        "softcnc: error SC3006: knot 6 (1) stands 4 times: a curve of order 3 would be torn\n");
+        "softcnc: error: knot 6 (1) stands 4 times: a curve of order 3 would be torn [SC3006]\n");
   CHECK(refusal({2, points, weights, {1, 1, 1, 1, 1, 1, 1, 1, 1}}) ==
-        "softcnc: error SC3006: knot 2 (1) stands 9 times: a curve of order 3 would be torn\n");
+        "softcnc: error: knot 2 (1) stands 9 times: a curve of order 3 would be torn [SC3006]\n");
 }
 
 TEST_CASE("weights that are not positive or not there are refused", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) { s.weights[2] = 0; }) ==
-        "softcnc: error SC3007: weight 0 of control point 3 is not positive\n");
+        "softcnc: error: weight 0 of control point 3 is not positive [SC3007]\n");
   CHECK(refusal([](auto& s) { s.weights[5] = -2.5; }) ==
-        "softcnc: error SC3007: weight -2.5 of control point 6 is not positive\n");
+        "softcnc: error: weight -2.5 of control point 6 is not positive [SC3007]\n");
   CHECK(refusal([](auto& s) { s.weights[0] = std::nan(""); }) ==
-        "softcnc: error SC3007: weight nan of control point 1 is not positive\n");
+        "softcnc: error: weight nan of control point 1 is not positive [SC3007]\n");
   CHECK(refusal([](auto& s) { s.weights[0] = HUGE_VAL; }) ==
-        "softcnc: error SC3007: weight inf of control point 1 is not positive\n");
+        "softcnc: error: weight inf of control point 1 is not positive [SC3007]\n");
   CHECK(refusal([](auto& s) { s.weights.pop_back(); }) ==
-        "softcnc: error SC3007: 5 weights for 6 control points\n");
+        "softcnc: error: 5 weights for 6 control points [SC3007]\n");
 }
 
 TEST_CASE("numbers that are not finite are refused", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) { s.control[3].y() = HUGE_VAL; }) ==
-        "softcnc: error SC3008: control point 4 is not finite\n");
+        "softcnc: error: control point 4 is not finite [SC3008]\n");
   CHECK(refusal([](auto& s) { s.knots[4] = std::nan(""); }) ==
-        "softcnc: error SC3008: knot 5 is not finite\n");
+        "softcnc: error: knot 5 is not finite [SC3008]\n");
 }
 
 TEST_CASE("a curve that goes nowhere is refused", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) {
           for (auto& p : s.control) p = {3, 4, 5};
-        }) == "softcnc: error SC3009: all control points of the NURBS are the same\n");
+        }) == "softcnc: error: all control points of the NURBS are the same [SC3009]\n");
 }
 
 TEST_CASE("a curve beyond working precision is refused, not computed wrongly",

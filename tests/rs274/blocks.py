@@ -10,7 +10,7 @@ import numpy as np
 from moves import Error, Move, Outcome
 
 HERE = pathlib.Path(__file__).resolve().parent
-DIAGNOSTIC = re.compile(r"^(?:.*?):(\d+):(?:\d+:)? (error|warning|note) (SC\d+): (.*)$")
+DIAGNOSTIC = re.compile(r"^(?:.*?):(\d+):(?:\d+:)? (error|warning|note): (.*) \[(SC\d+)\]$")
 TIMEOUT = 20  # s
 
 
@@ -50,7 +50,7 @@ class Softcnc:
             found = DIAGNOSTIC.match(text)
             if found and found[2] == "error":
                 number = int(found[1])
-                errors.append(Error(found[3], found[4], lines[number - 1] if 0 < number <= len(lines) else "",
+                errors.append(Error(found[4], found[3], lines[number - 1] if 0 < number <= len(lines) else "",
                                     number))
         if done.returncode not in (0, 1) or (done.returncode == 1) != bool(errors):
             errors.append(Error("status", f"exit status {done.returncode}", ""))
