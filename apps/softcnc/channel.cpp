@@ -148,6 +148,7 @@ Channel::Channel(ipr::Reader& reader, int input, const Machine& machine,
       control_{options.feed_override, false, false},
       feeder_(reader, input, machine, options, diagnostics),
       queue_(10 * machine.control.period),
+      follows_plan_(follows_time(machine.control.interpolation)),
       interpolator_(queue_, machine.control) {}
 
 /// Plans what the next step may reach. False where an exception has broken that off.
@@ -181,7 +182,16 @@ std::optional<Setpoint> Channel::step(const Panel& panel) noexcept {
   if (panel.stop && waiting()) feeder_.finish(queue_);
   if (waiting()) return std::nullopt;
   started_ = true;
-  return interpolator_.step();
+  auto next = interpolator_.step();
+  if (!follows_plan_ && next) add_period(*next);
+  return next;
+}
+
+/// What held the feed down where the period began.
+void Channel::add_period(const Setpoint& next) noexcept {
+  if (next.period > 0)
+    time_by_limit_[static_cast<std::size_t>(limit_before_)] += machine_.control.period;
+  limit_before_ = next.limit;
 }
 
 bool Channel::event_due() const noexcept {
@@ -199,7 +209,8 @@ void Channel::replan() noexcept {
   if (queue_.empty() || broken_) return;
   try {
     const double now = interpolator_.time();
-    add_times(queue_.front().profile, now - queue_.front().t_start, time_by_limit_);
+    if (follows_plan_)
+      add_times(queue_.front().profile, now - queue_.front().t_start, time_by_limit_);
     feeder_.replan(queue_, interpolator_.state(), now, control_);
     replanned_ = true;
   } catch (...) {
@@ -210,7 +221,8 @@ void Channel::replan() noexcept {
 void Channel::forget_passed() {
   const auto* present = queue_.empty() ? nullptr : &queue_.front();
   queue_.for_each_recent([&](const ipo::TimedBlock& timed) {
-    if (&timed != present) add_times(timed.profile, timed.profile.duration(), time_by_limit_);
+    if (follows_plan_ && &timed != present)
+      add_times(timed.profile, timed.profile.duration(), time_by_limit_);
   });
   queue_.trim();
 }
@@ -220,12 +232,13 @@ void Channel::rethrow() const {
 }
 
 double Channel::time() const noexcept {
-  return queue_.empty() ? queue_.t_end() : interpolator_.time();
+  return queue_.empty() && follows_plan_ ? queue_.t_end() : interpolator_.time();
 }
 
 std::array<double, kLimits> Channel::time_by_limit() const {
   auto sums = time_by_limit_;
-  if (!queue_.empty()) add_times(queue_.front().profile, time() - queue_.front().t_start, sums);
+  if (follows_plan_ && !queue_.empty())
+    add_times(queue_.front().profile, time() - queue_.front().t_start, sums);
   return sums;
 }
 

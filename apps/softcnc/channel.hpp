@@ -157,7 +157,8 @@ class Channel {
   /// Passes on what an exception has broken off.
   void rethrow() const;
 
-  /// The instant of the plan that has been reached, s: at the end, its duration.
+  /// The instant of the plan that has been reached, s: at the end, its duration. Of methods that go
+  /// their own way through the curves, the instant of the last row.
   double time() const noexcept;
   /// How long of it each limit has held the feed down, s.
   std::array<double, kLimits> time_by_limit() const;
@@ -170,6 +171,7 @@ class Channel {
  private:
   bool plan_ahead() noexcept;
   void replan() noexcept;
+  void add_period(const Setpoint& next) noexcept;
 
   const Machine& machine_;
   std::vector<FeedEvent> events_;
@@ -177,8 +179,10 @@ class Channel {
   ipo::FeedControl control_;
   Feeder feeder_;
   ipo::BlockQueue queue_;
+  bool follows_plan_;  // the rows lie where the plan is at their instants
   ipo::Interpolator interpolator_;
-  std::array<double, kLimits> time_by_limit_{};  // of what has been forgotten
+  std::array<double, kLimits> time_by_limit_{};  // of what has been forgotten, or of all rows
+  Limit limit_before_ = Limit::stop;             // of the last row
   bool started_ = false, stopping_ = false;
   bool replanned_ = false;  // the interpolator has not been told
   std::exception_ptr broken_;
@@ -220,7 +224,7 @@ struct Outcome {
   Setpoint last;
   Feedback feedback;
   std::int64_t setpoints = 0;
-  double time = 0;  // s of the plan
+  double time = 0;  // s: Channel::time()
   std::array<double, kLimits> time_by_limit{};
   Measured measured;
   double corner_deviation = 0;          // mm: of rounded corners from the programmed path, largest;

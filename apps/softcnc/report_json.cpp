@@ -61,8 +61,11 @@ void add_measured(Json& report, const Machine& machine, const Outcome& outcome) 
   };
   report["chord_error_um_max"] = um_from_mm(measured.chord_error);
   report["path_deviation_um_max"] = um_from_mm(measured.path_deviation);
+  if (is_by_pulses(machine.control.interpolation))
+    report["path_deviation_um_mean"] = um_from_mm(measured.path_deviation_mean);
   report["corner_deviation_um_max"] = um_from_mm(outcome.corner_deviation);
   report["feed_fluctuation_max"] = measured.feed_fluctuation;
+  report["feed_fluctuation_rms"] = measured.feed_fluctuation_rms;
   if (measured.rmax_target > 0) {
     report["rmax_um_max"] = um_from_mm(measured.rmax);
     report["rmax_target_um"] = um_from_mm(measured.rmax_target);

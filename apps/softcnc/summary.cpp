@@ -31,8 +31,9 @@ std::string head(const Job& job, const Performance& performance) {
 /// Of rows on the curve their chords; pulses follow it between the rows.
 std::string closeness(const Machine& machine, const Measured& measured) {
   if (is_by_pulses(machine.control.interpolation))
-    return fmt::format("staircase    {:.4f} um from the planned place",
-                       um_from_mm(measured.path_deviation));
+    return fmt::format("staircase    {:.4f} um from the curve at most, {:.4f} um in the mean",
+                       um_from_mm(measured.path_deviation),
+                       um_from_mm(measured.path_deviation_mean));
   return fmt::format("chord error  {:.4f} um, {:.6g} um allowed", um_from_mm(measured.chord_error),
                      um_from_mm(machine.control.chord_tolerance));
 }

@@ -58,15 +58,10 @@ double integrate(const Nurbs& nurbs, double s0, double s1) noexcept {
 
 }  // namespace
 
-const Stretch& stretch_at(std::span<const Stretch> stretches, double s) noexcept {
-  constexpr double kRounding = 1e-9;  // mm
-  std::size_t i = stretches.size() - 1;
-  while (i > 0 && stretches[i].s_start > s + kRounding) --i;
-  return stretches[i];
-}
-
 Verifier::Verifier(const Machine& machine) noexcept
     : period_(machine.control.period),
+      by_pulses_(is_by_pulses(machine.control.interpolation)),
+      staircase_(machine),
       model_(machine.surfacing.model),
       limits_normal_(machine.limits.normal > 0) {}
 
@@ -74,6 +69,7 @@ void Verifier::row(const Setpoint& setpoint, std::span<const Stretch> stretches)
   if (measured_.rows == 0) {
     last_.fill(setpoint.position);
     last_s_.fill(setpoint.s);
+    if (by_pulses_) staircase_.start(setpoint, stretches);
   } else {
     geometry(setpoint, stretches);
   }
@@ -120,24 +116,45 @@ void Verifier::geometry(const Setpoint& setpoint, std::span<const Stretch> stret
     const double s0 = std::clamp(before_.s - stretch.s_start, 0.0, s_end);
     const double s1 = std::clamp(setpoint.s - stretch.s_start, 0.0, s_end);
     if (s1 <= s0) continue;
-    measured_.chord_error =
-        std::max(measured_.chord_error,
-                 chord_error(*stretch.path, s0, s1, before_.position, setpoint.position));
+    if (!by_pulses_)
+      measured_.chord_error =
+          std::max(measured_.chord_error,
+                   chord_error(*stretch.path, s0, s1, before_.position, setpoint.position));
     travelled += integrated_length(*stretch.path, s0, s1);
   }
   if (!stretches.empty()) {
     const Stretch& here = stretch_at(stretches, setpoint.s);
     const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
-    measured_.path_deviation =
-        std::max(measured_.path_deviation, (position(*here.path, s) - setpoint.position).norm());
     if (here.surface) roughness(setpoint, here);
     if (limits_normal_)
       measured_.normal =
           std::max(measured_.normal, setpoint.v * setpoint.v * at(*here.path, s).ddq.norm());
+    closeness(setpoint, stretches);
   }
-  if (setpoint.advance > kSmallestAdvance)
-    measured_.feed_fluctuation =
-        std::max(measured_.feed_fluctuation, std::abs(travelled / setpoint.advance - 1));
+  fluctuation(travelled, setpoint.advance);
+}
+
+/// Pulses run no chord: how far they are from the curve is the error of the period.
+void Verifier::closeness(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {
+  if (by_pulses_) {
+    staircase_.period(before_, setpoint, stretches);
+    measured_.path_deviation = measured_.chord_error = staircase_.largest();
+    measured_.path_deviation_mean = staircase_.mean();
+    return;
+  }
+  const Stretch& here = stretch_at(stretches, setpoint.s);
+  const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
+  measured_.path_deviation =
+      std::max(measured_.path_deviation, (position(*here.path, s) - setpoint.position).norm());
+}
+
+void Verifier::fluctuation(double travelled, double advance) noexcept {
+  if (advance <= kSmallestAdvance) return;
+  const double off = std::abs(travelled / advance - 1);
+  fluctuations_ += off * off;
+  ++advances_;
+  measured_.feed_fluctuation = std::max(measured_.feed_fluctuation, off);
+  measured_.feed_fluctuation_rms = std::sqrt(fluctuations_ / static_cast<double>(advances_));
 }
 
 /// Teeth that rub are not asked to be slower.

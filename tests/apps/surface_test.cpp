@@ -419,6 +419,32 @@ TEST_CASE("a region is as rough as its highest point, and unknown where most of 
   CHECK(map.gouges() == std::vector<float>{0, 0});
 }
 
+TEST_CASE("what the edge of the grid leaves of a region is no region", "[apps][surface]") {
+  hal::StockGrid grid;
+  grid.columns = 5;
+  grid.rows = 3;
+  RoughnessMap map(grid, 2);
+  SurfaceBand band{0, 3, 5, std::vector<float>(15), std::vector<float>(15, 0.001F), {}};
+  band.deviations[band.index(4, 0)] = 0.009F;
+  band.deviations[band.index(1, 2)] = -0.02F;  // a gouge is one wherever it is
+  map.add(band);
+  const auto rmax = map.rmax();
+  REQUIRE(rmax.size() == 6);
+  CHECK(figures(rmax).regions == 2);
+  CHECK(figures(rmax).mean == Approx(1));
+  for (const std::size_t cut_off : {2U, 3U, 4U, 5U}) CHECK(std::isnan(rmax[cut_off]));
+  CHECK(figures(map.gouges()).marked == 1);
+}
+
+TEST_CASE("a surface that is smaller than a region is one", "[apps][surface]") {
+  hal::StockGrid grid;
+  grid.columns = 5;
+  grid.rows = 3;
+  RoughnessMap map(grid, 100);
+  map.add({0, 3, 5, std::vector<float>(15), std::vector<float>(15, 0.001F), {}});
+  CHECK(figures(map.rmax()).regions == 1);
+}
+
 TEST_CASE("a gouge is no roughness", "[apps][surface]") {
   hal::StockGrid grid;
   grid.columns = 4;

@@ -136,6 +136,23 @@ TEST_CASE("feed fluctuates where the advance is not the planned one", "[verify]"
   CHECK(fluctuation(0.0011, 0.0009) == 0);  // advances under 1 um do not count
 }
 
+TEST_CASE("the fluctuation of the feed is known in the root of the mean square, too", "[verify]") {
+  const Path path = Line({0, 0, 0}, {10, 0, 0});
+  const Stretch stretch{&path, 0};
+  Verifier verifier(machine_at(1e-3));
+  double s = 0;
+  verifier.row(at_position(0, {0, 0, 0}, 0, 0), {&stretch, 1});
+  const std::vector<double> off{0.3, 0, -0.4, 0};
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    s += 0.1 * (1 + off[i]);
+    verifier.row(at_position(static_cast<std::int64_t>(i) + 1, {s, 0, 0}, s, 0.1), {&stretch, 1});
+  }
+  s += 0.0005;  // a period that advances less than 1 um does not count
+  verifier.row(at_position(5, {s, 0, 0}, s, 0.00025), {&stretch, 1});
+  CHECK(verifier.measured().feed_fluctuation == Approx(0.4));
+  CHECK(verifier.measured().feed_fluctuation_rms == Approx(0.25));
+}
+
 TEST_CASE("integrated length agrees with the exact one", "[verify]") {
   const Path round = test::curve("circle_deg2");
   CHECK(integrated_length(round, 0, length(round)) == Approx(20 * std::numbers::pi).epsilon(1e-12));
