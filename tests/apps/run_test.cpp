@@ -85,6 +85,17 @@ TEST_CASE("the report tells the figures of the run", "[apps][run]") {
     CHECK(report[cpu].get<double>() > 0);
 }
 
+TEST_CASE("the time of a method that goes its own way is that of its rows", "[apps][run]") {
+  const json planned = report_of("--dry-run $programs/08_butterfly.nc");
+  const json report = report_of(
+      "--dry-run $programs/08_butterfly.nc --set control.interpolation=curvature3p "
+      "--set control.chord_tolerance_um=0.05");
+  const double rows = (report["setpoints"].get<double>() - 1) * 0.001;
+  CHECK(report["time_s"].get<double>() == Approx(rows).epsilon(1e-12));
+  CHECK(rows > 1.1 * planned["time_s"].get<double>());
+  CHECK(sum(report["time_by_limit_s"]) == Approx(rows).epsilon(1e-9));
+}
+
 TEST_CASE("rounded corners leave the programmed path, and no row leaves the rounded one",
           "[apps][run]") {
   const Folder folder;
