@@ -165,8 +165,10 @@ class CapDerivation {
     const double v = load.fastest(planned);
     if (v < planned) slow_down(n, {v * v, Limit::corner}, 1);
     const AxisVector used = load.at(v).cwiseQuotient(constraints_.acceleration_limits());
-    chain_.for_intervals_in_step(n, kKinkReach * period_, [&](std::size_t i) {
-      chain_.inside[i].kinks.add(used, v);
+    const double time = kKinkReach * period_;
+    const double gained = time * constraints_.most_u(chain_.directions_around(n, time));
+    chain_.for_intervals_in_step(n, time, [&](std::size_t i) {
+      chain_.inside[i].kinks.add(used, v, gained);
       return true;
     });
   }
@@ -206,7 +208,7 @@ class CapDerivation {
     });
     if (load.jerk == 0) return;
     const double time = kJerkSteps * period_;
-    const double reach = farthest(v, time);
+    const double reach = farthest(n, v, time);
     chain_.for_intervals_in_step(n, time, [&](std::size_t i) {
       const double way = std::abs(chain_.nodes[n].s - chain_.nodes[i < n ? i + 1 : i].s);
       if (way > reach) return false;
@@ -217,13 +219,14 @@ class CapDerivation {
     });
   }
 
-  /// No machine that passes a place at speed v is further from it within `time`. Its acceleration
+  /// No machine that passes joint n at speed v is further from it within `time`. Its acceleration
   /// is no more than what it can have gained from rest: a^2 <= 2 j v.
-  double farthest(double v, double time) const {
+  double farthest(std::size_t n, double v, double time) const {
     constexpr double kCurved = 2;  // what bends add to the jerk along the path, and more
-    const double jerk = kCurved * constraints_.jerk_limits().norm();
-    const double acceleration = std::min(constraints_.acceleration_limits().norm(),
-                                         std::sqrt(2 * jerk * v) + jerk * time / 3);
+    const Directions around = chain_.directions_around(n, time);
+    const double jerk = kCurved * around.most(constraints_.jerk_limits());
+    const double acceleration =
+        std::min(constraints_.most_u(around), std::sqrt(2 * jerk * v) + jerk * time / 3);
     return (v + 0.5 * acceleration * time) * time;
   }
 

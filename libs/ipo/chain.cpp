@@ -230,6 +230,21 @@ std::size_t Chain::felt_from(std::size_t node, double period) const noexcept {
   return node;
 }
 
+Directions Chain::directions(std::size_t first, std::size_t last) const noexcept {
+  Directions all;
+  for (std::size_t i = first; i < last; ++i) all.add(intervals[i].directions());
+  return all;
+}
+
+Directions Chain::directions_around(std::size_t node, double time) const noexcept {
+  Directions all;
+  for_intervals_in_step(node, time, [&](std::size_t i) {
+    all.add(intervals[i].directions());
+    return true;
+  });
+  return all;
+}
+
 void Chain::drop_front(std::size_t count) {
   const auto n = static_cast<std::ptrdiff_t>(count);
   intervals.erase(intervals.begin(), intervals.begin() + n);

@@ -80,6 +80,11 @@ struct Chain {
       time += intervals[i].shortest_time();
   }
 
+  /// Those of the intervals [first, last).
+  Directions directions(std::size_t first, std::size_t last) const noexcept;
+  /// Those that a machine can take within `time` s of passing a node, before it or behind it.
+  Directions directions_around(std::size_t node, double time) const noexcept;
+
  private:
   void make_room(double more);
   void add(std::span<const Interval> ahead, const Constraints& constraints, bool rest);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "ipo/directions.hpp"
 #include "motion/block.hpp"
 #include "motion/machine.hpp"
 #include "motion/setpoint.hpp"
@@ -92,9 +93,13 @@ class Constraints {
   double straight_u(const AxisVector& direction) const noexcept {
     return std::min(along(acceleration_, direction), tangential_);
   }
-  /// What |u| may be along any line.
-  double least_straight_u() const noexcept {
-    return std::min(acceleration_.minCoeff(), tangential_);
+  /// What |u| may be along a line, whichever of these directions it takes.
+  double least_u(const Directions& directions) const noexcept {
+    return std::min(directions.least(acceleration_), tangential_);
+  }
+  /// No |u| is larger on a way of these directions.
+  double most_u(const Directions& directions) const noexcept {
+    return std::min(directions.most(acceleration_), tangential_);
   }
 
   const AxisVector& acceleration_limits() const noexcept { return acceleration_; }

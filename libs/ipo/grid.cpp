@@ -120,14 +120,11 @@ class Refiner {
         out_(out),
         least_depth_(least_depth(move.path)),
         evenly_(!is_rough(move) && !constraints.limits_jerk()) {
-    for (const double a : constraints.acceleration_limits())
-      if (a < kUnlimited) acceleration_ = std::hypot(acceleration_, a);
-    gain_ = 2 * std::min(acceleration_, constraints.tangential_limit());
-    const double q = look(0, Side::after).asked.q;
-    // A ramp from rest to the highest speed spans four intervals or more, unless it takes but a
-    // few periods.
-    ramp_part_ = std::max(0.25 * q / (2 * constraints.acceleration_limits().minCoeff()),
-                          0.25 * std::sqrt(q) * constraints.period());
+    Directions directions;
+    directions.add(move.path);
+    acceleration_ = directions.most(constraints.acceleration_limits());
+    gain_ = 2 * constraints.most_u(directions);
+    highest_q_ = look(0, Side::after).asked.q;
   }
 
   /// A stretch between two breaks of the path.
@@ -262,10 +259,16 @@ class Refiner {
     interval.step_cap = {};
   }
 
-  /// Ramps begin and end at the ends of a stretch, or where a cap changes.
+  /// Ramps begin and end at the ends of a stretch, or where a cap changes. One from rest to the
+  /// highest speed spans four intervals or more, unless it takes but a few periods.
   bool follows_ramps(const Stretch& whole) const {
     const double to_end = std::min(whole.s0 - start_, end_ - whole.s1);
-    return whole.length() <= std::max(ramp_part_, to_end);
+    if (whole.length() <= std::max(to_end, 0.25 * std::sqrt(highest_q_) * constraints_.period()))
+      return true;
+    Directions directions;
+    directions.add(whole.left.point, whole.right.point, whole.length());
+    const double ramp = highest_q_ / (2 * directions.least(constraints_.acceleration_limits()));
+    return whole.length() <= 0.25 * ramp;
   }
 
   /// Where steps are what binds, either they hardly change or an interval is a part of them.
@@ -357,7 +360,7 @@ class Refiner {
   bool evenly_;              // split so; steep caps of roughness, and jerk, are halved towards
   double acceleration_ = 0;  // of all axes together
   double gain_ = 0;          // of q by mm of way, at most
-  double ramp_part_ = 0;
+  double highest_q_ = 0;
   double start_ = 0, end_ = 0;    // of the stretch
   double q_behind_ = kUnlimited;  // the most that can be reached where what is kept so far ends
 };

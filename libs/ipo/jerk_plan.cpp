@@ -221,8 +221,9 @@ std::vector<Ramp> creep(const PlanSpan& span) {
   for (const std::size_t n : {span.first, span.first + 1})
     if (span.chain.nodes[n].cap.q > 0) q = std::min(q, span.chain.nodes[n].cap.q);
   const double v = kCreep * std::sqrt(q);
-  const double a = kCreep * constraints.least_straight_u();
-  const double j = kCreep * constraints.jerk_limits().minCoeff();
+  const Directions directions = interval.directions();
+  const double a = kCreep * constraints.least_u(directions);
+  const double j = kCreep * directions.least(constraints.jerk_limits());
   const double d = std::max({15.0 / 8 * h / v, std::sqrt(5.7735 * h / a), std::cbrt(60 * h / j)});
   Ramp ramp{interval.s0, interval.s1, d, 0, 0, 0, 0, Limit::jerk};
   for (int i = 0; i < kMostSlower && !used_by(span, span.first, ramp, q).keeps(); ++i)

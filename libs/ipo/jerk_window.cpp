@@ -55,7 +55,8 @@ void JerkWindow::split_long_intervals(bool ended) {
     const Interval interval = chain_.intervals[i];
     const Cap& cap =
         interval.left_cap.q > interval.right_cap.q ? interval.left_cap : interval.right_cap;
-    const double longest = kLongest * stopping_distance(speed(cap), constraints_);
+    const double longest =
+        kLongest * stopping_distance(speed(cap), constraints_, interval.directions());
     const int parts =
         static_cast<int>(std::min(std::ceil(interval.length() / longest), kMostParts));
     if (parts > 1) derived_to_ = std::min(derived_to_, chain_.felt_from(i, constraints_.period()));
@@ -72,12 +73,14 @@ std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended, double slowi
   const auto& nodes = chain_.nodes;
   const std::size_t last = ended ? nodes.size() - 1 : last_final_cap();
   double top = slowing > 0 ? 0 : motion_.v;
+  Directions directions;
   for (std::size_t n = front_; n < last; ++n) {
+    directions.add(chain_.intervals[n].directions());
     if (nodes[n + 1].cap.q == 0) return Reach{n + 1, n + 1};
     const double way = nodes[n + 1].s - nodes[front_].s - slowing;
     if (way <= 0) continue;
     top = std::max({top, speed(nodes[n].cap), speed(chain_.inside[n].cap)});
-    const double distance = stopping_distance(top, constraints_);
+    const double distance = stopping_distance(top, constraints_, directions);
     const bool steady = nodes[n + 1].cap.q == nodes[n].cap.q;
     if (way < horizon.stops * distance || (steady && way < horizon.time * top)) continue;
     std::size_t taken = n + 1;

@@ -11,14 +11,6 @@ namespace {
 
 constexpr std::size_t kFewIntervals = 128;
 
-/// The largest acceleration the axes together can give, mm/s^2.
-double acceleration_norm(const Constraints& constraints) {
-  AxisVector a = constraints.acceleration_limits();
-  for (int i = 0; i < kAxes; ++i)
-    if (a[i] == kUnlimited) a[i] = 0;
-  return a.norm();
-}
-
 /// The time of the row at `t` or the last before it.
 double row_at(double t, double period) { return std::floor(t / period) * period; }
 
@@ -176,7 +168,7 @@ void Planner::rest_at_turn(Profile& profile) {
   const double t = t_ + profile.duration();
   const double row_before = row_at(t, period);
   const double nearest = std::min(t - row_before, row_before + period - t);
-  const double cut = 0.5 * acceleration_norm(constraints_) * nearest * nearest;
+  const double cut = 0.5 * constraints_.most_u(turn.directions) * nearest * nearest;
   const double allowed = constraints_.chord_tolerance() * (turn.shares_its_step ? kTurnShare : 1);
   if (cut > allowed || last_rest_ > row_before) profile.add_rest(row_before + period - t);
   last_rest_ = t;

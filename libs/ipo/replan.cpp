@@ -74,14 +74,16 @@ std::vector<Profile> Planner::way_to_rest(PartlyPassed& rest, const State& now, 
   plan_up_to_rest(rest);
   std::vector<Profile> going_on;
   double way = -now.s;
+  Directions directions;
   for (std::size_t i = rest.passed; i < rest.blocks.size(); ++i) {
     const TimedBlock& block = rest.blocks[i];
     going_on.push_back(going_on.empty() ? block.profile.from(t - block.t_start) : block.profile);
     going_on.back().end_hold();
     way += going_on.back().end_place();
+    if (const Move* move = block.move()) directions.add(move->path);
     if (going_on.back().end_speed() == 0) break;
   }
-  rests_anyway_ = way <= longest_stop(now, constraints_);
+  rests_anyway_ = way <= longest_stop(now, constraints_, directions);
   if (!rests_anyway_) ++counts_.effort.fallbacks;
   return going_on;
 }

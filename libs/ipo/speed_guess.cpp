@@ -76,13 +76,14 @@ SpeedGuess::Cell SpeedGuess::cell(const PlanSpan& span, std::size_t i) const noe
   };
   const AxisVector jerk = span.jerk_limits();
   const bool straight = interval.straight();
+  const Directions directions = interval.directions();
   Cell cell{interval.length(),
             cap(span.chain.nodes[i], interval.left_cap),
             cap(span.chain.nodes[i + 1], interval.right_cap),
             std::sqrt(span.chain.inside[i].cap.q),
             kAccelerationPart * (straight ? span.constraints.straight_u(interval.left.dq)
-                                          : span.constraints.least_straight_u()),
-            straight ? along(jerk, interval.left.dq) : jerk.minCoeff(),
+                                          : span.constraints.least_u(directions)),
+            straight ? along(jerk, interval.left.dq) : directions.least(jerk),
             straight,
             kUnlimited};
   if (straight) {

@@ -58,10 +58,12 @@ StopPlan plan_stop(const Constraints& constraints, const BlocksAround& around, c
   return plan;
 }
 
-double longest_stop(const State& now, const Constraints& constraints) noexcept {
-  const double a = std::max(now.a, 0.0), j = constraints.jerk_limits().minCoeff();
+double longest_stop(const State& now, const Constraints& constraints,
+                    const Directions& directions) noexcept {
+  const double a = std::max(now.a, 0.0), j = directions.least(constraints.jerk_limits());
   const double v = now.v + 0.5 * a * a / j;
-  return (way_to_fastest({now.v, now.a}, j) + stopping_distance(v, constraints)) * (1 + kRounding);
+  return (way_to_fastest({now.v, now.a}, j) + stopping_distance(v, constraints, directions)) *
+         (1 + kRounding);
 }
 
 }  // namespace softcnc::ipo

@@ -97,8 +97,9 @@ bool Window::drop_front() {
 }
 
 Window::Turn Window::front_turn() const noexcept {
-  if (!chain_.nodes[front_].turns()) return {false, false};
-  return {true, shares_its_step(chain_, front_, constraints_.period())};
+  if (!chain_.nodes[front_].turns()) return {false, false, {}};
+  const double period = constraints_.period();
+  return {true, shares_its_step(chain_, front_, period), chain_.directions_around(front_, period)};
 }
 
 /// Drops what lies so far behind the front that nothing ahead can feel it. Where that is next to

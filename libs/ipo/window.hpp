@@ -86,7 +86,8 @@ class Window {
   /// How the direction of the path jumps at the front.
   struct Turn {
     bool turns;
-    bool shares_its_step;  // with a curve or another turn
+    bool shares_its_step;   // with a curve or another turn
+    Directions directions;  // within a period of it
   };
   Turn front_turn() const noexcept;
 

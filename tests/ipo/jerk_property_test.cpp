@@ -35,6 +35,7 @@ Case random_case() {
   Case drawn = case_of(seed, integer(1, 4));
   std::mt19937 random(seed + 1);
   vary(random, drawn.machine, drawn.blocks);
+  leave_out_axes(random, drawn.machine, drawn.blocks);
   if (integer(0, 7) == 0) drawn.machine.control.period = integer(1, 2) * 2.5e-4;
   return drawn;
 }
