@@ -74,6 +74,16 @@ TEST_CASE("no row between the nodes of a plan with short periods is forgotten", 
   CHECK(exceeded(machine, run(machine, blocks)) == "");
 }
 
+TEST_CASE("a bend of less than a tenth of a micrometre is resolved where rows feel its jerk",
+          "[ipo][jerk]") {
+  auto [machine, blocks] = case_of(8620582, 1);
+  std::mt19937 random(8620583);
+  vary(random, machine, blocks);
+  leave_out_axes(random, machine, blocks);
+  machine.control.period = 2.5e-4;
+  CHECK(exceeded(machine, run(machine, blocks)) == "");
+}
+
 TEST_CASE("a stop at any moment of a jerk-limited program ends at rest on the path",
           "[ipo][jerk][property][stop]") {
   holds(
