@@ -67,7 +67,7 @@ struct Control {
   double servo_period = 0.001;     // s: the backend interpolates linearly in between
   double chord_tolerance = 0.001;  // mm
   Method interpolation = Method::arc_length;
-  double corner_tolerance = 0.0;  // mm; 0: the path is followed exactly
+  double corner_tolerance = 0.01;  // mm; 0: the path is followed exactly
   BackendKind backend = BackendKind::sim;
   PulseClock pulse_clock = PulseClock::profile;
 };
