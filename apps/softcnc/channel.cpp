@@ -15,6 +15,7 @@ namespace {
 /// How far ahead of its need the queue is filled, in periods.
 constexpr double kAhead = 256;
 constexpr double kSameInstant = 1e-9;  // periods: rounding of sums
+constexpr double kMostRows = 1e15;     // that are counted ahead
 
 void add_times(const ipo::Profile& profile, double until, std::array<double, kLimits>& sums) {
   profile.for_each_piece([&](Limit limit, double duration) {
@@ -182,6 +183,20 @@ std::optional<Setpoint> Channel::step(const Panel& panel) noexcept {
   if (waiting()) return std::nullopt;
   started_ = true;
   return interpolator_.step();
+}
+
+Channel::Quiet Channel::quiet_ahead() {
+  if (!started_ || queue_.empty()) return {};
+  const ipo::TimedBlock& present = queue_.front();
+  const double t = interpolator_.time_in_block(), period = machine_.control.period;
+  if (quiet_start_ != present.t_start || t >= quiet_.until)
+    quiet_ = quiet_from(present, t, machine_);
+  quiet_start_ = present.t_start;
+  if (!quiet_.quiet) return {};
+  const auto periods = [period](double time) {
+    return static_cast<std::int64_t>(std::min(time / period, kMostRows));
+  };
+  return {periods(quiet_.until - t), std::max(periods(quiet_.step), std::int64_t{1})};
 }
 
 bool Channel::event_due() const noexcept {

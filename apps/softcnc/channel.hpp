@@ -20,6 +20,7 @@
 #include "hal/backend.hpp"
 #include "ipo/interpolator.hpp"
 #include "ipo/planner.hpp"
+#include "ipo/quiet_stretch.hpp"
 #include "ipr/interpreter.hpp"
 #include "motion/cycle.hpp"
 #include "motion/programmed_path.hpp"
@@ -37,6 +38,7 @@ struct ChannelOptions {
   bool keeps_state = false;       // Outcome::state is asked for
   bool single_block = false;      // every move ends at rest, every line waits for a person
   std::vector<FeedEvent> events;  // in the order of time
+  bool skims = false;             // rows that cannot come near a limit are not looked at one by one
 };
 
 /// Where the program waits for a person, and when that is passed.
@@ -150,6 +152,15 @@ class Channel {
            (feeder_.waiting() && queue_.t_end() <= interpolator_.needs_until());
   }
 
+  /// Rows that follow the last one within a stretch where none can come near a limit, and how many
+  /// of them there are to one that still draws the path.
+  struct Quiet {
+    std::int64_t rows = 0, to_next = 0;
+  };
+  Quiet quiet_ahead();
+  /// The next step is `rows` later than it would be; they must be quiet.
+  void pass_over(std::int64_t rows) noexcept { interpolator_.pass_over(rows); }
+
   /// Blocks from the one of the last forget_passed() to the present one.
   const ipo::BlockQueue& queue() const noexcept { return queue_; }
   void forget_passed();
@@ -180,7 +191,9 @@ class Channel {
   ipo::Interpolator interpolator_;
   std::array<double, kLimits> time_by_limit_{};  // of what has been forgotten
   bool started_ = false, stopping_ = false;
-  bool replanned_ = false;  // the interpolator has not been told
+  bool replanned_ = false;   // the interpolator has not been told
+  double quiet_start_ = -1;  // s: when that block begins
+  ipo::QuietStretch quiet_;  // of the present block, from the instant on at which it was looked at
   std::exception_ptr broken_;
 };
 

@@ -30,6 +30,12 @@ Machine without_backend(Machine machine) {
   return machine;
 }
 
+/// By exact interpolation nothing depends on the rows before.
+ChannelOptions skimming(ChannelOptions options, const Machine& machine) {
+  options.skims = machine.control.interpolation == Method::arc_length && options.events.empty();
+  return options;
+}
+
 Preflight preflight(Program& program, const Machine& machine, const ChannelOptions& options,
                     Messages& messages, Watcher* watcher, Tells tells) {
   auto backend = hal::open_backend(without_backend(machine));
@@ -48,8 +54,8 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
     return result;
   }
   ipr::Reader reader = program.reader();
-  result.outcome = simulate(reader, program.descriptor(), machine, options, **backend, diagnostics,
-                            nullptr, watcher);
+  result.outcome = simulate(reader, program.descriptor(), machine, skimming(options, machine),
+                            **backend, diagnostics, nullptr, watcher);
   if (diagnostics.errors() == 0) {
     report_excess(result.outcome.measured, result.outcome.deviation, machine, diagnostics);
     if (tells == Tells::surface_too) result.outcome.surface.tell_blocks(diagnostics);

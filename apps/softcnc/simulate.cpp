@@ -3,6 +3,7 @@
 // clock the rows come back later, and whoever keeps the clock writes them.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "channel.hpp"
@@ -16,6 +17,8 @@ namespace {
 
 constexpr std::size_t kBatch = 256;      // rows
 constexpr double kLongestBatch = 0.256;  // s: a backend may keep pace with the clock
+constexpr std::size_t kFelt = 3;         // rows before one that its differences feel
+constexpr std::int64_t kFewQuiet = 32;   // rows: fewer are not worth passing over
 
 std::size_t batch_of(const Machine& machine) {
   const double rows = std::round(kLongestBatch / machine.control.period);
@@ -59,12 +62,18 @@ class RowBuffer {
   std::vector<double> values_;
 };
 
-/// A Source that ends with the batch, or before the program waits or is to be planned anew.
+/// A Source that ends with the batch, before the program waits or is to be planned again, or where
+/// rows need not be looked at and no difference feels those before any more.
 class Batch {
  public:
-  Batch(Channel& channel, std::size_t rows) noexcept : channel_(channel), left_(rows) {}
+  Batch(Channel& channel, std::size_t rows, bool skims) noexcept
+      : channel_(channel), left_(rows), skims_(skims) {}
   std::optional<Setpoint> step(const Panel& panel) noexcept {
     if (left_ == 0 || channel_.event_due() || channel_.pause_ahead()) return std::nullopt;
+    if (skims_ && !quiet_ && left_ >= kFelt && channel_.quiet_ahead().rows >= kFewQuiet) {
+      quiet_ = true;
+      left_ = kFelt;
+    }
     --left_;
     auto next = channel_.step(panel);
     at_end_ = !next && !channel_.waiting();
@@ -73,11 +82,13 @@ class Batch {
 
   /// Nothing follows the batch.
   bool at_end() const noexcept { return at_end_; }
+  /// What follows is quiet, and no difference there feels the rows before the quiet ones.
+  bool leads_into_quiet() const noexcept { return quiet_ && left_ == 0 && !at_end_; }
 
  private:
   Channel& channel_;
   std::size_t left_;
-  bool at_end_ = false;
+  bool skims_, quiet_ = false, at_end_ = false;
 };
 
 class Simulation {
@@ -90,6 +101,7 @@ class Simulation {
         paced_(paced),
         buffer_(paced ? nullptr : &backend),
         batch_(batch_of(machine)),
+        skims_(options.skims && !paced),
         verification_(machine) {
     channel_.feeder().show(verification_.programmed());
   }
@@ -110,6 +122,7 @@ class Simulation {
   void wait(RowSink* rows, Watcher* watcher);
   void wait_for_more(RowSink* rows, Watcher* watcher) const;
   bool run_batch(RowSink* rows, Watcher* watcher);
+  void pass_quiet_rows();
   bool write(RowSink* rows, const CycleReport& cycle);
   bool collect();
   void end_paced();
@@ -121,7 +134,8 @@ class Simulation {
   hal::Backend& backend_;
   PacedCycle* paced_;
   RowBuffer buffer_;
-  std::size_t batch_;  // rows
+  std::size_t batch_;           // rows
+  bool skims_, quiet_ = false;  // what follows
   Verification verification_;
   Outcome outcome_;
   CpuLaps cpu_;
@@ -148,16 +162,36 @@ void Simulation::wait_for_more(RowSink* rows, Watcher* watcher) const {
     wait_for_input(input_);
 }
 
+/// The rows before have been in the stretch as long as a difference reaches back; those that the
+/// first one behind it feels are shown again.
+void Simulation::pass_quiet_rows() {
+  const Channel::Quiet quiet = channel_.quiet_ahead();
+  constexpr std::int64_t felt{kFelt};
+  std::int64_t left = quiet.rows - felt;
+  while (left > 0 && !panel_.stop) {
+    const std::int64_t rows = left > felt ? std::min(left - felt, quiet.to_next) : 1;
+    channel_.pass_over(rows - 1);
+    const auto row = channel_.step(panel_);
+    if (!row) return;
+    verification_.pass_over(*row);
+    outcome_.setpoints += rows;
+    outcome_.last = *row;
+    left -= rows;
+  }
+}
+
 /// True if more may follow.
 bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   buffer_.clear();
-  Batch batch(channel_, batch_);
+  if (std::exchange(quiet_, false)) pass_quiet_rows();
+  Batch batch(channel_, batch_, skims_);
   const CycleReport cycle = paced_ ? run_cycle(batch, *paced_, buffer_, panel_)
                                    : run_cycle(batch, backend_, buffer_, panel_);
   outcome_.cpu.cycle += cpu_.lap();
   verification_.add(buffer_.rows(), channel_.queue());
   outcome_.cpu.verification += cpu_.lap();
   const bool wanted = paced_ ? collect() : write(rows, cycle);
+  quiet_ = batch.leads_into_quiet();
   if (watcher) watcher->sees(outcome_.last);
   channel_.feeder().states().pass(outcome_.last.block);
   channel_.forget_passed();

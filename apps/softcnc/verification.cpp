@@ -89,6 +89,12 @@ void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& qu
   }
 }
 
+void Verification::pass_over(const Setpoint& row) noexcept {
+  verifier_.pass_over(row);
+  programmed_.row(row);
+  block_before_ = row.block;
+}
+
 void Verification::finish() noexcept {
   verifier_.finish();
   programmed_.finish();

@@ -29,6 +29,11 @@ class Interpolator {
   /// Where the machine stands in the front block of the queue. Planning side.
   State state() const noexcept;
 
+  /// The present block, and where it has been reached, s of its profile. Planning side.
+  double time_in_block() const noexcept { return t_; }
+  /// The next step is `periods` later than it would be: within the present block.
+  void pass_over(std::int64_t periods) noexcept { periods_ += periods; }
+
   /// Goes on where it is after the queue has been planned anew from state(): the front block is the
   /// same one, and its profile starts there. Planning side.
   void replanned() noexcept;

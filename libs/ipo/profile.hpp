@@ -2,6 +2,7 @@
 // When a move is where: its speeds as a function of time.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -56,6 +57,16 @@ class Profile {
 
   /// The first instant at which s is reached.
   double time_at(double s) const noexcept;
+
+  /// Calls visit(motion, its start, its duration) for the piece at t and those behind it, as long
+  /// as that is true.
+  template <typename Visit>
+  void for_each_from(double t, Visit&& visit) const {
+    const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), t,
+                                        [](double a, const Piece& piece) { return a < piece.t0; });
+    auto piece = after == pieces_.begin() ? after : after - 1;
+    while (piece != pieces_.end() && visit(piece->curve, piece->t0, piece->duration)) ++piece;
+  }
 
   /// Adds the duration of its pieces to what each limit holds.
   template <typename Sink>

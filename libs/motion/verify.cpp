@@ -77,23 +77,35 @@ void Verifier::row(const Setpoint& setpoint, std::span<const Stretch> stretches)
   } else {
     geometry(setpoint, stretches);
   }
-  differences(setpoint.position);
-  along_path(setpoint.s);
+  push(setpoint);
+  differences();
   before_ = setpoint;
   ++measured_.rows;
+}
+
+void Verifier::pass_over(const Setpoint& setpoint) noexcept {
+  push(setpoint);
+  row_rmax_ = 0;
+  measured_.rows += setpoint.period - before_.period;
+  before_ = setpoint;
 }
 
 void Verifier::finish() noexcept {
   if (measured_.rows == 0) return;
   for (int i = 0; i < 3; ++i) {
-    differences(before_.position);
-    along_path(before_.s);
+    push(before_);
+    differences();
   }
 }
 
-void Verifier::differences(const AxisVector& position) noexcept {
+void Verifier::push(const Setpoint& setpoint) noexcept {
   std::rotate(last_.begin(), last_.end() - 1, last_.end());
-  last_[0] = position;
+  last_[0] = setpoint.position;
+  std::rotate(last_s_.begin(), last_s_.end() - 1, last_s_.end());
+  last_s_[0] = setpoint.s;
+}
+
+void Verifier::differences() noexcept {
   const AxisVector first = last_[0] - last_[1];
   const AxisVector second = last_[0] - 2 * last_[1] + last_[2];
   const AxisVector third = last_[0] - 3 * last_[1] + 3 * last_[2] - last_[3];
@@ -103,13 +115,8 @@ void Verifier::differences(const AxisVector& position) noexcept {
   raise(measured_.velocity, first / period_);
   raise(measured_.acceleration, second / (period_ * period_));
   raise(measured_.jerk, third / (period_ * period_ * period_));
-}
-
-void Verifier::along_path(double s) noexcept {
-  std::rotate(last_s_.begin(), last_s_.end() - 1, last_s_.end());
-  last_s_[0] = s;
-  const double second = last_s_[0] - 2 * last_s_[1] + last_s_[2];
-  measured_.tangential = std::max(measured_.tangential, std::abs(second) / (period_ * period_));
+  const double along_path = last_s_[0] - 2 * last_s_[1] + last_s_[2];
+  measured_.tangential = std::max(measured_.tangential, std::abs(along_path) / (period_ * period_));
 }
 
 void Verifier::geometry(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {

@@ -46,6 +46,10 @@ class Verifier {
   /// this row, in order; blocks without a path are left out.
   void row(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
 
+  /// Takes a row without measuring it, or those between it and the last one. Where three that
+  /// follow one another are taken so, the differences of the next row are right again.
+  void pass_over(const Setpoint& setpoint) noexcept;
+
   /// After the last row: the differences that reach into the rest behind it.
   void finish() noexcept;
 
@@ -54,8 +58,8 @@ class Verifier {
   double row_rmax() const noexcept { return row_rmax_; }
 
  private:
-  void differences(const AxisVector& position) noexcept;
-  void along_path(double s) noexcept;
+  void push(const Setpoint& setpoint) noexcept;
+  void differences() noexcept;
   void geometry(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
 
   void roughness(const Setpoint& setpoint, const Stretch& here) noexcept;
