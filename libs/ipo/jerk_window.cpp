@@ -14,6 +14,7 @@ namespace softcnc::ipo {
 namespace {
 
 constexpr double kLeft = 1.5;          // stopping distances of a plan that are planned anew
+constexpr std::size_t kSteady = 256;   // intervals at one speed that one plan may cover
 constexpr double kLongest = 0.25;      // stopping distance: longest interval
 constexpr double kMostParts = 32;      // of an interval
 constexpr double kFurther = 1.12;      // from one stop that is tried to the next
@@ -27,6 +28,11 @@ constexpr double kShortestStop = 0.8;  // of v^2 / 2A with all axes together
 
 constexpr std::array kSofter{0.4, 0.16};  // parts of the jerk
 constexpr double kRounding = 1e-6;        // of a speed
+
+/// What the plans of a program may take (PlanEffort::work), some 0.4 us each: far more than is
+/// needed where plans are found, since the fall-backs that are left behind the bound are slow.
+constexpr double kOnePlan = 0.7;  // of what is left: shorter ones can still be tried
+constexpr double kWorkAtOnce = 4e6, kWorkPerSecond = 4e6;
 
 double speed(const Cap& cap) noexcept { return std::sqrt(cap.q); }
 
@@ -79,7 +85,8 @@ std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended, double slowi
     top = std::max({top, speed(nodes[n].cap), speed(chain_.inside[n].cap)});
     const double distance = stopping_distance(top, constraints_);
     const bool steady = nodes[n + 1].cap.q == nodes[n].cap.q;
-    if (way < horizon.stops * distance || (steady && way < horizon.time * top)) continue;
+    const bool more = way < horizon.time * top || (horizon.time > 0 && n < front_ + kSteady);
+    if (way < horizon.stops * distance || (steady && more)) continue;
     std::size_t taken = n + 1;
     while (taken > front_ + 1 && nodes[n + 1].s - nodes[taken].s < kLeft * distance) --taken;
     return Reach{n + 1, taken};
@@ -203,10 +210,10 @@ std::size_t JerkWindow::settle(bool ended) {
   auto reach = look_ahead(ended, 0, horizon_);
   if (!reach) return 0;
   if (slows_) return slow_down(ended);
-  auto plan = this->plan(reach->end, reach->taken);
+  auto plan = plan_within_bound(reach->end, reach->taken);
   if (!plan) {
     const auto farther = std::exchange(reach, look_ahead(ended, 0, {horizon_.stops, 0}));
-    if (reach->end < farther->end) plan = this->plan(reach->end, reach->taken);
+    if (reach->end < farther->end) plan = plan_within_bound(reach->end, reach->taken);
   }
   if (!plan) plan = plan_softly(reach->end, reach->taken);
   if (!plan) return fall_back(reach->end);
@@ -214,17 +221,30 @@ std::size_t JerkWindow::settle(bool ended) {
   return planned_.size();
 }
 
-std::optional<Plan> JerkWindow::plan(std::size_t end, std::size_t taken, double jerk_part) {
+/// With no more work than the motion brings; a whole program in one plan may take all it needs.
+std::optional<Plan> JerkWindow::plan_within_bound(std::size_t end, std::size_t taken,
+                                                  double jerk_part) {
+  const std::size_t before = effort_.work;
+  WorkBound bound;
+  if (horizon_.stops < kUnlimited)
+    bound = {kWorkAtOnce + kWorkPerSecond * run_ - work_, kWorkPerSecond, kOnePlan};
+  auto plan = this->plan(end, taken, jerk_part, bound);
+  work_ += static_cast<double>(effort_.work - before);
+  return plan;
+}
+
+std::optional<Plan> JerkWindow::plan(std::size_t end, std::size_t taken, double jerk_part,
+                                     const WorkBound& bound) {
   const PlanSpan span{chain_, constraints_, front_, end, share_, replans_, jerk_part};
   const auto last = replans_ ? std::span<const ProvenNode>() : proven_;
-  return plan_to_rest(span, taken, motion_, last, effort_);
+  return plan_to_rest(span, taken, motion_, last, bound, effort_);
 }
 
 /// With less jerk than may be: what changes more slowly needs fewer nodes, and is found where kinks
 /// lie closer than the phases of a motion.
 std::optional<Plan> JerkWindow::plan_softly(std::size_t end, std::size_t taken) {
   for (const double part : kSofter) {
-    auto plan = this->plan(end, taken, part);
+    auto plan = plan_within_bound(end, taken, part);
     if (!plan) continue;
     ++effort_.fallbacks;
     return plan;
@@ -254,7 +274,7 @@ std::size_t JerkWindow::fall_back(std::size_t end) {
   }
   while (end > front_ + 1) {
     end = front_ + (end - front_) / 2;
-    if (auto plan = this->plan(end, end)) {
+    if (auto plan = plan_within_bound(end, end)) {
       take(std::move(*plan), end - front_);
       return planned_.size();
     }
@@ -333,6 +353,7 @@ bool JerkWindow::run_front(Profile& profile, std::optional<Limit> as) {
     ramp.limit = as.value_or(name_of(ramp, constraints_, share));
     profile.add_ramp(ramp);
     motion_ = {ramp.v1, ramp.a1};
+    run_ += ramp.duration;
   }
   planned_.pop_front();
   replans_ = false;

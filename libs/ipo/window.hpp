@@ -15,11 +15,13 @@ namespace softcnc::ipo {
 /// What the plans have taken so far, where speeds are found by iteration.
 struct PlanEffort {
   std::size_t nodes = 0, iterations = 0;
+  std::size_t work = 0;  // nodes times iterations, and as much as that for setting up and checking
   std::size_t fallbacks = 0;  // plans that were not found: the machine stops early or goes slowly
 
   PlanEffort& operator+=(const PlanEffort& more) noexcept {
     nodes += more.nodes;
     iterations += more.iterations;
+    work += more.work;
     fallbacks += more.fallbacks;
     return *this;
   }

@@ -53,6 +53,8 @@ TEST_CASE("random programs with jerk limits keep every limit and end where they 
         const auto result = run(machine, blocks);
         RC_ASSERT(exceeded(machine, result) == "");
         RC_ASSERT(result.rows.back().position == end(last_path(blocks)));
+        RC_ASSERT(static_cast<double>(result.counts.effort.work) <=
+                  4e6 * (1.5 + 1.5 * result.time));
       },
       programs());
 }
