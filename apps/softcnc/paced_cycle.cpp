@@ -42,6 +42,8 @@ Feedback PacedCycle::exchange(const Setpoint& setpoint) noexcept {
   slot.setpoint = setpoint;
   slot.pulses.assign(setpoint.pulses.begin(), setpoint.pulses.end());
   slot.setpoint.pulses = slot.pulses;
+  slot.fine.assign(setpoint.fine.begin(), setpoint.fine.end());
+  slot.setpoint.fine = slot.fine;
   to_do_.push(&slot);
   return feedback_;
 }
@@ -57,6 +59,7 @@ void PacedCycle::write(const Slot& slot) {
   ++written_;
   last_ = slot.setpoint;
   last_.pulses = {};
+  last_.fine = {};
   feedback_ = slot.feedback;
 }
 

@@ -62,6 +62,7 @@ class PacedCycle {
   struct Slot {
     Setpoint setpoint;
     std::vector<TimedStep> pulses;
+    std::vector<FinePoint> fine;
     std::vector<double> values;
     Feedback feedback;
     bool exchanged = false;  // false: after an alarm nothing moves any more

@@ -30,6 +30,7 @@ class RowBuffer {
         columns_(backend ? backend->columns().size() : 0),
         rows_(kBatch),
         pulses_(kBatch),
+        fine_(kBatch),
         values_(kBatch * columns_) {}
 
   void clear() noexcept { used_ = 0; }
@@ -37,6 +38,7 @@ class RowBuffer {
     if (backend_) backend_->values(std::span(values_).subspan(used_ * columns_, columns_));
     rows_[used_] = setpoint;
     if (!setpoint.pulses.empty()) keep_pulses(setpoint.pulses);
+    if (!setpoint.fine.empty()) keep_fine(setpoint.fine);
     ++used_;
   }
 
@@ -51,11 +53,16 @@ class RowBuffer {
     pulses_[used_].assign(pulses.begin(), pulses.end());
     rows_[used_].pulses = pulses_[used_];
   }
+  void keep_fine(std::span<const FinePoint> fine) noexcept {
+    fine_[used_].assign(fine.begin(), fine.end());
+    rows_[used_].fine = fine_[used_];
+  }
 
   const hal::Backend* backend_;
   std::size_t columns_, used_ = 0;
   std::vector<Setpoint> rows_;
   std::vector<std::vector<TimedStep>> pulses_;
+  std::vector<std::vector<FinePoint>> fine_;
   std::vector<double> values_;
 };
 

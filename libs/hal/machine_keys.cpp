@@ -83,9 +83,9 @@ const MachineKey kKeys[] = {
 
     {"control.period_ms", "ms", "interpolation period: one setpoint each",
      Number{control<&Control::period>, s_from_ms, ms_from_s, {0.001, 1000}}},
-    {"control.servo_period_ms", "ms", "the backend interpolates linearly from one servo period to the "
-     "next; divides period_ms. If absent: 1 ms, or the next smaller that divides period_ms",
-     Number{control<&Control::servo_period>, s_from_ms, ms_from_s, {0.001, 1000}}},
+    {"control.servo_period_ms", "ms", "fine interpolation: positions to ports are the plan itself at these instants; where the path's curvature jumps, "
+     "the acceleration may change by the jerk times it; the simulated axes read their counters so often. Divides period_ms. 0 or absent: 1 ms, or the next smaller that divides period_ms, and 0.25 ms for the simulated axes",
+     Number{control<&Control::servo_period>, s_from_ms, ms_from_s, {0.001, 1000, false, true}}},
     {"control.chord_tolerance_um", "um", "largest distance between curve and chord within one period",
      Number{control<&Control::chord_tolerance>, mm_from_um, um_from_mm, above_0(1e6)}},
     {"control.interpolation", "", "how the next point on a curve is found",

@@ -13,10 +13,11 @@
 
 namespace softcnc::hal {
 
-/// The values a key takes, in the unit of its name. `above_low` leaves `low` itself out.
+/// The values a key takes, in the unit of its name. `above_low` leaves `low` itself out, `or_0`
+/// takes 0 beside them.
 struct Range {
   double low, high;
-  bool above_low = false;
+  bool above_low = false, or_0 = false;
 };
 
 struct Number {

@@ -167,7 +167,6 @@ bool MachineLoader::has_axis_of(const KeyRef& ref) const {
 
 LoadedOrFaults MachineLoader::finish() {
   if (!is_doubtful_) {
-    derive_servo_period();
     check_periods();
     for (int axis = 0; axis < kAxes; ++axis) check_travel(axis);
     const Control& control = loaded_.machine.control;
@@ -181,19 +180,10 @@ LoadedOrFaults MachineLoader::finish() {
   return tl::make_unexpected(std::move(errors_));
 }
 
-/// Without a word about it the servo period is 1 ms, or the next smaller that divides the period.
-void MachineLoader::derive_servo_period() {
-  constexpr double kRoundOff = 1e-9;
-  if (loaded_.given.contains("control.servo_period_ms")) return;
-  Control& control = loaded_.machine.control;
-  const double period_ms = ms_from_s(control.period);
-  const double parts = std::ceil(period_ms - kRoundOff);
-  control.servo_period = parts > 1 ? s_from_ms(period_ms / parts) : control.period;
-}
-
 void MachineLoader::check_periods() {
   constexpr double kRoundOff = 1e-9;
   const Control& control = loaded_.machine.control;
+  if (control.servo_period == 0) return;
   const double ratio = control.period / control.servo_period;
   if (ratio > 0.5 && std::abs(ratio - std::round(ratio)) < kRoundOff * ratio) return;
   clash(Code::SC7010, {"control.period_ms", "control.servo_period_ms"},

@@ -30,14 +30,15 @@ Status wrong_type(const KeyRef& ref, std::string_view wanted, const FileValue& v
 }
 
 std::string range_text(const Range& range) {
-  return (range.above_low ? "greater than " : "at least ") + number_text(range.low) +
+  return (range.or_0 ? "0, or " : "") +
+         std::string(range.above_low ? "greater than " : "at least ") + number_text(range.low) +
          " and at most " + number_text(range.high);
 }
 
 Status check(const KeyRef& ref, double value, const Range& range) {
   const bool low_enough = value <= range.high;  // false for NaN
   const bool high_enough = range.above_low ? value > range.low : value >= range.low;
-  if (low_enough && high_enough) return {};
+  if ((low_enough && high_enough) || (range.or_0 && value == 0)) return {};
   return failure(Code::SC7005,
                  path_of(ref) + " must be " + range_text(range) + ", not " + number_text(value));
 }

@@ -23,9 +23,9 @@ struct CommandPulse {
 /// frequency; a PI amplifier drives a permanent-magnet DC motor.
 ///
 /// The linear part (armature current, speed, F/V lag, integral, angle) is carried over a fixed
-/// substep exactly, by a matrix exponential made once. Counter, limits and friction are held over a
-/// substep:
-/// - the counter is read at its start;
+/// substep exactly, by a matrix exponential made once. The counter is read at the start of a servo
+/// period, and what it holds is the velocity command until the next one. Limits and friction are
+/// held over a substep:
 /// - the amplifier's voltage is clamped to the supply, and to what drives the limiting current at
 /// the
 ///   present speed; while clamped, the voltage stands still and so does the integral part;

@@ -11,9 +11,8 @@
 namespace softcnc::hal {
 
 SimulatedMill::SimulatedMill(const Machine& machine)
-    : servo_periods_(
-          static_cast<int>(std::lround(machine.control.period / machine.control.servo_period))),
-      servo_period_(machine.control.period / servo_periods_),
+    : servo_period_(loop_period(machine.control)),
+      servo_periods_(parts_of_period(machine.control, servo_period_)),
       error_max_(Backend::following_error_max()) {
   pulses_.reserve(kPulses);
   for (int axis = 0; axis < kAxes; ++axis) {

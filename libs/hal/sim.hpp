@@ -42,8 +42,8 @@ class SimulatedMill final : public Backend {
 
   std::vector<Slide> slides_;
   std::vector<std::string> columns_;
-  int servo_periods_;  // in one period
-  double servo_period_;
+  double servo_period_;  // s: of the position loop
+  int servo_periods_;    // in one period
   bool started_ = false;
   std::vector<CommandPulse> pulses_;  // of one axis and period
   AxisVector commanded_ = AxisVector::Zero();

@@ -31,7 +31,7 @@ Halves cut(const Interval& interval, double s) {
 
 /// How far the speed is felt at which a kink that stands alone may be passed, mm.
 double step_over(const AxisVector& kink, const Constraints& constraints) {
-  const double period = constraints.period();
+  const double period = constraints.fine_period();
   const double by_acceleration =
       period / kink.cwiseQuotient(constraints.acceleration_limits()).maxCoeff() * period;
   if (!constraints.limits_jerk()) return kStraightKinkShare * by_acceleration;
@@ -183,7 +183,7 @@ double Chain::bend(const Interval& before, const Interval& interval,
       kSameBend * (interval.left.ddq.norm() + before.right.ddq.norm()))
     return kUnlimited;
   nodes.back().bend = jump;
-  const double period = constraints.period();
+  const double period = constraints.fine_period();
   const double fastest = std::max(before.right_cap.q, interval.left_cap.q);
   const double passed =
       period / jump.cwiseAbs().cwiseQuotient(constraints.jerk_limits()).maxCoeff();

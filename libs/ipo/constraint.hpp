@@ -108,7 +108,10 @@ class Constraints {
   /// mm/s^3; all unlimited, or none above what its axis needs at most.
   const AxisVector& jerk_limits() const noexcept { return jerk_; }
   bool limits_jerk() const noexcept { return jerk_.minCoeff() < kUnlimited; }
+  /// s: from row to row, and from one fine point to the next. What the rows see of a joint is
+  /// judged by the latter, chords by the former.
   double period() const noexcept { return period_; }
+  double fine_period() const noexcept { return fine_period_; }
   double chord_tolerance() const noexcept { return chord_tolerance_; }
 
  private:
@@ -118,11 +121,11 @@ class Constraints {
   std::vector<const Constraint*> step_caps_, point_caps_, firm_caps_;
   AxisVector acceleration_, jerk_, bend_;
   double tangential_ = kUnlimited;
-  double period_, chord_tolerance_;
+  double period_, fine_period_, chord_tolerance_;
 };
 
 /// Whether any axis has a limit of its jerk that its acceleration does not keep anyway: one that
-/// changes from limit to limit within a period T shows in the rows as a jerk of 2 A / T.
+/// changes from limit to limit within a fine period T shows as a jerk of 2 A / T.
 bool limits_jerk(const Machine& machine) noexcept;
 
 std::unique_ptr<Constraint> make_feed_limit(const Machine& machine, double feed_override);

@@ -7,15 +7,24 @@
 #include <vector>
 
 #include "ipo/block_queue.hpp"
+#include "ipo/fine_spline.hpp"
 #include "ipo/stepping.hpp"
 #include "motion/machine.hpp"
 
 namespace softcnc::ipo {
 
+/// How many fine points a period has: as its backend asks for them.
+inline std::size_t fine_points(const Control& control) noexcept {
+  const bool simulated = control.backend == BackendKind::sim;
+  return static_cast<std::size_t>(
+      parts_of_period(control, simulated ? loop_period(control) : fine_period(control)));
+}
+
 class Interpolator {
  public:
   /// `queue` must outlive the interpolator.
-  Interpolator(BlockQueue& queue, const Control& control) : queue_(queue), control_(control) {
+  Interpolator(BlockQueue& queue, const Control& control)
+      : queue_(queue), control_(control), fine_(fine_points(control)), spline_(fine_.size()) {
     if (is_by_pulses(control.interpolation)) pulses_.reserve(kPulses);
   }
 
@@ -42,6 +51,10 @@ class Interpolator {
   void enter_block() noexcept;
   void leave_block() noexcept;
   void follow_time() noexcept;
+  void go_to(double t) noexcept;
+  void look_between() noexcept;
+  FinePoint point() noexcept;
+  std::span<const FinePoint> fine(const Setpoint& next) noexcept;
   void walk_pulses(double t, double s) noexcept;
   void follow_method(double period) noexcept;
   double place(const State& now) noexcept;
@@ -54,6 +67,8 @@ class Interpolator {
   std::size_t hint_ = 0;               // piece of its profile
   std::optional<ParameterWalk> walk_;  // through its NURBS, by a method of the literature
   std::vector<TimedStep> pulses_;      // by a method of reference pulses: of the period
+  std::vector<FinePoint> fine_;        // of the period
+  FineSpline spline_;                  // where they are not the plan itself
   double planned_ = 0;                 // integral of the planned speed since the last setpoint, mm
   double planned_from_ = 0;            // program length at the last setpoint, mm
   Setpoint last_;

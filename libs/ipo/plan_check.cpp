@@ -44,7 +44,7 @@ int instants_on(const Ramp& ramp, double period) noexcept {
 Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap, double t,
              PassedJumps& jumps) {
   const Quintic motion = quintic(ramp);
-  const int instants = instants_on(ramp, span.constraints.period());
+  const int instants = instants_on(ramp, span.constraints.fine_period());
   Used used;
   for (int k = 0; k <= instants; ++k) {
     const double passed = ramp.duration * k / instants;

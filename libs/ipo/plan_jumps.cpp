@@ -9,14 +9,14 @@ namespace {
 
 /// mm: nothing that passes a joint at v comes further within the reach of the jump.
 double farthest(const PlanSpan& span, double v) noexcept {
-  const double t = kJumpReach * span.constraints.period();
+  const double t = kJumpReach * span.constraints.fine_period();
   return (v + 0.5 * span.constraints.acceleration_limits().norm() * t) * t;
 }
 
 /// Nothing that passes a joint at v takes fewer periods for a way.
 double fewest_periods(const PlanSpan& span, double v, double way) noexcept {
   const double a = span.constraints.acceleration_limits().norm();
-  return 2 * way / (v + std::sqrt(v * v + 2 * a * way)) / span.constraints.period();
+  return 2 * way / (v + std::sqrt(v * v + 2 * a * way)) / span.constraints.fine_period();
 }
 
 BendJump jump_at(const Node& node) noexcept {
@@ -53,7 +53,7 @@ std::vector<JumpLoad> jump_loads(const PlanSpan& span, const std::vector<PlanNod
       const double periods = fewest_periods(span, jump.fastest, std::abs(node->s - jump.s));
       const double weight = jump_weight(std::max(periods - kJumpNearer, 0.0));
       loads[static_cast<std::size_t>(node - nodes.begin())].add(
-          jump.bend * (weight / span.constraints.period()));
+          jump.bend * (weight / span.constraints.fine_period()));
     }
   }
   return loads;
@@ -61,7 +61,7 @@ std::vector<JumpLoad> jump_loads(const PlanSpan& span, const std::vector<PlanNod
 
 PassedJumps::PassedJumps(const PlanSpan& span, const std::vector<BendJump>& jumps, double start_s,
                          const SpeedSquare& start, const std::vector<Ramp>& ramps)
-    : period_(span.constraints.period()) {
+    : period_(span.constraints.fine_period()) {
   passed_.reserve(jumps.size());
   double t = 0;
   std::size_t p = 0;

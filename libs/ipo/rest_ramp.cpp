@@ -41,7 +41,7 @@ RestRamp rest_ramp(const PlanSpan& span, std::size_t i, Side of_rest) noexcept {
               std::min(inside.share, inside.jerk_share.minCoeff()) * limit;
   const double rise = acceleration / limit;
   const double time = std::max(kTimePart * rise,
-                               std::min(kPeriodPart * span.constraints.period(), kMostPart * rise));
+                               std::min(kPeriodPart * span.constraints.fine_period(), kMostPart * rise));
   ramp.duration = std::min({time, std::cbrt(6 * kWayPart * interval.length() / ramp.jerk),
                             std::sqrt(2 * kSpeedPart * std::sqrt(q) / ramp.jerk)});
   for (int k = 0; k < kMostShorter && !keeps(span, i, ramp, starts); ++k) ramp.duration *= kShorter;

@@ -45,7 +45,7 @@ std::array<bool, kAxes> moving_axes(const PlanSpan& span) noexcept {
 /// The shortest time, s, in which an axis that moves takes up its acceleration; one that can do so
 /// within a period is followed from row to row.
 double shortest_phase(const PlanSpan& span) noexcept {
-  const double period = span.constraints.period();
+  const double period = span.constraints.fine_period();
   const AxisVector times = span.constraints.acceleration_limits().cwiseQuotient(span.jerk_limits());
   const auto moving = moving_axes(span);
   double shortest = kUnlimited;
@@ -60,7 +60,7 @@ double shortest_phase(const PlanSpan& span) noexcept {
 SpeedGuess::SpeedGuess(const PlanSpan& span, const PlacedMotion& start, const PlacedMotion& end)
     : from_(start.s), to_(end.s) {
   phase_ = shortest_phase(span);
-  shortest_ = kShortestTime * span.constraints.period();
+  shortest_ = kShortestTime * span.constraints.fine_period();
   std::vector<Cell> cells;
   for (std::size_t i = span.first; i < span.last; ++i) cells.push_back(cell(span, i));
   ahead_ = walk(cells, from_ - span.s(span.first), start.motion, to_ - from_);

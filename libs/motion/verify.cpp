@@ -66,7 +66,9 @@ const Stretch& stretch_at(std::span<const Stretch> stretches, double s) noexcept
 }
 
 Verifier::Verifier(const Machine& machine) noexcept
-    : period_(machine.control.period),
+    : period_(is_by_pulses(machine.control.interpolation) ? machine.control.period
+                                                          : fine_period(machine.control)),
+      parts_(parts_of_period(machine.control, period_)),
       model_(machine.surfacing.model),
       limits_normal_(machine.limits.normal > 0) {}
 
@@ -77,18 +79,20 @@ void Verifier::row(const Setpoint& setpoint, std::span<const Stretch> stretches)
   } else {
     geometry(setpoint, stretches);
   }
-  differences(setpoint.position);
-  along_path(setpoint.s);
+  for_instants(setpoint, {before_.s, before_.position}, measured_.rows > 0 ? parts_ : 1,
+               [this](const FinePoint& point) { instant(point); });
   before_ = setpoint;
   ++measured_.rows;
 }
 
 void Verifier::finish() noexcept {
   if (measured_.rows == 0) return;
-  for (int i = 0; i < 3; ++i) {
-    differences(before_.position);
-    along_path(before_.s);
-  }
+  for (int i = 0; i < 3; ++i) instant({before_.s, before_.position});
+}
+
+void Verifier::instant(const FinePoint& point) noexcept {
+  differences(point.position);
+  along_path(point.s);
 }
 
 void Verifier::differences(const AxisVector& position) noexcept {

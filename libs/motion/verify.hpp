@@ -24,7 +24,8 @@ struct Stretch {
 /// at a joint the later one. There must be one.
 const Stretch& stretch_at(std::span<const Stretch> stretches, double s) noexcept;
 
-/// The largest values seen so far. Differences are those of the commanded rows, padded with rest.
+/// The largest values seen so far. Differences are those of the commanded positions, padded with
+/// rest: of methods by pulses at the rows, of all others every fine_period() s.
 struct Measured {
   AxisVector velocity = AxisVector::Zero();      // mm/s
   AxisVector acceleration = AxisVector::Zero();  // mm/s^2
@@ -54,13 +55,15 @@ class Verifier {
   double row_rmax() const noexcept { return row_rmax_; }
 
  private:
+  void instant(const FinePoint& point) noexcept;
   void differences(const AxisVector& position) noexcept;
   void along_path(double s) noexcept;
   void geometry(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
 
   void roughness(const Setpoint& setpoint, const Stretch& here) noexcept;
 
-  double period_;
+  double period_;  // s: between differences
+  int parts_;      // so many of them between two rows
   RoughnessModel model_;
   bool limits_normal_;
   double row_rmax_ = 0;

@@ -251,15 +251,31 @@ TEST_CASE("settings stand above the file", "[hal][machine]") {
   CHECK_FALSE(std::signbit(m.axes[0].min));
 }
 
-TEST_CASE("the servo period follows the period unless it is given", "[hal][machine]") {
-  const auto servo = [](double period_ms) {
-    return parsed("", {"control.period_ms=" + std::to_string(period_ms)}).control.servo_period;
+TEST_CASE("fine interpolation and the simulated loop follow the period unless they are given",
+          "[hal][machine]") {
+  struct Expected {
+    const char *period, *servo;
+    double fine, loop;  // ms
   };
-  CHECK(servo(1.0) == 0.001);
-  CHECK(servo(8.0) == 0.001);
-  CHECK(servo(0.25) == 0.00025);
-  CHECK(servo(0.7) == 0.0007);
-  CHECK(servo(1.5) == 0.00075);
+  const auto [period, servo, fine, loop] =
+      GENERATE(Expected{"1", "0", 1, 0.25}, Expected{"8", "0", 1, 0.25},
+               Expected{"0.25", "0", 0.25, 0.25}, Expected{"0.1", "0", 0.1, 0.1},
+               Expected{"0.7", "0", 0.7, 0.7 / 3}, Expected{"1.5", "0", 0.75, 0.25},
+               Expected{"8", "8", 8, 8}, Expected{"8", "0.25", 0.25, 0.25});
+  INFO(period << " ms, " << servo << " ms");
+  const Control control = parsed("", {std::string("control.period_ms=") + period,
+                                      std::string("control.servo_period_ms=") + servo})
+                              .control;
+  CHECK(fine_period(control) == Approx(fine / 1000));
+  CHECK(loop_period(control) == Approx(loop / 1000));
+  CHECK(parts_of_period(control, loop_period(control)) * loop == Approx(std::stod(period)));
+}
+
+TEST_CASE("a servo period that is 0 is one that is not given", "[hal][machine]") {
+  CHECK(parsed("").control.servo_period == 0);
+  CHECK(machine_toml(parsed("")).find("\nservo_period_ms = 0\n") != std::string::npos);
+  CHECK(refused("", {"control.servo_period_ms=0.0001"}).find("must be 0, or at least 0.001") !=
+        std::string::npos);
 }
 
 TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {

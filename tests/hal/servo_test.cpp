@@ -14,6 +14,7 @@ namespace softcnc::hal {
 namespace {
 
 constexpr double kPeriod = 1e-3;  // s
+constexpr int kLoops = 4;         // of the servo in a period
 
 /// The retrofitted mill's axis without friction that is not linear.
 Axis smooth_axis() {
@@ -100,15 +101,16 @@ class Led : public ServoAxis {
   std::int64_t told_ = 0;
 };
 
-/// The simulated axis at the end of each period.
+/// The simulated axis at the end of each period, on an even way within it.
 std::vector<double> simulate(const Axis& axis, const std::function<double(double)>& command,
                              double duration) {
-  Led servo(axis, kPeriod);
+  Led servo(axis, kPeriod / kLoops);
   servo.reset(command(0));
   std::vector<double> positions{servo.position()};
   const auto periods = static_cast<int>(std::lround(duration / kPeriod));
   for (int i = 1; i <= periods; ++i) {
-    servo.advance(command(i * kPeriod));
+    const double from = command((i - 1) * kPeriod), way = command(i * kPeriod) - from;
+    for (int k = 1; k <= kLoops; ++k) servo.advance(from + way * k / kLoops);
     positions.push_back(servo.position());
   }
   return positions;

@@ -14,7 +14,7 @@ namespace {
 
 Machine machine_at(double period) {
   Machine machine;
-  machine.control.period = period;
+  machine.control.period = machine.control.servo_period = period;
   return machine;
 }
 
@@ -63,6 +63,35 @@ TEST_CASE("accelerations along and across the path are measured where they are l
   verifier.finish();
   CHECK(verifier.measured().tangential == Approx(2000));
   CHECK(verifier.measured().normal == Approx(62.5));
+}
+
+TEST_CASE("limits are measured between the rows as well", "[verify]") {
+  Machine machine = machine_at(0.004);
+  machine.control.servo_period = 0.002;
+  const bool twice = GENERATE(false, true);  // as many points as asked for
+  const AxisVector middle = GENERATE(AxisVector(0.06, 0, 0), AxisVector(0.05, 0, 0));
+  std::vector<FinePoint> points{{0, middle}, {0, {0.1, 0, 0}}};
+  if (twice) points = {{0, {9, 9, 9}}, points[0], {0, {-9, 9, 9}}, points[1]};
+  Setpoint second = at_position(1, {0.1, 0, 0}, 0.1, 0.1);
+  second.fine = points;
+  Verifier verifier(machine);
+  verifier.row(at_position(0, {0, 0, 0}, 0, 0), {});
+  verifier.row(second, {});
+  verifier.finish();
+  CHECK(verifier.measured().velocity[0] == Approx(middle[0] / 0.002));
+  CHECK(verifier.measured().acceleration[0] == Approx(middle[0] / 0.002 / 0.002));
+  CHECK(verifier.measured().acceleration[1] == 0);
+}
+
+TEST_CASE("of a method by pulses the rows alone are measured", "[verify]") {
+  Machine machine = machine_at(0.004);
+  machine.control.servo_period = 0.002;
+  machine.control.interpolation = Method::sam;
+  Verifier verifier(machine);
+  verifier.row(at_position(0, {0, 0, 0}, 0, 0), {});
+  verifier.row(at_position(1, {0.1, 0, 0}, 0.1, 0.1), {});
+  verifier.finish();
+  CHECK(verifier.measured().acceleration[0] == Approx(0.1 / 0.004 / 0.004));
 }
 
 TEST_CASE("differences of rows are padded with rest at both ends", "[verify]") {
