@@ -28,22 +28,22 @@ FineSpline::FineSpline(std::size_t parts) {
     weights_.push_back(weights(static_cast<double>(k) / static_cast<double>(parts)));
 }
 
-FineSpline::Knot FineSpline::knot(const Setpoint& setpoint) const noexcept {
+FineSpline::Knot FineSpline::knot(const Setpoint& setpoint,
+                                  const FinePoint& expected) const noexcept {
   const FinePoint place{setpoint.s, setpoint.position};
   if (!started_ || setpoint.v == 0) return {place, {}, {}};
-  return {place, 1.5 * place + -2.0 * last_.place + 0.5 * before_,
-          place + -2.0 * last_.place + before_};
+  return {place, 0.5 * expected + -0.5 * last_.place, expected + -2.0 * place + last_.place};
 }
 
-void FineSpline::add(const Setpoint& setpoint, std::span<FinePoint> out) noexcept {
-  const Knot next = knot(setpoint);
+void FineSpline::add(const Setpoint& setpoint, const FinePoint& expected,
+                     std::span<FinePoint> out) noexcept {
+  const Knot next = knot(setpoint, expected);
   if (started_)
     for (std::size_t k = 0; k < out.size(); ++k) {
       const auto& w = weights_[k];
       out[k] = w[0] * last_.place + w[1] * last_.slope + w[2] * last_.bend + w[3] * next.place +
                w[4] * next.slope + w[5] * next.bend;
     }
-  before_ = !started_ || setpoint.v == 0 ? next.place : last_.place;
   started_ = true;
   last_ = next;
 }

@@ -12,27 +12,26 @@ namespace softcnc::ipo {
 
 /// A spline through setpoints as they come: polynomials of degree 5 from each to the next, with one
 /// velocity and one acceleration where they meet. Both are those of the parabola through the
-/// setpoint and the two before it, so that nothing has to be known ahead; at rest, and with what
-/// stood still before it, they are 0.
+/// setpoint before, the setpoint, and where the next one is expected to be: it passes the setpoints
+/// wherever that is. At rest they are 0.
 class FineSpline {
  public:
   /// `parts`: fine points in a period.
   explicit FineSpline(std::size_t parts);
 
-  /// The next setpoint; `out` gets the fine points that lead to it, as many as there are parts.
-  /// Realtime.
-  void add(const Setpoint& setpoint, std::span<FinePoint> out) noexcept;
+  /// The next setpoint, and where the one after it is expected; `out` gets the fine points that
+  /// lead to it, as many as there are parts. Realtime.
+  void add(const Setpoint& setpoint, const FinePoint& expected, std::span<FinePoint> out) noexcept;
 
  private:
   /// Place, and what it changes by in a period and by how much that does.
   struct Knot {
     FinePoint place, slope, bend;
   };
-  Knot knot(const Setpoint& setpoint) const noexcept;
+  Knot knot(const Setpoint& setpoint, const FinePoint& expected) const noexcept;
 
   std::vector<std::array<double, 6>> weights_;  // of both knots, by point
   Knot last_;
-  FinePoint before_;  // the place before the last one
   bool started_ = false;
 };
 

@@ -106,9 +106,29 @@ FinePoint Interpolator::point() noexcept {
   return {block.s_start + s, move ? position(move->path, s) : last_.position};
 }
 
+/// Where a method is expected in a period: as its block says, and from the end of that straight on.
+FinePoint Interpolator::ahead() const noexcept {
+  const Move* move = queue_.empty() ? nullptr : queue_.front().move();
+  if (!move) return {last_.s, last_.position};
+  const TimedBlock& block = queue_.front();
+  const double t = t_ + control_.period, end = block.profile.duration();
+  std::size_t hint = hint_;
+  const State then = block.profile.at(std::min(t, end), hint);
+  const double beyond = then.v * std::max(t - end, 0.0);
+  FinePoint place{then.s, position(move->path, then.s)};
+  if (walk_) {
+    ParameterWalk walk = *walk_;
+    walk.step(then.s - walk.s());
+    place = {walk.s(), walk.position()};
+  }
+  const AxisVector on = at(move->path, then.s, Side::before).dq;
+  return {block.s_start + place.s + beyond, place.position + beyond * on};
+}
+
 /// The points of the period that leads to a setpoint: the plan's, or of a spline.
 std::span<const FinePoint> Interpolator::fine(const Setpoint& next) noexcept {
-  if (control_.interpolation != Method::arc_length) spline_.add(next, fine_);
+  if (control_.interpolation != Method::arc_length && fine_.size() > 1)
+    spline_.add(next, ahead(), fine_);
   if (periods_ == 0) return {};
   fine_.back() = {next.s, next.position};
   return fine_;

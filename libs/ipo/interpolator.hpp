@@ -54,6 +54,7 @@ class Interpolator {
   void go_to(double t) noexcept;
   void look_between() noexcept;
   FinePoint point() noexcept;
+  FinePoint ahead() const noexcept;
   std::span<const FinePoint> fine(const Setpoint& next) noexcept;
   void walk_pulses(double t, double s) noexcept;
   void follow_method(double period) noexcept;

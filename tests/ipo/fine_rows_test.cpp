@@ -169,5 +169,5 @@ TEST_CASE("a method that goes its own way gets a spline between its setpoints", 
   const auto rows = fine_rows(machine, butterfly(20));
   CHECK(rows.back() == run(machine, butterfly(20)).rows.back().position);
   // Evenly between setpoints it would be 8 times the acceleration.
-  CHECK(used(machine, rows, 2) < 4);
+  CHECK(used(machine, rows, 2) < 2.5);
 }
