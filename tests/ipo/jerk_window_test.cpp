@@ -148,7 +148,7 @@ TEST_CASE("a limit of the jerk that no row can reach costs nothing", "[ipo][jerk
   const auto path = one(curve("butterfly"), 100);
   const auto machine = [](double jerk) {
     Machine made = machine_with(250, 1000, jerk);
-    made.control.period = 0.004;
+    made.control.period = made.control.servo_period = 0.004;
     return made;
   };
   const auto without = run(machine(0), path);
