@@ -56,9 +56,9 @@ CsvTrace::CsvTrace(std::unique_ptr<ByteSink> out, const TraceHeader& header, con
     if (machine.axes[static_cast<std::size_t>(axis)].present) axes_.push_back(axis);
   row_length_ = (kOwnColumns + axes_.size() + backend_columns.size()) * (kNumberLength + 1) + 1;
   buffer_.resize(kBuffer + row_length_);
-  const auto written = out_->write(trace_comment(header));
-  if (!written) failure_ = written.error();
   names(backend_columns);
+  const auto written = out_->write(trace_comment(header));
+  if (!written && !failure_) failure_ = written.error();
 }
 
 void CsvTrace::names(std::span<const std::string> backend_columns) {

@@ -215,6 +215,26 @@ TEST_CASE("lengths may differ by 1e-6 mm, names not at all", "[apps][recording]"
   CHECK(status_with(1, [](const std::string& line) { return line + "0"; }) == 1);
 }
 
+TEST_CASE("a recording of an earlier version, whose comments stand before the names, is replayed",
+          "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  Content held = content(file);
+  const std::size_t comments = held.trace.find('#');
+  const std::size_t rows = held.trace.find("\n0,", comments) + 1;
+  REQUIRE(held.trace.substr(comments).starts_with("# schema: softcnc-trace 2\n"));
+  held.trace = held.trace.substr(comments, rows - comments) + held.trace.substr(0, comments) +
+               held.trace.substr(rows);
+  held.trace.replace(held.trace.find("trace 2"), 7, "trace 1");
+  json meta = json::parse(held.meta);
+  meta["trace"]["hash"] = softcnc::hal::hash_hex(packed(held.trace));
+  held.meta = meta.dump();
+  pack(file, held);
+  const Ended ended = call("replay " + file);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.ends_with(" rows agree\n"));
+}
+
 TEST_CASE("rows that only one of the two has are a difference", "[apps][recording]") {
   const Folder folder;
   const std::string file = recorded(folder);

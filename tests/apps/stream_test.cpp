@@ -114,7 +114,7 @@ TEST_CASE("a dry run shows rows as soon as no later line can change them", "[app
   Talk talk({"run", "-q", "--dry-run", "-"});
   talk.say("G04 P0.01\n");
   const auto head = talk.hear("0.005,1,1,");
-  CHECK(head[2] == "# program: -");
+  CHECK(head[3] == "# program: -");
   CHECK(head.size() == 5 + 6);
   talk.say("G01 X1 F600\nX0\n");  // a turn: where it rests is known
   const auto there = talk.hear("0.05,2,2,");
@@ -188,7 +188,7 @@ TEST_CASE("a dry run that waits for its input stops at Ctrl-C", "[apps][stream]"
   const std::string said = GENERATE("", "G04 P0.01\n", "G01 X10 F600\n");
   Talk talk({"run", "-q", "--dry-run", "-"});
   talk.say(said);
-  talk.hear("t_s,");
+  talk.hear("# machine: ");
   talk.send(SIGINT);
   CHECK(talk.hear_rest().find("# program:") == std::string::npos);
   CHECK(talk.status() == 130);
