@@ -3,7 +3,7 @@
 #include "block_json.hpp"
 #include "commands.hpp"
 #include "each_block.hpp"
-#include "hal/machine_file.hpp"
+#include "machine_choice.hpp"
 #include "machine_memory.hpp"
 #include "messages.hpp"
 #include "preflight.hpp"
@@ -40,11 +40,12 @@ int write_blocks(Program& program, const Machine& machine, const Options& option
 }  // namespace
 
 int blocks(const Options& options) {
-  const auto machine = hal::load_machine(options.machine_file, options.settings);
-  if (!machine) return failed(machine.error());
+  Messages messages;
+  const auto choice = choose_machine(options.files.front(), options, messages);
+  if (!choice) return failed(choice.error());
   auto program = Program::open(options.files.front(), Readings::one);
   if (!program) return failed(program.error());
-  return write_blocks(*program, *machine, options);
+  return write_blocks(*program, choice->machine, options);
 }
 
 }  // namespace softcnc::app

@@ -146,7 +146,9 @@ int latency(const Options& options) {
   if (options.report.empty()) return status;
   const auto written =
       hal::write_file(options.report, report_of(lateness, period, left_out, rights, *machine));
-  return written ? status : worse_status(status, failed(written.error()));
+  if (!written) return worse_status(status, failed(written.error()));
+  spdlog::info("report written to {}", options.report);
+  return status;
 }
 
 }  // namespace softcnc::app

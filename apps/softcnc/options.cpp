@@ -31,7 +31,14 @@ constexpr const char* kReadsState = "Begin with these work offsets, tool table a
 
 void add_machine(CLI::App& command, Options& options) {
   command
-      .add_option("--machine", options.machine_file, "Machine file (default: the built-in mill)")
+      .add_option_function<std::string>(
+          "--machine",
+          [&options](const std::string& file) {
+            options.names_machine = true;
+            options.machine_file = file == "builtin" ? std::string() : file;
+          },
+          "Machine file; 'builtin' is the built-in mill (default: PART.toml beside PART, else the "
+          "built-in mill)")
       ->type_name("FILE.toml");
   command
       .add_option("--set", options.settings,

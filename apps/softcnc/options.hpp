@@ -32,7 +32,8 @@ struct Options {
   Command command = Command::run;
   std::vector<std::string> files;  // PART, FILE.rec or a list of edges; "-": standard input
 
-  std::string machine_file;           // empty: the built-in machine
+  std::string machine_file;           // of --machine; empty: the built-in machine
+  bool names_machine = false;         // --machine is there; else a file beside PART counts
   std::vector<std::string> settings;  // KEY=VALUE, on top of it
   std::string state;                  // file; empty: none
 

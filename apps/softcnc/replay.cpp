@@ -21,8 +21,7 @@ constexpr int kDiffers = 1;
 /// The machine of the recording unless one is given.
 hal::MachineOrFaults machine_of(const Recording& recording, const std::string& name,
                                 const Options& options) {
-  if (!options.machine_file.empty())
-    return hal::load_machine(options.machine_file, options.settings);
+  if (options.names_machine) return hal::load_machine(options.machine_file, options.settings);
   return hal::parse_machine(recording.machine(), name + ":machine.toml", options.settings);
 }
 
@@ -117,7 +116,7 @@ int replay_one(const std::string& name, const Options& options, StandardOutput& 
 }  // namespace
 
 int replay(const Options& options) {
-  if (!options.machine_file.empty())
+  if (options.names_machine)
     if (const auto given = hal::load_machine(options.machine_file, options.settings); !given)
       return failed(given.error());
   StandardOutput out;

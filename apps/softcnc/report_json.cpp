@@ -113,6 +113,7 @@ std::string report_json(Job& job, const Performance& performance) {
   report["program"] = job.program.name();
   report["program_hash"] = job.program.hash();
   report["machine"] = job.machine.name;
+  if (!job.machine_file.empty()) report["machine_file"] = job.machine_file;
   report["machine_hash"] = hal::hash_hex(hal::machine_toml(job.machine));
   report["softcnc"] = SOFTCNC_VERSION;
   if (performance.moved) {
@@ -132,6 +133,8 @@ std::string report_json(Job& job, const Performance& performance) {
       report["stream_rows"] = performance.tally->rows;
       report["stream_xxh3"] = performance.tally->checksum;
     }
+    for (const WrittenFile& file : performance.written)
+      report["written"].push_back({{"what", file.what}, {"file", file.file}});
     if (performance.punctuality) add_punctuality(report, *performance.punctuality);
     add_cpu(report, outcome.cpu);
   }

@@ -109,6 +109,14 @@ std::string sent(const Performance& performance) {
                      performance.tally->checksum);
 }
 
+/// Files that are there now.
+std::string left(const std::vector<WrittenFile>& files) {
+  std::string text = files.empty() ? "" : "\n";
+  for (const WrittenFile& file : files)
+    text += fmt::format("\n  {} written to {}", file.what, file.file);
+  return text;
+}
+
 std::string punctuality(const Performance& performance) {
   if (!performance.punctuality) return {};
   const Punctuality& kept = *performance.punctuality;
@@ -125,11 +133,16 @@ std::string cost(const Outcome& outcome) {
 
 }  // namespace
 
+std::string machine_line(const Job& job) {
+  if (job.machine_file.empty()) return {};
+  return fmt::format("\n  machine      {}, beside the program", job.machine_file);
+}
+
 std::string summary(const Job& job, const Performance& performance) {
   const Outcome& outcome = performance.outcome;
-  return head(job, performance) + sizes(job, outcome) + held_by(outcome) +
+  return head(job, performance) + machine_line(job) + sizes(job, outcome) + held_by(outcome) +
          axes(job.machine, performance) + further_limits(job.machine, outcome.measured) +
-         sent(performance) + punctuality(performance) + cost(outcome);
+         sent(performance) + punctuality(performance) + left(performance.written) + cost(outcome);
 }
 
 }  // namespace softcnc::app

@@ -3,6 +3,7 @@
 #include "hal/machine_loader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <tuple>
@@ -34,6 +35,16 @@ bool names_axis(const TomlEntry& entry) {
   constexpr std::string_view kAxis = "axis.";
   return entry.table && entry.path.starts_with(kAxis) && entry.path.size() == kAxis.size() + 1 &&
          is_section(entry.path);
+}
+
+/// What stands in state files, and in no machine file; null: nothing.
+const TomlEntry* find_state(const std::vector<TomlEntry>& entries) {
+  constexpr std::array<std::string_view, 8> kOfStates{
+      "schema", "active", "g92_in_force", "g92", "g28", "g30", "work", "parameter"};
+  const auto found = std::find_if(entries.begin(), entries.end(), [&](const TomlEntry& entry) {
+    return std::find(kOfStates.begin(), kOfStates.end(), entry.path) != kOfStates.end();
+  });
+  return found == entries.end() ? nullptr : &*found;
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -90,6 +101,11 @@ void MachineLoader::read(std::string_view text, const std::string& name) {
     const Diagnostic& broken = entries.error();
     is_doubtful_ = true;
     return fail(broken.code, {name, broken.pos, text_line(text, broken.pos.line)}, broken.message);
+  }
+  if (const TomlEntry* of_state = find_state(*entries)) {
+    is_doubtful_ = true;
+    return fail(Code::SC7020, {name, of_state->key_pos, text_line(text, of_state->key_pos.line)},
+                "'" + of_state->path + "' stands in state files: this is none of a machine");
   }
   take_all(*entries, text, name);
   if (std::any_of(entries->begin(), entries->end(), names_axis)) keep_named_axes(*entries);

@@ -126,6 +126,23 @@ TEST_CASE("a backend does not write over what is read or written besides: SC7072
   CHECK(shell("$softcnc run -q --dry-run " + step + part + " " + part).status == 0);
 }
 
+TEST_CASE("a parallel port can drive a machine that comes with softcnc", "[apps][ports]") {
+  const Folder folder;
+  const std::string machine = " --machine $programs/machines/parport_router.toml";
+  for (const std::string part : {"01_line", "02_square", "03_arc", "04_helix", "08_butterfly"}) {
+    CAPTURE(part);
+    const Ended ended = shell("$softcnc run -q $programs/" + part + ".nc" + machine +
+                              " --set backend.parport.device= --trace " + (folder / "t.csv"));
+    CAPTURE(ended.err);
+    REQUIRE(ended.status == 0);
+    const Trace trace = parse_trace(read(folder / "t.csv"));
+    const std::size_t last = trace.rows.size() - 1;
+    for (const std::string axis : {"x", "y", "z"})
+      CHECK(trace.number(last, axis + "_count") * 0.00625 ==
+            Approx(trace.number(last, axis + "_mm")).margin(0.00625));
+  }
+}
+
 TEST_CASE("a machine file without an end is refused", "[apps][ports]") {
   const Folder folder;
   write(folder / "part.nc", "G1 X1 F600\nM30\n");

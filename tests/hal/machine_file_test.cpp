@@ -721,7 +721,7 @@ TEST_CASE("docs/machine.md shows the table of keys", "[hal][machine][docs]") {
 }
 
 TEST_CASE("the machines by name load", "[hal][machine]") {
-  for (const char* name : {"retrofit", "paper_000", "paper_004", "bench_mill"}) {
+  for (const char* name : {"retrofit", "paper_000", "paper_004", "bench_mill", "parport_router"}) {
     const auto machine = load_machine(kSource + "/programs/machines/" + name + ".toml", {});
     INFO(name << (machine ? "" : all_of(machine.error())));
     REQUIRE(machine);
