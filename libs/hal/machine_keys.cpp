@@ -152,7 +152,7 @@ const MachineKey kKeys[] = {
      Number{drive<&Drive::current_limit>, same, same, above_0(1e4)}},
     {"axis.*.drive.following_error_um", "um", "a larger distance between command and axis is an alarm",
      Number{drive<&Drive::following_error>, mm_from_um, um_from_mm, above_0(1e8)}},
-    {"axis.*.drive.lost_pulse", "", "to try what happens: every so manieth command pulse does not reach the counter, an alarm; 0: none is lost",
+    {"axis.*.drive.lost_pulse", "", "to try what happens: every n-th command pulse does not reach the counter, an alarm; 0: none is lost",
      Whole{drive<&Drive::lost_pulse>, {0, 1e9}}},
 
     {"spindle.min_rpm", "rpm", "a smaller S is clamped with a warning",

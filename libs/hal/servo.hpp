@@ -41,7 +41,7 @@ class ServoAxis {
   /// At rest at `position`, which is also commanded. Realtime.
   void reset(double position) noexcept;
 
-  /// Runs one servo period in which these command pulses come, in order of time. Every so manieth
+  /// Runs one servo period in which these command pulses come, in order of time. Every n-th
   /// is lost before the counter where the drive says so, which is an alarm. Realtime.
   void advance(std::span<const CommandPulse> pulses) noexcept;
 

@@ -107,14 +107,22 @@ void refuse_surface_speed(Task& task) {
   task.modal.uncertain.add('S');
 }
 
+/// A feed in mm/s: the word, and what it stands for where that is another number of mm/min.
+std::string feed_text(const Task& task, double feed) {
+  const double asked = mm_min_from_mm_s(feed);
+  const std::string in_mm_min = number_text(asked) + " mm/min";
+  if (task.word.letter != 'F' || task.modal.feed_mode != FeedMode::per_minute)
+    return "a feed of " + in_mm_min;
+  return "F" + number_text(task.word.value) +
+         (task.modal.mm_per_unit == 1 ? "" : ", " + in_mm_min + ",");
+}
+
 /// mm/s, held at the machine's limit.
 [[gnu::hot]] double held_feed(Task& task, double feed) {
   const double limit = task.machine.limits.feed;
   if (limit <= 0 || feed <= limit) return is_possible_feed(task, feed) ? feed : 0;
   if (!task.modal.feed_warned)
-    task.out.report(Code::SC2201, task.word.pos,
-                    "F is above the machine's " + number_text(mm_min_from_mm_s(limit)) +
-                        " mm/min, which are used here and below");
+    task.out.report(Code::SC2201, task.word.pos, above_limit(feed_text(task, feed), limit));
   task.modal.feed_warned = true;
   return limit;
 }

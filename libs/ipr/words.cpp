@@ -356,4 +356,9 @@ std::string number_text(double value) {
   return number == "-0" ? "0" : number;
 }
 
+std::string above_limit(const std::string& feed, double limit) {
+  const std::string most = number_text(mm_min_from_mm_s(limit));
+  return feed + " is above the machine's " + most + " mm/min; from here on " + most + " is used";
+}
+
 }  // namespace softcnc::ipr

@@ -100,7 +100,7 @@ struct Drive {
   double supply_voltage = 80.0;     // V
   double current_limit = 16.0;      // A
   double following_error = 12.0;    // mm: alarm beyond
-  int lost_pulse = 0;               // every so manieth command pulse is lost on its way; 0: none
+  int lost_pulse = 0;               // every n-th command pulse is lost on its way; 0: none
 };
 
 struct Axis {
