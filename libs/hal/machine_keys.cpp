@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
-#include <numeric>
 #include <vector>
 
 #include "hal/axis_name.hpp"
+#include "motion/spelling.hpp"
 #include "motion/units.hpp"
 
 namespace softcnc::hal {
@@ -264,26 +264,6 @@ std::optional<int> match_prefix(const std::vector<std::string_view>& parts,
   return index;
 }
 
-std::string_view leaf(std::string_view path) { return path.substr(path.rfind('.') + 1); }
-
-/// Levenshtein distance, or `limit` if it is not below that.
-std::size_t distance(std::string_view a, std::string_view b, std::size_t limit) {
-  if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) >= limit) return limit;
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-    if (*std::min_element(row.begin(), row.end()) >= limit) return limit;
-  }
-  return std::min(row[b.size()], limit);
-}
-
 /// The axis or tool that `path` names where `key` has its '*', otherwise the first.
 int index_like(std::string_view path, const MachineKey& key) {
   const auto parts = split(path);
@@ -293,23 +273,17 @@ int index_like(std::string_view path, const MachineKey& key) {
   return axis ? 0 : 1;
 }
 
-/// The known key, cut off after `depth` parts, that reads most like `path`.
+/// The known key, cut off after `depth` parts, that is most like `path`; empty if none is like it.
 std::string nearest(std::string_view path, std::size_t depth) {
-  std::string nearest;
-  std::size_t least = std::string::npos;
+  std::vector<std::string> all;
   for (const MachineKey& key : kKeys) {
     std::string known = path_of({&key, index_like(path, key)});
     const auto parts = split(known);
     if (depth < parts.size())
       known.resize(static_cast<std::size_t>(parts[depth].data() - known.data()) - 1);
-    if (least <= 1) break;  // none is nearer, as none is equal
-    const std::size_t far =
-        std::min(distance(path, known, least), distance(leaf(path), leaf(known), least - 1) + 1);
-    if (far >= least) continue;
-    least = far;
-    nearest = known;
+    all.push_back(std::move(known));
   }
-  return nearest;
+  return nearest_name(path, std::vector<std::string_view>(all.begin(), all.end()));
 }
 
 }  // namespace

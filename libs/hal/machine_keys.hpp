@@ -75,7 +75,8 @@ bool is_tool_key(const MachineKey& key) noexcept;
 
 std::string path_of(const KeyRef& ref);
 
-/// The known key that reads most like `path`, spelled for the same axis or tool.
+/// The known key that reads most like `path`, spelled for the same axis or tool; empty if none
+/// does.
 std::string nearest_key(std::string_view path);
 
 /// The same for the name of a table.

@@ -9,6 +9,7 @@
 
 #include "hal/axis_name.hpp"
 #include "hal/number.hpp"
+#include "motion/spelling.hpp"
 #include "motion/units.hpp"
 #include "motion/utf8.hpp"
 
@@ -16,7 +17,7 @@ namespace softcnc::hal {
 namespace {
 
 std::string unknown(std::string_view key, const std::string& nearest) {
-  return "unknown key '" + std::string(key) + "'; did you mean '" + nearest + "'?";
+  return "unknown key '" + std::string(key) + "'" + did_you_mean(nearest);
 }
 
 /// Those of settings come last, in the order in which they are found.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hal/number.hpp"
+#include "motion/spelling.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -75,7 +76,8 @@ Status store(const Choice& choice, const KeyRef& ref, const FileValue& value, Ma
   const auto found = std::find(choice.words.begin(), choice.words.end(), *word);
   if (found == choice.words.end())
     return failure(Code::SC7006, path_of(ref) + " does not know " + quoted(*word) + "; it knows " +
-                                     list(choice.words));
+                                     list(choice.words) +
+                                     did_you_mean(nearest_name(*word, choice.words)));
   choice.set(machine, static_cast<int>(found - choice.words.begin()));
   return {};
 }

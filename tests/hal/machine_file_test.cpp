@@ -615,6 +615,8 @@ TEST_CASE("the nearest key is spelled for the same axis", "[hal][machine]") {
   CHECK(nearest_key("axis.z.drive.kv") == "axis.z.drive.kv_1_s");
   CHECK(nearest_key("tool.12.tooth") == "tool.12.teeth");
   CHECK(nearest_key("feed_mm_min") == "limits.feed_mm_min");
+  CHECK(nearest_key("axis.z.accel") == "axis.z.acceleration_mm_s2");
+  CHECK(nearest_key("xyzzy").empty());
 }
 
 TEST_CASE("the built-in machine reads back from its text bit for bit", "[hal][machine]") {
