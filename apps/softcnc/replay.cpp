@@ -16,8 +16,6 @@
 namespace softcnc::app {
 namespace {
 
-constexpr int kDiffers = 1;
-
 /// The machine of the recording unless one is given.
 hal::MachineOrFaults machine_of(const Recording& recording, const std::string& name,
                                 const Options& options) {
@@ -92,7 +90,7 @@ Result<int> verdict(const std::string& name, const Material& material, StandardO
   if (!comparison.status()) return tl::make_unexpected(comparison.status().error());
   if (!comparison.difference().empty()) {
     out.write(fmt::format("{}: {}", name, comparison.difference()));
-    return kDiffers;
+    return failed({Code::SC6023, {}, comparison.in_words(), name, {}});
   }
   if (Status good = material.recording.check_trace(); !good)
     return tl::make_unexpected(std::move(good.error()));

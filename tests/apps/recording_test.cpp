@@ -184,6 +184,32 @@ TEST_CASE("one BLU in one row is a difference: the row is shown, exit status 1",
   CHECK(ended.out.find("\n! x_mm ") != std::string::npos);
   CHECK(ended.out.find("\n  y_mm ") != std::string::npos);
   CHECK(ended.out.find(trace.word(320, "x_mm") + "  -0.0025\n") != std::string::npos);
+  CHECK(shows(ended.err, ".rec: error: row 321 differs: at 0.32 s, line "));
+  CHECK(shows(ended.err, ", x_mm is ... in the recording and " + trace.word(320, "x_mm") +
+                             " here; another path, or another part of it: the tool is 0.0025 mm "
+                             "away [SC6023]\n"));
+}
+
+TEST_CASE("a difference is a diagnostic for programs, too", "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  const std::string slower = "replay " + file + " --set axis.x.acceleration_mm_s2=900";
+  const Ended ended = call(slower + " --diagnostics json");
+  CHECK(ended.status == 1);
+  const json list = json::parse(ended.err);
+  REQUIRE(list.size() == 1);
+  CHECK(list[0]["file"] == file);
+  CHECK(list[0]["severity"] == "error");
+  CHECK(list[0]["code"] == "SC6023");
+  const std::string message = list[0]["message"];
+  CHECK(shows(message,
+              "row 1 differs: at 0 s, line ..., a_mm_s2 is ... in the recording and ... "
+              "here; the tool is in the same place"));
+  const json sarif = json::parse(call(slower + " --diagnostics sarif").err);
+  const json& result = sarif["runs"][0]["results"][0];
+  CHECK(result["ruleId"] == "SC6023");
+  CHECK(result["message"]["text"] == message);
+  CHECK(sarif["runs"][0]["invocations"][0]["exitCode"] == 1);
 }
 
 TEST_CASE("lengths may differ by 1e-6 mm, names not at all", "[apps][recording]") {
