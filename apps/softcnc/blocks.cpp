@@ -7,6 +7,7 @@
 #include "machine_memory.hpp"
 #include "messages.hpp"
 #include "preflight.hpp"
+#include "repeated_errors.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -16,7 +17,8 @@ int write_blocks(Program& program, const Machine& machine, const Options& option
   Messages messages;
   auto state = open_state(options.state, messages);
   if (!state) return messages.fail(state.error());
-  Diagnostics diagnostics(messages.sink(program));
+  ShownOnce shown(program, messages.sink(program));
+  Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(program.name());
   ipr::Reader reader = program.reader();
   ipr::Parser parser(reader, diagnostics);
@@ -34,6 +36,7 @@ int write_blocks(Program& program, const Machine& machine, const Options& option
     return out.ok();
   };
   each_block(interpreter, take, wait);
+  shown.finish();
   return worse_status(diagnostics.status(), out.finish());
 }
 

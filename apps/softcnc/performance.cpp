@@ -13,6 +13,7 @@
 #include "messages.hpp"
 #include "paced_player.hpp"
 #include "preflight.hpp"
+#include "repeated_errors.hpp"
 #include "report_json.hpp"
 #include "rest_on_signal.hpp"
 #include "summary.hpp"
@@ -84,7 +85,8 @@ Diagnostics::Sink Performer::sink() {
 }
 
 void Performer::run(hal::Backend& backend, TraceRows& rows) {
-  Diagnostics diagnostics(sink());
+  ShownOnce shown(job_.program, sink());
+  Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(job_.program.name());
   ipr::Reader reader = job_.program.reader();
   std::optional<PacedCycle> paced;
@@ -93,6 +95,7 @@ void Performer::run(hal::Backend& backend, TraceRows& rows) {
       simulate(reader, job_.program.descriptor(), job_.machine, job_.options, backend, diagnostics,
                &rows, &terminal_, paced ? &*paced : nullptr);
   terminal_.end();
+  shown.finish();
   if (paced) performance_.punctuality = paced->punctuality();
   performance_.following_error = backend.following_error_max();
   performance_.settled = backend.settle();

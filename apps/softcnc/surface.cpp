@@ -16,6 +16,7 @@
 #include "performance.hpp"
 #include "preflight.hpp"
 #include "progress.hpp"
+#include "repeated_errors.hpp"
 #include "surface_file.hpp"
 #include "surface_grid.hpp"
 #include "surface_report.hpp"
@@ -58,9 +59,11 @@ class SurfaceJob {
 /// The first reading: what cuts, and what is wrong with the text. It takes a small part of the time
 /// of the run, and before that the size of the surface is known, and whether it can be cut at all.
 int SurfaceJob::read() {
-  Diagnostics diagnostics(messages_.sink(job_.program));
+  ShownOnce shown(job_.program, messages_.sink(job_.program));
+  Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(job_.program.name());
   cutting_ = read_cutting(job_.program, job_.machine, job_.options, diagnostics, terminal_);
+  shown.finish();
   return terminal_.signal() != 0 ? stopped() : diagnostics.status();
 }
 
