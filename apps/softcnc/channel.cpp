@@ -16,14 +16,6 @@ namespace {
 constexpr double kAhead = 256;
 constexpr double kSameInstant = 1e-9;  // periods: rounding of sums
 
-void add_times(const ipo::Profile& profile, double until, std::array<double, kLimits>& sums) {
-  profile.for_each_piece([&](Limit limit, double duration) {
-    const double passed = std::clamp(until, 0.0, duration);
-    sums[static_cast<std::size_t>(limit)] += passed;
-    until -= duration;
-  });
-}
-
 bool is_pause(const Block& block) {
   const auto* action = std::get_if<Action>(&block.what);
   if (action == nullptr) return false;
@@ -148,7 +140,10 @@ Channel::Channel(ipr::Reader& reader, int input, const Machine& machine,
       control_{options.feed_override, false, false},
       feeder_(reader, input, machine, options, diagnostics),
       queue_(10 * machine.control.period),
-      interpolator_(queue_, machine.control) {}
+      interpolator_(queue_, machine.control),
+      times_(options.worst_lines > 0) {
+  interpolator_.set_feed_override(options.feed_override);
+}
 
 /// Plans what the next step may reach. False where an exception has broken that off.
 bool Channel::plan_ahead() noexcept {
@@ -199,8 +194,9 @@ void Channel::replan() noexcept {
   if (queue_.empty() || broken_) return;
   try {
     const double now = interpolator_.time();
-    add_times(queue_.front().profile, now - queue_.front().t_start, time_by_limit_);
+    add_present();
     feeder_.replan(queue_, interpolator_.state(), now, control_);
+    interpolator_.set_feed_override(control_.feed_override);
     replanned_ = true;
   } catch (...) {
     broken_ = std::current_exception();
@@ -210,7 +206,8 @@ void Channel::replan() noexcept {
 void Channel::forget_passed() {
   const auto* present = queue_.empty() ? nullptr : &queue_.front();
   queue_.for_each_recent([&](const ipo::TimedBlock& timed) {
-    if (&timed != present) add_times(timed.profile, timed.profile.duration(), time_by_limit_);
+    if (&timed != present)
+      times_.add(timed, timed.profile.duration(), interpolator_.feed_override());
   });
   queue_.trim();
 }
@@ -223,10 +220,15 @@ double Channel::time() const noexcept {
   return queue_.empty() ? queue_.t_end() : interpolator_.time();
 }
 
-std::array<double, kLimits> Channel::time_by_limit() const {
-  auto sums = time_by_limit_;
-  if (!queue_.empty()) add_times(queue_.front().profile, time() - queue_.front().t_start, sums);
-  return sums;
+/// What has passed of the block in which the machine is.
+void Channel::add_present() {
+  if (!queue_.empty())
+    times_.add(queue_.front(), time() - queue_.front().t_start, interpolator_.feed_override());
+}
+
+const RunTimes& Channel::end_times() {
+  add_present();
+  return times_;
 }
 
 }  // namespace softcnc::app

@@ -24,6 +24,7 @@
 #include "motion/cycle.hpp"
 #include "motion/programmed_path.hpp"
 #include "motion/verify.hpp"
+#include "run_times.hpp"
 #include "state_history.hpp"
 #include "surface_notes.hpp"
 
@@ -37,6 +38,7 @@ struct ChannelOptions {
   bool keeps_state = false;       // Outcome::state is asked for
   bool single_block = false;      // every move ends at rest, every line waits for a person
   std::vector<FeedEvent> events;  // in the order of time
+  std::size_t worst_lines = 0;    // Outcome::worst_lines: so many are asked for
 };
 
 /// Where the program waits for a person, and when that is passed.
@@ -159,8 +161,8 @@ class Channel {
 
   /// The instant of the plan that has been reached, s: at the end, its duration.
   double time() const noexcept;
-  /// How long of it each limit has held the feed down, s.
-  std::array<double, kLimits> time_by_limit() const;
+  /// What it was spent on. Nothing may be run after that.
+  const RunTimes& end_times();
 
   /// Events that the run has not reached.
   std::size_t events_left() const noexcept { return events_.size() - answered_; }
@@ -170,6 +172,7 @@ class Channel {
  private:
   bool plan_ahead() noexcept;
   void replan() noexcept;
+  void add_present();
 
   const Machine& machine_;
   std::vector<FeedEvent> events_;
@@ -178,7 +181,7 @@ class Channel {
   Feeder feeder_;
   ipo::BlockQueue queue_;
   ipo::Interpolator interpolator_;
-  std::array<double, kLimits> time_by_limit_{};  // of what has been forgotten
+  RunTimes times_;  // of what has been forgotten
   bool started_ = false, stopping_ = false;
   bool replanned_ = false;  // the interpolator has not been told
   std::exception_ptr broken_;
@@ -222,6 +225,8 @@ struct Outcome {
   std::int64_t setpoints = 0;
   double time = 0;  // s of the plan
   std::array<double, kLimits> time_by_limit{};
+  TimeSheet time_sheet;
+  std::vector<WorstLine> worst_lines;  // as many as are asked for
   Measured measured;
   double corner_deviation = 0;          // mm: of rounded corners from the programmed path, largest;
   ProgrammedPath::Deviation deviation;  // and that which comes nearest to what is allowed

@@ -15,6 +15,7 @@
 #include "messages.hpp"
 #include "preflight.hpp"
 #include "progress.hpp"
+#include "time_text.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -69,10 +70,14 @@ int check_program(const std::string& name, const Machine& machine, const Channel
   const std::filesystem::path folder = program->folder();
   for (const std::string& file : checked.outcome.called_files) called.push_back(folder / file);
   for (const std::string& file : checked.outcome.missing_files) called.push_back(folder / file);
-  if (checked.status == 0)
+  if (checked.status == 0) {
     spdlog::debug("{}: {}, {:.3f} mm in {} blocks", program->name(),
                   duration_text(checked.outcome.time), checked.outcome.last.s,
                   checked.outcome.last.block);
+    spdlog::debug("{}", time_sheet_text(checked.outcome.time_sheet));
+    if (options.worst_lines > 0)
+      spdlog::info("{}:\n{}", program->name(), worst_lines_text(checked.outcome.worst_lines));
+  }
   return checked.status;
 }
 

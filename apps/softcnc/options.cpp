@@ -25,6 +25,7 @@ namespace softcnc::app {
 namespace {
 
 constexpr int kWrongUsage = 2;
+constexpr int kMostLines = 1'000'000;                // of --worst
 constexpr double kLargestOverride = 200;             // percent
 constexpr double kShortest = 0.001, kLongest = 1e6;  // s: of a measurement
 constexpr const char* kReadsState = "Begin with these work offsets, tool table and parameters";
@@ -128,6 +129,14 @@ bool held_for_ever(const Options& options) {
   return control.halts();
 }
 
+void add_worst(CLI::App& command, Options& options) {
+  command
+      .add_option("--worst", options.worst,
+                  "Name the N lines that lose most time against their feed, with the limit")
+      ->check(CLI::Range(1, kMostLines).description(""))
+      ->type_name("N");
+}
+
 void add_progress(CLI::App& command, Options& options) {
   command
       .add_option_function<std::string>(
@@ -194,6 +203,7 @@ void add_run(CLI::App& command, Options& options, const char* state) {
 
 void make_run(CLI::App& command, Options& options) {
   add_run(command, options, "Work offsets, tool table and parameters, read before and kept after");
+  add_worst(command, options);
   command.add_flag("--dry-run", options.dry_run,
                    "No backend and no pre-flight; the trace goes to stdout as CSV");
   command
@@ -206,6 +216,7 @@ void make_check(CLI::App& command, Options& options) {
   command.add_option("PART", options.files, "Part programs; - is standard input")
       ->required()
       ->type_name("");
+  add_worst(command, options);
   command.add_flag("--watch", options.watch, "Check again whenever a file changes, until Ctrl-C");
   add_machine(command, options);
   add_state(command, options, kReadsState);

@@ -42,6 +42,8 @@ struct Options {
   ipr::Dialect dialect = ipr::Dialect::linuxcnc;
   ipr::Format format = ipr::Format::automatic;
 
+  int worst = 0;  // run, check: so many lines that lose most time are named
+
   bool dry_run = false, watch = false;
   bool realtime = false;      // run, record: as fast as the clock goes
   std::string trace, report;  // files; empty: none

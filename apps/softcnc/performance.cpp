@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "corner_cost.hpp"
 #include "file_clash.hpp"
 #include "hal/machine_file.hpp"
 #include "machine_memory.hpp"
@@ -17,6 +18,7 @@
 #include "rest_on_signal.hpp"
 #include "summary.hpp"
 #include "terminal.hpp"
+#include "time_text.hpp"
 #include "trace_rows.hpp"
 #include "verification.hpp"
 
@@ -112,6 +114,9 @@ void Performer::judge(Diagnostics& diagnostics) {
   const bool at_rest = outcome.end == Outcome::End::done || outcome.end == Outcome::End::stopped;
   if (at_rest && diagnostics.errors() == 0)
     report_excess(outcome.measured, outcome.deviation, job_.machine, diagnostics);
+  if (options_.dry_run && outcome.end == Outcome::End::done && diagnostics.errors() == 0)
+    judge_corners(job_.program, job_.machine, job_.options, performance_.outcome, &terminal_,
+                  diagnostics);
   performance_.status = diagnostics.status();
   if (outcome.end == Outcome::End::alarm)
     performance_.ending = Ending::alarm;
@@ -160,12 +165,11 @@ void explain(std::string_view what, const Outcome& outcome) {
       outcome.cpu.verification, outcome.cpu.output);
 }
 
-/// The pre-flight; `total` becomes the time that the program takes.
-Performance check_first(Job& job, Messages& messages, Terminal& terminal, double& total) {
+/// The pre-flight; `expected` becomes its outcome.
+Performance check_first(Job& job, Messages& messages, Terminal& terminal, Outcome& expected) {
   terminal.begin("checking", 0);
-  const Preflight checked = preflight(job.program, job.machine, job.options, messages, &terminal);
+  Preflight checked = preflight(job.program, job.machine, job.options, messages, &terminal);
   terminal.end();
-  total = checked.outcome.time;
   explain("pre-flight", checked.outcome);
   Performance performance;
   performance.status = checked.status;
@@ -173,6 +177,7 @@ Performance check_first(Job& job, Messages& messages, Terminal& terminal, double
     performance.status = worse_status(checked.status, kSignalled + terminal.signal());
     if (checked.status == 0) performance.ending = Ending::stopped;
   }
+  expected = std::move(checked.outcome);
   return performance;
 }
 
@@ -244,21 +249,30 @@ std::string_view name(Ending ending) noexcept {
 Performance perform(Job& job, const Options& options, const std::string& trace) {
   Terminal terminal(options.progress, on_terminal(trace), job.machine.control.period);
   Messages messages([&terminal] { terminal.end(); });
-  double total = 0;
+  Outcome expected;
   Performance performance;
-  if (!options.dry_run) performance = check_first(job, messages, terminal, total);
+  if (!options.dry_run) performance = check_first(job, messages, terminal, expected);
   if (performance.status == 0) {
     if (may_ask(options)) terminal.wait_at_stops();
-    performance = Performer(job, options, messages, terminal).move(trace, total);
+    performance = Performer(job, options, messages, terminal).move(trace, expected.time);
+    if (!options.dry_run)
+      performance.outcome.time_sheet.corner_cost = expected.time_sheet.corner_cost;
     if (performance.moved) explain("run", performance.outcome);
   }
   performance.diagnostics.assign(messages.kept().begin(), messages.kept().end());
   return performance;
 }
 
+/// The summary; with -v its time sheet, too, and the worst lines where they are asked for.
+void say(const Outcome& outcome, const Options& options, const std::string& summary) {
+  spdlog::info("{}", summary);
+  spdlog::debug("{}", time_sheet_text(outcome.time_sheet));
+  if (options.worst > 0) spdlog::info("{}", worst_lines_text(outcome.worst_lines));
+}
+
 int conclude(Job& job, const Options& options, const Performance& performance) {
   if (performance.moved && performance.ending != Ending::error)
-    spdlog::info("{}", summary(job, performance));
+    say(performance.outcome, options, summary(job, performance));
   const std::size_t left = performance.outcome.events_left;
   for (std::size_t i = job.options.events.size() - left;
        performance.moved && performance.ending == Ending::done && i < job.options.events.size();

@@ -3,11 +3,23 @@
 
 #include <utility>
 
+#include "corner_cost.hpp"
 #include "endless.hpp"
 #include "held_errors.hpp"
 #include "verification.hpp"
 
 namespace softcnc::app {
+
+namespace {
+
+/// The report tells of some, asked for or not.
+std::size_t worst_lines(const Options& options) {
+  constexpr std::size_t kReported = 10;
+  if (options.worst > 0) return static_cast<std::size_t>(options.worst);
+  return options.report.empty() ? 0 : kReported;
+}
+
+}  // namespace
 
 ipr::InterpreterOptions interpreter_options(const Options& options, const std::string& folder) {
   ipr::InterpreterOptions interpreter;
@@ -20,9 +32,13 @@ ipr::InterpreterOptions interpreter_options(const Options& options, const std::s
 }
 
 ChannelOptions channel_options(const Options& options, const std::string& folder) {
-  return {
-      options.feed_override, interpreter_options(options, folder), {}, false, options.single_block,
-      options.events};
+  return {options.feed_override,
+          interpreter_options(options, folder),
+          {},
+          false,
+          options.single_block,
+          options.events,
+          worst_lines(options)};
 }
 
 Machine without_backend(Machine machine) {
@@ -54,6 +70,8 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
     report_excess(result.outcome.measured, result.outcome.deviation, machine, diagnostics);
     if (tells == Tells::surface_too) result.outcome.surface.tell_blocks(diagnostics);
     result.outcome.surface.warn(diagnostics);
+    if (result.outcome.end == Outcome::End::done)
+      judge_corners(program, machine, options, result.outcome, watcher, diagnostics);
   }
   errors.finish();
   result.status = errors.status();

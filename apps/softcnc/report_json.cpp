@@ -10,6 +10,7 @@
 #include "hal/machine_file.hpp"
 #include "motion/counts.hpp"
 #include "motion/units.hpp"
+#include "time_text.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -122,6 +123,7 @@ std::string report_json(Job& job, const Performance& performance) {
     report["setpoints"] = outcome.setpoints;
     add_measured(report, job.machine, outcome);
     report["time_by_limit_s"] = time_by_limit(outcome);
+    add_times(report, outcome);
     add_axes(report, job.machine, performance);
     report["planner_nodes"] = outcome.planner.nodes;
     report["planner_passes"] = outcome.planner.passes;

@@ -90,7 +90,9 @@ class Simulation {
         paced_(paced),
         buffer_(paced ? nullptr : &backend),
         batch_(batch_of(machine)),
-        verification_(machine) {
+        verification_(machine),
+        diagnostics_(diagnostics),
+        worst_lines_(options.worst_lines) {
     channel_.feeder().show(verification_.programmed());
   }
 
@@ -113,6 +115,7 @@ class Simulation {
   bool write(RowSink* rows, const CycleReport& cycle);
   bool collect();
   void end_paced();
+  void keep_times();
   Outcome finish();
 
   int input_;
@@ -123,6 +126,8 @@ class Simulation {
   RowBuffer buffer_;
   std::size_t batch_;  // rows
   Verification verification_;
+  const Diagnostics& diagnostics_;
+  std::size_t worst_lines_;
   Outcome outcome_;
   CpuLaps cpu_;
 };
@@ -195,13 +200,21 @@ void Simulation::end_paced() {
   channel_.feeder().states().pass(outcome_.last.block);
 }
 
+void Simulation::keep_times() {
+  const RunTimes& times = channel_.end_times();
+  outcome_.time_by_limit = times.by_limit();
+  outcome_.time_sheet = times.sheet();
+  outcome_.worst_lines =
+      times.lines().worst(worst_lines_, [this](int file) { return diagnostics_.file(file); });
+}
+
 Outcome Simulation::finish() {
   if (outcome_.end == Outcome::End::done) verification_.finish();  // otherwise it is not at rest
   if (outcome_.end == Outcome::End::done && panel_.stop) outcome_.end = Outcome::End::stopped;
   const StateHistory& states = channel_.feeder().states();
   outcome_.state = outcome_.end == Outcome::End::done ? states.last() : states.present();
   outcome_.time = channel_.time();
-  outcome_.time_by_limit = channel_.time_by_limit();
+  keep_times();
   outcome_.measured = verification_.measured();
   outcome_.corner_deviation = verification_.programmed().largest();
   outcome_.deviation = verification_.programmed().worst();

@@ -12,6 +12,7 @@
 #include "motion/counts.hpp"
 #include "motion/units.hpp"
 #include "progress.hpp"
+#include "time_text.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -127,9 +128,10 @@ std::string cost(const Outcome& outcome) {
 
 std::string summary(const Job& job, const Performance& performance) {
   const Outcome& outcome = performance.outcome;
-  return head(job, performance) + sizes(job, outcome) + held_by(outcome) +
-         axes(job.machine, performance) + further_limits(job.machine, outcome.measured) +
-         sent(performance) + punctuality(performance) + cost(outcome);
+  return head(job, performance) + sizes(job, outcome) + rests_line(outcome.time_sheet) +
+         held_by(outcome) + axes(job.machine, performance) +
+         further_limits(job.machine, outcome.measured) + sent(performance) +
+         punctuality(performance) + cost(outcome);
 }
 
 }  // namespace softcnc::app

@@ -15,7 +15,7 @@
 namespace softcnc::hal {
 
 /// Raised when columns change their meaning or order.
-inline constexpr int kTraceSchema = 1;
+inline constexpr int kTraceSchema = 2;
 
 struct TraceHeader {
   double period = 0.001;     // s

@@ -71,7 +71,7 @@ PathPoint point_inside(const Interval& interval, double s) noexcept {
   return {mix(a.q, b.q), mix(a.dq, b.dq), mix(a.ddq, b.ddq), mix(a.dddq, b.dddq)};
 }
 
-void Chain::append(const Move& move, const Constraints& constraints, bool rest) {
+void Chain::append(const Move& move, const Constraints& constraints, RestBefore rest) {
   if (nodes.empty()) nodes.emplace_back();
   const double whole = length(move.path);
   // What lies further ahead of the joint is not asked by it.
@@ -83,7 +83,7 @@ void Chain::append(const Move& move, const Constraints& constraints, bool rest) 
     make_room(static_cast<double>(grid_.size()) * (whole - begin) / (s - begin));
     for (std::size_t i = 0; i < grid_.size(); ++i) {
       add(std::span<const Interval>(grid_).subspan(i), constraints, rest);
-      rest = false;
+      rest.reset();
     }
     grid_.clear();
     felt = 0;
@@ -131,7 +131,7 @@ void Chain::make_room(double more) {
 }
 
 /// Adds the first of `ahead`; behind it stand those that are known to follow.
-void Chain::add(std::span<const Interval> ahead, const Constraints& constraints, bool rest) {
+void Chain::add(std::span<const Interval> ahead, const Constraints& constraints, RestBefore rest) {
   const Interval& interval = ahead.front();
   const double period = constraints.period();
   double step = kUnlimited;
@@ -146,7 +146,7 @@ void Chain::add(std::span<const Interval> ahead, const Constraints& constraints,
       Node& joint = nodes.back();
       joint.turn = turn;
       joint.kink = jump.cwiseAbs();
-      if (turn > kTangentTolerance) rest = true;
+      if (turn > kTangentTolerance) rest = rest.value_or(Limit::corner);
       const double kink_step =
           std::min({4 * kTurnShare * constraints.chord_tolerance() / turn,
                     std::sqrt(std::max(before.right_cap.q, interval.left_cap.q)) * period,
@@ -161,7 +161,7 @@ void Chain::add(std::span<const Interval> ahead, const Constraints& constraints,
     }
     while (intervals.back().length() > back) split(intervals.size() - 1, middle(intervals.back()));
   }
-  if (rest) nodes.back().own.lower_to({0, Limit::corner});
+  if (rest) nodes.back().own.lower_to({0, *rest});
   if (interval.length() <= step) return push(interval);
   Interval rest_of_it = interval;
   std::vector<Interval> later;

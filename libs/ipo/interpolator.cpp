@@ -147,6 +147,7 @@ Setpoint Interpolator::setpoint() noexcept {
   next.period = periods_;
   next.v = 0;
   next.a = 0;
+  next.feed = 0;
   next.limit = Limit::stop;
   double planned = next.s;
   if (!queue_.empty()) {
@@ -161,6 +162,7 @@ Setpoint Interpolator::setpoint() noexcept {
     next.v = now.v;
     next.a = now.a;
     next.limit = now.limit;
+    if (const Move* move = block.move()) next.feed = asked_feed(*move, feed_override_);
     if (const PulseWalk* pulses = queue_.pulses())
       next.position = pulses->position();
     else if (const Move* move = block.move())

@@ -23,6 +23,10 @@ class Interpolator {
   /// queue must hold every block up to needs_until(), or all there are.
   std::optional<Setpoint> step() noexcept;
 
+  /// The override of the programmed feed from the next setpoint on: what Setpoint::feed shows.
+  void set_feed_override(double feed_override) noexcept { feed_override_ = feed_override; }
+  double feed_override() const noexcept { return feed_override_; }
+
   /// The planned time, s, that the next step may reach.
   double needs_until() const noexcept;
 
@@ -54,8 +58,9 @@ class Interpolator {
   std::size_t hint_ = 0;               // piece of its profile
   std::optional<ParameterWalk> walk_;  // through its NURBS, by a method of the literature
   std::vector<TimedStep> pulses_;      // by a method of reference pulses: of the period
-  double planned_ = 0;                 // integral of the planned speed since the last setpoint, mm
-  double planned_from_ = 0;            // program length at the last setpoint, mm
+  double feed_override_ = 1;
+  double planned_ = 0;       // integral of the planned speed since the last setpoint, mm
+  double planned_from_ = 0;  // program length at the last setpoint, mm
   Setpoint last_;
   bool done_ = false;
 };

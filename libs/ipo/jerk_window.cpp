@@ -36,6 +36,15 @@ Limit name_of(const Ramp& ramp, const Constraints& constraints, double share) no
   return constraints.binding_acceleration(a, share);
 }
 
+/// The last of them brake to a rest that a corner forces.
+void name_braking(Ramps& ramps) noexcept {
+  for (auto of_interval = ramps.rbegin(); of_interval != ramps.rend(); ++of_interval)
+    for (auto ramp = of_interval->rbegin(); ramp != of_interval->rend(); ++ramp) {
+      if (!limits_ramps(ramp->limit) || ramp->v1 >= ramp->v0) return;
+      ramp->limit = Limit::corner;
+    }
+}
+
 /// The shortest way in which a motion along a straight line stops, mm: from the place where it is
 /// fastest it brakes with the jerk and the acceleration it may.
 double straight_stop(const Motion& motion, double a, double j) noexcept {
@@ -234,6 +243,7 @@ std::optional<Plan> JerkWindow::plan_softly(std::size_t end, std::size_t taken) 
 
 void JerkWindow::take(Plan plan, std::size_t intervals) {
   Ramps& ramps = plan.ramps;
+  if (chain_.nodes[front_ + ramps.size()].forces_rest()) name_braking(ramps);
   const auto cut = ramps.begin() + static_cast<std::ptrdiff_t>(intervals);
   planned_.assign(std::make_move_iterator(ramps.begin()), std::make_move_iterator(cut));
   tail_.assign(std::make_move_iterator(cut), std::make_move_iterator(ramps.end()));
@@ -329,8 +339,10 @@ std::optional<std::size_t> JerkWindow::rest_early(double resolution) {
 
 bool JerkWindow::run_front(Profile& profile, std::optional<Limit> as) {
   const double share = chain_.inside[front_].share * share_;
+  begin_ramp(front_rests());
   for (Ramp ramp : planned_.front()) {
-    ramp.limit = as.value_or(name_of(ramp, constraints_, share));
+    ramp.limit =
+        as.value_or(ramps_.name(name_of(ramp, constraints_, share), ramp.v0, ramp.v1, false));
     profile.add_ramp(ramp);
     motion_ = {ramp.v1, ramp.a1};
   }

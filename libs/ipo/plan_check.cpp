@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ipo/profile.hpp"
+
 namespace softcnc::ipo {
 namespace {
 
@@ -13,7 +15,6 @@ constexpr double kPassingAllowed = 1.0012;  // of a place: its constraints keep 
 constexpr double kFirmAllowed = 1 + 1e-7;   // rounding of a cap that holds everywhere
 constexpr int kInstants = 4;                // beside the first, or one a row up to
 constexpr int kMostInstants = 16;           // so many
-constexpr double kStandstill = 1e-9;        // mm/s: slower is rounding
 constexpr Used kTooMuch{kUnlimited, 0};     // no motion ahead
 
 double most(const AxisVector& values, const AxisVector& limits) noexcept {

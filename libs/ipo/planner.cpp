@@ -59,7 +59,7 @@ void Planner::leave_out(Diagnostic diagnostic, const SourcePos& place) {
   diagnostic.pos = place;
   diagnostics_.report(std::move(diagnostic));
   flush_corners();
-  rest_ = true;
+  rest_ = Limit::stop;
 }
 
 void Planner::flush_corners() {
@@ -73,11 +73,11 @@ void Planner::accept(Piece piece) {
   if (move && !feed_.halts()) {
     append(*move, rest_);
   }
-  rest_ = !move || move->join == Join::stop;
+  rest_ = rest_after(move);
 }
 
 /// A move is the same to the window whether it comes before an override or after it.
-void Planner::append(const Move& move, bool rest) {
+void Planner::append(const Move& move, RestBefore rest) {
   if (slower_)
     window_->append(move, rest, {slower_->cap({}, move), slower_->limit(move)});
   else

@@ -15,8 +15,6 @@ void shorten_dwell(TimedBlock& present, double t) {
     dwell->duration = std::max(present.t_end() - t, 0.0);
 }
 
-constexpr double kStandstill = 1e-9;  // mm/s: slower is rounding
-
 bool at_end(const TimedBlock& timed, double s) {
   const Move* move = timed.move();
   return !move || s >= length(move->path);
@@ -154,11 +152,11 @@ void Planner::lay_out(const std::deque<TimedBlock>& passed, double s) {
       make_window(constraints_, constraints_.limits_jerk() ? 1 : kAccelerationShare, horizon_);
   settled_ = last_size_ = 0;
   std::size_t moves_passed = 0;
-  bool at_rest = false;
+  RestBefore rest;
   const auto add = [&](const TimedBlock& timed) {
     const Move* move = timed.move();
-    if (move) append(*move, at_rest);
-    at_rest = !move || move->join == Join::stop;
+    if (move) append(*move, rest);
+    rest = rest_after(move);
   };
   for (const TimedBlock& timed : passed) {
     add(timed);

@@ -46,6 +46,7 @@ struct Setpoint {
   double v = 0;             // mm/s, planned
   double a = 0;             // mm/s^2 along the path, planned
   double advance = 0;       // mm: the planned speed integrated since the last setpoint
+  double feed = 0;          // mm/s, as programmed, with its override; 0 in rapids and between moves
   Limit limit = Limit::stop;
   AxisVector position = AxisVector::Zero();  // mm, commanded
   /// By a method of reference pulses: those that lead here from the last setpoint, in order. They

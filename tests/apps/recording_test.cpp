@@ -110,7 +110,7 @@ TEST_CASE("a recording holds all that a replay needs, and agrees with it", "[app
   CHECK(meta["trace"]["hash"] == softcnc::hal::hash_hex(entry(file, "trace.csv.zst")));
   const Trace trace = parse_trace(held.trace);
   CHECK(meta["trace"]["rows"] == trace.rows.size());
-  CHECK(trace.columns[10] == "x_act_mm");
+  CHECK(trace.columns[11] == "x_act_mm");
 
   const Ended ended = call("replay " + file);
   CHECK(ended.status == 0);

@@ -138,11 +138,11 @@ TEST_CASE("a dry run, a run and their repetition give the same rows", "[apps][ru
   call("run -q " + part + " --trace " + (folder / "sim.csv"));
   const Trace planned = parse_trace(dry.out), simulated = parse_trace(read(folder / "sim.csv"));
   REQUIRE(planned.rows.size() == simulated.rows.size());
-  REQUIRE(planned.columns.size() == 10);
+  REQUIRE(planned.columns.size() == 11);
   for (std::size_t i = 0; i < planned.rows.size(); ++i)
     for (std::size_t column = 0; column < planned.columns.size(); ++column)
       if (planned.rows[i][column] != simulated.rows[i][column]) FAIL_CHECK("row " << i);
-  CHECK(simulated.columns[10] == "x_act_mm");
+  CHECK(simulated.columns[11] == "x_act_mm");
 }
 
 TEST_CASE("a program through a pipe runs like a file", "[apps][run]") {
