@@ -15,6 +15,8 @@ namespace {
 /// How far ahead of its need the queue is filled, in periods.
 constexpr double kAhead = 256;
 constexpr double kSameInstant = 1e-9;  // periods: rounding of sums
+/// How far ahead in time the path is looked for, s.
+constexpr double kSight = 4;
 
 void add_times(const ipo::Profile& profile, double until, std::array<double, kLimits>& sums) {
   profile.for_each_piece([&](Limit limit, double duration) {
@@ -74,6 +76,18 @@ void Feeder::fill(ipo::BlockQueue& queue, double until) {
     if (!part && !patient_) part = planner_.pop_part_now();
     waiting_ = !part;
     if (waiting_) break;
+    if (const auto* timed = std::get_if<ipo::TimedBlock>(&*part)) find_pauses(*timed);
+    queue.push(std::move(*part));
+  }
+  cpu_ += cpu.lap();
+}
+
+void Feeder::look_ahead(ipo::BlockQueue& queue, double s, double t) {
+  CpuLaps cpu;
+  while (!waiting_ && queue.s_end().value_or(0) < s && queue.t_end() < t) {
+    auto part = planner_.pop_part();
+    if (!part && (ended_ || !read_block())) break;
+    if (!part) continue;
     if (const auto* timed = std::get_if<ipo::TimedBlock>(&*part)) find_pauses(*timed);
     queue.push(std::move(*part));
   }
@@ -163,6 +177,15 @@ bool Channel::plan_ahead() noexcept {
     broken_ = std::current_exception();
   }
   return !broken_;
+}
+
+void Channel::see_path_to(double s) noexcept {
+  if (broken_) return;
+  try {
+    feeder_.look_ahead(queue_, s, interpolator_.needs_until() + kSight);
+  } catch (...) {
+    broken_ = std::current_exception();
+  }
 }
 
 const Pause* Channel::pause_ahead() noexcept {

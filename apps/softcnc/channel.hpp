@@ -21,6 +21,7 @@
 #include "ipo/interpolator.hpp"
 #include "ipo/planner.hpp"
 #include "ipr/interpreter.hpp"
+#include "motion/contour_report.hpp"
 #include "motion/cycle.hpp"
 #include "motion/programmed_path.hpp"
 #include "motion/verify.hpp"
@@ -70,6 +71,9 @@ class Feeder {
   /// the motion ends with the last good block, and the rest is read only to tell what else is
   /// wrong.
   void fill(ipo::BlockQueue& queue, double until);
+  /// Times what there is of the path up to `s` mm, but no further than until `t`. What may
+  /// still change when more of a program comes is left as it is.
+  void look_ahead(ipo::BlockQueue& queue, double s, double t);
   /// Whether fill() has ended because the program's pipe has nothing more yet.
   bool waiting() const noexcept { return waiting_; }
   /// Whether the queue is to be filled further before anything is taken from it: where the rest of
@@ -153,6 +157,9 @@ class Channel {
   /// Blocks from the one of the last forget_passed() to the present one.
   const ipo::BlockQueue& queue() const noexcept { return queue_; }
   void forget_passed();
+  /// Fills the queue with the path up to `s` mm along the program, as far as that is known and the
+  /// machine comes there within seconds.
+  void see_path_to(double s) noexcept;
 
   /// Passes on what an exception has broken off.
   void rethrow() const;
@@ -225,6 +232,7 @@ struct Outcome {
   Measured measured;
   double corner_deviation = 0;          // mm: of rounded corners from the programmed path, largest;
   ProgrammedPath::Deviation deviation;  // and that which comes nearest to what is allowed
+  std::optional<ContourReport> contour;  // where the backend knows where the axes are
   SurfaceNotes surface;
   std::size_t events_left = 0;  // of the script: their moments were never reached
   MachineState state;           // where the machine rests, if ChannelOptions::keeps_state

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include "commands.hpp"
+#include "contour_rows.hpp"
 #include "hal/hash.hpp"
 #include "hal/machine_file.hpp"
 #include "hal/trace_csv.hpp"
@@ -59,7 +60,7 @@ int run_again(Material& material, Terminal& terminal) {
   const Machine& machine = material.machine;
   TraceRows rows(hal::csv_trace(comparison_sink(material.comparison),
                                 trace_header(material.program, machine), machine,
-                                material.backend->columns()));
+                                row_columns(*material.backend)));
   Messages messages([&terminal] { terminal.end(); });
   Diagnostics diagnostics([&, show = messages.sink(material.program)](const Diagnostic& d) {
     if (d.severity() == Severity::error) show(d);  // the rest was told when it was recorded

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "contour_text.hpp"
 #include "cpu_clock.hpp"
 #include "hal/axis_name.hpp"
 #include "hal/hash.hpp"
@@ -121,6 +122,7 @@ std::string report_json(Job& job, const Performance& performance) {
     report["blocks"] = outcome.last.block;
     report["setpoints"] = outcome.setpoints;
     add_measured(report, job.machine, outcome);
+    if (outcome.contour) add_contour(*outcome.contour, report);
     report["time_by_limit_s"] = time_by_limit(outcome);
     add_axes(report, job.machine, performance);
     report["planner_nodes"] = outcome.planner.nodes;

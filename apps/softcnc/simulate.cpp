@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "channel.hpp"
+#include "contour_rows.hpp"
 #include "cpu_clock.hpp"
 #include "descriptor.hpp"
 #include "paced_cycle.hpp"
@@ -22,30 +23,38 @@ std::size_t batch_of(const Machine& machine) {
   return static_cast<std::size_t>(std::clamp(rows, 1.0, static_cast<double>(kBatch)));
 }
 
-/// A Recorder that keeps the rows of a batch, with what the backend says of them if there is one.
+/// A Recorder that keeps the rows of a batch, with what the backend says of them if there is one:
+/// its values, and where the axes were.
 class RowBuffer {
  public:
   explicit RowBuffer(const hal::Backend* backend)
       : backend_(backend),
-        columns_(backend ? backend->columns().size() : 0),
+        columns_(backend ? row_columns(*backend).size() : 0),
         rows_(kBatch),
         pulses_(kBatch),
-        values_(kBatch * columns_) {}
+        values_(kBatch * columns_),
+        actual_(kBatch) {}
 
   void clear() noexcept { used_ = 0; }
   void record(const Setpoint& setpoint, const Feedback&) noexcept {
-    if (backend_) backend_->values(std::span(values_).subspan(used_ * columns_, columns_));
+    if (backend_) keep_what_backend_knows();
     rows_[used_] = setpoint;
     if (!setpoint.pulses.empty()) keep_pulses(setpoint.pulses);
     ++used_;
   }
 
   std::span<const Setpoint> rows() const noexcept { return std::span(rows_).first(used_); }
-  std::span<const double> values(std::size_t row) const noexcept {
+  std::span<double> values(std::size_t row) noexcept {
     return std::span(values_).subspan(row * columns_, columns_);
   }
+  std::span<const AxisVector> actual(std::size_t row) const noexcept { return actual_[row]; }
 
  private:
+  void keep_what_backend_knows() noexcept {
+    const auto actual = backend_->actual();
+    backend_->values(values(used_).first(backend_->columns().size()));
+    actual_[used_].assign(actual.begin(), actual.end());
+  }
   /// Those of the setpoint stand only until the next one is made.
   void keep_pulses(std::span<const TimedStep> pulses) noexcept {
     pulses_[used_].assign(pulses.begin(), pulses.end());
@@ -57,6 +66,7 @@ class RowBuffer {
   std::vector<Setpoint> rows_;
   std::vector<std::vector<TimedStep>> pulses_;
   std::vector<double> values_;
+  std::vector<std::vector<AxisVector>> actual_;
 };
 
 /// A Source that ends with the batch, or before the program waits or is to be planned anew.
@@ -91,6 +101,8 @@ class Simulation {
         buffer_(paced ? nullptr : &backend),
         batch_(batch_of(machine)),
         verification_(machine) {
+    if (knows_contour(backend)) contour_.emplace(machine.control.period);
+    if (paced_ && contour_) paced_->measure(*contour_);
     channel_.feeder().show(verification_.programmed());
   }
 
@@ -110,6 +122,7 @@ class Simulation {
   void wait(RowSink* rows, Watcher* watcher);
   void wait_for_more(RowSink* rows, Watcher* watcher) const;
   bool run_batch(RowSink* rows, Watcher* watcher);
+  void verify();
   bool write(RowSink* rows, const CycleReport& cycle);
   bool collect();
   void end_paced();
@@ -123,6 +136,8 @@ class Simulation {
   RowBuffer buffer_;
   std::size_t batch_;  // rows
   Verification verification_;
+  std::optional<Contour> contour_;
+  double planned_s_ = 0;  // mm: of the last row that was planned
   Outcome outcome_;
   CpuLaps cpu_;
 };
@@ -155,7 +170,7 @@ bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   const CycleReport cycle = paced_ ? run_cycle(batch, *paced_, buffer_, panel_)
                                    : run_cycle(batch, backend_, buffer_, panel_);
   outcome_.cpu.cycle += cpu_.lap();
-  verification_.add(buffer_.rows(), channel_.queue());
+  verify();
   outcome_.cpu.verification += cpu_.lap();
   const bool wanted = paced_ ? collect() : write(rows, cycle);
   if (watcher) watcher->sees(outcome_.last);
@@ -165,6 +180,17 @@ bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   if (!wanted) outcome_.end = Outcome::End::broken_off;
   if (outcome_.feedback.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
   return outcome_.end == Outcome::End::done && !batch.at_end();
+}
+
+void Simulation::verify() {
+  const auto rows = buffer_.rows();
+  if (rows.empty()) return;
+  channel_.see_path_to(rows.back().s + Contour::kAhead);
+  verification_.add(rows, channel_.queue());
+  if (contour_) add_path(rows, planned_s_, channel_.queue(), *contour_);
+  planned_s_ = rows.back().s;
+  for (std::size_t i = 0; contour_ && !paced_ && i < rows.size(); ++i)
+    measure_contour(rows[i], buffer_.actual(i), *contour_, buffer_.values(i));
 }
 
 bool Simulation::write(RowSink* rows, const CycleReport& cycle) {
@@ -206,6 +232,7 @@ Outcome Simulation::finish() {
   outcome_.corner_deviation = verification_.programmed().largest();
   outcome_.deviation = verification_.programmed().worst();
   outcome_.surface = verification_.surface();
+  if (contour_) outcome_.contour = contour_->report();
   outcome_.events_left = channel_.events_left();
   outcome_.planner = channel_.feeder().counts();
   outcome_.called_files = channel_.feeder().called_files();

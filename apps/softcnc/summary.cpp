@@ -8,6 +8,7 @@
 #include <numeric>
 #include <vector>
 
+#include "contour_text.hpp"
 #include "cpu_clock.hpp"
 #include "motion/counts.hpp"
 #include "motion/units.hpp"
@@ -40,10 +41,11 @@ std::string closeness(const Machine& machine, const Measured& measured) {
 std::string sizes(const Job& job, const Outcome& outcome) {
   return fmt::format(
       "\n  time         {}\n  path         {:.3f} mm in {} block{}\n"
-      "  rows         {}, one every {:.6g} ms\n  {}",
+      "  rows         {}, one every {:.6g} ms\n  {}{}",
       duration_text(outcome.time), outcome.last.s, outcome.last.block,
       outcome.last.block == 1 ? "" : "s", outcome.setpoints, ms_from_s(job.machine.control.period),
-      closeness(job.machine, outcome.measured));
+      closeness(job.machine, outcome.measured),
+      outcome.contour ? contour_line(*outcome.contour) : "");
 }
 
 /// The limits that held the feed down, longest first.
@@ -128,8 +130,10 @@ std::string cost(const Outcome& outcome) {
 std::string summary(const Job& job, const Performance& performance) {
   const Outcome& outcome = performance.outcome;
   return head(job, performance) + sizes(job, outcome) + held_by(outcome) +
-         axes(job.machine, performance) + further_limits(job.machine, outcome.measured) +
-         sent(performance) + punctuality(performance) + cost(outcome);
+         axes(job.machine, performance) +
+         (outcome.contour ? contour_paragraph(*outcome.contour, job.machine) : "") +
+         further_limits(job.machine, outcome.measured) + sent(performance) +
+         punctuality(performance) + cost(outcome);
 }
 
 }  // namespace softcnc::app

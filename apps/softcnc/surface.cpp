@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "commands.hpp"
+#include "contour_rows.hpp"
 #include "cpu_clock.hpp"
 #include "cutting_rows.hpp"
 #include "hal/ideal_surface.hpp"
@@ -77,7 +78,7 @@ int SurfaceJob::move() {
   });
   diagnostics.set_file(job_.program.name());
   CuttingRows rows(cutting_, machine.surfacing.phase, machine.control.period,
-                   (*backend)->columns());
+                   row_columns(**backend));
   ipr::Reader reader = job_.program.reader();
   terminal_.begin("running", 0);
   const Outcome outcome = simulate(reader, job_.program.descriptor(), machine, job_.options,

@@ -16,6 +16,7 @@ SimulatedMill::SimulatedMill(const Machine& machine)
       servo_period_(machine.control.period / servo_periods_),
       error_max_(Backend::following_error_max()) {
   pulses_.reserve(kPulses);
+  actual_.resize(static_cast<std::size_t>(servo_periods_), AxisVector::Zero());
   for (int axis = 0; axis < kAxes; ++axis) {
     const Axis& described = machine.axes[static_cast<std::size_t>(axis)];
     if (!described.present) continue;
@@ -31,6 +32,7 @@ Feedback SimulatedMill::exchange(const Setpoint& setpoint) noexcept {
     for (Slide& slide : slides_) run_period(slide, setpoint);
   else
     begin(setpoint.position);
+  seen_ = started_ ? actual_.size() : 1;
   started_ = true;
   commanded_ = setpoint.position;
 
@@ -47,6 +49,7 @@ Feedback SimulatedMill::exchange(const Setpoint& setpoint) noexcept {
 }
 
 void SimulatedMill::begin(const AxisVector& position) noexcept {
+  actual_.back() = position;
   for (Slide& slide : slides_) {
     slide.source.begin(position[slide.axis]);
     slide.servo.reset(position[slide.axis]);
@@ -64,6 +67,7 @@ void SimulatedMill::run_period(Slide& slide, const Setpoint& setpoint) noexcept 
     for (; next != pulses_.end() && (next->part <= i || i == servo_periods_); ++next)
       next->part -= i - 1;
     slide.servo.advance({first, next});
+    actual_[static_cast<std::size_t>(i - 1)][slide.axis] = slide.servo.position();
   }
 }
 
