@@ -20,7 +20,7 @@ S1500                (while the spindle turns, S alone changes its speed)
 G61.1                (from here on every block ends at rest)
 G01 X40 Y40 F1200
 X20
-G64                  (and here no longer: rest only where the direction turns)
+G64                  (and here no longer: corners are rounded by a hundredth of a mm)
 
 N900 M05             (spindle off)
 M09                  (coolant off)

@@ -1,5 +1,5 @@
 (SPDX-License-Identifier: MIT)
-(14  SPLINES: SMOOTH CURVES WITHOUT KNOTS)
+(15  SPLINES: SMOOTH CURVES WITHOUT KNOTS)
 (A NURBS says everything a curve can be, and asks for a lot of words. Four shorter)
 (forms lead to the same exact curves; none of them is chopped into lines.)
 

@@ -1,5 +1,5 @@
 (SPDX-License-Identifier: MIT)
-(14  THE INPUT OF PAPER 003)
+(16  THE INPUT OF PAPER 003)
 (Yang and Hong did not write G-code. Table 6 of their paper lists what their mill was)
 (fed with: l for lines, pcw and pccw for arcs by points, dcw and dccw for arcs by)
 (degrees, s for splines, all in relative coordinates. docs/commands.md tells more.)

@@ -155,6 +155,6 @@ X39.200 Y29.005
 X39.600 Y29.499
 X40.000 Y30.000
 
-G64                  (no tolerance: exactly as programmed again)
+G64                  (without P the tolerance is that of the machine, 10 um unless it says otherwise)
 G00 X0 Y0
 M30

@@ -80,10 +80,3 @@ build() {
     "${make[@]}" --quiet "${@:2}" | sed '/^ninja: no work to do/d' >&2
   fi
 }
-
-# sidecar PART: the machine file beside a part program, PART with the suffix .toml, where it stands.
-sidecar() {
-  local base=$1
-  [[ $base =~ \.[^./]+$ ]] && base=${base%.*}
-  if [[ -f $base.toml ]]; then printf '%s\n' "$base.toml"; fi
-}

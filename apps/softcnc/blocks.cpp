@@ -3,10 +3,11 @@
 #include "block_json.hpp"
 #include "commands.hpp"
 #include "each_block.hpp"
-#include "hal/machine_file.hpp"
+#include "machine_choice.hpp"
 #include "machine_memory.hpp"
 #include "messages.hpp"
 #include "preflight.hpp"
+#include "repeated_errors.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -16,7 +17,8 @@ int write_blocks(Program& program, const Machine& machine, const Options& option
   Messages messages;
   auto state = open_state(options.state, messages);
   if (!state) return messages.fail(state.error());
-  Diagnostics diagnostics(messages.sink(program));
+  ShownOnce shown(program, messages.sink(program));
+  Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(program.name());
   ipr::Reader reader = program.reader();
   ipr::Parser parser(reader, diagnostics);
@@ -34,17 +36,19 @@ int write_blocks(Program& program, const Machine& machine, const Options& option
     return out.ok();
   };
   each_block(interpreter, take, wait);
+  shown.finish();
   return worse_status(diagnostics.status(), out.finish());
 }
 
 }  // namespace
 
 int blocks(const Options& options) {
-  const auto machine = hal::load_machine(options.machine_file, options.settings);
-  if (!machine) return failed(machine.error());
+  Messages messages;
+  const auto choice = choose_machine(options.files.front(), options, messages);
+  if (!choice) return failed(choice.error());
   auto program = Program::open(options.files.front(), Readings::one);
   if (!program) return failed(program.error());
-  return write_blocks(*program, *machine, options);
+  return write_blocks(*program, choice->machine, options);
 }
 
 }  // namespace softcnc::app

@@ -15,14 +15,9 @@ namespace {
 /// How far ahead of its need the queue is filled, in periods.
 constexpr double kAhead = 256;
 constexpr double kSameInstant = 1e-9;  // periods: rounding of sums
-
-void add_times(const ipo::Profile& profile, double until, std::array<double, kLimits>& sums) {
-  profile.for_each_piece([&](Limit limit, double duration) {
-    const double passed = std::clamp(until, 0.0, duration);
-    sums[static_cast<std::size_t>(limit)] += passed;
-    until -= duration;
-  });
-}
+constexpr double kMostRows = 1e15;     // that are counted ahead
+/// How far ahead in time the path is looked for, s.
+constexpr double kSight = 4;
 
 bool is_pause(const Block& block) {
   const auto* action = std::get_if<Action>(&block.what);
@@ -74,6 +69,18 @@ void Feeder::fill(ipo::BlockQueue& queue, double until) {
     if (!part && !patient_) part = planner_.pop_part_now();
     waiting_ = !part;
     if (waiting_) break;
+    if (const auto* timed = std::get_if<ipo::TimedBlock>(&*part)) find_pauses(*timed);
+    queue.push(std::move(*part));
+  }
+  cpu_ += cpu.lap();
+}
+
+void Feeder::look_ahead(ipo::BlockQueue& queue, double s, double t) {
+  CpuLaps cpu;
+  while (!waiting_ && queue.s_end().value_or(0) < s && queue.t_end() < t) {
+    auto part = planner_.pop_part();
+    if (!part && (ended_ || !read_block())) break;
+    if (!part) continue;
     if (const auto* timed = std::get_if<ipo::TimedBlock>(&*part)) find_pauses(*timed);
     queue.push(std::move(*part));
   }
@@ -148,7 +155,11 @@ Channel::Channel(ipr::Reader& reader, int input, const Machine& machine,
       control_{options.feed_override, false, false},
       feeder_(reader, input, machine, options, diagnostics),
       queue_(10 * machine.control.period),
-      interpolator_(queue_, machine.control) {}
+      follows_plan_(follows_time(machine.control.interpolation)),
+      interpolator_(queue_, machine.control),
+      times_(options.worst_lines > 0, follows_plan_) {
+  interpolator_.set_feed_override(options.feed_override);
+}
 
 /// Plans what the next step may reach. False where an exception has broken that off.
 bool Channel::plan_ahead() noexcept {
@@ -163,6 +174,15 @@ bool Channel::plan_ahead() noexcept {
     broken_ = std::current_exception();
   }
   return !broken_;
+}
+
+void Channel::see_path_to(double s) noexcept {
+  if (broken_) return;
+  try {
+    feeder_.look_ahead(queue_, s, interpolator_.needs_until() + kSight);
+  } catch (...) {
+    broken_ = std::current_exception();
+  }
 }
 
 const Pause* Channel::pause_ahead() noexcept {
@@ -181,7 +201,29 @@ std::optional<Setpoint> Channel::step(const Panel& panel) noexcept {
   if (panel.stop && waiting()) feeder_.finish(queue_);
   if (waiting()) return std::nullopt;
   started_ = true;
-  return interpolator_.step();
+  auto next = interpolator_.step();
+  if (!follows_plan_ && next) add_period(*next);
+  return next;
+}
+
+/// What held the feed down where the period began.
+void Channel::add_period(const Setpoint& next) noexcept {
+  if (next.period > 0) times_.add_row(limit_before_, machine_.control.period);
+  limit_before_ = next.limit;
+}
+
+Channel::Quiet Channel::quiet_ahead() {
+  if (!started_ || queue_.empty()) return {};
+  const ipo::TimedBlock& present = queue_.front();
+  const double t = interpolator_.time_in_block(), period = machine_.control.period;
+  if (quiet_start_ != present.t_start || t >= quiet_.until)
+    quiet_ = quiet_from(present, t, machine_);
+  quiet_start_ = present.t_start;
+  if (!quiet_.quiet) return {};
+  const auto periods = [period](double time) {
+    return static_cast<std::int64_t>(std::min(time / period, kMostRows));
+  };
+  return {periods(quiet_.until - t), std::max(periods(quiet_.step), std::int64_t{1})};
 }
 
 bool Channel::event_due() const noexcept {
@@ -199,8 +241,9 @@ void Channel::replan() noexcept {
   if (queue_.empty() || broken_) return;
   try {
     const double now = interpolator_.time();
-    add_times(queue_.front().profile, now - queue_.front().t_start, time_by_limit_);
+    add_present();
     feeder_.replan(queue_, interpolator_.state(), now, control_);
+    interpolator_.set_feed_override(control_.feed_override);
     replanned_ = true;
   } catch (...) {
     broken_ = std::current_exception();
@@ -210,7 +253,8 @@ void Channel::replan() noexcept {
 void Channel::forget_passed() {
   const auto* present = queue_.empty() ? nullptr : &queue_.front();
   queue_.for_each_recent([&](const ipo::TimedBlock& timed) {
-    if (&timed != present) add_times(timed.profile, timed.profile.duration(), time_by_limit_);
+    if (&timed != present)
+      times_.add(timed, timed.profile.duration(), interpolator_.feed_override());
   });
   queue_.trim();
 }
@@ -220,13 +264,18 @@ void Channel::rethrow() const {
 }
 
 double Channel::time() const noexcept {
-  return queue_.empty() ? queue_.t_end() : interpolator_.time();
+  return queue_.empty() && follows_plan_ ? queue_.t_end() : interpolator_.time();
 }
 
-std::array<double, kLimits> Channel::time_by_limit() const {
-  auto sums = time_by_limit_;
-  if (!queue_.empty()) add_times(queue_.front().profile, time() - queue_.front().t_start, sums);
-  return sums;
+/// What has passed of the block in which the machine is.
+void Channel::add_present() {
+  if (!queue_.empty())
+    times_.add(queue_.front(), time() - queue_.front().t_start, interpolator_.feed_override());
+}
+
+const RunTimes& Channel::end_times() {
+  add_present();
+  return times_;
 }
 
 }  // namespace softcnc::app

@@ -20,10 +20,13 @@
 #include "hal/backend.hpp"
 #include "ipo/interpolator.hpp"
 #include "ipo/planner.hpp"
+#include "ipo/quiet_stretch.hpp"
 #include "ipr/interpreter.hpp"
+#include "motion/contour_report.hpp"
 #include "motion/cycle.hpp"
 #include "motion/programmed_path.hpp"
 #include "motion/verify.hpp"
+#include "run_times.hpp"
 #include "state_history.hpp"
 #include "surface_notes.hpp"
 
@@ -37,6 +40,8 @@ struct ChannelOptions {
   bool keeps_state = false;       // Outcome::state is asked for
   bool single_block = false;      // every move ends at rest, every line waits for a person
   std::vector<FeedEvent> events;  // in the order of time
+  bool skims = false;             // rows that cannot come near a limit are not looked at one by one
+  std::size_t worst_lines = 0;    // Outcome::worst_lines: so many are asked for
 };
 
 /// Where the program waits for a person, and when that is passed.
@@ -70,6 +75,9 @@ class Feeder {
   /// the motion ends with the last good block, and the rest is read only to tell what else is
   /// wrong.
   void fill(ipo::BlockQueue& queue, double until);
+  /// Times what there is of the path up to `s` mm, but no further than until `t`. What may
+  /// still change when more of a program comes is left as it is.
+  void look_ahead(ipo::BlockQueue& queue, double s, double t);
   /// Whether fill() has ended because the program's pipe has nothing more yet.
   bool waiting() const noexcept { return waiting_; }
   /// Whether the queue is to be filled further before anything is taken from it: where the rest of
@@ -150,17 +158,30 @@ class Channel {
            (feeder_.waiting() && queue_.t_end() <= interpolator_.needs_until());
   }
 
+  /// Rows that follow the last one within a stretch where none can come near a limit, and how many
+  /// of them there are to one that still draws the path.
+  struct Quiet {
+    std::int64_t rows = 0, to_next = 0;
+  };
+  Quiet quiet_ahead();
+  /// The next step is `rows` later than it would be; they must be quiet.
+  void pass_over(std::int64_t rows) noexcept { interpolator_.pass_over(rows); }
+
   /// Blocks from the one of the last forget_passed() to the present one.
   const ipo::BlockQueue& queue() const noexcept { return queue_; }
   void forget_passed();
+  /// Fills the queue with the path up to `s` mm along the program, as far as that is known and the
+  /// machine comes there within seconds.
+  void see_path_to(double s) noexcept;
 
   /// Passes on what an exception has broken off.
   void rethrow() const;
 
-  /// The instant of the plan that has been reached, s: at the end, its duration.
+  /// The instant of the plan that has been reached, s: at the end, its duration. Of methods that go
+  /// their own way through the curves, the instant of the last row.
   double time() const noexcept;
-  /// How long of it each limit has held the feed down, s.
-  std::array<double, kLimits> time_by_limit() const;
+  /// What it was spent on. Nothing may be run after that.
+  const RunTimes& end_times();
 
   /// Events that the run has not reached.
   std::size_t events_left() const noexcept { return events_.size() - answered_; }
@@ -170,6 +191,8 @@ class Channel {
  private:
   bool plan_ahead() noexcept;
   void replan() noexcept;
+  void add_period(const Setpoint& next) noexcept;
+  void add_present();
 
   const Machine& machine_;
   std::vector<FeedEvent> events_;
@@ -177,10 +200,14 @@ class Channel {
   ipo::FeedControl control_;
   Feeder feeder_;
   ipo::BlockQueue queue_;
+  bool follows_plan_;  // the rows lie where the plan is at their instants
   ipo::Interpolator interpolator_;
-  std::array<double, kLimits> time_by_limit_{};  // of what has been forgotten
+  RunTimes times_;                    // of what has been forgotten
+  Limit limit_before_ = Limit::stop;  // of the last row
   bool started_ = false, stopping_ = false;
-  bool replanned_ = false;  // the interpolator has not been told
+  bool replanned_ = false;   // the interpolator has not been told
+  double quiet_start_ = -1;  // s: when that block begins
+  ipo::QuietStretch quiet_;  // of the present block, from the instant on at which it was looked at
   std::exception_ptr broken_;
 };
 
@@ -220,11 +247,14 @@ struct Outcome {
   Setpoint last;
   Feedback feedback;
   std::int64_t setpoints = 0;
-  double time = 0;  // s of the plan
+  double time = 0;  // s: Channel::time()
   std::array<double, kLimits> time_by_limit{};
+  TimeSheet time_sheet;
+  std::vector<WorstLine> worst_lines;  // as many as are asked for
   Measured measured;
   double corner_deviation = 0;          // mm: of rounded corners from the programmed path, largest;
   ProgrammedPath::Deviation deviation;  // and that which comes nearest to what is allowed
+  std::optional<ContourReport> contour;  // where the backend knows where the axes are
   SurfaceNotes surface;
   std::size_t events_left = 0;  // of the script: their moments were never reached
   MachineState state;           // where the machine rests, if ChannelOptions::keeps_state

@@ -10,11 +10,12 @@
 
 #include "commands.hpp"
 #include "file_watch.hpp"
-#include "hal/machine_file.hpp"
+#include "machine_choice.hpp"
 #include "machine_memory.hpp"
 #include "messages.hpp"
 #include "preflight.hpp"
 #include "progress.hpp"
+#include "time_text.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -69,30 +70,35 @@ int check_program(const std::string& name, const Machine& machine, const Channel
   const std::filesystem::path folder = program->folder();
   for (const std::string& file : checked.outcome.called_files) called.push_back(folder / file);
   for (const std::string& file : checked.outcome.missing_files) called.push_back(folder / file);
-  if (checked.status == 0)
+  if (checked.status == 0) {
     spdlog::debug("{}: {}, {:.3f} mm in {} blocks", program->name(),
                   duration_text(checked.outcome.time), checked.outcome.last.s,
                   checked.outcome.last.block);
+    spdlog::debug("{}", time_sheet_text(checked.outcome.time_sheet));
+    if (options.worst_lines > 0)
+      spdlog::info("{}:\n{}", program->name(), worst_lines_text(checked.outcome.worst_lines));
+  }
   return checked.status;
 }
 
 int check_all(const Options& options, Shown& out, Messages& messages, Watcher* watcher,
               std::vector<std::string>& called) {
-  const auto machine = hal::load_machine(options.machine_file, options.settings);
-  if (!machine) return messages.fail(machine.error());
   auto state = open_state(options.state, messages);
   if (!state) return messages.fail(state.error());
+  MachineShelf machines(options, messages);
   ChannelOptions channel = channel_options(options, {});
   channel.interpreter.compare_dialects = true;
   channel.state = std::move(*state);
   int status = 0;
   for (const std::string& name : options.files) {
     if (!out.ok()) break;
+    const Machine* machine = machines.of(name);
+    if (!machine) continue;
     channel.interpreter.unrun_too = name != "-";  // a pipe ends when it likes
     status = worse_status(status,
                           check_program(name, *machine, channel, out, messages, watcher, called));
   }
-  return status;
+  return worse_status(status, machines.status());
 }
 
 struct Checked {
@@ -125,8 +131,11 @@ Checked check_once(const Options& options, Watcher* watcher, FileWatch* changes)
   return {status, out.finish()};
 }
 
+/// Machine files beside programs are watched before they are there.
 std::vector<std::string> files_of(const Options& options) {
   std::vector<std::string> files = options.files;
+  for (const std::string& part : options.files)
+    if (!options.names_machine) files.push_back(name_beside(part));
   for (const std::string& file : {options.machine_file, options.state})
     if (!file.empty()) files.push_back(file);
   return files;

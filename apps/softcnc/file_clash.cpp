@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "hal/output_file.hpp"
+#include "machine_choice.hpp"
 
 namespace softcnc::app {
 namespace {
 
 struct NamedFile {
-  const char* role;
+  std::string role;
   std::string name;
 };
 
@@ -25,25 +26,15 @@ std::filesystem::path absolute(const std::string& name) {
   return error ? std::filesystem::path(name) : path;
 }
 
-bool same(const std::string& a, const std::string& b) {
-  if (a.empty() || b.empty()) return false;
-  if (a == "-" || b == "-") return a == b;
-  struct stat info_a {
-  }, info_b{};
-  const bool a_exists = ::stat(a.c_str(), &info_a) == 0;
-  const bool b_exists = ::stat(b.c_str(), &info_b) == 0;
-  if (!a_exists && !b_exists) return absolute(a) == absolute(b);
-  return a_exists && b_exists && S_ISREG(info_a.st_mode) && info_a.st_dev == info_b.st_dev &&
-         info_a.st_ino == info_b.st_ino;
-}
-
 std::string clash(const Options& options, std::span<const NamedFile> written) {
   std::vector<NamedFile> others{{"--machine", options.machine_file}};
   for (const std::string& file : options.files)
     if (file != "-") others.push_back({"PART", file});
+  for (const std::string& file : options.files)
+    others.push_back({"the machine file of PART", machine_source(file, options).file});
   for (const NamedFile& file : written) {
     for (const NamedFile& other : others)
-      if (same(file.name, other.name))
+      if (same_file(file.name, other.name))
         return fmt::format("{} and {} name the same file: {}", other.role, file.role, file.name);
     others.push_back(file);
   }
@@ -58,14 +49,31 @@ std::vector<NamedFile> written_by(const Options& options) {
 }
 
 NamedFile written_by(const Machine& machine) {
+  const auto [key, file] = backend_file(machine);
+  return {key, file};
+}
+
+}  // namespace
+
+bool same_file(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  if (a == "-" || b == "-") return a == b;
+  struct stat info_a {
+  }, info_b{};
+  const bool a_exists = ::stat(a.c_str(), &info_a) == 0;
+  const bool b_exists = ::stat(b.c_str(), &info_b) == 0;
+  if (!a_exists && !b_exists) return absolute(a) == absolute(b);
+  return a_exists && b_exists && S_ISREG(info_a.st_mode) && info_a.st_dev == info_b.st_dev &&
+         info_a.st_ino == info_b.st_ino;
+}
+
+std::pair<std::string, std::string> backend_file(const Machine& machine) {
   const BackendKind backend = machine.control.backend;
   if (backend == BackendKind::stepdir) return {"backend.stepdir.file", machine.step_port.file};
   if (backend == BackendKind::hal_stream)
     return {"backend.hal-stream.file", machine.hal_stream.file};
-  return {"the backend", {}};
+  return {};
 }
-
-}  // namespace
 
 std::string file_clash(const Options& options) { return clash(options, written_by(options)); }
 

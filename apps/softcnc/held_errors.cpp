@@ -34,6 +34,7 @@ HeldErrors::HeldErrors(Program& program, const Machine& machine, const ChannelOp
       options_(options),
       watcher_(watcher),
       show_(messages.sink(program)),
+      repeated_(&program),
       holding_(!program.streamed()) {}
 
 Diagnostics::Sink HeldErrors::sink() {
@@ -45,7 +46,9 @@ void HeldErrors::show(const Diagnostic& diagnostic) {
   show_(diagnostic);
 }
 
-void HeldErrors::take(const Diagnostic& diagnostic) {
+void HeldErrors::take(const Diagnostic& reported) {
+  Diagnostic diagnostic = reported;
+  if (repeated_.takes(diagnostic)) return;
   const bool waits = holding_ && (!held_.empty() || is_error(diagnostic));
   if (!waits) return show(diagnostic);
   held_.push_back(diagnostic);
@@ -62,6 +65,7 @@ void HeldErrors::show_all() {
 void HeldErrors::finish() {
   if (std::count_if(held_.begin(), held_.end(), is_error) >= 2) leave_out();
   show_all();
+  for (const Diagnostic& note : repeated_.notes()) show(note);
 }
 
 /// What follows from a loop without an end first: nothing that is told may follow from that.
@@ -77,7 +81,7 @@ void HeldErrors::leave_out() {
 void HeldErrors::leave_out(const std::vector<bool>& follows) {
   std::vector<Diagnostic> rest;
   for (std::size_t i = 0; i < held_.size(); ++i)
-    if (!follows[i]) rest.push_back(std::move(held_[i]));
+    follows[i] ? repeated_.forget(held_[i]) : rest.push_back(std::move(held_[i]));
   held_ = std::move(rest);
 }
 
@@ -101,8 +105,10 @@ ipr::Verdict HeldErrors::judge(const std::string& text) const {
   ipr::InterpreterOptions reading = options_.interpreter;
   reading.lines_run = &verdict.lines_run;
   reading.lines_in_doubt = &verdict.lines_in_doubt;
-  verdict.work = read(text, kMostExecuted, reading, [&](const Diagnostic& told) {
-    if (is_error(told)) verdict.errors.push_back(told);
+  RepeatedErrors repeated;
+  verdict.work = read(text, kMostExecuted, reading, [&](Diagnostic reported) {
+    if (!repeated.takes(reported) && is_error(reported))
+      verdict.errors.push_back(std::move(reported));
   });
   return verdict;
 }

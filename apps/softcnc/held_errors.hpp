@@ -12,12 +12,14 @@
 #include "ipr/repairs.hpp"
 #include "messages.hpp"
 #include "program.hpp"
+#include "repeated_errors.hpp"
 
 namespace softcnc::app {
 
 /// Shows what is told of a program as it comes up to its first error; that and what is told behind
 /// it wait for finish(), which leaves out errors that follow from others. Of a stream and where
-/// there are very many, all are shown at once; of a long text none is left out.
+/// there are very many, all are shown at once; of a long text none is left out. Of errors with one
+/// cause the first counts, and a note says on how many lines it stands.
 class HeldErrors {
  public:
   /// What is referred to must outlive it.
@@ -45,6 +47,7 @@ class HeldErrors {
   const ChannelOptions& options_;
   Watcher* watcher_;
   Diagnostics::Sink show_;
+  RepeatedErrors repeated_;
   bool holding_;
   int status_ = 0;
   std::vector<Diagnostic> held_;

@@ -124,7 +124,7 @@ std::string report_of(const Lateness& lateness, std::int64_t period, std::int64_
 int latency(const Options& options) {
   const auto machine = hal::load_machine(options.machine_file, options.settings);
   if (!machine) return failed(machine.error());
-  const double asked = options.period > 0 ? options.period : machine->control.servo_period;
+  const double asked = options.period > 0 ? options.period : fine_period(machine->control);
   const std::int64_t period = to_ns(asked);
   StopSignals signals;
   spdlog::info("measuring for {:.6g} s", options.seconds);
@@ -146,7 +146,9 @@ int latency(const Options& options) {
   if (options.report.empty()) return status;
   const auto written =
       hal::write_file(options.report, report_of(lateness, period, left_out, rights, *machine));
-  return written ? status : worse_status(status, failed(written.error()));
+  if (!written) return worse_status(status, failed(written.error()));
+  spdlog::info("report written to {}", options.report);
+  return status;
 }
 
 }  // namespace softcnc::app

@@ -32,11 +32,13 @@ Result<MachineMemory> MachineMemory::open(const std::string& file, MachineState 
   return MachineMemory(std::move(*output), std::move(before));
 }
 
-Status MachineMemory::keep(const MachineState& state) {
+Result<bool> MachineMemory::keep(const MachineState& state) {
   const std::string text = hal::state_toml(state);
-  if (!file_ || text == hal::state_toml(before_)) return {};
-  if (Status written = file_->write(text); !written) return written;
-  return file_->finish();
+  if (!file_ || text == hal::state_toml(before_)) return false;
+  Status written = file_->write(text);
+  if (written) written = file_->finish();
+  if (!written) return tl::make_unexpected(std::move(written.error()));
+  return true;
 }
 
 }  // namespace softcnc::app

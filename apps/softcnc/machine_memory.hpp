@@ -22,8 +22,8 @@ class MachineMemory {
   /// Errors: SC6011.
   static Result<MachineMemory> open(const std::string& file, MachineState before);
 
-  /// Errors: SC6012. What is in the file is whole, the old or the new.
-  Status keep(const MachineState& state);
+  /// Whether it has been written. Errors: SC6012. What is in the file is whole, the old or the new.
+  Result<bool> keep(const MachineState& state);
 
  private:
   MachineMemory(std::unique_ptr<hal::OutputFile> file, MachineState before)

@@ -3,15 +3,16 @@
 #include "options.hpp"
 
 #include <fmt/format.h>
-#include <cmath>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <span>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include "commands.hpp"
@@ -19,19 +20,40 @@
 #include "hal/trace.hpp"
 #include "messages.hpp"
 #include "motion/machine.hpp"
+#include "motion/spelling.hpp"
 #include "motion/units.hpp"
 
 namespace softcnc::app {
 namespace {
 
 constexpr int kWrongUsage = 2;
+constexpr int kMostLines = 1'000'000;                // of --worst
 constexpr double kLargestOverride = 200;             // percent
 constexpr double kShortest = 0.001, kLongest = 1e6;  // s: of a measurement
 constexpr const char* kReadsState = "Begin with these work offsets, tool table and parameters";
 
+/// The names that an option knows; of another one the nearest of them is named.
+CLI::Validator one_of(const std::vector<std::string>& names) {
+  return CLI::Validator(
+      [names](const std::string& word) {
+        if (std::find(names.begin(), names.end(), word) != names.end()) return std::string();
+        const std::vector<std::string_view> known(names.begin(), names.end());
+        return fmt::format("'{}' is none of {}{}", word, fmt::join(names, ", "),
+                           did_you_mean(nearest_name(word, known)));
+      },
+      "");
+}
+
 void add_machine(CLI::App& command, Options& options) {
   command
-      .add_option("--machine", options.machine_file, "Machine file (default: the built-in mill)")
+      .add_option_function<std::string>(
+          "--machine",
+          [&options](const std::string& file) {
+            options.names_machine = true;
+            options.machine_file = file == "builtin" ? std::string() : file;
+          },
+          "Machine file; 'builtin' is the built-in mill (default: PART.toml beside PART, else the "
+          "built-in mill)")
       ->type_name("FILE.toml");
   command
       .add_option("--set", options.settings,
@@ -49,7 +71,7 @@ void add_backend(CLI::App& command, Options& options, const char* says = "Where 
             options.settings.push_back("control.backend=" + name);
           },
           says)
-      ->check(CLI::IsMember(names).description(""))
+      ->check(one_of(names))
       ->type_name(CLI::detail::join(names, "|"));
 }
 
@@ -68,7 +90,7 @@ void add_interpreter(CLI::App& command, Options& options) {
                 word == name(ipr::Dialect::fanuc) ? ipr::Dialect::fanuc : ipr::Dialect::linuxcnc;
           },
           "Whose reading counts where controllers contradict each other (default linuxcnc)")
-      ->check(CLI::IsMember({"fanuc", "linuxcnc"}).description(""))
+      ->check(one_of({"fanuc", "linuxcnc"}))
       ->type_name("fanuc|linuxcnc");
   command
       .add_option_function<std::string>(
@@ -80,7 +102,7 @@ void add_interpreter(CLI::App& command, Options& options) {
           },
           "G-code, the commands of paper 003 (l, pcw, s ...), or whichever the first line is "
           "(auto)")
-      ->check(CLI::IsMember({"auto", "gcode", "commands"}).description(""))
+      ->check(one_of({"auto", "gcode", "commands"}))
       ->type_name("auto|gcode|commands");
 }
 
@@ -128,6 +150,14 @@ bool held_for_ever(const Options& options) {
   return control.halts();
 }
 
+void add_worst(CLI::App& command, Options& options) {
+  command
+      .add_option("--worst", options.worst,
+                  "Name the N lines that lose most time against their feed, with the limit")
+      ->check(CLI::Range(1, kMostLines).description(""))
+      ->type_name("N");
+}
+
 void add_progress(CLI::App& command, Options& options) {
   command
       .add_option_function<std::string>(
@@ -138,7 +168,7 @@ void add_progress(CLI::App& command, Options& options) {
                                                 : ProgressMode::automatic;
           },
           "Progress on stderr: a bar where it is a terminal (auto), nothing, or JSON lines")
-      ->check(CLI::IsMember({"auto", "none", "json"}).description(""))
+      ->check(one_of({"auto", "none", "json"}))
       ->type_name("auto|none|json");
 }
 
@@ -152,7 +182,7 @@ void add_diagnostics(CLI::App& command, Options& options) {
                                                     : DiagnosticsFormat::text;
           },
           "How what is wrong is told: as text, or as one document for programs to read")
-      ->check(CLI::IsMember({"text", "json", "sarif"}).description(""))
+      ->check(one_of({"text", "json", "sarif"}))
       ->type_name("text|json|sarif");
 }
 
@@ -194,6 +224,7 @@ void add_run(CLI::App& command, Options& options, const char* state) {
 
 void make_run(CLI::App& command, Options& options) {
   add_run(command, options, "Work offsets, tool table and parameters, read before and kept after");
+  add_worst(command, options);
   command.add_flag("--dry-run", options.dry_run,
                    "No backend and no pre-flight; the trace goes to stdout as CSV");
   command
@@ -206,6 +237,7 @@ void make_check(CLI::App& command, Options& options) {
   command.add_option("PART", options.files, "Part programs; - is standard input")
       ->required()
       ->type_name("");
+  add_worst(command, options);
   command.add_flag("--watch", options.watch, "Check again whenever a file changes, until Ctrl-C");
   add_machine(command, options);
   add_state(command, options, kReadsState);
@@ -354,6 +386,44 @@ int refuse(const std::string& reason) {
   return kWrongUsage;
 }
 
+/// Whether a word names a part program rather than a command.
+bool looks_like_file(const std::string& word) {
+  std::error_code ignored;
+  return word == "-" || word.find_first_of("./") != word.npos ||
+         std::filesystem::exists(word, ignored);
+}
+
+/// The first word that is no option; empty: there is none.
+std::string first_of(std::span<const char* const> words) {
+  const auto is_word = [](std::string_view word) { return word == "-" || !word.starts_with('-'); };
+  const auto first = std::find_if(words.begin(), words.end(), is_word);
+  return first == words.end() ? std::string() : *first;
+}
+
+/// Of a command line without a command.
+int refuse_command(std::span<const char* const> words) {
+  const std::string word = first_of(words);
+  std::vector<std::string_view> names;
+  for (const CommandRow& row : kCommands) names.push_back(row.name);
+  const std::string list = "; the commands are " + fmt::format("{}", fmt::join(names, ", "));
+  if (word.empty())
+    return refuse((words.empty() ? "a command" : std::string(words[0]) + ": a command") +
+                  " is missing" + list);
+  if (looks_like_file(word))
+    return refuse(fmt::format("'{0}' is no command; 'softcnc run {0}' runs it{1}", word, list));
+  return refuse("'" + word + "' is no command" + did_you_mean(nearest_name(word, names)) + list);
+}
+
+/// The name among the long options of a command that is most like `name`, as a question.
+std::string option_like(const CLI::App& command, const std::string& name) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& word : option->get_lnames()) known.push_back("--" + word);
+  if (!name.starts_with("--")) return {};
+  return did_you_mean(
+      nearest_name(name, std::vector<std::string_view>(known.begin(), known.end())));
+}
+
 /// The first word that looks like an option of the command but is none; empty: there is none.
 std::string unknown_option(const CLI::App& command, std::span<const char* const> words) {
   bool is_value = false;
@@ -379,7 +449,9 @@ int tell(const CLI::App& app, const CLI::ParseError& error, std::span<const char
   }
   for (const CLI::App* command : app.get_subcommands())
     if (const auto name = unknown_option(*command, words.subspan(1)); !name.empty())
-      return refuse(name + ": no such option of " + command->get_name());
+      return refuse(name + ": no such option of " + command->get_name() +
+                    option_like(*command, name));
+  if (app.get_subcommands().empty()) return refuse_command(words.subspan(1));
   app.exit(error, out, std::cerr);
   return kWrongUsage;
 }

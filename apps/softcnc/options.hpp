@@ -32,7 +32,8 @@ struct Options {
   Command command = Command::run;
   std::vector<std::string> files;  // PART, FILE.rec or a list of edges; "-": standard input
 
-  std::string machine_file;           // empty: the built-in machine
+  std::string machine_file;           // of --machine; empty: the built-in machine
+  bool names_machine = false;         // --machine is there; else a file beside PART counts
   std::vector<std::string> settings;  // KEY=VALUE, on top of it
   std::string state;                  // file; empty: none
 
@@ -41,6 +42,8 @@ struct Options {
   bool block_skip = false, optional_stop = false, single_block = false;
   ipr::Dialect dialect = ipr::Dialect::linuxcnc;
   ipr::Format format = ipr::Format::automatic;
+
+  int worst = 0;  // run, check: so many lines that lose most time are named
 
   bool dry_run = false, watch = false;
   bool realtime = false;      // run, record: as fast as the clock goes

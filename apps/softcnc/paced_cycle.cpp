@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contour_rows.hpp"
 #include "hal/tick_pace.hpp"
 
 namespace softcnc::app {
@@ -29,7 +30,8 @@ PacedCycle::PacedCycle(hal::Backend& backend, double period, RowSink* rows)
       slots_(to_do_.capacity()),
       punctuality_{Lateness(period_), 0, {}} {
   for (Slot& slot : slots_) {
-    slot.values.resize(backend.columns().size());
+    slot.values.resize(row_columns(backend).size());
+    slot.actual.reserve(backend.instants());
     free_.push_back(&slot);
   }
   thread_ = std::thread([this] { run(); });
@@ -42,21 +44,34 @@ Feedback PacedCycle::exchange(const Setpoint& setpoint) noexcept {
   slot.setpoint = setpoint;
   slot.pulses.assign(setpoint.pulses.begin(), setpoint.pulses.end());
   slot.setpoint.pulses = slot.pulses;
+  slot.fine.assign(setpoint.fine.begin(), setpoint.fine.end());
+  slot.setpoint.fine = slot.fine;
   to_do_.push(&slot);
   return feedback_;
 }
 
 bool PacedCycle::collect() {
-  for (Slot* slot = nullptr; done_.take(slot); free_.push_back(slot))
-    if (slot->exchanged) write(*slot);
+  for (Slot* slot = nullptr; done_.take(slot);) back_.push_back(slot);
+  for (; can_write_next(); back_.pop_front()) {
+    if (back_.front()->exchanged) write(*back_.front());
+    free_.push_back(back_.front());
+  }
   return wanted_;
 }
 
-void PacedCycle::write(const Slot& slot) {
+/// A batch of rows gets its path when all of it has been planned.
+bool PacedCycle::can_write_next() const noexcept {
+  if (back_.empty()) return false;
+  return !contour_ || !back_.front()->exchanged || contour_->expects_row();
+}
+
+void PacedCycle::write(Slot& slot) {
+  if (contour_) measure_contour(slot.setpoint, slot.actual, *contour_, slot.values);
   if (row_sink_ && wanted_) wanted_ = row_sink_->row(slot.setpoint, slot.values);
   ++written_;
   last_ = slot.setpoint;
   last_.pulses = {};
+  last_.fine = {};
   feedback_ = slot.feedback;
 }
 
@@ -91,7 +106,9 @@ void PacedCycle::exchange(Slot& slot) noexcept {
   slot.exchanged = !alarmed_;
   if (alarmed_) return;
   slot.feedback = backend_.exchange(slot.setpoint);
-  backend_.values(slot.values);
+  backend_.values(std::span(slot.values).first(backend_.columns().size()));
+  const auto actual = backend_.actual();
+  slot.actual.assign(actual.begin(), actual.end());
   alarmed_ = slot.feedback.alarm != Alarm::none;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <atomic>
+#include <deque>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -13,6 +14,10 @@
 #include "lateness.hpp"
 #include "paced_queue.hpp"
 #include "realtime.hpp"
+
+namespace softcnc {
+class Contour;
+}
 
 namespace softcnc::app {
 
@@ -36,6 +41,9 @@ class PacedCycle {
   PacedCycle(const PacedCycle&) = delete;
   PacedCycle& operator=(const PacedCycle&) = delete;
   ~PacedCycle() { stop(); }
+
+  /// The rows that come back are measured before they are written, as soon as it has their path.
+  void measure(Contour& contour) noexcept { contour_ = &contour; }
 
   /// Takes a further setpoint; may wait until there is room. What came back so far, of the last row
   /// that has been written.
@@ -62,7 +70,9 @@ class PacedCycle {
   struct Slot {
     Setpoint setpoint;
     std::vector<TimedStep> pulses;
+    std::vector<FinePoint> fine;
     std::vector<double> values;
+    std::vector<AxisVector> actual;
     Feedback feedback;
     bool exchanged = false;  // false: after an alarm nothing moves any more
   };
@@ -70,15 +80,18 @@ class PacedCycle {
 
   void run() noexcept;
   void exchange(Slot& slot) noexcept;
-  void write(const Slot& slot);
+  bool can_write_next() const noexcept;
+  void write(Slot& slot);
 
   hal::Backend& backend_;
   std::int64_t period_;  // ns
   RowSink* row_sink_;
+  Contour* contour_ = nullptr;
   Queue to_do_;
   BoundedQueue<Slot*> done_;
   std::vector<Slot> slots_;
   std::vector<Slot*> free_;
+  std::deque<Slot*> back_;  // exchanged, and not yet written
   bool wanted_ = true;
   std::int64_t written_ = 0;
   Setpoint last_;

@@ -6,22 +6,32 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
 
+#include "corner_cost.hpp"
 #include "file_clash.hpp"
-#include "hal/machine_file.hpp"
+#include "machine_choice.hpp"
 #include "machine_memory.hpp"
 #include "messages.hpp"
 #include "paced_player.hpp"
 #include "preflight.hpp"
+#include "repeated_errors.hpp"
 #include "report_json.hpp"
 #include "rest_on_signal.hpp"
 #include "summary.hpp"
 #include "terminal.hpp"
+#include "time_text.hpp"
 #include "trace_rows.hpp"
 #include "verification.hpp"
 
 namespace softcnc::app {
 namespace {
+
+/// What the backend of a machine writes, if anything.
+WrittenFile backend_output(const Machine& machine) {
+  const bool is_edges = machine.control.backend == BackendKind::stepdir;
+  return {is_edges ? "edges" : "rows", backend_file(machine).second};
+}
 
 bool on_terminal(const std::string& trace) { return trace == "-" && ::isatty(STDOUT_FILENO) != 0; }
 
@@ -40,13 +50,15 @@ class Performer {
 
  private:
   Performance refused(const Diagnostic& diagnostic) const;
+  void note_missing_fifo();
   Diagnostics::Sink sink();
   void run(hal::Backend& backend, TraceRows& rows);
   bool by_the_clock() const;
   void judge(Diagnostics& diagnostics);
   void judge_punctuality();
-  void close(TraceRows& rows);
+  void close(TraceRows& rows, const std::string& trace);
   void close(hal::Backend& backend);
+  void settle(const Status& finished, WrittenFile file);
   void failed_to_write(const Diagnostic& diagnostic);
 
   Job& job_;
@@ -62,7 +74,22 @@ Performance Performer::refused(const Diagnostic& diagnostic) const {
   return performance;
 }
 
+/// Rows for later may go into a file; rows for a program that reads along would be lost in it.
+void Performer::note_missing_fifo() {
+  const Machine& machine = job_.machine;
+  const std::string& file = machine.hal_stream.file;
+  const bool sends = !options_.dry_run && machine.control.backend == BackendKind::hal_stream;
+  std::error_code ignored;
+  if (!sends || file.empty() || file == "-" || std::filesystem::exists(file, ignored)) return;
+  messages_.show({Code::SC6076,
+                  {},
+                  "is not there: the rows go to a new file, and no program reads along",
+                  file,
+                  {}});
+}
+
 Performance Performer::move(const std::string& trace, double total) {
+  note_missing_fifo();
   auto backend = hal::open_backend(options_.dry_run ? without_backend(job_.machine) : job_.machine,
                                    PacedPlayer::open);
   if (!backend) return refused(backend.error());
@@ -72,7 +99,7 @@ Performance Performer::move(const std::string& trace, double total) {
   performance_.moved = true;
   run(**backend, *rows);
   close(**backend);
-  close(*rows);
+  close(*rows, trace);
   return std::move(performance_);
 }
 
@@ -84,7 +111,8 @@ Diagnostics::Sink Performer::sink() {
 }
 
 void Performer::run(hal::Backend& backend, TraceRows& rows) {
-  Diagnostics diagnostics(sink());
+  ShownOnce shown(job_.program, sink());
+  Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(job_.program.name());
   ipr::Reader reader = job_.program.reader();
   std::optional<PacedCycle> paced;
@@ -93,6 +121,7 @@ void Performer::run(hal::Backend& backend, TraceRows& rows) {
       simulate(reader, job_.program.descriptor(), job_.machine, job_.options, backend, diagnostics,
                &rows, &terminal_, paced ? &*paced : nullptr);
   terminal_.end();
+  shown.finish();
   if (paced) performance_.punctuality = paced->punctuality();
   performance_.following_error = backend.following_error_max();
   performance_.settled = backend.settle();
@@ -112,6 +141,9 @@ void Performer::judge(Diagnostics& diagnostics) {
   const bool at_rest = outcome.end == Outcome::End::done || outcome.end == Outcome::End::stopped;
   if (at_rest && diagnostics.errors() == 0)
     report_excess(outcome.measured, outcome.deviation, job_.machine, diagnostics);
+  if (options_.dry_run && outcome.end == Outcome::End::done && diagnostics.errors() == 0)
+    judge_corners(job_.program, job_.machine, job_.options, performance_.outcome, &terminal_,
+                  diagnostics);
   performance_.status = diagnostics.status();
   if (outcome.end == Outcome::End::alarm)
     performance_.ending = Ending::alarm;
@@ -137,14 +169,19 @@ void Performer::judge_punctuality() {
   performance_.status = worse_status(performance_.status, exit_status(missed));
 }
 
-void Performer::close(TraceRows& rows) {
+void Performer::close(TraceRows& rows, const std::string& trace) {
   if (performance_.outcome.end == Outcome::End::done) rows.add_hash_of(job_.program);
-  if (const auto finished = rows.finish(); !finished) failed_to_write(finished.error());
+  settle(rows.finish(), {"trace", options_.command == Command::record ? "" : trace});
 }
 
 void Performer::close(hal::Backend& backend) {
-  if (const auto finished = backend.finish(); !finished) failed_to_write(finished.error());
+  settle(backend.finish(), backend_output(options_.dry_run ? Machine() : job_.machine));
   performance_.tally = backend.tally();
+}
+
+void Performer::settle(const Status& finished, WrittenFile file) {
+  if (!finished) return failed_to_write(finished.error());
+  if (!file.file.empty() && file.file != "-") performance_.written.push_back(std::move(file));
 }
 
 void Performer::failed_to_write(const Diagnostic& diagnostic) {
@@ -160,12 +197,11 @@ void explain(std::string_view what, const Outcome& outcome) {
       outcome.cpu.verification, outcome.cpu.output);
 }
 
-/// The pre-flight; `total` becomes the time that the program takes.
-Performance check_first(Job& job, Messages& messages, Terminal& terminal, double& total) {
+/// The pre-flight; `expected` becomes its outcome.
+Performance check_first(Job& job, Messages& messages, Terminal& terminal, Outcome& expected) {
   terminal.begin("checking", 0);
-  const Preflight checked = preflight(job.program, job.machine, job.options, messages, &terminal);
+  Preflight checked = preflight(job.program, job.machine, job.options, messages, &terminal);
   terminal.end();
-  total = checked.outcome.time;
   explain("pre-flight", checked.outcome);
   Performance performance;
   performance.status = checked.status;
@@ -173,7 +209,16 @@ Performance check_first(Job& job, Messages& messages, Terminal& terminal, double
     performance.status = worse_status(checked.status, kSignalled + terminal.signal());
     if (checked.status == 0) performance.ending = Ending::stopped;
   }
+  expected = std::move(checked.outcome);
   return performance;
+}
+
+void write_report(Job& job, const Options& options, Performance& performance) {
+  const auto written = hal::write_file(options.report, report_json(job, performance));
+  if (written)
+    performance.written.push_back({"report", options.report});
+  else
+    performance.status = worse_status(performance.status, failed(written.error()));
 }
 
 }  // namespace
@@ -219,19 +264,20 @@ bool moves(const Options& options) {
 }
 
 Result<Job> open_job(const Options& options) {
-  auto machine = hal::load_machine(options.machine_file, options.settings);
   Messages messages;
-  if (!machine) return tl::make_unexpected(messages.show_but_last(std::move(machine.error())));
-  if (const std::string clash = file_clash(options, *machine); !clash.empty() && moves(options))
+  auto choice = choose_machine(options.files.front(), options, messages);
+  if (!choice) return tl::make_unexpected(std::move(choice.error()));
+  const Machine& machine = choice->machine;
+  if (const std::string clash = file_clash(options, machine); !clash.empty() && moves(options))
     return tl::make_unexpected(Diagnostic{Code::SC7072, {}, clash, options.machine_file, {}});
-  leave_no_parts_on_signal(written_files(options, moves(options) ? *machine : Machine()));
+  leave_no_parts_on_signal(written_files(options, moves(options) ? machine : Machine()));
   auto program =
       Program::open(options.files.front(), options.dry_run ? Readings::one : Readings::any);
   if (!program) return tl::make_unexpected(std::move(program.error()));
   auto state = open_state(options.state, messages);
   if (!state) return tl::make_unexpected(std::move(state.error()));
   const ChannelOptions channel = channel_options(options, program->folder());
-  Job job{std::move(*program), std::move(*machine), channel};
+  Job job{std::move(*program), std::move(choice->machine), std::move(choice->file_beside), channel};
   job.options.state = std::move(*state);
   return job;
 }
@@ -244,21 +290,31 @@ std::string_view name(Ending ending) noexcept {
 Performance perform(Job& job, const Options& options, const std::string& trace) {
   Terminal terminal(options.progress, on_terminal(trace), job.machine.control.period);
   Messages messages([&terminal] { terminal.end(); });
-  double total = 0;
+  Outcome expected;
   Performance performance;
-  if (!options.dry_run) performance = check_first(job, messages, terminal, total);
+  if (!options.dry_run) performance = check_first(job, messages, terminal, expected);
   if (performance.status == 0) {
     if (may_ask(options)) terminal.wait_at_stops();
-    performance = Performer(job, options, messages, terminal).move(trace, total);
+    performance = Performer(job, options, messages, terminal).move(trace, expected.time);
+    if (!options.dry_run)
+      performance.outcome.time_sheet.corner_cost = expected.time_sheet.corner_cost;
     if (performance.moved) explain("run", performance.outcome);
   }
   performance.diagnostics.assign(messages.kept().begin(), messages.kept().end());
   return performance;
 }
 
-int conclude(Job& job, const Options& options, const Performance& performance) {
+/// The summary; with -v its time sheet, too, and the worst lines where they are asked for.
+void say(const Outcome& outcome, const Options& options, const std::string& summary) {
+  spdlog::info("{}", summary);
+  spdlog::debug("{}", time_sheet_text(outcome.time_sheet));
+  if (options.worst > 0) spdlog::info("{}", worst_lines_text(outcome.worst_lines));
+}
+
+int conclude(Job& job, const Options& options, Performance& performance) {
+  if (!options.report.empty()) write_report(job, options, performance);
   if (performance.moved && performance.ending != Ending::error)
-    spdlog::info("{}", summary(job, performance));
+    say(performance.outcome, options, summary(job, performance));
   const std::size_t left = performance.outcome.events_left;
   for (std::size_t i = job.options.events.size() - left;
        performance.moved && performance.ending == Ending::done && i < job.options.events.size();
@@ -267,10 +323,7 @@ int conclude(Job& job, const Options& options, const Performance& performance) {
                  event_text(job.options.events[i]));
   if (!performance.moved && performance.ending == Ending::stopped)
     spdlog::info("stopped before anything moved");
-  if (options.report.empty()) return performance.status;
-  const auto written = hal::write_file(options.report, report_json(job, performance));
-  if (written) return performance.status;
-  return worse_status(performance.status, failed(written.error()));
+  return performance.status;
 }
 
 }  // namespace softcnc::app

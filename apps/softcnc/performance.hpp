@@ -16,12 +16,19 @@ namespace softcnc::app {
 struct Job {
   Program program;
   Machine machine;
+  std::string machine_file;  // beside the program; empty: its machine is another one
   ChannelOptions options;
 };
 Result<Job> open_job(const Options& options);
 
 enum class Ending : std::uint8_t { done, stopped, alarm, error };
 std::string_view name(Ending ending) noexcept;
+
+/// A file that a run has left, under its final name.
+struct WrittenFile {
+  std::string what;  // "trace", "edges", ...
+  std::string file;
+};
 
 /// All that is known after a run: summary and report are made of it.
 struct Performance {
@@ -34,6 +41,7 @@ struct Performance {
   std::optional<hal::Backend::Tally> tally;     // of rows sent elsewhere
   std::optional<Punctuality> punctuality;       // of a run by the clock
   std::vector<Diagnostic> diagnostics;
+  std::vector<WrittenFile> written;
 };
 
 /// What the backend itself does not tell by finish().
@@ -48,7 +56,8 @@ Diagnostic missed_periods(const Punctuality& punctuality, const std::string& pro
 /// Diagnostics are shown.
 Performance perform(Job& job, const Options& options, const std::string& trace);
 
-/// The summary, and the report where one is asked for. Returns the exit status of it all.
-int conclude(Job& job, const Options& options, const Performance& performance);
+/// The report where one is asked for, and the summary, which names what has been written. Returns
+/// the exit status of it all.
+int conclude(Job& job, const Options& options, Performance& performance);
 
 }  // namespace softcnc::app

@@ -3,11 +3,23 @@
 
 #include <utility>
 
+#include "corner_cost.hpp"
 #include "endless.hpp"
 #include "held_errors.hpp"
 #include "verification.hpp"
 
 namespace softcnc::app {
+
+namespace {
+
+/// The report tells of some, asked for or not.
+std::size_t worst_lines(const Options& options) {
+  constexpr std::size_t kReported = 10;
+  if (options.worst > 0) return static_cast<std::size_t>(options.worst);
+  return options.report.empty() ? 0 : kReported;
+}
+
+}  // namespace
 
 ipr::InterpreterOptions interpreter_options(const Options& options, const std::string& folder) {
   ipr::InterpreterOptions interpreter;
@@ -20,14 +32,24 @@ ipr::InterpreterOptions interpreter_options(const Options& options, const std::s
 }
 
 ChannelOptions channel_options(const Options& options, const std::string& folder) {
-  return {
-      options.feed_override, interpreter_options(options, folder), {}, false, options.single_block,
-      options.events};
+  ChannelOptions channel;
+  channel.feed_override = options.feed_override;
+  channel.interpreter = interpreter_options(options, folder);
+  channel.single_block = options.single_block;
+  channel.events = options.events;
+  channel.worst_lines = worst_lines(options);
+  return channel;
 }
 
 Machine without_backend(Machine machine) {
   machine.control.backend = BackendKind::none;
   return machine;
+}
+
+/// By exact interpolation nothing depends on the rows before.
+ChannelOptions skimming(ChannelOptions options, const Machine& machine) {
+  options.skims = machine.control.interpolation == Method::arc_length && options.events.empty();
+  return options;
 }
 
 Preflight preflight(Program& program, const Machine& machine, const ChannelOptions& options,
@@ -48,12 +70,14 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
     return result;
   }
   ipr::Reader reader = program.reader();
-  result.outcome = simulate(reader, program.descriptor(), machine, options, **backend, diagnostics,
-                            nullptr, watcher);
+  result.outcome = simulate(reader, program.descriptor(), machine, skimming(options, machine),
+                            **backend, diagnostics, nullptr, watcher);
   if (diagnostics.errors() == 0) {
     report_excess(result.outcome.measured, result.outcome.deviation, machine, diagnostics);
     if (tells == Tells::surface_too) result.outcome.surface.tell_blocks(diagnostics);
     result.outcome.surface.warn(diagnostics);
+    if (result.outcome.end == Outcome::End::done)
+      judge_corners(program, machine, options, result.outcome, watcher, diagnostics);
   }
   errors.finish();
   result.status = errors.status();

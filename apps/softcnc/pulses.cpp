@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `softcnc pulses`: a list of edges, whoever made it, judged by what the drivers of a machine ask.
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <nlohmann/json.hpp>
 
@@ -161,7 +162,9 @@ int pulses(const Options& options) {
   status = worse_status(status, out.finish());
   if (options.report.empty()) return status;
   const auto written = hal::write_file(options.report, list.report());
-  return written ? status : worse_status(status, failed(written.error()));
+  if (!written) return worse_status(status, failed(written.error()));
+  spdlog::info("report written to {}", options.report);
+  return status;
 }
 
 }  // namespace softcnc::app

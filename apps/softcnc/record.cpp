@@ -16,15 +16,18 @@ bool worth_keeping(const Performance& performance) {
          (performance.ending == Ending::done || performance.ending == Ending::alarm);
 }
 
-int keep(Job& job, hal::OutputFile& file, const Performance& performance,
-         const TemporaryFolder& folder) {
+void keep(Job& job, hal::OutputFile& file, const std::string& to, Performance& performance,
+          const TemporaryFolder& folder) {
   RecordingMeta meta;
   meta.rows = performance.outcome.setpoints;
   meta.options = job.options;
   for (const std::string& name : performance.outcome.called_files)
     meta.called.push_back({name, {}});
   const Status written = write_recording(file, job.program, job.machine, meta, folder);
-  return written ? 0 : failed(written.error());
+  if (written)
+    performance.written.push_back({"recording", to});
+  else
+    performance.status = worse_status(performance.status, failed(written.error()));
 }
 
 }  // namespace
@@ -36,11 +39,12 @@ int record(const Options& options) {
   if (!file) return failed(file.error());
   const auto folder = TemporaryFolder::make();
   if (!folder) return failed(folder.error());
-  const Performance performance = perform(*job, options, folder->file("trace.csv.zst"));
+  Performance performance = perform(*job, options, folder->file("trace.csv.zst"));
+  const bool kept = worth_keeping(performance);
+  if (kept) keep(*job, **file, options.output, performance, *folder);
   const int status = conclude(*job, options, performance);
-  if (worth_keeping(performance))
-    return worse_status(status, keep(*job, **file, performance, *folder));
-  if (performance.moved) spdlog::warn("no recording is kept of a run that did not come to its end");
+  if (performance.moved && !kept)
+    spdlog::warn("no recording is kept of a run that did not come to its end");
   return status;
 }
 

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include "commands.hpp"
+#include "contour_rows.hpp"
 #include "hal/hash.hpp"
 #include "hal/machine_file.hpp"
 #include "hal/trace_csv.hpp"
@@ -16,13 +17,10 @@
 namespace softcnc::app {
 namespace {
 
-constexpr int kDiffers = 1;
-
 /// The machine of the recording unless one is given.
 hal::MachineOrFaults machine_of(const Recording& recording, const std::string& name,
                                 const Options& options) {
-  if (!options.machine_file.empty())
-    return hal::load_machine(options.machine_file, options.settings);
+  if (options.names_machine) return hal::load_machine(options.machine_file, options.settings);
   return hal::parse_machine(recording.machine(), name + ":machine.toml", options.settings);
 }
 
@@ -59,7 +57,7 @@ int run_again(Material& material, Terminal& terminal) {
   const Machine& machine = material.machine;
   TraceRows rows(hal::csv_trace(comparison_sink(material.comparison),
                                 trace_header(material.program, machine), machine,
-                                material.backend->columns()));
+                                row_columns(*material.backend)));
   Messages messages([&terminal] { terminal.end(); });
   Diagnostics diagnostics([&, show = messages.sink(material.program)](const Diagnostic& d) {
     if (d.severity() == Severity::error) show(d);  // the rest was told when it was recorded
@@ -92,7 +90,7 @@ Result<int> verdict(const std::string& name, const Material& material, StandardO
   if (!comparison.status()) return tl::make_unexpected(comparison.status().error());
   if (!comparison.difference().empty()) {
     out.write(fmt::format("{}: {}", name, comparison.difference()));
-    return kDiffers;
+    return failed({Code::SC6023, {}, comparison.in_words(), name, {}});
   }
   if (Status good = material.recording.check_trace(); !good)
     return tl::make_unexpected(std::move(good.error()));
@@ -117,7 +115,7 @@ int replay_one(const std::string& name, const Options& options, StandardOutput& 
 }  // namespace
 
 int replay(const Options& options) {
-  if (!options.machine_file.empty())
+  if (options.names_machine)
     if (const auto given = hal::load_machine(options.machine_file, options.settings); !given)
       return failed(given.error());
   StandardOutput out;

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "contour_text.hpp"
 #include "cpu_clock.hpp"
 #include "hal/axis_name.hpp"
 #include "hal/hash.hpp"
 #include "hal/machine_file.hpp"
 #include "motion/counts.hpp"
 #include "motion/units.hpp"
+#include "time_text.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -61,8 +63,11 @@ void add_measured(Json& report, const Machine& machine, const Outcome& outcome) 
   };
   report["chord_error_um_max"] = um_from_mm(measured.chord_error);
   report["path_deviation_um_max"] = um_from_mm(measured.path_deviation);
+  if (is_by_pulses(machine.control.interpolation))
+    report["path_deviation_um_mean"] = um_from_mm(measured.path_deviation_mean);
   report["corner_deviation_um_max"] = um_from_mm(outcome.corner_deviation);
   report["feed_fluctuation_max"] = measured.feed_fluctuation;
+  report["feed_fluctuation_rms"] = measured.feed_fluctuation_rms;
   if (measured.rmax_target > 0) {
     report["rmax_um_max"] = um_from_mm(measured.rmax);
     report["rmax_target_um"] = um_from_mm(measured.rmax_target);
@@ -113,6 +118,7 @@ std::string report_json(Job& job, const Performance& performance) {
   report["program"] = job.program.name();
   report["program_hash"] = job.program.hash();
   report["machine"] = job.machine.name;
+  if (!job.machine_file.empty()) report["machine_file"] = job.machine_file;
   report["machine_hash"] = hal::hash_hex(hal::machine_toml(job.machine));
   report["softcnc"] = SOFTCNC_VERSION;
   if (performance.moved) {
@@ -121,7 +127,9 @@ std::string report_json(Job& job, const Performance& performance) {
     report["blocks"] = outcome.last.block;
     report["setpoints"] = outcome.setpoints;
     add_measured(report, job.machine, outcome);
+    if (outcome.contour) add_contour(*outcome.contour, report);
     report["time_by_limit_s"] = time_by_limit(outcome);
+    add_times(report, outcome);
     add_axes(report, job.machine, performance);
     report["planner_nodes"] = outcome.planner.nodes;
     report["planner_passes"] = outcome.planner.passes;
@@ -132,6 +140,8 @@ std::string report_json(Job& job, const Performance& performance) {
       report["stream_rows"] = performance.tally->rows;
       report["stream_xxh3"] = performance.tally->checksum;
     }
+    for (const WrittenFile& file : performance.written)
+      report["written"].push_back({{"what", file.what}, {"file", file.file}});
     if (performance.punctuality) add_punctuality(report, *performance.punctuality);
     add_cpu(report, outcome.cpu);
   }

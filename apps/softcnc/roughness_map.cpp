@@ -22,7 +22,9 @@ RoughnessMap::RoughnessMap(const hal::StockGrid& grid, int side, HeightFrom from
     : from_(from),
       side_(side),
       columns_((grid.columns + side - 1) / side),
-      rows_((grid.rows + side - 1) / side) {
+      rows_((grid.rows + side - 1) / side),
+      whole_columns_(std::max(1, grid.columns / side)),
+      whole_rows_(std::max(1, grid.rows / side)) {
   const auto regions = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   highest_.assign(regions, -std::numeric_limits<float>::infinity());
   lowest_.assign(regions, std::numeric_limits<float>::infinity());
@@ -56,8 +58,15 @@ void RoughnessMap::add(const SurfaceBand& band) {
 std::vector<float> RoughnessMap::rmax() const {
   std::vector<float> rmax(highest_.size(), kUnknown);
   for (std::size_t i = 0; i < rmax.size(); ++i)
-    if (2 * known_[i] >= all_[i] && known_[i] > 0) rmax[i] = um(height(i));
+    if (is_whole(i) && 2 * known_[i] >= all_[i] && known_[i] > 0) rmax[i] = um(height(i));
   return rmax;
+}
+
+/// A grid that is smaller than a region holds one.
+bool RoughnessMap::is_whole(std::size_t region) const noexcept {
+  const auto columns = static_cast<std::size_t>(columns_);
+  return region % columns < static_cast<std::size_t>(whole_columns_) &&
+         region / columns < static_cast<std::size_t>(whole_rows_);
 }
 
 /// mm.
@@ -83,7 +92,7 @@ std::vector<float> RoughnessMap::gouges() const {
 std::vector<float> RoughnessMap::targets() const {
   std::vector<float> targets(target_.size(), kUnknown);
   for (std::size_t i = 0; i < targets.size(); ++i)
-    if (target_[i] > 0) targets[i] = um(target_[i]);
+    if (target_[i] > 0 && is_whole(i)) targets[i] = um(target_[i]);
   return targets;
 }
 

@@ -27,8 +27,9 @@ class RoughnessMap {
   int rows() const noexcept { return rows_; }
   int side() const noexcept { return side_; }
 
-  /// um, by region; NaN where less than half of it lies between passes of a smooth surface, and
-  /// where all of that is gouged. Call behind the last band.
+  /// um, by region; NaN where less than half of it lies between passes of a smooth surface, where
+  /// all of that is gouged, and in the rest of a region that the edge of the grid cuts off. Call
+  /// after the last band.
   std::vector<float> rmax() const;
   /// um below the ideal surface, by region; 0 where nothing has cut deeper than the ideal surface
   /// is known by, and with HeightFrom::lowest. Likewise.
@@ -44,15 +45,17 @@ class RoughnessMap {
   std::pair<double, double> range() const noexcept;
 
  private:
+  bool is_whole(std::size_t region) const noexcept;
   float height(std::size_t region) const noexcept;
 
   HeightFrom from_;
   int side_, columns_, rows_;
-  std::vector<float> highest_;    // mm
-  std::vector<float> lowest_;     // mm
-  std::vector<float> target_;     // mm; 0: none
-  std::vector<float> excess_;     // mm: highest above what is asked for at each point
-  std::vector<int> known_, all_;  // points
+  int whole_columns_, whole_rows_;  // that no edge of the grid cuts off
+  std::vector<float> highest_;      // mm
+  std::vector<float> lowest_;       // mm
+  std::vector<float> target_;       // mm; 0: none
+  std::vector<float> excess_;       // mm: highest above what is asked for at each point
+  std::vector<int> known_, all_;    // points
 };
 
 /// Of the values of regions that are not NaN.

@@ -35,6 +35,51 @@ std::string difference(std::string_view a, std::string_view b) {
   return fmt::format("{:+.3g}", *replayed - *recorded);
 }
 
+/// A row by the names of its columns.
+class Row {
+ public:
+  Row(const std::vector<std::string>& columns, std::string_view line)
+      : columns_(columns), values_(split(line)) {
+    values_.resize(columns.size());
+  }
+  const std::string& operator[](std::size_t column) const { return values_[column]; }
+  std::string word(std::string_view column) const {
+    const auto found = std::find(columns_.begin(), columns_.end(), column);
+    return found == columns_.end() ? std::string() : values_[index(found)];
+  }
+  double value(std::string_view column) const { return number(word(column)).value_or(0); }
+
+ private:
+  std::size_t index(std::vector<std::string>::const_iterator found) const {
+    return static_cast<std::size_t>(found - columns_.begin());
+  }
+  const std::vector<std::string>& columns_;
+  std::vector<std::string> values_;
+};
+
+/// Straight from one place to the other, mm.
+double apart(const Row& a, const Row& b) {
+  double squares = 0;
+  for (const char* axis : {"x_mm", "y_mm", "z_mm"})
+    squares += std::pow(b.value(axis) - a.value(axis), 2);
+  return std::sqrt(squares);
+}
+
+/// Along the path no two places are further apart than the lengths to them differ.
+std::string meaning(const Row& recorded, const Row& replayed) {
+  constexpr double kSame = 1e-6, kRounding = 1e-3;  // mm; of a length
+  const double far = apart(recorded, replayed);
+  if (far <= kSame) return "the tool is in the same place";
+  if (recorded.word("block") != replayed.word("block"))
+    return fmt::format(
+        "the tool is {:.4g} mm away, in another block: the motion takes another time", far);
+  const double along = replayed.value("s_mm") - recorded.value("s_mm");
+  if (far <= std::abs(along) * (1 + kRounding) + kSame)
+    return fmt::format("the same path at another time: the tool is {:.4g} mm {}", std::abs(along),
+                       along > 0 ? "ahead" : "behind");
+  return fmt::format("another path, or another part of it: the tool is {:.4g} mm away", far);
+}
+
 }  // namespace
 
 bool same_value(std::string_view column, std::string_view a, std::string_view b) {
@@ -51,6 +96,22 @@ bool same_row(const std::vector<std::string>& columns, std::string_view a, std::
   for (std::size_t i = 0; i < columns.size(); ++i)
     if (!same_value(columns[i], recorded[i], replayed[i])) return false;
   return true;
+}
+
+std::string in_words(const std::vector<std::string>& columns, std::string_view recorded,
+                     std::string_view replayed) {
+  const Row a(columns, recorded), b(columns, replayed);
+  std::string text, others;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (same_value(columns[i], a[i], b[i])) continue;
+    if (text.empty())
+      text = fmt::format("at {} s, line {}, {} is {} in the recording and {} here", a.word("t_s"),
+                         a.word("line"), columns[i], a[i], b[i]);
+    else
+      others += (others.empty() ? "" : ", ") + columns[i];
+  }
+  if (!others.empty()) text += "; " + others + " differ, too";
+  return text + "; " + meaning(a, b);
 }
 
 std::string side_by_side(const std::vector<std::string>& columns, std::string_view recorded,

@@ -16,6 +16,11 @@ bool same_value(std::string_view column, std::string_view a, std::string_view b)
 /// True if all columns tell the same. Rows are lines of CSV.
 bool same_row(const std::vector<std::string>& columns, std::string_view a, std::string_view b);
 
+/// The columns that do not tell the same, with both values of the first, and where that leads: the
+/// same path at another time, or another path. Rows are whole.
+std::string in_words(const std::vector<std::string>& columns, std::string_view recorded,
+                     std::string_view replayed);
+
 /// A table of both with their differences; columns that do not tell the same are marked. An empty
 /// row is one that is missing.
 std::string side_by_side(const std::vector<std::string>& columns, std::string_view recorded,

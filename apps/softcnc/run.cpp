@@ -6,6 +6,15 @@
 #include "performance.hpp"
 
 namespace softcnc::app {
+namespace {
+
+void keep_state(MachineMemory& memory, const std::string& file, Performance& performance) {
+  const auto kept = memory.keep(performance.outcome.state);
+  if (!kept) performance.status = worse_status(performance.status, failed(kept.error()));
+  if (kept && *kept) performance.written.push_back({"state", file});
+}
+
+}  // namespace
 
 int run(const Options& options) {
   auto job = open_job(options);
@@ -14,11 +23,9 @@ int run(const Options& options) {
   if (!memory) return failed(memory.error());
   job->options.keeps_state = !options.dry_run && !options.state.empty();
   const std::string trace = options.dry_run && options.trace.empty() ? "-" : options.trace;
-  const Performance performance = perform(*job, options, trace);
-  const int status = conclude(*job, options, performance);
-  if (!performance.moved) return status;
-  const Status kept = memory->keep(performance.outcome.state);
-  return kept ? status : worse_status(status, failed(kept.error()));
+  Performance performance = perform(*job, options, trace);
+  if (performance.moved) keep_state(*memory, options.state, performance);
+  return conclude(*job, options, performance);
 }
 
 }  // namespace softcnc::app

@@ -8,10 +8,12 @@
 #include <numeric>
 #include <vector>
 
+#include "contour_text.hpp"
 #include "cpu_clock.hpp"
 #include "motion/counts.hpp"
 #include "motion/units.hpp"
 #include "progress.hpp"
+#include "time_text.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -31,8 +33,9 @@ std::string head(const Job& job, const Performance& performance) {
 /// Of rows on the curve their chords; pulses follow it between the rows.
 std::string closeness(const Machine& machine, const Measured& measured) {
   if (is_by_pulses(machine.control.interpolation))
-    return fmt::format("staircase    {:.4f} um from the planned place",
-                       um_from_mm(measured.path_deviation));
+    return fmt::format("staircase    {:.4f} um from the curve at most, {:.4f} um in the mean",
+                       um_from_mm(measured.path_deviation),
+                       um_from_mm(measured.path_deviation_mean));
   return fmt::format("chord error  {:.4f} um, {:.6g} um allowed", um_from_mm(measured.chord_error),
                      um_from_mm(machine.control.chord_tolerance));
 }
@@ -40,10 +43,11 @@ std::string closeness(const Machine& machine, const Measured& measured) {
 std::string sizes(const Job& job, const Outcome& outcome) {
   return fmt::format(
       "\n  time         {}\n  path         {:.3f} mm in {} block{}\n"
-      "  rows         {}, one every {:.6g} ms\n  {}",
+      "  rows         {}, one every {:.6g} ms\n  {}{}",
       duration_text(outcome.time), outcome.last.s, outcome.last.block,
       outcome.last.block == 1 ? "" : "s", outcome.setpoints, ms_from_s(job.machine.control.period),
-      closeness(job.machine, outcome.measured));
+      closeness(job.machine, outcome.measured),
+      outcome.contour ? contour_line(*outcome.contour) : "");
 }
 
 /// The limits that held the feed down, longest first.
@@ -109,6 +113,14 @@ std::string sent(const Performance& performance) {
                      performance.tally->checksum);
 }
 
+/// Files that are there now.
+std::string left(const std::vector<WrittenFile>& files) {
+  std::string text = files.empty() ? "" : "\n";
+  for (const WrittenFile& file : files)
+    text += fmt::format("\n  {} written to {}", file.what, file.file);
+  return text;
+}
+
 std::string punctuality(const Performance& performance) {
   if (!performance.punctuality) return {};
   const Punctuality& kept = *performance.punctuality;
@@ -125,11 +137,18 @@ std::string cost(const Outcome& outcome) {
 
 }  // namespace
 
+std::string machine_line(const Job& job) {
+  if (job.machine_file.empty()) return {};
+  return fmt::format("\n  machine      {}, beside the program", job.machine_file);
+}
+
 std::string summary(const Job& job, const Performance& performance) {
   const Outcome& outcome = performance.outcome;
-  return head(job, performance) + sizes(job, outcome) + held_by(outcome) +
-         axes(job.machine, performance) + further_limits(job.machine, outcome.measured) +
-         sent(performance) + punctuality(performance) + cost(outcome);
+  return head(job, performance) + machine_line(job) + sizes(job, outcome) +
+         rests_line(outcome.time_sheet) + held_by(outcome) + axes(job.machine, performance) +
+         (outcome.contour ? contour_paragraph(*outcome.contour, job.machine) : "") +
+         further_limits(job.machine, outcome.measured) + sent(performance) +
+         punctuality(performance) + left(performance.written) + cost(outcome);
 }
 
 }  // namespace softcnc::app

@@ -8,6 +8,10 @@
 
 namespace softcnc::app {
 
+/// A line that names the machine file beside the program, with the newline before it; empty: the
+/// machine is another one.
+std::string machine_line(const Job& job);
+
 /// Several lines, without a newline at the end.
 std::string summary(const Job& job, const Performance& performance);
 

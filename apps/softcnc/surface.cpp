@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "commands.hpp"
+#include "contour_rows.hpp"
 #include "cpu_clock.hpp"
 #include "cutting_rows.hpp"
 #include "hal/ideal_surface.hpp"
@@ -16,6 +17,8 @@
 #include "performance.hpp"
 #include "preflight.hpp"
 #include "progress.hpp"
+#include "repeated_errors.hpp"
+#include "summary.hpp"
 #include "surface_file.hpp"
 #include "surface_grid.hpp"
 #include "surface_report.hpp"
@@ -58,9 +61,11 @@ class SurfaceJob {
 /// The first reading: what cuts, and what is wrong with the text. It takes a small part of the time
 /// of the run, and before that the size of the surface is known, and whether it can be cut at all.
 int SurfaceJob::read() {
-  Diagnostics diagnostics(messages_.sink(job_.program));
+  ShownOnce shown(job_.program, messages_.sink(job_.program));
+  Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(job_.program.name());
   cutting_ = read_cutting(job_.program, job_.machine, job_.options, diagnostics, terminal_);
+  shown.finish();
   return terminal_.signal() != 0 ? stopped() : diagnostics.status();
 }
 
@@ -77,7 +82,7 @@ int SurfaceJob::move() {
   });
   diagnostics.set_file(job_.program.name());
   CuttingRows rows(cutting_, machine.surfacing.phase, machine.control.period,
-                   (*backend)->columns());
+                   row_columns(**backend));
   ipr::Reader reader = job_.program.reader();
   terminal_.begin("running", 0);
   const Outcome outcome = simulate(reader, job_.program.descriptor(), machine, job_.options,
@@ -135,7 +140,9 @@ int SurfaceJob::report(const RoughnessMap& map) {
     diagnostics.report({Code::SC4040, {}, missed_text(target, map, grid_), {}, {}});
   if (options_.report.empty()) return 0;
   const Status written = hal::write_file(options_.report, surface_report(job_, map, grid_));
-  return written ? 0 : fail(written.error());
+  if (!written) return fail(written.error());
+  spdlog::info("  report written to {}", options_.report);
+  return 0;
 }
 
 /// Peak memory of this process, MB.
@@ -180,17 +187,17 @@ void SurfaceJob::tell(const RoughnessMap& map, double seconds, double cpu) const
   const double points = static_cast<double>(grid_.columns) * grid_.rows;
   const double updates = static_cast<double>(updates_);
   spdlog::info(
-      "surface of {} on {}{}\n  stock        {:.6g} x {:.6g} x {:.6g} mm from X{:.6g} Y{:.6g} "
+      "surface of {} on {}{}{}\n  stock        {:.6g} x {:.6g} x {:.6g} mm from X{:.6g} Y{:.6g} "
       "Z{:.6g}\n  grid         {} x {} points, one every {:.6g} um\n  edges        {} passes\n"
       "  Rmax         {}{}{}\n  cut          {:.0f} points, {:.3g} updates in {:.2f} s, CPU {:.2f} "
       "s: "
-      "{:.1f} million a second and core\n  memory       {:.0f} MB",
+      "{:.1f} million a second and core\n  memory       {:.0f} MB\n\n  surface written to {}",
       job_.program.name(), job_.machine.name, options_.actual ? ", by its actual positions" : "",
-      (grid_.columns - 1) * grid_.step, (grid_.rows - 1) * grid_.step, grid_.top - grid_.corner[2],
-      grid_.corner[0], grid_.corner[1], grid_.corner[2], grid_.columns, grid_.rows,
-      um_from_mm(grid_.step), track_.passes().size(), roughness_text(map, grid_.step, cutting_),
-      target_text(map), form_text(map), points, updates, seconds, cpu, updates / cpu / 1e6,
-      memory_mb());
+      machine_line(job_), (grid_.columns - 1) * grid_.step, (grid_.rows - 1) * grid_.step,
+      grid_.top - grid_.corner[2], grid_.corner[0], grid_.corner[1], grid_.corner[2], grid_.columns,
+      grid_.rows, um_from_mm(grid_.step), track_.passes().size(),
+      roughness_text(map, grid_.step, cutting_), target_text(map), form_text(map), points, updates,
+      seconds, cpu, updates / cpu / 1e6, memory_mb(), options_.output);
 }
 
 int SurfaceJob::run() {

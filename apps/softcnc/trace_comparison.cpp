@@ -52,6 +52,8 @@ void TraceComparison::columns(std::string_view line) {
   if (recorded == line) return;
   difference_ = fmt::format("the columns differ\n  recorded: {}\n  replayed: {}\n",
                             recorded.value_or("none"), line);
+  in_words_ = fmt::format("the columns differ: {} in the recording, {} here",
+                          recorded.value_or("none"), line);
 }
 
 void TraceComparison::row(std::string_view line) {
@@ -60,16 +62,18 @@ void TraceComparison::row(std::string_view line) {
     ++rows_;
     return;
   }
-  difference_ = fmt::format("row {} {}\n", rows_ + 1,
-                            recorded ? "differs" : "is not in the recording, which ends before") +
-                side_by_side(columns_, recorded.value_or(""), line);
+  in_words_ = fmt::format("row {} {}", rows_ + 1,
+                          recorded ? "differs" : "is not in the recording, which ends before");
+  difference_ = in_words_ + '\n' + side_by_side(columns_, recorded.value_or(""), line);
+  if (recorded) in_words_ += ": " + app::in_words(columns_, *recorded, line);
 }
 
 void TraceComparison::finish() {
   if (!difference_.empty() || !status()) return;
-  if (const auto recorded = recorded_.next())
-    difference_ = fmt::format("row {} is recorded, but the replay ends before\n", rows_ + 1) +
-                  side_by_side(columns_, *recorded, "");
+  if (const auto recorded = recorded_.next()) {
+    in_words_ = fmt::format("row {} is recorded, but the replay ends before", rows_ + 1);
+    difference_ = in_words_ + '\n' + side_by_side(columns_, *recorded, "");
+  }
 }
 
 std::unique_ptr<hal::ByteSink> comparison_sink(TraceComparison& comparison) {

@@ -23,8 +23,10 @@ class TraceComparison {
   /// After the last row: whether the recording ends here, too.
   void finish();
 
-  /// What differs first, for a person; empty: nothing does.
+  /// What differs first, as a table for a person; empty: nothing does.
   const std::string& difference() const noexcept { return difference_; }
+  /// The same in one sentence.
+  const std::string& in_words() const noexcept { return in_words_; }
   const Status& status() const noexcept { return recorded_.status(); }
   std::int64_t rows() const noexcept { return rows_; }
 
@@ -37,7 +39,7 @@ class TraceComparison {
   std::string partial_;  // a line whose end has not come yet
   std::vector<std::string> columns_;
   std::int64_t rows_ = 0;  // that agree
-  std::string difference_;
+  std::string difference_, in_words_;
 };
 
 /// The sink a trace writer writes to; refuses more as soon as a row differs.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "trace_rows.hpp"
 
+#include "contour_rows.hpp"
 #include "hal/machine_file.hpp"
 
 namespace softcnc::app {
@@ -14,7 +15,7 @@ Result<TraceRows> open_trace(const std::string& file, Program& program, const Ma
                              const hal::Backend& backend) {
   if (file.empty()) return TraceRows(nullptr);
   auto writer =
-      hal::TraceWriter::open(file, trace_header(program, machine), machine, backend.columns());
+      hal::TraceWriter::open(file, trace_header(program, machine), machine, row_columns(backend));
   if (!writer) return tl::make_unexpected(std::move(writer.error()));
   return TraceRows(std::move(*writer));
 }

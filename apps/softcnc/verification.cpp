@@ -89,6 +89,12 @@ void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& qu
   }
 }
 
+void Verification::pass_over(const Setpoint& row) noexcept {
+  verifier_.pass_over(row);
+  programmed_.row(row);
+  block_before_ = row.block;
+}
+
 void Verification::finish() noexcept {
   verifier_.finish();
   programmed_.finish();
@@ -102,7 +108,7 @@ void report_excess(const Measured& measured, const ProgrammedPath::Deviation& wo
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
     if (!axis.present) continue;
     const char letter = kAxisLetters[static_cast<std::size_t>(i)];
-    const double per_period = 2 / machine.control.period;  // of a difference
+    const double per_period = 2 / machine.control.period;  // of a difference, by pulses
     const double v_grid = by_pulses ? kStray * axis.blu * per_period : 0;
     const double a_grid = v_grid * per_period;
     judge(fmt::format("the velocity of {}", letter), measured.velocity[i], axis.velocity,

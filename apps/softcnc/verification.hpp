@@ -19,6 +19,8 @@ class Verification {
 
   /// `queue` still holds every block from that of the row before.
   void add(std::span<const Setpoint> rows, const ipo::BlockQueue& queue);
+  /// A row of a stretch in which none can come near a limit, and those left out before it.
+  void pass_over(const Setpoint& row) noexcept;
   void finish() noexcept;
 
   const Measured& measured() const noexcept { return verifier_.measured(); }

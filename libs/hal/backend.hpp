@@ -29,6 +29,14 @@ class Backend {
   /// Their values after the last exchange; `out` is as long as columns(). Realtime.
   virtual void values(std::span<double> out) const noexcept { static_cast<void>(out); }
 
+  /// Where the axes really were in the period of the last exchange, mm: evenly spaced instants of
+  /// the position loop, the last one that of the setpoint. The first exchange has one. Empty where
+  /// the backend does not know. Realtime.
+  virtual std::span<const AxisVector> actual() const noexcept { return {}; }
+
+  /// How many of them a period has; 0: the backend does not know where the axes are.
+  virtual std::size_t instants() const noexcept { return 0; }
+
   /// Largest distance between command and axis over all exchanges so far, in mm by axis. NaN where
   /// nothing is measured: axes the machine lacks, backends without feedback.
   virtual std::array<double, kAxes> following_error_max() const noexcept;

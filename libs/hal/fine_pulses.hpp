@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fine interpolation: from two setpoints of an axis to the pulses between them.
+// From two positions of an axis to the pulses between them.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace softcnc::hal {
 
-/// The axis moves evenly from setpoint to setpoint, and a pulse comes at the instant at which it is
-/// half a BLU beyond the last one: evenly spread within a period, and at the same pace from one
-/// period to the next. What does not make a whole pulse stays, so that the pulses so far are always
+/// The axis moves evenly from position to position, and a pulse comes at the instant at which it is
+/// half a BLU beyond the last one: evenly spread in between, and at the same pace from one position
+/// to the next. What does not make a whole pulse stays, so that the pulses so far are always
 /// the counts of the position.
 class FinePulses {
  public:
@@ -20,7 +20,7 @@ class FinePulses {
   FinePulses(double blu, double position) noexcept
       : blu_(blu), counts_of_(blu), position_(position), counts_(counts_of_(position)) {}
 
-  /// Visits the pulses on the way to `position`, mm, as visit(part of the period, direction).
+  /// Visits the pulses on the way to `position`, mm, as visit(part of the way's time, direction).
   /// Realtime.
   template <typename Visit>
   void move(double position, Visit&& visit) noexcept {

@@ -7,6 +7,7 @@
 
 #include "hal/machine_keys.hpp"
 #include "hal/machine_loader.hpp"
+#include "hal/machine_reach.hpp"
 #include "hal/machine_value.hpp"
 #include "hal/text_file.hpp"
 
@@ -76,6 +77,17 @@ MachineOrFaults load_machine(const std::string& file, std::span<const std::strin
 MachineOrFaults parse_machine(const std::string& text, const std::string& name,
                               std::span<const std::string> settings) {
   return load_text(&text, name, settings).map(machine_of);
+}
+
+tl::expected<FoundMachine, std::vector<Diagnostic>> find_machine(
+    const MachineSource& source, std::span<const std::string> settings) {
+  auto loaded = load_file(source.file, settings);
+  if (!loaded) return tl::make_unexpected(std::move(loaded.error()));
+  FoundMachine found;
+  if (source.confined) found.passed_over = confine(*loaded);
+  found.default_file = writes_default_file(*loaded);
+  found.machine = std::move(loaded->machine);
+  return found;
 }
 
 tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_values(

@@ -26,6 +26,24 @@ MachineOrFaults load_machine(const std::string& file, std::span<const std::strin
 MachineOrFaults parse_machine(const std::string& text, const std::string& name,
                               std::span<const std::string> settings);
 
+/// Where the machine of a program comes from.
+struct MachineSource {
+  std::string file;       // empty: the built-in machine
+  bool confined = false;  // found beside the program: nothing in it reaches outside softcnc
+};
+
+/// The machine of a program, and what was done to it.
+struct FoundMachine {
+  Machine machine;
+  std::vector<Diagnostic> passed_over;  // SC7021: what the file asks for and may not
+  bool default_file = false;  // the backend writes a file under a name that nobody has given
+};
+
+/// As load_machine(). A confined machine keeps its backend, but files of backends and ports count
+/// only where settings name them.
+tl::expected<FoundMachine, std::vector<Diagnostic>> find_machine(
+    const MachineSource& source, std::span<const std::string> settings);
+
 /// One value of the machine as it will be used.
 struct EffectiveValue {
   std::string key;      // "axis.x.blu_um"

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
-#include <numeric>
 #include <vector>
 
 #include "hal/axis_name.hpp"
+#include "motion/spelling.hpp"
 #include "motion/units.hpp"
 
 namespace softcnc::hal {
@@ -83,9 +83,9 @@ const MachineKey kKeys[] = {
 
     {"control.period_ms", "ms", "interpolation period: one setpoint each",
      Number{control<&Control::period>, s_from_ms, ms_from_s, {0.001, 1000}}},
-    {"control.servo_period_ms", "ms", "the backend interpolates linearly from one servo period to the "
-     "next; divides period_ms. If absent: 1 ms, or the next smaller that divides period_ms",
-     Number{control<&Control::servo_period>, s_from_ms, ms_from_s, {0.001, 1000}}},
+    {"control.servo_period_ms", "ms", "fine interpolation: positions to ports are the plan itself at these instants; where the path's curvature jumps, "
+     "the acceleration may change by the jerk times it; the simulated axes read their counters so often. Divides period_ms. 0 or absent: 1 ms, or the next smaller that divides period_ms, and 0.25 ms for the simulated axes",
+     Number{control<&Control::servo_period>, s_from_ms, ms_from_s, {0.001, 1000, false, true}}},
     {"control.chord_tolerance_um", "um", "largest distance between curve and chord within one period",
      Number{control<&Control::chord_tolerance>, mm_from_um, um_from_mm, above_0(1e6)}},
     {"control.interpolation", "", "how the next point on a curve is found",
@@ -152,7 +152,7 @@ const MachineKey kKeys[] = {
      Number{drive<&Drive::current_limit>, same, same, above_0(1e4)}},
     {"axis.*.drive.following_error_um", "um", "a larger distance between command and axis is an alarm",
      Number{drive<&Drive::following_error>, mm_from_um, um_from_mm, above_0(1e8)}},
-    {"axis.*.drive.lost_pulse", "", "to try what happens: every so manieth command pulse does not reach the counter, an alarm; 0: none is lost",
+    {"axis.*.drive.lost_pulse", "", "to try what happens: every n-th command pulse does not reach the counter, an alarm; 0: none is lost",
      Whole{drive<&Drive::lost_pulse>, {0, 1e9}}},
 
     {"spindle.min_rpm", "rpm", "a smaller S is clamped with a warning",
@@ -264,26 +264,6 @@ std::optional<int> match_prefix(const std::vector<std::string_view>& parts,
   return index;
 }
 
-std::string_view leaf(std::string_view path) { return path.substr(path.rfind('.') + 1); }
-
-/// Levenshtein distance, or `limit` if it is not below that.
-std::size_t distance(std::string_view a, std::string_view b, std::size_t limit) {
-  if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) >= limit) return limit;
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-    if (*std::min_element(row.begin(), row.end()) >= limit) return limit;
-  }
-  return std::min(row[b.size()], limit);
-}
-
 /// The axis or tool that `path` names where `key` has its '*', otherwise the first.
 int index_like(std::string_view path, const MachineKey& key) {
   const auto parts = split(path);
@@ -293,23 +273,17 @@ int index_like(std::string_view path, const MachineKey& key) {
   return axis ? 0 : 1;
 }
 
-/// The known key, cut off after `depth` parts, that reads most like `path`.
+/// The known key, cut off after `depth` parts, that is most like `path`; empty if none is like it.
 std::string nearest(std::string_view path, std::size_t depth) {
-  std::string nearest;
-  std::size_t least = std::string::npos;
+  std::vector<std::string> all;
   for (const MachineKey& key : kKeys) {
     std::string known = path_of({&key, index_like(path, key)});
     const auto parts = split(known);
     if (depth < parts.size())
       known.resize(static_cast<std::size_t>(parts[depth].data() - known.data()) - 1);
-    if (least <= 1) break;  // none is nearer, as none is equal
-    const std::size_t far =
-        std::min(distance(path, known, least), distance(leaf(path), leaf(known), least - 1) + 1);
-    if (far >= least) continue;
-    least = far;
-    nearest = known;
+    all.push_back(std::move(known));
   }
-  return nearest;
+  return nearest_name(path, std::vector<std::string_view>(all.begin(), all.end()));
 }
 
 }  // namespace

@@ -13,10 +13,11 @@
 
 namespace softcnc::hal {
 
-/// The values a key takes, in the unit of its name. `above_low` leaves `low` itself out.
+/// The values a key takes, in the unit of its name. `above_low` leaves `low` itself out, `or_0`
+/// takes 0 beside them.
 struct Range {
   double low, high;
-  bool above_low = false;
+  bool above_low = false, or_0 = false;
 };
 
 struct Number {
@@ -75,7 +76,8 @@ bool is_tool_key(const MachineKey& key) noexcept;
 
 std::string path_of(const KeyRef& ref);
 
-/// The known key that reads most like `path`, spelled for the same axis or tool.
+/// The known key that reads most like `path`, spelled for the same axis or tool; empty if none
+/// does.
 std::string nearest_key(std::string_view path);
 
 /// The same for the name of a table.

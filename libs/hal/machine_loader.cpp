@@ -3,12 +3,14 @@
 #include "hal/machine_loader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <tuple>
 
 #include "hal/axis_name.hpp"
 #include "hal/number.hpp"
+#include "motion/spelling.hpp"
 #include "motion/units.hpp"
 #include "motion/utf8.hpp"
 
@@ -16,7 +18,7 @@ namespace softcnc::hal {
 namespace {
 
 std::string unknown(std::string_view key, const std::string& nearest) {
-  return "unknown key '" + std::string(key) + "'; did you mean '" + nearest + "'?";
+  return "unknown key '" + std::string(key) + "'" + did_you_mean(nearest);
 }
 
 /// Those of settings come last, in the order in which they are found.
@@ -34,6 +36,16 @@ bool names_axis(const TomlEntry& entry) {
   constexpr std::string_view kAxis = "axis.";
   return entry.table && entry.path.starts_with(kAxis) && entry.path.size() == kAxis.size() + 1 &&
          is_section(entry.path);
+}
+
+/// What stands in state files, and in no machine file; null: nothing.
+const TomlEntry* find_state(const std::vector<TomlEntry>& entries) {
+  constexpr std::array<std::string_view, 8> kOfStates{
+      "schema", "active", "g92_in_force", "g92", "g28", "g30", "work", "parameter"};
+  const auto found = std::find_if(entries.begin(), entries.end(), [&](const TomlEntry& entry) {
+    return std::find(kOfStates.begin(), kOfStates.end(), entry.path) != kOfStates.end();
+  });
+  return found == entries.end() ? nullptr : &*found;
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -90,6 +102,11 @@ void MachineLoader::read(std::string_view text, const std::string& name) {
     const Diagnostic& broken = entries.error();
     is_doubtful_ = true;
     return fail(broken.code, {name, broken.pos, text_line(text, broken.pos.line)}, broken.message);
+  }
+  if (const TomlEntry* of_state = find_state(*entries)) {
+    is_doubtful_ = true;
+    return fail(Code::SC7020, {name, of_state->key_pos, text_line(text, of_state->key_pos.line)},
+                "'" + of_state->path + "' stands in state files: this is none of a machine");
   }
   take_all(*entries, text, name);
   if (std::any_of(entries->begin(), entries->end(), names_axis)) keep_named_axes(*entries);
@@ -167,7 +184,6 @@ bool MachineLoader::has_axis_of(const KeyRef& ref) const {
 
 LoadedOrFaults MachineLoader::finish() {
   if (!is_doubtful_) {
-    derive_servo_period();
     check_periods();
     for (int axis = 0; axis < kAxes; ++axis) check_travel(axis);
     const Control& control = loaded_.machine.control;
@@ -181,19 +197,10 @@ LoadedOrFaults MachineLoader::finish() {
   return tl::make_unexpected(std::move(errors_));
 }
 
-/// Without a word about it the servo period is 1 ms, or the next smaller that divides the period.
-void MachineLoader::derive_servo_period() {
-  constexpr double kRoundOff = 1e-9;
-  if (loaded_.given.contains("control.servo_period_ms")) return;
-  Control& control = loaded_.machine.control;
-  const double period_ms = ms_from_s(control.period);
-  const double parts = std::ceil(period_ms - kRoundOff);
-  control.servo_period = parts > 1 ? s_from_ms(period_ms / parts) : control.period;
-}
-
 void MachineLoader::check_periods() {
   constexpr double kRoundOff = 1e-9;
   const Control& control = loaded_.machine.control;
+  if (control.servo_period == 0) return;
   const double ratio = control.period / control.servo_period;
   if (ratio > 0.5 && std::abs(ratio - std::round(ratio)) < kRoundOff * ratio) return;
   clash(Code::SC7010, {"control.period_ms", "control.servo_period_ms"},

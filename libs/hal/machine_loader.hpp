@@ -48,7 +48,6 @@ class MachineLoader {
   void take(const TomlEntry& entry, std::string_view text, const std::string& name);
   void take(const KeyRef& ref, const FileValue& value, Place place);
   void keep_named_axes(const std::vector<TomlEntry>& entries);
-  void derive_servo_period();
   void check_periods();
   void check_travel(int index);
   void check_step_port();

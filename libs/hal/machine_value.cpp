@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hal/number.hpp"
+#include "motion/spelling.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -30,14 +31,15 @@ Status wrong_type(const KeyRef& ref, std::string_view wanted, const FileValue& v
 }
 
 std::string range_text(const Range& range) {
-  return (range.above_low ? "greater than " : "at least ") + number_text(range.low) +
+  return (range.or_0 ? "0, or " : "") +
+         std::string(range.above_low ? "greater than " : "at least ") + number_text(range.low) +
          " and at most " + number_text(range.high);
 }
 
 Status check(const KeyRef& ref, double value, const Range& range) {
   const bool low_enough = value <= range.high;  // false for NaN
   const bool high_enough = range.above_low ? value > range.low : value >= range.low;
-  if (low_enough && high_enough) return {};
+  if ((low_enough && high_enough) || (range.or_0 && value == 0)) return {};
   return failure(Code::SC7005,
                  path_of(ref) + " must be " + range_text(range) + ", not " + number_text(value));
 }
@@ -75,7 +77,8 @@ Status store(const Choice& choice, const KeyRef& ref, const FileValue& value, Ma
   const auto found = std::find(choice.words.begin(), choice.words.end(), *word);
   if (found == choice.words.end())
     return failure(Code::SC7006, path_of(ref) + " does not know " + quoted(*word) + "; it knows " +
-                                     list(choice.words));
+                                     list(choice.words) +
+                                     did_you_mean(nearest_name(*word, choice.words)));
   choice.set(machine, static_cast<int>(found - choice.words.begin()));
   return {};
 }

@@ -2,15 +2,16 @@
 // The command pulses of an axis, whichever way they are made.
 #pragma once
 
+#include <algorithm>
+
 #include "hal/fine_pulses.hpp"
 #include "motion/machine.hpp"
 #include "motion/setpoint.hpp"
 
 namespace softcnc::hal {
 
-/// By a method of reference pulses those of the staircase itself, otherwise those of fine
-/// interpolation between the setpoints. Either way the pulses so far are the counts of the
-/// position.
+/// By a method of reference pulses those of the staircase itself, otherwise those between the fine
+/// points of the setpoints. Either way the pulses so far are the counts of the position.
 class PulseSource {
  public:
   PulseSource(int axis, const Machine& machine) noexcept
@@ -29,11 +30,7 @@ class PulseSource {
   /// Realtime.
   template <typename Visit>
   void move(const Setpoint& setpoint, Visit&& visit) noexcept {
-    if (!by_method_) {
-      fine_.move(setpoint.position[axis_], visit);
-      counts_ = fine_.counts();
-      return;
-    }
+    if (!by_method_) return follow(setpoint, visit);
     for (const TimedStep& timed : setpoint.pulses) {
       const int direction = timed.step[axis_];
       if (direction == 0) continue;
@@ -47,6 +44,19 @@ class PulseSource {
   double position() const noexcept { return Counts(blu_).position(counts_); }  // mm
 
  private:
+  template <typename Visit>
+  void follow(const Setpoint& setpoint, Visit&& visit) noexcept {
+    const int parts = std::max(static_cast<int>(setpoint.fine.size()), 1);
+    int part = 0;
+    for_instants(setpoint, {}, parts, [&](const FinePoint& point) {
+      fine_.move(point.position[axis_], [&](double of_part, int direction) {
+        visit((part + of_part) / parts, direction);
+      });
+      ++part;
+    });
+    counts_ = fine_.counts();
+  }
+
   int axis_;
   double blu_;
   bool by_method_;

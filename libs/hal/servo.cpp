@@ -78,12 +78,9 @@ void ServoAxis::reset(double position) noexcept {
 
 void ServoAxis::advance(std::span<const CommandPulse> pulses) noexcept {
   auto next = pulses.begin();
-  for (int i = 0; i < substeps_; ++i) {
-    const double now = static_cast<double>(i) / substeps_ + kSameInstant;
-    for (; next != pulses.end() && next->part <= now; ++next) take(*next);
-    read_counter();
-    step();
-  }
+  for (; next != pulses.end() && next->part <= kSameInstant; ++next) take(*next);
+  read_counter();
+  for (int i = 0; i < substeps_; ++i) step();
   for (; next != pulses.end(); ++next) take(*next);
   read_counter();
 }

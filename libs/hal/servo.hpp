@@ -23,9 +23,9 @@ struct CommandPulse {
 /// frequency; a PI amplifier drives a permanent-magnet DC motor.
 ///
 /// The linear part (armature current, speed, F/V lag, integral, angle) is carried over a fixed
-/// substep exactly, by a matrix exponential made once. Counter, limits and friction are held over a
-/// substep:
-/// - the counter is read at its start;
+/// substep exactly, by a matrix exponential made once. The counter is read at the start of a servo
+/// period, and what it holds is the velocity command until the next one. Limits and friction are
+/// held over a substep:
 /// - the amplifier's voltage is clamped to the supply, and to what drives the limiting current at
 /// the
 ///   present speed; while clamped, the voltage stands still and so does the integral part;
@@ -41,7 +41,7 @@ class ServoAxis {
   /// At rest at `position`, which is also commanded. Realtime.
   void reset(double position) noexcept;
 
-  /// Runs one servo period in which these command pulses come, in order of time. Every so manieth
+  /// Runs one servo period in which these command pulses come, in order of time. Every n-th
   /// is lost before the counter where the drive says so, which is an alarm. Realtime.
   void advance(std::span<const CommandPulse> pulses) noexcept;
 

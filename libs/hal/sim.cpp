@@ -11,11 +11,11 @@
 namespace softcnc::hal {
 
 SimulatedMill::SimulatedMill(const Machine& machine)
-    : servo_periods_(
-          static_cast<int>(std::lround(machine.control.period / machine.control.servo_period))),
-      servo_period_(machine.control.period / servo_periods_),
+    : servo_period_(loop_period(machine.control)),
+      servo_periods_(parts_of_period(machine.control, servo_period_)),
       error_max_(Backend::following_error_max()) {
   pulses_.reserve(kPulses);
+  actual_.resize(static_cast<std::size_t>(servo_periods_), AxisVector::Zero());
   for (int axis = 0; axis < kAxes; ++axis) {
     const Axis& described = machine.axes[static_cast<std::size_t>(axis)];
     if (!described.present) continue;
@@ -31,6 +31,7 @@ Feedback SimulatedMill::exchange(const Setpoint& setpoint) noexcept {
     for (Slide& slide : slides_) run_period(slide, setpoint);
   else
     begin(setpoint.position);
+  seen_ = started_ ? actual_.size() : 1;
   started_ = true;
   commanded_ = setpoint.position;
 
@@ -47,6 +48,7 @@ Feedback SimulatedMill::exchange(const Setpoint& setpoint) noexcept {
 }
 
 void SimulatedMill::begin(const AxisVector& position) noexcept {
+  actual_.back() = position;
   for (Slide& slide : slides_) {
     slide.source.begin(position[slide.axis]);
     slide.servo.reset(position[slide.axis]);
@@ -64,6 +66,7 @@ void SimulatedMill::run_period(Slide& slide, const Setpoint& setpoint) noexcept 
     for (; next != pulses_.end() && (next->part <= i || i == servo_periods_); ++next)
       next->part -= i - 1;
     slide.servo.advance({first, next});
+    actual_[static_cast<std::size_t>(i - 1)][slide.axis] = slide.servo.position();
   }
 }
 

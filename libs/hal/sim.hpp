@@ -22,6 +22,10 @@ class SimulatedMill final : public Backend {
   /// For each axis: actual position (mm), command minus actual (um), motor current (A).
   std::span<const std::string> columns() const noexcept override { return columns_; }
   void values(std::span<double> out) const noexcept override;
+  std::span<const AxisVector> actual() const noexcept override {
+    return std::span(actual_).last(seen_);
+  }
+  std::size_t instants() const noexcept override { return actual_.size(); }
   std::array<double, kAxes> following_error_max() const noexcept override { return error_max_; }
 
   /// Runs a copy on until no encoder moves any more, for kSettleTime at most.
@@ -42,11 +46,13 @@ class SimulatedMill final : public Backend {
 
   std::vector<Slide> slides_;
   std::vector<std::string> columns_;
-  int servo_periods_;  // in one period
-  double servo_period_;
+  double servo_period_;  // s: of the position loop
+  int servo_periods_;    // in one period
   bool started_ = false;
   std::vector<CommandPulse> pulses_;  // of one axis and period
   AxisVector commanded_ = AxisVector::Zero();
+  std::vector<AxisVector> actual_;  // of each servo period
+  std::size_t seen_ = 0;            // so many of them, the last ones, are of the last exchange
   std::array<double, kAxes> error_max_;
 };
 

@@ -2,7 +2,6 @@
 #include "hal/stream_rows.hpp"
 
 #include <charconv>
-#include <cmath>
 #include <utility>
 
 #include "hal/axis_name.hpp"
@@ -24,9 +23,9 @@ std::string stream_config(const Machine& machine) {
 }
 
 StreamRows::StreamRows(const Machine& machine, std::size_t lead)
-    : period_(number_text(ms_from_s(machine.control.servo_period))),
+    : period_(number_text(ms_from_s(fine_period(machine.control)))),
       config_(stream_config(machine)),
-      parts_(static_cast<int>(std::lround(machine.control.period / machine.control.servo_period))) {
+      parts_(parts_of_period(machine.control, fine_period(machine.control))) {
   for (int axis = 0; axis < kAxes; ++axis)
     if (machine.axes[static_cast<std::size_t>(axis)].present) axes_.push_back(axis);
   bytes_.reserve(lead + static_cast<std::size_t>(parts_) * kRowLength);
@@ -44,15 +43,13 @@ std::string StreamRows::tail() const {
 }
 
 void StreamRows::add(const Setpoint& setpoint) noexcept {
-  const AxisVector way = setpoint.position - last_;
-  if (std::exchange(started_, true))
-    for (int part = 1; part < parts_; ++part) row(last_ + way * part / parts_, true);
-  row(setpoint.position, true);
-  last_ = setpoint.position;
+  for_instants(setpoint, last_, std::exchange(started_, true) ? parts_ : 1,
+               [this](const FinePoint& point) { row(point.position, true); });
+  last_ = {setpoint.s, setpoint.position};
 }
 
 void StreamRows::rest() noexcept {
-  if (started_) row(last_, false);
+  if (started_) row(last_.position, false);
 }
 
 void StreamRows::row(const AxisVector& position, bool runs) noexcept {

@@ -35,7 +35,7 @@ class StreamRows {
   void pass() noexcept;
 
   bool started() const noexcept { return started_; }
-  const AxisVector& last() const noexcept { return last_; }  // mm, commanded
+  const AxisVector& last() const noexcept { return last_.position; }  // mm, commanded
   std::int64_t rows() const noexcept { return rows_; }
   std::string checksum() const { return hasher_.hex(); }  // of what has been passed
 
@@ -46,7 +46,7 @@ class StreamRows {
   std::vector<int> axes_;
   int parts_;  // servo periods in a period
   bool started_ = false;
-  AxisVector last_ = AxisVector::Zero();
+  FinePoint last_;
   std::int64_t rows_ = 0;
   std::string bytes_;
   Hasher hasher_;

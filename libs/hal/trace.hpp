@@ -14,8 +14,9 @@
 
 namespace softcnc::hal {
 
-/// Raised when columns change their meaning or order.
-inline constexpr int kTraceSchema = 1;
+/// Raised when columns change their meaning or order, or the lines of a CSV their places: in
+/// schema 1 the comments stood before the names.
+inline constexpr int kTraceSchema = 2;
 
 struct TraceHeader {
   double period = 0.001;     // s

@@ -19,7 +19,7 @@ namespace softcnc::hal {
 namespace {
 
 constexpr std::size_t kBuffer = 1U << 16U;
-constexpr std::size_t kOwnColumns = 7;  // t_s to limit
+constexpr std::size_t kOwnColumns = 8;  // t_s to limit, and feed_mm_s
 
 /// The period in ms as a person would write it, unless that is another double.
 std::string period_text(double period) {
@@ -56,14 +56,15 @@ CsvTrace::CsvTrace(std::unique_ptr<ByteSink> out, const TraceHeader& header, con
     if (machine.axes[static_cast<std::size_t>(axis)].present) axes_.push_back(axis);
   row_length_ = (kOwnColumns + axes_.size() + backend_columns.size()) * (kNumberLength + 1) + 1;
   buffer_.resize(kBuffer + row_length_);
-  const auto written = out_->write(trace_comment(header));
-  if (!written) failure_ = written.error();
   names(backend_columns);
+  const auto written = out_->write(trace_comment(header));
+  if (!written && !failure_) failure_ = written.error();
 }
 
 void CsvTrace::names(std::span<const std::string> backend_columns) {
   std::string line = "t_s,line,block,s_mm,v_mm_s,a_mm_s2,limit";
   for (const int axis : axes_) line += ',' + axis_name(axis) + "_mm";
+  line += ",feed_mm_s";
   for (const auto& column : backend_columns) line += ',' + column;
   const auto written = out_->write(line + '\n');
   if (!written && !failure_) failure_ = written.error();
@@ -90,6 +91,7 @@ void CsvTrace::row(const Setpoint& setpoint, std::span<const double> backend_val
   at = static_cast<char*>(std::memcpy(at, limit.data(), limit.size())) + limit.size();
   *at++ = ',';
   for (const int axis : axes_) number(setpoint.position[axis]);
+  number(setpoint.feed);
   for (const double value : backend_values) number(value);
   at[-1] = '\n';
   used_ = static_cast<std::size_t>(at - buffer_.data());

@@ -111,6 +111,7 @@ NpzTrace::NpzTrace(std::unique_ptr<ByteSink> out, const TraceHeader& header, con
     axes_.push_back(axis);
     add_column(axis_name(axis) + "_mm");
   }
+  add_column("feed_mm_s");
   for (const std::string& column : backend_columns) {
     whole_.push_back(column.ends_with("_count"));
     if (whole_.back())
@@ -137,6 +138,7 @@ void NpzTrace::row(const Setpoint& setpoint, std::span<const double> backend_val
   real(setpoint.a);
   (column++)->add_text(name(setpoint.limit));
   for (const int axis : axes_) real(setpoint.position[axis]);
+  real(setpoint.feed);
   for (std::size_t i = 0; i < backend_values.size(); ++i)
     whole_[i] ? whole(static_cast<std::int64_t>(backend_values[i])) : real(backend_values[i]);
   if (++rows_ % std::int64_t{kRows} == 0) hand_on();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -74,6 +75,19 @@ class BlockQueue {
   template <typename Visit>
   void for_each_recent(Visit&& visit) const {
     for (std::size_t i = 0; i < blocks_.size() && i <= current_; ++i) visit(blocks_[i]);
+  }
+
+  /// The same, and then for what lies ahead.
+  template <typename Visit>
+  void for_each(Visit&& visit) const {
+    for (const TimedBlock& block : blocks_) visit(block);
+  }
+
+  /// The length of path, mm, up to which it is known; nothing where no move is in the queue.
+  std::optional<double> s_end() const noexcept {
+    for (auto block = blocks_.rbegin(); block != blocks_.rend(); ++block)
+      if (block->move()) return block->s_start + length(block->move()->path);
+    return std::nullopt;
   }
 
   /// The instant up to which everything is timed, s.

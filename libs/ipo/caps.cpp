@@ -18,13 +18,17 @@ namespace {
 /// So far from a kink, in periods, it is felt beside others: in the rows that lie up to one period
 /// nearer to it, which reach one period further.
 constexpr double kKinkReach = 2;
+constexpr int kMostSteps = 60;  // towards the speed of a joint
 /// Kept free of the chord tolerance at kinks.
 constexpr double kMargin = 1e-3;
 
 class CapDerivation {
  public:
   CapDerivation(Chain& chain, const Constraints& constraints)
-      : chain_(chain), constraints_(constraints), period_(constraints.period()) {}
+      : chain_(chain),
+        constraints_(constraints),
+        period_(constraints.period()),
+        fine_period_(constraints.fine_period()) {}
 
   void run(std::size_t first) {
     reset(first);
@@ -97,26 +101,25 @@ class CapDerivation {
     spread.lower();
   }
 
-  /// Caps everything left of node `from` that a step can touch together with it and that lies
-  /// within the cap's step of it.
-  void spread_left(std::size_t from, const Cap& cap, double steps) {
-    const double step = steps * std::sqrt(cap.q) * period_;
+  /// Caps everything left of node `from` that can be touched together with it within `most` s and
+  /// that lies within the cap's way of it.
+  void spread_left(std::size_t from, const Cap& cap, double most) {
+    const double step = most * std::sqrt(cap.q);
     double time = 0;
     for (std::size_t n = from;; --n) {
       chain_.nodes[n].cap.lower_to(cap);
-      if (n == 0 || time >= steps * period_ || chain_.nodes[from].s - chain_.nodes[n].s >= step)
-        return;
+      if (n == 0 || time >= most || chain_.nodes[from].s - chain_.nodes[n].s >= step) return;
       chain_.inside[n - 1].cap.lower_to(cap);
       time += times_[n - 1];
     }
   }
 
-  void spread_right(std::size_t from, const Cap& cap, double steps) {
-    const double step = steps * std::sqrt(cap.q) * period_;
+  void spread_right(std::size_t from, const Cap& cap, double most) {
+    const double step = most * std::sqrt(cap.q);
     double time = 0;
     for (std::size_t n = from;; ++n) {
       chain_.nodes[n].cap.lower_to(cap);
-      if (n + 1 == chain_.nodes.size() || time >= steps * period_ ||
+      if (n + 1 == chain_.nodes.size() || time >= most ||
           chain_.nodes[n].s - chain_.nodes[from].s >= step)
         return;
       chain_.inside[n].cap.lower_to(cap);
@@ -124,30 +127,53 @@ class CapDerivation {
     }
   }
 
-  /// A jump of velocity adds |dx'| v / T to the second difference of one period, and |dx'| v / T^2
-  /// to the third; a jump of acceleration adds up to 3/4 |dx''| v^2 / T to the third, and may be as
-  /// large as the jerk times T. Together with their neighbours jumps may use a share of the limits,
-  /// and the curve the rest; and the polyline through the rows cuts a kink by at most
-  /// turn * step / 4.
+  /// A jump of velocity adds |dx'| v / T to the second difference over a fine period T, and
+  /// |dx'| v / T^2 to the third; a jump of acceleration adds up to 3/4 |dx''| v^2 / T to the third,
+  /// and may be as large as the jerk times T. Together with their neighbours jumps may use a share
+  /// of the limits, and the curve the rest; and the polyline through the rows cuts a kink by at
+  /// most turn * step / 4.
   void pass_joint(std::size_t n) {
     if (!constraints_.limits_jerk() && straight_around(n)) return pass_kink(n);
-    const double tolerance = constraints_.chord_tolerance() * (1 - kMargin) *
-                             (shares_its_step(chain_, n, period_) ? kTurnShare : 1.0);
     const double planned = std::sqrt(chain_.own_cap(n).q);
     double v = planned;
-    Load load = joint_load(n, v, tolerance);
-    for (int i = 0; i < 60 && load.exceeds(); ++i) {
+    Load load = joint_load(n, v);
+    for (int i = 0; i < kMostSteps && load.exceeds(); ++i) {
       v *= std::clamp(load.ratio() * (1 - 1e-6), 0.5, 1 - 1e-6);
-      load = joint_load(n, v, tolerance);
+      load = joint_load(n, v);
     }
-    if (v < planned)
-      slow_down(n, {v * v, load.jerk_binds() ? Limit::jerk : Limit::corner}, load.steps());
+    const double by_cut = chain_.nodes[n].turns() ? fastest_by_cut(n, planned) : planned;
+    slow_down(n, planned, {{v * v, load.jerk_binds() ? Limit::jerk : Limit::corner}, load.steps()},
+              by_cut);
+    if (by_cut < v) load = joint_load(n, v = by_cut);
     leave_the_rest(n, load, v);
+  }
+
+  /// What the polyline through the rows may cut off a turn, mm.
+  double cut_allowed(std::size_t n) const {
+    return constraints_.chord_tolerance() * (1 - kMargin) *
+           (shares_its_step(chain_, n, period_) ? kTurnShare : 1.0);
+  }
+
+  /// The largest v at which the polyline does not cut off more, kinks within a step of each other
+  /// being cut together.
+  double fastest_by_cut(std::size_t n, double planned) const {
+    const double allowed = cut_allowed(n);
+    double v = planned;
+    for (int i = 0; i < kMostSteps; ++i) {
+      double turn = 0;
+      for_nodes_within(n, period_, v, [&](const Node& node) {
+        if (node.passes_kink()) turn += node.turn;
+      });
+      const double cut = turn * (v * period_) / 4;
+      if (cut <= allowed) break;
+      v *= std::clamp(allowed / cut * (1 - 1e-6), 0.5, 1 - 1e-6);
+    }
+    return v;
   }
 
   bool straight_around(std::size_t n) const {
     bool straight = true;
-    chain_.for_intervals_in_step(n, kKinkReach * period_, [&](std::size_t i) {
+    chain_.for_intervals_in_step(n, kKinkReach * fine_period_, [&](std::size_t i) {
       return straight = straight && chain_.intervals[i].straight();
     });
     return straight;
@@ -155,58 +181,78 @@ class CapDerivation {
 
   void pass_kink(std::size_t n) {
     const double planned = std::sqrt(chain_.own_cap(n).q);
-    KinkLoad load(kStraightKinkShare * constraints_.acceleration_limits(),
-                  (1 - kMargin) * constraints_.chord_tolerance() *
-                      (shares_its_step(chain_, n, period_) ? kTurnShare : 1.0),
-                  period_);
-    for_nodes_within(n, 1, planned, [&](const Node& node) {
-      if (node.passes_kink()) load.add(std::abs(node.s - chain_.nodes[n].s), node.kink, node.turn);
-    });
-    const double v = load.fastest(planned);
-    if (v < planned) slow_down(n, {v * v, Limit::corner}, 1);
+    KinkLoad load(kStraightKinkShare * constraints_.acceleration_limits(), kUnlimited,
+                  fine_period_);
+    add_kinks(n, fine_period_, planned, load);
+    KinkLoad cuts(AxisVector::Constant(kUnlimited), cut_allowed(n), period_);
+    add_kinks(n, period_, planned, cuts);
+    const double by_load = load.fastest(planned), by_cut = cuts.fastest(planned);
+    slow_down(n, planned, {{by_load * by_load, Limit::corner}, 1}, by_cut);
+    const double v = std::min(by_load, by_cut);
     const AxisVector used = load.at(v).cwiseQuotient(constraints_.acceleration_limits());
-    chain_.for_intervals_in_step(n, kKinkReach * period_, [&](std::size_t i) {
-      chain_.inside[i].kinks.add(used, v);
+    const double time = kKinkReach * fine_period_;
+    const double gained = time * constraints_.most_u(chain_.directions_around(n, time));
+    chain_.for_intervals_in_step(n, time, [&](std::size_t i) {
+      chain_.inside[i].kinks.add(used, v, gained);
       return true;
     });
   }
 
-  void slow_down(std::size_t n, const Cap& cap, double steps) {
-    spread_left(n, cap, steps);
-    spread_right(n, cap, steps);
+  void add_kinks(std::size_t n, double time, double v, KinkLoad& load) const {
+    for_nodes_within(n, time, v, [&](const Node& node) {
+      if (node.passes_kink()) load.add(std::abs(node.s - chain_.nodes[n].s), node.kink, node.turn);
+    });
+  }
+
+  /// A cap around a joint, as far as so many steps of a fine period at it reach.
+  struct Slower {
+    Cap cap;
+    double steps;
+  };
+
+  /// What jumps ask for holds within steps of fine periods, what `by_cut` does, mm/s, within one of
+  /// a period; the lower one is enough where it reaches as far.
+  void slow_down(std::size_t n, double planned, const Slower& by_jumps, double by_cut) {
+    const double v = std::sqrt(by_jumps.cap.q), time = by_jumps.steps * fine_period_;
+    if (v < planned && (v <= by_cut || time > period_)) spread(n, by_jumps.cap, time);
+    if (by_cut < planned && (by_cut < v || fine_period_ < period_))
+      spread(n, {by_cut * by_cut, Limit::corner}, period_);
+  }
+
+  void spread(std::size_t n, const Cap& cap, double time) {
+    spread_left(n, cap, time);
+    spread_right(n, cap, time);
   }
 
   struct Load {
-    double tolerance = 0;                       // mm
     double acceleration = 0;                    // part of the axis limits
     AxisVector kink_jerk = AxisVector::Zero();  // parts of the axis limits
     double jerk = 0;                            // part of what jumps may use
-    double cut = 0;                             // mm
     int joints = 0;                             // that share the jerk
     bool kink = false;                          // at one of them
 
-    bool exceeds() const { return acceleration > kKinkShare || jerk > 1 || cut > tolerance; }
+    bool exceeds() const { return acceleration > kKinkShare || jerk > 1; }
     /// By how much the speed is to be lower: a jump of acceleration goes with its square.
     double ratio() const {
       const double jump = 1 / jerk;
-      return std::min({kKinkShare / acceleration, tolerance / cut, kink ? jump : std::sqrt(jump)});
+      return std::min(kKinkShare / acceleration, kink ? jump : std::sqrt(jump));
     }
-    bool jerk_binds() const { return jerk > std::max(acceleration / kKinkShare, cut / tolerance); }
+    bool jerk_binds() const { return jerk > acceleration / kKinkShare; }
     /// How far from the joint its speed is not to be exceeded: a jump of acceleration that stands
     /// alone goes by the speed at the joint itself.
     double steps() const { return jerk == 0 ? 1 : joints == 1 && !kink ? 0 : kJerkSteps; }
   };
 
   /// What a third difference feels of a joint that is passed at speed v lies where the machine can
-  /// be within three periods of it.
+  /// be within three fine periods of it.
   void leave_the_rest(std::size_t n, const Load& load, double v) {
-    chain_.for_intervals_in_step(n, period_, [&](std::size_t i) {
+    chain_.for_intervals_in_step(n, fine_period_, [&](std::size_t i) {
       chain_.inside[i].share = std::min(chain_.inside[i].share, 1 - load.acceleration);
       return true;
     });
     if (load.jerk == 0) return;
-    const double time = kJerkSteps * period_;
-    const double reach = farthest(v, time);
+    const double time = kJerkSteps * fine_period_;
+    const double reach = farthest(n, v, time);
     chain_.for_intervals_in_step(n, time, [&](std::size_t i) {
       const double way = std::abs(chain_.nodes[n].s - chain_.nodes[i < n ? i + 1 : i].s);
       if (way > reach) return false;
@@ -217,21 +263,23 @@ class CapDerivation {
     });
   }
 
-  /// No machine that passes a place at speed v is further from it within `time`. Its acceleration
+  /// No machine that passes joint n at speed v is further from it within `time`. Its acceleration
   /// is no more than what it can have gained from rest: a^2 <= 2 j v.
-  double farthest(double v, double time) const {
+  double farthest(std::size_t n, double v, double time) const {
     constexpr double kCurved = 2;  // what bends add to the jerk along the path, and more
-    const double jerk = kCurved * constraints_.jerk_limits().norm();
-    const double acceleration = std::min(constraints_.acceleration_limits().norm(),
-                                         std::sqrt(2 * jerk * v) + jerk * time / 3);
+    const Directions around = chain_.directions_around(n, time);
+    const double jerk = kCurved * around.most(constraints_.jerk_limits());
+    const double acceleration =
+        std::min(constraints_.most_u(around), std::sqrt(2 * jerk * v) + jerk * time / 3);
     return (v + 0.5 * acceleration * time) * time;
   }
 
-  /// Calls visit(node) for the nodes that so many steps of v or less can touch together with n.
+  /// Calls visit(node) for the nodes that can be touched together with n within `most` s, at v or
+  /// less.
   template <typename Visit>
-  void for_nodes_within(std::size_t n, double steps, double v, Visit&& visit) const {
+  void for_nodes_within(std::size_t n, double most, double v, Visit&& visit) const {
     const auto& nodes = chain_.nodes;
-    const double most = steps * period_, reach = v * most;
+    const double reach = v * most;
     double time = 0;
     for (std::size_t i = n + 1; i-- > 0 && nodes[n].s - nodes[i].s <= reach && time < most;) {
       visit(nodes[i]);
@@ -246,38 +294,34 @@ class CapDerivation {
 
   /// What joint n uses at speed v, with the kinks within one step of it, and the joints within
   /// three.
-  Load joint_load(std::size_t n, double v, double tolerance) const {
-    Load load{tolerance};
+  Load joint_load(std::size_t n, double v) const {
+    Load load;
     AxisVector kink = AxisVector::Zero();
-    double turn = 0;
-    for_nodes_within(n, 1, v, [&](const Node& node) {
-      if (!node.passes_kink()) return;
-      kink += node.kink;
-      turn += node.turn;
+    for_nodes_within(n, fine_period_, v, [&](const Node& node) {
+      if (node.passes_kink()) kink += node.kink;
     });
     load.acceleration =
-        (kink * v / period_).cwiseQuotient(constraints_.acceleration_limits()).maxCoeff();
-    load.cut = turn * (v * period_) / 4;
+        (kink * v / fine_period_).cwiseQuotient(constraints_.acceleration_limits()).maxCoeff();
     if (!constraints_.limits_jerk()) return load;
     AxisVector kinks = AxisVector::Zero();
     JumpLoad bends;
-    for_nodes_within(n, kJerkSteps, v, [&](const Node& node) {
+    for_nodes_within(n, kJerkSteps * fine_period_, v, [&](const Node& node) {
       if (node.passes_kink()) kinks += node.kink;
       if (node.passes_bend()) bends.add(node.bend);
       load.joints += node.passes_kink() || node.passes_bend() ? 1 : 0;
       load.kink = load.kink || node.passes_kink();
     });
     const AxisVector& jerk = constraints_.jerk_limits();
-    load.kink_jerk = (kinks * v / (period_ * period_)).cwiseQuotient(jerk);
+    load.kink_jerk = (kinks * v / (fine_period_ * fine_period_)).cwiseQuotient(jerk);
     const AxisVector bend_jerk =
-        (bends.above.cwiseMax(bends.below) * v * v / period_).cwiseQuotient(jerk);
+        (bends.above.cwiseMax(bends.below) * v * v / fine_period_).cwiseQuotient(jerk);
     load.jerk = (load.kink_jerk / kKinkJerkShare + bend_jerk).maxCoeff();
     return load;
   }
 
   Chain& chain_;
   const Constraints& constraints_;
-  double period_;
+  double period_, fine_period_;
   std::vector<double> tops_;        // the highest q that any interval of a group allows
   std::vector<std::size_t> group_;  // by interval
   std::vector<double> times_;       // s, by interval: the shortest

@@ -31,7 +31,7 @@ Halves cut(const Interval& interval, double s) {
 
 /// How far the speed is felt at which a kink that stands alone may be passed, mm.
 double step_over(const AxisVector& kink, const Constraints& constraints) {
-  const double period = constraints.period();
+  const double period = constraints.fine_period();
   const double by_acceleration =
       period / kink.cwiseQuotient(constraints.acceleration_limits()).maxCoeff() * period;
   if (!constraints.limits_jerk()) return kStraightKinkShare * by_acceleration;
@@ -71,7 +71,7 @@ PathPoint point_inside(const Interval& interval, double s) noexcept {
   return {mix(a.q, b.q), mix(a.dq, b.dq), mix(a.ddq, b.ddq), mix(a.dddq, b.dddq)};
 }
 
-void Chain::append(const Move& move, const Constraints& constraints, bool rest) {
+void Chain::append(const Move& move, const Constraints& constraints, RestBefore rest) {
   if (nodes.empty()) nodes.emplace_back();
   const double whole = length(move.path);
   // What lies further ahead of the joint is not asked by it.
@@ -83,7 +83,7 @@ void Chain::append(const Move& move, const Constraints& constraints, bool rest) 
     make_room(static_cast<double>(grid_.size()) * (whole - begin) / (s - begin));
     for (std::size_t i = 0; i < grid_.size(); ++i) {
       add(std::span<const Interval>(grid_).subspan(i), constraints, rest);
-      rest = false;
+      rest.reset();
     }
     grid_.clear();
     felt = 0;
@@ -131,7 +131,7 @@ void Chain::make_room(double more) {
 }
 
 /// Adds the first of `ahead`; behind it stand those that are known to follow.
-void Chain::add(std::span<const Interval> ahead, const Constraints& constraints, bool rest) {
+void Chain::add(std::span<const Interval> ahead, const Constraints& constraints, RestBefore rest) {
   const Interval& interval = ahead.front();
   const double period = constraints.period();
   double step = kUnlimited;
@@ -146,7 +146,7 @@ void Chain::add(std::span<const Interval> ahead, const Constraints& constraints,
       Node& joint = nodes.back();
       joint.turn = turn;
       joint.kink = jump.cwiseAbs();
-      if (turn > kTangentTolerance) rest = true;
+      if (turn > kTangentTolerance) rest = rest.value_or(Limit::corner);
       const double kink_step =
           std::min({4 * kTurnShare * constraints.chord_tolerance() / turn,
                     std::sqrt(std::max(before.right_cap.q, interval.left_cap.q)) * period,
@@ -161,7 +161,7 @@ void Chain::add(std::span<const Interval> ahead, const Constraints& constraints,
     }
     while (intervals.back().length() > back) split(intervals.size() - 1, middle(intervals.back()));
   }
-  if (rest) nodes.back().own.lower_to({0, Limit::corner});
+  if (rest) nodes.back().own.lower_to({0, *rest});
   if (interval.length() <= step) return push(interval);
   Interval rest_of_it = interval;
   std::vector<Interval> later;
@@ -183,7 +183,7 @@ double Chain::bend(const Interval& before, const Interval& interval,
       kSameBend * (interval.left.ddq.norm() + before.right.ddq.norm()))
     return kUnlimited;
   nodes.back().bend = jump;
-  const double period = constraints.period();
+  const double period = constraints.fine_period();
   const double fastest = std::max(before.right_cap.q, interval.left_cap.q);
   const double passed =
       period / jump.cwiseAbs().cwiseQuotient(constraints.jerk_limits()).maxCoeff();
@@ -228,6 +228,21 @@ std::size_t Chain::felt_from(std::size_t node, double period) const noexcept {
   double time = 0;
   while (node > 0 && time < kFeltPeriods * period) time += intervals[--node].shortest_time();
   return node;
+}
+
+Directions Chain::directions(std::size_t first, std::size_t last) const noexcept {
+  Directions all;
+  for (std::size_t i = first; i < last; ++i) all.add(intervals[i].directions());
+  return all;
+}
+
+Directions Chain::directions_around(std::size_t node, double time) const noexcept {
+  Directions all;
+  for_intervals_in_step(node, time, [&](std::size_t i) {
+    all.add(intervals[i].directions());
+    return true;
+  });
+  return all;
 }
 
 void Chain::drop_front(std::size_t count) {

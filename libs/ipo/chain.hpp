@@ -8,6 +8,7 @@
 
 #include "ipo/grid.hpp"
 #include "ipo/kink_load.hpp"
+#include "ipo/rest_ramps.hpp"
 
 namespace softcnc::ipo {
 
@@ -28,9 +29,12 @@ struct Node {
   double s = 0;                          // mm from the first node ever
   Cap cap;                               // own, and what neighbours ask for: derive_caps()
   double k = 0;                          // the largest q from which all ahead can be kept
+  bool brakes_to_corner = false;         // who runs along K brakes from here to a forced rest
 
   bool turns() const noexcept { return turn > 0; }
   bool passes_kink() const noexcept { return turns() && own.q > 0; }
+  /// Whether a corner, or a stop at the end of every block, forces a rest.
+  bool forces_rest() const noexcept { return own.q == 0 && own.limit == Limit::corner; }
   bool passes_bend() const noexcept { return !bend.isZero(0) && own.q > 0; }
 };
 
@@ -54,9 +58,9 @@ struct Chain {
   Cap own_cap(std::size_t node) const noexcept;
   Cap left_cap(std::size_t interval) const noexcept;
 
-  /// Appends a move; `rest`: the machine rests where it begins. Intervals are split towards a joint
-  /// until what is asked for across it need not slow long stretches.
-  void append(const Move& move, const Constraints& constraints, bool rest);
+  /// Appends a move; `rest`: why the machine rests where it begins, if it does. Intervals are split
+  /// towards a joint until what is asked for across it need not slow long stretches.
+  void append(const Move& move, const Constraints& constraints, RestBefore rest);
 
   /// Splits interval i at `s` mm of its move. Caps are to be derived anew.
   void split(std::size_t i, double s);
@@ -80,9 +84,14 @@ struct Chain {
       time += intervals[i].shortest_time();
   }
 
+  /// Those of the intervals [first, last).
+  Directions directions(std::size_t first, std::size_t last) const noexcept;
+  /// Those that a machine can take within `time` s of passing a node, before it or behind it.
+  Directions directions_around(std::size_t node, double time) const noexcept;
+
  private:
   void make_room(double more);
-  void add(std::span<const Interval> ahead, const Constraints& constraints, bool rest);
+  void add(std::span<const Interval> ahead, const Constraints& constraints, RestBefore rest);
   double bend(const Interval& before, const Interval& interval, const Constraints& constraints);
   void push(const Interval& interval);
   void split_at_cruise(const Constraints& constraints);

@@ -20,7 +20,9 @@ double all_axes(const AxisVector& x, const AxisVector& acceleration) noexcept {
 }  // namespace
 
 Constraints::Constraints(const Machine& machine, double feed_override)
-    : period_(machine.control.period), chord_tolerance_(machine.control.chord_tolerance) {
+    : period_(machine.control.period),
+      fine_period_(softcnc::fine_period(machine.control)),
+      chord_tolerance_(machine.control.chord_tolerance) {
   caps_.push_back(make_feed_limit(machine, feed_override));
   caps_.push_back(make_axis_velocity(machine));
   // The three-point method of paper 000 limits the chord error itself, at run time; pulses follow
@@ -42,14 +44,14 @@ Constraints::Constraints(const Machine& machine, double feed_override)
   const bool by_paper =  // which knows acceleration alone
       is_by_pulses(method) && machine.control.pulse_clock == PulseClock::paper;
   bend_ = machine.limits.normal > 0 ? acceleration_.cwiseMin(machine.limits.normal) : acceleration_;
-  jerk_ = jerk_.cwiseMin(2 * acceleration_ / period_);
+  jerk_ = jerk_.cwiseMin(2 * acceleration_ / fine_period_);
   if (by_paper || !ipo::limits_jerk(machine)) jerk_.setConstant(kUnlimited);
 }
 
 bool limits_jerk(const Machine& machine) noexcept {
+  const double period = fine_period(machine.control);
   return std::any_of(machine.axes.begin(), machine.axes.end(), [&](const Axis& axis) {
-    return axis.present && axis.jerk > 0 &&
-           axis.jerk * machine.control.period < 2 * axis.acceleration;
+    return axis.present && axis.jerk > 0 && axis.jerk * period < 2 * axis.acceleration;
   });
 }
 

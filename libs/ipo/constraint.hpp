@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "ipo/directions.hpp"
 #include "motion/block.hpp"
 #include "motion/machine.hpp"
 #include "motion/setpoint.hpp"
@@ -92,9 +93,13 @@ class Constraints {
   double straight_u(const AxisVector& direction) const noexcept {
     return std::min(along(acceleration_, direction), tangential_);
   }
-  /// What |u| may be along any line.
-  double least_straight_u() const noexcept {
-    return std::min(acceleration_.minCoeff(), tangential_);
+  /// What |u| may be along a line, whichever of these directions it takes.
+  double least_u(const Directions& directions) const noexcept {
+    return std::min(directions.least(acceleration_), tangential_);
+  }
+  /// No |u| is larger on a way of these directions.
+  double most_u(const Directions& directions) const noexcept {
+    return std::min(directions.most(acceleration_), tangential_);
   }
 
   const AxisVector& acceleration_limits() const noexcept { return acceleration_; }
@@ -108,7 +113,10 @@ class Constraints {
   /// mm/s^3; all unlimited, or none above what its axis needs at most.
   const AxisVector& jerk_limits() const noexcept { return jerk_; }
   bool limits_jerk() const noexcept { return jerk_.minCoeff() < kUnlimited; }
+  /// s: from row to row, and from one fine point to the next. What the rows see of a joint is
+  /// judged by the latter, chords by the former.
   double period() const noexcept { return period_; }
+  double fine_period() const noexcept { return fine_period_; }
   double chord_tolerance() const noexcept { return chord_tolerance_; }
 
  private:
@@ -118,11 +126,11 @@ class Constraints {
   std::vector<const Constraint*> step_caps_, point_caps_, firm_caps_;
   AxisVector acceleration_, jerk_, bend_;
   double tangential_ = kUnlimited;
-  double period_, chord_tolerance_;
+  double period_, fine_period_, chord_tolerance_;
 };
 
 /// Whether any axis has a limit of its jerk that its acceleration does not keep anyway: one that
-/// changes from limit to limit within a period T shows in the rows as a jerk of 2 A / T.
+/// changes from limit to limit within a fine period T shows as a jerk of 2 A / T.
 bool limits_jerk(const Machine& machine) noexcept;
 
 std::unique_ptr<Constraint> make_feed_limit(const Machine& machine, double feed_override);

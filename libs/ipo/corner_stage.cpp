@@ -18,11 +18,15 @@ constexpr double kRest = 1.0 / 64;
 constexpr double kTurn = 1e-9;         // rad: the tangent turns
 constexpr double kSmallTurn = 2e-4;    // rad: too small to hold any machine up without a jerk limit
 constexpr double kBend = 1e-6;         // 1/mm: the curvature jumps
+constexpr double kRests = 0.01;        // rad: a smaller corner can be passed exactly
+constexpr int kSamples = 16;           // of a curve that rounds one
 constexpr double kInnerCorner = 0.01;  // rad: of a NURBS, which is there cut in two
 
 bool is_rounded(const Move& move) {
   return move.join == Join::follow && (move.corner_tolerance > 0 || move.chord_tolerance > 0);
 }
+
+double feed_of(const Manner& manner) { return manner.rapid ? kUnlimited : manner.feed; }
 
 Mark mark_of(const Block& block) { return {0, block.source, block.number}; }
 
@@ -38,7 +42,7 @@ std::vector<double> inner_corners(const Path& path) {
 }  // namespace
 
 CornerStage::CornerStage(const Machine& machine)
-    : machine_(machine), has_jerk_limit_(limits_jerk(machine)) {}
+    : machine_(machine), choice_(machine), has_jerk_limit_(limits_jerk(machine)) {}
 
 bool CornerStage::passes(const Block& block) const noexcept {
   if (!chord_.empty() || !run_.empty() || held_ || !out_.empty()) return false;
@@ -101,7 +105,8 @@ void CornerStage::hold(Block block) {
   if (!chord_.empty()) {
     begin = leave_chord(move.path, next);
   } else if (held_) {
-    if (const auto blend = leave_held(move.path, corner_tolerance(next.manner, 0))) {
+    if (const auto blend =
+            leave_held(move.path, corner_tolerance(next.manner, 0), feed_of(next.manner))) {
       emit_blend(*blend, held_side(), next);
       begin = blend->after;
     }
@@ -117,7 +122,8 @@ double CornerStage::leave_chord(const Path& after, const Side& next) {
   const double left = (run_.empty() ? 1 - kRest : kHalf) * line.length();
   const double tolerance =
       std::min(corner_tolerance(chord.manner, chord.deviation), corner_tolerance(next.manner, 0));
-  const auto blend = blend_into(line, left, tolerance, after);
+  const double feed = std::min(feed_of(chord.manner), feed_of(next.manner));
+  const auto blend = blend_into(line, left, tolerance, after, feed);
   Side last{chord.manner, {}, chord.deviation};
   if (blend) last.marks = cut_back(chord, blend->before);
   run_.add(chord);
@@ -129,18 +135,20 @@ double CornerStage::leave_chord(const Path& after, const Side& next) {
 /// Goes over from the curve that is held into a chord.
 void CornerStage::begin_with_held(Chord& chord) {
   const Path line = Line(chord.from, chord.to);
-  if (const auto blend = leave_held(line, corner_tolerance(chord.manner, chord.deviation)))
+  if (const auto blend =
+          leave_held(line, corner_tolerance(chord.manner, chord.deviation), feed_of(chord.manner)))
     emit_blend(*blend, held_side(),
                {chord.manner, cut_front(chord, blend->after), chord.deviation});
   held_.reset();
 }
 
 /// Emits the curve up to where a blend into `after` begins, if there is one.
-std::optional<Blend> CornerStage::leave_held(const Path& after, double tolerance) {
+std::optional<Blend> CornerStage::leave_held(const Path& after, double tolerance, double feed) {
   const double length = softcnc::length(held_->path());
   const double own = corner_tolerance(manner_of(held_->move()), 0);
-  auto blend = blend_into(held_->path(), (1 - kRest) * (length - held_->begin),
-                          std::min(own, tolerance), after);
+  auto blend =
+      blend_into(held_->path(), (1 - kRest) * (length - held_->begin), std::min(own, tolerance),
+                 after, std::min(feed_of(manner_of(held_->move())), feed));
   emit_held(length - (blend ? blend->before : 0));
   return blend;
 }
@@ -162,14 +170,27 @@ void CornerStage::flush() {
 
 /// Without limits of jerk a jump of curvature costs nothing, and a curve that is exact is better.
 std::optional<Blend> CornerStage::blend_into(const Path& before, double left, double tolerance,
-                                             const Path& after) const {
+                                             const Path& after, double feed) const {
   const Jump jump = ipo::jump(before, after);
   const bool needed =
       has_jerk_limit_ ? jump.tangent > kTurn || jump.curvature > kBend : jump.tangent > kSmallTurn;
   if (!needed) return std::nullopt;
   auto blend = make_blend({before, after, left, kHalf * length(after), tolerance});
   if (blend && !within_travel(blend->curve)) return std::nullopt;
+  if (blend && jump.tangent > kRests && !is_sooner(blend->curve, feed)) return std::nullopt;
   return blend;
+}
+
+/// Than a rest in the corner.
+bool CornerStage::is_sooner(const Nurbs& curve, double feed) const {
+  RoundedCorner corner{curve.length(), curve.at(0).dq, {}, AxisVector::Zero(), feed};
+  corner.ddq.setZero();
+  for (int k = 0; k <= kSamples; ++k) {
+    const PathPoint point = curve.at(curve.length() * k / kSamples);
+    if (point.ddq.norm() > corner.ddq.norm()) corner.ddq = point.ddq;
+    corner.dddq = corner.dddq.cwiseMax(point.dddq.cwiseAbs());
+  }
+  return choice_.is_sooner(corner);
 }
 
 bool CornerStage::within_travel(const Nurbs& curve) const {

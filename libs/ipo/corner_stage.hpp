@@ -53,22 +53,24 @@ class CornerStage {
   void push_curve(Block block);
   void hold(Block block);
   double leave_chord(const Path& after, const Side& next);
-  std::optional<Blend> leave_held(const Path& after, double tolerance);
+  std::optional<Blend> leave_held(const Path& after, double tolerance, double feed);
   void close_chord();
   void begin_with_held(Chord& chord);
   void flush();
   bool joins(const Move& move) const;
   std::optional<Blend> blend_into(const Path& before, double left, double tolerance,
-                                  const Path& after) const;
+                                  const Path& after, double feed) const;
+  bool is_sooner(const Nurbs& curve, double feed) const;
   bool within_travel(const Nurbs& curve) const;
   void emit_held(double end);
   Side held_side() const;
   void emit_blend(const Blend& blend, Side before, Side after);
 
   const Machine& machine_;
+  CornerChoice choice_;
   bool has_jerk_limit_ = false;
   std::deque<Piece> out_;
-  LineRun run_{out_};
+  LineRun run_{out_, machine_};
   ChordMerge chord_;
   std::optional<Held> held_;    // before the chord, if there is one
   std::optional<Manner> last_;  // of the move before, if it may be joined

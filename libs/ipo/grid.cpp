@@ -15,13 +15,15 @@ constexpr double kStepParts = 8;
 constexpr double kSagParts = 3;   // times the tolerance, of what a longer x' adds to velocities
 constexpr double kHalfParts = 4;  // a curve is so many times nearer to its chord over half the way
 constexpr double kSwing = 2;      // times the tolerance: what a bend may do between looks
-constexpr double kBrakingParts = 2;   // times the tolerance, of what is asked for while braking:
-                                      // with kAccelerationShare it stays within the promise
-constexpr double kEvenSteps = 0.01;   // of their q
-constexpr double kShortest = 1e-7;    // mm; shorter than any machine resolves
-constexpr int kLooks = 16;            // at a cap that holds everywhere, between two nodes
-constexpr double kUnseen = 1.2;       // of how far it sags, and
-constexpr double kUnseenPart = 2e-4;  // of q: a cap may have kinks between the looks
+constexpr double kBrakingParts = 2;  // times the tolerance, of what is asked for while braking:
+                                     // with kAccelerationShare it stays within the promise
+constexpr double kEvenSteps = 0.01;  // of their q
+constexpr double kShortest = 1e-7;   // mm; shorter than any machine resolves
+constexpr double kLeastShortest = 1e-10;  // mm: the rounding of places and lengths is far below it
+constexpr double kUnfelt = 0.01;          // of the jerk: what a row may feel of a way left out
+constexpr int kLooks = 16;                // at a cap that holds everywhere, between two nodes
+constexpr double kUnseen = 1.2;           // of how far it sags, and
+constexpr double kUnseenPart = 2e-4;      // of q: a cap may have kinks between the looks
 
 /// How often a move is halved at least: a stretch between two stops has a node where it runs, and
 /// no interval of an arc goes round so far that its ends and its middle look like a straight line.
@@ -111,6 +113,11 @@ void keep_everywhere(Interval& interval, const Move& move, const Constraints& co
 /// Whether a roughness may bind, which changes steeply along the way.
 bool is_rough(const Move& move) { return move.surface && move.surface->tooth_rate() > 0; }
 
+/// mm: a third difference over rows feels what is shorter as next to no jerk.
+double unfelt(const Constraints& constraints, const Directions& directions) {
+  return kUnfelt * directions.least(constraints.jerk_limits()) * std::pow(constraints.period(), 3);
+}
+
 /// Splits intervals until the constraints are as good as linear on each.
 class Refiner {
  public:
@@ -120,14 +127,12 @@ class Refiner {
         out_(out),
         least_depth_(least_depth(move.path)),
         evenly_(!is_rough(move) && !constraints.limits_jerk()) {
-    for (const double a : constraints.acceleration_limits())
-      if (a < kUnlimited) acceleration_ = std::hypot(acceleration_, a);
-    gain_ = 2 * std::min(acceleration_, constraints.tangential_limit());
-    const double q = look(0, Side::after).asked.q;
-    // A ramp from rest to the highest speed spans four intervals or more, unless it takes but a
-    // few periods.
-    ramp_part_ = std::max(0.25 * q / (2 * constraints.acceleration_limits().minCoeff()),
-                          0.25 * std::sqrt(q) * constraints.period());
+    Directions directions;
+    directions.add(move.path);
+    acceleration_ = directions.most(constraints.acceleration_limits());
+    gain_ = 2 * constraints.most_u(directions);
+    shortest_ = std::min(kShortest, std::max(kLeastShortest, unfelt(constraints, directions)));
+    highest_q_ = look(0, Side::after).asked.q;
   }
 
   /// A stretch between two breaks of the path.
@@ -167,7 +172,7 @@ class Refiner {
     const bool fine = depth >= least_depth_ && follows_ramps(whole) && follows_steps(whole, mid) &&
                       linear && off <= kGridTolerance && caps_hold_outside(whole, mid, 1);
     const bool shortest =
-        depth >= kMaxDepth || (depth >= least_depth_ && whole.length() < 2 * kShortest);
+        depth >= kMaxDepth || (depth >= least_depth_ && whole.length() < 2 * shortest_);
     const Cap of_steps = lowest_step_cap(whole.left, mid, whole.right);
     if (fine && bends_evenly(whole, kGridTolerance)) return keep(whole, of_steps, true);
     if (linear && caps_hold_outside(whole, mid, 1 / kHalfParts) &&
@@ -262,10 +267,16 @@ class Refiner {
     interval.step_cap = {};
   }
 
-  /// Ramps begin and end at the ends of a stretch, or where a cap changes.
+  /// Ramps begin and end at the ends of a stretch, or where a cap changes. One from rest to the
+  /// highest speed spans four intervals or more, unless it takes but a few periods.
   bool follows_ramps(const Stretch& whole) const {
     const double to_end = std::min(whole.s0 - start_, end_ - whole.s1);
-    return whole.length() <= std::max(ramp_part_, to_end);
+    if (whole.length() <= std::max(to_end, 0.25 * std::sqrt(highest_q_) * constraints_.period()))
+      return true;
+    Directions directions;
+    directions.add(whole.left.point, whole.right.point, whole.length());
+    const double ramp = highest_q_ / (2 * directions.least(constraints_.acceleration_limits()));
+    return whole.length() <= 0.25 * ramp;
   }
 
   /// Where steps are what binds, either they hardly change or an interval is a part of them.
@@ -357,7 +368,8 @@ class Refiner {
   bool evenly_;              // split so; steep caps of roughness, and jerk, are halved towards
   double acceleration_ = 0;  // of all axes together
   double gain_ = 0;          // of q by mm of way, at most
-  double ramp_part_ = 0;
+  double highest_q_ = 0;
+  double shortest_ = kShortest;   // mm
   double start_ = 0, end_ = 0;    // of the stretch
   double q_behind_ = kUnlimited;  // the most that can be reached where what is kept so far ends
 };

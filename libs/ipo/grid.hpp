@@ -58,6 +58,11 @@ struct Interval {
     if (w == 0 || left_cap.q == right_cap.q) return left_cap.q;
     return left_cap.q + w * (right_cap.q - left_cap.q);
   }
+  Directions directions() const noexcept {
+    Directions all;
+    all.add(left, right, length());
+    return all;
+  }
   bool straight() const noexcept { return left.ddq.isZero(0) && right.ddq.isZero(0); }
 };
 

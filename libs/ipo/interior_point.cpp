@@ -197,14 +197,17 @@ bool InteriorPoint::is_hopeless() const noexcept {
 }
 
 /// From the guess, or, should that lead nowhere, from the optimum without jerk.
-SpeedSolution fastest_speeds(const SpeedProblem& problem, const std::vector<double>& begin_at) {
-  SpeedSolution guessed = InteriorPoint(problem).run(begin_at, kFewIterations);
-  if (guessed.converged) return guessed;
+SpeedSolution fastest_speeds(const SpeedProblem& problem, const std::vector<double>& begin_at,
+                             int most) {
+  SpeedSolution solution = InteriorPoint(problem).run(begin_at, std::min(kFewIterations, most));
+  const auto left = [&] { return std::min(kMostIterations, most - solution.iterations); };
+  if (solution.converged || left() <= 0) return solution;
   InteriorPoint without_jerk(problem.without_root_rows());
-  const SpeedSolution start = without_jerk.run({}, kMostIterations);
-  SpeedSolution solution = InteriorPoint(problem).run(without_jerk.speeds(), kMostIterations);
-  solution.iterations += guessed.iterations + start.iterations;
-  return solution;
+  solution.iterations += without_jerk.run({}, left()).iterations;
+  if (left() <= 0) return solution;
+  SpeedSolution last = InteriorPoint(problem).run(without_jerk.speeds(), left());
+  last.iterations += solution.iterations;
+  return last;
 }
 
 }  // namespace softcnc::ipo

@@ -27,6 +27,7 @@ std::optional<Setpoint> Interpolator::step() noexcept {
     follow_method(periods_ == 0 ? 0.0 : control_.period);
   done_ = queue_.empty();
   last_ = setpoint();
+  last_.fine = fine(last_);
   ++periods_;
   return last_;
 }
@@ -80,9 +81,60 @@ void Interpolator::leave_block() noexcept {
 }
 
 /// Exact interpolation: the planned place at the instant of the setpoint. The instant is counted
-/// anew each time, so that nothing adds up.
+/// afresh each time, so that nothing adds up.
 void Interpolator::follow_time() noexcept {
-  const double t = static_cast<double>(periods_) * control_.period;
+  if (control_.interpolation == Method::arc_length && periods_ > 0) look_between();
+  go_to(static_cast<double>(periods_) * control_.period);
+}
+
+/// The plan between the last setpoint and the next one.
+void Interpolator::look_between() noexcept {
+  const auto parts = static_cast<double>(fine_.size());
+  const auto begin = static_cast<double>(periods_ - 1);
+  for (std::size_t k = 1; k < fine_.size(); ++k) {
+    go_to((begin + static_cast<double>(k) / parts) * control_.period);
+    fine_[k - 1] = point();
+  }
+}
+
+/// Where the plan is in the front block.
+FinePoint Interpolator::point() noexcept {
+  if (queue_.empty()) return {last_.s, last_.position};
+  const TimedBlock& block = queue_.front();
+  const double s = block.profile.at(t_, hint_).s;
+  const Move* move = block.move();
+  return {block.s_start + s, move ? position(move->path, s) : last_.position};
+}
+
+/// Where a method is expected in a period: as its block says, and from the end of that straight on.
+FinePoint Interpolator::ahead() const noexcept {
+  const Move* move = queue_.empty() ? nullptr : queue_.front().move();
+  if (!move) return {last_.s, last_.position};
+  const TimedBlock& block = queue_.front();
+  const double t = t_ + control_.period, end = block.profile.duration();
+  std::size_t hint = hint_;
+  const State then = block.profile.at(std::min(t, end), hint);
+  const double beyond = then.v * std::max(t - end, 0.0);
+  FinePoint place{then.s, position(move->path, then.s)};
+  if (walk_) {
+    ParameterWalk walk = *walk_;
+    walk.step(then.s - walk.s());
+    place = {walk.s(), walk.position()};
+  }
+  const AxisVector on = at(move->path, then.s, Side::before).dq;
+  return {block.s_start + place.s + beyond, place.position + beyond * on};
+}
+
+/// The points of the period that leads to a setpoint: the plan's, or of a spline.
+std::span<const FinePoint> Interpolator::fine(const Setpoint& next) noexcept {
+  if (control_.interpolation != Method::arc_length && fine_.size() > 1)
+    spline_.add(next, ahead(), fine_);
+  if (periods_ == 0) return {};
+  fine_.back() = {next.s, next.position};
+  return fine_;
+}
+
+void Interpolator::go_to(double t) noexcept {
   const double same = kSameInstant * control_.period;
   while (!queue_.empty() && t >= queue_.front().t_end() - same) {
     const Profile& profile = queue_.front().profile;
@@ -147,6 +199,7 @@ Setpoint Interpolator::setpoint() noexcept {
   next.period = periods_;
   next.v = 0;
   next.a = 0;
+  next.feed = 0;
   next.limit = Limit::stop;
   double planned = next.s;
   if (!queue_.empty()) {
@@ -161,6 +214,7 @@ Setpoint Interpolator::setpoint() noexcept {
     next.v = now.v;
     next.a = now.a;
     next.limit = now.limit;
+    if (const Move* move = block.move()) next.feed = asked_feed(*move, feed_override_);
     if (const PulseWalk* pulses = queue_.pulses())
       next.position = pulses->position();
     else if (const Move* move = block.move())

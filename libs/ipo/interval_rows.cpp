@@ -36,12 +36,11 @@ IntervalRows::IntervalRows(const Interval& interval, const Constraints& constrai
 void IntervalRows::leave_to(const KinkUse& kinks, const Interval& interval,
                             const Constraints& constraints, double share) noexcept {
   if (kinks.part.isZero(0)) return;
-  const double gained = 2 * constraints.period() * constraints.acceleration_limits().norm();
   for (int i = 0; i < kAxes; ++i) {
     if (kinks.part[i] == 0 || interval.left.dq[i] == 0) continue;
     const double all = share * constraints.acceleration_limits()[i] / std::abs(interval.left.dq[i]);
     const double slope = all * kinks.per_speed[i];
-    falling_[falling_count_++] = {all - slope * gained, slope, all * (1 - kinks.part[i])};
+    falling_[falling_count_++] = {all - slope * kinks.gained, slope, all * (1 - kinks.part[i])};
   }
 }
 

@@ -22,15 +22,17 @@ constexpr double kCreep = 1.0 / 3;     // of each limit
 constexpr std::size_t kAroundCap = 8;  // nodes
 constexpr int kMostSlower = 30;        // times twice as slow
 constexpr double kKept = 0.7;          // of the way that the last plan had left
+constexpr int kSetUp = 10;             // iterations: what a problem and its check take beside
 
 class JerkPlan {
  public:
   JerkPlan(const PlanSpan& span, std::size_t cut, const Motion& start,
-           std::span<const ProvenNode> last, PlanEffort& effort)
+           std::span<const ProvenNode> last, const WorkBound& bound, PlanEffort& effort)
       : span_(span),
         cut_(cut),
         start_(start),
         last_(last),
+        bound_(bound),
         effort_(effort),
         from_rest_(start.v == 0) {
     end_ramp_ = rest_ramp(span, span.last - 1, Side::before);
@@ -45,6 +47,7 @@ class JerkPlan {
     const auto given = to_begin_with(from, to);
     nodes_ = place_nodes(span_, guess, from, to, cut_, given);
     if (nodes_.size() > kMostNodes) return std::nullopt;
+    work_left_ = bound_.part * (bound_.left + bound_.per_second * about_to_last(guess));
     shares_.assign(nodes_.size(), {});
     for (const PlanNode& node : nodes_) begin_at_.push_back(std::pow(guess.speed(node.s), 2));
     for (std::size_t k = 0; k < given.size(); ++k) {
@@ -53,10 +56,11 @@ class JerkPlan {
     }
     const PlanEnds ends{{start.v * start.v, 2 * start.a, 0}, end_ramp_.square(-1), !from_rest_};
     for (int round = 0; round < kMostRounds; ++round) {
+      const int most = iterations_left();
+      if (most <= 0) return std::nullopt;
       const PlanProblem problem(span_, nodes_, ends, shares_);
-      const SpeedSolution solution = fastest_speeds(problem.problem(), begin_at_);
-      effort_.nodes += nodes_.size();
-      effort_.iterations += static_cast<std::size_t>(solution.iterations);
+      const SpeedSolution solution = fastest_speeds(problem.problem(), begin_at_, most);
+      count(solution.iterations);
       if (!solution.converged) return std::nullopt;
       const std::vector<Ramp> ramps = make_ramps(problem, solution);
       const auto used = used_by(span_, nodes_, problem, ramps);
@@ -70,6 +74,28 @@ class JerkPlan {
   }
 
  private:
+  /// s
+  double about_to_last(const SpeedGuess& guess) const noexcept {
+    double time = 0;
+    for (std::size_t p = 0; p + 1 < nodes_.size(); ++p)
+      time += 2 * (nodes_[p + 1].s - nodes_[p].s) /
+              (guess.speed(nodes_[p].s) + guess.speed(nodes_[p + 1].s));
+    return time;
+  }
+
+  int iterations_left() const noexcept {
+    const double iterations = work_left_ / static_cast<double>(nodes_.size());
+    return static_cast<int>(std::min(iterations, 1e6)) - kSetUp;
+  }
+
+  void count(int iterations) noexcept {
+    const std::size_t work = nodes_.size() * static_cast<std::size_t>(iterations + kSetUp);
+    effort_.nodes += nodes_.size();
+    effort_.iterations += static_cast<std::size_t>(iterations);
+    effort_.work += work;
+    work_left_ -= static_cast<double>(work);
+  }
+
   static Motion motion(const RestRamp& ramp) noexcept {
     return {ramp.speed(), ramp.acceleration()};
   }
@@ -190,6 +216,8 @@ class JerkPlan {
   const std::size_t cut_;
   const Motion start_;
   const std::span<const ProvenNode> last_;
+  const WorkBound bound_;
+  double work_left_ = kUnlimited;
   PlanEffort& effort_;
   const bool from_rest_;
   RestRamp start_ramp_, end_ramp_;
@@ -207,9 +235,10 @@ bool stands_still(const PlanSpan& span, const Motion& motion) noexcept {
 }
 
 std::optional<Plan> plan_to_rest(const PlanSpan& span, std::size_t cut, const Motion& start,
-                                 std::span<const ProvenNode> last, PlanEffort& effort) {
+                                 std::span<const ProvenNode> last, const WorkBound& bound,
+                                 PlanEffort& effort) {
   if (stands_still(span, start)) return std::nullopt;
-  return JerkPlan(span, cut, start, last, effort).run();
+  return JerkPlan(span, cut, start, last, bound, effort).run();
 }
 
 /// s = h (10 u^3 - 15 u^4 + 6 u^5): at most 15/8 h/d fast, 10/sqrt(3) h/d^2, 60 h/d^3.
@@ -221,8 +250,9 @@ std::vector<Ramp> creep(const PlanSpan& span) {
   for (const std::size_t n : {span.first, span.first + 1})
     if (span.chain.nodes[n].cap.q > 0) q = std::min(q, span.chain.nodes[n].cap.q);
   const double v = kCreep * std::sqrt(q);
-  const double a = kCreep * constraints.least_straight_u();
-  const double j = kCreep * constraints.jerk_limits().minCoeff();
+  const Directions directions = interval.directions();
+  const double a = kCreep * constraints.least_u(directions);
+  const double j = kCreep * directions.least(constraints.jerk_limits());
   const double d = std::max({15.0 / 8 * h / v, std::sqrt(5.7735 * h / a), std::cbrt(60 * h / j)});
   Ramp ramp{interval.s0, interval.s1, d, 0, 0, 0, 0, Limit::jerk};
   for (int i = 0; i < kMostSlower && !used_by(span, span.first, ramp, q).keeps(); ++i)

@@ -14,6 +14,7 @@ namespace softcnc::ipo {
 namespace {
 
 constexpr double kLeft = 1.5;          // stopping distances of a plan that are planned anew
+constexpr std::size_t kSteady = 256;   // intervals at one speed that one plan may cover
 constexpr double kLongest = 0.25;      // stopping distance: longest interval
 constexpr double kMostParts = 32;      // of an interval
 constexpr double kFurther = 1.12;      // from one stop that is tried to the next
@@ -28,12 +29,26 @@ constexpr double kShortestStop = 0.8;  // of v^2 / 2A with all axes together
 constexpr std::array kSofter{0.4, 0.16};  // parts of the jerk
 constexpr double kRounding = 1e-6;        // of a speed
 
+/// What the plans of a program may take (PlanEffort::work), some 0.4 us each: far more than is
+/// needed where plans are found, since the fall-backs that are left behind the bound are slow.
+constexpr double kOnePlan = 0.7;  // of what is left: shorter ones can still be tried
+constexpr double kWorkAtOnce = 4e6, kWorkPerSecond = 4e6;
+
 double speed(const Cap& cap) noexcept { return std::sqrt(cap.q); }
 
 Limit name_of(const Ramp& ramp, const Constraints& constraints, double share) noexcept {
   if (ramp.limit != Limit::acceleration) return ramp.limit;
   const double a = std::max(std::abs(ramp.a0), std::abs(ramp.a1));
   return constraints.binding_acceleration(a, share);
+}
+
+/// The last of them brake to a rest that a corner forces.
+void name_braking(Ramps& ramps) noexcept {
+  for (auto of_interval = ramps.rbegin(); of_interval != ramps.rend(); ++of_interval)
+    for (auto ramp = of_interval->rbegin(); ramp != of_interval->rend(); ++ramp) {
+      if (!limits_ramps(ramp->limit) || ramp->v1 >= ramp->v0) return;
+      ramp->limit = Limit::corner;
+    }
 }
 
 /// The shortest way in which a motion along a straight line stops, mm: from the place where it is
@@ -55,7 +70,8 @@ void JerkWindow::split_long_intervals(bool ended) {
     const Interval interval = chain_.intervals[i];
     const Cap& cap =
         interval.left_cap.q > interval.right_cap.q ? interval.left_cap : interval.right_cap;
-    const double longest = kLongest * stopping_distance(speed(cap), constraints_);
+    const double longest =
+        kLongest * stopping_distance(speed(cap), constraints_, interval.directions());
     const int parts =
         static_cast<int>(std::min(std::ceil(interval.length() / longest), kMostParts));
     if (parts > 1) derived_to_ = std::min(derived_to_, chain_.felt_from(i, constraints_.period()));
@@ -72,14 +88,17 @@ std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended, double slowi
   const auto& nodes = chain_.nodes;
   const std::size_t last = ended ? nodes.size() - 1 : last_final_cap();
   double top = slowing > 0 ? 0 : motion_.v;
+  Directions directions;
   for (std::size_t n = front_; n < last; ++n) {
+    directions.add(chain_.intervals[n].directions());
     if (nodes[n + 1].cap.q == 0) return Reach{n + 1, n + 1};
     const double way = nodes[n + 1].s - nodes[front_].s - slowing;
     if (way <= 0) continue;
     top = std::max({top, speed(nodes[n].cap), speed(chain_.inside[n].cap)});
-    const double distance = stopping_distance(top, constraints_);
+    const double distance = stopping_distance(top, constraints_, directions);
     const bool steady = nodes[n + 1].cap.q == nodes[n].cap.q;
-    if (way < horizon.stops * distance || (steady && way < horizon.time * top)) continue;
+    const bool more = way < horizon.time * top || (horizon.time > 0 && n < front_ + kSteady);
+    if (way < horizon.stops * distance || (steady && more)) continue;
     std::size_t taken = n + 1;
     while (taken > front_ + 1 && nodes[n + 1].s - nodes[taken].s < kLeft * distance) --taken;
     return Reach{n + 1, taken};
@@ -203,10 +222,10 @@ std::size_t JerkWindow::settle(bool ended) {
   auto reach = look_ahead(ended, 0, horizon_);
   if (!reach) return 0;
   if (slows_) return slow_down(ended);
-  auto plan = this->plan(reach->end, reach->taken);
+  auto plan = plan_within_bound(reach->end, reach->taken);
   if (!plan) {
     const auto farther = std::exchange(reach, look_ahead(ended, 0, {horizon_.stops, 0}));
-    if (reach->end < farther->end) plan = this->plan(reach->end, reach->taken);
+    if (reach->end < farther->end) plan = plan_within_bound(reach->end, reach->taken);
   }
   if (!plan) plan = plan_softly(reach->end, reach->taken);
   if (!plan) return fall_back(reach->end);
@@ -214,17 +233,30 @@ std::size_t JerkWindow::settle(bool ended) {
   return planned_.size();
 }
 
-std::optional<Plan> JerkWindow::plan(std::size_t end, std::size_t taken, double jerk_part) {
+/// With no more work than the motion brings; a whole program in one plan may take all it needs.
+std::optional<Plan> JerkWindow::plan_within_bound(std::size_t end, std::size_t taken,
+                                                  double jerk_part) {
+  const std::size_t before = effort_.work;
+  WorkBound bound;
+  if (horizon_.stops < kUnlimited)
+    bound = {kWorkAtOnce + kWorkPerSecond * run_ - work_, kWorkPerSecond, kOnePlan};
+  auto plan = this->plan(end, taken, jerk_part, bound);
+  work_ += static_cast<double>(effort_.work - before);
+  return plan;
+}
+
+std::optional<Plan> JerkWindow::plan(std::size_t end, std::size_t taken, double jerk_part,
+                                     const WorkBound& bound) {
   const PlanSpan span{chain_, constraints_, front_, end, share_, replans_, jerk_part};
   const auto last = replans_ ? std::span<const ProvenNode>() : proven_;
-  return plan_to_rest(span, taken, motion_, last, effort_);
+  return plan_to_rest(span, taken, motion_, last, bound, effort_);
 }
 
 /// With less jerk than may be: what changes more slowly needs fewer nodes, and is found where kinks
 /// lie closer than the phases of a motion.
 std::optional<Plan> JerkWindow::plan_softly(std::size_t end, std::size_t taken) {
   for (const double part : kSofter) {
-    auto plan = this->plan(end, taken, part);
+    auto plan = plan_within_bound(end, taken, part);
     if (!plan) continue;
     ++effort_.fallbacks;
     return plan;
@@ -234,6 +266,7 @@ std::optional<Plan> JerkWindow::plan_softly(std::size_t end, std::size_t taken) 
 
 void JerkWindow::take(Plan plan, std::size_t intervals) {
   Ramps& ramps = plan.ramps;
+  if (chain_.nodes[front_ + ramps.size()].forces_rest()) name_braking(ramps);
   const auto cut = ramps.begin() + static_cast<std::ptrdiff_t>(intervals);
   planned_.assign(std::make_move_iterator(ramps.begin()), std::make_move_iterator(cut));
   tail_.assign(std::make_move_iterator(cut), std::make_move_iterator(ramps.end()));
@@ -254,7 +287,7 @@ std::size_t JerkWindow::fall_back(std::size_t end) {
   }
   while (end > front_ + 1) {
     end = front_ + (end - front_) / 2;
-    if (auto plan = this->plan(end, end)) {
+    if (auto plan = plan_within_bound(end, end)) {
       take(std::move(*plan), end - front_);
       return planned_.size();
     }
@@ -329,10 +362,13 @@ std::optional<std::size_t> JerkWindow::rest_early(double resolution) {
 
 bool JerkWindow::run_front(Profile& profile, std::optional<Limit> as) {
   const double share = chain_.inside[front_].share * share_;
+  begin_ramp(front_rests());
   for (Ramp ramp : planned_.front()) {
-    ramp.limit = as.value_or(name_of(ramp, constraints_, share));
+    ramp.limit =
+        as.value_or(ramps_.name(name_of(ramp, constraints_, share), ramp.v0, ramp.v1, false));
     profile.add_ramp(ramp);
     motion_ = {ramp.v1, ramp.a1};
+    run_ += ramp.duration;
   }
   planned_.pop_front();
   replans_ = false;

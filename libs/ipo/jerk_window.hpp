@@ -58,7 +58,9 @@ class JerkWindow final : public Window {
   bool keeps_caps(const std::vector<Ramp>& ramps, double fastest_at, std::size_t first,
                   std::size_t last) const noexcept;
   std::size_t slow_down(bool ended);
-  std::optional<Plan> plan(std::size_t end, std::size_t taken, double jerk_part = 1);
+  std::optional<Plan> plan(std::size_t end, std::size_t taken, double jerk_part = 1,
+                           const WorkBound& bound = {});
+  std::optional<Plan> plan_within_bound(std::size_t end, std::size_t taken, double jerk_part = 1);
   std::optional<Plan> plan_softly(std::size_t end, std::size_t taken);
   bool ends_interval(std::size_t count) const noexcept;
   void split_long_intervals(bool ended);
@@ -72,6 +74,7 @@ class JerkWindow final : public Window {
   Motion motion_;                          // at the front
   bool replans_ = false;                   // which no plan has foreseen
   double split_to_ = 0;                    // mm of the chain
+  double run_ = 0, work_ = 0;              // s that have been run, and what their plans have taken
   PlanEffort effort_;
 };
 

@@ -2,6 +2,7 @@
 // What kinks ask of the rows around one of them, all lines being straight.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "motion/axes.hpp"
@@ -12,10 +13,12 @@ namespace softcnc::ipo {
 struct KinkUse {
   AxisVector part = AxisVector::Zero();       // at the highest speed they are passed at
   AxisVector per_speed = AxisVector::Zero();  // s/mm; at lower speeds no more than this times speed
+  double gained = 0;  // mm/s: by so much the machine may be faster at one of them
 
-  void add(const AxisVector& used, double v) noexcept {
+  void add(const AxisVector& used, double v, double faster) noexcept {
     part = part.cwiseMax(used);
     per_speed = per_speed.cwiseMax(used / v);
+    gained = std::max(gained, faster);
   }
 };
 

@@ -14,6 +14,7 @@ namespace {
 constexpr double kLongest = 10;          // mm: a wider hat would help nobody
 constexpr std::size_t kMost = 24;        // vertices on either side that a hat may reach over
 constexpr double kStraight = 1e-9;       // rad: no turn
+constexpr double kRests = 0.01;          // rad: a smaller one can be passed exactly
 constexpr std::size_t kForgotten = 256;  // vertices at a time
 constexpr int kNewtonSteps = 40;
 constexpr double kLookAgain = 1.5;  // times as much of the lines must be known as at the last look
@@ -24,10 +25,7 @@ constexpr int kFew = 4;
 }  // namespace
 
 void LineRun::add(const Chord& chord) {
-  if (!empty()) {
-    const AxisVector direction = (chord.to - chord.from).normalized();
-    if (direction.dot(vertices_[vertices_.size() - 2].direction) < kTurnsBack) end();
-  }
+  if (!empty() && goes_through_corner(chord)) end();
   if (empty()) begin(chord.from);
   append(chord);
   settle();
@@ -35,6 +33,25 @@ void LineRun::add(const Chord& chord) {
   bend();
   if (pieces_.bends().size() > bends) pieces_.emit(settled_until());
   forget();
+}
+
+/// Of a corner between lines that leave its hat all the width it can use; where they are shorter,
+/// many turns are rounded together.
+bool LineRun::goes_through_corner(const Chord& next) const {
+  const LineVertex& before = vertices_[vertices_.size() - 2];
+  const AxisVector way = next.to - next.from;
+  const AxisVector kink = way.normalized() - before.direction;
+  const double turn = kink.norm();
+  if (way.dot(before.direction) < kTurnsBack * way.norm()) return true;
+  if (turn < kRests) return false;
+  const double tolerance = std::min(corner_tolerance(next.manner, next.deviation),
+                                    corner_tolerance(before.manner, before.deviation));
+  const double width = 6 * tolerance / turn;
+  if (width == 0 || width > std::min(way.norm(), vertices_.back().t - before.t)) return false;
+  const auto feed_of = [](const Manner& m) { return m.rapid ? kUnlimited : m.feed; };
+  return !choice_.is_sooner({2 * width, before.direction, kink / width,
+                             kink.cwiseAbs() / (width * width),
+                             std::min(feed_of(before.manner), feed_of(next.manner))});
 }
 
 void LineRun::end() {

@@ -29,6 +29,7 @@
 #include "ipo/bend_pieces.hpp"
 #include "ipo/chord_merge.hpp"
 #include "ipo/chord_mesh.hpp"
+#include "ipo/corner_choice.hpp"
 #include "ipo/line_vertex.hpp"
 #include "ipo/piece.hpp"
 #include "ipo/rounding.hpp"
@@ -38,12 +39,12 @@ namespace softcnc::ipo {
 class LineRun {
  public:
   /// Pieces are appended to `out`, which must outlive the run.
-  explicit LineRun(std::deque<Piece>& out) : pieces_(out) {}
+  LineRun(std::deque<Piece>& out, const Machine& machine) : choice_(machine), pieces_(out) {}
 
   bool empty() const noexcept { return vertices_.empty(); }
 
-  /// Adds a line from where the last one ended; where it turns back the path goes through the
-  /// corner.
+  /// Adds a line from where the last one ended; where it turns back, or a rest is sooner than a
+  /// curve, the path goes through the corner.
   void add(const Chord& chord);
   /// The path ends where the last line ends.
   void end();
@@ -73,6 +74,7 @@ class LineRun {
     std::optional<std::size_t> stop;  // the last vertex that is dense, if that is near
   };
 
+  bool goes_through_corner(const Chord& next) const;
   void begin(const AxisVector& point);
   void append(const Chord& chord);
   void settle();
@@ -116,6 +118,7 @@ class LineRun {
   std::size_t densities_ = 0;             // vertices known to be dense or not
   std::size_t bent_ = 0;                  // vertices that the path has its bends for
   std::optional<Mesh> mesh_;
+  CornerChoice choice_;
   BendPieces pieces_;
   bool ended_ = false;
 };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ipo/profile.hpp"
+
 namespace softcnc::ipo {
 namespace {
 
@@ -13,7 +15,6 @@ constexpr double kPassingAllowed = 1.0012;  // of a place: its constraints keep 
 constexpr double kFirmAllowed = 1 + 1e-7;   // rounding of a cap that holds everywhere
 constexpr int kInstants = 4;                // beside the first, or one a row up to
 constexpr int kMostInstants = 16;           // so many
-constexpr double kStandstill = 1e-9;        // mm/s: slower is rounding
 constexpr Used kTooMuch{kUnlimited, 0};     // no motion ahead
 
 double most(const AxisVector& values, const AxisVector& limits) noexcept {
@@ -44,7 +45,7 @@ int instants_on(const Ramp& ramp, double period) noexcept {
 Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap, double t,
              PassedJumps& jumps) {
   const Quintic motion = quintic(ramp);
-  const int instants = instants_on(ramp, span.constraints.period());
+  const int instants = instants_on(ramp, span.constraints.fine_period());
   Used used;
   for (int k = 0; k <= instants; ++k) {
     const double passed = ramp.duration * k / instants;

@@ -18,6 +18,7 @@ namespace softcnc::ipo {
 struct BendJump {
   double s = 0;                          // mm of the chain
   double fastest = 0;                    // mm/s, there
+  double most_u = 0;                     // mm/s^2, along the path around it
   AxisVector bend = AxisVector::Zero();  // of x'', 1/mm
   std::optional<std::size_t> node;       // of the plan
 };

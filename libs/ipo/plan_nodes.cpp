@@ -32,7 +32,7 @@ bool is_joint(const PlanSpan& span, std::size_t node) noexcept {
 double jump_step(const PlanSpan& span, std::size_t joint) noexcept {
   const Node& node = span.chain.nodes[joint];
   if (!node.passes_bend()) return 0;
-  const double period = span.constraints.period();
+  const double period = span.constraints.fine_period();
   const double used =
       node.bend.cwiseAbs().cwiseQuotient(span.constraints.jerk_limits()).maxCoeff() * node.cap.q;
   return used > kFeltJump * period ? (kJumpFlat + kJumpNearer) * period * std::sqrt(node.cap.q) : 0;
@@ -83,7 +83,7 @@ class NodePlacement {
       : span_(span),
         guess_(guess),
         bends_(span),
-        shortest_(kShortestTime * span.constraints.period()),
+        shortest_(kShortestTime * span.constraints.fine_period()),
         nodes_{{span.first, from, false}},
         interval_(span.first),
         begin_(from) {}

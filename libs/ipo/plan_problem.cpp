@@ -49,6 +49,10 @@ PlanProblem::PlanProblem(const PlanSpan& span, const std::vector<PlanNode>& node
       loads_(jump_loads(span, nodes, jumps_)),
       problem_(places(nodes), ends.start, ends.end) {
   caps_.reserve(nodes.size());
+  const Directions directions = span.chain.directions(span.first, span.last);
+  const double v = std::sqrt(ends.start.q), j = directions.least(span.jerk_limits());
+  if (span.replans) faster_ = way_to_fastest({v, 0.5 * ends.start.dq}, j);
+  stop_ = stopping_distance(v, span.constraints, directions);
   for (std::size_t p = 0; p < nodes.size(); ++p) add_node(p);
 }
 
@@ -196,10 +200,7 @@ void PlanProblem::add_rows(std::size_t p, const PathPoint& point, const Inside& 
 /// machine just is, 1 as far as it still has to speed up.
 double PlanProblem::first_part(std::size_t p) const noexcept {
   if (!ends_.continues) return 0;
-  const double v = std::sqrt(ends_.start.q), j = span_.jerk_limits().minCoeff();
-  const double faster = span_.replans ? way_to_fastest({v, 0.5 * ends_.start.dq}, j) : 0;
-  const double way = stopping_distance(v, span_.constraints);
-  return std::clamp(1 - (nodes_[p].s - nodes_.front().s - faster) / way, 0.0, 1.0);
+  return std::clamp(1 - (nodes_[p].s - nodes_.front().s - faster_) / stop_, 0.0, 1.0);
 }
 
 /// The cap of a node holds up to its neighbours; that of the two ends is none.
@@ -226,9 +227,10 @@ double way_to_fastest(const Motion& motion, double j) noexcept {
   return motion.a > 0 ? motion.a * (motion.v + motion.a * motion.a / (3 * j)) / j : 0;
 }
 
-double stopping_distance(double v, const Constraints& constraints) noexcept {
-  const double a = constraints.least_straight_u();
-  const double j = constraints.jerk_limits().minCoeff();
+double stopping_distance(double v, const Constraints& constraints,
+                         const Directions& directions) noexcept {
+  const double a = constraints.least_u(directions);
+  const double j = directions.least(constraints.jerk_limits());
   return std::max(0.5 * v * (v / a + a / j), v * std::sqrt(v / j));
 }
 

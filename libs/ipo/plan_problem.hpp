@@ -48,12 +48,15 @@ class PlanProblem {
   std::vector<JumpLoad> loads_;  // by node
   SpeedProblem problem_;
   std::vector<Cap> caps_;  // by node, all of them; none at the ends
+  double faster_ = 0;      // mm from the start, where it just is, that the machine speeds up
+  double stop_ = 0;        // mm that it would take to stop
 };
 
 /// What speeds a motion up goes on for so many mm, until a jerk of -j has ended it.
 double way_to_fastest(const Motion& motion, double j) noexcept;
 
-/// No motion at `v` mm/s takes longer than this to stop on a straight line, mm.
-double stopping_distance(double v, const Constraints& constraints) noexcept;
+/// No motion at `v` mm/s takes longer than this to stop on a straight line of these directions, mm.
+double stopping_distance(double v, const Constraints& constraints,
+                         const Directions& directions) noexcept;
 
 }  // namespace softcnc::ipo

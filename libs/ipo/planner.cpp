@@ -11,14 +11,6 @@ namespace {
 
 constexpr std::size_t kFewIntervals = 128;
 
-/// The largest acceleration the axes together can give, mm/s^2.
-double acceleration_norm(const Constraints& constraints) {
-  AxisVector a = constraints.acceleration_limits();
-  for (int i = 0; i < kAxes; ++i)
-    if (a[i] == kUnlimited) a[i] = 0;
-  return a.norm();
-}
-
 /// The time of the row at `t` or the last before it.
 double row_at(double t, double period) { return std::floor(t / period) * period; }
 
@@ -59,7 +51,7 @@ void Planner::leave_out(Diagnostic diagnostic, const SourcePos& place) {
   diagnostic.pos = place;
   diagnostics_.report(std::move(diagnostic));
   flush_corners();
-  rest_ = true;
+  rest_ = Limit::stop;
 }
 
 void Planner::flush_corners() {
@@ -73,11 +65,11 @@ void Planner::accept(Piece piece) {
   if (move && !feed_.halts()) {
     append(*move, rest_);
   }
-  rest_ = !move || move->join == Join::stop;
+  rest_ = rest_after(move);
 }
 
 /// A move is the same to the window whether it comes before an override or after it.
-void Planner::append(const Move& move, bool rest) {
+void Planner::append(const Move& move, RestBefore rest) {
   if (slower_)
     window_->append(move, rest, {slower_->cap({}, move), slower_->limit(move)});
   else
@@ -176,7 +168,7 @@ void Planner::rest_at_turn(Profile& profile) {
   const double t = t_ + profile.duration();
   const double row_before = row_at(t, period);
   const double nearest = std::min(t - row_before, row_before + period - t);
-  const double cut = 0.5 * acceleration_norm(constraints_) * nearest * nearest;
+  const double cut = 0.5 * constraints_.most_u(turn.directions) * nearest * nearest;
   const double allowed = constraints_.chord_tolerance() * (turn.shares_its_step ? kTurnShare : 1);
   if (cut > allowed || last_rest_ > row_before) profile.add_rest(row_before + period - t);
   last_rest_ = t;

@@ -66,7 +66,7 @@ class Planner {
   void plan_up_to_rest(PartlyPassed& rest);
   double stopping_way(double s) const;
   void lay_out(const std::deque<TimedBlock>& passed, double s);
-  void append(const Move& move, bool rest);
+  void append(const Move& move, RestBefore rest);
   bool stop_first();
   Found find_next(bool parts);
   Found run_move(bool parts);
@@ -92,11 +92,11 @@ class Planner {
   std::deque<TimedBlock> pending_;
   std::size_t given_ = 0;  // pieces of the first pending one that have left already
   PlannerCounts counts_;
-  std::size_t settled_ = 0;    // intervals at the front of the window whose speeds are final
-  std::size_t last_size_ = 0;  // unsettled intervals after the last passes
-  double t_ = 0, s_ = 0;       // where the first pending block starts
-  double last_rest_ = -1;      // when the machine last rested at a turn
-  bool rest_ = true;           // before the next move
+  std::size_t settled_ = 0;        // intervals at the front of the window whose speeds are final
+  std::size_t last_size_ = 0;      // unsettled intervals after the last passes
+  double t_ = 0, s_ = 0;           // where the first pending block starts
+  double last_rest_ = -1;          // when the machine last rested at a turn
+  RestBefore rest_ = Limit::stop;  // before the next move
   bool finished_ = false;
   FeedControl feed_;
   double running_;                // feed override when the machine was last to go on

@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr int kHalvings = 60;
-constexpr double kStandstill = 1e-9;  // mm/s: slower is rounding
 
 }  // namespace
 
@@ -98,6 +97,13 @@ State Profile::at(double t, std::size_t& hint) const noexcept {
   const double v = std::max(piece.curve.v(tau), 0.0);
   return {std::clamp(s, piece.curve.s0, piece.s1), v, piece.curve.a(tau),
           v > kStandstill || piece.duration == kEndless ? piece.limit : Limit::stop};
+}
+
+Profile::Span Profile::span(const Piece& piece, double until) noexcept {
+  const double tau = std::min(piece.duration, until - piece.t0);
+  const bool whole = tau >= piece.duration;
+  return {piece.t0,       piece.t0 + tau,     piece.curve.s0, whole ? piece.s1 : piece.curve.s(tau),
+          piece.curve.v0, piece.curve.v(tau), piece.limit};
 }
 
 /// s grows with t.

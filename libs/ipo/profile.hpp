@@ -2,6 +2,7 @@
 // When a move is where: its speeds as a function of time.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct State {
   double a = 0;  // mm/s^2
   Limit limit = Limit::stop;
 };
+
+inline constexpr double kStandstill = 1e-9;  // mm/s: slower is rounding
 
 /// s(t) of one block in polynomial pieces, from t = 0 (s and t within the block).
 class Profile {
@@ -57,6 +60,37 @@ class Profile {
   /// The first instant at which s is reached.
   double time_at(double s) const noexcept;
 
+  /// Calls visit(motion, its start, its duration) for the piece at t and those behind it, as long
+  /// as that is true.
+  template <typename Visit>
+  void for_each_from(double t, Visit&& visit) const {
+    const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), t,
+                                        [](double a, const Piece& piece) { return a < piece.t0; });
+    auto piece = after == pieces_.begin() ? after : after - 1;
+    while (piece != pieces_.end() && visit(piece->curve, piece->t0, piece->duration)) ++piece;
+  }
+
+  /// A piece as others see it: from one instant and place to the next.
+  struct Span {
+    double t0 = 0, t1 = 0;  // s
+    double s0 = 0, s1 = 0;  // mm
+    double v0 = 0, v1 = 0;  // mm/s
+    Limit limit = Limit::stop;
+
+    /// Whether the machine moves in it.
+    bool moves() const noexcept { return s1 > s0; }
+    /// Whether it moves and comes to a rest.
+    bool ends_at_rest() const noexcept { return moves() && v1 <= kStandstill; }
+  };
+  /// Hands each of its pieces that lasts, as far as it lies before `until`, s, to sink(span).
+  template <typename Sink>
+  void for_each_span(double until, Sink&& sink) const {
+    for (const Piece& piece : pieces_) {
+      if (piece.t0 >= until) return;
+      if (piece.duration > 0) sink(span(piece, until));
+    }
+  }
+
   /// Adds the duration of its pieces to what each limit holds.
   template <typename Sink>
   void for_each_piece(Sink&& sink) const {
@@ -71,6 +105,7 @@ class Profile {
     Limit limit;
   };
   void add(Piece piece);
+  static Span span(const Piece& piece, double until) noexcept;
   static double time_to(const Piece& piece, double s) noexcept;
 
   std::vector<Piece> pieces_;

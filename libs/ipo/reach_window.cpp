@@ -108,12 +108,19 @@ double ReachWindow::reachable_from_rest(std::size_t end) {
 
 bool ReachWindow::run_front(Profile& profile, std::optional<Limit> as) {
   pieces_.clear();
+  begin_ramp(front_rests());
   q_ = run_forward(chain_.intervals[front_], rows(front_), reach(front_), q_, pieces_);
   ++rows_run_;
   const double share = chain_.inside[front_].share * share_;
-  for (const SpeedPiece& piece : pieces_)
+  // Only who runs along K is known to go on braking.
+  const Node& end = chain_.nodes[front_ + 1];
+  const bool along_k = end.brakes_to_corner && q_ >= end.k * (1 - kRounding);
+  for (const SpeedPiece& piece : pieces_) {
+    const Limit limit =
+        ramps_.name(name_of(piece, constraints_, share), piece.q0, piece.q1, along_k);
     profile.add_piece(piece.s0, piece.s1, std::sqrt(piece.q0), std::sqrt(piece.q1),
-                      as.value_or(name_of(piece, constraints_, share)));
+                      as.value_or(limit));
+  }
   return drop_front();
 }
 
@@ -126,8 +133,23 @@ void ReachWindow::back_from(std::size_t last) {
     rows_.emplace_back(chain_.intervals[i], constraints_, chain_.inside[i].share * share_,
                        chain_.inside[i].kinks);
   nodes[last].k = 0;
-  for (std::size_t i = last; i > front_; --i)
+  nodes[last].brakes_to_corner = nodes[last].forces_rest();
+  for (std::size_t i = last; i > front_; --i) {
     nodes[i - 1].k = reach_back(chain_.intervals[i - 1], rows(i - 1), reach(i - 1));
+    nodes[i - 1].brakes_to_corner = brakes_to_corner(i - 1);
+  }
+}
+
+/// Whether who runs along K from a node on brakes to a rest that a corner forces. Where K would be
+/// the same however fast the next node might be passed, braking begins after it: so the answer does
+/// not depend on how much is known of what follows.
+bool ReachWindow::brakes_to_corner(std::size_t i) const noexcept {
+  const Node &node = chain_.nodes[i], &next = chain_.nodes[i + 1];
+  if (node.forces_rest()) return true;
+  if (!next.brakes_to_corner || node.k <= next.k) return false;
+  Reach fastest = reach(i);
+  fastest.right_k = next.forces_rest() ? node.cap.q : next.cap.q;
+  return reach_back(chain_.intervals[i], rows(i), fastest) > node.k;
 }
 
 const IntervalRows& ReachWindow::rows(std::size_t i) const noexcept {

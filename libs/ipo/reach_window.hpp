@@ -30,6 +30,7 @@ class ReachWindow final : public Window {
   std::size_t begin_alike(const std::vector<double>& other) noexcept;
   double reachable_from_rest(std::size_t end);
   void back_from(std::size_t last);
+  bool brakes_to_corner(std::size_t node) const noexcept;
   Reach reach(std::size_t interval) const noexcept;
   const IntervalRows& rows(std::size_t interval) const noexcept;
 

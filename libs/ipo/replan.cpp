@@ -15,8 +15,6 @@ void shorten_dwell(TimedBlock& present, double t) {
     dwell->duration = std::max(present.t_end() - t, 0.0);
 }
 
-constexpr double kStandstill = 1e-9;  // mm/s: slower is rounding
-
 bool at_end(const TimedBlock& timed, double s) {
   const Move* move = timed.move();
   return !move || s >= length(move->path);
@@ -74,14 +72,16 @@ std::vector<Profile> Planner::way_to_rest(PartlyPassed& rest, const State& now, 
   plan_up_to_rest(rest);
   std::vector<Profile> going_on;
   double way = -now.s;
+  Directions directions;
   for (std::size_t i = rest.passed; i < rest.blocks.size(); ++i) {
     const TimedBlock& block = rest.blocks[i];
     going_on.push_back(going_on.empty() ? block.profile.from(t - block.t_start) : block.profile);
     going_on.back().end_hold();
     way += going_on.back().end_place();
+    if (const Move* move = block.move()) directions.add(move->path);
     if (going_on.back().end_speed() == 0) break;
   }
-  rests_anyway_ = way <= longest_stop(now, constraints_);
+  rests_anyway_ = way <= longest_stop(now, constraints_, directions);
   if (!rests_anyway_) ++counts_.effort.fallbacks;
   return going_on;
 }
@@ -154,11 +154,11 @@ void Planner::lay_out(const std::deque<TimedBlock>& passed, double s) {
       make_window(constraints_, constraints_.limits_jerk() ? 1 : kAccelerationShare, horizon_);
   settled_ = last_size_ = 0;
   std::size_t moves_passed = 0;
-  bool at_rest = false;
+  RestBefore rest;
   const auto add = [&](const TimedBlock& timed) {
     const Move* move = timed.move();
-    if (move) append(*move, at_rest);
-    at_rest = !move || move->join == Join::stop;
+    if (move) append(*move, rest);
+    rest = rest_after(move);
   };
   for (const TimedBlock& timed : passed) {
     add(timed);

@@ -9,6 +9,7 @@ namespace softcnc::ipo {
 namespace {
 
 constexpr double kNodesPerPhase = 12;
+constexpr double kMany = 2000;         // of a long plan; more would only follow axes without jerk
 constexpr double kShortestTime = 0.5;  // periods
 constexpr double kLeastTime = 1e-3;    // of it, however fast the speed grows
 constexpr double kGrowth = 0.1;        // of the speed from node to node
@@ -43,15 +44,17 @@ std::array<bool, kAxes> moving_axes(const PlanSpan& span) noexcept {
 }
 
 /// The shortest time, s, in which an axis that moves takes up its acceleration; one that can do so
-/// within a period is followed from row to row.
-double shortest_phase(const PlanSpan& span) noexcept {
-  const double period = span.constraints.period();
-  const AxisVector times = span.constraints.acceleration_limits().cwiseQuotient(span.jerk_limits());
+/// within a period is followed from row to row, or every so many rows.
+double shortest_phase(const PlanSpan& span, double rows) noexcept {
+  const double period = span.constraints.fine_period();
+  const AxisVector times =
+      span.constraints.acceleration_limits().cwiseQuotient(span.constraints.jerk_limits());
   const auto moving = moving_axes(span);
   double shortest = kUnlimited;
   for (int i = 0; i < kAxes; ++i)
     if (moving[static_cast<std::size_t>(i)] && times[i] > 0)
-      shortest = std::min(shortest, times[i] < period ? kNodesPerPhase * period : times[i]);
+      shortest = std::min(
+          shortest, times[i] < period ? kNodesPerPhase * rows * period : times[i] / span.jerk_part);
   return shortest;
 }
 
@@ -59,14 +62,18 @@ double shortest_phase(const PlanSpan& span) noexcept {
 
 SpeedGuess::SpeedGuess(const PlanSpan& span, const PlacedMotion& start, const PlacedMotion& end)
     : from_(start.s), to_(end.s) {
-  phase_ = shortest_phase(span);
-  shortest_ = kShortestTime * span.constraints.period();
+  shortest_ = kShortestTime * span.constraints.fine_period();
   std::vector<Cell> cells;
   for (std::size_t i = span.first; i < span.last; ++i) cells.push_back(cell(span, i));
-  ahead_ = walk(cells, from_ - span.s(span.first), start.motion, to_ - from_);
-  std::reverse(cells.begin(), cells.end());
-  for (Cell& each : cells) std::swap(each.begin_v, each.end_v);
-  back_ = walk(cells, span.s(span.last) - to_, end.motion, to_ - from_);
+  std::vector<Cell> mirrored(cells.rbegin(), cells.rend());
+  for (Cell& each : mirrored) std::swap(each.begin_v, each.end_v);
+  const auto walk_both = [&](double rows) {
+    phase_ = shortest_phase(span, rows);
+    ahead_ = walk(cells, from_ - span.s(span.first), start.motion, to_ - from_);
+    back_ = walk(mirrored, span.s(span.last) - to_, end.motion, to_ - from_);
+    return static_cast<double>(std::max(ahead_.size(), back_.size()));
+  };
+  if (const double samples = walk_both(1); samples > kMany) walk_both(samples / kMany);
 }
 
 SpeedGuess::Cell SpeedGuess::cell(const PlanSpan& span, std::size_t i) const noexcept {
@@ -76,13 +83,14 @@ SpeedGuess::Cell SpeedGuess::cell(const PlanSpan& span, std::size_t i) const noe
   };
   const AxisVector jerk = span.jerk_limits();
   const bool straight = interval.straight();
+  const Directions directions = interval.directions();
   Cell cell{interval.length(),
             cap(span.chain.nodes[i], interval.left_cap),
             cap(span.chain.nodes[i + 1], interval.right_cap),
             std::sqrt(span.chain.inside[i].cap.q),
             kAccelerationPart * (straight ? span.constraints.straight_u(interval.left.dq)
-                                          : span.constraints.least_straight_u()),
-            straight ? along(jerk, interval.left.dq) : jerk.minCoeff(),
+                                          : span.constraints.least_u(directions)),
+            straight ? along(jerk, interval.left.dq) : directions.least(jerk),
             straight,
             kUnlimited};
   if (straight) {

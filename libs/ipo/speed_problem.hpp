@@ -66,6 +66,7 @@ struct SpeedSolution {
 /// not, but 1 / sqrt(q) lies above its tangents, so each is replaced by its tangent at the last
 /// point that kept all rows: whatever keeps that keeps the row.
 /// `begin_at`: q at the nodes, about as fast as can be; a bad guess costs iterations.
-SpeedSolution fastest_speeds(const SpeedProblem& problem, const std::vector<double>& begin_at);
+SpeedSolution fastest_speeds(const SpeedProblem& problem, const std::vector<double>& begin_at,
+                             int most);
 
 }  // namespace softcnc::ipo

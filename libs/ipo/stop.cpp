@@ -14,12 +14,12 @@ constexpr double kRounding = 1e-6;    // of a way
 /// Fills the window with the moves of all blocks; its front is `s` mm inside the first not passed.
 void append_moves(Window& window, const BlocksAround& around, double s) {
   std::size_t passed = 0;
-  bool at_rest = false;
+  RestBefore rest;
   for (std::size_t i = 0; i < around.blocks.size(); ++i) {
     const Move* move = around.blocks[i]->move();
-    if (move) window.append(*move, at_rest);
+    if (move) window.append(*move, rest);
     if (move && i < around.passed) ++passed;
-    at_rest = !move || move->join == Join::stop;
+    rest = rest_after(move);
   }
   window.skip(passed, s);
 }
@@ -58,10 +58,12 @@ StopPlan plan_stop(const Constraints& constraints, const BlocksAround& around, c
   return plan;
 }
 
-double longest_stop(const State& now, const Constraints& constraints) noexcept {
-  const double a = std::max(now.a, 0.0), j = constraints.jerk_limits().minCoeff();
+double longest_stop(const State& now, const Constraints& constraints,
+                    const Directions& directions) noexcept {
+  const double a = std::max(now.a, 0.0), j = directions.least(constraints.jerk_limits());
   const double v = now.v + 0.5 * a * a / j;
-  return (way_to_fastest({now.v, now.a}, j) + stopping_distance(v, constraints)) * (1 + kRounding);
+  return (way_to_fastest({now.v, now.a}, j) + stopping_distance(v, constraints, directions)) *
+         (1 + kRounding);
 }
 
 }  // namespace softcnc::ipo

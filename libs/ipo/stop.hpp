@@ -27,8 +27,9 @@ struct BlocksAround {
 StopPlan plan_stop(const Constraints& constraints, const BlocksAround& around, const State& now,
                    Limit as);
 
-/// No stop from this state need be longer than this on a straight line, mm.
-double longest_stop(const State& now, const Constraints& constraints) noexcept;
+/// No stop from this state need be longer than this on a straight line of these directions, mm.
+double longest_stop(const State& now, const Constraints& constraints,
+                    const Directions& directions) noexcept;
 
 /// A plan leaves nothing of its accelerations unused where another one begins: what interpolating
 /// and rounding may cost is added here, well within the 0.1 % of the promise.

@@ -13,7 +13,7 @@ constexpr double kNodePart = 1e-6;  // of an interval: nodes nearer to its end a
 
 }  // namespace
 
-void Window::append(const Move& move, bool rest) {
+void Window::append(const Move& move, RestBefore rest) {
   // What is appended changes these caps, and more behind it none before them.
   const bool stand = derived_to_ == chain_.nodes.size() && derived_to_ > 0;
   const bool passed = front_ > 0 && size() == 0;  // all of it: its last interval may be split now
@@ -34,7 +34,7 @@ void Window::derive_anew() {
   derive();
 }
 
-void Window::append(const Move& move, bool rest, const Cap& slower) {
+void Window::append(const Move& move, RestBefore rest, const Cap& slower) {
   append(move, rest);
   auto& intervals = chain_.intervals;
   for (std::size_t i = intervals.size(); i-- > intervals.size() - last_move().size();)
@@ -97,8 +97,9 @@ bool Window::drop_front() {
 }
 
 Window::Turn Window::front_turn() const noexcept {
-  if (!chain_.nodes[front_].turns()) return {false, false};
-  return {true, shares_its_step(chain_, front_, constraints_.period())};
+  if (!chain_.nodes[front_].turns()) return {false, false, {}};
+  const double period = constraints_.period();
+  return {true, shares_its_step(chain_, front_, period), chain_.directions_around(front_, period)};
 }
 
 /// Drops what lies so far behind the front that nothing ahead can feel it. Where that is next to

@@ -15,11 +15,13 @@ namespace softcnc::ipo {
 /// What the plans have taken so far, where speeds are found by iteration.
 struct PlanEffort {
   std::size_t nodes = 0, iterations = 0;
+  std::size_t work = 0;  // nodes times iterations, and as much as that for setting up and checking
   std::size_t fallbacks = 0;  // plans that were not found: the machine stops early or goes slowly
 
   PlanEffort& operator+=(const PlanEffort& more) noexcept {
     nodes += more.nodes;
     iterations += more.iterations;
+    work += more.work;
     fallbacks += more.fallbacks;
     return *this;
   }
@@ -35,13 +37,13 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Appends a move; `rest`: the machine rests where it begins. The move must stay where it is
-  /// until the front has passed it.
-  void append(const Move& move, bool rest);
+  /// Appends a move; `rest`: why the machine rests where it begins, if it does. The move must stay
+  /// where it is until the front has passed it.
+  void append(const Move& move, RestBefore rest);
 
   /// The same where the feed is to be another one: `slower` caps the move from the place on
   /// at which, as slow_down() finds, the machine can have slowed down to it.
-  void append(const Move& move, bool rest, const Cap& slower);
+  void append(const Move& move, RestBefore rest, const Cap& slower);
   /// The next settle() looks for the shortest way in which the machine can slow down; it could stop
   /// within `stop` mm.
   void slow_down(double stop) noexcept {
@@ -86,7 +88,8 @@ class Window {
   /// How the direction of the path jumps at the front.
   struct Turn {
     bool turns;
-    bool shares_its_step;  // with a curve or another turn
+    bool shares_its_step;   // with a curve or another turn
+    Directions directions;  // within a period of it
   };
   Turn front_turn() const noexcept;
 
@@ -104,6 +107,13 @@ class Window {
   /// The chain as it was appended, slower from `way` mm ahead of the front on.
   void slow_from(const Chain& appended, double way);
 
+  /// Notes, before the front is run, whether it is at a rest that a corner forces. A motion that
+  /// has begun there may stand for the first intervals after it, too.
+  void begin_ramp(bool rests) noexcept {
+    const Node& front = chain_.nodes[front_];
+    if (rests && front.own.q == 0) ramps_.begin(front.forces_rest());
+  }
+
   /// Caps of what has been appended since.
   void derive();
   /// All caps, once intervals have been split or lowered.
@@ -112,6 +122,7 @@ class Window {
   const Constraints& constraints_;
   double share_;
   Chain chain_;
+  RestRamps ramps_;
   std::size_t derived_to_ = 0;  // nodes left of it have their caps
   bool slows_ = false, lost_ = false;
   double stop_ = 0, slowing_way_ = 0;

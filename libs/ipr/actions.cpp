@@ -94,8 +94,9 @@ void set_speed(Task& task) {
   const double reached = speed == 0 ? 0 : std::clamp(speed, spindle.min_rpm, spindle.max_rpm);
   if (reached != speed && !task.modal.spindle_warned) {
     task.out.report(Code::SC2202, task.word.pos,
-                    "the spindle turns at " + number_text(spindle.min_rpm) + " to " +
-                        number_text(spindle.max_rpm) + " rpm; S is held within, here and below");
+                    "S" + number_text(speed) + " is outside the spindle's " +
+                        number_text(spindle.min_rpm) + " to " + number_text(spindle.max_rpm) +
+                        " rpm; from here on S is held within them");
     task.modal.spindle_warned = true;
   }
   task.modal.spindle_speed = reached;

@@ -83,6 +83,10 @@ bool has_centre_or_radius(Task& task) {
   return false;
 }
 
+bool has_both_letters(const Task& task, const PlaneAxes& axes) {
+  return task.values.has(offset_letter(axes.first)) && task.values.has(offset_letter(axes.second));
+}
+
 /// G90.1: the centre as a place, which takes both its letters.
 std::optional<AxisVector> center_by_place(Task& task, const PlaneAxes& axes) {
   const Coordinates& coordinates = task.modal.coordinates;
@@ -100,12 +104,28 @@ std::optional<AxisVector> center_by_place(Task& task, const PlaneAxes& axes) {
   return coordinates.to_machine(center);
 }
 
-std::optional<AxisVector> center_by_offsets(Task& task, const PlaneAxes& axes) {
-  if (task.modal.absolute_centres) return center_by_place(task, axes);
+/// G91.1: the centre as a distance from the start.
+AxisVector center_by_distance(const Task& task, const PlaneAxes& axes) {
   AxisVector offset = AxisVector::Zero();
   for (const int axis : {axes.first, axes.second})
     offset[axis] = task.values.value_or(offset_letter(axis), 0) * task.modal.mm_per_unit;
   return task.modal.position + task.modal.coordinates.direction(offset);
+}
+
+std::optional<AxisVector> center_by_offsets(Task& task, const PlaneAxes& axes) {
+  if (task.modal.absolute_centres) return center_by_place(task, axes);
+  return center_by_distance(task, axes);
+}
+
+/// Of an arc whose ends are not equally far from its centre: whether they are from the one that the
+/// same letters name in the other of the modes G90.1 and G91.1.
+std::string mode_that_fits(Task& task, ArcSpec spec, const PlaneAxes& axes) {
+  const bool place = !task.modal.absolute_centres;
+  if (task.values.has('R') || (place && !has_both_letters(task, axes))) return {};
+  spec.center = place ? *center_by_place(task, axes) : center_by_distance(task, axes);
+  if (!Arc::make(spec)) return {};
+  return place ? "; its centre fits with G90.1, as a place"
+               : "; its centre fits with G91.1, as a distance from the start";
 }
 
 /// The centre left of the chord for a short arc counter-clockwise, right of it for a long one; for
@@ -143,6 +163,7 @@ void emit_arc(Task& task, const ArcSpec& spec, const PlaneAxes& axes) {
   Result<Arc> made = Arc::make(spec);
   if (made) return emit_move(task, std::move(*made));
   const bool by_radius = task.values.has('R');
+  if (made.error().code == Code::SC2103) made.error().message += mode_that_fits(task, spec, axes);
   report_way(task, plane_letters(axes), made.error().code,
              by_radius ? task.values.word('R').pos : span_of(task.values, "XYZIJK"),
              std::move(made.error().message));

@@ -269,9 +269,7 @@ void CommandFile::set_feed() {
   const double limit = machine_.limits.feed;
   feed_ = limit > 0 ? std::min(feed, limit) : feed;
   if (feed_ < feed && !std::exchange(limit_told_, true))
-    report(Code::SC2201, pos_of(numbers_[0]),
-           "F is above the machine's " + number_text(mm_min_from_mm_s(limit)) +
-               " mm/min, which are used here and below");
+    report(Code::SC2201, pos_of(numbers_[0]), above_limit("f " + number_text(number(0)), limit));
 }
 
 /// The paper's input has no feed: without f the machine's largest is meant, and that is told.
@@ -284,7 +282,7 @@ double CommandFile::cutting_feed() {
   if (!std::exchange(feed_told_, true)) {
     const std::string message = "no f before it: the machine's " +
                                 number_text(mm_min_from_mm_s(largest)) +
-                                " mm/min are used here and below";
+                                " mm/min is used from here on";
     spline_ ? report(Code::SC2352, spline_->pos, message, spline_->text)
             : report(Code::SC2352, pos_of(head_), message);
   }

@@ -15,7 +15,7 @@ namespace {
 constexpr int kDeepest = 64;     // brackets, signs and '#' within one another
 constexpr double kWhole = 1e-4;  // how far from a whole number the number of a variable may be
 constexpr int kLargestNumber = 1000000;
-constexpr std::size_t kLongestShown = 24;  // of a name
+constexpr std::size_t kLongestShown = 100;  // bytes of a name
 constexpr std::string_view kOperand = "a number, '#', '[' or a function";
 
 /// A character that tells by itself what is wrong.
@@ -44,7 +44,7 @@ std::string lower_case(std::string_view name) {
 
 std::string name_of(const Variable& variable) {
   return variable.name.empty() ? "#" + std::to_string(variable.number)
-                               : "#<" + variable.name.substr(0, kLongestShown) + ">";
+                               : "#<" + shortened(variable.name, kLongestShown) + ">";
 }
 
 std::string lacks_variable(const Variable& variable, Dialect dialect) {

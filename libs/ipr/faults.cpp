@@ -5,10 +5,12 @@
 #include <array>
 #include <cstdio>
 
+#include "motion/utf8.hpp"
+
 namespace softcnc::ipr {
 namespace {
 
-constexpr int kLongestShown = 24;  // bytes of a bad word repeated in a message
+constexpr std::size_t kLongestShown = 24;  // bytes of a bad word repeated in a message
 constexpr std::string_view kUtf16 = "UTF-16", kUtf32 = "UTF-32";
 constexpr std::size_t kZerosOfUtf32 = 3;  // beside a character of ASCII
 
@@ -20,9 +22,13 @@ std::size_t zeros_at(std::string_view text, std::size_t place) {
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
-  return "'" + std::string(text.substr(0, kLongestShown)) + "'";
+std::string shortened(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  while (most > 0 && continues_character(text[most])) --most;
+  return std::string(text.substr(0, most)) + "...";
 }
+
+std::string quoted(std::string_view text) { return "'" + shortened(text, kLongestShown) + "'"; }
 
 std::string character_name(std::string_view character) {
   const auto byte = static_cast<unsigned char>(character.front());

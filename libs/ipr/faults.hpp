@@ -10,6 +10,9 @@
 
 namespace softcnc::ipr {
 
+/// At most so many bytes of a text, cut between characters; "..." follows what is cut.
+std::string shortened(std::string_view text, std::size_t most);
+
 /// In quotes, cut where it is long.
 std::string quoted(std::string_view text);
 

@@ -273,4 +273,7 @@ SourcePos span_of(const Values& values, std::string_view letters) noexcept;
 /// A number for a message: at most three decimals, no trailing zeros.
 std::string number_text(double value);
 
+/// What is reported of a feed above the machine's `limit`, mm/s.
+std::string above_limit(const std::string& feed, double limit);
+
 }  // namespace softcnc::ipr

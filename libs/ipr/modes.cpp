@@ -9,10 +9,11 @@
 namespace softcnc::ipr {
 namespace {
 
-void join_within(Modal& modal, Join join, double corner, double chord) {
+void join_within(Modal& modal, Join join, double corner, double chord, bool exact) {
   modal.join = join;
   modal.corner_tolerance = corner;
   modal.chord_tolerance = chord;
+  modal.exact_path = exact;
 }
 
 /// A tolerance of G64 in mm.
@@ -64,10 +65,10 @@ void use_incremental_centres(Task& task) { task.modal.absolute_centres = false; 
 void follow_exactly(Task& task) {
   task.out.contradict(Contradiction::exact_stop, task.word.pos);
   const bool fanuc = task.options.dialect == Dialect::fanuc;
-  join_within(task.modal, fanuc ? Join::stop : Join::follow, 0, 0);
+  join_within(task.modal, fanuc ? Join::stop : Join::follow, 0, 0, true);
 }
 
-void stop_exactly(Task& task) { join_within(task.modal, Join::stop, 0, 0); }
+void stop_exactly(Task& task) { join_within(task.modal, Join::stop, 0, 0, true); }
 
 /// G09.
 void stop_once(Task& task) { task.modal.stops_once = is_of_fanuc(task); }
@@ -76,7 +77,7 @@ void stop_once(Task& task) { task.modal.stops_once = is_of_fanuc(task); }
 void follow_path_within(Task& task) {
   const double corner = tolerance(task, 'P', task.machine.control.corner_tolerance);
   const double chord = tolerance(task, 'Q', corner);
-  join_within(task.modal, Join::follow, corner, chord);
+  join_within(task.modal, Join::follow, corner, chord, false);
 }
 
 /// M48 on, M49 off; M50 P of the feed, M51 P of the spindle alone.
@@ -107,14 +108,22 @@ void refuse_surface_speed(Task& task) {
   task.modal.uncertain.add('S');
 }
 
+/// A feed in mm/s: the word, and what it stands for where that is another number of mm/min.
+std::string feed_text(const Task& task, double feed) {
+  const double asked = mm_min_from_mm_s(feed);
+  const std::string in_mm_min = number_text(asked) + " mm/min";
+  if (task.word.letter != 'F' || task.modal.feed_mode != FeedMode::per_minute)
+    return "a feed of " + in_mm_min;
+  return "F" + number_text(task.word.value) +
+         (task.modal.mm_per_unit == 1 ? "" : ", " + in_mm_min + ",");
+}
+
 /// mm/s, held at the machine's limit.
 [[gnu::hot]] double held_feed(Task& task, double feed) {
   const double limit = task.machine.limits.feed;
   if (limit <= 0 || feed <= limit) return is_possible_feed(task, feed) ? feed : 0;
   if (!task.modal.feed_warned)
-    task.out.report(Code::SC2201, task.word.pos,
-                    "F is above the machine's " + number_text(mm_min_from_mm_s(limit)) +
-                        " mm/min, which are used here and below");
+    task.out.report(Code::SC2201, task.word.pos, above_limit(feed_text(task, feed), limit));
   task.modal.feed_warned = true;
   return limit;
 }

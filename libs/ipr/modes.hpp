@@ -31,6 +31,7 @@ struct Modes {
   bool absolute_centres = false;  // G90.1
   Join join = Join::follow;
   double corner_tolerance = 0, chord_tolerance = 0;  // mm: of G64
+  bool exact_path = false;                           // G61 or G61.1
   FeedMode feed_mode = FeedMode::per_minute;
   double feed = 0;                      // mm/s; 0: not set
   double feed_word = 0;                 // G93: 1/min; G95: mm per turn; 0: not set

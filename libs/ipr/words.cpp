@@ -38,6 +38,7 @@ namespace {
 constexpr int kG01 = 10, kG02 = 20, kG03 = 30;
 
 Join join_of(const Modal& modal) { return modal.stops_once ? Join::stop : modal.join; }
+bool is_exact(const Modal& modal) { return modal.stops_once || modal.exact_path; }
 
 /// F was 0: told at it, if it stands on the line. Returns false.
 [[gnu::cold]] bool report_zero_feed(Task& task) {
@@ -185,7 +186,7 @@ SourcePos place_of(const Task& task, char letter) {
   }
   task.out.emit(Move{std::move(path), true, 0, join_of(modal), modal.corner_tolerance,
                      modal.chord_tolerance, modal.feed_override, axis_bits(modal.unknown_axes()),
-                     std::nullopt});
+                     std::nullopt, is_exact(modal)});
 }
 
 [[gnu::hot]] Move cutting_move(const Modal& modal, Path&& path, double feed) {
@@ -197,7 +198,8 @@ SourcePos place_of(const Task& task, char letter) {
           modal.chord_tolerance,
           modal.feed_override,
           axis_bits(modal.unknown_axes()),
-          surface_at_speed(modal)};
+          surface_at_speed(modal),
+          is_exact(modal)};
 }
 
 [[gnu::hot]] bool has_feed(Task& task) {
@@ -354,6 +356,11 @@ std::string number_text(double value) {
   number.erase(number.find_last_not_of('0') + 1);
   if (number.ends_with('.')) number.pop_back();
   return number == "-0" ? "0" : number;
+}
+
+std::string above_limit(const std::string& feed, double limit) {
+  const std::string most = number_text(mm_min_from_mm_s(limit));
+  return feed + " is above the machine's " + most + " mm/min; from here on " + most + " is used";
 }
 
 }  // namespace softcnc::ipr

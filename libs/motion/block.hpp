@@ -28,7 +28,15 @@ struct Move {
   bool feed_override = true;      // false: the feed is as programmed, whatever the override (M49)
   std::uint8_t unknown_axes = 0;  // by bit: an error has left open where the axis is
   std::optional<Surface> surface{};  // of G06.4, on cutting moves
+  bool exact = false;                // asked for by G61, G61.1 or G09: no corner may be rounded
 };
+
+/// The feed that a move asks for, mm/s: as programmed, with the override where that counts; 0 for a
+/// rapid.
+inline double asked_feed(const Move& move, double feed_override) noexcept {
+  if (move.rapid) return 0;
+  return move.feed_override ? move.feed * feed_override : move.feed;
+}
 
 struct Dwell {
   double duration = 0;  // s

@@ -64,13 +64,42 @@ constexpr std::string_view name(BackendKind backend) noexcept {
 
 struct Control {
   double period = 0.001;           // s: one setpoint each
-  double servo_period = 0.001;     // s: the backend interpolates linearly in between
+  double servo_period = 0;         // s: of fine interpolation; 0: see fine_period()
   double chord_tolerance = 0.001;  // mm
   Method interpolation = Method::arc_length;
-  double corner_tolerance = 0.0;  // mm; 0: the path is followed exactly
+  double corner_tolerance = 0.01;  // mm; 0: the path is followed exactly
   BackendKind backend = BackendKind::sim;
   PulseClock pulse_clock = PulseClock::profile;
 };
+
+/// `whole` in equal parts, none longer than `longest`, s.
+constexpr double equal_part(double whole, double longest) noexcept {
+  constexpr double kRounding = 1e-9;  // of `longest`
+  const double parts = whole / longest - kRounding;
+  const auto fewer = static_cast<std::int64_t>(parts);
+  return whole / static_cast<double>(parts > static_cast<double>(fewer) ? fewer + 1 : fewer);
+}
+
+/// How far apart the positions are that go to a port, s: the servo period, or, if there is none, 1
+/// ms or the next smaller that divides the period. Limits are kept in rows so far apart, and where
+/// x'' jumps the acceleration may change by the jerk times it, whatever the backend.
+constexpr double fine_period(const Control& control) noexcept {
+  constexpr double kLongest = 1e-3;
+  return control.servo_period > 0 ? control.servo_period : equal_part(control.period, kLongest);
+}
+
+/// How often the position loop of the simulated axes looks at its counters, s: once a servo period,
+/// or, if there is none, every 0.25 ms or the next smaller that divides fine_period().
+constexpr double loop_period(const Control& control) noexcept {
+  constexpr double kLongest = 0.25e-3;
+  return control.servo_period > 0 ? control.servo_period
+                                  : equal_part(fine_period(control), kLongest);
+}
+
+/// How many equal parts of so many s the period has.
+constexpr int parts_of_period(const Control& control, double part) noexcept {
+  return static_cast<int>(control.period / part + 0.5);
+}
 
 /// 0: only the axes limit.
 struct PathLimits {
@@ -100,7 +129,7 @@ struct Drive {
   double supply_voltage = 80.0;     // V
   double current_limit = 16.0;      // A
   double following_error = 12.0;    // mm: alarm beyond
-  int lost_pulse = 0;               // every so manieth command pulse is lost on its way; 0: none
+  int lost_pulse = 0;               // every n-th command pulse is lost on its way; 0: none
 };
 
 struct Axis {

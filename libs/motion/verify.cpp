@@ -58,15 +58,11 @@ double integrate(const Nurbs& nurbs, double s0, double s1) noexcept {
 
 }  // namespace
 
-const Stretch& stretch_at(std::span<const Stretch> stretches, double s) noexcept {
-  constexpr double kRounding = 1e-9;  // mm
-  std::size_t i = stretches.size() - 1;
-  while (i > 0 && stretches[i].s_start > s + kRounding) --i;
-  return stretches[i];
-}
-
 Verifier::Verifier(const Machine& machine) noexcept
-    : period_(machine.control.period),
+    : by_pulses_(is_by_pulses(machine.control.interpolation)),
+      period_(by_pulses_ ? machine.control.period : fine_period(machine.control)),
+      parts_(parts_of_period(machine.control, period_)),
+      staircase_(machine),
       model_(machine.surfacing.model),
       limits_normal_(machine.limits.normal > 0) {}
 
@@ -74,26 +70,46 @@ void Verifier::row(const Setpoint& setpoint, std::span<const Stretch> stretches)
   if (measured_.rows == 0) {
     last_.fill(setpoint.position);
     last_s_.fill(setpoint.s);
+    if (by_pulses_) staircase_.start(setpoint, stretches);
   } else {
     geometry(setpoint, stretches);
   }
-  differences(setpoint.position);
-  along_path(setpoint.s);
+  for_each_instant(setpoint, [this](const FinePoint& point) {
+    push(point);
+    differences();
+  });
   before_ = setpoint;
   ++measured_.rows;
+}
+
+void Verifier::pass_over(const Setpoint& setpoint) noexcept {
+  for_each_instant(setpoint, [this](const FinePoint& point) { push(point); });
+  row_rmax_ = 0;
+  measured_.rows += setpoint.period - before_.period;
+  before_ = setpoint;
 }
 
 void Verifier::finish() noexcept {
   if (measured_.rows == 0) return;
   for (int i = 0; i < 3; ++i) {
-    differences(before_.position);
-    along_path(before_.s);
+    push({before_.s, before_.position});
+    differences();
   }
 }
 
-void Verifier::differences(const AxisVector& position) noexcept {
+template <typename Visit>
+void Verifier::for_each_instant(const Setpoint& setpoint, Visit&& visit) noexcept {
+  for_instants(setpoint, {before_.s, before_.position}, measured_.rows > 0 ? parts_ : 1, visit);
+}
+
+void Verifier::push(const FinePoint& point) noexcept {
   std::rotate(last_.begin(), last_.end() - 1, last_.end());
-  last_[0] = position;
+  last_[0] = point.position;
+  std::rotate(last_s_.begin(), last_s_.end() - 1, last_s_.end());
+  last_s_[0] = point.s;
+}
+
+void Verifier::differences() noexcept {
   const AxisVector first = last_[0] - last_[1];
   const AxisVector second = last_[0] - 2 * last_[1] + last_[2];
   const AxisVector third = last_[0] - 3 * last_[1] + 3 * last_[2] - last_[3];
@@ -103,13 +119,8 @@ void Verifier::differences(const AxisVector& position) noexcept {
   raise(measured_.velocity, first / period_);
   raise(measured_.acceleration, second / (period_ * period_));
   raise(measured_.jerk, third / (period_ * period_ * period_));
-}
-
-void Verifier::along_path(double s) noexcept {
-  std::rotate(last_s_.begin(), last_s_.end() - 1, last_s_.end());
-  last_s_[0] = s;
-  const double second = last_s_[0] - 2 * last_s_[1] + last_s_[2];
-  measured_.tangential = std::max(measured_.tangential, std::abs(second) / (period_ * period_));
+  const double along_path = last_s_[0] - 2 * last_s_[1] + last_s_[2];
+  measured_.tangential = std::max(measured_.tangential, std::abs(along_path) / (period_ * period_));
 }
 
 void Verifier::geometry(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {
@@ -120,24 +131,45 @@ void Verifier::geometry(const Setpoint& setpoint, std::span<const Stretch> stret
     const double s0 = std::clamp(before_.s - stretch.s_start, 0.0, s_end);
     const double s1 = std::clamp(setpoint.s - stretch.s_start, 0.0, s_end);
     if (s1 <= s0) continue;
-    measured_.chord_error =
-        std::max(measured_.chord_error,
-                 chord_error(*stretch.path, s0, s1, before_.position, setpoint.position));
+    if (!by_pulses_)
+      measured_.chord_error =
+          std::max(measured_.chord_error,
+                   chord_error(*stretch.path, s0, s1, before_.position, setpoint.position));
     travelled += integrated_length(*stretch.path, s0, s1);
   }
   if (!stretches.empty()) {
     const Stretch& here = stretch_at(stretches, setpoint.s);
     const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
-    measured_.path_deviation =
-        std::max(measured_.path_deviation, (position(*here.path, s) - setpoint.position).norm());
     if (here.surface) roughness(setpoint, here);
     if (limits_normal_)
       measured_.normal =
           std::max(measured_.normal, setpoint.v * setpoint.v * at(*here.path, s).ddq.norm());
+    closeness(setpoint, stretches);
   }
-  if (setpoint.advance > kSmallestAdvance)
-    measured_.feed_fluctuation =
-        std::max(measured_.feed_fluctuation, std::abs(travelled / setpoint.advance - 1));
+  fluctuation(travelled, setpoint.advance);
+}
+
+/// Pulses run no chord: how far they are from the curve is the error of the period.
+void Verifier::closeness(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {
+  if (by_pulses_) {
+    staircase_.period(before_, setpoint, stretches);
+    measured_.path_deviation = measured_.chord_error = staircase_.largest();
+    measured_.path_deviation_mean = staircase_.mean();
+    return;
+  }
+  const Stretch& here = stretch_at(stretches, setpoint.s);
+  const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
+  measured_.path_deviation =
+      std::max(measured_.path_deviation, (position(*here.path, s) - setpoint.position).norm());
+}
+
+void Verifier::fluctuation(double travelled, double advance) noexcept {
+  if (advance <= kSmallestAdvance) return;
+  const double off = std::abs(travelled / advance - 1);
+  fluctuations_ += off * off;
+  ++advances_;
+  measured_.feed_fluctuation = std::max(measured_.feed_fluctuation, off);
+  measured_.feed_fluctuation_rms = std::sqrt(fluctuations_ / static_cast<double>(advances_));
 }
 
 /// Teeth that rub are not asked to be slower.

@@ -9,22 +9,13 @@
 #include "motion/machine.hpp"
 #include "motion/path.hpp"
 #include "motion/setpoint.hpp"
-#include "motion/surface.hpp"
+#include "motion/staircase_error.hpp"
+#include "motion/stretch.hpp"  // IWYU pragma: export
 
 namespace softcnc {
 
-/// A path and where it starts along the program, mm.
-struct Stretch {
-  const Path* path;
-  double s_start;
-  const Surface* surface = nullptr;  // that it is to leave
-};
-
-/// The one on which the path is at s, mm along the program, in stretches that follow one another;
-/// at a joint the later one. There must be one.
-const Stretch& stretch_at(std::span<const Stretch> stretches, double s) noexcept;
-
-/// The largest values seen so far. Differences are those of the commanded rows, padded with rest.
+/// The largest values seen so far. Differences are those of the commanded positions, padded with
+/// rest: of methods by pulses at the rows, of all others every fine_period() s.
 struct Measured {
   AxisVector velocity = AxisVector::Zero();      // mm/s
   AxisVector acceleration = AxisVector::Zero();  // mm/s^2
@@ -32,8 +23,10 @@ struct Measured {
   double tangential = 0;                         // mm/s^2: differences of the speed along the path
   double normal = 0;                             // mm/s^2: v^2 / rho; where there is a limit
   double chord_error = 0;                        // mm: curve between two rows to their chord
-  double path_deviation = 0;                     // mm: commanded position to the curve
-  double feed_fluctuation = 0;       // |arc length / planned advance - 1|, advances over 1 um
+  double path_deviation = 0;       // mm: commanded position to the curve; of pulses, every place
+  double path_deviation_mean = 0;  // mm: of methods by pulses, over all clocks
+  double feed_fluctuation = 0;  // |arc length / planned advance - 1|, advances over 1 um: largest
+  double feed_fluctuation_rms = 0;   // and root of the mean square
   double rmax = 0, rmax_target = 0;  // mm: of the row that leaves most as part of its target
   std::int64_t rows = 0;
 };
@@ -46,6 +39,10 @@ class Verifier {
   /// this row, in order; blocks without a path are left out.
   void row(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
 
+  /// Takes a row without measuring it, or those between it and the last one. Where three that
+  /// follow one another are taken so, the differences of the next row are right again.
+  void pass_over(const Setpoint& setpoint) noexcept;
+
   /// After the last row: the differences that reach into the rest behind it.
   void finish() noexcept;
 
@@ -54,19 +51,28 @@ class Verifier {
   double row_rmax() const noexcept { return row_rmax_; }
 
  private:
-  void differences(const AxisVector& position) noexcept;
-  void along_path(double s) noexcept;
+  template <typename Visit>
+  void for_each_instant(const Setpoint& setpoint, Visit&& visit) noexcept;
+  void push(const FinePoint& point) noexcept;
+  void differences() noexcept;
   void geometry(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
 
+  void closeness(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
+  void fluctuation(double travelled, double advance) noexcept;
   void roughness(const Setpoint& setpoint, const Stretch& here) noexcept;
 
-  double period_;
+  bool by_pulses_;
+  double period_;             // s: between differences
+  int parts_;                 // so many of them between two rows
+  StaircaseError staircase_;  // of a method by pulses
   RoughnessModel model_;
   bool limits_normal_;
   double row_rmax_ = 0;
   std::array<AxisVector, 4> last_;  // positions, newest first
   std::array<double, 3> last_s_{};  // mm along the path, newest first
   Setpoint before_;
+  double fluctuations_ = 0;    // sum of squares
+  std::int64_t advances_ = 0;  // periods that count in it
   Measured measured_;
 };
 

@@ -7,11 +7,42 @@
 
 using namespace softcnc::app::test;
 
+namespace {
+
+const std::string kKnown =
+    "; the commands are run, check, blocks, record, replay, surface, machine, latency, pulses, "
+    "codes\nRun with --help for more information.\n";
+
+}  // namespace
+
 TEST_CASE("without a command there is a hint, and exit status 2", "[apps][cli]") {
   const Ended ended = call("");
   CHECK(ended.status == 2);
   CHECK(ended.out.empty());
-  CHECK(ended.err == "A subcommand is required\nRun with --help for more information.\n");
+  CHECK(ended.err == "a command is missing" + kKnown);
+}
+
+TEST_CASE("a word that is no command is named, with the commands and the nearest", "[apps][cli]") {
+  const auto refused = [](const std::string& words) {
+    const Ended ended = call(words);
+    CHECK(ended.status == 2);
+    CHECK(ended.out.empty());
+    return ended.err;
+  };
+  CHECK(refused("rum p.nc") == "'rum' is no command; did you mean 'run'?" + kKnown);
+  CHECK(refused("chekc p.nc") == "'chekc' is no command; did you mean 'check'?" + kKnown);
+  CHECK(refused("report p.nc") == "'report' is no command; did you mean 'record'?" + kKnown);
+  CHECK(refused("simulate p.nc") == "'simulate' is no command" + kKnown);
+  CHECK(refused("--loud") == "--loud: a command is missing" + kKnown);
+  CHECK(refused("part.nc") == "'part.nc' is no command; 'softcnc run part.nc' runs it" + kKnown);
+  CHECK(refused("- --dry-run") == "'-' is no command; 'softcnc run -' runs it" + kKnown);
+}
+
+TEST_CASE("of a name that an option does not know the nearest is named", "[apps][cli]") {
+  CHECK(shows(call("run --dialect fanux p.nc").err,
+              "'fanux' is none of fanuc, linuxcnc; did you mean 'fanuc'?"));
+  CHECK(shows(call("run --backend hal-streams p.nc").err, "; did you mean 'hal-stream'?"));
+  CHECK(shows(call("check --diagnostics xml p.nc").err, "'xml' is none of text, json, sarif\n"));
 }
 
 TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
@@ -82,8 +113,9 @@ TEST_CASE("an unknown option is named, whatever follows it", "[apps][cli]") {
     const std::string all = words;
     const std::size_t begin = all.starts_with("--set") ? all.rfind("--") : 0;
     const std::string name = all.substr(begin, all.find_first_of(" =", begin) - begin);
+    const std::string meant = name == "--real-time" ? "; did you mean '--realtime'?" : "";
     const std::string says =
-        name + ": no such option of run\nRun with --help for more information.\n";
+        name + ": no such option of run" + meant + "\nRun with --help for more information.\n";
     const Ended behind = call("run $data/square.nc " + all);
     CHECK(behind.status == 2);
     CHECK(behind.err == says);

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Backends that lead out of softcnc, from outside: what arrives, and what is told when it cannot.
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "apps/shell.hpp"
@@ -49,6 +53,57 @@ TEST_CASE("the rows for HAL are those of the trace, counted and checksummed", "[
   CHECK(report["stream_xxh3"] == hash_hex(rows));
   CHECK(ended.err.find(std::to_string(count) + " rows sent, xxh3 " + hash_hex(rows)) !=
         std::string::npos);
+}
+
+TEST_CASE("rows for HAL keep accelerations and jerks at the servo period", "[apps][ports]") {
+  const std::string period = GENERATE("1", "4", "8"), servo = GENERATE("1", "0.25");
+  CAPTURE(period, servo);
+  const Folder folder;
+  write(folder / "part.nc", "G1 X10 F3000\nG3 Y20 J10\nG1 X0\nM30\n");
+  const Ended ended =
+      shell(kToHal + "- -q --machine $programs/machines/retrofit.toml " + (folder / "part.nc") +
+            " --set control.period_ms=" + period + " --set control.servo_period_ms=" + servo +
+            " --set axis.x.jerk_mm_s3=50000 --set axis.y.jerk_mm_s3=50000");
+  CAPTURE(ended.err);
+  REQUIRE(ended.status == 0);
+  const double t = std::stod(servo) / 1000;
+  std::istringstream rows(rows_of(ended.out));
+  std::array<double, 4> x{}, y{};  // newest first; the program begins at 0, 0
+  double acceleration = 0, jerk = 0;
+  const auto take = [&](std::array<double, 4>& last, double place) {
+    std::rotate(last.begin(), last.end() - 1, last.end());
+    last[0] = place;
+    acceleration = std::max(acceleration, std::abs(last[0] - 2 * last[1] + last[2]) / (t * t));
+    jerk = std::max(jerk, std::abs(last[0] - 3 * last[1] + 3 * last[2] - last[3]) / (t * t * t));
+  };
+  double x_mm = 0, y_mm = 0;
+  for (std::string line; std::getline(rows, line);) {
+    std::istringstream(line) >> x_mm >> y_mm;
+    take(x, x_mm);
+    take(y, y_mm);
+  }
+  for (int i = 0; i < 3; ++i) {
+    take(x, x_mm);
+    take(y, y_mm);
+  }
+  CHECK(acceleration <= 1005);
+  CHECK(acceleration > 900);
+  CHECK(jerk <= 50'250);
+}
+
+TEST_CASE("the period of the simulated loop counts", "[apps][ports]") {
+  const Folder folder;
+  std::set<std::string> traces;
+  for (const std::string servo : {"8", "1", "0.25"}) {
+    const Ended ended = shell(
+        "$softcnc run -q $programs/03_arc.nc --backend sim --set control.period_ms=8 --set "
+        "control.servo_period_ms=" +
+        servo + " --trace " + (folder / "t.csv"));
+    CAPTURE(ended.err);
+    REQUIRE(ended.status == 0);
+    traces.insert(rows_of(read(folder / "t.csv")));
+  }
+  CHECK(traces.size() == 3);
 }
 
 TEST_CASE("a reader of rows that goes away ends the run quietly, one that takes none is status 5",
@@ -124,6 +179,23 @@ TEST_CASE("a backend does not write over what is read or written besides: SC7072
   refused(rows + "- --trace - " + part);
   CHECK(read(part) == text);
   CHECK(shell("$softcnc run -q --dry-run " + step + part + " " + part).status == 0);
+}
+
+TEST_CASE("a parallel port can drive a machine that comes with softcnc", "[apps][ports]") {
+  const Folder folder;
+  const std::string machine = " --machine $programs/machines/parport_router.toml";
+  for (const std::string part : {"01_line", "02_square", "03_arc", "04_helix", "08_butterfly"}) {
+    CAPTURE(part);
+    const Ended ended = shell("$softcnc run -q $programs/" + part + ".nc" + machine +
+                              " --set backend.parport.device= --trace " + (folder / "t.csv"));
+    CAPTURE(ended.err);
+    REQUIRE(ended.status == 0);
+    const Trace trace = parse_trace(read(folder / "t.csv"));
+    const std::size_t last = trace.rows.size() - 1;
+    for (const std::string axis : {"x", "y", "z"})
+      CHECK(trace.number(last, axis + "_count") * 0.00625 ==
+            Approx(trace.number(last, axis + "_mm")).margin(0.00625));
+  }
 }
 
 TEST_CASE("a machine file without an end is refused", "[apps][ports]") {

@@ -29,7 +29,7 @@ TEST_CASE("pulses counts and measures what keeps the rules", "[apps][pulse]") {
   const Folder folder;
   const Ended ended = call("pulses - --report " + (folder / "r.json"),
                            kHead + "#10 1s #13 0s #20 1s 1z #26 0s #27 0z\n#31 1d #36 1s #39 0s\n");
-  CHECK(ended.err.empty());
+  CHECK(ended.err == "report written to " + (folder / "r.json") + "\n");
   CHECK(ended.status == 0);
   CHECK(
       ended.out ==

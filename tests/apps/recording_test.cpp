@@ -110,7 +110,7 @@ TEST_CASE("a recording holds all that a replay needs, and agrees with it", "[app
   CHECK(meta["trace"]["hash"] == softcnc::hal::hash_hex(entry(file, "trace.csv.zst")));
   const Trace trace = parse_trace(held.trace);
   CHECK(meta["trace"]["rows"] == trace.rows.size());
-  CHECK(trace.columns[10] == "x_act_mm");
+  CHECK(trace.columns[11] == "x_act_mm");
 
   const Ended ended = call("replay " + file);
   CHECK(ended.status == 0);
@@ -184,6 +184,32 @@ TEST_CASE("one BLU in one row is a difference: the row is shown, exit status 1",
   CHECK(ended.out.find("\n! x_mm ") != std::string::npos);
   CHECK(ended.out.find("\n  y_mm ") != std::string::npos);
   CHECK(ended.out.find(trace.word(320, "x_mm") + "  -0.0025\n") != std::string::npos);
+  CHECK(shows(ended.err,
+              ".rec: error: row 321 differs: at 0.32 s, line ..., x_mm is ... in the recording "
+              "and ... here; another path, or another part of it: the tool is 0.0025 mm away "
+              "[SC6023]\n"));
+}
+
+TEST_CASE("a difference is a diagnostic for programs, too", "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  const std::string slower = "replay " + file + " --set axis.x.acceleration_mm_s2=900";
+  const Ended ended = call(slower + " --diagnostics json");
+  CHECK(ended.status == 1);
+  const json list = json::parse(ended.err);
+  REQUIRE(list.size() == 1);
+  CHECK(list[0]["file"] == file);
+  CHECK(list[0]["severity"] == "error");
+  CHECK(list[0]["code"] == "SC6023");
+  const std::string message = list[0]["message"];
+  CHECK(shows(message,
+              "row 1 differs: at 0 s, line ..., a_mm_s2 is ... in the recording and ... "
+              "here; the tool is in the same place"));
+  const json sarif = json::parse(call(slower + " --diagnostics sarif").err);
+  const json& result = sarif["runs"][0]["results"][0];
+  CHECK(result["ruleId"] == "SC6023");
+  CHECK(result["message"]["text"] == message);
+  CHECK(sarif["runs"][0]["invocations"][0]["exitCode"] == 1);
 }
 
 TEST_CASE("lengths may differ by 1e-6 mm, names not at all", "[apps][recording]") {
@@ -213,6 +239,26 @@ TEST_CASE("lengths may differ by 1e-6 mm, names not at all", "[apps][recording]"
   CHECK(status_with(kS, add(-1.1e-6)) == 1);
   CHECK(status_with(kLimit, [](const std::string&) { return "chord"; }) == 1);
   CHECK(status_with(1, [](const std::string& line) { return line + "0"; }) == 1);
+}
+
+TEST_CASE("a recording of an earlier version, whose comments stand before the names, is replayed",
+          "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  Content held = content(file);
+  const std::size_t comments = held.trace.find('#');
+  const std::size_t rows = held.trace.find("\n0,", comments) + 1;
+  REQUIRE(held.trace.substr(comments).starts_with("# schema: softcnc-trace 2\n"));
+  held.trace = held.trace.substr(comments, rows - comments) + held.trace.substr(0, comments) +
+               held.trace.substr(rows);
+  held.trace.replace(held.trace.find("trace 2"), 7, "trace 1");
+  json meta = json::parse(held.meta);
+  meta["trace"]["hash"] = softcnc::hal::hash_hex(packed(held.trace));
+  held.meta = meta.dump();
+  pack(file, held);
+  const Ended ended = call("replay " + file);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.ends_with(" rows agree\n"));
 }
 
 TEST_CASE("rows that only one of the two has are a difference", "[apps][recording]") {

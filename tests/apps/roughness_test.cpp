@@ -125,8 +125,8 @@ TEST_CASE("where Q stands for any phase check does not warn of it", "[apps][roug
 }
 
 TEST_CASE("a plunge leaves no surface", "[apps][roughness]") {
-  const Ended ended =
-      call("check --set surface.phase=time -", "S6000 M03 F6000\n" + kWords + "G01 Z-5\nX5\nM30\n");
+  const Ended ended = call("check --set surface.phase=time -",
+                           "S6000 M03 F6000 G61\n" + kWords + "G01 Z-5\nX5\nM30\n");
   CHECK(ended.out.find("<stdin>:3:1") == std::string::npos);
   CHECK(shows(ended.out, "<stdin>:4:1: note: ... [SC4010]"));
   CHECK(ended.out.find("SC4012") == std::string::npos);

@@ -56,7 +56,7 @@ TEST_CASE("the summary tells of the jerk of axes that have a limit of it", "[app
 }
 
 TEST_CASE("the report tells the figures of the run", "[apps][run]") {
-  const json report = report_of("$data/square.nc");
+  const json report = report_of("$data/square.nc --set control.corner_tolerance_um=0");
   CHECK(report["status"] == "done");
   CHECK(report["machine"] == "retrofitted mill (built-in)");
   CHECK(report["blocks"] == 11);
@@ -83,6 +83,17 @@ TEST_CASE("the report tells the figures of the run", "[apps][run]") {
   CHECK(report["acceleration_max"]["z"] == 0);
   for (const char* cpu : {"cpu_s", "cpu_planning_s", "cpu_interpolation_s", "cpu_verification_s"})
     CHECK(report[cpu].get<double>() > 0);
+}
+
+TEST_CASE("the time of a method that goes its own way is that of its rows", "[apps][run]") {
+  const json planned = report_of("--dry-run $programs/08_butterfly.nc");
+  const json report = report_of(
+      "--dry-run $programs/08_butterfly.nc --set control.interpolation=curvature3p "
+      "--set control.chord_tolerance_um=0.05");
+  const double rows = (report["setpoints"].get<double>() - 1) * 0.001;
+  CHECK(report["time_s"].get<double>() == Approx(rows).epsilon(1e-12));
+  CHECK(rows > 1.1 * planned["time_s"].get<double>());
+  CHECK(sum(report["time_by_limit_s"]) == Approx(rows).epsilon(1e-9));
 }
 
 TEST_CASE("rounded corners leave the programmed path, and no row leaves the rounded one",
@@ -138,11 +149,11 @@ TEST_CASE("a dry run, a run and their repetition give the same rows", "[apps][ru
   call("run -q " + part + " --trace " + (folder / "sim.csv"));
   const Trace planned = parse_trace(dry.out), simulated = parse_trace(read(folder / "sim.csv"));
   REQUIRE(planned.rows.size() == simulated.rows.size());
-  REQUIRE(planned.columns.size() == 10);
+  REQUIRE(planned.columns.size() == 11);
   for (std::size_t i = 0; i < planned.rows.size(); ++i)
     for (std::size_t column = 0; column < planned.columns.size(); ++column)
       if (planned.rows[i][column] != simulated.rows[i][column]) FAIL_CHECK("row " << i);
-  CHECK(simulated.columns[10] == "x_act_mm");
+  CHECK(simulated.columns[11] == "x_act_mm");
 }
 
 TEST_CASE("a program through a pipe runs like a file", "[apps][run]") {
@@ -214,7 +225,7 @@ TEST_CASE("an axis that lags too far stops the run with 4 and a whole trace", "[
       call("run $data/zigzag.nc --set axis.x.drive.following_error_um=500 --trace " +
            (folder / "t.csv") + " --report " + (folder / "r.json"));
   CHECK(ended.status == 4);
-  CHECK(shows(ended.err, "zigzag.nc:3:1: error: following error of X: it is 0.509 ... [SC5001]"));
+  CHECK(shows(ended.err, "zigzag.nc:3:1: error: following error of X: it is 0.51... [SC5001]"));
   const json report = json::parse(read(folder / "r.json"));
   CHECK(report["status"] == "alarm");
   CHECK(report["diagnostics"][0]["code"] == "SC5001");

@@ -178,12 +178,12 @@ TEST_CASE("a surface tells by region whether its target is met", "[apps][surface
   const Ended met = cut_for("26");
   CHECK(met.status == 0);
   CHECK(met.err.find("SC4040") == std::string::npos);
-  CHECK(met.err.find("\n  target       met in 15 of 15 regions that are asked for and known\n") !=
+  CHECK(met.err.find("\n  target       met in 8 of 8 regions that are asked for and known\n") !=
         std::string::npos);
-  CHECK(number(folder / "own.npz", "numpy.nansum(f['met'])") == 15);
+  CHECK(number(folder / "own.npz", "numpy.nansum(f['met'])") == 8);  // 2 x 1 mm, 0.5 x 0.5 each
   CHECK(number(folder / "own.npz", "numpy.nanmax(f['target_um'])") == 26);
   json report = json::parse(read(folder / "own.json"));
-  CHECK(report["regions_judged"] == 15);
+  CHECK(report["regions_judged"] == 8);
   CHECK(report["regions_missed"] == 0);
   CHECK(report["missed"] == json::array());
 
@@ -417,6 +417,32 @@ TEST_CASE("a region is as rough as its highest point, and unknown where most of 
   CHECK(figures(rmax).largest == Approx(4));
   CHECK(figures(rmax).regions == 1);
   CHECK(map.gouges() == std::vector<float>{0, 0});
+}
+
+TEST_CASE("what the edge of the grid leaves of a region is no region", "[apps][surface]") {
+  hal::StockGrid grid;
+  grid.columns = 5;
+  grid.rows = 3;
+  RoughnessMap map(grid, 2);
+  SurfaceBand band{0, 3, 5, std::vector<float>(15), std::vector<float>(15, 0.001F), {}};
+  band.deviations[band.index(4, 0)] = 0.009F;
+  band.deviations[band.index(1, 2)] = -0.02F;  // a gouge is one wherever it is
+  map.add(band);
+  const auto rmax = map.rmax();
+  REQUIRE(rmax.size() == 6);
+  CHECK(figures(rmax).regions == 2);
+  CHECK(figures(rmax).mean == Approx(1));
+  for (const std::size_t cut_off : {2U, 3U, 4U, 5U}) CHECK(std::isnan(rmax[cut_off]));
+  CHECK(figures(map.gouges()).marked == 1);
+}
+
+TEST_CASE("a surface that is smaller than a region is one", "[apps][surface]") {
+  hal::StockGrid grid;
+  grid.columns = 5;
+  grid.rows = 3;
+  RoughnessMap map(grid, 100);
+  map.add({0, 3, 5, std::vector<float>(15), std::vector<float>(15, 0.001F), {}});
+  CHECK(figures(map.rmax()).regions == 1);
 }
 
 TEST_CASE("a gouge is no roughness", "[apps][surface]") {

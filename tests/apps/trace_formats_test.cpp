@@ -115,6 +115,25 @@ TEST_CASE("a trace of no row, and one of a stream, are arrays too", "[apps][trac
   }
 }
 
+TEST_CASE("numpy reads names and numbers of a CSV trace without being helped", "[apps][trace]") {
+  const Folder folder;
+  traced(folder, "", ".csv");
+  write(folder / "read.py",
+        "import csv, sys\n"
+        "import numpy\n"
+        "rows = list(csv.DictReader(l for l in open(sys.argv[1]) if l[0] != '#'))\n"
+        "table = numpy.genfromtxt(sys.argv[1], names=True, delimiter=',')\n"
+        "print(table.dtype.names == tuple(rows[0]), len(table) == len(rows))\n"
+        "print(*(name for name in table.dtype.names if name != 'limit'\n"
+        "        and any(float(row[name]) != x for row, x in zip(rows, table[name]))))\n"
+        "words = numpy.genfromtxt(sys.argv[1], names=True, delimiter=',', dtype=None,\n"
+        "                         encoding='utf-8')\n"
+        "print(all(row['limit'] == x for row, x in zip(rows, words['limit'])))\n");
+  const Ended ended = shell("/usr/bin/python3 " + (folder / "read.py") + " " + (folder / "t.csv"));
+  CHECK(ended.err.empty());
+  CHECK(ended.out == "True True\n\nTrue\n");
+}
+
 TEST_CASE("a trace for HAL is what goes to HAL", "[apps][trace]") {
   const std::string options = GENERATE("", "--set control.period_ms=4",
                                        "--set control.interpolation=sam --set control.period_ms=2");

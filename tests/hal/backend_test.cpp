@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hal/machine_file.hpp"
+#include "hal/pulse_source.hpp"
 #include "motion/counts.hpp"
 
 namespace softcnc::hal {
@@ -61,6 +62,43 @@ TEST_CASE("the simulated mill names columns for the axes it has", "[hal][sim]") 
   CHECK(std::vector<std::string>(columns.begin(), columns.end()) ==
         std::vector<std::string>{"x_act_mm", "x_err_um", "x_current_a", "y_act_mm", "y_err_um",
                                  "y_current_a"});
+}
+
+TEST_CASE("the simulated loop reads its counters once a servo period", "[hal][sim]") {
+  const auto after = [](double servo_period) {
+    Machine machine = retrofit();
+    machine.control.period = 0.008;
+    machine.control.servo_period = servo_period;
+    const auto mill = opened(machine);
+    for (int i = 0; i <= 20; ++i)
+      mill->exchange(at(planned(machine.axes[0], 100, i * machine.control.period)));
+    std::array<double, 6> values{};
+    mill->values(values);
+    return values[0];
+  };
+  const double every_8 = after(8e-3), every_1 = after(1e-3), every_quarter = after(0.25e-3);
+  CHECK(after(0) == every_quarter);
+  CHECK(every_8 < every_1);  // the longer it waits, the further it is behind
+  CHECK(every_1 < every_quarter);
+}
+
+TEST_CASE("pulses follow the fine points of a setpoint", "[hal][sim]") {
+  const Machine machine = retrofit();
+  PulseSource source(0, machine);
+  source.begin(0);
+  const double blu = machine.axes[0].blu;
+  const std::vector<FinePoint> points{{0, {4 * blu, 0, 0}}, {0, {5 * blu, 0, 0}}};
+  Setpoint setpoint = at(5 * blu);
+  setpoint.fine = points;
+  std::vector<double> parts;
+  source.move(setpoint, [&](double part, int direction) {
+    CHECK(direction == 1);
+    parts.push_back(part);
+  });
+  REQUIRE(parts.size() == 5);
+  for (int i = 0; i < 4; ++i)
+    CHECK(parts[static_cast<std::size_t>(i)] == Approx((i + 0.5) / 4 / 2));
+  CHECK(parts[4] == Approx(0.75));
 }
 
 TEST_CASE("the first setpoint tells where the mill stands", "[hal][sim]") {

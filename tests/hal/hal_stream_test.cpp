@@ -118,6 +118,27 @@ TEST_CASE("a row comes every servo period, and only for axes there are", "[hal]"
   CHECK(lines[7] == "2 0 0 6");
 }
 
+TEST_CASE("rows are the fine points of a setpoint", "[hal]") {
+  const test::Folder folder;
+  Machine machine = streamed(folder / "rows");
+  machine.control.period = 0.002;
+  auto backend = HalRows::open(machine);
+  REQUIRE(backend);
+  const bool twice = GENERATE(false, true);  // as the simulated mill asks for
+  std::vector<FinePoint> points{{0, {0.1, 0, 0}}, {0, {1, 0, 0}}};
+  if (twice) points = {{0, {7, 7, 7}}, points[0], {0, {8, 8, 8}}, points[1]};
+  Setpoint second = at(1, 0, 0);
+  second.fine = points;
+  (*backend)->exchange(at(0, 0, 0));
+  (*backend)->exchange(second);
+  REQUIRE((*backend)->finish());
+  const auto lines = lines_of(test::read(folder / "rows"));
+  REQUIRE(lines.size() == 7);
+  CHECK(lines[2] == "0 0 0 1 1");
+  CHECK(lines[3] == "0.1 0 0 1 2");
+  CHECK(lines[4] == "1 0 0 1 3");
+}
+
 TEST_CASE("before the program waits, HAL has all rows and is told of it", "[hal]") {
   const test::Folder folder;
   Fifo fifo(folder / "rows");

@@ -251,15 +251,31 @@ TEST_CASE("settings stand above the file", "[hal][machine]") {
   CHECK_FALSE(std::signbit(m.axes[0].min));
 }
 
-TEST_CASE("the servo period follows the period unless it is given", "[hal][machine]") {
-  const auto servo = [](double period_ms) {
-    return parsed("", {"control.period_ms=" + std::to_string(period_ms)}).control.servo_period;
+TEST_CASE("fine interpolation and the simulated loop follow the period unless they are given",
+          "[hal][machine]") {
+  struct Expected {
+    const char *period, *servo;
+    double fine, loop;  // ms
   };
-  CHECK(servo(1.0) == 0.001);
-  CHECK(servo(8.0) == 0.001);
-  CHECK(servo(0.25) == 0.00025);
-  CHECK(servo(0.7) == 0.0007);
-  CHECK(servo(1.5) == 0.00075);
+  const auto [period, servo, fine, loop] =
+      GENERATE(Expected{"1", "0", 1, 0.25}, Expected{"8", "0", 1, 0.25},
+               Expected{"0.25", "0", 0.25, 0.25}, Expected{"0.1", "0", 0.1, 0.1},
+               Expected{"0.7", "0", 0.7, 0.7 / 3}, Expected{"1.5", "0", 0.75, 0.25},
+               Expected{"8", "8", 8, 8}, Expected{"8", "0.25", 0.25, 0.25});
+  INFO(period << " ms, " << servo << " ms");
+  const Control control = parsed("", {std::string("control.period_ms=") + period,
+                                      std::string("control.servo_period_ms=") + servo})
+                              .control;
+  CHECK(fine_period(control) == Approx(fine / 1000));
+  CHECK(loop_period(control) == Approx(loop / 1000));
+  CHECK(parts_of_period(control, loop_period(control)) * loop == Approx(std::stod(period)));
+}
+
+TEST_CASE("a servo period that is 0 is one that is not given", "[hal][machine]") {
+  CHECK(parsed("").control.servo_period == 0);
+  CHECK(machine_toml(parsed("")).find("\nservo_period_ms = 0\n") != std::string::npos);
+  CHECK(refused("", {"control.servo_period_ms=0.0001"}).find("must be 0, or at least 0.001") !=
+        std::string::npos);
 }
 
 TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
@@ -551,7 +567,7 @@ TEST_CASE("all errors of a file and of settings are told at once, by their place
         "    4 | period_ms = \"a\"\n"
         "      |             ^~~\n"
         "mill.toml:5:11: error: control.backend does not know 'no'; it knows 'none', 'sim', "
-        "'stepdir', 'parport', 'hal-stream' [SC7006]\n"
+        "'stepdir', 'parport', 'hal-stream'; did you mean 'none'? [SC7006]\n"
         "    5 | backend = 'no'\n"
         "      |           ^~~~\n"
         "mill.toml:8:10: error: axis.x.min_mm = 20 is not below axis.x.max_mm = 10 [SC7008]\n"
@@ -615,6 +631,8 @@ TEST_CASE("the nearest key is spelled for the same axis", "[hal][machine]") {
   CHECK(nearest_key("axis.z.drive.kv") == "axis.z.drive.kv_1_s");
   CHECK(nearest_key("tool.12.tooth") == "tool.12.teeth");
   CHECK(nearest_key("feed_mm_min") == "limits.feed_mm_min");
+  CHECK(nearest_key("axis.z.accel") == "axis.z.acceleration_mm_s2");
+  CHECK(nearest_key("xyzzy").empty());
 }
 
 TEST_CASE("the built-in machine reads back from its text bit for bit", "[hal][machine]") {
@@ -721,7 +739,7 @@ TEST_CASE("docs/machine.md shows the table of keys", "[hal][machine][docs]") {
 }
 
 TEST_CASE("the machines by name load", "[hal][machine]") {
-  for (const char* name : {"retrofit", "paper_000", "paper_004", "bench_mill"}) {
+  for (const char* name : {"retrofit", "paper_000", "paper_004", "bench_mill", "parport_router"}) {
     const auto machine = load_machine(kSource + "/programs/machines/" + name + ".toml", {});
     INFO(name << (machine ? "" : all_of(machine.error())));
     REQUIRE(machine);

@@ -41,6 +41,7 @@ Setpoint setpoint(std::int64_t period) {
   setpoint.s = 0.1 * t;
   setpoint.v = 20.0;
   setpoint.a = -0.0;
+  setpoint.feed = 25.0;
   setpoint.limit = Limit::chord;
   setpoint.position = {t / 3.0, 7.0, -1e-7};
   return setpoint;
@@ -69,19 +70,19 @@ std::string last_line(std::string text) {
 
 }  // namespace
 
-TEST_CASE("a trace is comments, names and rows", "[hal][trace]") {
+TEST_CASE("a trace is names, comments and rows", "[hal][trace]") {
   const test::Folder folder;
   REQUIRE(write_trace(folder / "t.csv", 4));
   CHECK(test::read(folder / "t.csv") ==
-        "# schema: softcnc-trace 1\n"
+        "t_s,line,block,s_mm,v_mm_s,a_mm_s2,limit,x_mm,y_mm,z_mm,feed_mm_s,x_act_mm,x_err_um\n"
+        "# schema: softcnc-trace 2\n"
         "# period_ms: 1\n"
         "# program: aa11\n"
         "# machine: bb22\n"
-        "t_s,line,block,s_mm,v_mm_s,a_mm_s2,limit,x_mm,y_mm,z_mm,x_act_mm,x_err_um\n"
-        "0,4,2,0,20,0,chord,0,7,-1e-07,0,0\n"
-        "0.001,4,2,0.1,20,0,chord,0.3333333333333333,7,-1e-07,0.1,0\n"
-        "0.002,4,2,0.2,20,0,chord,0.6666666666666666,7,-1e-07,0.2,0\n"
-        "0.003,4,2,0.30000000000000004,20,0,chord,1,7,-1e-07,0.30000000000000004,0\n");
+        "0,4,2,0,20,0,chord,0,7,-1e-07,25,0,0\n"
+        "0.001,4,2,0.1,20,0,chord,0.3333333333333333,7,-1e-07,25,0.1,0\n"
+        "0.002,4,2,0.2,20,0,chord,0.6666666666666666,7,-1e-07,25,0.2,0\n"
+        "0.003,4,2,0.30000000000000004,20,0,chord,1,7,-1e-07,25,0.30000000000000004,0\n");
   CHECK_FALSE(fs::exists(folder / "t.csv.part"));
 }
 
@@ -89,14 +90,15 @@ TEST_CASE("an axis the machine lacks has no column", "[hal][trace]") {
   const test::Folder folder;
   REQUIRE(write_trace(folder / "t.csv", 1, two_axes()));
   const std::string text = test::read(folder / "t.csv");
-  CHECK(text.find(",limit,x_mm,z_mm,x_act_mm,") != std::string::npos);
-  CHECK(last_line(text) == "0,4,2,0,20,0,chord,0,-1e-07,0,0");
+  CHECK(text.find(",limit,x_mm,z_mm,feed_mm_s,x_act_mm,") != std::string::npos);
+  CHECK(last_line(text) == "0,4,2,0,20,0,chord,0,-1e-07,25,0,0");
 }
 
 TEST_CASE("a trace without rows still has its header", "[hal][trace]") {
   const test::Folder folder;
   REQUIRE(write_trace(folder / "t.csv", 0));
-  CHECK(last_line(test::read(folder / "t.csv")).starts_with("t_s,line,block,"));
+  CHECK(test::read(folder / "t.csv").starts_with("t_s,line,block,"));
+  CHECK(last_line(test::read(folder / "t.csv")).starts_with("# machine: "));
 }
 
 TEST_CASE("instants are the nearest doubles to their decimals", "[hal][trace]") {
@@ -160,7 +162,7 @@ TEST_CASE("every number of a row reads back bit for bit", "[hal][trace][property
     std::vector<std::string> fields;
     for (std::size_t comma; (comma = row.find(',')) != row.npos; row.erase(0, comma + 1))
       fields.push_back(row.substr(0, comma));
-    RC_ASSERT(fields.size() == 10U);
+    RC_ASSERT(fields.size() == 11U);
     const std::array<double, 6> want{given.s,           given.v,           given.a,
                                      given.position[0], given.position[1], given.position[2]};
     const std::array<std::size_t, 6> column{3, 4, 5, 7, 8, 9};
@@ -255,7 +257,7 @@ TEST_CASE("positions as a waveform stand where they change", "[hal][trace]") {
   (*trace)->add_program_hash("cc33");
   REQUIRE((*trace)->finish());
   CHECK(test::read(folder / "t.vcd") ==
-        "$comment schema: softcnc-trace 1 $end\n$comment program: aa11 $end\n"
+        "$comment schema: softcnc-trace 2 $end\n$comment program: aa11 $end\n"
         "$comment machine: bb22 $end\n$timescale 1 ns $end\n$scope module softcnc $end\n"
         "$var real 64 ! x_mm $end\n$var real 64 # z_mm $end\n$upscope $end\n"
         "$enddefinitions $end\n#0\n$dumpvars\nr0 !\nr-1e-07 #\n$end\n#3000000\nr1 !\n"

@@ -148,7 +148,7 @@ TEST_CASE("a limit of the jerk that no row can reach costs nothing", "[ipo][jerk
   const auto path = one(curve("butterfly"), 100);
   const auto machine = [](double jerk) {
     Machine made = machine_with(250, 1000, jerk);
-    made.control.period = 0.004;
+    made.control.period = made.control.servo_period = 0.004;
     return made;
   };
   const auto without = run(machine(0), path);
@@ -240,4 +240,19 @@ TEST_CASE("a jerk-limited plan does not depend on how the blocks arrive", "[ipo]
   REQUIRE(pieces.rows.size() == whole.rows.size());
   for (std::size_t i = 0; i < whole.rows.size(); ++i)
     REQUIRE(pieces.rows[i].position == whole.rows[i].position);
+}
+
+TEST_CASE("a long plan follows an axis without a limit of jerk every so many rows", "[ipo][jerk]") {
+  Machine machine;
+  machine.control.period = 2.5e-4;
+  machine.axes[0].acceleration = 97;
+  machine.axes[0].jerk = 258;
+  machine.axes[1].acceleration = 64;
+  const Arc arc = Arc::make({{0, 0, 0}, {20, 20, 0}, {0, 20, 0}, Plane::xy, true, 0}).value();
+  const auto result = run(machine, one(arc, 15));
+  CHECK(exceeded(machine, result) == "");
+  CHECK(result.time < 2.5);  // 2.87 where a plan was found with four tenths of the jerk alone
+  CHECK(result.rows.size() > 8000);  // of which each had a node, in each of the plans
+  CHECK(result.counts.effort.nodes < 8000);
+  CHECK(result.counts.effort.fallbacks == 0);
 }

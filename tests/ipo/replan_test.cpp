@@ -49,8 +49,9 @@ struct RandomRun {
 
 /// A random program on a random machine, with limits of jerk twice out of three times. `varied`:
 /// with what is less usual. `period`: another one than the machine's, s; 0: its own.
+/// `fewer_axes`: on a machine that may have two axes or one.
 RandomRun run_random(unsigned seed, int moves, int control_count, bool varied = false,
-                     double period = 0) {
+                     double period = 0, bool fewer_axes = false) {
   std::mt19937 random(seed);
   Machine machine = random_machine(random);
   if (period > 0) machine.control.period = period;
@@ -60,6 +61,7 @@ RandomRun run_random(unsigned seed, int moves, int control_count, bool varied = 
   const Controls controls = random_controls(random, control_count);
   std::mt19937 random_variation(seed + 1);
   if (varied) vary(random_variation, machine, blocks);
+  if (fewer_axes) leave_out_axes(random_variation, machine, blocks);
   return {machine, end(std::get<Move>(blocks.back().what).path), run(machine, blocks, controls)};
 }
 
@@ -314,8 +316,8 @@ TEST_CASE("random holds and overrides of random programs keep every limit and th
       [] {
         const auto seed = static_cast<unsigned>(integer(1, 1'000'000'000));
         const int moves = integer(1, 4);
-        const RandomRun random = run_random(seed, moves, integer(1, 5), true,
-                                            integer(0, 7) == 0 ? integer(1, 2) * 2.5e-4 : 0);
+        const double period = integer(0, 7) == 0 ? integer(1, 2) * 2.5e-4 : 0;
+        const RandomRun random = run_random(seed, moves, integer(1, 5), true, period, true);
         RC_ASSERT(exceeded(random.machine, random.run) == "");
         RC_ASSERT(random.run.rows.back().position == random.end);
         RC_ASSERT(random.run.rows.back().v == 0);

@@ -55,6 +55,13 @@ TEST_CASE("a feed above the limit is held at it, with one warning a file", "[ipr
   CHECK(std::get<Move>(result.blocks[0].what).feed == 50);
   CHECK(std::get<Move>(result.blocks[1].what).feed == 50);
   CHECK(std::get<Move>(result.blocks[2].what).feed == 10);
+  const auto message = [&](const std::string& program) {
+    return interpret(program, machine).diagnostics.front().message;
+  };
+  const std::string held = " is above the machine's 3000 mm/min; from here on 3000 is used";
+  CHECK(message("F6000\nM30\n") == "F6000" + held);
+  CHECK(message("G20 F200\nM30\n") == "F200, 5080 mm/min," + held);
+  CHECK(message("G93 G01 X1000 F9\nM30\n") == "a feed of 9000 mm/min" + held);
   machine.limits.feed = 0;
   CHECK(places(interpret("F900000\nM30\n", machine)).empty());
 }

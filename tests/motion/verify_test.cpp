@@ -14,7 +14,7 @@ namespace {
 
 Machine machine_at(double period) {
   Machine machine;
-  machine.control.period = period;
+  machine.control.period = machine.control.servo_period = period;
   return machine;
 }
 
@@ -63,6 +63,35 @@ TEST_CASE("accelerations along and across the path are measured where they are l
   verifier.finish();
   CHECK(verifier.measured().tangential == Approx(2000));
   CHECK(verifier.measured().normal == Approx(62.5));
+}
+
+TEST_CASE("limits are measured between the rows as well", "[verify]") {
+  Machine machine = machine_at(0.004);
+  machine.control.servo_period = 0.002;
+  const bool twice = GENERATE(false, true);  // as many points as asked for
+  const AxisVector middle = GENERATE(AxisVector(0.06, 0, 0), AxisVector(0.05, 0, 0));
+  std::vector<FinePoint> points{{0, middle}, {0, {0.1, 0, 0}}};
+  if (twice) points = {{0, {9, 9, 9}}, points[0], {0, {-9, 9, 9}}, points[1]};
+  Setpoint second = at_position(1, {0.1, 0, 0}, 0.1, 0.1);
+  second.fine = points;
+  Verifier verifier(machine);
+  verifier.row(at_position(0, {0, 0, 0}, 0, 0), {});
+  verifier.row(second, {});
+  verifier.finish();
+  CHECK(verifier.measured().velocity[0] == Approx(middle[0] / 0.002));
+  CHECK(verifier.measured().acceleration[0] == Approx(middle[0] / 0.002 / 0.002));
+  CHECK(verifier.measured().acceleration[1] == 0);
+}
+
+TEST_CASE("of a method by pulses the rows alone are measured", "[verify]") {
+  Machine machine = machine_at(0.004);
+  machine.control.servo_period = 0.002;
+  machine.control.interpolation = Method::sam;
+  Verifier verifier(machine);
+  verifier.row(at_position(0, {0, 0, 0}, 0, 0), {});
+  verifier.row(at_position(1, {0.1, 0, 0}, 0.1, 0.1), {});
+  verifier.finish();
+  CHECK(verifier.measured().acceleration[0] == Approx(0.1 / 0.004 / 0.004));
 }
 
 TEST_CASE("differences of rows are padded with rest at both ends", "[verify]") {
@@ -134,6 +163,23 @@ TEST_CASE("feed fluctuates where the advance is not the planned one", "[verify]"
   CHECK(fluctuation(0.101, 0.1) == Approx(0.01).epsilon(1e-6));
   CHECK(fluctuation(0.099, 0.1) == Approx(0.01).epsilon(1e-6));
   CHECK(fluctuation(0.0011, 0.0009) == 0);  // advances under 1 um do not count
+}
+
+TEST_CASE("the fluctuation of the feed is known in the root of the mean square, too", "[verify]") {
+  const Path path = Line({0, 0, 0}, {10, 0, 0});
+  const Stretch stretch{&path, 0};
+  Verifier verifier(machine_at(1e-3));
+  double s = 0;
+  verifier.row(at_position(0, {0, 0, 0}, 0, 0), {&stretch, 1});
+  const std::vector<double> off{0.3, 0, -0.4, 0};
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    s += 0.1 * (1 + off[i]);
+    verifier.row(at_position(static_cast<std::int64_t>(i) + 1, {s, 0, 0}, s, 0.1), {&stretch, 1});
+  }
+  s += 0.0005;  // a period that advances less than 1 um does not count
+  verifier.row(at_position(5, {s, 0, 0}, s, 0.00025), {&stretch, 1});
+  CHECK(verifier.measured().feed_fluctuation == Approx(0.4));
+  CHECK(verifier.measured().feed_fluctuation_rms == Approx(0.25));
 }
 
 TEST_CASE("integrated length agrees with the exact one", "[verify]") {

@@ -7,6 +7,7 @@
 import contextlib
 import csv
 import io
+import json
 import math
 import pathlib
 import subprocess
@@ -19,6 +20,7 @@ from scipy.optimize import linprog
 from scipy.sparse import lil_matrix
 
 import check_trace
+import contour_error
 import curves
 import time_optimal
 
@@ -120,8 +122,8 @@ class CheckTrace(unittest.TestCase):
         subprocess.run([SOFTCNC, "run", "--backend", "none", "--quiet", "--trace", self.trace,
                         ROOT / "programs/08_butterfly.nc"], check=True, capture_output=True)
         self.lines = self.trace.read_text().splitlines()
-        self.first = next(i for i, line in enumerate(self.lines) if line.startswith("t_s,")) + 1
-        self.rows = list(csv.DictReader(self.lines[self.first - 1:]))
+        self.first = next(i for i, line in enumerate(self.lines) if line[0].isdigit())
+        self.rows = list(csv.DictReader([self.lines[0], *self.lines[self.first:]]))
 
     def verdict(self, *options):
         """The exit status, and what was exceeded."""
@@ -178,6 +180,31 @@ class CheckTrace(unittest.TestCase):
         self.lines = self.lines[:2]
         with contextlib.redirect_stderr(io.StringIO()):
             self.assertEqual(self.verdict()[0], 2)
+
+
+class ContourError(unittest.TestCase):
+    """What the simulated mill reports of the butterfly, at every instant of its loop, against the exact curve."""
+
+    def check(self, *options):
+        with tempfile.TemporaryDirectory() as folder:
+            trace, report = pathlib.Path(folder) / "t.csv", pathlib.Path(folder) / "r.json"
+            subprocess.run([SOFTCNC, "run", "--quiet", "--progress", "none", "--trace", trace, "--report", report,
+                            "--set", "control.period_ms=0.25", "--set", "control.servo_period_ms=0.25", *options,
+                            ROOT / "programs/08_butterfly.nc"], check=True, capture_output=True)
+            found = contour_error.figures(contour_error.read_rows(trace), curves.load_nurbs(BUTTERFLY))
+            told = json.loads(report.read_text())
+        largest, at, rms = found["curve"]
+        self.assertAlmostEqual(told["contour_error_um_max"], largest, delta=0.01)
+        self.assertAlmostEqual(told["contour_error_um_rms"], rms, delta=0.01)
+        self.assertAlmostEqual(told["contour_error_at"]["t_s"], at, places=9)
+        self.assertAlmostEqual(told["contour_error_rapid_um_max"], found["approach"][0], delta=0.01)
+        self.assertLess(found["column"], 0.02)
+
+    def test_the_reported_contour_error_is_that_of_the_curve(self):
+        self.check()
+
+    def test_it_is_with_the_stiffest_loop(self):
+        self.check("--set", "axis.x.drive.kv_1_s=1000", "--set", "axis.y.drive.kv_1_s=1000")
 
 
 if __name__ == "__main__":

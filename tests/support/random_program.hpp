@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "support/figures.hpp"
 #include "support/run.hpp"
 
 namespace softcnc::test {
@@ -138,6 +139,47 @@ inline void vary(std::mt19937& random, Machine& machine, std::vector<Block>& blo
     whats.push_back(std::move(block.what));
   }
   blocks = number_blocks(std::move(whats));
+}
+
+/// A program in X and Y, or along X alone, where lines lead from end to end of its moves.
+inline std::vector<Block> in_axes(const std::vector<Block>& blocks, int count) {
+  const auto left = [count](AxisVector point) {
+    point.tail(kAxes - count).setZero();
+    return point;
+  };
+  const auto level = [&](const Path& path) -> Path {
+    if (count == 1 || std::holds_alternative<Line>(path))
+      return Line(left(position(path, 0)), left(end(path)));
+    if (const Arc* arc = std::get_if<Arc>(&path))
+      return Arc::make({left(arc->from()), left(arc->to()), left(arc->center()), Plane::xy,
+                        arc->ccw(), arc->turns()})
+          .value();
+    NurbsSpec spec = std::get<Nurbs>(path).spec();
+    for (AxisVector& point : spec.control) point = left(point);
+    return Nurbs::make(spec).value();
+  };
+  std::vector<std::variant<Move, Dwell, Action>> whats;
+  for (const Block& block : blocks) {
+    whats.push_back(block.what);
+    Move* move = std::get_if<Move>(&whats.back());
+    if (move == nullptr) continue;
+    move->path = level(move->path);
+    if (!(length(move->path) > 0)) whats.pop_back();
+  }
+  return number_blocks(std::move(whats));
+}
+
+/// Once in a while the machine has two axes or one, whichever, and the program moves those.
+inline void leave_out_axes(std::mt19937& random, Machine& machine, std::vector<Block>& blocks) {
+  const int count = std::array{3, 3, 3, 3, 3, 2, 2, 1}[random() % 8];
+  if (count == kAxes) return;
+  const Turning turning =
+      std::array<Turning, 3>{{{{0, 1, 2}}, {{1, 2, 0}}, {{2, 0, 1}}}}[random() % 3];
+  blocks = in_axes(blocks, count);
+  for (Block& block : blocks)
+    if (Move* move = std::get_if<Move>(&block.what)) move->path = std::visit(turning, move->path);
+  for (std::size_t i = static_cast<std::size_t>(count); i < machine.axes.size(); ++i)
+    machine.axes[static_cast<std::size_t>(turning.axis[i])].present = false;
 }
 
 }  // namespace softcnc::test

@@ -130,6 +130,7 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
           std::max(result.roughness_used, roughness_used(machine, *setpoint, stretches.back()));
     result.rows.push_back(*setpoint);
     result.rows.back().pulses = {};
+    result.rows.back().fine = {};
   }
   verifier.finish();
   if (!stopped) programmed.finish();

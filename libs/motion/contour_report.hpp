@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The figures of contour errors.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace softcnc {
+
+/// Contour errors of some kind of moves, over every instant of the position loop.
+struct ContourFigures {
+  double max = 0;     // mm
+  double time = 0;    // s: when that was
+  int line = 0;       // of the point on the path that was nearest then
+  double speed = 0;   // mm/s, planned then
+  double radius = 0;  // mm: of the path then between the nearest and the commanded point, in the
+                      // mean; 0: it is straight
+  double sum_of_squares = 0;  // mm^2
+  std::int64_t instants = 0;
+
+  double rms() const noexcept {  // mm
+    return instants > 0 ? std::sqrt(sum_of_squares / static_cast<double>(instants)) : 0;
+  }
+};
+
+struct ContourReport {
+  /// The contour error for which the lags are given.
+  static constexpr double kGoal = 0.01;  // mm
+
+  ContourFigures cutting, rapids;
+  /// How far the tool may be behind its command, mm, so that it is about kGoal off the path in the
+  /// sharpest bend, and at the sharpest corner; 0: there is none.
+  double bend_lag = 0, corner_lag = 0;
+};
+
+}  // namespace softcnc

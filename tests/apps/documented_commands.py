@@ -1,0 +1,204 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Runs the command lines that README.md, CONTRIBUTING.md and docs/*.md show.
+
+    tests/apps/documented_commands.py SOFTCNC [PAGE...]
+
+A command line is a line of a block of code, or code within a text, that begins with one of WORDS.
+Each page has a folder of its own with a copy of programs/, in which its lines run in their order;
+each has to end with status 0. What is not run is listed in LEFT_OUT with the reason, and a reason
+that no page needs is an error, too.
+"""
+import collections
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+PAGES = ["README.md", "CONTRIBUTING.md", *sorted(f"docs/{p.name}" for p in (ROOT / "docs").glob("*.md"))]
+WORDS = r"softcnc|scripts/\w+(?:\.py)?|tests/\S+\.py|build/\S+|halrun|halstreamer|mkfifo|awk|grep|ROWS=\S+"
+LEAST = 40  # command lines on all pages: fewer, and they are no longer found
+SECONDS = 120
+
+BUILDS = "installs packages and builds"
+MEASURES = "builds, and measures for minutes to hours"
+LEFT_OUT = {
+    "scripts/run programs/08_butterfly.nc": BUILDS + "; the same with softcnc run is run",
+    "scripts/run": BUILDS,
+    "scripts/test": BUILDS + "; it runs this",
+    "scripts/test --quick": BUILDS + "; it runs this",
+    "scripts/make_recordings": BUILDS + ", and replaces the recordings",
+    "scripts/make_programs.py": "writes into the sources; a test of its own runs it with --check",
+    "scripts/make_codes.py": "writes into the sources; a test of its own runs it with --check",
+    "scripts/make_picture.py": "writes into the sources; it is tried by itself",
+    "scripts/tidy": BUILDS,
+    "scripts/coverage": BUILDS,
+    "scripts/fuzz SECONDS": BUILDS + "; scripts/test runs it",
+    "scripts/fuzz --runs N": BUILDS + "; scripts/test runs it",
+    "scripts/feed_table": MEASURES,
+    "scripts/feed_table --check": MEASURES,
+    "scripts/feed_table --write": MEASURES,
+    "scripts/planning_cost": MEASURES,
+    "scripts/pulse_table": MEASURES,
+    "scripts/surface_table": MEASURES,
+    "scripts/roughness_table": MEASURES,
+    "scripts/random_pulses": MEASURES,
+    "scripts/random_pulses [COUNT]": MEASURES,
+    "scripts/random_programs": MEASURES,
+    "scripts/typing_mistakes": MEASURES,
+    "scripts/compare_rs274": "installs linuxcnc-uspace",
+    "scripts/test_hal": "installs linuxcnc-uspace",
+    "scripts/test_parport": "boots another kernel in an emulator",
+    "tests/apps/documented_commands.py": "is this one",
+    "tests/oracle/check_trace.py": "is part of another test",
+    "tests/oracle/mixed_paths.py": "is part of another test",
+    "tests/oracle/programmed_path.py": "is part of another test",
+    "tests/oracle/time_optimal.py": "is part of another test",
+    "build/release/apps/softcnc/softcnc --help": "the build under test may be another one",
+    "ROWS=rows halrun -I -f programs/hal/mill.hal": "needs linuxcnc-uspace; scripts/test_hal runs it",
+    "halstreamer < trace.hal": "needs linuxcnc-uspace",
+    "halstreamer": "needs linuxcnc-uspace",
+    "grep -v '^#' FILE | xxhsum -H2": "needs the package xxhash",
+}
+
+# What stands for something, by the line as it is shown.
+STANDS_FOR = {
+    "softcnc check PART...": "softcnc check programs/01_line.nc programs/02_square.nc",
+    "softcnc replay F.rec...": "softcnc replay F.rec",
+    "softcnc pulses FILE": "softcnc pulses arc.vcd",
+    "softcnc pulses FILE [--machine M.toml] [--backend parport]":
+        "softcnc pulses arc.vcd --machine programs/machines/bench_mill.toml",
+    "softcnc codes [CODE...]": "softcnc codes G02 SC2103",
+    "softcnc surface PART -o FILE": "softcnc surface programs/20_paper004_cylinder.nc -o part.png",
+    "softcnc latency": "softcnc latency --seconds 0.1",
+    "softcnc latency --seconds 10 --period-us 1000": "softcnc latency --seconds 0.1 --period-us 1000",
+    "softcnc COMMAND --help": "softcnc run --help",
+    "softcnc run --machine programs/hal/mill.toml PART":
+        "cat rows >/dev/null & softcnc run --machine programs/hal/mill.toml programs/01_line.nc && wait",
+}
+# What a busy computer may be told of, by a word in the line.
+BUSY = {"--realtime": "periods were missed"}
+EDGES = "softcnc run -q programs/03_arc.nc --backend stepdir --set backend.stepdir.file=arc.vcd"
+BEFORE = {  # what a page takes for granted
+    "docs/cli.md": [EDGES],
+    "docs/pulses.md": [EDGES],
+    "docs/machine.md": ["cp programs/machines/bench_mill.toml mill.toml"],
+    "docs/trace.md": ["softcnc run -q programs/03_arc.nc --trace trace.csv"],
+}
+
+
+def as_shown(line):
+    """The command line of a line of code, without prompt, remark and explanation; None: it is none."""
+    line = line.strip().removeprefix("$ ")
+    if not re.match(rf"(?:{WORDS})(?:\s|$)", line):
+        return None
+    line = re.split(r"\s+# ", line)[0]
+    return re.split(r"\s{2,}", line)[0] if line.startswith("softcnc") else line.strip()
+
+
+def command_lines(text):
+    """(number, command line) of a page, in its order."""
+    fenced = False
+    for number, line in enumerate(text.splitlines(), 1):
+        if line.lstrip().startswith("```"):
+            fenced = not fenced
+        elif fenced or line.startswith("    "):
+            if not re.match(r"\s*softcnc:", line) and (command := as_shown(line)):
+                yield number, command
+        else:
+            for code in re.findall(r"`([^`]+)`", line):
+                if code != "softcnc" and (command := as_shown(code.replace(r"\|", "|"))):
+                    yield number, command
+
+
+def as_run(command):
+    """The line that is run for the one that is shown."""
+    if command in STANDS_FOR:
+        return STANDS_FOR[command]
+    if re.fullmatch(r"softcnc (run|check|blocks|record|replay|surface|pulses)", command):
+        return command + " --help"  # a name in a text
+    surface = command.startswith("softcnc surface")
+    return command.replace("PART", "programs/" + ("20_paper004_cylinder.nc" if surface else "03_arc.nc"))
+
+
+def run(command, folder, softcnc):
+    """What is wrong with a command line, in words; None: nothing."""
+    path = f"{softcnc.parent}{os.pathsep}{os.environ['PATH']}"
+    try:
+        ended = subprocess.run(["bash", "-c", command], cwd=folder, stdin=subprocess.DEVNULL,
+                               env={**os.environ, "PATH": path}, timeout=SECONDS,
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    except subprocess.TimeoutExpired:
+        return f"takes more than {SECONDS} s"
+    shown = ended.stdout.decode(errors="replace")
+    if ended.returncode == 0 or any(word in command and text in shown for word, text in BUSY.items()):
+        return None
+    return f"status {ended.returncode}\n{shown[-1000:]}"
+
+
+def try_page(page, text, softcnc):
+    """Faults of a page, and how many of its command lines were run."""
+    faults, count = [], 0
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copytree(ROOT / "programs", pathlib.Path(folder) / "programs")
+        for command in BEFORE.get(page, []):
+            assert not run(command, folder, softcnc), command
+        for number, command in command_lines(text):
+            if command in LEFT_OUT:
+                script = ROOT / command.split()[0]
+                if command.startswith(("scripts/", "tests/")) and not script.exists():
+                    faults.append(f"{page}:{number}: {command}: there is no {script.name}")
+                continue
+            count += 1
+            if fault := run(as_run(command), folder, softcnc):
+                faults.append(f"{page}:{number}: {command}: {fault}")
+    return faults, count
+
+
+def finds_faults(softcnc):
+    """Whether a page that is wrong would be found."""
+    page = "Text with `softcnc run no.nc`.\n\n```\n$ softcnc chekc programs/*.nc   # what is wrong\n```\n\n" \
+           "    softcnc machine --machine no.toml\n    softcnc machine\n"
+    faults, count = try_page("page", page, softcnc)
+    return count == 4 and [fault.split(": ")[0] for fault in faults] == ["page:1", "page:4", "page:7"]
+
+
+def draws_picture(softcnc):
+    """Whether the picture of README.md can be drawn."""
+    with tempfile.TemporaryDirectory() as folder:
+        picture = pathlib.Path(folder) / "picture.svg"
+        part = ROOT / "programs/08_butterfly.nc"
+        subprocess.run([ROOT / "scripts/make_picture.py", softcnc, part, picture], check=True)
+        lines = xml.etree.ElementTree.parse(picture).getroot().iter("{http://www.w3.org/2000/svg}polyline")
+        return len({line.get("stroke") for line in lines}) > 20
+
+
+def main():
+    softcnc, only = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2:]
+    faults, counts = [], collections.Counter()
+    if not finds_faults(softcnc):
+        faults.append("wrong command lines of a page made up for this are not found")
+    if not draws_picture(softcnc):
+        faults.append("scripts/make_picture.py draws no butterfly in many colours")
+    texts = {page: (ROOT / page).read_text() for page in only or PAGES}
+    for page, text in texts.items():
+        wrong, counts[page] = try_page(page, text, softcnc)
+        faults += wrong
+    shown = {command for text in texts.values() for _, command in command_lines(text)}
+    if not only:
+        faults += [f"{command} is left out, but no page shows it" for command in LEFT_OUT.keys() - shown]
+        if counts.total() < LEAST:
+            faults.append(f"only {counts.total()} command lines are found")
+    print(*(f"{count:3} {page}" for page, count in counts.items() if count), sep="\n")
+    print(f"{counts.total()} command lines run, {len(shown & LEFT_OUT.keys())} left out, {len(faults)} faults")
+    print(*faults, sep="\n", end="")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// One cause, one error: what many lines of a program share is shown once.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "apps/shell.hpp"
+
+using namespace softcnc::app::test;
+using nlohmann::json;
+
+namespace {
+
+std::string rotary(int lines) {
+  std::string program = "G21 G90\nG1 F100\n";
+  for (int i = 1; i <= lines; ++i)
+    program += "X" + std::to_string(i % 100) + " A" + std::to_string(i) + "\n";
+  return program + "M2\n";
+}
+
+Ended check(const Folder& folder, const std::string& program, const std::string& options = {}) {
+  write(folder / "p.nc", program);
+  return shell("cd " + (folder / "") + "; $softcnc check " + options + " p.nc");
+}
+
+}  // namespace
+
+TEST_CASE("an axis that the machine does not have is one error, however many lines name it",
+          "[apps][check]") {
+  const Folder folder;
+  for (const int lines : {3, 5000}) {
+    const Ended ended = check(folder, rotary(lines));
+    CHECK(ended.status == 1);
+    CHECK(ended.out ==
+          "p.nc:3:4: error: the machine has no axis A [SC2008]\n"
+          "    3 | X1 A1\n"
+          "      |    ^~\n"
+          "p.nc:3:4: note: the machine has no axis A, here and on " +
+              std::to_string(lines - 1) + " more lines, the last of them " +
+              std::to_string(lines + 2) +
+              " [SC6005]\n"
+              "    3 | X1 A1\n"
+              "      |    ^~\n");
+  }
+  CHECK(shows(check(folder, rotary(2)).out, " on 1 more line, the last of them 4 [SC6005]"));
+  CHECK(check(folder, rotary(1)).out.find("SC6005") == std::string::npos);
+}
+
+TEST_CASE("one cause does not hide another, nor another error", "[apps][check]") {
+  const Folder folder;
+  const std::string out =
+      check(folder, "G21 G90\nG1 X1 A1 F100\nX2 B2\nX1.2.3\nX3 A3\nM301\nM302\nM301\nM2\n").out;
+  CHECK(shows(out, "p.nc:2:7: error: the machine has no axis A [SC2008]"));
+  CHECK(shows(out, "p.nc:3:4: error: the machine has no axis B [SC2008]"));
+  CHECK(shows(out, "p.nc:4:2: error: ... [SC1004]"));
+  CHECK(shows(out, "p.nc:6:1: error: M301 ... [SC2001]"));
+  CHECK(shows(out, "p.nc:7:1: error: M302 ... [SC2001]"));
+  CHECK(shows(out, "p.nc:2:7: note: the machine has no axis A, here and on 1 more line"));
+  CHECK(shows(out, "p.nc:6:1: note: M301 ..., here and on 1 more line"));
+  CHECK(out.find("axis B, here") == std::string::npos);
+}
+
+TEST_CASE("every command says a cause once, and a pipe does, too", "[apps]") {
+  const Folder folder;
+  write(folder / "p.nc", rotary(50));
+  for (const char* command : {"run", "blocks", "run --dry-run", "check"}) {
+    for (const char* part : {"p.nc", "- < p.nc"}) {
+      CAPTURE(command, part);
+      const Ended ended = shell("cd " + (folder / "") + "; $softcnc " + command + " " + part);
+      const std::string all = ended.out + ended.err;
+      CHECK(ended.status == 1);
+      CHECK(shows(all, ":3:4: error: the machine has no axis A [SC2008]"));
+      CHECK(shows(all, ":3:4: note: the machine has no axis A, here and on 49 more lines"));
+      CHECK(all.find("[SC2008]") == all.rfind("[SC2008]"));
+    }
+  }
+}
+
+TEST_CASE("documents have the note, too", "[apps][check]") {
+  const Folder folder;
+  const json list = json::parse(check(folder, rotary(9), "--diagnostics json").out);
+  REQUIRE(list.size() == 2);
+  CHECK(list[0]["code"] == "SC2008");
+  CHECK(list[1]["code"] == "SC6005");
+  CHECK(list[1]["severity"] == "note");
+}
+
+TEST_CASE("a program for another kind of control is one error", "[apps][check]") {
+  const Folder folder;
+  const auto only = [&](const std::string& program, const std::string& place,
+                        const std::string& control) {
+    for (const char* dialect : {"--dialect linuxcnc", "--dialect fanuc"}) {
+      const std::string out = check(folder, program, dialect).out;
+      CAPTURE(out);
+      CHECK(shows(out,
+                  ":1: error: the program is made for ...; softcnc reads G-code "
+                  "as LinuxCNC and FANUC's controls do [SC2383]\n"));
+      CHECK(out.starts_with("p.nc:" + place + ": error: the program is made for " + control + ";"));
+      CHECK(out.find("SC", out.find("SC2383") + 1) == std::string::npos);
+    }
+  };
+  only(
+      "0 BEGIN PGM PART MM\n1 BLK FORM 0.1 Z X+0 Y+0 Z-20\n2 L X+0 Y+0 R0 FMAX M3\n"
+      "3 END PGM PART MM\n",
+      "1:1", "a Heidenhain control, in Klartext");
+  only(
+      "N10 G17 G54 G90\nN20 MSG(\"roughing\")\nN30 DEF REAL DEPTH=5\nN40 G0 X=R1 Y=R2\n"
+      "N50 CYCLE81(10,0,2,-5)\nN60 M30\n",
+      "2:1", "a Sinumerik control");
+  only("G28\nM104 S200\nG92 E0\nG1 X91 Y92 F3600\nG1 X92 Y91 E0.02\nG1 X93 Y91 E0.04\n", "2:1",
+       "a 3-D printer");
+  only("$PART.MIN%\nO1000\nG15 H1\nNAT01\nV1=10\nCALL O2000\nM02\n", "1:1", "an Okuma control");
+}
+
+TEST_CASE("a program with one word of another control is read as G-code", "[apps][check]") {
+  const Folder folder;
+  for (const char* program :
+       {"G1 X10 F100\nMSG(\"hello\")\nX20 Y\nM30\n", "G1 X10 E5 F100\nX20 Y\nM30\n",
+        "M104\nG1 X10 F100\nM84\nX20 Y\nM30\n"}) {
+    const std::string out = check(folder, program).out;
+    CAPTURE(out);
+    CHECK(out.find("SC2383") == std::string::npos);
+    CHECK(shows(out, "error: no number after Y... [SC1002]"));
+  }
+}

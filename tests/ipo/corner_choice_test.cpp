@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/corner_choice.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "support/run.hpp"
+
+using namespace softcnc;
+using test::polyline;
+using test::run;
+
+namespace {
+
+struct Setting {
+  double acceleration, jerk, period;
+};
+
+Machine machine_of(const Setting& setting) {
+  Machine machine;
+  machine.control.period = setting.period;
+  for (Axis& axis : machine.axes) {
+    axis.acceleration = setting.acceleration;
+    axis.jerk = setting.jerk;
+  }
+  return machine;
+}
+
+/// Two corners by `angle`, to the left and to the right.
+std::vector<Block> corners(double angle, double feed, double tolerance) {
+  const AxisVector turned(10 + 10 * std::cos(angle), 10 * std::sin(angle), 0);
+  auto blocks = polyline({{0, 0, 0}, {10, 0, 0}, turned, turned + AxisVector(10, 0, 0)}, feed);
+  for (Block& block : blocks) {
+    std::get<Move>(block.what).corner_tolerance = tolerance;
+    std::get<Move>(block.what).chord_tolerance = tolerance;
+  }
+  return blocks;
+}
+
+}  // namespace
+
+TEST_CASE("rounding corners never takes longer than resting in them", "[corner_choice][property]") {
+  const Setting settings[]{{1000, 0, 1e-3},     {5000, 0, 1e-3},      {1000, 0, 4e-3},
+                           {5000, 0, 4e-3},     {1000, 50'000, 1e-3}, {2000, 20'000, 1e-3},
+                           {3000, 60'000, 1e-3}};
+  int rounded = 0, rests = 0;
+  for (const Setting& setting : settings)
+    for (const double degrees : {20.0, 45.0, 90.0, 120.0, 140.0})
+      for (const double feed : {10.0, 50.0, 100.0}) {
+        const Machine machine = machine_of(setting);
+        const double angle = degrees * std::numbers::pi / 180;
+        const double exactly = run(machine, corners(angle, feed, 0)).time;
+        for (const double tolerance : {0.001, 0.005, 0.01, 0.05}) {
+          CAPTURE(setting.acceleration, setting.jerk, setting.period, degrees, feed, tolerance);
+          const auto result = run(machine, corners(angle, feed, tolerance));
+          // With limits of jerk what a rest costs is estimated, to 0.2 %.
+          CHECK(result.time <= exactly * (setting.jerk > 0 ? 1.002 : 1.001));
+          CHECK(test::exceeded(machine, result) == "");
+          ++(result.deviation.off > 0.5 * tolerance ? rounded : rests);
+        }
+      }
+  CHECK(rounded > 150);
+  CHECK(rests > 50);
+}
+
+TEST_CASE("a corner that is passed at the feed is rounded, however little a rest would cost",
+          "[corner_choice]") {
+  const Machine machine = machine_of({1000, 0, 1e-3});
+  const auto result = run(machine, corners(0.05, 2, 0.01));
+  CHECK(result.deviation.off == Approx(0.01).epsilon(0.05));
+  CHECK(result.time_by_limit.at(Limit::feed) > 0.999 * (result.time - 0.01));
+}
+
+TEST_CASE("what makes a curve slower makes a rest the better choice", "[corner_choice]") {
+  const ipo::RoundedCorner corner{0.085, {1, 0, 0}, {-23, 23, 0}, {800, 800, 0}, 100};
+  Machine machine;  // 90 degrees within 10 um, at 1000 mm/s^2 and 1 ms
+  CHECK(ipo::CornerChoice(machine).is_sooner(corner));
+  machine.control.period = 4e-3;
+  CHECK_FALSE(ipo::CornerChoice(machine).is_sooner(corner));
+  machine = machine_of({5000, 0, 1e-3});  // the chord holds, not the axes
+  CHECK_FALSE(ipo::CornerChoice(machine).is_sooner(corner));
+  machine.control.chord_tolerance = 0.01;
+  CHECK(ipo::CornerChoice(machine).is_sooner(corner));
+}
