@@ -67,14 +67,25 @@ std::string feed_text(double mm_s) {
   return fmt::format("F{:.6g}", std::round(feed / unit) * unit);
 }
 
-/// The feeds at which about kGoal is left.
-std::string feeds_text(const ContourReport& report, const Gains& loop) {
+/// mm/s along the path: no move is faster.
+double fastest(const Machine& machine) {
+  double squares = 0;
+  for (const Axis& axis : machine.axes)
+    if (axis.present) squares += axis.velocity * axis.velocity;
+  return std::sqrt(squares);
+}
+
+/// The feeds at which about kGoal is left, as far as the machine can be faster.
+std::string feeds_text(const ContourReport& report, const Machine& machine, const Gains& loop) {
+  const auto matters = [most = fastest(machine), &loop](double lag) {
+    return lag > 0 && lag * loop.least < most;
+  };
   std::vector<std::string> feeds;
-  if (report.bend_lag > 0)
+  if (matters(report.bend_lag))
     feeds.push_back(fmt::format("at {} in the sharpest bend (R {:.3g} mm)",
                                 feed_text(report.bend_lag * loop.least),
                                 report.bend_lag * report.bend_lag / (2 * ContourReport::kGoal)));
-  if (report.corner_lag > 0)
+  if (matters(report.corner_lag))
     feeds.push_back(fmt::format("at {} at corners", feed_text(report.corner_lag * loop.least)));
   if (loop.least != loop.largest)
     feeds.push_back(fmt::format("at {} on lines", feed_text(2 * ContourReport::kGoal /
@@ -91,7 +102,7 @@ std::string explanation(const ContourReport& report, const Machine& machine) {
       "\n  v^2/(2 R Kv^2){}, and rounds corners.",
       loop.least, circle_text(report.cutting, loop.least));
   if (loop.least != loop.largest) text += unequal_text(loop);
-  return text + feeds_text(report, loop);
+  return text + feeds_text(report, machine, loop);
 }
 
 }  // namespace

@@ -240,6 +240,7 @@ PathPieces::Nearest PathPieces::nearest(const AxisVector& point, double from, do
       bar = (best.s > from ? best.distance : beside(first, from, point)) - kSame;
     i = beyond(piece.s1 + std::max(off - bar, 0.0), i + 1);
   }
+  if (best.s == from) best.distance = beside(first, from, point);
   return best;
 }
 

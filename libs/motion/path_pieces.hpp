@@ -59,7 +59,8 @@ class PathPieces {
   };
   /// The point nearest to `point` between the arc lengths `from` and `to`, mm. Where the path comes
   /// back the way it went, the first one: a later pass has to be nearer by 0.01 um, and where
-  /// `from` is up to 5 um ahead of the point, nearer than the tangent there. What lies before
+  /// `from` is up to 5 um ahead of the point, nearer than the tangent there, from which the
+  /// distance counts then: the path has passed the point. What lies before
   /// `from` may be forgotten. Expects not empty().
   Nearest nearest(const AxisVector& point, double from, double to) noexcept;
 

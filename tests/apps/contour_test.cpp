@@ -155,3 +155,8 @@ TEST_CASE("where the gains of the axes differ, that is said", "[apps][contour]")
   CHECK(line.ended.err.find("The gains of the axes differ, from 25 to 30 1/s") !=
         std::string::npos);
 }
+
+TEST_CASE("on a line to and fro the tool is never off", "[apps][contour]") {
+  const Run there = run("G21 G90\nG1 X5 F1000\nX0\nX5\nX0\nM2\n", "");
+  CHECK(there.report["contour_error_um_max"].get<double>() < 0.02);
+}
