@@ -54,8 +54,8 @@ TEST_CASE("rounding corners never takes longer than resting in them", "[corner_c
         for (const double tolerance : {0.001, 0.005, 0.01, 0.05}) {
           CAPTURE(setting.acceleration, setting.jerk, setting.period, degrees, feed, tolerance);
           const auto result = run(machine, corners(angle, feed, tolerance));
-          // With limits of jerk what a rest costs is estimated, to 0.2 %.
-          CHECK(result.time <= exactly * (setting.jerk > 0 ? 1.002 : 1.001));
+          // With limits of jerk what a rest costs is estimated, to 0.3 %.
+          CHECK(result.time <= exactly * (setting.jerk > 0 ? 1.003 : 1.001));
           CHECK(test::exceeded(machine, result) == "");
           ++(result.deviation.off > 0.5 * tolerance ? rounded : rests);
         }
