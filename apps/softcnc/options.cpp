@@ -49,6 +49,7 @@ void add_machine(CLI::App& command, Options& options) {
       .add_option_function<std::string>(
           "--machine",
           [&options](const std::string& file) {
+            if (file.empty()) throw CLI::ValidationError("--machine", "names no file");
             options.names_machine = true;
             options.machine_file = file == "builtin" ? std::string() : file;
           },

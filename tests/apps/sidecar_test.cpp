@@ -151,6 +151,11 @@ TEST_CASE("a state file is no machine file", "[apps][sidecar]") {
       ":1:1: error: 'schema' stands in state files: this is none of a machine [SC7020]\n"));
 }
 
+TEST_CASE("a machine file without a name is wrong usage", "[apps][sidecar]") {
+  const Beside beside;
+  CHECK(beside.in_it("$softcnc check --machine '' p.nc").status == 2);
+}
+
 TEST_CASE("a machine beside a program writes no file and opens no port", "[apps][sidecar]") {
   struct Case {
     const char* backend;
