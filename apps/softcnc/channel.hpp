@@ -205,7 +205,7 @@ class Channel {
   RunTimes times_;                    // of what has been forgotten
   Limit limit_before_ = Limit::stop;  // of the last row
   bool started_ = false, stopping_ = false;
-  bool replanned_ = false;   // the interpolator has not been told
+  bool replanned_ = false;   // the interpolator does not know of it yet
   double quiet_start_ = -1;  // s: when that block begins
   ipo::QuietStretch quiet_;  // of the present block, from the instant on at which it was looked at
   std::exception_ptr broken_;
