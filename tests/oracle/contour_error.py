@@ -5,7 +5,8 @@
     tests/oracle/contour_error.py TRACE.csv CURVE.json
 
 The program is expected to go straight from the first row to the start of the curve, and then along the curve. Each
-row's actual position is held against the path between the last nearest point and 1 mm beyond the commanded point.
+row's actual position is held against the path between the last nearest point and 1 mm beyond the commanded point;
+where it has swung back from the last nearest point by less than 5 um, against the tangent there.
 Shows, in um: the largest error on the curve and its time, the rms there, the same on the approach, and by how much
 the column contour_um differs from this at most.
 """
@@ -20,6 +21,7 @@ import curves
 AHEAD = 1.0         # mm of path beyond the commanded point
 SPACING = 2e-3      # mm of path from sample to sample, in the mean
 LEAST = 400         # samples between two breaks
+SWING = 5e-3        # mm
 
 
 @dataclass(frozen=True)
@@ -76,6 +78,16 @@ def to_segments(point, points, s, first, window):
     return np.linalg.norm(point - a - ((at - s[first]) / length)[:, None] * way, axis=1), at
 
 
+def beside(point, foot, points, s):
+    """The distance of a point from the path at a foot that it may have swung back from."""
+    i = min(np.searchsorted(s, foot, side="right") - 1, len(s) - 2)
+    way = points[i + 1] - points[i]
+    off = points[i] + (foot - s[i]) / (s[i + 1] - s[i]) * way - point
+    ahead = off @ way / np.linalg.norm(way)
+    distance = np.linalg.norm(off)
+    return np.sqrt(max(distance**2 - ahead**2, 0)) if 0 < ahead < SWING else distance
+
+
 def contour_errors(rows, points, s):
     """mm of each row, and the arc length of its nearest point."""
     error, foot = np.zeros(len(rows.s)), np.zeros(len(rows.s))
@@ -89,7 +101,10 @@ def contour_errors(rows, points, s):
         if len(first) == 0:
             first = np.array([len(s) - 2])
         off, at = to_segments(actual, points, s, first, window)
+        stays = at[off.argmin()] == last
         error[i], last = off.min(), at[off.argmin()]
+        if stays:
+            error[i] = beside(actual, last, points, s)
         foot[i] = last
     return error, foot
 

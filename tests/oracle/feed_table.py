@@ -57,7 +57,8 @@ class Setting:
         return f"F{self.feed:.0f}, {self.period_ms:g} ms, {self.chord_um:g} µm"
 
     def options(self):
-        values = {"control.period_ms": self.period_ms, "control.chord_tolerance_um": self.chord_um,
+        values = {"control.period_ms": self.period_ms, "control.servo_period_ms": self.period_ms,
+                  "control.chord_tolerance_um": self.chord_um,
                   "control.interpolation": self.method}
         for axis in "xyz":
             values[f"axis.{axis}.acceleration_mm_s2"] = self.acceleration
