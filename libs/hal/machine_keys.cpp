@@ -220,6 +220,8 @@ const MachineKey kKeys[] = {
 
     {"program.block_limit", "", "lines that one loop, or one call with all it calls, may run; more count as an endless loop, an error",
      Whole{in_part<&Machine::program, &ProgramLimits::block_limit>, {1, 1e9}}},
+    {"program.motion_limit_h", "h", "longest motion of a program; one that moves for longer is refused; 0: none is",
+     Number{in_part<&Machine::program, &ProgramLimits::motion_limit>, s_from_h, h_from_s, at_least_0(1e9)}},
 
     {"tool.*.radius_mm", "mm", "radius of the cutter",
      Number{in_tool<&Tool::radius>, same, same, at_least_0(1e4)}},

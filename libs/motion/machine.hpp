@@ -182,6 +182,7 @@ struct HalStream {
 
 struct ProgramLimits {
   int block_limit = 2'000'000;  // lines that one loop, or one call with all it calls, may run
+  double motion_limit = 3.6e7;  // s: a program that moves for longer is refused; 0: none is
 };
 
 struct Tool {
