@@ -5,6 +5,7 @@
 
 #include "support/curves.hpp"
 #include "support/figures.hpp"
+#include "support/sanitized.hpp"
 
 using namespace softcnc;
 using namespace softcnc::test;
@@ -52,6 +53,7 @@ Machine machine_with(double acceleration, double jerk, double period = 1e-3) {
 }
 
 std::vector<Machine> machines() {
+  if (kSanitized) return {machine_with(2000, 20'000)};
   return {machine_with(1000, 0), machine_with(1000, 50'000), machine_with(2000, 20'000),
           machine_with(1000, 5'000, 4e-3)};
 }
