@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "ipr/gcode_table.hpp"
 #include "messages.hpp"
+#include "standard_error.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -102,7 +103,7 @@ int codes(const Options& options) {
     const std::string text = found(upper(word));
     out.write(text);
     if (!text.empty()) continue;
-    fmt::print(stderr, "softcnc: no code is called '{}'\n", word);
+    write_to_stderr("softcnc: no code is called '" + word + "'\n");
     status = kWrongUsage;
   }
   const int written = out.finish();

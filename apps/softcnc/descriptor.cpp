@@ -5,22 +5,22 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <system_error>
 #include <utility>
 
+#include "hal/temporary_file.hpp"
+
 namespace softcnc::app {
 namespace {
 
-tl::unexpected<Diagnostic> no_temporary_file(const std::error_code& error) {
-  return tl::make_unexpected(Diagnostic{
-      Code::SC6003, {}, "cannot be kept in a temporary file: " + error.message(), {}, {}});
-}
-
 tl::unexpected<Diagnostic> no_temporary_file() {
-  return no_temporary_file({errno, std::generic_category()});
+  return tl::make_unexpected(
+      Diagnostic{Code::SC6003,
+                 {},
+                 "cannot be kept in a temporary file: " + std::generic_category().message(errno),
+                 {},
+                 {}});
 }
 
 }  // namespace
@@ -41,20 +41,8 @@ void wait_for_input(int descriptor) {
   ::poll(&source, 1, -1);
 }
 
-Result<std::string> temporary_name() {
-  std::error_code error;
-  const auto directory = std::filesystem::temp_directory_path(error);
-  if (error) return no_temporary_file(error);
-  return directory / "softcnc-XXXXXX";
-}
-
 Result<Descriptor> unlinked_file() {
-  auto name = temporary_name();
-  if (!name) return tl::make_unexpected(std::move(name.error()));
-  Descriptor file(::mkstemp(name->data()));
-  if (*file < 0) return no_temporary_file();
-  ::unlink(name->c_str());
-  return file;
+  return hal::open_unnamed().map([](int number) { return Descriptor(number); });
 }
 
 Status write_all(const Descriptor& file, std::string_view bytes) {

@@ -25,9 +25,6 @@ class Descriptor {
 /// Returns when there is something to read.
 void wait_for_input(int descriptor);
 
-/// A name for mkstemp() or mkdtemp() in the folder for temporary files. Errors: SC6003.
-Result<std::string> temporary_name();
-
 /// An empty file that vanishes with its descriptor. Errors: SC6003.
 Result<Descriptor> unlinked_file();
 

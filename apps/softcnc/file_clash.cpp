@@ -84,7 +84,9 @@ std::string file_clash(const Options& options, const Machine& machine) {
 }
 
 std::vector<std::string> written_files(const Options& options, const Machine& machine) {
-  return {options.trace, options.report, options.output, written_by(machine).name};
+  const bool writes_state = options.command == Command::run && !options.dry_run;
+  return {options.trace, options.report, options.output, writes_state ? options.state : "",
+          written_by(machine).name};
 }
 
 }  // namespace softcnc::app

@@ -144,6 +144,7 @@ int latency(const Options& options) {
                           : consequences(pace_of(lateness, *machine), *machine)));
   status = worse_status(status, out.finish());
   if (options.report.empty()) return status;
+  clear_leftovers(options.report);
   const auto written =
       hal::write_file(options.report, report_of(lateness, period, left_out, rights, *machine));
   if (!written) return worse_status(status, failed(written.error()));

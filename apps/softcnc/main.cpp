@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Where it starts: the command line chooses a command.
-#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/sinks/base_sink.h>
 #include <spdlog/spdlog.h>
 
 #include <csignal>
 #include <exception>
+#include <memory>
 #include <variant>
 
 #include "commands.hpp"
 #include "messages.hpp"
+#include "out_of_memory.hpp"
+#include "rest_on_signal.hpp"
+#include "standard_error.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -18,17 +22,41 @@ bool owns_stderr(const Options& options) {
   return options.diagnostics != DiagnosticsFormat::text && options.command != Command::check;
 }
 
-/// Words for a person go to stderr as they are.
+/// Words for a person on their way to standard error.
+class Words final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
+ protected:
+  void sink_it_(const spdlog::details::log_msg& message) override {
+    spdlog::memory_buf_t text;
+    formatter_->format(message, text);
+    write_to_stderr({text.data(), text.size()});
+  }
+  void flush_() override {}
+};
+
+/// They go there as they are.
 void set_up_words(const Options& options) {
-  spdlog::set_default_logger(spdlog::stderr_logger_st("softcnc"));
+  spdlog::set_default_logger(
+      std::make_shared<spdlog::logger>("softcnc", std::make_shared<Words>()));
   spdlog::set_pattern("%v");
   if (options.quiet) spdlog::set_level(spdlog::level::warn);
   if (options.verbose) spdlog::set_level(spdlog::level::debug);
   if (owns_stderr(options)) spdlog::set_level(spdlog::level::off);
 }
 
-int report_defect(const std::exception& error) {
-  return failed({softcnc::Code::SC9001, {}, error.what(), {}, {}});
+/// What nobody has expected: memory or threads that there are no more of, or a defect.
+int report_exception(const std::exception& error) {
+  if (const std::string lacking = lacking_resource(error); !lacking.empty())
+    return failed({Code::SC6004, {}, lacking, {}, {}});
+  return failed({Code::SC9001, {}, error.what(), {}, {}});
+}
+
+/// What fails is reported by the call that fails, not by a signal; and files that are being written
+/// are removed, however softcnc ends.
+void set_up_signals() {
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond the limit of its size
+  leave_no_parts_on_signal();
+  end_well_out_of_memory();
 }
 
 int dispatch(const Options& options) {
@@ -58,7 +86,8 @@ int dispatch(const Options& options) {
 }
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of the write that meets it
+  occupy_standard_descriptors();
+  set_up_signals();
   const auto parsed = parse_command_line(argc, argv);
   if (const int* status = std::get_if<int>(&parsed)) return *status;
   const auto& options = std::get<Options>(parsed);
@@ -68,10 +97,9 @@ int main(int argc, char** argv) {
   try {
     status = dispatch(options);
   } catch (const std::exception& error) {
-    status = report_defect(error);
+    status = report_exception(error);
   }
-  end_document(status);
-  return status;
+  return end_document(status);
 }
 
 }  // namespace
@@ -81,6 +109,6 @@ int main(int argc, char** argv) {
   try {
     return softcnc::app::main(argc, argv);
   } catch (const std::exception& error) {  // of the command line
-    return softcnc::app::report_defect(error);
+    return softcnc::app::report_exception(error);
   }
 }

@@ -5,16 +5,17 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <utility>
+
+#include "hal/leftovers.hpp"
+#include "standard_error.hpp"
 
 namespace softcnc::app {
 namespace {
 
 constexpr std::size_t kBuffer = 65536;
-
-void write_to_stderr(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+constexpr int kNotWritten = 5;  // exit status
 
 /// The text of a line of a called file; empty if it cannot be read.
 std::string line_of(const Diagnostic& diagnostic) {
@@ -39,9 +40,15 @@ std::string coloured(const Diagnostic& diagnostic) {
   return text.replace(at, plain.size(), fmt::format("{}{}\033[0m", on, plain));
 }
 
-/// Of this process; null where diagnostics are text.
-std::unique_ptr<DiagnosticDocument>& document_on_stderr() {
-  static std::unique_ptr<DiagnosticDocument> document;
+/// Standard error as one document; null where diagnostics are text.
+struct StderrDocument {
+  std::unique_ptr<DiagnosticDocument> document;
+  bool written = true;
+};
+
+/// Of this process.
+StderrDocument& on_stderr() {
+  static StderrDocument document;
   return document;
 }
 
@@ -59,7 +66,7 @@ Messages::Messages(const std::function<void()>& clear)
             write_to_stderr(text);
           },
           colourful(STDERR_FILENO)) {
-  document_ = document_on_stderr().get();
+  document_ = on_stderr().document.get();
 }
 
 void Messages::show(const Diagnostic& diagnostic) {
@@ -101,13 +108,22 @@ int Messages::fail(std::vector<Diagnostic> faults) {
 int failed(const Diagnostic& diagnostic) { return Messages().fail(diagnostic); }
 int failed(const std::vector<Diagnostic>& faults) { return Messages().fail(faults); }
 
-void begin_document(DiagnosticsFormat format) {
-  document_on_stderr() = make_document(format, write_to_stderr);
+void clear_leftovers(const std::string& file) {
+  Messages messages;
+  for (const Diagnostic& note : hal::remove_leftovers(file)) messages.show(note);
 }
 
-void end_document(int status) {
-  const auto document = std::move(document_on_stderr());
-  if (document) document->finish(status);
+void begin_document(DiagnosticsFormat format) {
+  on_stderr().document = make_document(format, [](std::string_view text) {
+    on_stderr().written = on_stderr().written && write_to_stderr(text);
+  });
+}
+
+int end_document(int status) {
+  const auto document = std::move(on_stderr().document);
+  if (!document) return status;
+  document->finish(status);
+  return on_stderr().written ? status : worse_status(status, kNotWritten);
 }
 
 [[gnu::hot]] void StandardOutput::write(std::string_view text) {

@@ -68,10 +68,14 @@ class Messages {
 int failed(const Diagnostic& diagnostic);
 int failed(const std::vector<Diagnostic>& faults);
 
+/// Removes what runs that were killed have left of a file that is to be written; a note names it.
+void clear_leftovers(const std::string& file);
+
 /// From here on standard error is one document: whatever would be shown there is added to it.
 void begin_document(DiagnosticsFormat format);
-/// Completes it, if there is one; `status` is the exit status of the command.
-void end_document(int status);
+/// Completes it, if there is one. `status` is the exit status of the command; that which it ends
+/// with is returned: 5 counts where not all of the document could be written.
+int end_document(int status);
 
 /// Data for standard output, in a buffer. After an error what follows is dropped.
 class StandardOutput {

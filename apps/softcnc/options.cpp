@@ -22,6 +22,7 @@
 #include "motion/machine.hpp"
 #include "motion/spelling.hpp"
 #include "motion/units.hpp"
+#include "standard_error.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -383,7 +384,7 @@ constexpr CommandRow kCommands[] = {
 };
 
 int refuse(const std::string& reason) {
-  fmt::print(stderr, "{}\nRun with --help for more information.\n", reason);
+  write_to_stderr(reason + "\nRun with --help for more information.\n");
   return kWrongUsage;
 }
 

@@ -17,7 +17,6 @@
 #include "preflight.hpp"
 #include "repeated_errors.hpp"
 #include "report_json.hpp"
-#include "rest_on_signal.hpp"
 #include "summary.hpp"
 #include "terminal.hpp"
 #include "time_text.hpp"
@@ -46,7 +45,7 @@ class Performer {
   Performer(Job& job, const Options& options, Messages& messages, Terminal& terminal)
       : job_(job), options_(options), messages_(messages), terminal_(terminal) {}
 
-  Performance move(const std::string& trace, double total);
+  Performance move(const TracePlace& trace, double total);
 
  private:
   Performance refused(const Diagnostic& diagnostic) const;
@@ -56,6 +55,7 @@ class Performer {
   bool by_the_clock() const;
   void judge(Diagnostics& diagnostics);
   void judge_punctuality();
+  bool is_dropped(const std::string& file) const;
   void close(TraceRows& rows, const std::string& trace);
   void close(hal::Backend& backend);
   void settle(const Status& finished, WrittenFile file);
@@ -88,18 +88,19 @@ void Performer::note_missing_fifo() {
                   {}});
 }
 
-Performance Performer::move(const std::string& trace, double total) {
+Performance Performer::move(const TracePlace& trace, double total) {
   note_missing_fifo();
   auto backend = hal::open_backend(options_.dry_run ? without_backend(job_.machine) : job_.machine,
                                    PacedPlayer::open);
   if (!backend) return refused(backend.error());
-  auto rows = open_trace(trace, job_.program, job_.machine, **backend);
+  auto rows = trace.packed ? packed_trace(*trace.packed, job_.program, job_.machine, **backend)
+                           : open_trace(trace.file, job_.program, job_.machine, **backend);
   if (!rows) return refused(rows.error());
   terminal_.begin(options_.dry_run ? "planning" : "running", total);
   performance_.moved = true;
   run(**backend, *rows);
   close(**backend);
-  close(*rows, trace);
+  close(*rows, trace.file);
   return std::move(performance_);
 }
 
@@ -169,13 +170,21 @@ void Performer::judge_punctuality() {
   performance_.status = worse_status(performance_.status, exit_status(missed));
 }
 
+/// After an error in program or output a file is not whole, and what it would replace stays. What
+/// has gone down a pipe has gone.
+bool Performer::is_dropped(const std::string& file) const {
+  return performance_.ending == Ending::error && hal::is_replaced(file);
+}
+
 void Performer::close(TraceRows& rows, const std::string& trace) {
+  if (is_dropped(trace) && rows.ok()) return;  // otherwise its error is still to be shown
   if (performance_.outcome.end == Outcome::End::done) rows.add_hash_of(job_.program);
-  settle(rows.finish(), {"trace", options_.command == Command::record ? "" : trace});
+  settle(rows.finish(), {"trace", trace});
 }
 
 void Performer::close(hal::Backend& backend) {
-  settle(backend.finish(), backend_output(options_.dry_run ? Machine() : job_.machine));
+  WrittenFile output = backend_output(options_.dry_run ? Machine() : job_.machine);
+  if (!is_dropped(output.file)) settle(backend.finish(), std::move(output));
   performance_.tally = backend.tally();
 }
 
@@ -270,7 +279,8 @@ Result<Job> open_job(const Options& options) {
   const Machine& machine = choice->machine;
   if (const std::string clash = file_clash(options, machine); !clash.empty() && moves(options))
     return tl::make_unexpected(Diagnostic{Code::SC7072, {}, clash, options.machine_file, {}});
-  leave_no_parts_on_signal(written_files(options, moves(options) ? machine : Machine()));
+  for (const std::string& file : written_files(options, moves(options) ? machine : Machine()))
+    clear_leftovers(file);
   auto program =
       Program::open(options.files.front(), options.dry_run ? Readings::one : Readings::any);
   if (!program) return tl::make_unexpected(std::move(program.error()));
@@ -287,8 +297,8 @@ std::string_view name(Ending ending) noexcept {
   return names[static_cast<std::size_t>(ending)];
 }
 
-Performance perform(Job& job, const Options& options, const std::string& trace) {
-  Terminal terminal(options.progress, on_terminal(trace), job.machine.control.period);
+Performance perform(Job& job, const Options& options, const TracePlace& trace) {
+  Terminal terminal(options.progress, on_terminal(trace.file), job.machine.control.period);
   Messages messages([&terminal] { terminal.end(); });
   Outcome expected;
   Performance performance;

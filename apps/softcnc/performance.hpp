@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "channel.hpp"
+#include "hal/temporary_file.hpp"
 #include "options.hpp"
 #include "paced_cycle.hpp"
 #include "program.hpp"
@@ -52,9 +53,14 @@ Diagnostic alarm_diagnostic(const Outcome& outcome);
 /// SC5040; SC5041 where the rights were missing. Expects that periods have been missed.
 Diagnostic missed_periods(const Punctuality& punctuality, const std::string& program);
 
-/// Pre-flight (but for a dry run), then motion; the trace goes to `trace` unless that is empty.
-/// Diagnostics are shown.
-Performance perform(Job& job, const Options& options, const std::string& trace);
+/// Where the rows of a run go.
+struct TracePlace {
+  std::string file;                      // empty: nowhere, unless
+  hal::TemporaryFile* packed = nullptr;  // they are for a recording
+};
+
+/// Pre-flight (except for a dry run), then motion; the rows go to `trace`. Diagnostics are shown.
+Performance perform(Job& job, const Options& options, const TracePlace& trace);
 
 /// The report where one is asked for, and the summary, which names what has been written. Returns
 /// the exit status of it all.

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
+
+#include "standard_error.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -69,8 +71,7 @@ void Progress::draw(double time, int line) {
   } else {
     text = fmt::format("{}  {} so far", text, duration_text(time));
   }
-  fmt::print(stderr, "\r{} {}\033[K", label_, text);
-  std::fflush(stderr);
+  display_on_stderr(fmt::format("\r{} {}\033[K", label_, text));
   drawn_ = true;
 }
 
@@ -81,13 +82,12 @@ void Progress::write_json(bool done) const {
     row["percent"] = std::clamp(100 * time_ / total_, 0.0, 100.0);
   }
   if (done) row["done"] = true;
-  fmt::print(stderr, "{}\n", row.dump());
+  display_on_stderr(row.dump() + '\n');
 }
 
 void Progress::clear() {
   if (!std::exchange(drawn_, false)) return;
-  fmt::print(stderr, "\r\033[K");
-  std::fflush(stderr);
+  display_on_stderr("\r\033[K");
 }
 
 std::string duration_text(double seconds) {

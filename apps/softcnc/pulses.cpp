@@ -161,6 +161,7 @@ int pulses(const Options& options) {
   out.write(list.table());
   status = worse_status(status, out.finish());
   if (options.report.empty()) return status;
+  clear_leftovers(options.report);
   const auto written = hal::write_file(options.report, list.report());
   if (!written) return worse_status(status, failed(written.error()));
   spdlog::info("report written to {}", options.report);

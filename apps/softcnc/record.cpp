@@ -17,13 +17,13 @@ bool worth_keeping(const Performance& performance) {
 }
 
 void keep(Job& job, hal::OutputFile& file, const std::string& to, Performance& performance,
-          const TemporaryFolder& folder) {
+          const hal::TemporaryFile& trace) {
   RecordingMeta meta;
   meta.rows = performance.outcome.setpoints;
   meta.options = job.options;
   for (const std::string& name : performance.outcome.called_files)
     meta.called.push_back({name, {}});
-  const Status written = write_recording(file, job.program, job.machine, meta, folder);
+  const Status written = write_recording(file, job.program, job.machine, meta, trace);
   if (written)
     performance.written.push_back({"recording", to});
   else
@@ -37,11 +37,11 @@ int record(const Options& options) {
   if (!job) return failed(job.error());
   const auto file = hal::OutputFile::open(options.output);  // before anything moves
   if (!file) return failed(file.error());
-  const auto folder = TemporaryFolder::make();
-  if (!folder) return failed(folder.error());
-  Performance performance = perform(*job, options, folder->file("trace.csv.zst"));
+  auto trace = hal::TemporaryFile::make();
+  if (!trace) return failed(trace.error());
+  Performance performance = perform(*job, options, {"", &*trace});
   const bool kept = worth_keeping(performance);
-  if (kept) keep(*job, **file, options.output, performance, *folder);
+  if (kept) keep(*job, **file, options.output, performance, *trace);
   const int status = conclude(*job, options, performance);
   if (performance.moved && !kept)
     spdlog::warn("no recording is kept of a run that did not come to its end");

@@ -49,14 +49,23 @@ Result<std::string> hash_of_file(const std::string& file) {
   return hasher.hex();
 }
 
-Status copy_program(Program& program, const std::string& to) {
-  std::ofstream out(to, std::ios::binary);
-  program.for_each_piece([&](std::string_view piece) {
-    out.write(piece.data(), static_cast<std::streamsize>(piece.size()));
+Result<std::string> hash_of(const hal::TemporaryFile& file) {
+  hal::Hasher hasher;
+  const Status read = file.for_each_piece([&](std::string_view piece) -> Status {
+    hasher.add(piece);
+    return {};
   });
-  out.close();
-  if (!out) return no_temporary(errno);
-  return {};
+  if (!read) return tl::make_unexpected(read.error());
+  return hasher.hex();
+}
+
+Result<hal::TemporaryFile> copy_of(Program& program) {
+  auto copy = hal::TemporaryFile::make();
+  program.for_each_piece([&](std::string_view piece) {
+    if (!copy) return;
+    if (Status added = copy->add(piece); !added) copy = tl::make_unexpected(added.error());
+  });
+  return copy;
 }
 
 std::string entry_of(const CalledFile& called) { return "called/" + called.name; }
@@ -76,31 +85,20 @@ Status hash_called(const Program& program, std::vector<CalledFile>& files) {
 
 }  // namespace
 
-Status copy_to_output(const std::string& from, hal::OutputFile& output) {
+Status copy_to_output(const hal::TemporaryFile& from, hal::OutputFile& output) {
   const Status copied =
-      for_each_piece_of(from, [&](std::string_view piece) { return output.write(piece); });
+      from.for_each_piece([&](std::string_view piece) { return output.write(piece); });
   return copied ? output.finish() : copied;
 }
 
-Result<TemporaryFolder> TemporaryFolder::make() {
-  auto name = temporary_name();
-  if (!name) return tl::make_unexpected(std::move(name.error()));
-  if (::mkdtemp(name->data()) == nullptr) return no_temporary(errno);
-  return TemporaryFolder(*name);
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-}
-
 Status write_recording(hal::OutputFile& file, Program& program, const Machine& machine,
-                       RecordingMeta meta, const TemporaryFolder& folder) {
-  const std::string trace = folder.file("trace.csv.zst");
-  const std::string copy = folder.file("program"), packed = folder.file("recording");
-  auto trace_hash = hash_of_file(trace);
+                       RecordingMeta meta, const hal::TemporaryFile& trace) {
+  auto trace_hash = hash_of(trace);
   if (!trace_hash) return tl::make_unexpected(std::move(trace_hash.error()));
-  if (Status copied = copy_program(program, copy); !copied) return copied;
+  const auto copy = copy_of(program);
+  if (!copy) return tl::make_unexpected(copy.error());
+  const auto packed = hal::TemporaryFile::make();
+  if (!packed) return tl::make_unexpected(packed.error());
   const std::string machine_text = hal::machine_toml(machine);
   meta.program_name = program.name();
   meta.program_hash = program.hash();
@@ -110,16 +108,16 @@ Status write_recording(hal::OutputFile& file, Program& program, const Machine& m
   meta.state_hash = hal::hash_hex(state_text);
   if (Status hashed = hash_called(program, meta.called); !hashed) return hashed;
 
-  hal::ZipWriter zip(packed);
+  hal::ZipWriter zip(packed->descriptor());
   zip.add_text("meta.json", meta_json(meta));
-  zip.add_file("program", copy, hal::Packing::deflate);
+  zip.add_descriptor("program", copy->descriptor(), hal::Packing::deflate);
   for (const CalledFile& called : meta.called)
     zip.add_file(entry_of(called), path_of(program, called), hal::Packing::deflate);
   zip.add_text("machine.toml", machine_text);
   zip.add_text("state.toml", state_text);
-  zip.add_file("trace.csv.zst", trace, hal::Packing::store);
+  zip.add_descriptor("trace.csv.zst", trace.descriptor(), hal::Packing::store);
   if (Status written = zip.finish(); !written) return written;
-  return copy_to_output(packed, file);
+  return copy_to_output(*packed, file);
 }
 
 Result<Recording> Recording::open(const std::string& file) {

@@ -6,14 +6,15 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "channel.hpp"
 #include "hal/output_file.hpp"
+#include "hal/temporary_file.hpp"
 #include "hal/zip_file.hpp"
 #include "program.hpp"
+#include "temporary_folder.hpp"
 
 namespace softcnc::app {
 
@@ -34,31 +35,14 @@ struct RecordingMeta {
   ChannelOptions options;  // the state in it is that of state.toml
 };
 
-/// A folder that vanishes with all that is in it.
-class TemporaryFolder {
- public:
-  /// Errors: SC6003.
-  static Result<TemporaryFolder> make();
-  TemporaryFolder(TemporaryFolder&&) = default;
-  TemporaryFolder& operator=(TemporaryFolder&&) = default;
-  ~TemporaryFolder();
-
-  std::string file(const std::string& name) const { return path_ / name; }
-  std::string name() const { return path_; }
-
- private:
-  explicit TemporaryFolder(std::filesystem::path path) : path_(std::move(path)) {}
-  std::filesystem::path path_;
-};
-
 /// All of a file into `output`, by the rules of all output files: whole under its name, or not at
 /// all. Errors: SC6003, SC6012, SC6013.
-Status copy_to_output(const std::string& from, hal::OutputFile& output);
+Status copy_to_output(const hal::TemporaryFile& from, hal::OutputFile& output);
 
-/// Writes a recording of a run whose trace lies in `folder` as trace.csv.zst. The hashes of `meta`
+/// Writes a recording of a run whose trace is `trace`, as trace.csv.zst. The hashes of `meta`
 /// are filled in; the names of called files must be there. Errors: SC6003, SC6012, SC6013.
 Status write_recording(hal::OutputFile& file, Program& program, const Machine& machine,
-                       RecordingMeta meta, const TemporaryFolder& folder);
+                       RecordingMeta meta, const hal::TemporaryFile& trace);
 
 class Recording {
  public:

@@ -2,9 +2,6 @@
 // A port at rest, and no half-written files, also when softcnc is ended by a signal.
 #pragma once
 
-#include <span>
-#include <string>
-
 namespace softcnc::app {
 
 class PacedPlayer;
@@ -13,8 +10,11 @@ class PacedPlayer;
 /// nullptr. SIGKILL cannot be caught: then the charge pump stands.
 void rest_on_signal(PacedPlayer* player);
 
-/// From here on, such a signal removes what has been written of these files and has not got their
-/// names yet.
-void leave_no_parts_on_signal(std::span<const std::string> files);
+/// From here on, such a signal removes what has been written of files that have not got their names
+/// yet, and locks that are held.
+void leave_no_parts_on_signal();
+
+/// Both at once, for an end that no signal brings.
+void leave_at_rest() noexcept;
 
 }  // namespace softcnc::app

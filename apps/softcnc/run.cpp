@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `softcnc run`: pre-flight, motion, summary.
 #include "commands.hpp"
+#include "hal/file_lock.hpp"
 #include "machine_memory.hpp"
 #include "messages.hpp"
 #include "performance.hpp"
@@ -17,13 +18,15 @@ void keep_state(MachineMemory& memory, const std::string& file, Performance& per
 }  // namespace
 
 int run(const Options& options) {
+  auto lock = hal::FileLock::take(options.dry_run ? "" : options.state);
+  if (!lock) return failed(lock.error());
   auto job = open_job(options);
   if (!job) return failed(job.error());
   auto memory = MachineMemory::open(options.dry_run ? "" : options.state, job->options.state);
   if (!memory) return failed(memory.error());
   job->options.keeps_state = !options.dry_run && !options.state.empty();
   const std::string trace = options.dry_run && options.trace.empty() ? "-" : options.trace;
-  Performance performance = perform(*job, options, trace);
+  Performance performance = perform(*job, options, {trace});
   if (performance.moved) keep_state(*memory, options.state, performance);
   return conclude(*job, options, performance);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <system_error>
 #include <thread>
 
 namespace softcnc::app {
@@ -41,7 +42,11 @@ void share(int count, unsigned threads, Work&& work) {
     }
   };
   std::vector<std::jthread> helpers;
-  for (unsigned i = 1; i < threads; ++i) helpers.emplace_back(help);
+  try {
+    for (unsigned i = 1; i < threads; ++i) helpers.emplace_back(help);
+  } catch (const std::system_error&) {
+    // The system has no more threads: those that there are do it.
+  }
   help();
   helpers.clear();
   if (reason) std::rethrow_exception(reason);

@@ -16,22 +16,19 @@ namespace {
 /// heights_mm, rmax_um, target_um, met, gouges_um, origin_mm, step_mm, region_mm.
 class SurfaceArrays final : public SurfaceFile {
  public:
-  SurfaceArrays(hal::OutputFile& output, const hal::StockGrid& grid, TemporaryFolder folder)
-      : output_(output),
-        grid_(grid),
-        folder_(std::move(folder)),
-        heights_(heights_file(), grid.rows, grid.columns) {}
+  SurfaceArrays(hal::OutputFile& output, const hal::StockGrid& grid)
+      : output_(output), grid_(grid), heights_(grid.rows, grid.columns) {}
 
   Status add(const SurfaceBand& band) override { return heights_.add(band.heights); }
 
   Status finish(const RoughnessMap& map) override {
-    if (Status kept = heights_.finish(); !kept) return kept;
     const std::int64_t regions[] = {map.rows(), map.columns()};
     const std::int64_t axes[] = {kAxes};
     const double region = map.side() * grid_.step;
-    const std::string packed = folder_.file("surface.npz");
-    hal::ZipWriter zip(packed);
-    zip.add_file("heights_mm.npy", heights_file(), hal::Packing::store);
+    const auto packed = hal::TemporaryFile::make();
+    if (!packed) return tl::make_unexpected(packed.error());
+    hal::ZipWriter zip(packed->descriptor());
+    zip.add_descriptor("heights_mm.npy", heights_.descriptor(), hal::Packing::store);
     zip.add_text("rmax_um.npy", hal::npy(std::span<const float>(map.rmax()), regions));
     zip.add_text("target_um.npy", hal::npy(std::span<const float>(map.targets()), regions));
     zip.add_text("met.npy", hal::npy(std::span<const float>(map.met()), regions));
@@ -40,15 +37,12 @@ class SurfaceArrays final : public SurfaceFile {
     zip.add_text("step_mm.npy", hal::npy(std::span(&grid_.step, 1), {}));
     zip.add_text("region_mm.npy", hal::npy(std::span(&region, 1), {}));
     if (Status written = zip.finish(); !written) return written;
-    return copy_to_output(packed, output_);
+    return copy_to_output(*packed, output_);
   }
 
  private:
-  std::string heights_file() const { return folder_.file("heights_mm.npy"); }
-
   hal::OutputFile& output_;
   hal::StockGrid grid_;
-  TemporaryFolder folder_;
   hal::NpyWriter heights_;
 };
 
@@ -96,9 +90,7 @@ Result<std::unique_ptr<SurfaceFile>> open_surface_file(const std::string& name,
                                                        hal::OutputFile& output,
                                                        const hal::StockGrid& grid, int region) {
   if (has_suffix(name, ".png")) return std::make_unique<SurfacePng>(name, output, grid, region);
-  auto folder = TemporaryFolder::make();
-  if (!folder) return tl::make_unexpected(std::move(folder.error()));
-  return std::make_unique<SurfaceArrays>(output, grid, std::move(*folder));
+  return std::make_unique<SurfaceArrays>(output, grid);
 }
 
 }  // namespace softcnc::app

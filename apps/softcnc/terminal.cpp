@@ -6,7 +6,8 @@
 #include <unistd.h>
 
 #include <array>
-#include <cstdio>
+
+#include "standard_error.hpp"
 
 namespace softcnc::app {
 
@@ -25,8 +26,7 @@ void Terminal::pause(const Pause& pause) {
   if (!waits_ || text.empty() || signals_.poll() != 0) return;
   progress_.clear();
   ::tcflush(STDIN_FILENO, TCIFLUSH);
-  fmt::print(stderr, "{}: press Enter ", text);
-  std::fflush(stderr);
+  write_to_stderr(text + ": press Enter ");
   signals_.wait_for_input(STDIN_FILENO);
   if (signals_.poll() != 0) return;
   std::array<char, 256> ignored{};

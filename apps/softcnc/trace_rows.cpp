@@ -3,12 +3,21 @@
 
 #include "contour_rows.hpp"
 #include "hal/machine_file.hpp"
+#include "hal/trace_csv.hpp"
+#include "hal/zstd_sink.hpp"
 
 namespace softcnc::app {
 
 hal::TraceHeader trace_header(Program& program, const Machine& machine) {
   return {machine.control.period, program.streamed() ? "-" : program.hash(),
           hal::hash_hex(hal::machine_toml(machine))};
+}
+
+Result<TraceRows> packed_trace(hal::TemporaryFile& file, Program& program, const Machine& machine,
+                               const hal::Backend& backend) {
+  auto sink = hal::zstd_sink(std::make_unique<hal::TemporarySink>(file));
+  return TraceRows(hal::csv_trace(std::move(sink), trace_header(program, machine), machine,
+                                  row_columns(backend)));
 }
 
 Result<TraceRows> open_trace(const std::string& file, Program& program, const Machine& machine,

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "channel.hpp"
+#include "hal/temporary_file.hpp"
 #include "hal/trace.hpp"
 #include "program.hpp"
 
@@ -17,7 +18,7 @@ class TraceRows final : public RowSink {
 
   bool row(const Setpoint& setpoint, std::span<const double> backend_values) override {
     if (writer_) writer_->row(setpoint, backend_values);
-    return !writer_ || writer_->ok();
+    return ok();
   }
   void rest() override {
     if (writer_) writer_->rest();
@@ -29,6 +30,7 @@ class TraceRows final : public RowSink {
   void add_hash_of(Program& program) {
     if (writer_ && program.streamed()) writer_->add_program_hash(program.hash());
   }
+  bool ok() const noexcept { return !writer_ || writer_->ok(); }
   Status finish() { return writer_ ? writer_->finish() : Status(); }
 
  private:
@@ -36,6 +38,10 @@ class TraceRows final : public RowSink {
 };
 
 hal::TraceHeader trace_header(Program& program, const Machine& machine);
+
+/// As CSV, compressed, into a temporary file that must outlive the rows.
+Result<TraceRows> packed_trace(hal::TemporaryFile& file, Program& program, const Machine& machine,
+                               const hal::Backend& backend);
 
 /// Into a file; nowhere if its name is empty. Errors: those of hal::TraceWriter::open().
 Result<TraceRows> open_trace(const std::string& file, Program& program, const Machine& machine,

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "hal/long_list.hpp"
 
-#include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <system_error>
 #include <utility>
+
+#include "hal/temporary_file.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -18,17 +17,6 @@ namespace {
 tl::unexpected<Diagnostic> failure(int error) {
   return tl::make_unexpected(Diagnostic{
       Code::SC6003, {}, "no temporary file: " + std::generic_category().message(error), {}, {}});
-}
-
-/// A descriptor, or minus the number of an error.
-int open_unnamed() {
-  std::error_code error;
-  std::string name = std::filesystem::temp_directory_path(error) / "softcnc-XXXXXX";
-  if (error) return -error.value();
-  const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
-  if (descriptor < 0) return -errno;
-  ::unlink(name.c_str());
-  return descriptor;
 }
 
 }  // namespace
@@ -48,9 +36,9 @@ OverflowFile::~OverflowFile() {
 
 Status OverflowFile::add(std::span<const std::byte> bytes) {
   if (descriptor_ < 0) {
-    const int opened = open_unnamed();
-    if (opened < 0) return failure(-opened);
-    descriptor_ = opened;
+    auto opened = open_unnamed();
+    if (!opened) return tl::make_unexpected(std::move(opened.error()));
+    descriptor_ = *opened;
   }
   const Status written = put(size_, bytes);
   if (written) size_ += bytes.size();

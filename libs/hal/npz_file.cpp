@@ -2,8 +2,7 @@
 #include "hal/npz_file.hpp"
 
 #include <bit>
-#include <cerrno>
-#include <system_error>
+#include <vector>
 
 namespace softcnc::hal {
 namespace {
@@ -16,16 +15,6 @@ constexpr std::size_t kBeforeText = 10;  // magic, version, length
 template <typename T>
 std::string_view bytes(std::span<const T> values) {
   return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
-}
-
-Status written(const std::ofstream& out) {
-  if (out) return {};
-  return tl::make_unexpected(
-      Diagnostic{Code::SC6003,
-                 {},
-                 "cannot be kept in a temporary file: " + std::generic_category().message(errno),
-                 {},
-                 {}});
 }
 
 }  // namespace
@@ -49,21 +38,13 @@ std::string npy(std::span<const float> values, std::span<const std::int64_t> sha
   return npy_head("<f4", shape).append(bytes(values));
 }
 
-NpyWriter::NpyWriter(const std::string& file, std::int64_t rows, std::int64_t columns)
-    : out_(file, std::ios::binary) {
-  const std::int64_t shape[] = {rows, columns};
-  out_ << npy_head("<f4", shape);
-}
+NpyWriter::NpyWriter(std::int64_t rows, std::int64_t columns)
+    : head_(npy_head("<f4", std::vector{rows, columns})) {}
 
 Status NpyWriter::add(std::span<const float> values) {
-  const std::string_view piece = bytes(values);
-  out_.write(piece.data(), static_cast<std::streamsize>(piece.size()));
-  return written(out_);
-}
-
-Status NpyWriter::finish() {
-  out_.close();
-  return written(out_);
+  if (!file_.is_open())
+    if (Status kept = file_.add(std::as_bytes(std::span<const char>(head_))); !kept) return kept;
+  return file_.add(std::as_bytes(values));
 }
 
 }  // namespace softcnc::hal

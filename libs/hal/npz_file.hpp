@@ -2,11 +2,11 @@
 // Arrays as numpy reads them: .npy files, and a zip of such.
 #pragma once
 
-#include <fstream>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "hal/long_list.hpp"
 #include "motion/result.hpp"
 
 namespace softcnc::hal {
@@ -22,14 +22,17 @@ std::string npy(std::span<const float> values, std::span<const std::int64_t> sha
 /// A float32 array of two dimensions that is written piece by piece.
 class NpyWriter {
  public:
-  NpyWriter(const std::string& file, std::int64_t rows, std::int64_t columns);
+  NpyWriter(std::int64_t rows, std::int64_t columns);
 
   /// Errors: SC6003.
   Status add(std::span<const float> values);
-  Status finish();
+
+  /// Where it stands, in a file without a name.
+  int descriptor() const noexcept { return file_.descriptor(); }
 
  private:
-  std::ofstream out_;
+  std::string head_;
+  OverflowFile file_;
 };
 
 }  // namespace softcnc::hal

@@ -10,12 +10,16 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <utility>
+
+#include "hal/unfinished_file.hpp"
 
 namespace softcnc::hal {
 namespace {
 
-constexpr mode_t kMode = 0666;  // less the umask
-constexpr int kMostLinks = 40;  // as many as the system follows
+constexpr mode_t kMode = 0666;    // less the umask
+constexpr mode_t kRights = 0777;  // of a mode
+constexpr int kMostLinks = 40;    // as many as the system follows
 
 tl::unexpected<Diagnostic> failure(Code code, const std::string& file, std::string_view what) {
   return tl::make_unexpected(
@@ -45,36 +49,57 @@ bool sync_folder_of(const std::string& file) {
   return synced;
 }
 
-int open_for_writing(const std::string& file, int flags) {
-  return ::open(file.c_str(), O_WRONLY | O_CLOEXEC | flags, kMode);
-}
+/// What a new file in the place of another has from it.
+class Replaced {
+ public:
+  explicit Replaced(const std::string& target) : exists_(::stat(target.c_str(), &info_) == 0) {}
+
+  mode_t mode() const noexcept { return exists_ ? info_.st_mode & kRights : kMode; }
+
+  /// Rights of a group that cannot be kept would be those of another one.
+  void hand_over(int descriptor) const {
+    if (!exists_) return;
+    const bool kept = ::fchown(descriptor, info_.st_uid, info_.st_gid) == 0 ||
+                      ::fchown(descriptor, static_cast<uid_t>(-1), info_.st_gid) == 0;
+    const mode_t others = mode() & S_IRWXO;
+    const mode_t rights = kept ? mode() : (mode() & S_IRWXU) | (others << 3U) | others;
+    if (::fchmod(descriptor, rights) != 0) return;  // a file system without rights
+  }
+
+ private:
+  struct stat info_ {};
+  bool exists_;
+};
 
 }  // namespace
 
-OutputFile::OutputFile(std::string name, std::string part, std::string target, int descriptor)
-    : name_(std::move(name)),
-      part_(std::move(part)),
-      target_(std::move(target)),
-      descriptor_(descriptor) {}
-
+/// The object is there before the file is: nothing that fails in between leaves one behind.
 Result<std::unique_ptr<OutputFile>> OutputFile::open(const std::string& file) {
-  const auto make = [&](const std::string& part, const std::string& target, int descriptor) {
-    return std::unique_ptr<OutputFile>(new OutputFile(file, part, target, descriptor));
-  };
-  if (file == "-") return make({}, {}, ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0));
   if (leads_nowhere(file)) return failure(Code::SC6011, file, "cannot be created");
-  const bool direct = written_directly(file);
-  const std::string target = direct ? file : target_of(file);
-  const std::string part = direct ? std::string() : target + ".part";
-  const int descriptor =
-      direct ? open_for_writing(target, 0) : open_for_writing(part, O_CREAT | O_TRUNC);
-  if (descriptor < 0) return failure(Code::SC6011, file, "cannot be created");
-  return make(part, target, descriptor);
+  std::unique_ptr<OutputFile> output(new OutputFile(file));
+  if (file == "-")
+    output->descriptor_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+  else if (written_directly(file))
+    output->descriptor_ = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+  else
+    output->begin(target_of(file));
+  if (output->descriptor_ < 0) return failure(Code::SC6011, file, "cannot be created");
+  return output;
+}
+
+void OutputFile::begin(std::string target) {
+  target_ = std::move(target);
+  const Replaced replaced(target_);
+  UnfinishedFile unfinished = make_unfinished(target_, replaced.mode());
+  if (unfinished.descriptor < 0) return;
+  descriptor_ = unfinished.descriptor;
+  unfinished_ = std::move(unfinished.name);
+  replaced.hand_over(descriptor_);
 }
 
 OutputFile::~OutputFile() {
+  if (!unfinished_.empty()) ::unlink(unfinished_.c_str());  // while it is locked
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (!part_.empty()) ::unlink(part_.c_str());
 }
 
 Status OutputFile::write(std::string_view bytes) {
@@ -88,14 +113,15 @@ Status OutputFile::write(std::string_view bytes) {
   return {};
 }
 
+/// The lock is held until the file has its name: nobody takes it for a leftover.
 Status OutputFile::finish() {
-  if (!part_.empty() && ::fsync(descriptor_) != 0) return failed();
-  const int descriptor = std::exchange(descriptor_, -1);
-  if (::close(descriptor) != 0) return failed();
-  if (part_.empty()) return {};
-  if (std::rename(part_.c_str(), target_.c_str()) != 0) return failed();
-  part_.clear();
-  if (!sync_folder_of(target_)) return failed();
+  if (!unfinished_.empty()) {
+    if (::fsync(descriptor_) != 0) return failed();
+    if (std::rename(unfinished_.c_str(), target_.c_str()) != 0) return failed();
+    unfinished_.clear();
+    if (!sync_folder_of(target_)) return failed();
+  }
+  if (::close(std::exchange(descriptor_, -1)) != 0) return failed();
   return {};
 }
 
@@ -116,9 +142,8 @@ std::string target_of(const std::string& file) {
   return name;
 }
 
-std::string part_of(const std::string& file) {
-  return file.empty() || file == "-" || written_directly(file) ? std::string()
-                                                               : target_of(file) + ".part";
+bool is_replaced(const std::string& file) {
+  return !file.empty() && file != "-" && !written_directly(file);
 }
 
 Status write_file(const std::string& file, std::string_view text) {

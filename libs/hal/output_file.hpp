@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "hal/hash.hpp"  // IWYU pragma: export
 #include "motion/result.hpp"
@@ -21,8 +22,10 @@ class ByteSink {
   virtual Status finish() = 0;
 };
 
-/// A file is written as FILE.part, which finish() syncs and renames; an unfinished one is removed.
-/// What exists and is no regular file (a pipe, /dev/null) is written directly, and "-" is standard
+/// A file is written under a name of its own beside its target (hal/unfinished_file.hpp), which
+/// finish() syncs and renames; an unfinished one is removed, and what was there stays. One that
+/// replaces another takes over its mode and, where that is allowed, its owner and group. What
+/// exists and is no regular file (a pipe, /dev/null) is written directly, and "-" is standard
 /// output. Errors: SC6011 (cannot be created), SC6012 (writing failed), SC6013 (the reader closed
 /// the pipe; only where SIGPIPE is ignored).
 class OutputFile final : public ByteSink {
@@ -37,21 +40,22 @@ class OutputFile final : public ByteSink {
   Status finish() override;
 
  private:
-  OutputFile(std::string name, std::string part, std::string target, int descriptor);
+  explicit OutputFile(std::string name) : name_(std::move(name)) {}
+  void begin(std::string target);
   Status failed() const;
 
-  std::string name_;    // as the user said it
-  std::string part_;    // empty: written directly
-  std::string target_;  // what part_ is renamed to
-  int descriptor_;
+  std::string name_;        // as the user said it
+  std::string unfinished_;  // empty: written directly
+  std::string target_;      // what that is renamed to
+  int descriptor_ = -1;
 };
 
 /// The file that is made or replaced where this name is written to: at the end of symbolic links,
 /// be it there already or not.
 std::string target_of(const std::string& file);
 
-/// FILE.part, as which `file` is written; empty where it is written directly.
-std::string part_of(const std::string& file);
+/// Whether `file` is replaced as a whole, or made; false where it is written directly, or empty.
+bool is_replaced(const std::string& file);
 
 /// All of `text` into `file`, by the same rules.
 Status write_file(const std::string& file, std::string_view text);

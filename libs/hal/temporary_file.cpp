@@ -7,9 +7,8 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
+#include <string>
 #include <system_error>
-#include <utility>
 
 namespace softcnc::hal {
 namespace {
@@ -23,32 +22,57 @@ tl::unexpected<Diagnostic> failure(const std::error_code& error) {
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
+/// For file systems that know no files without a name.
+int open_and_unlink(const std::filesystem::path& folder) {
+  std::string name = folder / "softcnc-XXXXXX";
+  const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor >= 0) ::unlink(name.c_str());
+  return descriptor;
+}
+
 }  // namespace
 
-Result<TemporaryFile> TemporaryFile::make() {
+Result<int> open_unnamed() {
   std::error_code error;
-  std::string name = std::filesystem::temp_directory_path(error) / "softcnc-XXXXXX";
+  const auto folder = std::filesystem::temp_directory_path(error);
   if (error) return failure(error);
-  const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+  int descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_EXCL | O_CLOEXEC, 0600);
+  if (descriptor < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == ENOENT))
+    descriptor = open_and_unlink(folder);
   if (descriptor < 0) return failure(last_error());
-  ::close(descriptor);
-  return TemporaryFile(std::move(name));
+  return descriptor;
+}
+
+Result<TemporaryFile> TemporaryFile::make() {
+  return open_unnamed().map([](int descriptor) { return TemporaryFile(descriptor); });
 }
 
 TemporaryFile::~TemporaryFile() {
-  if (!name_.empty()) ::unlink(name_.c_str());
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+Status TemporaryFile::add(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written >= 0)
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      return failure(last_error());
+  }
+  return {};
 }
 
 Status TemporaryFile::for_each_piece(const std::function<Status(std::string_view)>& take) const {
-  std::ifstream in(name_, std::ios::binary);
   std::string piece(kPiece, '\0');
-  while (in) {
-    in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    const auto size = static_cast<std::size_t>(in.gcount());
-    if (Status taken = take(std::string_view(piece.data(), size)); !taken) return taken;
+  for (off_t at = 0;;) {
+    const ssize_t n = ::pread(descriptor_, piece.data(), piece.size(), at);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return failure(last_error());
+    if (n == 0) return {};
+    const auto size = static_cast<std::size_t>(n);
+    if (Status taken = take(std::string_view(piece).substr(0, size)); !taken) return taken;
+    at += n;
   }
-  if (!in.eof()) return failure(last_error());
-  return {};
 }
 
 }  // namespace softcnc::hal

@@ -1,33 +1,53 @@
 // SPDX-License-Identifier: MIT
-// A file with a name for a short while, for whoever can only write to names.
+// Files without a name: they are gone when their process is, however that ends.
 #pragma once
 
 #include <functional>
-#include <string>
 #include <string_view>
 #include <utility>
 
+#include "hal/output_file.hpp"
 #include "motion/result.hpp"
 
 namespace softcnc::hal {
+
+/// A descriptor of a new empty file in the folder for temporary files, for reading and writing.
+/// Errors: SC6003.
+Result<int> open_unnamed();
 
 class TemporaryFile {
  public:
   /// Empty, in the folder for temporary files. Errors: SC6003.
   static Result<TemporaryFile> make();
-  TemporaryFile(TemporaryFile&& other) noexcept : name_(std::exchange(other.name_, {})) {}
+  TemporaryFile(TemporaryFile&& other) noexcept
+      : descriptor_(std::exchange(other.descriptor_, -1)) {}
   TemporaryFile& operator=(TemporaryFile&&) = delete;
   ~TemporaryFile();
 
-  const std::string& name() const noexcept { return name_; }
+  int descriptor() const noexcept { return descriptor_; }
 
-  /// Hands on what now bears the name, piece by piece. Errors: SC6003, and those of take().
+  /// Behind what there is. Errors: SC6003.
+  Status add(std::string_view bytes);
+
+  /// Hands on what is in it, piece by piece from the beginning. Errors: SC6003, and those of
+  /// take().
   Status for_each_piece(const std::function<Status(std::string_view)>& take) const;
 
  private:
-  explicit TemporaryFile(std::string name) : name_(std::move(name)) {}
+  explicit TemporaryFile(int descriptor) noexcept : descriptor_(descriptor) {}
 
-  std::string name_;
+  int descriptor_;
+};
+
+/// Bytes into a temporary file, which must outlive it. Errors: SC6003.
+class TemporarySink final : public ByteSink {
+ public:
+  explicit TemporarySink(TemporaryFile& file) noexcept : file_(file) {}
+  Status write(std::string_view bytes) override { return file_.add(bytes); }
+  Status finish() override { return {}; }
+
+ private:
+  TemporaryFile& file_;
 };
 
 }  // namespace softcnc::hal

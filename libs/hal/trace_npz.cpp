@@ -86,7 +86,7 @@ class NpzTrace final : public TraceWriter {
  private:
   void add_column(const std::string& column_name);
   void hand_on();
-  Status pack(const std::string& file);
+  Status pack(const TemporaryFile& file);
 
   std::unique_ptr<ByteSink> out_;
   TraceHeader header_;
@@ -149,8 +149,8 @@ void NpzTrace::hand_on() {
     if (ok()) status_ = column.hand_on();
 }
 
-Status NpzTrace::pack(const std::string& file) {
-  ZipWriter zip(file);
+Status NpzTrace::pack(const TemporaryFile& file) {
+  ZipWriter zip(file.descriptor());
   zip.set_comment(trace_comment(header_));
   for (Column& column : columns_)
     if (Status added = column.add_to(zip, rows_); !added) return added;
@@ -162,7 +162,7 @@ Status NpzTrace::finish() {
   if (!ok()) return status_;
   auto packed = TemporaryFile::make();
   if (!packed) return tl::make_unexpected(std::move(packed.error()));
-  if (Status done = pack(packed->name()); !done) return done;
+  if (Status done = pack(*packed); !done) return done;
   columns_.clear();
   const Status copied =
       packed->for_each_piece([this](std::string_view piece) { return out_->write(piece); });

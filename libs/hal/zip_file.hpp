@@ -16,9 +16,14 @@ namespace softcnc::hal {
 
 enum class Packing { store, deflate };
 
+class ZipDestination;
+
 class ZipWriter {
  public:
+  /// Into a file that is made or emptied.
   explicit ZipWriter(std::string file);
+  /// Into an open file, over all that is in it.
+  explicit ZipWriter(int descriptor);
   ~ZipWriter();
   ZipWriter(const ZipWriter&) = delete;
   ZipWriter& operator=(const ZipWriter&) = delete;
@@ -36,11 +41,13 @@ class ZipWriter {
   Status finish();
 
  private:
+  void open(int descriptor);
   void add(const std::string& name, void* source, Packing packing);
   Status failure() const;
 
-  std::string file_;
-  zip* zip_;
+  std::string file_;  // its name, if it has one
+  std::unique_ptr<ZipDestination> destination_;
+  zip* zip_ = nullptr;
   std::string reason_;             // of the first error
   std::deque<std::string> texts_;  // alive until finish()
 };

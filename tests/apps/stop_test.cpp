@@ -20,7 +20,7 @@ Ended interrupted(const std::string& signal, const Folder& folder) {
   write(folder / "long.nc", part + "M30\n");
   return shell("$softcnc run " + (folder / "long.nc") + " --trace " + (folder / "t.csv") +
                " --report " + (folder / "r.json") + " & pid=$!; until [ \"$(stat -c %s " +
-               (folder / "t.csv.part") +
+               (folder / ".t.csv.softcnc-*") +
                " 2>/dev/null || echo 0)\" -gt 500000 ]; do sleep 0.02; done; kill -" + signal +
                " $pid; wait $pid");
 }
@@ -89,9 +89,9 @@ TEST_CASE("a second signal ends at once and leaves no half-written file", "[apps
   // By the clock the stop takes half a second, and the signals after the first one come before.
   const Ended ended = shell(
       "$softcnc run --realtime --backend stepdir --set backend.stepdir.file=" + (folder / "e.vcd") +
-      " " + (folder / "long.nc") + " --trace " + (folder / "old.csv") + " & pid=$!; until [ -e " +
-      (folder / "old.csv.part") + " ] && [ -e " + (folder / "e.vcd.part") +
-      " ]; do sleep 0.02; done; sleep 0.2; " +
+      " " + (folder / "long.nc") + " --trace " + (folder / "old.csv") + " & pid=$!; until ls " +
+      (folder / ".old.csv.softcnc-*") + " " + (folder / ".e.vcd.softcnc-*") +
+      " >/dev/null 2>&1; do sleep 0.02; done; sleep 0.2; " +
       "for i in 1 2 3 4 5 6; do kill -TERM $pid; sleep 0.04; done; wait $pid");
   CHECK(ended.status == 143);
   CHECK(folder.files() == std::vector<std::string>{"long.nc", "old.csv"});

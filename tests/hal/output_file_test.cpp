@@ -7,10 +7,13 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <climits>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 
+#include "hal/leftovers.hpp"
+#include "hal/unfinished_file.hpp"
 #include "support_hal.hpp"
 
 namespace softcnc::hal {
@@ -25,9 +28,12 @@ TEST_CASE("a file appears under its name only when it is finished", "[hal][outpu
   REQUIRE((*output)->write("hello "));
   REQUIRE((*output)->write("world\n"));
   CHECK_FALSE(fs::exists(file));
-  CHECK(fs::exists(file + ".part"));
+  const auto names = test::names_in(folder.path());
+  REQUIRE(names.size() == 1);
+  CHECK(names[0].starts_with(".out.txt.softcnc-"));
+  CHECK(is_name_beside_target(folder / names[0]));
   REQUIRE((*output)->finish());
-  CHECK_FALSE(fs::exists(file + ".part"));
+  CHECK(test::names_in(folder.path()) == test::Names{"out.txt"});
   CHECK(test::read(file) == "hello world\n");
 }
 
@@ -40,7 +46,7 @@ TEST_CASE("an unfinished file leaves nothing, and the old one stays", "[hal][out
     REQUIRE(output);
     REQUIRE((*output)->write("new"));
   }
-  CHECK_FALSE(fs::exists(file + ".part"));
+  CHECK(test::names_in(folder.path()) == test::Names{"out.txt"});
   CHECK(test::read(file) == "old");
 }
 
@@ -98,7 +104,6 @@ TEST_CASE("a full disk is told", "[hal][output]") {
   CHECK(render(written.error()) ==
         "/dev/full: error: writing failed: No space left on device [SC6012]\n");
   CHECK(exit_status(written.error()) == 5);
-  CHECK_FALSE(fs::exists("/dev/full.part"));
 }
 
 TEST_CASE("what is no regular file is written directly", "[hal][output]") {
@@ -121,7 +126,118 @@ TEST_CASE("a closed pipe can be told from other failures", "[hal][output]") {
   REQUIRE_FALSE(written);
   CHECK(render(written.error()) ==
         pipe + ": error: the reader closed the pipe: Broken pipe [SC6013]\n");
-  CHECK_FALSE(fs::exists(pipe + ".part"));
+  CHECK(test::names_in(folder.path()) == test::Names{"pipe"});
+}
+
+TEST_CASE("two that write one file at a time do not meet", "[hal][output]") {
+  const test::Folder folder;
+  const std::string file = folder / "out.txt";
+  auto first = OutputFile::open(file), second = OutputFile::open(file);
+  REQUIRE(first);
+  REQUIRE(second);
+  REQUIRE((*first)->write("first"));
+  REQUIRE((*second)->write("second"));
+  REQUIRE((*second)->finish());
+  CHECK(test::read(file) == "second");
+  REQUIRE((*first)->finish());
+  CHECK(test::read(file) == "first");
+  CHECK(test::names_in(folder.path()) == test::Names{"out.txt"});
+}
+
+TEST_CASE("files of others beside the target stay as they are", "[hal][output]") {
+  const test::Folder folder;
+  test::write(folder / "out.csv.part", "mine");
+  test::write(folder / "victim.txt", "mine");
+  fs::create_symlink("victim.txt", folder / "y.csv.part");
+  REQUIRE(write_file(folder / "out.csv", "rows"));
+  REQUIRE(write_file(folder / "y.csv", "rows"));
+  CHECK(test::read(folder / "out.csv.part") == "mine");
+  CHECK(test::read(folder / "victim.txt") == "mine");
+  CHECK(fs::is_symlink(folder / "y.csv.part"));
+  CHECK(fs::is_regular_file(fs::symlink_status(folder / "y.csv")));
+}
+
+TEST_CASE("a file that replaces another has its mode, a new one that of the umask",
+          "[hal][output]") {
+  const test::Folder folder;
+  const auto mode = [&](const std::string& name) {
+    struct stat info {};
+    REQUIRE(::stat((folder / name).c_str(), &info) == 0);
+    return static_cast<int>(info.st_mode & 07777U);
+  };
+  const ::mode_t before = ::umask(027);
+  REQUIRE(write_file(folder / "new", "x"));
+  CHECK(mode("new") == 0640);
+  for (const int kept : {0600, 0664, 0444, 0755}) {
+    REQUIRE(::chmod((folder / "new").c_str(), static_cast<::mode_t>(kept)) == 0);
+    REQUIRE(write_file(folder / "new", "y"));
+    CHECK(mode("new") == kept);
+  }
+  fs::create_symlink("new", folder / "link");
+  REQUIRE(::chmod((folder / "new").c_str(), 0600) == 0);
+  REQUIRE(write_file(folder / "link", "z"));
+  CHECK(mode("new") == 0600);
+  ::umask(before);
+}
+
+TEST_CASE("while it is written, a file is open to nobody who may not read the old one",
+          "[hal][output]") {
+  const test::Folder folder;
+  REQUIRE(write_file(folder / "new", "x"));
+  REQUIRE(::chmod((folder / "new").c_str(), 0600) == 0);
+  const auto output = OutputFile::open(folder / "new");
+  REQUIRE(output);
+  for (const std::string& name : test::names_in(folder.path()))
+    CHECK((fs::status(folder / name).permissions() & fs::perms(0077)) == fs::perms::none);
+}
+
+TEST_CASE("a file that replaces another has its owner and group", "[hal][output]") {
+  if (::geteuid() != 0) return;  // only root may give files away
+  const test::Folder folder;
+  REQUIRE(write_file(folder / "new", "x"));
+  REQUIRE(::chown((folder / "new").c_str(), 1234, 4321) == 0);
+  REQUIRE(write_file(folder / "new", "y"));
+  struct stat info {};
+  REQUIRE(::stat((folder / "new").c_str(), &info) == 0);
+  CHECK(info.st_uid == 1234);
+  CHECK(info.st_gid == 4321);
+}
+
+TEST_CASE("a name as long as names may be can be written", "[hal][output]") {
+  const test::Folder folder;
+  const std::string name(NAME_MAX, 'n');
+  REQUIRE(write_file(folder / name, "x"));
+  CHECK(test::names_in(folder.path()) == test::Names{name});
+}
+
+TEST_CASE("leftovers of killed runs are named and removed", "[hal][output]") {
+  const test::Folder folder;
+  const std::string file = folder / "out.txt";
+  const std::string left = folder / ".out.txt.softcnc-aB3xyZ";
+  test::write(left, "half");
+  const test::Names others{".out.txt.softcnc-aB3xy",    ".out.txt.softcnc-aB3xyZ7",
+                           ".out.txt.softcnc-aB3x.Z",   ".out.txt.softcnc-lock",
+                           ".other.txt.softcnc-aB3xyZ", "out.txt.part"};
+  for (const std::string& name : others) test::write(folder / name, "of others");
+  fs::create_symlink("out.txt.part", folder / ".out.txt.softcnc-linked");
+  fs::create_directory(folder / ".out.txt.softcnc-folder");
+  fs::create_symlink("out.txt", folder / "link");
+  const auto open = OutputFile::open(file);
+  REQUIRE(open);
+  const std::size_t before = test::names_in(folder.path()).size();
+  const auto notes = remove_leftovers(folder / "link");
+  REQUIRE(notes.size() == 1);
+  CHECK(render(notes[0]) == left +
+                                ": note: left unfinished by a run that was killed; it is removed "
+                                "[SC6016]\n");
+  CHECK(test::names_in(folder.path()).size() == before - 1);
+  for (const std::string& name : others) CHECK(test::read(folder / name) == "of others");
+  CHECK(remove_leftovers(file).empty());
+  REQUIRE((*open)->finish());
+  CHECK(remove_leftovers("-").empty());
+  CHECK(remove_leftovers("").empty());
+  CHECK(remove_leftovers("/dev/null").empty());
+  CHECK(remove_leftovers("no/such/folder/x").empty());
 }
 
 }  // namespace softcnc::hal

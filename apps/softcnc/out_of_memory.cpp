@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "out_of_memory.hpp"
+
+#include <unistd.h>
+
+#include <new>
+#include <system_error>
+
+#include "rest_on_signal.hpp"
+#include "standard_error.hpp"
+
+namespace softcnc::app {
+namespace {
+
+constexpr int kStatus = 5;
+
+/// Of whom nobody is left to catch it.
+bool is_out_of_memory() noexcept {
+  try {
+    if (const auto present = std::current_exception()) std::rethrow_exception(present);
+  } catch (const std::bad_alloc&) {
+    return true;
+  } catch (...) {
+    return false;
+  }
+  return false;
+}
+
+std::terminate_handler otherwise = nullptr;
+
+[[noreturn]] void terminate() noexcept {
+  if (!is_out_of_memory()) otherwise();
+  leave_at_rest();
+  write_to_stderr("softcnc: error: out of memory [SC6004]\n");
+  ::_exit(kStatus);
+}
+
+}  // namespace
+
+std::string lacking_resource(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error)) return "out of memory";
+  const auto* system = dynamic_cast<const std::system_error*>(&error);
+  if (!system) return {};
+  const bool lacks = system->code() == std::errc::resource_unavailable_try_again ||
+                     system->code() == std::errc::not_enough_memory;
+  return lacks ? "no more memory or threads: " + system->code().message() : std::string();
+}
+
+void end_well_out_of_memory() noexcept { otherwise = std::set_terminate(terminate); }
+
+}  // namespace softcnc::app

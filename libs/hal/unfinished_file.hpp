@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// A file beside its target while it is written: `.NAME.softcnc-XXXXXX`, locked by whoever writes
+// it.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace softcnc::hal {
+
+struct UnfinishedFile {
+  std::string name;
+  int descriptor = -1;  // below 0: none could be made, and errno says why
+};
+
+/// A new file in the folder of `target`, under a name that nothing had. It is locked (flock) as
+/// long as the descriptor is open, where the file system knows locks. `mode` is less the umask.
+UnfinishedFile make_unfinished(const std::string& target, mode_t mode);
+
+/// Letters and digits at the end of its name.
+inline constexpr std::size_t kUnfinishedEnding = 6;
+
+/// `.NAME.softcnc-ENDING` in the folder of `target`; a long NAME is cut, so that it is a name.
+std::string name_beside_target(const std::string& target, std::string_view ending);
+
+/// Whether an open file still bears a name: somebody may have removed it there.
+bool bears(int descriptor, const std::string& name);
+
+/// Whether a path ends in such a name, of an unfinished file or of a lock. Calls nothing that a
+/// signal handler may not.
+bool is_name_beside_target(std::string_view path) noexcept;
+
+}  // namespace softcnc::hal
