@@ -47,8 +47,8 @@ std::string machine_beside(const std::string& part, const Options& options) {
   if (part == "-") return {};
   std::string file = name_beside(part);
   std::error_code ignored;
-  const bool is_of_state = file.ends_with(".state.toml");
-  if (is_of_state || !std::filesystem::is_regular_file(file, ignored)) return {};
+  const bool is_there = std::filesystem::exists(std::filesystem::symlink_status(file, ignored));
+  if (file.ends_with(".state.toml") || !is_there) return {};
   if (same_file(file, part) || same_file(file, options.state)) return {};
   return file;
 }

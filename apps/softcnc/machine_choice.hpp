@@ -17,9 +17,10 @@ namespace softcnc::app {
 /// What a machine file beside a part program is called: PART with the suffix .toml.
 std::string name_beside(const std::string& part);
 
-/// The machine file beside a part program. Empty where no regular file has its name, where that is
-/// the program itself or the file that --state names, and for standard input. A name that ends in
-/// .state.toml is that of a state file.
+/// The machine file beside a part program. Empty where nothing has its name, where that is the
+/// program itself or the file that --state names, and for standard input. A name that ends in
+/// .state.toml is that of a state file. What has the name need be no regular file: then
+/// hal::find_machine() refuses it.
 std::string machine_beside(const std::string& part, const Options& options);
 
 /// Where the machine of a part program comes from.

@@ -125,7 +125,7 @@ Result<Recording> Recording::open(const std::string& file) {
   if (!zip) return tl::make_unexpected(std::move(zip.error()));
   Recording recording(file, std::move(*zip));
   if (Status read = recording.read(); !read) {
-    if (read.error().file.empty()) read.error().file = file;
+    if (read.error().file.empty()) read.error().file = file == "-" ? "<stdin>" : file;
     return tl::make_unexpected(std::move(read.error()));
   }
   return recording;

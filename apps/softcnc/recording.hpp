@@ -19,7 +19,7 @@
 namespace softcnc::app {
 
 /// Raised when a recording changes its form.
-inline constexpr int kRecordingSchema = 1;
+inline constexpr int kRecordingSchema = 2;
 
 /// A file that the program called: its name beside the program, and hash_hex() of it.
 struct CalledFile {
@@ -47,7 +47,7 @@ Status write_recording(hal::OutputFile& file, Program& program, const Machine& m
 class Recording {
  public:
   /// Reads meta.json and checks all entries against their checksums, program, machine and state
-  /// against their hashes as well. Errors: SC6021, SC6022.
+  /// against their hashes as well; "-" is standard input. Errors: SC6021, SC6022, SC6024.
   static Result<Recording> open(const std::string& file);
 
   const RecordingMeta& meta() const noexcept { return meta_; }

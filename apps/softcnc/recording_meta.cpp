@@ -2,6 +2,9 @@
 #include "recording_meta.hpp"
 
 #include <nlohmann/json.hpp>
+#include <set>
+
+#include "hal/hash.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -10,6 +13,63 @@ using Json = nlohmann::ordered_json;
 
 tl::unexpected<Diagnostic> error(Code code, std::string message) {
   return tl::make_unexpected(Diagnostic{code, {}, std::move(message), {}, {}});
+}
+
+constexpr int kFirstSchema = 1;  // without a hash
+constexpr double kLargestOverride = 2;
+
+std::string dumped(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string hash_of_rest(Json json) {
+  json.erase("hash");
+  return hal::hash_hex(dumped(json));
+}
+
+/// Whether brackets outside of strings lie too deep: what copies or writes JSON calls itself once a
+/// level.
+bool is_too_deep(std::string_view text) {
+  int depth = 0;
+  bool within_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"') within_string = !within_string;
+    if (c == '\\' && within_string) ++i;
+    if (within_string) continue;
+    if (c == '[' || c == '{') ++depth;
+    if (c == ']' || c == '}') --depth;
+    if (depth > kDeepestMeta) return true;
+  }
+  return false;
+}
+
+/// A count as it stands there: a number with a point, or too large, is none.
+Result<std::int64_t> read_rows(const Json& trace) {
+  const Json& rows = trace.at("rows");
+  const bool whole = rows.is_number_unsigned() || rows.is_number_integer();
+  const std::int64_t count = whole ? rows.get<std::int64_t>() : -1;
+  if (count >= 0) return count;
+  return error(Code::SC6021, "has a meta.json that says: " + rows.dump() + " rows");
+}
+
+Result<double> read_override(const Json& options) {
+  const double feed_override = options.at("feed_override");
+  if (feed_override > 0 && feed_override <= kLargestOverride) return feed_override;
+  return error(Code::SC6021, "has a meta.json that says: a feed override of " +
+                                 options.at("feed_override").dump());
+}
+
+/// Each file is read once.
+Result<std::vector<CalledFile>> read_called(const Json& json) {
+  std::vector<CalledFile> called;
+  std::set<std::string> names;
+  for (const Json& file : json.value("called", Json::array())) {
+    called.push_back({file.at("name"), file.at("hash")});
+    if (!names.insert(called.back().name).second)
+      return error(Code::SC6021, "names a called file twice: '" + called.back().name + "'");
+  }
+  return called;
 }
 
 /// Recordings made before there were dialects name none.
@@ -49,17 +109,21 @@ Result<RecordingMeta> read(const Json& json) {
   if (!format) return tl::make_unexpected(format.error());
   auto events = read_events(options);
   if (!events) return tl::make_unexpected(std::move(events.error()));
+  const auto rows = read_rows(json.at("trace"));
+  if (!rows) return tl::make_unexpected(rows.error());
+  const auto feed_override = read_override(options);
+  if (!feed_override) return tl::make_unexpected(feed_override.error());
+  auto called = read_called(json);
+  if (!called) return tl::make_unexpected(std::move(called.error()));
   RecordingMeta meta{json.at("program").at("name"),
                      json.at("program").at("hash"),
                      json.at("machine").at("hash"),
                      json.at("trace").at("hash"),
                      json.contains("state") ? json.at("state").at("hash") : Json(""),
-                     json.at("trace").at("rows"),
-                     {},
+                     *rows,
+                     std::move(*called),
                      {}};
-  for (const Json& file : json.value("called", Json::array()))
-    meta.called.push_back({file.at("name"), file.at("hash")});
-  meta.options.feed_override = options.at("feed_override");
+  meta.options.feed_override = *feed_override;
   meta.options.events = std::move(*events);
   meta.options.interpreter.block_skip = options.at("block_skip");
   meta.options.interpreter.optional_stop = options.at("optional_stop");
@@ -90,16 +154,33 @@ std::string meta_json(const RecordingMeta& meta) {
     json["options"]["at"].push_back(event_text(event));
   for (const CalledFile& file : meta.called)
     json["called"].push_back({{"name", file.name}, {"hash", file.hash}});
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return sealed_meta(dumped(json));
+}
+
+std::string sealed_meta(const std::string& text) {
+  Json json = is_too_deep(text) ? Json() : Json::parse(text, nullptr, false);
+  if (!json.is_object()) return text;
+  const std::string hash = hash_of_rest(json);
+  json.erase("hash");
+  json["hash"] = hash;
+  return dumped(json);
 }
 
 Result<RecordingMeta> parse_meta(const std::string& text) {
+  if (is_too_deep(text))
+    return error(Code::SC6021, "has a meta.json that is nested deeper than " +
+                                   std::to_string(kDeepestMeta) + " levels");
   try {
     const Json json = Json::parse(text);
-    if (const int schema = json.at("schema"); schema != kRecordingSchema)
+    const Json& given = json.at("schema");
+    const std::int64_t schema = given.is_number_integer() ? given.get<std::int64_t>() : 0;
+    if (schema < kFirstSchema || schema > kRecordingSchema)
       return error(Code::SC6022, "is a recording of schema " + std::to_string(schema) +
-                                     "; this version replays schema " +
+                                     "; this version replays schemas " +
+                                     std::to_string(kFirstSchema) + " to " +
                                      std::to_string(kRecordingSchema));
+    if (schema > kFirstSchema && json.at("hash") != hash_of_rest(json))
+      return error(Code::SC6021, "meta.json in it is not what was recorded: its hash differs");
     return read(json);
   } catch (const Json::exception& broken) {
     return error(Code::SC6021, std::string("has a meta.json that says: ") + broken.what());

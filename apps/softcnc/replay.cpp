@@ -92,14 +92,22 @@ Result<int> verdict(const std::string& name, const Material& material, StandardO
     out.write(fmt::format("{}: {}", name, comparison.difference()));
     return failed({Code::SC6023, {}, comparison.in_words(), name, {}});
   }
+  if (const std::int64_t rows = material.recording.meta().rows; rows != comparison.rows())
+    return tl::make_unexpected(Diagnostic{
+        Code::SC6021,
+        {},
+        fmt::format("meta.json in it says {} rows, its trace has {}", rows, comparison.rows()),
+        name,
+        {}});
   if (Status good = material.recording.check_trace(); !good)
     return tl::make_unexpected(std::move(good.error()));
   spdlog::info("{}: {} rows agree", name, comparison.rows());
   return 0;
 }
 
-int replay_one(const std::string& name, const Options& options, StandardOutput& out) {
-  auto material = open_material(name, options);
+int replay_one(const std::string& file, const Options& options, StandardOutput& out) {
+  const std::string name = file == "-" ? "<stdin>" : file;
+  auto material = open_material(file, options);
   if (!material) return failed(material.error());
   compare_machines(name, *material);
   const double period = material->machine.control.period;

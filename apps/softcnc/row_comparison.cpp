@@ -11,11 +11,12 @@
 namespace softcnc::app {
 namespace {
 
+/// No trace of a run holds what is not finite: such a word is no number, and equals itself alone.
 std::optional<double> number(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 bool exact(std::string_view column) {

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "hal/unpacking.hpp"
+
 namespace softcnc::app {
 
 TraceLines::TraceLines(hal::ZipEntry entry)
@@ -42,9 +44,21 @@ bool TraceLines::fill() {
   const std::size_t result = ZSTD_decompressStream(stream_.get(), &out, &in);
   packed_begin_ = in.pos;
   text_.resize(kept + out.pos);
-  if (ZSTD_isError(result) == 0) return true;
-  status_ = tl::make_unexpected(Diagnostic{
-      Code::SC6021, {}, std::string("its trace is damaged: ") + ZSTD_getErrorName(result), {}, {}});
+  unpacked_bytes_ += out.pos;
+  if (ZSTD_isError(result) != 0)
+    return fail(Code::SC6021, std::string("its trace is damaged: ") + ZSTD_getErrorName(result));
+  if (!hal::may_unpack(unpacked_bytes_, entry_.file_size()))
+    return fail(Code::SC6024, "its trace unpacks to more than " +
+                                  std::to_string(hal::kMostUnpackedPerByte) + " times its size");
+  if (kept > kLongestRow)
+    return fail(Code::SC6021, "its trace is damaged: a row longer than " +
+                                  std::to_string(kLongestRow) + " bytes");
+  return true;
+}
+
+/// False.
+bool TraceLines::fail(Code code, std::string why) {
+  status_ = tl::make_unexpected(Diagnostic{code, {}, std::move(why), {}, {}});
   return false;
 }
 

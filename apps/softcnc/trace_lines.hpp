@@ -2,6 +2,7 @@
 // The lines of a compressed trace, one at a time.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,9 @@ struct ZSTD_DCtx_s;
 
 namespace softcnc::app {
 
+/// No row of a trace is longer, in bytes.
+inline constexpr std::size_t kLongestRow = std::size_t{1} << 16U;
+
 class TraceLines {
  public:
   explicit TraceLines(hal::ZipEntry entry);
@@ -21,15 +25,18 @@ class TraceLines {
   /// error.
   std::optional<std::string_view> next();
 
-  /// Errors: SC6021.
+  /// Errors: SC6021 (damaged, or a line longer than kLongestRow), SC6024 (more comes out of it than
+  /// hal::may_unpack() allows).
   const Status& status() const noexcept { return status_; }
 
  private:
   bool fill();
+  bool fail(Code code, std::string why);
 
   hal::ZipEntry entry_;
   std::unique_ptr<ZSTD_DCtx_s, std::size_t (*)(ZSTD_DCtx_s*)> stream_;
   std::string packed_, text_;
+  std::uint64_t unpacked_bytes_ = 0;
   std::size_t packed_begin_ = 0, packed_end_ = 0, begin_ = 0;
   Status status_;
 };

@@ -3,6 +3,9 @@
 #include "hal/machine_file.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <system_error>
 #include <tuple>
 
 #include "hal/machine_keys.hpp"
@@ -13,6 +16,9 @@
 
 namespace softcnc::hal {
 namespace {
+
+/// In bytes: hundreds of times what any machine needs, a thousand tools included.
+constexpr std::size_t kLongestMachine = std::size_t{1} << 20U;
 
 LoadedOrFaults load_text(const std::string* text, const std::string& name,
                          std::span<const std::string> settings) {
@@ -26,7 +32,20 @@ LoadedOrFaults load_file(const std::string& file, std::span<const std::string> s
   if (file.empty()) return load_text(nullptr, {}, settings);
   const auto text = read_text(file, Code::SC7003);
   if (!text) return tl::make_unexpected(std::vector{text.error()});
+  if (text->size() > kLongestMachine)
+    return tl::make_unexpected(
+        std::vector{Diagnostic{Code::SC7003, {}, "cannot be read: longer than 1 MiB", file, {}}});
   return load_text(&*text, file, settings);
+}
+
+/// A file that nobody has named is neither waited for nor passed over.
+std::optional<Diagnostic> unlike_a_file(const std::string& file) {
+  std::error_code error;
+  const auto type = std::filesystem::status(file, error).type();
+  if (type == std::filesystem::file_type::regular) return std::nullopt;
+  const std::string why = type == std::filesystem::file_type::not_found ? "it is a link to nothing"
+                                                                        : "it is no regular file";
+  return Diagnostic{Code::SC7003, {}, "cannot be read: " + why, file, {}};
 }
 
 Machine machine_of(LoadedMachine&& loaded) { return std::move(loaded.machine); }
@@ -81,6 +100,9 @@ MachineOrFaults parse_machine(const std::string& text, const std::string& name,
 
 tl::expected<FoundMachine, std::vector<Diagnostic>> find_machine(
     const MachineSource& source, std::span<const std::string> settings) {
+  if (source.confined)
+    if (auto fault = unlike_a_file(source.file))
+      return tl::make_unexpected(std::vector{*std::move(fault)});
   auto loaded = load_file(source.file, settings);
   if (!loaded) return tl::make_unexpected(std::move(loaded.error()));
   FoundMachine found;
@@ -92,8 +114,8 @@ tl::expected<FoundMachine, std::vector<Diagnostic>> find_machine(
 
 tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_values(
     const std::string& file, std::span<const std::string> settings) {
-  const auto loaded = load_file(file, settings);
-  if (!loaded) return tl::make_unexpected(loaded.error());
+  auto loaded = load_file(file, settings);
+  if (!loaded) return tl::make_unexpected(std::move(loaded.error()));
   std::vector<EffectiveValue> values;
   for (const KeyRef& ref : all_instances(loaded->machine)) {
     const std::string path = path_of(ref);
@@ -104,6 +126,7 @@ tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_val
 }
 
 std::string machine_toml(const Machine& machine) {
+  Machine copy = machine;
   std::string text, section;
   for (const KeyRef& ref : all_instances(machine)) {
     const std::string path = path_of(ref);
@@ -111,7 +134,7 @@ std::string machine_toml(const Machine& machine) {
     const std::string table = dot == path.npos ? "" : path.substr(0, dot);
     if (table != section) text += "\n[" + table + "]\n";
     section = table;
-    text += path.substr(dot + 1) + " = " + value_text(ref, machine) + '\n';
+    text += path.substr(dot + 1) + " = " + value_text(ref, copy) + '\n';
   }
   return text;
 }

@@ -39,8 +39,8 @@ struct FoundMachine {
   bool default_file = false;  // the backend writes a file under a name that nobody has given
 };
 
-/// As load_machine(). A confined machine keeps its backend, but files of backends and ports count
-/// only where settings name them.
+/// As load_machine(), but a confined machine must be in a regular file (SC7003). It keeps its
+/// backend, but files of backends and ports count only where settings name them.
 tl::expected<FoundMachine, std::vector<Diagnostic>> find_machine(
     const MachineSource& source, std::span<const std::string> settings);
 

@@ -18,9 +18,23 @@ constexpr double same(double value) noexcept { return value; }
 constexpr double s_from_us(double us) noexcept { return us / 1e6; }
 constexpr double us_from_s(double s) noexcept { return s * 1e6; }
 
+// Floors and ceilings. What is smaller than a floor is no property of a machine, but makes motions
+// that last longer than any machine, or figures that are lost in rounding.
+constexpr double kLeastRate = 1e-3;        // mm/min, mm/s^2, mm/s^3, 1/s, rpm
+constexpr double kMostVelocity = 1e7;      // mm/min
+constexpr double kMostAcceleration = 1e7;  // mm/s^2
+constexpr double kMostJerk = 1e10;         // mm/s^3
+constexpr double kLeastTolerance = 1e-3;   // um
+constexpr double kMostTolerance = 1e6;     // um
+constexpr double kLeastLength = 1e-3;      // mm, of tools and stocks
+constexpr double kLeastElectrical = 1e-6;  // V, A, V s/rad
+
 constexpr Range at_least_0(double high) { return {0, high}; }
 constexpr Range kPins{-17, 17};
-constexpr Range above_0(double high) { return {0, high, true}; }
+constexpr Range rate(double high) { return {kLeastRate, high}; }
+constexpr Range rate_or_0(double high) { return {kLeastRate, high, true}; }
+constexpr Range length_or_0(double high) { return {kLeastLength, high, true}; }
+constexpr Range electrical(double high) { return {kLeastElectrical, high}; }
 
 template <auto Part, auto Member>
 auto& in_part(Machine& machine, int) {
@@ -85,31 +99,31 @@ const MachineKey kKeys[] = {
      Number{control<&Control::period>, s_from_ms, ms_from_s, {0.001, 1000}}},
     {"control.servo_period_ms", "ms", "fine interpolation: positions to ports are the plan itself at these instants; where the path's curvature jumps, "
      "the acceleration may change by the jerk times it; the simulated axes read their counters so often. Divides period_ms. 0 or absent: 1 ms, or the next smaller that divides period_ms, and 0.25 ms for the simulated axes",
-     Number{control<&Control::servo_period>, s_from_ms, ms_from_s, {0.001, 1000, false, true}}},
+     Number{control<&Control::servo_period>, s_from_ms, ms_from_s, {0.001, 1000, true}}},
     {"control.chord_tolerance_um", "um", "largest distance between curve and chord within one period",
-     Number{control<&Control::chord_tolerance>, mm_from_um, um_from_mm, above_0(1e6)}},
+     Number{control<&Control::chord_tolerance>, mm_from_um, um_from_mm, {kLeastTolerance, kMostTolerance}}},
     {"control.interpolation", "", "how the next point on a curve is found",
      choice_in<&Machine::control, &Control::interpolation>(kMethodNames)},
     {"control.pulse_clock", "", "when the clocks of an interpolation by pulses come: as the feed profile says, or as in paper 003",
      choice_in<&Machine::control, &Control::pulse_clock>(kPulseClockNames)},
     {"control.corner_tolerance_um", "um", "how far corners may be rounded by G64 without P; 0: the path is followed exactly",
-     Number{control<&Control::corner_tolerance>, mm_from_um, um_from_mm, at_least_0(1e6)}},
+     Number{control<&Control::corner_tolerance>, mm_from_um, um_from_mm, {kLeastTolerance, kMostTolerance, true}}},
     {"control.backend", "", "what moves: nothing, the simulated mill, drives with step and direction inputs by a file of edges or a parallel port, or a machine behind LinuxCNC's HAL",
      choice_in<&Machine::control, &Control::backend>(kBackendNames)},
 
     {"limits.feed_mm_min", "mm/min", "caps the speed of cutting moves along the path; 0, or absent beside axes of your own: only the axes limit. Where softcnc makes pulses, at most what they allow the fastest axis, and that if absent",
-     Number{in_part<&Machine::limits, &PathLimits::feed>, mm_s_from_mm_min, mm_min_from_mm_s, at_least_0(1e7)}},
+     Number{in_part<&Machine::limits, &PathLimits::feed>, mm_s_from_mm_min, mm_min_from_mm_s, rate_or_0(kMostVelocity)}},
     {"limits.tangential_mm_s2", "mm/s^2", "how fast the speed along the path may change, in rapids too; 0: only the axes limit",
-     Number{in_part<&Machine::limits, &PathLimits::tangential>, same, same, at_least_0(1e7)}},
+     Number{in_part<&Machine::limits, &PathLimits::tangential>, same, same, rate_or_0(kMostAcceleration)}},
     {"limits.normal_mm_s2", "mm/s^2", "largest acceleration across the path, speed squared over the radius of the bend, in rapids too; 0: only the axes limit",
-     Number{in_part<&Machine::limits, &PathLimits::normal>, same, same, at_least_0(1e7)}},
+     Number{in_part<&Machine::limits, &PathLimits::normal>, same, same, rate_or_0(kMostAcceleration)}},
 
     {"axis.*.velocity_mm_min", "mm/min", "largest speed of the axis",
-     Number{in_axis<&Axis::velocity>, mm_s_from_mm_min, mm_min_from_mm_s, above_0(1e7)}},
+     Number{in_axis<&Axis::velocity>, mm_s_from_mm_min, mm_min_from_mm_s, rate(kMostVelocity)}},
     {"axis.*.acceleration_mm_s2", "mm/s^2", "largest acceleration of the axis",
-     Number{in_axis<&Axis::acceleration>, same, same, above_0(1e7)}},
+     Number{in_axis<&Axis::acceleration>, same, same, rate(kMostAcceleration)}},
     {"axis.*.jerk_mm_s3", "mm/s^3", "largest jerk of the axis; 0: no limit",
-     Number{in_axis<&Axis::jerk>, same, same, at_least_0(1e10)}},
+     Number{in_axis<&Axis::jerk>, same, same, rate_or_0(kMostJerk)}},
     {"axis.*.min_mm", "mm", "lower end of travel, in machine coordinates",
      Number{in_axis<&Axis::min>, same, same, {-1e5, 1e5}}},
     {"axis.*.max_mm", "mm", "upper end of travel, in machine coordinates",
@@ -137,28 +151,28 @@ const MachineKey kKeys[] = {
      Number{motor<&Motor::coulomb_friction>, same, same, at_least_0(1e4)}},
 
     {"axis.*.drive.kv_1_s", "1/s", "gain of the position loop: speed per following error",
-     Number{drive<&Drive::kv>, same, same, above_0(1000)}},
+     Number{drive<&Drive::kv>, same, same, rate(1000)}},
     {"axis.*.drive.counter_bits", "", "width of the up/down counter, sign included; an overflow is an alarm",
      Whole{drive<&Drive::counter_bits>, {2, 32}}},
     {"axis.*.drive.fv_time_constant_ms", "ms", "lag of the frequency-to-voltage converter that measures the speed",
      Number{drive<&Drive::fv_time_constant>, s_from_ms, ms_from_s, {0.01, 1000}}},
     {"axis.*.drive.velocity_gain_v_s_rad", "V s/rad", "motor voltage per speed error at the motor shaft",
-     Number{drive<&Drive::velocity_gain>, same, same, above_0(1e4)}},
+     Number{drive<&Drive::velocity_gain>, same, same, electrical(1e4)}},
     {"axis.*.drive.velocity_reset_1_s", "1/s", "reset rate of the integral part of the velocity loop; 0: proportional only",
-     Number{drive<&Drive::velocity_reset>, same, same, at_least_0(1e4)}},
+     Number{drive<&Drive::velocity_reset>, same, same, rate_or_0(1e4)}},
     {"axis.*.drive.supply_v", "V", "largest motor voltage, either way",
-     Number{drive<&Drive::supply_voltage>, same, same, above_0(1e4)}},
+     Number{drive<&Drive::supply_voltage>, same, same, electrical(1e4)}},
     {"axis.*.drive.current_limit_a", "A", "largest motor current, either way",
-     Number{drive<&Drive::current_limit>, same, same, above_0(1e4)}},
+     Number{drive<&Drive::current_limit>, same, same, electrical(1e4)}},
     {"axis.*.drive.following_error_um", "um", "a larger distance between command and axis is an alarm",
-     Number{drive<&Drive::following_error>, mm_from_um, um_from_mm, above_0(1e8)}},
+     Number{drive<&Drive::following_error>, mm_from_um, um_from_mm, {kLeastTolerance, 1e8}}},
     {"axis.*.drive.lost_pulse", "", "to try what happens: every n-th command pulse does not reach the counter, an alarm; 0: none is lost",
      Whole{drive<&Drive::lost_pulse>, {0, 1e9}}},
 
     {"spindle.min_rpm", "rpm", "a smaller S is clamped with a warning",
-     Number{in_part<&Machine::spindle, &Spindle::min_rpm>, same, same, at_least_0(1e6)}},
+     Number{in_part<&Machine::spindle, &Spindle::min_rpm>, same, same, rate_or_0(1e6)}},
     {"spindle.max_rpm", "rpm", "a larger S is clamped with a warning",
-     Number{in_part<&Machine::spindle, &Spindle::max_rpm>, same, same, at_least_0(1e6)}},
+     Number{in_part<&Machine::spindle, &Spindle::max_rpm>, same, same, rate_or_0(1e6)}},
 
     {"surface.model", "", "what holds the roughness that a program asks for: edges simulated on the ball, or the formulas of paper 004",
      choice_in<&Machine::surfacing, &Surfacing::model>(kRoughnessModels)},
@@ -207,11 +221,11 @@ const MachineKey kKeys[] = {
      Number{in_part<&Machine::hal_stream, &HalStream::patience>, same, same, {0.001, 1e6}}},
 
     {"stock.x_mm", "mm", "length of the stock along X; 0: as far as the program cuts and the tool radius around it",
-     Number{stock_size<0>, same, same, at_least_0(1e5)}},
+     Number{stock_size<0>, same, same, length_or_0(1e5)}},
     {"stock.y_mm", "mm", "the same along Y",
-     Number{stock_size<1>, same, same, at_least_0(1e5)}},
+     Number{stock_size<1>, same, same, length_or_0(1e5)}},
     {"stock.z_mm", "mm", "height of the stock, from its origin; 0: up to the highest cut and the tool radius above it",
-     Number{stock_size<2>, same, same, at_least_0(1e5)}},
+     Number{stock_size<2>, same, same, length_or_0(1e5)}},
     {"stock.origin_mm", "mm", "X, Y and Z of the corner of the stock with the smallest coordinates, in machine coordinates; "
      "[]: where the program cuts, less the tool radius",
      Point{stock_origin, {-1e5, 1e5}}},
@@ -224,7 +238,7 @@ const MachineKey kKeys[] = {
      Number{in_part<&Machine::program, &ProgramLimits::motion_limit>, s_from_h, h_from_s, at_least_0(1e9)}},
 
     {"tool.*.radius_mm", "mm", "radius of the cutter",
-     Number{in_tool<&Tool::radius>, same, same, at_least_0(1e4)}},
+     Number{in_tool<&Tool::radius>, same, same, length_or_0(1e4)}},
     {"tool.*.teeth", "", "number of teeth",
      Whole{in_tool<&Tool::teeth>, {0, 1000}}},
 };

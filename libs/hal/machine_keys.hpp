@@ -13,11 +13,10 @@
 
 namespace softcnc::hal {
 
-/// The values a key takes, in the unit of its name. `above_low` leaves `low` itself out, `or_0`
-/// takes 0 beside them.
+/// The values a key takes, in the unit of its name; `or_0` takes 0 beside them.
 struct Range {
   double low, high;
-  bool above_low = false, or_0 = false;
+  bool or_0 = false;
 };
 
 struct Number {

@@ -97,35 +97,42 @@ void MachineLoader::clash(Code code, Keys keys, std::string message) {
 void MachineLoader::read(std::string_view text, const std::string& name) {
   const std::string stem = as_utf8(std::filesystem::path(name).stem().string());
   if (!stem.empty()) loaded_.machine.name = stem;
+  const TextLines lines(text);
+  const auto place = [&](const SourcePos& pos) {
+    return Place{name, pos, std::string(lines[pos.line])};
+  };
   const auto entries = read_toml(text);
   if (!entries) {
     const Diagnostic& broken = entries.error();
     is_doubtful_ = true;
-    return fail(broken.code, {name, broken.pos, text_line(text, broken.pos.line)}, broken.message);
+    return fail(broken.code, place(broken.pos), broken.message);
   }
   if (const TomlEntry* of_state = find_state(*entries)) {
     is_doubtful_ = true;
-    return fail(Code::SC7020, {name, of_state->key_pos, text_line(text, of_state->key_pos.line)},
+    return fail(Code::SC7020, place(of_state->key_pos),
                 "'" + of_state->path + "' stands in state files: this is none of a machine");
   }
-  take_all(*entries, text, name);
+  take_all(*entries, lines, name);
   if (std::any_of(entries->begin(), entries->end(), names_axis)) keep_named_axes(*entries);
 }
 
 /// What stands in a table that is refused is not told as well. Tables come before what is in them.
-void MachineLoader::take_all(const std::vector<TomlEntry>& entries, std::string_view text,
+void MachineLoader::take_all(const std::vector<TomlEntry>& entries, const TextLines& lines,
                              const std::string& name) {
   std::string_view refused_table;
   for (const TomlEntry& entry : entries) {
     if (!refused_table.empty() && is_within(entry.path, refused_table)) continue;
     const std::size_t before = errors_.size();
-    take(entry, text, name);
+    if (before >= kMostFaults) return;
+    take(entry, lines, name);
     if (entry.table && errors_.size() > before) refused_table = entry.path;
   }
 }
 
-void MachineLoader::take(const TomlEntry& entry, std::string_view text, const std::string& name) {
-  const auto at = [&](const SourcePos& pos) { return Place{name, pos, text_line(text, pos.line)}; };
+void MachineLoader::take(const TomlEntry& entry, const TextLines& lines, const std::string& name) {
+  const auto at = [&](const SourcePos& pos) {
+    return Place{name, pos, std::string(lines[pos.line])};
+  };
   if (is_section(entry.path)) {
     if (entry.table) return;
     is_doubtful_ = true;

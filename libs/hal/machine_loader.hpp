@@ -32,8 +32,8 @@ struct LoadedMachine {
 
 using LoadedOrFaults = tl::expected<LoadedMachine, std::vector<Diagnostic>>;
 
-/// Collects what a file and then settings say, and all that is wrong with it but what follows from
-/// something wrong.
+/// Collects what a file and then settings say, and all that is wrong with it, up to kMostFaults,
+/// except what follows from something wrong.
 class MachineLoader {
  public:
   void read(std::string_view text, const std::string& name);
@@ -43,9 +43,9 @@ class MachineLoader {
   LoadedOrFaults finish();
 
  private:
-  void take_all(const std::vector<TomlEntry>& entries, std::string_view text,
+  void take_all(const std::vector<TomlEntry>& entries, const TextLines& lines,
                 const std::string& name);
-  void take(const TomlEntry& entry, std::string_view text, const std::string& name);
+  void take(const TomlEntry& entry, const TextLines& lines, const std::string& name);
   void take(const KeyRef& ref, const FileValue& value, Place place);
   void keep_named_axes(const std::vector<TomlEntry>& entries);
   void check_periods();

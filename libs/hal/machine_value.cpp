@@ -31,15 +31,13 @@ Status wrong_type(const KeyRef& ref, std::string_view wanted, const FileValue& v
 }
 
 std::string range_text(const Range& range) {
-  return (range.or_0 ? "0, or " : "") +
-         std::string(range.above_low ? "greater than " : "at least ") + number_text(range.low) +
-         " and at most " + number_text(range.high);
+  return (range.or_0 ? "0, or at least " : "at least ") + number_text(range.low) + " and at most " +
+         number_text(range.high);
 }
 
 Status check(const KeyRef& ref, double value, const Range& range) {
-  const bool low_enough = value <= range.high;  // false for NaN
-  const bool high_enough = range.above_low ? value > range.low : value >= range.low;
-  if ((low_enough && high_enough) || (range.or_0 && value == 0)) return {};
+  const bool within = value >= range.low && value <= range.high;  // false for NaN
+  if (within || (range.or_0 && value == 0)) return {};
   return failure(Code::SC7005,
                  path_of(ref) + " must be " + range_text(range) + ", not " + number_text(value));
 }
@@ -158,9 +156,8 @@ Status assign(const KeyRef& ref, const FileValue& value, Machine& machine) {
 
 std::string allowed_text(const MachineKey& key) { return std::visit(Allowed{}, key.value); }
 
-std::string value_text(const KeyRef& ref, const Machine& machine) {
-  Machine copy = machine;
-  return std::visit(Spell{ref, copy}, ref.key->value);
+std::string value_text(const KeyRef& ref, Machine& machine) {
+  return std::visit(Spell{ref, machine}, ref.key->value);
 }
 
 }  // namespace softcnc::hal

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <utility>
 
+#include "hal/unpacking.hpp"
+
 namespace softcnc::hal {
 namespace {
 
@@ -49,6 +51,7 @@ Result<std::string_view> PackedFile::read() {
   const std::size_t n = std::fread(bytes_.data(), 1, bytes_.size(), stream_.get());
   if (n == 0 && std::ferror(stream_.get()))
     return failure(unreadable_, std::string("cannot be read: ") + std::strerror(errno));
+  packed_bytes_ += n;
   return std::string_view(bytes_).substr(0, n);
 }
 
@@ -62,6 +65,10 @@ Result<std::string_view> PackedFile::unpack() {
       return failure(damaged_, std::string("damaged: ") + ZSTD_getErrorName(left));
     if (in.pos > begin_ || out.pos > 0) within_frame_ = left > 0;
     begin_ = in.pos;
+    unpacked_bytes_ += out.pos;
+    if (!may_unpack(unpacked_bytes_, packed_bytes_))
+      return failure(damaged_, "unpacks to more than " + std::to_string(kMostUnpackedPerByte) +
+                                   " times its size");
     if (out.pos > 0) return std::string_view(unpacked_).substr(0, out.pos);
     if (begin_ < end_) continue;
     const auto bytes = read();

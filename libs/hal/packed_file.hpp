@@ -2,6 +2,7 @@
 // A file read piece by piece, unpacked where Zstandard has compressed it.
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -19,7 +20,7 @@ class PackedFile {
   static Result<PackedFile> open(const std::string& file, Code unreadable, Code damaged);
 
   /// What comes next, empty at the end; valid until the next call. Errors: `unreadable`, or
-  /// `damaged` where it is compressed and not whole.
+  /// `damaged` where it is compressed and not whole, or unpacks to more than may_unpack().
   Result<std::string_view> next();
 
  private:
@@ -34,6 +35,7 @@ class PackedFile {
   std::unique_ptr<ZSTD_DCtx_s, std::size_t (*)(ZSTD_DCtx_s*)> unpacker_;
   std::string bytes_, unpacked_;
   std::size_t begin_ = 0, end_ = 0;  // of what is read and not yet unpacked
+  std::uint64_t packed_bytes_ = 0, unpacked_bytes_ = 0;
   bool begun_ = false, packed_ = false, within_frame_ = false;
 };
 

@@ -108,11 +108,12 @@ std::string list(std::span<const std::string_view> words) {
   return text;
 }
 
-/// Collects what a file says, and all that is wrong with it. In a file of another schema, or of
-/// none, nothing else is wrong: it is another file.
+/// Collects what a file says, and all that is wrong with it, up to kMostFaults. In a file of
+/// another schema, or of none, nothing else is wrong: it is another file.
 class StateReader {
  public:
-  StateReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
+  StateReader(std::string_view text, std::string name)
+      : text_(text), lines_(text), name_(std::move(name)) {}
 
   StateOrFaults read();
 
@@ -126,6 +127,7 @@ class StateReader {
   void fail(Code code, const SourcePos& pos, std::string message);
 
   std::string_view text_;
+  TextLines lines_;
   std::string name_;
   MachineState state_;
   std::string refused_;  // the last table that was
@@ -133,7 +135,7 @@ class StateReader {
 };
 
 void StateReader::fail(Code code, const SourcePos& pos, std::string message) {
-  errors_.push_back({code, pos, std::move(message), name_, text_line(text_, pos.line)});
+  errors_.push_back({code, pos, std::move(message), name_, std::string(lines_[pos.line])});
 }
 
 StateOrFaults StateReader::read() {
@@ -146,7 +148,7 @@ StateOrFaults StateReader::read() {
   read_schema(*entries);
   if (errors_.empty())
     for (const TomlEntry& entry : *entries)
-      if (!is_within_refused(entry.path)) take(entry);
+      if (errors_.size() < kMostFaults && !is_within_refused(entry.path)) take(entry);
   if (errors_.empty()) return std::move(state_);
   std::stable_sort(errors_.begin(), errors_.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return std::tie(a.pos.line, a.pos.column) < std::tie(b.pos.line, b.pos.column);

@@ -19,7 +19,7 @@ inline constexpr int kFirstParameter = 31, kLastParameter = 5999;
 /// A state, or all that is wrong with its file, line by line.
 using StateOrFaults = tl::expected<MachineState, std::vector<Diagnostic>>;
 
-/// Errors: SC7004 to SC7006, SC7012 to SC7016.
+/// Errors: SC7004 to SC7006, SC7012 to SC7016, SC7022.
 StateOrFaults load_state(const std::string& file);
 
 /// The same for a text that is already in memory; `name` stands for the file in diagnostics.

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "hal/toml_depth.hpp"
+
 namespace softcnc::hal {
 namespace {
 
@@ -18,13 +20,28 @@ int byte_column(std::string_view line, unsigned column) {
   return static_cast<int>(at) + 1;
 }
 
-SourcePos place(std::string_view text, const toml::source_region& region) {
-  const int line = static_cast<int>(region.begin.line);
-  const std::string content = text_line(text, line);
-  const int first = byte_column(content, region.begin.column);
+/// Places in a text as bytes.
+class Places {
+ public:
+  explicit Places(std::string_view text) : lines_(text) {}
+
+  SourcePos of(const toml::source_region& region) const;
+
+ private:
+  int column(unsigned line, unsigned column) const;
+
+  TextLines lines_;
+};
+
+int Places::column(unsigned line, unsigned column) const {
+  return byte_column(lines_[static_cast<int>(line)], column);
+}
+
+SourcePos Places::of(const toml::source_region& region) const {
+  const int first = column(region.begin.line, region.begin.column);
   const bool one_line = region.end.line == region.begin.line;
-  const int end = one_line ? byte_column(content, region.end.column) : first + 1;
-  return {line, first, std::max(1, end - first)};
+  const int end = one_line ? column(region.end.line, region.end.column) : first + 1;
+  return {static_cast<int>(region.begin.line), first, std::max(1, end - first)};
 }
 
 /// Numbers, or else just an array.
@@ -57,22 +74,22 @@ FileValue value_of(const toml::node& node) {
   }
 }
 
-void flatten(std::string_view text, const toml::table& table, const std::string& path,
+void flatten(const Places& places, const toml::table& table, const std::string& path,
              std::vector<TomlEntry>& entries) {
   for (const auto& [key, node] : table) {
     const std::string name = path + std::string(key.str());
-    entries.push_back({name, node.is_table(), value_of(node), place(text, key.source()),
-                       place(text, node.source())});
-    if (const auto* inner = node.as_table()) flatten(text, *inner, name + '.', entries);
+    entries.push_back(
+        {name, node.is_table(), value_of(node), places.of(key.source()), places.of(node.source())});
+    if (const auto* inner = node.as_table()) flatten(places, *inner, name + '.', entries);
   }
 }
 
 /// The key at a place of the text, in quotes.
 std::string key_at(std::string_view text, const SourcePos& pos) {
-  const std::string line = text_line(text, pos.line);
+  const std::string_view line = TextLines(text)[pos.line];
   const auto begin = std::min(line.size(), static_cast<std::size_t>(pos.column) - 1);
   const auto end = line.find_first_of(" \t.=]", begin);
-  return "'" + line.substr(begin, end - begin) + "'";
+  return "'" + std::string(line.substr(begin, end - begin)) + "'";
 }
 
 /// What toml++ says in quotes, or what stands there.
@@ -86,7 +103,7 @@ std::string key_of(std::string_view says, std::string_view text, const SourcePos
 Diagnostic diagnostic_of(std::string_view text, const toml::parse_error& error) {
   constexpr std::string_view kPrefix = "Error while parsing ";
   std::string_view says = error.description();
-  const SourcePos pos = place(text, error.source());
+  const SourcePos pos = Places(text).of(error.source());
   if (says.find("cannot redefine") != says.npos)
     return {Code::SC7012, pos, key_of(says, text, pos) + " is given twice", {}, {}};
   if (says.starts_with(kPrefix)) says.remove_prefix(kPrefix.size());
@@ -96,9 +113,11 @@ Diagnostic diagnostic_of(std::string_view text, const toml::parse_error& error) 
 }  // namespace
 
 Result<std::vector<TomlEntry>> read_toml(std::string_view text) {
+  if (Status flat = check_toml_depth(text); !flat)
+    return tl::make_unexpected(std::move(flat.error()));
   try {
     std::vector<TomlEntry> entries;
-    flatten(text, toml::parse(text), "", entries);
+    flatten(Places(text), toml::parse(text), "", entries);
     return entries;
   } catch (const toml::parse_error& error) {
     return tl::make_unexpected(diagnostic_of(text, error));
@@ -106,6 +125,7 @@ Result<std::vector<TomlEntry>> read_toml(std::string_view text) {
 }
 
 FileValue read_toml_value(const std::string& text) {
+  if (!check_toml_depth(text)) return text;
   try {
     const toml::table table = toml::parse("value = " + text);
     if (table.size() == 1) return value_of(table.begin()->second);
@@ -115,15 +135,18 @@ FileValue read_toml_value(const std::string& text) {
   return text;
 }
 
-std::string text_line(std::string_view text, int line) {
-  for (int i = 1; i < line; ++i) {
-    const auto end = text.find('\n');
-    if (end == text.npos) return {};
-    text.remove_prefix(end + 1);
-  }
-  text = text.substr(0, text.find('\n'));
-  if (text.ends_with('\r')) text.remove_suffix(1);
-  return std::string(text);
+TextLines::TextLines(std::string_view text) : text_(text), begins_{0} {
+  for (std::size_t end = 0; (end = text.find('\n', end)) != text.npos;)
+    begins_.push_back(static_cast<std::uint32_t>(++end));
+}
+
+std::string_view TextLines::operator[](int number) const noexcept {
+  const auto index = static_cast<std::size_t>(number) - 1;
+  if (number < 1 || index >= begins_.size()) return {};
+  std::string_view line = text_.substr(begins_[index]);
+  if (index + 1 < begins_.size()) line = line.substr(0, begins_[index + 1] - begins_[index] - 1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
 }
 
 }  // namespace softcnc::hal

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
 constexpr std::size_t kShown = 160;          // bytes of a line
-constexpr std::size_t kLongest = 1U << 20U;  // bytes of a word
+constexpr std::size_t kLongest = 1U << 20U;  // bytes of a line: all of one is in memory
+constexpr std::size_t kMostWords = 100;      // of a definition
 
 struct Unit {
   std::string_view name;
@@ -59,8 +60,12 @@ Status VcdReader::read(std::string_view bytes) {
     if (auto taken = take(token); !taken) return taken;
     at_ = end;
   }
-  const Token rest = std::string_view(text_).substr(at_);
-  return rest.size() > kLongest ? failure(rest.substr(0, 1), "a word that does not end") : Status();
+  return text_.size() - line_begin_ > kLongest ? too_long() : Status();
+}
+
+Status VcdReader::too_long() const {
+  return tl::make_unexpected(Diagnostic{
+      Code::SC6092, {line_number_, 1, 1}, "a line longer than 1 MiB", {}, std::string(line())});
 }
 
 void VcdReader::pass_blanks() {
@@ -122,7 +127,9 @@ Status VcdReader::take_keyword(Token token) {
 Status VcdReader::take_part(Token token) {
   if (token == "$end") return end_definition(token);
   const bool counts = within_ == "$var" || within_ == "$timescale";
-  if (counts) words_.emplace_back(token);
+  if (!counts) return {};
+  if (words_.size() >= kMostWords) return failure(token, "too many words behind " + within_);
+  words_.emplace_back(token);
   return {};
 }
 

@@ -16,7 +16,8 @@ namespace softcnc::hal {
 
 /// Variables of one bit that are called x_step, x_direction or x_dir and so on, in any scope, are
 /// the lines; others are passed over. A line begins at its first level if that stands in
-/// $dumpvars, otherwise low. Times finer than ns are rounded.
+/// $dumpvars, otherwise low. Times finer than ns are rounded. A line longer than 1 MiB is refused
+/// (SC6092): one is held in memory.
 class VcdReader final : public EdgeParser {
  public:
   explicit VcdReader(VisitEdge visit) : visit_(std::move(visit)) {}
@@ -31,6 +32,7 @@ class VcdReader final : public EdgeParser {
   std::string_view line() const;
   SourcePos place(Token token) const;
   Status failure(Token token, const std::string& why) const;
+  Status too_long() const;
 
   Status take(Token token);
   Status take_keyword(Token token);

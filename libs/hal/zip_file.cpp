@@ -8,7 +8,11 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 #include <utility>
+
+#include "hal/unpacking.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -22,6 +26,10 @@ constexpr std::size_t kLargestText = 1U << 20U;
 tl::unexpected<Diagnostic> unreadable(const std::string& file, const std::string& reason) {
   return tl::make_unexpected(
       Diagnostic{Code::SC6021, {}, "cannot be read as a recording: " + reason, file, {}});
+}
+
+Status too_much(const std::string& file, const std::string& why) {
+  return tl::make_unexpected(Diagnostic{Code::SC6024, {}, why, file, {}});
 }
 
 std::string text_of(int code) {
@@ -214,8 +222,8 @@ Status ZipWriter::failure() const {
   return tl::make_unexpected(Diagnostic{Code::SC6012, {}, "writing failed: " + reason_, file_, {}});
 }
 
-ZipEntry::ZipEntry(zip_file* entry, std::string file) noexcept
-    : entry_(entry, zip_fclose), file_(std::move(file)) {}
+ZipEntry::ZipEntry(zip_file* entry, std::string file, std::uint64_t file_size) noexcept
+    : entry_(entry, zip_fclose), file_(std::move(file)), file_size_(file_size) {}
 
 Result<std::size_t> ZipEntry::read(char* to, std::size_t size) {
   const zip_int64_t n = zip_fread(entry_.get(), to, size);
@@ -223,31 +231,53 @@ Result<std::size_t> ZipEntry::read(char* to, std::size_t size) {
   return static_cast<std::size_t>(n);
 }
 
-ZipReader::ZipReader(zip* archive, std::string file) noexcept
-    : zip_(archive, zip_discard), file_(std::move(file)) {}
+ZipReader::ZipReader(zip* archive, std::string file, std::uint64_t size) noexcept
+    : zip_(archive, zip_discard), file_(std::move(file)), size_(size) {}
 
 Result<ZipReader> ZipReader::open(const std::string& file) {
+  const bool standard_input = file == "-";
+  const std::string path = standard_input ? "/dev/stdin" : file;
+  const std::string shown = standard_input ? "<stdin>" : file;
+  std::error_code unknown;
+  const bool exists = std::filesystem::exists(path, unknown);
+  if (exists && !std::filesystem::is_regular_file(path, unknown))
+    return unreadable(shown, "it is no regular file, and a recording is read at any place");
   int code = 0;
-  zip_t* archive = zip_open(file.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &code);
-  if (archive == nullptr) return unreadable(file, text_of(code));
-  return ZipReader(archive, file);
+  zip_t* archive = zip_open(path.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &code);
+  if (archive == nullptr) return unreadable(shown, text_of(code));
+  const auto size = std::filesystem::file_size(path, unknown);
+  return ZipReader(archive, shown, unknown ? 0 : size);
 }
 
 Result<ZipEntry> ZipReader::entry(const std::string& name) const {
   zip_file_t* entry = zip_fopen(zip_.get(), name.c_str(), 0);
   if (entry == nullptr) return unreadable(file_, name + ": " + zip_strerror(zip_.get()));
-  return ZipEntry(entry, file_);
+  return ZipEntry(entry, file_, size_);
+}
+
+Result<ZipEntry> ZipReader::entry(std::uint64_t index) const {
+  zip_file_t* entry = zip_fopen_index(zip_.get(), index, 0);
+  if (entry == nullptr)
+    return unreadable(file_,
+                      "entry " + std::to_string(index + 1) + ": " + zip_strerror(zip_.get()));
+  return ZipEntry(entry, file_, size_);
 }
 
 Status ZipReader::check() const {
   const zip_int64_t entries = zip_get_num_entries(zip_.get(), 0);
+  if (entries > kMostEntries)
+    return too_much(file_, "has more than " + std::to_string(kMostEntries) + " entries");
+  std::uint64_t unpacked = 0;
+  const auto count = [&](std::string_view piece) -> Status {
+    unpacked += piece.size();
+    if (may_unpack(unpacked, size_)) return {};
+    return too_much(
+        file_, "unpacks to more than " + std::to_string(kMostUnpackedPerByte) + " times its size");
+  };
   for (zip_int64_t i = 0; i < entries; ++i) {
-    const char* name = zip_get_name(zip_.get(), static_cast<zip_uint64_t>(i), 0);
-    auto found = entry(name ? name : "");
+    auto found = entry(static_cast<std::uint64_t>(i));
     if (!found) return tl::make_unexpected(std::move(found.error()));
-    const Status read =
-        for_each_piece(std::move(*found), [](std::string_view) -> Status { return {}; });
-    if (!read) return read;
+    if (Status read = for_each_piece(std::move(*found), count); !read) return read;
   }
   return {};
 }

@@ -2,6 +2,7 @@
 // Zip files: written so that the same content gives the same bytes, read piece by piece.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <string>
@@ -55,35 +56,45 @@ class ZipWriter {
 /// One entry while it is read.
 class ZipEntry {
  public:
-  ZipEntry(zip_file* entry, std::string file) noexcept;
+  ZipEntry(zip_file* entry, std::string file, std::uint64_t file_size) noexcept;
 
   /// Up to `size` bytes; 0 at the end. Errors: SC6021.
   Result<std::size_t> read(char* to, std::size_t size);
 
+  /// Bytes of the zip that it stands in.
+  std::uint64_t file_size() const noexcept { return file_size_; }
+
  private:
   std::unique_ptr<zip_file, int (*)(zip_file*)> entry_;
   std::string file_;
+  std::uint64_t file_size_;
 };
+
+/// No zip that is read has more entries: a recording has one for each file that its program calls.
+inline constexpr std::int64_t kMostEntries = 10'000;
 
 class ZipReader {
  public:
-  /// Errors: SC6021, SC6001.
+  /// "-": standard input, which must be a regular file like any other. Errors: SC6021.
   static Result<ZipReader> open(const std::string& file);
 
   /// Errors: SC6021.
   Result<ZipEntry> entry(const std::string& name) const;
 
-  /// Reads all entries against their checksums. Errors: SC6021.
+  /// Reads all entries against their checksums. Errors: SC6021; SC6024 where there are more than
+  /// kMostEntries, or more comes out of them than may_unpack().
   Status check() const;
 
   /// All of an entry that is known to be short.
   Result<std::string> text(const std::string& name) const;
 
  private:
-  ZipReader(zip* archive, std::string file) noexcept;
+  ZipReader(zip* archive, std::string file, std::uint64_t size) noexcept;
+  Result<ZipEntry> entry(std::uint64_t index) const;
 
   std::unique_ptr<zip, void (*)(zip*)> zip_;
   std::string file_;
+  std::uint64_t size_;  // bytes of the file
 };
 
 /// Calls take(bytes) for an entry, piece by piece.

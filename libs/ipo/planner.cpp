@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ipo/long_curve.hpp"
 #include "ipo/travel.hpp"
 
 namespace softcnc::ipo {
@@ -51,6 +52,8 @@ void Planner::leave_out(Diagnostic diagnostic, const SourcePos& place) {
   diagnostic.pos = place;
   diagnostics_.report(std::move(diagnostic));
   flush_corners();
+  while (lay_ahead()) {
+  }
   rest_ = Limit::stop;
 }
 
@@ -59,7 +62,26 @@ void Planner::flush_corners() {
   while (auto piece = corners_.pop()) accept(std::move(*piece));
 }
 
+/// What comes behind a long curve waits until the window has all of that.
 void Planner::accept(Piece piece) {
+  const bool waits = machine_.control.interpolation == Method::arc_length &&
+                     (!ahead_.empty() || is_long_curve(piece));
+  waits ? ahead_.push_back(std::move(piece)) : lay(std::move(piece));
+}
+
+/// The next piece of those that wait, or the next stretch of one; false: none does.
+bool Planner::lay_ahead() {
+  if (ahead_.empty()) return false;
+  Piece& next = ahead_.front();
+  const bool is_long = is_long_curve(next);
+  lay(is_long ? next_stretch(next, laid_) : std::move(next));
+  if (is_long && laid_ < length(std::get<Move>(next.block.what).path)) return true;
+  ahead_.pop_front();
+  laid_ = 0;
+  return true;
+}
+
+void Planner::lay(Piece piece) {
   pending_.push_back({std::move(piece.block), {}, 0, 0, std::move(piece.marks)});
   const Move* move = pending_.back().move();
   if (move && !feed_.halts()) {
@@ -84,13 +106,15 @@ PlannerCounts Planner::counts() const noexcept {
 }
 
 std::optional<TimedBlock> Planner::pop() {
-  if (ready_.empty() && find_next(false) == Found::nothing) return std::nullopt;
+  while (ready_.empty() && find_next(false) == Found::nothing)
+    if (feed_.halts() || !lay_ahead()) return std::nullopt;
   return ready_.empty() ? take() : take_ready();
 }
 
 std::optional<TimedPart> Planner::pop_part() {
   if (!follows_time(machine_.control.interpolation)) return pop();
-  const Found found = ready_.empty() ? find_next(true) : Found::all;
+  Found found = ready_.empty() ? find_next(true) : Found::all;
+  while (found == Found::nothing && !feed_.halts() && lay_ahead()) found = find_next(true);
   if (found == Found::nothing) return std::nullopt;
   if (!ready_.empty()) return take_ready();
   if (found == Found::part && given_ == 0) return take_begin();
@@ -145,9 +169,10 @@ void Planner::report_no_speed(Profile& profile) {
 /// Where nothing more was found, passes over the window are worth their while only when it has
 /// grown.
 bool Planner::settle() {
-  if (!finished_ && !hurried_ && window_->size() < std::max(kFewIntervals, 2 * last_size_))
+  const bool ended = finished_ && (ahead_.empty() || to_rest_);
+  if (!ended && !hurried_ && window_->size() < std::max(kFewIntervals, 2 * last_size_))
     return false;
-  settled_ = window_->settle(finished_);
+  settled_ = window_->settle(ended);
   if (window_->lost()) return stop_first();
   if (settled_ > 0 && !way_out_.empty()) {
     slow_until_ = begun_ + window_->slowing_way();

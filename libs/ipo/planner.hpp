@@ -57,6 +57,8 @@ class Planner {
   enum class Found : std::uint8_t { nothing, part, all };
 
   void accept(Piece piece);
+  bool lay_ahead();
+  void lay(Piece piece);
   void leave_out(Diagnostic diagnostic, const SourcePos& place);
   void flush_corners();
   void take_back(PartlyPassed& rest, double s, double t);
@@ -90,7 +92,9 @@ class Planner {
   std::unique_ptr<Constraint> slower_;  // the feed that the moves of the window are to slow down to
   std::deque<TimedBlock> ready_;        // timed; before the pending ones
   std::deque<TimedBlock> pending_;
-  std::size_t given_ = 0;  // pieces of the first pending one that have left already
+  std::deque<Piece> ahead_;  // behind the pending ones; a long curve, and what has come after it
+  double laid_ = 0;          // mm of the first of them that are pending already
+  std::size_t given_ = 0;    // pieces of the first pending one that have left already
   PlannerCounts counts_;
   std::size_t settled_ = 0;        // intervals at the front of the window whose speeds are final
   std::size_t last_size_ = 0;      // unsettled intervals after the last passes
@@ -98,6 +102,7 @@ class Planner {
   double last_rest_ = -1;          // when the machine last rested at a turn
   RestBefore rest_ = Limit::stop;  // before the next move
   bool finished_ = false;
+  bool to_rest_ = false;  // at the end of what is pending, whatever follows
   FeedControl feed_;
   double running_;                // feed override when the machine was last to go on
   double ceiling_;                // the highest one after which it may still be faster

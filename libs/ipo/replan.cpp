@@ -89,6 +89,7 @@ std::vector<Profile> Planner::way_to_rest(PartlyPassed& rest, const State& now, 
 /// Adds to the blocks of the queue what comes behind them, up to where a plan is sure to rest.
 void Planner::plan_up_to_rest(PartlyPassed& rest) {
   const bool finished = std::exchange(finished_, true);
+  to_rest_ = true;
   while (rest.blocks.back().profile.end_speed() > 0) {
     const bool open = given_ > 0;
     auto timed = pop();
@@ -99,6 +100,7 @@ void Planner::plan_up_to_rest(PartlyPassed& rest) {
       rest.blocks.push_back(std::move(*timed));
   }
   finished_ = finished;
+  to_rest_ = false;
 }
 
 /// To a rest on the path; what lies behind it waits.

@@ -9,6 +9,7 @@
 #include "apps/shell.hpp"
 #include "hal/hash.hpp"
 #include "hal/zip_file.hpp"
+#include "recording_meta.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc::app::test;
@@ -57,7 +58,7 @@ Content content(const std::string& file) {
 
 void pack(const std::string& file, const Content& content) {
   ZipWriter zip(file);
-  zip.add_text("meta.json", content.meta);
+  zip.add_text("meta.json", softcnc::app::sealed_meta(content.meta));
   zip.add_text("program", content.program);
   zip.add_text("machine.toml", content.machine);
   zip.add_text("state.toml", content.state);
@@ -103,7 +104,7 @@ TEST_CASE("a recording holds all that a replay needs, and agrees with it", "[app
   CHECK(held.program == read(data("square.nc")));
   CHECK(held.machine.find("[axis.x]") != std::string::npos);
   const json meta = json::parse(held.meta);
-  CHECK(meta["schema"] == 1);
+  CHECK(meta["schema"] == 2);
   CHECK(meta["softcnc"] == SOFTCNC_VERSION);
   CHECK(meta["program"]["hash"] == softcnc::hal::hash_hex(held.program));
   CHECK(meta["machine"]["hash"] == softcnc::hal::hash_hex(held.machine));
@@ -359,14 +360,151 @@ TEST_CASE("a recording of a later form is refused with SC6022", "[apps][recordin
   const std::string file = recorded(folder);
   Content held = content(file);
   json meta = json::parse(held.meta);
-  meta["schema"] = 2;
+  meta["schema"] = 3;
   held.meta = meta.dump();
   pack(file, held);
   const Ended ended = call("replay " + file);
   CHECK(ended.status == 5);
   CHECK(ended.err == file +
-                         ": error: is a recording of schema 2; this version replays "
-                         "schema 1 [SC6022]\n");
+                         ": error: is a recording of schema 3; this version replays "
+                         "schemas 1 to 2 [SC6022]\n");
+}
+
+namespace {
+
+/// What replay says of a recording whose meta.json is changed by change(), without its hash put
+/// right.
+template <typename Change>
+Ended replayed_with(const std::string& file, const Content& held, Change&& change) {
+  auto meta = nlohmann::ordered_json::parse(held.meta);
+  change(meta);
+  ZipWriter zip(file);
+  zip.add_text("meta.json", meta.dump(2) + '\n');
+  zip.add_text("program", held.program);
+  zip.add_text("machine.toml", held.machine);
+  zip.add_text("state.toml", held.state);
+  zip.add_text("trace.csv.zst", packed(held.trace));
+  REQUIRE(zip.finish());
+  return call("replay " + file);
+}
+
+}  // namespace
+
+TEST_CASE("a meta.json that was changed is noticed", "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  const Content held = content(file);
+  CHECK(replayed_with(file, held, [&](auto& meta) {
+          meta["trace"]["hash"] = softcnc::hal::hash_hex(packed(held.trace));
+          meta = nlohmann::ordered_json::parse(softcnc::app::sealed_meta(meta.dump()));
+        }).status == 0);
+  const std::string differs =
+      file + ": error: meta.json in it is not what was recorded: its hash differs [SC6021]\n";
+  CHECK(replayed_with(file, held, [](auto& meta) { meta["trace"]["rows"] = 7; }).err == differs);
+  CHECK(replayed_with(file, held, [](auto& meta) { meta["more"] = 7; }).err == differs);
+  CHECK(replayed_with(file, held, [](auto& meta) { meta["options"]["block_skip"] = true; }).err ==
+        differs);
+  CHECK(replayed_with(file, held, [](auto& meta) { meta.erase("hash"); }).status == 5);
+  // Recordings of the first schema have no such hash; what they say of themselves is compared.
+  const auto of_first = [&](auto&& change) {
+    return replayed_with(file, held, [&](auto& meta) {
+      meta["trace"]["hash"] = softcnc::hal::hash_hex(packed(held.trace));
+      meta["schema"] = 1;
+      meta.erase("hash");
+      change(meta);
+    });
+  };
+  CHECK(of_first([](auto&) {}).status == 0);
+  CHECK(of_first([](auto& meta) { meta["trace"]["rows"] = -1; }).err ==
+        file + ": error: has a meta.json that says: -1 rows [SC6021]\n");
+  CHECK(begins_showing(of_first([](auto& meta) { meta["trace"]["rows"] = 7; }).err,
+                       file + ": error: meta.json in it says 7 rows, its trace has ... [SC6021]"));
+  CHECK(of_first([](auto& meta) { meta["trace"]["rows"] = 1e300; }).status == 5);
+  CHECK(of_first([](auto& meta) { meta["options"]["feed_override"] = -1; }).status == 5);
+  CHECK(of_first([](auto& meta) { meta["options"]["feed_override"] = 1e300; }).status == 5);
+  CHECK(of_first([](auto& meta) { meta["schema"] = 1e300; }).status == 5);
+}
+
+TEST_CASE("a meta.json nested deeply, or naming a file twice, is refused", "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  Content held = content(file);
+  held.meta = "{\"schema\":1,\"a\":" + std::string(200'000, '[') + std::string(200'000, ']') + "}";
+  pack(file, held);
+  const Ended deep = call("replay " + file);
+  CHECK(deep.status == 5);
+  CHECK(deep.err ==
+        file + ": error: has a meta.json that is nested deeper than 16 levels [SC6021]\n");
+  held.meta = std::string(1'000'000, '[');
+  pack(file, held);
+  CHECK(call("replay " + file).status == 5);
+  auto meta = nlohmann::ordered_json::parse(content(recorded(folder)).meta);
+  meta["called"] = {{{"name", "a"}, {"hash", ""}}, {{"name", "a"}, {"hash", ""}}};
+  held.meta = meta.dump();
+  pack(file, held);
+  CHECK(call("replay " + file).err == file + ": error: names a called file twice: 'a' [SC6021]\n");
+}
+
+TEST_CASE("a recording of a few bytes that unpacks to a minute of reading is refused at once",
+          "[apps][recording][code]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  Content bomb = content(file);
+  std::string comments = "#\n";
+  while (comments.size() < 100'000'000) comments += comments;
+  bomb.trace = comments;
+  json meta = json::parse(bomb.meta);
+  meta["trace"]["hash"] = softcnc::hal::hash_hex(packed(bomb.trace));
+  bomb.meta = meta.dump();
+  pack(file, bomb);  // compresses what is compressed
+  REQUIRE(read(file).size() < 20'000);
+  const Ended ended = call("replay " + file);
+  CHECK(ended.status == 5);
+  CHECK(ended.err ==
+        file + ": error: its trace unpacks to more than 2000 times its size [SC6024]\n");
+}
+
+TEST_CASE("a recording of too many entries is refused", "[apps][recording]") {
+  const Folder folder;
+  const std::string file = folder / "many.rec";
+  ZipWriter zip(file);
+  for (int i = 0; i < 10'001; ++i) zip.add_text("called/" + std::to_string(i), "");
+  REQUIRE(zip.finish());
+  CHECK(call("replay " + file).err == file + ": error: has more than 10000 entries [SC6024]\n");
+}
+
+TEST_CASE("what is not finite in a recorded trace is no number of a run", "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  const Content held = content(file);
+  for (const std::string value : {"inf", "-inf", "nan", "1e999"}) {
+    for (const std::size_t column : {kS, kX, std::size_t{4}, std::size_t{5}}) {
+      CAPTURE(value, column);
+      Content other = held;
+      other.trace = changed(held.trace, 200, column, [&](const std::string&) { return value; });
+      json meta = json::parse(held.meta);
+      meta["trace"]["hash"] = softcnc::hal::hash_hex(packed(other.trace));
+      other.meta = meta.dump();
+      pack(file, other);
+      CHECK(call("replay -q " + file).status == 1);
+    }
+  }
+}
+
+TEST_CASE("a recording may come from standard input where that is a file", "[apps][recording]") {
+  const Folder folder;
+  const std::string file = recorded(folder);
+  const Ended ended = shell("$softcnc replay - < " + file);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.starts_with("<stdin>: "));
+  const std::string refused =
+      ": error: cannot be read as a recording: it is no regular file, and a recording is read at "
+      "any "
+      "place [SC6021]\n";
+  CHECK(shell("$softcnc replay - < /dev/null").err == "<stdin>" + refused);
+  CHECK(shell("cat " + file + " | $softcnc replay -").err == "<stdin>" + refused);
+  CHECK(call("replay /dev/null").err == "/dev/null" + refused);
+  CHECK(call("replay /dev/null").status == 5);
 }
 
 TEST_CASE("a recording that cannot be made leaves no file", "[apps][recording]") {

@@ -118,15 +118,37 @@ TEST_CASE("what a setting lacks is reported once for all machines", "[apps][side
   CHECK(ended.out.find("SC7001") == ended.out.rfind("SC7001"));
 }
 
-TEST_CASE("only a regular file of its own is the machine of a program", "[apps][sidecar]") {
+TEST_CASE("what has the name of the machine of a program and is no file is an error",
+          "[apps][sidecar]") {
   const Folder folder;
-  const std::string part = folder / "p.nc";
+  const std::string part = folder / "p.nc", machine = folder / "p.toml";
   write(part, kPart);
-  std::filesystem::create_directory(folder / "p.toml");
+  struct Case {
+    const char* make;
+    const char* why;
+  };
+  for (const Case& tried :
+       {Case{"mkdir", "it is no regular file"}, Case{"mkfifo", "it is no regular file"},
+        Case{"ln -s /no/such/file", "it is a link to nothing"},
+        Case{"ln -s /dev/null", "it is no regular file"}}) {
+    REQUIRE(shell(std::string(tried.make) + " " + machine).status == 0);
+    CAPTURE(tried.make);
+    for (const std::string command : {"check", "run", "run --dry-run", "blocks"}) {
+      const Ended ended = shell("timeout 20 $softcnc " + command + " " + part + " 2>&1");
+      CHECK(ended.status == 2);
+      CHECK(ended.out ==
+            machine + ": error: cannot be read: " + std::string(tried.why) + " [SC7003]\n");
+    }
+    CHECK(call("check " + part + " --machine builtin").status == 0);
+    std::filesystem::remove(machine);
+  }
+  write(folder / "machine", kSlow);
+  std::filesystem::create_symlink(folder / "machine", machine);
   CHECK(call("check " + part).status == 0);
-  std::filesystem::remove(folder / "p.toml");
-  REQUIRE(shell("mkfifo " + (folder / "p.toml")).status == 0);
-  CHECK(call("check " + part).status == 0);
+}
+
+TEST_CASE("only a file of its own is the machine of a program", "[apps][sidecar]") {
+  const Folder folder;
   write(folder / "q.toml", kPart);
   CHECK(call("check " + (folder / "q.toml")).status == 0);  // it is the program
   write(folder / "in.toml", "none");

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "hal/edge_file.hpp"
+#include "hal/output_file.hpp"
 #include "hal/packed_file.hpp"
 #include "hal/zstd_sink.hpp"
 #include "support/folder.hpp"
@@ -39,7 +40,7 @@ Reading read_in_pieces(std::string_view text, std::size_t piece) {
     status = reader.read(text.substr(i, piece));
   if (status) status = reader.finish();
   if (!status) {
-    CHECK(status.error().code == Code::SC6091);
+    CHECK((status.error().code == Code::SC6091 || status.error().code == Code::SC6092));
     reading.error = status.error().message;
   }
   return reading;
@@ -140,6 +141,52 @@ TEST_CASE("the place of what is wrong in a dump is told", "[hal][pulse]") {
   CHECK(read.error().pos.column == 4);
   CHECK(read.error().pos.length == 2);
   CHECK(read.error().source_line == "#5 ?!");
+}
+
+TEST_CASE("a line of a dump that does not end is refused before it fills the memory",
+          "[hal][pulse][code]") {
+  constexpr std::size_t kPiece = 65536;
+  for (const std::string word : {" ", "1s1 ", "x"}) {
+    CAPTURE(word);
+    std::string piece;
+    while (piece.size() < kPiece) piece += word;
+    EdgeReader reader([](const ReadEdge&) {});
+    REQUIRE(reader.read(kHead + "#4\n"));
+    Status status;
+    int pieces = 0;
+    for (; status && pieces < 100; ++pieces) status = reader.read(piece);
+    REQUIRE_FALSE(status);
+    CHECK(pieces < 18);  // 1 MiB
+    status.error().file = "t.vcd";
+    CHECK(render(status.error())
+              .starts_with("t.vcd:15:1: error: a line longer than 1 MiB [SC6092]\n"));
+  }
+  std::string names;
+  for (int i = 0; i < 1000; ++i) names += "name\n";
+  CHECK(error_of("$var " + names) == "too many words behind $var");
+}
+
+TEST_CASE("a packed list of edges that unpacks to a thousand times its size is refused",
+          "[hal][pulse]") {
+  const test::Folder folder;
+  const std::string file = folder / "bomb.vcd.zst";
+  auto out = OutputFile::open(file);
+  REQUIRE(out);
+  auto sink = zstd_sink(std::move(*out));
+  REQUIRE(sink->write(kHead));
+  const std::string blank(std::size_t{1} << 20U, '\n');
+  for (int i = 0; i < 400; ++i) REQUIRE(sink->write(blank));
+  REQUIRE(sink->finish());
+  REQUIRE(std::filesystem::file_size(file) < 100'000);
+  auto packed = PackedFile::open(file, Code::SC6090, Code::SC6091);
+  REQUIRE(packed);
+  std::size_t unpacked = 0;
+  Result<std::string_view> bytes = packed->next();
+  for (; bytes && !bytes->empty(); bytes = packed->next()) unpacked += bytes->size();
+  REQUIRE_FALSE(bytes);
+  CHECK(bytes.error().code == Code::SC6091);
+  CHECK(bytes.error().message == "unpacks to more than 2000 times its size");
+  CHECK(unpacked < 300'000'000);
 }
 
 TEST_CASE("a binary list is read wherever it is cut, and refused where it is damaged",

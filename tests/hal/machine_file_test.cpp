@@ -559,8 +559,8 @@ TEST_CASE("all errors of a file and of settings are told at once, by their place
   CHECK(refused("[spindle]\nmax_rpm = -1\n[control]\nperiod_ms = \"a\"\nbackend = 'no'\n"
                 "[axis.x]\nmin_mm = 20\nmax_mm = 10\n",
                 {"limits.feed_mm_min=x", "spindle.min_rpm=-1"}) ==
-        "mill.toml:2:11: error: spindle.max_rpm must be at least 0 and at most 1e+06, not "
-        "-1 [SC7005]\n"
+        "mill.toml:2:11: error: spindle.max_rpm must be 0, or at least 0.001 and at most "
+        "1e+06, not -1 [SC7005]\n"
         "    2 | max_rpm = -1\n"
         "      |           ^~\n"
         "mill.toml:4:13: error: control.period_ms takes a number, not a text [SC7004]\n"
@@ -576,7 +576,8 @@ TEST_CASE("all errors of a file and of settings are told at once, by their place
         "--set:1:20: error: limits.feed_mm_min takes a number, not a text [SC7004]\n"
         "    1 | limits.feed_mm_min=x\n"
         "      |                    ^\n"
-        "--set:1:17: error: spindle.min_rpm must be at least 0 and at most 1e+06, not -1 [SC7005]\n"
+        "--set:1:17: error: spindle.min_rpm must be 0, or at least 0.001 and at most 1e+06, not "
+        "-1 [SC7005]\n"
         "    1 | spindle.min_rpm=-1\n"
         "      |                 ^~\n");
   using Faults = std::vector<std::string>;
