@@ -65,6 +65,7 @@ int check_program(const std::string& name, const Machine& machine, const Channel
   out.set_streaming(program->streamed());
   ChannelOptions beside = options;
   beside.interpreter.folder = program->folder();
+  beside.interpreter.called = &program->called();
   const Preflight checked =
       preflight(*program, machine, beside, messages, watcher, Tells::surface_too);
   const std::filesystem::path folder = program->folder();

@@ -279,6 +279,7 @@ Result<Job> open_job(const Options& options) {
   const ChannelOptions channel = channel_options(options, program->folder());
   Job job{std::move(*program), std::move(choice->machine), std::move(choice->file_beside), channel};
   job.options.state = std::move(*state);
+  job.options.interpreter.called = &job.program.called();
   return job;
 }
 
