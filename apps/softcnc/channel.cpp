@@ -132,7 +132,9 @@ bool Feeder::read_block() {
 /// The next block, however long it takes to come.
 std::optional<Block> Feeder::wait_for_block() {
   auto block = interpreter_.next();
-  for (; !block && interpreter_.waiting(); block = interpreter_.next()) wait_for_input(input_);
+  const std::stop_token& stop = options_.interpreter.stop;
+  for (; !block && interpreter_.waiting() && !stop.stop_requested(); block = interpreter_.next())
+    wait_for_input(input_, stop);
   return block;
 }
 

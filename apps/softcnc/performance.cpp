@@ -33,6 +33,11 @@ WrittenFile backend_output(const Machine& machine) {
   return {is_edges ? "edges" : "rows", backend_file(machine).second};
 }
 
+/// Whether a machine outside softcnc may be moved.
+bool is_real(BackendKind backend) {
+  return backend == BackendKind::parport || backend == BackendKind::hal_stream;
+}
+
 bool on_terminal(const std::string& trace) { return trace == "-" && ::isatty(STDOUT_FILENO) != 0; }
 
 bool may_ask(const Options& options) {
@@ -95,6 +100,7 @@ Performance Performer::move(const std::string& trace, double total) {
   if (!backend) return refused(backend.error());
   auto rows = open_trace(trace, job_.program, job_.machine, **backend);
   if (!rows) return refused(rows.error());
+  if (!options_.dry_run) terminal_.begin_motion(is_real(job_.machine.control.backend));
   terminal_.begin(options_.dry_run ? "planning" : "running", total);
   performance_.moved = true;
   run(**backend, *rows);
@@ -291,6 +297,7 @@ std::string_view name(Ending ending) noexcept {
 Performance perform(Job& job, const Options& options, const std::string& trace) {
   Terminal terminal(options.progress, on_terminal(trace), job.machine.control.period);
   Messages messages([&terminal] { terminal.end(); });
+  job.options.interpreter.stop = terminal.stop();
   Outcome expected;
   Performance performance;
   if (!options.dry_run) performance = check_first(job, messages, terminal, expected);

@@ -17,4 +17,7 @@ void rest_on_signal(PacedPlayer* player);
 /// names yet.
 void leave_no_parts_on_signal(std::span<const std::string> files);
 
+/// Ends softcnc by a signal as if it had come now, also one that is ignored.
+void end_by(int signal);
+
 }  // namespace softcnc::app
