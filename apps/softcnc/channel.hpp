@@ -26,6 +26,7 @@
 #include "motion/cycle.hpp"
 #include "motion/programmed_path.hpp"
 #include "motion/verify.hpp"
+#include "motion_limit.hpp"
 #include "run_times.hpp"
 #include "state_history.hpp"
 #include "surface_notes.hpp"
@@ -110,6 +111,8 @@ class Feeder {
 
  private:
   bool read_block();
+  void take(ipo::BlockQueue& queue, ipo::TimedPart part);
+  void end_at_last_block();
   void find_pauses(const ipo::TimedBlock& timed);
   std::optional<Block> wait_for_block();
   void read_on(std::optional<Block> block);
@@ -128,7 +131,9 @@ class Feeder {
   StateHistory states_;
   bool ended_ = false, waiting_ = false;
   bool patient_;
-  double until_ = 0;  // what fill() was asked for
+  MotionLimit limit_;
+  double planned_ = 0;  // s: the end of the queue
+  double until_ = 0;    // what fill() was asked for
   double cpu_ = 0;
 };
 
