@@ -145,6 +145,11 @@ bool Feeder::read_block() {
   if (block && options_.keeps_state) states_.add(block->number, interpreter_.state());
   if (block && diagnostics_.errors() == 0)
     if (auto late = limit_.check(*block, planned_)) diagnostics_.report(std::move(*late));
+  if (is_endless()) {
+    end_at_last_block();
+    read_unplanned(std::move(block));
+    return true;
+  }
   const bool good = block && diagnostics_.errors() == 0;
   if (good && options_.single_block) end_at_rest(*block);
   if (good && programmed_) programmed_->add(*block);
@@ -155,6 +160,16 @@ bool Feeder::read_block() {
   return true;
 }
 
+/// Asked for seldom enough not to count.
+bool Feeder::is_endless() {
+  constexpr std::int64_t kSeldom = 4;
+  if (!options_.is_endless || parser_.reader().bytes() == 0) return false;
+  const std::int64_t again = parser_.bytes_read() - parser_.reader().bytes();
+  if (again < read_again_) return false;
+  read_again_ = kSeldom * again;
+  return options_.is_endless();
+}
+
 /// The next block, however long it takes to come.
 std::optional<Block> Feeder::wait_for_block() {
   auto block = interpreter_.next();
@@ -162,6 +177,12 @@ std::optional<Block> Feeder::wait_for_block() {
   for (; !block && interpreter_.waiting() && !stop.stop_requested(); block = interpreter_.next())
     wait_for_input(input_, stop);
   return block;
+}
+
+/// Reads to the end of a program that has none: planning what it does would take long.
+void Feeder::read_unplanned(std::optional<Block> block) {
+  for (; block; block = wait_for_block())
+    if (const Move* move = std::get_if<Move>(&block->what)) refused_.see(*move, block->source);
 }
 
 /// Reads to the end of the program only to find what else is wrong.

@@ -70,8 +70,14 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
     return result;
   }
   ipr::Reader reader = program.reader();
-  result.outcome = simulate(reader, program.descriptor(), machine, skimming(options, machine),
-                            **backend, diagnostics, nullptr, watcher);
+  ChannelOptions running = skimming(options, machine);
+  if (program.streamed())
+    running.is_endless = [&] {
+      ipr::Reader again = reader.again();
+      return is_endless(again, machine, options, watcher);
+    };
+  result.outcome = simulate(reader, program.descriptor(), machine, running, **backend, diagnostics,
+                            nullptr, watcher);
   if (diagnostics.errors() == 0 && result.outcome.end == Outcome::End::done) {
     report_excess(result.outcome.measured, result.outcome.deviation, machine, diagnostics);
     if (tells == Tells::surface_too) result.outcome.surface.tell_blocks(diagnostics);
