@@ -36,6 +36,13 @@ ipr::InterpreterOptions showing(ipr::InterpreterOptions options, ipr::RefusedMov
   return options;
 }
 
+double largest_override(const ChannelOptions& options) {
+  double largest = options.feed_override;
+  for (const FeedEvent& event : options.events)
+    if (event.kind == FeedEvent::Kind::override_) largest = std::max(largest, event.percent / 100);
+  return largest;
+}
+
 }  // namespace
 
 void RefusedTravel::see(const Move& move, SourcePos source) {
@@ -57,7 +64,8 @@ Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
                    options.state),
       planner_(machine, options.feed_override, diagnostics),
       states_(options.state),
-      patient_(!options.events.empty()) {}
+      patient_(!options.events.empty()),
+      limit_(machine, largest_override(options)) {}
 
 void Feeder::fill(ipo::BlockQueue& queue, double until) {
   CpuLaps cpu;
@@ -69,8 +77,7 @@ void Feeder::fill(ipo::BlockQueue& queue, double until) {
     if (!part && !patient_) part = planner_.pop_part_now();
     waiting_ = !part;
     if (waiting_) break;
-    if (const auto* timed = std::get_if<ipo::TimedBlock>(&*part)) find_pauses(*timed);
-    queue.push(std::move(*part));
+    take(queue, std::move(*part));
   }
   cpu_ += cpu.lap();
 }
@@ -80,11 +87,29 @@ void Feeder::look_ahead(ipo::BlockQueue& queue, double s, double t) {
   while (!waiting_ && queue.s_end().value_or(0) < s && queue.t_end() < t) {
     auto part = planner_.pop_part();
     if (!part && (ended_ || !read_block())) break;
-    if (!part) continue;
-    if (const auto* timed = std::get_if<ipo::TimedBlock>(&*part)) find_pauses(*timed);
-    queue.push(std::move(*part));
+    if (part) take(queue, std::move(*part));
   }
   cpu_ += cpu.lap();
+}
+
+void Feeder::take(ipo::BlockQueue& queue, ipo::TimedPart part) {
+  const auto* timed = std::get_if<ipo::TimedBlock>(&part);
+  std::optional<Diagnostic> late;
+  if (timed != nullptr) find_pauses(*timed);
+  if (timed != nullptr && diagnostics_.errors() == 0)
+    late = limit_.check_end(timed->block, timed->t_end());
+  queue.push(std::move(part));
+  planned_ = queue.t_end();
+  if (!late) return;
+  diagnostics_.report(std::move(*late));
+  if (ended_) return;
+  end_at_last_block();
+  read_on(std::nullopt);
+}
+
+void Feeder::end_at_last_block() {
+  planner_.finish();
+  ended_ = true;
 }
 
 /// With single block before every block but the first, and those that wait by themselves.
@@ -118,22 +143,46 @@ bool Feeder::read_block() {
   auto block = interpreter_.next();
   if (!block && interpreter_.waiting()) return false;
   if (block && options_.keeps_state) states_.add(block->number, interpreter_.state());
+  if (block && diagnostics_.errors() == 0)
+    if (auto late = limit_.check(*block, planned_)) diagnostics_.report(std::move(*late));
+  if (is_endless()) {
+    end_at_last_block();
+    read_unplanned(std::move(block));
+    return true;
+  }
   const bool good = block && diagnostics_.errors() == 0;
   if (good && options_.single_block) end_at_rest(*block);
   if (good && programmed_) programmed_->add(*block);
   if (good) planner_.push(*std::exchange(block, std::nullopt));
   if (good && diagnostics_.errors() == 0) return true;
-  planner_.finish();
-  ended_ = true;
+  end_at_last_block();
   read_on(std::move(block));
   return true;
+}
+
+/// Asked for seldom enough not to count.
+bool Feeder::is_endless() {
+  constexpr std::int64_t kSeldom = 4;
+  if (!options_.is_endless || parser_.reader().bytes() == 0) return false;
+  const std::int64_t again = parser_.bytes_read() - parser_.reader().bytes();
+  if (again < read_again_) return false;
+  read_again_ = kSeldom * again;
+  return options_.is_endless();
 }
 
 /// The next block, however long it takes to come.
 std::optional<Block> Feeder::wait_for_block() {
   auto block = interpreter_.next();
-  for (; !block && interpreter_.waiting(); block = interpreter_.next()) wait_for_input(input_);
+  const std::stop_token& stop = options_.interpreter.stop;
+  for (; !block && interpreter_.waiting() && !stop.stop_requested(); block = interpreter_.next())
+    wait_for_input(input_, stop);
   return block;
+}
+
+/// Reads to the end of a program that has none: planning what it does would take long.
+void Feeder::read_unplanned(std::optional<Block> block) {
+  for (; block; block = wait_for_block())
+    if (const Move* move = std::get_if<Move>(&block->what)) refused_.see(*move, block->source);
 }
 
 /// Reads to the end of the program only to find what else is wrong.

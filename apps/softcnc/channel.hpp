@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <deque>
 #include <exception>
+#include <functional>
 #include <optional>
 #include <set>
 #include <span>
@@ -26,6 +27,7 @@
 #include "motion/cycle.hpp"
 #include "motion/programmed_path.hpp"
 #include "motion/verify.hpp"
+#include "motion_limit.hpp"
 #include "run_times.hpp"
 #include "state_history.hpp"
 #include "surface_notes.hpp"
@@ -42,6 +44,9 @@ struct ChannelOptions {
   std::vector<FeedEvent> events;  // in the order of time
   bool skims = false;             // rows that cannot come near a limit are not looked at one by one
   std::size_t worst_lines = 0;    // Outcome::worst_lines: so many are asked for
+  /// Whether the program never ends as far as it is known; asked for where much has been read
+  /// again. Such a program is not planned further. May be empty.
+  std::function<bool()> is_endless = {};
 };
 
 /// Where the program waits for a person, and when that is passed.
@@ -110,6 +115,10 @@ class Feeder {
 
  private:
   bool read_block();
+  void take(ipo::BlockQueue& queue, ipo::TimedPart part);
+  void end_at_last_block();
+  bool is_endless();
+  void read_unplanned(std::optional<Block> block);
   void find_pauses(const ipo::TimedBlock& timed);
   std::optional<Block> wait_for_block();
   void read_on(std::optional<Block> block);
@@ -128,7 +137,10 @@ class Feeder {
   StateHistory states_;
   bool ended_ = false, waiting_ = false;
   bool patient_;
-  double until_ = 0;  // what fill() was asked for
+  MotionLimit limit_;
+  double planned_ = 0;               // s: the end of the queue
+  std::int64_t read_again_ = 65536;  // bytes: where more have been, it is asked for an end
+  double until_ = 0;                 // what fill() was asked for
   double cpu_ = 0;
 };
 

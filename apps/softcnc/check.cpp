@@ -25,6 +25,7 @@ class SignalWatcher final : public Watcher {
  public:
   explicit SignalWatcher(StopSignals& signals) : signals_(signals) {}
   bool wants_stop() override { return signals_.poll() != 0; }
+  std::stop_token token() const noexcept { return signals_.token(); }
   void sees(const Setpoint&) override {}
   void pause(const Pause&) override {}
   void wait_for_input(int descriptor) override { signals_.wait_for_input(descriptor); }
@@ -65,6 +66,7 @@ int check_program(const std::string& name, const Machine& machine, const Channel
   out.set_streaming(program->streamed());
   ChannelOptions beside = options;
   beside.interpreter.folder = program->folder();
+  beside.interpreter.called = &program->called();
   const Preflight checked =
       preflight(*program, machine, beside, messages, watcher, Tells::surface_too);
   const std::filesystem::path folder = program->folder();
@@ -81,7 +83,7 @@ int check_program(const std::string& name, const Machine& machine, const Channel
   return checked.status;
 }
 
-int check_all(const Options& options, Shown& out, Messages& messages, Watcher* watcher,
+int check_all(const Options& options, Shown& out, Messages& messages, SignalWatcher* watcher,
               std::vector<std::string>& called) {
   auto state = open_state(options.state, messages);
   if (!state) return messages.fail(state.error());
@@ -89,6 +91,7 @@ int check_all(const Options& options, Shown& out, Messages& messages, Watcher* w
   ChannelOptions channel = channel_options(options, {});
   channel.interpreter.compare_dialects = true;
   channel.state = std::move(*state);
+  if (watcher) channel.interpreter.stop = watcher->token();
   int status = 0;
   for (const std::string& name : options.files) {
     if (!out.ok()) break;
@@ -116,7 +119,7 @@ std::string counts(const Messages& messages) {
 }
 
 /// All files once, in the form asked for. Those that they call are watched, too.
-Checked check_once(const Options& options, Watcher* watcher, FileWatch* changes) {
+Checked check_once(const Options& options, SignalWatcher* watcher, FileWatch* changes) {
   Shown out(options.diagnostics);
   const auto write = [&out](std::string_view text) { out.write(text); };
   const auto document = make_document(options.diagnostics, write);

@@ -36,9 +36,12 @@ Descriptor::~Descriptor() {
   if (number_ >= 0) ::close(number_);
 }
 
-void wait_for_input(int descriptor) {
+void wait_for_input(int descriptor, const std::stop_token& stop) {
+  constexpr int kBetweenLooks = 100;  // ms
   pollfd source{descriptor, POLLIN, 0};
-  ::poll(&source, 1, -1);
+  const int time = stop.stop_possible() ? kBetweenLooks : -1;
+  while (!stop.stop_requested() && ::poll(&source, 1, time) == 0) {
+  }
 }
 
 Result<Descriptor> unlinked_file() {

@@ -2,6 +2,7 @@
 // A file descriptor with an owner, and files without a name.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -22,8 +23,8 @@ class Descriptor {
   int number_;
 };
 
-/// Returns when there is something to read.
-void wait_for_input(int descriptor);
+/// Returns when there is something to read, or a stop has been requested.
+void wait_for_input(int descriptor, const std::stop_token& stop = {});
 
 /// An empty file that vanishes with its descriptor. Errors: SC6003.
 Result<Descriptor> unlinked_file();

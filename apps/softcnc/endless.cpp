@@ -23,9 +23,14 @@ void read(ipr::Interpreter& interpreter, Watcher* watcher, Take&& take) {
 
 bool is_endless(Program& program, const Machine& machine, const ChannelOptions& options,
                 Watcher* watcher) {
+  ipr::Reader reader = program.reader();
+  return is_endless(reader, machine, options, watcher);
+}
+
+bool is_endless(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+                Watcher* watcher) {
   bool endless = false;
   Diagnostics silent([&](const Diagnostic& told) { endless |= told.code == Code::SC2310; });
-  ipr::Reader reader = program.reader();
   ipr::Parser parser(reader, silent);
   ipr::InterpreterOptions reading = options.interpreter;
   reading.compare_dialects = reading.unrun_too = false;

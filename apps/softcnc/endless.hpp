@@ -13,7 +13,10 @@
 namespace softcnc::app {
 
 /// Whether reading the program breaks off in an endless loop. False where the watcher wants to stop
-/// before that is known. Expects a program that can be read again.
+/// before that is known, and where a pipe has nothing more yet.
+bool is_endless(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+                Watcher* watcher);
+/// Expects a program that can be read again.
 bool is_endless(Program& program, const Machine& machine, const ChannelOptions& options,
                 Watcher* watcher);
 

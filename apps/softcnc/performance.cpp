@@ -32,6 +32,11 @@ WrittenFile backend_output(const Machine& machine) {
   return {is_edges ? "edges" : "rows", backend_file(machine).second};
 }
 
+/// Whether a machine outside softcnc may be moved.
+bool is_real(BackendKind backend) {
+  return backend == BackendKind::parport || backend == BackendKind::hal_stream;
+}
+
 bool on_terminal(const std::string& trace) { return trace == "-" && ::isatty(STDOUT_FILENO) != 0; }
 
 bool may_ask(const Options& options) {
@@ -96,6 +101,7 @@ Performance Performer::move(const TracePlace& trace, double total) {
   auto rows = trace.packed ? packed_trace(*trace.packed, job_.program, job_.machine, **backend)
                            : open_trace(trace.file, job_.program, job_.machine, **backend);
   if (!rows) return refused(rows.error());
+  if (!options_.dry_run) terminal_.begin_motion(is_real(job_.machine.control.backend));
   terminal_.begin(options_.dry_run ? "planning" : "running", total);
   performance_.moved = true;
   run(**backend, *rows);
@@ -289,6 +295,7 @@ Result<Job> open_job(const Options& options) {
   const ChannelOptions channel = channel_options(options, program->folder());
   Job job{std::move(*program), std::move(choice->machine), std::move(choice->file_beside), channel};
   job.options.state = std::move(*state);
+  job.options.interpreter.called = &job.program.called();
   return job;
 }
 
@@ -300,6 +307,7 @@ std::string_view name(Ending ending) noexcept {
 Performance perform(Job& job, const Options& options, const TracePlace& trace) {
   Terminal terminal(options.progress, on_terminal(trace.file), job.machine.control.period);
   Messages messages([&terminal] { terminal.end(); });
+  job.options.interpreter.stop = terminal.stop();
   Outcome expected;
   Performance performance;
   if (!options.dry_run) performance = check_first(job, messages, terminal, expected);

@@ -70,14 +70,19 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
     return result;
   }
   ipr::Reader reader = program.reader();
-  result.outcome = simulate(reader, program.descriptor(), machine, skimming(options, machine),
-                            **backend, diagnostics, nullptr, watcher);
-  if (diagnostics.errors() == 0) {
+  ChannelOptions running = skimming(options, machine);
+  if (program.streamed())
+    running.is_endless = [&] {
+      ipr::Reader again = reader.again();
+      return is_endless(again, machine, options, watcher);
+    };
+  result.outcome = simulate(reader, program.descriptor(), machine, running, **backend, diagnostics,
+                            nullptr, watcher);
+  if (diagnostics.errors() == 0 && result.outcome.end == Outcome::End::done) {
     report_excess(result.outcome.measured, result.outcome.deviation, machine, diagnostics);
     if (tells == Tells::surface_too) result.outcome.surface.tell_blocks(diagnostics);
     result.outcome.surface.warn(diagnostics);
-    if (result.outcome.end == Outcome::End::done)
-      judge_corners(program, machine, options, result.outcome, watcher, diagnostics);
+    judge_corners(program, machine, options, result.outcome, watcher, diagnostics);
   }
   errors.finish();
   result.status = errors.status();

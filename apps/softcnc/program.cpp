@@ -37,6 +37,13 @@ Result<Descriptor> copied(const Descriptor& from, const std::string& name) {
   return to;
 }
 
+Result<Descriptor> snapshot(const Descriptor& file, off_t begin, const std::string& name) {
+  auto copy = ipr::Snapshot::of(*file, begin);
+  if (copy) return Descriptor(copy->release());
+  copy.error().file = name;
+  return tl::make_unexpected(std::move(copy.error()));
+}
+
 std::string folder_of(const std::string& name) {
   const std::string folder = std::filesystem::path(name).parent_path();
   return folder.empty() ? "." : folder;
@@ -45,7 +52,7 @@ std::string folder_of(const std::string& name) {
 }  // namespace
 
 Program::Program(std::string name, Descriptor file, off_t begin)
-    : name_(std::move(name)), file_(std::move(file)), begin_(begin), lines_offset_(begin) {}
+    : name_(std::move(name)), file_(std::move(file)), begin_(begin) {}
 
 Result<Program> Program::open(const std::string& name, Readings readings) {
   const bool standard_input = name == "-";
@@ -58,7 +65,10 @@ Result<Program> Program::open(const std::string& name, Readings readings) {
   const std::string folder = standard_input ? "" : folder_of(name);
   if (S_ISREG(info.st_mode)) {
     const off_t begin = ::lseek(*file, 0, SEEK_CUR);
-    Program program(shown, std::move(file), begin);
+    const bool once = readings == Readings::one;
+    auto text = once ? Result<Descriptor>(std::move(file)) : snapshot(file, begin, shown);
+    if (!text) return tl::make_unexpected(std::move(text.error()));
+    Program program(shown, std::move(*text), once ? begin : 0);
     program.set_folder(folder);
     return program;
   }
@@ -79,10 +89,9 @@ Program Program::in_file(std::string name, Descriptor file) {
 }
 
 ipr::Reader Program::reader() {
-  if (!streamed()) ::lseek(*file_, begin_, SEEK_SET);
+  if (!streamed()) return ipr::Reader::of_file(*file_, begin_);
   ipr::Reader reader(*file_);
-  if (streamed())
-    reader.set_tap([memory = stream_.get()](std::string_view bytes) { memory->add(bytes); });
+  reader.set_tap([memory = stream_.get()](std::string_view bytes) { memory->add(bytes); });
   return reader;
 }
 
@@ -118,20 +127,15 @@ const std::string& Program::hash() {
 
 std::string Program::line(int number) {
   if (streamed()) return stream_->line(number);
-  const off_t here = ::lseek(*file_, 0, SEEK_CUR);
   if (!lines_ || lines_->line() > number) {
-    lines_.emplace(*file_);
-    lines_offset_ = begin_;
+    lines_.emplace(ipr::Reader::of_file(*file_, begin_));
     line_.clear();
   }
-  ::lseek(*file_, lines_offset_, SEEK_SET);
   while (lines_->line() < number) {
     const auto text = lines_->next();
     line_ = text.value_or("");
     if (!text) break;
   }
-  lines_offset_ = ::lseek(*file_, 0, SEEK_CUR);
-  ::lseek(*file_, here, SEEK_SET);
   return line_;
 }
 

@@ -11,19 +11,20 @@
 #include <utility>
 
 #include "descriptor.hpp"
+#include "ipr/called_texts.hpp"
 #include "ipr/reader.hpp"
 #include "motion/result.hpp"
 #include "stream_memory.hpp"
 
 namespace softcnc::app {
 
-/// How often a program is read.
+/// What a program is read for: its motion is that of the text that has been checked before.
 enum class Readings : std::uint8_t { one, any };
 
 class Program {
  public:
-  /// "-" is standard input. What cannot be read twice is copied into an unlinked temporary file,
-  /// unless it is read but once: then it is streamed. Errors: SC6001, SC6002, SC6003.
+  /// "-" is standard input. What is to be read more than once is copied first, so that every
+  /// reading finds the same; otherwise a pipe is streamed. Errors: SC6001, SC6002, SC6003.
   static Result<Program> open(const std::string& name, Readings readings = Readings::any);
   /// A program that lies in `file` already.
   static Program in_file(std::string name, Descriptor file);
@@ -35,7 +36,10 @@ class Program {
   const std::string& folder() const noexcept { return folder_; }
   void set_folder(std::string folder) { folder_ = std::move(folder); }
 
-  /// Reads from the beginning. One reader at a time.
+  /// What the files hold that it calls, the same for every reading.
+  ipr::CalledTexts& called() const noexcept { return *called_; }
+
+  /// Reads from the beginning. Of a stream, one reader at a time.
   ipr::Reader reader();
 
   /// Whether the text passes but once.
@@ -63,10 +67,9 @@ class Program {
   off_t begin_;
   std::string hash_;
   std::unique_ptr<StreamMemory> stream_;
+  std::unique_ptr<ipr::CalledTexts> called_ = std::make_unique<ipr::CalledTexts>();
 
-  // Reads lines for diagnostics, with a place of its own in the file.
-  std::optional<ipr::Reader> lines_;
-  off_t lines_offset_ = 0;
+  std::optional<ipr::Reader> lines_;  // reads lines for diagnostics
   std::string line_;
 };
 

@@ -70,8 +70,11 @@ Result<hal::TemporaryFile> copy_of(Program& program) {
 
 std::string entry_of(const CalledFile& called) { return "called/" + called.name; }
 
+/// Where that lies which has been run, whatever has become of the file itself.
 std::string path_of(const Program& program, const CalledFile& called) {
-  return std::filesystem::path(program.folder()) / called.name;
+  const auto path = (std::filesystem::path(program.folder()) / called.name).lexically_normal();
+  const auto& text = program.called().find(path.string());
+  return text && *text ? (*text)->name() : path.string();
 }
 
 Status hash_called(const Program& program, std::vector<CalledFile>& files) {

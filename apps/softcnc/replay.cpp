@@ -66,6 +66,7 @@ int run_again(Material& material, Terminal& terminal) {
   ipr::Reader reader = material.program.reader();
   ChannelOptions options = material.recording.meta().options;
   options.interpreter.folder = material.called.name();
+  options.interpreter.stop = terminal.stop();
   const Outcome outcome = simulate(reader, material.program.descriptor(), machine, options,
                                    *material.backend, diagnostics, &rows, &terminal);
   terminal.end();

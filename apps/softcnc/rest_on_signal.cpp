@@ -73,6 +73,8 @@ void handle_signals() {
 
 }  // namespace
 
+void end_by(int signal) { rest_then_end(signal); }
+
 void rest_on_signal(PacedPlayer* player) {
   playing = player;
   handle_signals();

@@ -17,4 +17,7 @@ void leave_no_parts_on_signal();
 /// Both at once, for an end that no signal brings.
 void leave_at_rest() noexcept;
 
+/// Ends softcnc by a signal as if it had come now, also one that is ignored.
+void end_by(int signal);
+
 }  // namespace softcnc::app

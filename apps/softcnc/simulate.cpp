@@ -143,7 +143,7 @@ class Simulation {
   void wait(RowSink* rows, Watcher* watcher);
   void wait_for_more(RowSink* rows, Watcher* watcher) const;
   bool run_batch(RowSink* rows, Watcher* watcher);
-  void pass_quiet_rows();
+  void pass_quiet_rows(Watcher* watcher);
   void verify();
   bool write(RowSink* rows, const CycleReport& cycle);
   bool collect();
@@ -191,11 +191,11 @@ void Simulation::wait_for_more(RowSink* rows, Watcher* watcher) const {
 
 /// The rows before have been in the stretch as long as a difference reaches back; those that the
 /// first one behind it feels are shown again.
-void Simulation::pass_quiet_rows() {
+void Simulation::pass_quiet_rows(Watcher* watcher) {
   const Channel::Quiet quiet = channel_.quiet_ahead();
   constexpr std::int64_t felt{kFelt};
   std::int64_t left = quiet.rows - felt;
-  while (left > 0 && !panel_.stop) {
+  while (left > 0 && !panel_.stop && !(watcher && watcher->wants_stop())) {
     const std::int64_t rows = left > felt ? std::min(left - felt, quiet.to_next) : 1;
     channel_.pass_over(rows - 1);
     const auto row = channel_.step(panel_);
@@ -210,7 +210,7 @@ void Simulation::pass_quiet_rows() {
 /// True if more may follow.
 bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   buffer_.clear();
-  if (std::exchange(quiet_, false)) pass_quiet_rows();
+  if (std::exchange(quiet_, false)) pass_quiet_rows(watcher);
   Batch batch(channel_, batch_, skims_);
   const CycleReport cycle = paced_ ? run_cycle(batch, *paced_, buffer_, panel_)
                                    : run_cycle(batch, backend_, buffer_, panel_);

@@ -34,7 +34,9 @@ class SurfaceJob {
       : job_(job),
         options_(options),
         terminal_(options.progress, false, job.machine.control.period),
-        messages_([this] { terminal_.end(); }) {}
+        messages_([this] { terminal_.end(); }) {
+    job_.options.interpreter.stop = terminal_.stop();
+  }
 
   int run();
 

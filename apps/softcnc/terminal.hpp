@@ -2,6 +2,7 @@
 // The person who watches a run: progress, Ctrl-C, and Enter where the program waits.
 #pragma once
 
+#include <stop_token>
 #include <string>
 
 #include "channel.hpp"
@@ -20,7 +21,13 @@ class Terminal final : public Watcher {
   /// From here on pauses wait for Enter.
   void wait_at_stops() noexcept { waits_ = true; }
 
+  /// From here on the machine moves, a real one or a simulated: a signal lets it come to rest on
+  /// the path.
+  void begin_motion(bool real) noexcept { signals_.begin_motion(real); }
+
   bool wants_stop() override { return signals_.poll() != 0; }
+  /// The same for loops that know of no terminal.
+  std::stop_token stop() const noexcept { return signals_.token(); }
   void sees(const Setpoint& latest) override;
   void pause(const Pause& pause) override;
   void wait_for_input(int descriptor) override { signals_.wait_for_input(descriptor); }

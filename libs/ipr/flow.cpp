@@ -53,7 +53,7 @@ Flow::Flow(Parser& parser, Diagnostics& diagnostics, FlowOptions options)
     : parser_(parser),
       diagnostics_(diagnostics),
       options_(std::move(options)),
-      library_(parser, diagnostics, options_.folder) {
+      library_(parser, diagnostics, options_.folder, options_.called) {
   if (options_.unrun_too) parser_.show_passed_over();
   Call main;
   main.sub.kind = SubKind::program;
@@ -249,14 +249,18 @@ void Flow::finish() {
                 [&](const Open& open) { tell_open(open); });
 }
 
+/// Then what is missing need not be: reading has not come so far.
+bool Flow::is_stopped() const noexcept { return parser_.reader().stop().stop_requested(); }
+
 void Flow::report(Code code, SourcePos pos, std::string message) {
-  diagnostics_.report(code, pos, std::move(message), text_);
+  if (!is_stopped()) diagnostics_.report(code, pos, std::move(message), text_);
 }
 
 /// For what may follow from an earlier error of its kind.
 void Flow::report(Misfit misfit, Code code, SourcePos pos, std::string message,
                   std::string_view text) {
-  if (is_new(std::move(misfit))) diagnostics_.report(code, pos, std::move(message), text);
+  if (is_new(std::move(misfit)) && !is_stopped())
+    diagnostics_.report(code, pos, std::move(message), text);
 }
 
 /// A wrong label makes two of one error: the other one's is looked for and not found. The `while`
@@ -304,7 +308,7 @@ bool Flow::is_new(Misfit misfit) {
 }
 
 void Flow::break_off(Code code, SourcePos pos, std::string message, std::string_view text) {
-  diagnostics_.report(code, pos, std::move(message), text);
+  if (!is_stopped()) diagnostics_.report(code, pos, std::move(message), text);
   ended_ = broken_ = true;
 }
 

@@ -33,6 +33,7 @@ class CallObserver {
 
 struct FlowOptions {
   std::string folder;                // where called files lie; empty: nowhere
+  CalledTexts* called = nullptr;     // where their texts are kept; must outlive the flow
   int block_limit = 2'000'000;       // lines that one loop, or one call with all it calls, may run
   CallObserver* observer = nullptr;  // must outlive the flow
   bool unrun_too = false;            // remember which lines are not run
@@ -55,6 +56,8 @@ class Flow {
  public:
   /// Calls within each other, at most.
   static constexpr std::size_t kDeepest = 64;
+  /// Loops and branches within each other, those of all calls together, at most.
+  static constexpr std::size_t kMostLevels = 10'000;
 
   /// What is referred to must outlive the flow. Expects that the parser has not read a line.
   Flow(Parser& parser, Diagnostics& diagnostics, FlowOptions options);
@@ -157,6 +160,7 @@ class Flow {
   void remember_end();
   void doubt(const Line& line);
   void doubt_order() noexcept;
+  bool is_stopped() const noexcept;
   bool obey(const Line& line);
   void take(const Line& line);
   void obey();
@@ -216,6 +220,7 @@ class Flow {
   const Landing* jump_into(Kind begin);
   bool leads_into(const Landing& landing, Kind begin, const Spot& here);
   bool is_open_already();
+  bool is_too_deep();
   void pass_top();
   Passed pass_to_end(const Open& open);
   void begin_branch();

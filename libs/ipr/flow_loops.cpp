@@ -223,6 +223,15 @@ bool Flow::is_open_already() {
   return false;
 }
 
+/// Reported if so, and the program ends: what is open is kept in memory.
+bool Flow::is_too_deep() {
+  if (opens_.size() < kMostLevels) return false;
+  break_off(Code::SC2316, statement_.pos,
+            "more than " + std::to_string(kMostLevels) + " loops and branches within each other",
+            text_);
+  return true;
+}
+
 /// Passes on to behind the end of the innermost, which is no longer open.
 void Flow::pass_top() {
   const Spot here = library_.here();
@@ -259,7 +268,7 @@ Flow::Passed Flow::pass_to_end(const Open& open) {
 }
 
 void Flow::begin_branch() {
-  if (is_open_already()) return;
+  if (is_too_deep() || is_open_already()) return;
   open(Kind::if_begin, {});
   if (!statement_.uncertain && statement_.value == 0) find_branch();
 }
@@ -339,7 +348,7 @@ void Flow::begin_or_repeat() {
     close_within(*loop, true);
     return holds() ? begin_round() : opens_.pop_back();
   }
-  if (!has_loop_number() || is_open_already()) return;
+  if (!has_loop_number() || is_too_deep() || is_open_already()) return;
   open(statement_.kind, head_);
   if (!holds() && !statement_.uncertain) pass_top();
 }
@@ -355,7 +364,7 @@ bool Flow::has_loop_number() {
 }
 
 void Flow::begin_loop() {
-  if (is_open_already()) return;
+  if (is_too_deep() || is_open_already()) return;
   open(statement_.kind, library_.here());
   if (statement_.kind == Kind::do_begin) return;
   const double rounds = statement_.uncertain ? 1 : std::round(statement_.value);

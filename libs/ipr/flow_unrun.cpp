@@ -97,7 +97,7 @@ void Flow::check_order(const Line& line) {
     case Kind::do_begin:
     case Kind::repeat_begin:
     case Kind::loop_begin:
-      if (has_loop_number() && !is_open_already()) open(statement_.kind, {});
+      if (has_loop_number() && !is_too_deep() && !is_open_already()) open(statement_.kind, {});
       return;
     case Kind::else_if:
     case Kind::else_begin:

@@ -119,11 +119,12 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       variables_(modal_, machine, options.dialect),
       levels_(modal_),
       flow_(parser, diagnostics,
-            {options_.folder, machine.program.block_limit, &levels_, options_.unrun_too,
-             options_.lines_run}) {
+            {options_.folder, options_.called, machine.program.block_limit, &levels_,
+             options_.unrun_too, options_.lines_run}) {
   modal_.state = std::move(state);
   modal_.update_coordinates();
   modal_.corner_tolerance = modal_.chord_tolerance = machine.control.corner_tolerance;
+  parser_.reader().set_stop(options.stop);
   parser_.configure({options.dialect, options.block_skip, &contradictions_});
   parser_.parameters().set_system(&variables_);
   if (options.dialect == Dialect::linuxcnc) parser_.parameters().keep(modal_.state.parameters);

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ struct InterpreterOptions {
   bool compare_dialects = false;  // warn where a line means something else in the other one
   bool unrun_too = false;         // read lines that are never run as well, for their errors
   std::string folder = {};        // where files lie that the program calls; empty: it can call none
+  CalledTexts* called = nullptr;  // where their texts are kept; must outlive the interpreter
+  std::stop_token stop = {};      // to read no further: waiting() then
   RefusedMoves* refused_moves = nullptr;    // is shown them
   std::map<int, int>* lines_run = nullptr;  // takes how often each of the program itself is
   std::set<int>* lines_in_doubt = nullptr;  // and those of them of which something is not known
@@ -53,7 +56,8 @@ class Interpreter {
   /// Names in the folder under which calls have found none.
   const std::set<std::string>& missing_files() const noexcept { return flow_.missing_files(); }
 
-  /// Whether next() has given nothing because a pipe has nothing more yet: ask again when it has.
+  /// Whether next() has given nothing because a pipe has nothing more yet, and may be asked again
+  /// when it has; or because a stop has been requested.
   bool waiting() const noexcept { return parser_.waiting(); }
 
   /// Offsets and the like as the lines read so far leave them; at the end, what is to be kept.

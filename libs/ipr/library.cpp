@@ -57,13 +57,6 @@ bool begins_subprogram(const Statement* statement) {
   return statement != nullptr && (statement->kind == Kind::program || statement->kind == Kind::sub);
 }
 
-/// A folder without a suffix is none by mistake.
-bool may_be_program(const std::filesystem::path& path) {
-  std::error_code ignored;
-  return std::filesystem::exists(path, ignored) &&
-         (path.has_extension() || !std::filesystem::is_directory(path, ignored));
-}
-
 }  // namespace
 
 std::string o_word(std::string_view label, std::string_view keyword) {
@@ -79,8 +72,11 @@ std::string program_name(std::string_view label) {
   return is_number(label) ? "O" + name : "O<" + name + ">";
 }
 
-Library::Library(Parser& parser, Diagnostics& diagnostics, std::string folder)
-    : parser_(parser), diagnostics_(diagnostics), folder_(std::move(folder)) {
+Library::Library(Parser& parser, Diagnostics& diagnostics, std::string folder, CalledTexts* called)
+    : parser_(parser),
+      diagnostics_(diagnostics),
+      folder_(std::move(folder)),
+      called_(called != nullptr ? called : &own_) {
   Text main;
   main.reader = &parser.reader();
   main.searched = here();
@@ -179,18 +175,19 @@ std::optional<int> Library::open(const std::string& name, const SourcePos& call,
   const auto path = (std::filesystem::path(folder_) / name).lexically_normal();
   if (const auto at = file_of_.find(name); at != file_of_.end())
     return at->second < 0 ? std::nullopt : std::optional(at->second);
-  if (!may_be_program(path)) {
-    if (missing_.size() < kMostMissing) missing_.insert(name);
-    return std::nullopt;
-  }
-  auto reader = Reader::open(path.string());
-  if (!reader) {
-    diagnostics_.report(Code::SC6031, call, std::move(reader.error().message), line);
+  const auto& found = called_->find(path.string());
+  if (!found) {
+    diagnostics_.report(found.error().code, call, found.error().message, line);
     file_of_[name] = -1;
     return std::nullopt;
   }
+  if (!*found) {
+    if (missing_.size() < kMostMissing) missing_.insert(name);
+    return std::nullopt;
+  }
   Text text;
-  text.own = std::make_unique<Reader>(std::move(*reader));
+  text.own = std::make_unique<Reader>(Reader::of_file((*found)->descriptor(), 0));
+  text.own->set_stop(parser_.reader().stop());
   text.reader = text.own.get();
   text.name = name;
   const int file = diagnostics_.add_file(path.string());

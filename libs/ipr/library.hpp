@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ipr/called_texts.hpp"
 #include "ipr/parser.hpp"
 
 namespace softcnc::ipr {
@@ -41,8 +42,10 @@ std::string program_name(std::string_view label);
 
 class Library {
  public:
-  /// `folder` is where files are looked for that a program calls; empty: nowhere.
-  Library(Parser& parser, Diagnostics& diagnostics, std::string folder);
+  /// `folder` is where files are looked for that a program calls; empty: nowhere. Their texts are
+  /// kept in `called`, which must outlive it; by itself if that is nullptr.
+  Library(Parser& parser, Diagnostics& diagnostics, std::string folder,
+          CalledTexts* called = nullptr);
 
   /// Where the parser stands.
   Spot here() const;
@@ -98,6 +101,8 @@ class Library {
   Parser& parser_;
   Diagnostics& diagnostics_;
   std::string folder_;
+  CalledTexts own_;
+  CalledTexts* called_;
   bool lost_ = false;
   bool sub_without_label_ = false;
   std::map<int, Text> texts_;                        // by SourcePos::file

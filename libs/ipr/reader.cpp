@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -20,6 +21,8 @@ namespace {
 
 constexpr std::size_t kBufferSize = 65536;
 static_assert(kBufferSize > 2 * Reader::kLongestLine);
+constexpr int kBetweenLooks = 100;  // ms: so long a pipe is waited for at a time
+constexpr int kMostLines = std::numeric_limits<int>::max() - 1;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr char kEndMark = '\x1A';
 constexpr std::string_view kBlanksAndEndMarks = " \t\v\f\x1A";
@@ -47,6 +50,7 @@ Reader& Reader::operator=(Reader&& other) noexcept {
   owned_ = other.owned_;
   origin_ = other.origin_;
   spool_ = std::move(other.spool_);
+  first_ = other.first_;
   pipe_ended_ = other.pipe_ended_;
   buffer_ = std::move(other.buffer_);
   begin_ = std::exchange(other.begin_, 0);
@@ -58,6 +62,7 @@ Reader& Reader::operator=(Reader&& other) noexcept {
   line_was_cut_ = other.line_was_cut_;
   waits_ = other.waits_;
   waiting_ = other.waiting_;
+  stop_ = std::move(other.stop_);
   tap_ = std::move(other.tap_);
   line_ = other.line_;
   seek_error_ = other.seek_error_;
@@ -83,6 +88,20 @@ Result<Reader> Reader::open(const std::string& file) {
   return reader;
 }
 
+Reader Reader::of_file(int descriptor, std::int64_t begin) {
+  Reader reader(descriptor);
+  reader.origin_ = begin;
+  return reader;
+}
+
+Reader Reader::again() const {
+  Reader reader;
+  reader.first_ = this;
+  reader.descriptor_ = descriptor_;
+  reader.buffer_.resize(kBufferSize);
+  return reader;
+}
+
 Reader Reader::from_text(std::string text) {
   Reader reader;
   reader.buffer_ = std::move(text);
@@ -92,7 +111,8 @@ Reader Reader::from_text(std::string text) {
 }
 
 [[gnu::hot]] std::optional<std::string_view> Reader::next() {
-  waiting_ = false;
+  waiting_ = stop_.stop_requested();
+  if (waiting_ || has_too_many_lines()) return std::nullopt;
   std::size_t searched = 0;  // bytes of the line that hold no line end
   for (;;) {
     skip_line_feed();
@@ -104,6 +124,13 @@ Reader Reader::from_text(std::string text) {
   if (waiting_) return std::nullopt;
   if (begin_ == end_) return std::nullopt;
   return ends_in_end_mark(end_) ? take_marked(end_) : take(end_);
+}
+
+/// Which is a failure: a line has a number.
+bool Reader::has_too_many_lines() {
+  if (line_ < kMostLines) return false;
+  failure_ = cannot_read(Code::SC6002, "more than 2147483646 lines", EFBIG);
+  return true;
 }
 
 /// Whether the last byte of the line that is no blank is an end mark.
@@ -174,20 +201,33 @@ bool Reader::fill() {
   return true;
 }
 
-bool Reader::has_nothing_yet() const noexcept {
+/// Within so many ms.
+bool Reader::has_nothing_yet(int timeout) const noexcept {
   pollfd source{descriptor_, POLLIN, 0};
-  return ::poll(&source, 1, 0) == 0;
+  return ::poll(&source, 1, timeout) == 0;
+}
+
+/// Whether a pipe has nothing, and nobody is to wait for it, or not any longer.
+bool Reader::is_to_wait() const noexcept {
+  if (first_ != nullptr) return true;
+  if (!waits_) return has_nothing_yet(0);
+  while (stop_.stop_possible() && has_nothing_yet(kBetweenLooks))
+    if (stop_.stop_requested()) return true;
+  return false;
 }
 
 /// What lies at end_offset_: once more out of the spool, or new.
 std::ptrdiff_t Reader::read_more(char* to, std::size_t size) {
   std::ptrdiff_t got = 0;
-  const bool again = is_pipe() && end_offset_ < spool_.size();
-  if (is_pipe() && !again && pipe_ended_) return 0;
-  waiting_ = is_pipe() && !again && !waits_ && has_nothing_yet();
+  const bool again = is_pipe() && end_offset_ < kept().size();
+  const bool ended = first_ != nullptr ? first_->pipe_ended_ : pipe_ended_;
+  if (is_pipe() && !again && ended) return 0;
+  waiting_ = is_pipe() && !again && is_to_wait();
   if (waiting_) return 0;
   do {
-    got = again ? spool_.read(end_offset_, to, size) : ::read(descriptor_, to, size);
+    got = again       ? kept().read(end_offset_, to, size)
+          : is_pipe() ? ::read(descriptor_, to, size)
+                      : ::pread(descriptor_, to, size, static_cast<off_t>(end_offset_) + origin_);
   } while (got < 0 && errno == EINTR);
   if (!again && got > 0 && tap_) tap_({to, static_cast<std::size_t>(got)});
   if (is_pipe() && !again && got > 0) spool_.add(to, static_cast<std::size_t>(got));
@@ -208,7 +248,7 @@ bool Reader::seek(const Place& place) {
   const bool in_buffer =
       place.offset <= end_offset_ && end_offset_ - place.offset <= end_ - intact_;
   if (!in_buffer) {
-    if (is_pipe() && spool_.failure()) return false;
+    if (is_pipe() && kept().failure()) return false;
     const auto target = static_cast<off_t>(place.offset) + origin_;
     if (!is_pipe() && ::lseek(descriptor_, target, SEEK_SET) < 0) {
       seek_error_ = errno;
@@ -226,7 +266,7 @@ bool Reader::seek(const Place& place) {
 }
 
 Diagnostic Reader::seek_failure() const {
-  if (spool_.failure()) return *spool_.failure();
+  if (kept().failure()) return *kept().failure();
   return cannot_read(Code::SC6002, "it again", seek_error_);
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,6 +34,13 @@ class Reader {
   static Reader from_text(std::string text);
   /// Reads on from where the descriptor stands; closing it is left to the caller.
   explicit Reader(int descriptor) : Reader(descriptor, false) {}
+  /// Reads a regular file from `begin` on, in bytes, wherever the descriptor stands: several may
+  /// read one descriptor. Closing it is left to the caller.
+  static Reader of_file(int descriptor, std::int64_t begin);
+
+  /// Another reading from the beginning of what this one, which must outlive it, has got from its
+  /// pipe so far; after that it is waiting(). Where the pipe could not be kept it reads nothing.
+  Reader again() const;
 
   Reader(Reader&& other) noexcept;
   Reader& operator=(Reader&& other) noexcept;
@@ -65,9 +73,17 @@ class Reader {
   void wait() noexcept { waits_ = true; }
   bool waiting() const noexcept { return waiting_; }
 
+  /// From the moment on at which a stop is requested, next() gives nothing, and waiting() is true,
+  /// also where it has been waiting for whoever writes.
+  void set_stop(std::stop_token stop) noexcept { stop_ = std::move(stop); }
+  const std::stop_token& stop() const noexcept { return stop_; }
+
   /// Takes what is read for the first time, piece by piece.
   using Tap = std::function<void(std::string_view)>;
   void set_tap(Tap tap) { tap_ = std::move(tap); }
+
+  /// Bytes that have come through a pipe so far; 0 of a file.
+  std::int64_t bytes() const noexcept { return static_cast<std::int64_t>(kept().size()); }
 
   /// Number of the line last read, from 1; 0 before the first.
   int line() const noexcept { return line_; }
@@ -80,13 +96,16 @@ class Reader {
   Reader() = default;
   Reader(int descriptor, bool owned);
 
+  bool has_too_many_lines();
   void skip_line_feed() noexcept;
   std::size_t find_line_end(std::size_t from) noexcept;
   std::size_t find(char wanted, std::size_t from, std::size_t to) const noexcept;
   bool fill();
   std::ptrdiff_t read_more(char* to, std::size_t size);
-  bool has_nothing_yet() const noexcept;
+  bool has_nothing_yet(int timeout) const noexcept;
+  bool is_to_wait() const noexcept;
   bool is_pipe() const noexcept { return origin_ < 0; }
+  const Spool& kept() const noexcept { return first_ != nullptr ? first_->spool_ : spool_; }
   std::string_view take(std::size_t line_end) noexcept;
   bool ends_in_end_mark(std::size_t line_end) const noexcept;
   std::optional<std::string_view> take_marked(std::size_t line_end);
@@ -97,8 +116,9 @@ class Reader {
 
   int descriptor_ = -1;  // -1: all there is lies in the buffer
   bool owned_ = false;
-  std::int64_t origin_ = -1;  // where in the file reading began; -1: a pipe
-  Spool spool_;               // what a pipe has given so far
+  std::int64_t origin_ = -1;       // where in the file reading began; -1: a pipe
+  Spool spool_;                    // what a pipe has given so far
+  const Reader* first_ = nullptr;  // whose spool is read again
   bool pipe_ended_ = false;
   std::string buffer_;
   std::size_t begin_ = 0, end_ = 0;   // what is not yet read lies in [begin_, end_)
@@ -108,6 +128,7 @@ class Reader {
   bool line_feed_belongs_to_cr_ = false;
   bool line_was_cut_ = false;
   bool waits_ = true, waiting_ = false;
+  std::stop_token stop_;
   Tap tap_;
   int line_ = 0;
   int seek_error_ = 0;

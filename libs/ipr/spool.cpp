@@ -2,15 +2,13 @@
 // An unlinked temporary file that grows with what is read.
 #include "ipr/spool.hpp"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
-#include <filesystem>
-#include <string>
 #include <system_error>
 #include <utility>
+
+#include "ipr/snapshot.hpp"
 
 namespace softcnc::ipr {
 
@@ -40,15 +38,9 @@ void Spool::add(const char* bytes, std::size_t size) {
 }
 
 bool Spool::open() {
-  std::error_code error;
-  std::string name = std::filesystem::temp_directory_path(error) / "softcnc-XXXXXX";
-  if (!error) descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
-  if (descriptor_ < 0) {
-    fail(error ? error.value() : errno);
-    return false;
-  }
-  ::unlink(name.c_str());
-  return true;
+  descriptor_ = open_unnamed_file();
+  if (descriptor_ < 0) fail(errno);
+  return descriptor_ >= 0;
 }
 
 void Spool::fail(int error) {

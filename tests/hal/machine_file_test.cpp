@@ -146,6 +146,7 @@ min_rpm = 100
 max_rpm = 12500
 [program]
 block_limit = 250
+motion_limit_h = 0.5
 [surface]
 phase = "time"
 [stock]
@@ -198,6 +199,7 @@ teeth = 4
   CHECK(m.spindle.min_rpm == 100);
   CHECK(m.spindle.max_rpm == 12500);
   CHECK(m.program.block_limit == 250);
+  CHECK(m.program.motion_limit == 1800);
   CHECK(m.surfacing.phase == SpindlePhase::time);
   CHECK(m.stock.size == AxisVector(20, 30, 4.5));
   CHECK(m.stock.origin == std::vector<double>{-10, 0.5, -4.5});
