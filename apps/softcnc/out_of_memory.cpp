@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <new>
 #include <system_error>
 
@@ -14,22 +15,17 @@ namespace {
 
 constexpr int kStatus = 5;
 
-/// Of whom nobody is left to catch it.
-bool is_out_of_memory() noexcept {
-  try {
-    if (const auto present = std::current_exception()) std::rethrow_exception(present);
-  } catch (const std::bad_alloc&) {
-    return true;
-  } catch (...) {
-    return false;
-  }
-  return false;
-}
-
+/// Where nothing may be thrown, the exception itself is no longer to be had.
+std::atomic<bool> ran_out{false};
 std::terminate_handler otherwise = nullptr;
 
+[[noreturn]] void no_memory() {
+  ran_out = true;
+  throw std::bad_alloc();
+}
+
 [[noreturn]] void terminate() noexcept {
-  if (!is_out_of_memory()) otherwise();
+  if (!ran_out) otherwise();
   leave_at_rest();
   write_to_stderr("softcnc: error: out of memory [SC6004]\n");
   ::_exit(kStatus);
@@ -46,6 +42,9 @@ std::string lacking_resource(const std::exception& error) {
   return lacks ? "no more memory or threads: " + system->code().message() : std::string();
 }
 
-void end_well_out_of_memory() noexcept { otherwise = std::set_terminate(terminate); }
+void end_well_out_of_memory() noexcept {
+  std::set_new_handler(no_memory);
+  otherwise = std::set_terminate(terminate);
+}
 
 }  // namespace softcnc::app

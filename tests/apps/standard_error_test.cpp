@@ -69,18 +69,20 @@ TEST_CASE("what is closed does not become a file that is written", "[apps][stder
 TEST_CASE("a document that cannot be written is status 5, after the motion", "[apps][stderr]") {
   const Folder folder;
   const std::vector<int> fives{5, 5, 5};
+  const std::string part = folder / "p.nc";
+  write(part, "G1 X1 F600\nM2\n");
   for (const std::string form : {"json", "sarif"}) {
     CAPTURE(form);
     const std::string how = " --diagnostics " + form + " ";
-    CHECK(unheard("$softcnc run $programs/03_arc.nc --trace " + (folder / "t.csv") + how) == fives);
-    CHECK(parse_trace(read(folder / "t.csv")).rows.size() > 1000);
-    CHECK(unheard("$softcnc run --dry-run $programs/03_arc.nc --trace /dev/null" + how) == fives);
-    CHECK(unheard("$softcnc record $programs/03_arc.nc -o " + (folder / "a.rec") + how) == fives);
+    CHECK(unheard("$softcnc run " + part + " --trace " + (folder / "t.csv") + how) == fives);
+    CHECK(parse_trace(read(folder / "t.csv")).rows.size() > 100);
+    CHECK(unheard("$softcnc run --dry-run " + part + " --trace /dev/null" + how) == fives);
+    CHECK(unheard("$softcnc record " + part + " -o " + (folder / "a.rec") + how) == fives);
     CHECK(unheard("$softcnc replay " + (folder / "a.rec") + how) == fives);
-    CHECK(unheard("$softcnc blocks $programs/03_arc.nc" + how) == fives);
+    CHECK(unheard("$softcnc blocks " + part + how) == fives);
     CHECK(unheard("$softcnc machine" + how) == fives);
-    CHECK(shell("$softcnc check $programs/03_arc.nc" + how + ">/dev/full").status == 5);
-    const Ended heard = call("run -q $programs/03_arc.nc" + how);
+    CHECK(shell("$softcnc check " + part + how + ">/dev/full").status == 5);
+    const Ended heard = call("run -q " + part + how);
     CHECK(heard.status == 0);
     CHECK(nlohmann::json::accept(heard.err));
   }
@@ -88,12 +90,14 @@ TEST_CASE("a document that cannot be written is status 5, after the motion", "[a
 
 TEST_CASE("a progress display that nobody empties is not waited for", "[apps][stderr]") {
   const Folder folder;
-  // The pipe is full before the run begins; its reader reads when the run has ended.
-  const Ended ended = shell(
-      "mkfifo " + (folder / "p") + "; exec 3<>" + (folder / "p") +
-      "; dd if=/dev/zero bs=4096 count=16 >&3 2>/dev/null; timeout 20 $softcnc run -q --progress "
-      "json --realtime $programs/01_line.nc 2>&3 >" +
-      (folder / "out"));
+  std::string part = "G90 F6000\n";
+  for (int i = 0; i < 4000; ++i) part += "G1 X" + std::to_string(i % 2) + "\n";
+  write(folder / "p.nc", part + "M2\n");
+  // The pipe is full before the run begins, and nobody reads from it.
+  const Ended ended = shell("mkfifo " + (folder / "p") + "; exec 3<>" + (folder / "p") +
+                            "; dd if=/dev/zero bs=4096 count=16 >&3 2>/dev/null; timeout 60 "
+                            "$softcnc run -q --progress json " +
+                            (folder / "p.nc") + " 2>&3");
   CHECK(ended.status == 0);
 }
 
@@ -102,7 +106,7 @@ namespace {
 /// A run on a terminal of its own that is closed after a while. It runs a circle, by the clock.
 int hung_up(const Folder& folder, const std::string& options) {
   std::string part = "G10 L2 P1 X1\nG90 G00 X0 Y100\nG02 F6000\n";
-  for (int i = 0; i < 40; ++i) part += "I50\n";
+  for (int i = 0; i < 10; ++i) part += "I50\n";
   write(folder / "long.nc", part + "M30\n");
   const std::string command = "cd " + (folder / "") +
                               "; exec " SOFTCNC_BINARY
