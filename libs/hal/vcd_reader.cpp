@@ -128,7 +128,7 @@ Status VcdReader::take_part(Token token) {
   if (token == "$end") return end_definition(token);
   const bool counts = within_ == "$var" || within_ == "$timescale";
   if (!counts) return {};
-  if (words_.size() >= kMostWords) return failure(token, "too many words behind " + within_);
+  if (words_.size() >= kMostWords) return failure(token, "too many words after " + within_);
   words_.emplace_back(token);
   return {};
 }

@@ -62,7 +62,7 @@ void Planner::flush_corners() {
   while (auto piece = corners_.pop()) accept(std::move(*piece));
 }
 
-/// What comes behind a long curve waits until the window has all of that.
+/// What comes after a long curve waits until the window has all of that.
 void Planner::accept(Piece piece) {
   const bool waits = machine_.control.interpolation == Method::arc_length &&
                      (!ahead_.empty() || is_long_curve(piece));

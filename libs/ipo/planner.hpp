@@ -92,7 +92,7 @@ class Planner {
   std::unique_ptr<Constraint> slower_;  // the feed that the moves of the window are to slow down to
   std::deque<TimedBlock> ready_;        // timed; before the pending ones
   std::deque<TimedBlock> pending_;
-  std::deque<Piece> ahead_;  // behind the pending ones; a long curve, and what has come after it
+  std::deque<Piece> ahead_;  // after the pending ones: a long curve, and what has come since
   double laid_ = 0;          // mm of the first of them that are pending already
   std::size_t given_ = 0;    // pieces of the first pending one that have left already
   PlannerCounts counts_;

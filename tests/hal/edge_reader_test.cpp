@@ -163,7 +163,7 @@ TEST_CASE("a line of a dump that does not end is refused before it fills the mem
   }
   std::string names;
   for (int i = 0; i < 1000; ++i) names += "name\n";
-  CHECK(error_of("$var " + names) == "too many words behind $var");
+  CHECK(error_of("$var " + names) == "too many words after $var");
 }
 
 TEST_CASE("a packed list of edges that unpacks to a thousand times its size is refused",
