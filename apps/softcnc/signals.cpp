@@ -27,11 +27,14 @@ void set(const Descriptor& event) noexcept {
   [[maybe_unused]] const ssize_t written = ::write(*event, &kOne, sizeof kOne);
 }
 
-/// Waits until one of two can be read; without end if the time, in ms, is negative.
-int wait_for(int a, int b, int time) noexcept {
-  std::array<pollfd, 2> sources{{{a, POLLIN, 0}, {b, POLLIN, 0}}};
-  return ::poll(sources.data(), sources.size(), time);
+/// Waits until one of them can be read, -1 being none; without end if the time, in ms, is negative.
+/// False if none can be.
+bool wait_for(int a, int b, int c, int time) noexcept {
+  std::array<pollfd, 3> sources{{{a, POLLIN, 0}, {b, POLLIN, 0}, {c, POLLIN, 0}}};
+  return ::poll(sources.data(), sources.size(), time) != 0;
 }
+
+bool wait_for(int descriptor, int time) noexcept { return wait_for(descriptor, -1, -1, time); }
 
 int read_signal(const Descriptor& descriptor) noexcept {
   signalfd_siginfo info{};
@@ -62,22 +65,28 @@ StopSignals::~StopSignals() {
 void StopSignals::watch() noexcept {
   int signal = 0;
   while (signal == 0) {
-    wait_for(*descriptor_, *ended_, -1);
-    signal = read_signal(descriptor_);
-    if (signal == 0 && wait_for(*ended_, -1, 0) > 0) return;
+    wait_for(*descriptor_, *came_, *ended_, -1);
+    signal = take(0);
+    if (signal == 0 && wait_for(*ended_, 0)) return;
   }
-  take(signal);
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  const bool ended = wait_for(*ended_, -1, patience_) > 0;
-  if (!ended && !asked_for_) end_by(signal);
-  wait_for(*ended_, -1, -1);
+  if (!wait_for(*ended_, patience_) && !asked_for_) end_by(signal);
+  wait_for(*ended_, -1);
 }
 
-void StopSignals::take(int signal) noexcept {
+/// The first signal: one that has come, else the other one, if any. A terminal that is closed may
+/// be noticed by who reads it before its signal is.
+int StopSignals::take(int otherwise) noexcept {
+  const std::lock_guard lock(taking_);
+  if (received_ != 0) return received_;
+  const int came = read_signal(descriptor_);
+  const int signal = came != 0 ? came : otherwise;
+  if (signal == 0) return 0;
   if (signal == SIGHUP) std::signal(SIGHUP, SIG_IGN);
   received_ = signal;
   stop_.request_stop();
   set(came_);
+  return signal;
 }
 
 int StopSignals::poll() noexcept {
@@ -86,14 +95,10 @@ int StopSignals::poll() noexcept {
   return received;
 }
 
-void StopSignals::interrupt() noexcept {
-  if (poll() != 0) return;
-  ::kill(::getpid(), SIGINT);
-  while (poll() == 0) wait_for(*came_, -1, -1);
-}
+void StopSignals::interrupt() noexcept { take(SIGINT); }
 
 bool StopSignals::wait_for_input(int descriptor, int time) noexcept {
-  return wait_for(descriptor, *came_, time) != 0;
+  return wait_for(descriptor, *came_, -1, time);
 }
 
 }  // namespace softcnc::app

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <mutex>
 #include <stop_token>
 #include <thread>
 
@@ -46,12 +47,13 @@ class StopSignals {
 
  private:
   void watch() noexcept;
-  void take(int signal) noexcept;
+  int take(int otherwise) noexcept;
 
   sigset_t signals_{}, before_{};
   Descriptor descriptor_;  // gives signals
   Descriptor came_;        // can be read when one has come,
   Descriptor ended_;       // and when the thread is to end
+  std::mutex taking_;
   std::atomic<int> received_{0};
   std::atomic<int> patience_{kPatience};  // ms; -1: without end
   std::atomic<bool> asked_for_{false};
