@@ -171,6 +171,11 @@ TEST_CASE("nothing is left in the folder for temporary files", "[apps][files]") 
   std::filesystem::create_directory(temporary / "softcnc-other");
   CHECK(in(folder, there + "$softcnc replay -q a.rec").status == 0);
   CHECK(temporary.files() == Names{"softcnc-other"});
+  // Whatever descriptor is missing, no folder stays.
+  for (int most = 4; most < 12; ++most) {
+    in(folder, there + "ulimit -n " + std::to_string(most) + "; $softcnc replay -q a.rec");
+    CHECK(temporary.files() == Names{"softcnc-other"});
+  }
 }
 
 TEST_CASE("out of memory is status 5 with a text, and files stay", "[apps][files]") {
