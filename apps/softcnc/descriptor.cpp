@@ -45,7 +45,9 @@ void wait_for_input(int descriptor, const std::stop_token& stop) {
 }
 
 Result<Descriptor> unlinked_file() {
-  return hal::open_unnamed().map([](int number) { return Descriptor(number); });
+  Descriptor file(hal::open_unnamed());
+  if (*file < 0) return no_temporary_file();
+  return file;
 }
 
 Status write_all(const Descriptor& file, std::string_view bytes) {

@@ -59,6 +59,11 @@ Result<TemporaryFolder> TemporaryFolder::make() {
     if (::mkdtemp(name.data()) == nullptr) return failure({errno, std::generic_category()});
     // Until it is locked, another run may take it for a leftover.
     Descriptor opened = open(name);
+    if (*opened < 0) {
+      const int reason = errno;
+      ::rmdir(name.c_str());
+      return failure({reason, std::generic_category()});
+    }
     const bool is_taken = !lock(opened) && errno == EWOULDBLOCK;
     if (!is_taken && hal::bears(*opened, name)) return TemporaryFolder(name, std::move(opened));
   }
@@ -67,7 +72,8 @@ Result<TemporaryFolder> TemporaryFolder::make() {
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
-  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  if (path_.empty() || ::rmdir(path_.c_str()) == 0) return;  // an empty one, without a descriptor
+  std::filesystem::remove_all(path_, ignored);
 }
 
 }  // namespace softcnc::app

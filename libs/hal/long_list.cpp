@@ -36,9 +36,9 @@ OverflowFile::~OverflowFile() {
 
 Status OverflowFile::add(std::span<const std::byte> bytes) {
   if (descriptor_ < 0) {
-    auto opened = open_unnamed();
-    if (!opened) return tl::make_unexpected(std::move(opened.error()));
-    descriptor_ = *opened;
+    const int opened = open_unnamed();
+    if (opened < 0) return failure(errno);
+    descriptor_ = opened;
   }
   const Status written = put(size_, bytes);
   if (written) size_ += bytes.size();

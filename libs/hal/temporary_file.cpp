@@ -15,12 +15,10 @@ namespace {
 
 constexpr std::size_t kPiece = 1U << 16U;  // bytes
 
-tl::unexpected<Diagnostic> failure(const std::error_code& error) {
-  return tl::make_unexpected(
-      Diagnostic{Code::SC6003, {}, "no temporary file: " + error.message(), {}, {}});
+tl::unexpected<Diagnostic> failure() {
+  return tl::make_unexpected(Diagnostic{
+      Code::SC6003, {}, "no temporary file: " + std::generic_category().message(errno), {}, {}});
 }
-
-std::error_code last_error() { return {errno, std::generic_category()}; }
 
 /// For file systems that know no files without a name.
 int open_and_unlink(const std::filesystem::path& folder) {
@@ -32,19 +30,22 @@ int open_and_unlink(const std::filesystem::path& folder) {
 
 }  // namespace
 
-Result<int> open_unnamed() {
+int open_unnamed() {
   std::error_code error;
   const auto folder = std::filesystem::temp_directory_path(error);
-  if (error) return failure(error);
-  int descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_EXCL | O_CLOEXEC, 0600);
-  if (descriptor < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == ENOENT))
-    descriptor = open_and_unlink(folder);
-  if (descriptor < 0) return failure(last_error());
-  return descriptor;
+  if (error) {
+    errno = error.value();
+    return -1;
+  }
+  const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_EXCL | O_CLOEXEC, 0600);
+  const bool knows_none = errno == EOPNOTSUPP || errno == EISDIR || errno == ENOENT;
+  return descriptor < 0 && knows_none ? open_and_unlink(folder) : descriptor;
 }
 
 Result<TemporaryFile> TemporaryFile::make() {
-  return open_unnamed().map([](int descriptor) { return TemporaryFile(descriptor); });
+  const int descriptor = open_unnamed();
+  if (descriptor < 0) return failure();
+  return TemporaryFile(descriptor);
 }
 
 TemporaryFile::~TemporaryFile() {
@@ -57,7 +58,7 @@ Status TemporaryFile::add(std::string_view bytes) {
     if (written >= 0)
       bytes.remove_prefix(static_cast<std::size_t>(written));
     else if (errno != EINTR)
-      return failure(last_error());
+      return failure();
   }
   return {};
 }
@@ -67,7 +68,7 @@ Status TemporaryFile::for_each_piece(const std::function<Status(std::string_view
   for (off_t at = 0;;) {
     const ssize_t n = ::pread(descriptor_, piece.data(), piece.size(), at);
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return failure(last_error());
+    if (n < 0) return failure();
     if (n == 0) return {};
     const auto size = static_cast<std::size_t>(n);
     if (Status taken = take(std::string_view(piece).substr(0, size)); !taken) return taken;

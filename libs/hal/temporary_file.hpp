@@ -12,8 +12,8 @@
 namespace softcnc::hal {
 
 /// A descriptor of a new empty file in the folder for temporary files, for reading and writing.
-/// Errors: SC6003.
-Result<int> open_unnamed();
+/// Below 0: errno says why there is none.
+int open_unnamed();
 
 class TemporaryFile {
  public:

@@ -120,7 +120,13 @@ int hung_up(const Folder& folder, const std::string& options) {
     ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
     ::_exit(127);
   }
-  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  const auto moves = [&] {
+    for (const std::string& name : folder.files())
+      if (name.starts_with(".t.csv.softcnc-")) return true;
+    return false;
+  };
+  while (!moves()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
   ::close(terminal);
   int status = 0;
   ::waitpid(child, &status, 0);

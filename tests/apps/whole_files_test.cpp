@@ -120,6 +120,20 @@ TEST_CASE("what a killed run leaves is named and removed by the next one", "[app
   CHECK(in(folder, "$softcnc run -q" + all).err.find("SC6016") == std::string::npos);
 }
 
+TEST_CASE("a second signal leaves neither a half-written file nor a lock", "[apps][files]") {
+  const Folder folder;
+  write_long(folder);
+  write(folder / "s.toml", "schema = 1\n");
+  const Ended ended = in(folder,
+                         "$softcnc run -q --realtime long.nc --trace t.csv --state s.toml & "
+                         "pid=$!; until ls .t.csv.softcnc-* >/dev/null 2>&1; do sleep 0.02; done; "
+                         "sleep 0.2; for i in 1 2 3 4 5 6; do kill -TERM $pid; sleep 0.04; done; "
+                         "wait $pid");
+  CHECK(ended.status == 143);
+  CHECK(folder.files() == Names{"long.nc", "s.toml"});
+  CHECK(read(folder / "s.toml") == "schema = 1\n");
+}
+
 TEST_CASE("a run that goes on keeps what it writes from the next one", "[apps][files]") {
   const Folder folder;
   write_long(folder);
@@ -157,6 +171,11 @@ TEST_CASE("nothing is left in the folder for temporary files", "[apps][files]") 
   std::filesystem::create_directory(temporary / "softcnc-other");
   CHECK(in(folder, there + "$softcnc replay -q a.rec").status == 0);
   CHECK(temporary.files() == Names{"softcnc-other"});
+  // Whatever descriptor is missing, no folder stays.
+  for (int most = 4; most < 12; ++most) {
+    in(folder, there + "ulimit -n " + std::to_string(most) + "; $softcnc replay -q a.rec");
+    CHECK(temporary.files() == Names{"softcnc-other"});
+  }
 }
 
 TEST_CASE("out of memory is status 5 with a text, and files stay", "[apps][files]") {
