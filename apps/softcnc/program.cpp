@@ -101,17 +101,23 @@ void Program::read_rest() {
   for (;;) {
     const ssize_t n = ::read(*file_, piece.data(), piece.size());
     if (n < 0 && errno == EINTR) continue;
+    if (n < 0) error_ = errno;
     if (n <= 0) return;
     stream_->add({piece.data(), static_cast<std::size_t>(n)});
   }
 }
 
-std::size_t Program::read(off_t from, char* to, std::size_t size) const {
+std::size_t Program::read(off_t from, char* to, std::size_t size) {
   ssize_t n = 0;
   do {
     n = ::pread(*file_, to, size, from);
   } while (n < 0 && errno == EINTR);
+  if (n < 0) error_ = errno;
   return n > 0 ? static_cast<std::size_t>(n) : 0;
+}
+
+Status Program::read_status() const {
+  return error_ == 0 ? Status() : unreadable(Code::SC6002, name_, error_);
 }
 
 const std::string& Program::hash() {

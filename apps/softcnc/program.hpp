@@ -49,6 +49,10 @@ class Program {
   /// hash_hex() of the text. Of a streamed one what has not been read yet is read first.
   const std::string& hash();
 
+  /// Whether all that was asked for by hash() and for_each_piece() could be read: what could not
+  /// looks like the end of the text. Errors: SC6002.
+  Status read_status() const;
+
   /// Text of a line, from 1; empty behind the end, and where a stream has long passed it. A reader
   /// may be under way; cheap where lines are asked for in their order.
   std::string line(int number);
@@ -60,12 +64,13 @@ class Program {
  private:
   Program(std::string name, Descriptor file, off_t begin);
   void read_rest();
-  std::size_t read(off_t from, char* to, std::size_t size) const;
+  std::size_t read(off_t from, char* to, std::size_t size);
 
   std::string name_, folder_;
   Descriptor file_;
   off_t begin_;
   std::string hash_;
+  int error_ = 0;  // of a read that failed
   std::unique_ptr<StreamMemory> stream_;
   std::unique_ptr<ipr::CalledTexts> called_ = std::make_unique<ipr::CalledTexts>();
 

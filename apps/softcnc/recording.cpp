@@ -65,6 +65,7 @@ Result<hal::TemporaryFile> copy_of(Program& program) {
     if (!copy) return;
     if (Status added = copy->add(piece); !added) copy = tl::make_unexpected(added.error());
   });
+  if (Status read = program.read_status(); !read) return tl::make_unexpected(read.error());
   return copy;
 }
 

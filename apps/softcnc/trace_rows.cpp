@@ -15,16 +15,18 @@ hal::TraceHeader trace_header(Program& program, const Machine& machine) {
 
 Result<TraceRows> packed_trace(hal::TemporaryFile& file, Program& program, const Machine& machine,
                                const hal::Backend& backend) {
+  const hal::TraceHeader header = trace_header(program, machine);
+  if (Status read = program.read_status(); !read) return tl::make_unexpected(read.error());
   auto sink = hal::zstd_sink(std::make_unique<hal::TemporarySink>(file));
-  return TraceRows(hal::csv_trace(std::move(sink), trace_header(program, machine), machine,
-                                  row_columns(backend)));
+  return TraceRows(hal::csv_trace(std::move(sink), header, machine, row_columns(backend)));
 }
 
 Result<TraceRows> open_trace(const std::string& file, Program& program, const Machine& machine,
                              const hal::Backend& backend) {
   if (file.empty()) return TraceRows(nullptr);
-  auto writer =
-      hal::TraceWriter::open(file, trace_header(program, machine), machine, row_columns(backend));
+  const hal::TraceHeader header = trace_header(program, machine);
+  if (Status read = program.read_status(); !read) return tl::make_unexpected(read.error());
+  auto writer = hal::TraceWriter::open(file, header, machine, row_columns(backend));
   if (!writer) return tl::make_unexpected(std::move(writer.error()));
   return TraceRows(std::move(*writer));
 }
