@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "hal/temporary_file.hpp"
+#include "motion/unnamed_file.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -45,7 +45,7 @@ void wait_for_input(int descriptor, const std::stop_token& stop) {
 }
 
 Result<Descriptor> unlinked_file() {
-  Descriptor file(hal::open_unnamed());
+  Descriptor file(open_unnamed_file());
   if (*file < 0) return no_temporary_file();
   return file;
 }

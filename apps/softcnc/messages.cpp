@@ -17,9 +17,10 @@ namespace {
 constexpr std::size_t kBuffer = 65536;
 constexpr int kNotWritten = 5;  // exit status
 
-/// The text of a line of a called file; empty if it cannot be read.
-std::string line_of(const Diagnostic& diagnostic) {
-  auto reader = ipr::Reader::open(diagnostic.file);
+/// The text of a line of a called file, as it has been run; empty if it cannot be read.
+std::string line_of(const Diagnostic& diagnostic, ipr::CalledTexts& called) {
+  const auto& kept = called.find(diagnostic.file);
+  auto reader = ipr::Reader::open(kept && *kept ? (*kept)->name() : diagnostic.file);
   std::string text;
   while (reader && reader->line() < diagnostic.pos.line) {
     const auto line = reader->next();
@@ -82,7 +83,8 @@ Diagnostics::Sink Messages::sink(Program& program) {
   return [this, &program](const Diagnostic& diagnostic) {
     Diagnostic full = diagnostic;
     if (full.source_line.empty() && full.pos.line > 0)
-      full.source_line = full.pos.file == 0 ? program.line(full.pos.line) : line_of(full);
+      full.source_line =
+          full.pos.file == 0 ? program.line(full.pos.line) : line_of(full, program.called());
     show(full);
   };
 }

@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <system_error>
 #include <utility>
@@ -71,11 +72,15 @@ Result<hal::TemporaryFile> copy_of(Program& program) {
 
 std::string entry_of(const CalledFile& called) { return "called/" + called.name; }
 
+std::string path_in(const std::string& folder, const CalledFile& called) {
+  return (std::filesystem::path(folder) / called.name).lexically_normal();
+}
+
 /// Where that lies which has been run, whatever has become of the file itself.
 std::string path_of(const Program& program, const CalledFile& called) {
-  const auto path = (std::filesystem::path(program.folder()) / called.name).lexically_normal();
-  const auto& text = program.called().find(path.string());
-  return text && *text ? (*text)->name() : path.string();
+  const std::string path = path_in(program.folder(), called);
+  const auto& text = program.called().find(path);
+  return text && *text ? (*text)->name() : path;
 }
 
 Status hash_called(const Program& program, std::vector<CalledFile>& files) {
@@ -186,24 +191,16 @@ Result<Program> Recording::program() const {
   return Program::in_file(meta_.program_name, std::move(*file));
 }
 
-Result<TemporaryFolder> Recording::called_files() const {
-  auto folder = TemporaryFolder::make();
+Status Recording::put_called(const std::string& folder, ipr::CalledTexts& texts) const {
+  texts.close();
   for (const CalledFile& called : meta_.called) {
-    if (!folder) break;
-    if (called.name.find('/') != std::string::npos)  // nothing is written outside of the folder
-      return tl::make_unexpected(Diagnostic{
-          Code::SC6021, {}, "a called file in it is named '" + called.name + "'", file_, {}});
-    auto entry = zip_.entry(entry_of(called));
-    if (!entry) return tl::make_unexpected(std::move(entry.error()));
-    std::ofstream out(folder->file(called.name), std::ios::binary);
-    const Status copied = for_each_piece(std::move(*entry), [&](std::string_view piece) -> Status {
-      out.write(piece.data(), static_cast<std::streamsize>(piece.size()));
-      if (!out) return no_temporary(errno);
-      return {};
-    });
-    if (!copied) return tl::make_unexpected(copied.error());
+    const auto text = zip_.text(entry_of(called));
+    if (!text) return tl::make_unexpected(text.error());
+    auto kept = ipr::Snapshot::of(*text);
+    if (!kept) return tl::make_unexpected(std::move(kept.error()));
+    texts.put(path_in(folder, called), std::move(*kept));
   }
-  return folder;
+  return {};
 }
 
 }  // namespace softcnc::app

@@ -14,7 +14,6 @@
 #include "hal/temporary_file.hpp"
 #include "hal/zip_file.hpp"
 #include "program.hpp"
-#include "temporary_folder.hpp"
 
 namespace softcnc::app {
 
@@ -55,8 +54,9 @@ class Recording {
   const std::string& machine() const noexcept { return machine_; }
   /// The program, in an unlinked file of its own.
   Result<Program> program() const;
-  /// The files that the program called, in a folder of their own. Errors: SC6003, SC6021.
-  Result<TemporaryFolder> called_files() const;
+  /// Makes the files that the program called, and no others, those that are found in `folder`.
+  /// Errors: SC6003, SC6021.
+  Status put_called(const std::string& folder, ipr::CalledTexts& texts) const;
   /// trace.csv.zst
   Result<hal::ZipEntry> trace() const { return zip_.entry("trace.csv.zst"); }
   /// Errors: SC6021, where the trace is not what was recorded.

@@ -24,12 +24,14 @@ hal::MachineOrFaults machine_of(const Recording& recording, const std::string& n
   return hal::parse_machine(recording.machine(), name + ":machine.toml", options.settings);
 }
 
+/// A name that no file has: what was called is in the recording.
+std::string folder_of_called(const std::string& name) { return name + ":called"; }
+
 /// A recording with all that is needed to run it again.
 struct Material {
   Recording recording;
   Machine machine;
   Program program;
-  TemporaryFolder called;
   std::unique_ptr<hal::Backend> backend;
   TraceComparison comparison;
 };
@@ -41,19 +43,18 @@ Result<Material> open_material(const std::string& name, const Options& options) 
   if (!machine) return tl::make_unexpected(Messages().show_but_last(std::move(machine.error())));
   auto program = recording->program();
   if (!program) return tl::make_unexpected(std::move(program.error()));
-  auto called = recording->called_files();
-  if (!called) return tl::make_unexpected(std::move(called.error()));
+  if (Status put = recording->put_called(folder_of_called(name), program->called()); !put)
+    return tl::make_unexpected(std::move(put.error()));
   auto backend = hal::open_backend(hal::without_port(*machine));  // counts again, sends nothing
   if (!backend) return tl::make_unexpected(std::move(backend.error()));
   auto trace = recording->trace();
   if (!trace) return tl::make_unexpected(std::move(trace.error()));
-  return Material{std::move(*recording), std::move(*machine),
-                  std::move(*program),   std::move(*called),
-                  std::move(*backend),   TraceComparison(TraceLines(std::move(*trace)))};
+  return Material{std::move(*recording), std::move(*machine), std::move(*program),
+                  std::move(*backend), TraceComparison(TraceLines(std::move(*trace)))};
 }
 
 /// Runs the program; its rows go to the comparison. Returns the exit status of the run.
-int run_again(Material& material, Terminal& terminal) {
+int run_again(const std::string& name, Material& material, Terminal& terminal) {
   const Machine& machine = material.machine;
   TraceRows rows(hal::csv_trace(comparison_sink(material.comparison),
                                 trace_header(material.program, machine), machine,
@@ -65,7 +66,8 @@ int run_again(Material& material, Terminal& terminal) {
   diagnostics.set_file(material.program.name());
   ipr::Reader reader = material.program.reader();
   ChannelOptions options = material.recording.meta().options;
-  options.interpreter.folder = material.called.name();
+  options.interpreter.folder = folder_of_called(name);
+  options.interpreter.called = &material.program.called();
   options.interpreter.stop = terminal.stop();
   const Outcome outcome = simulate(reader, material.program.descriptor(), machine, options,
                                    *material.backend, diagnostics, &rows, &terminal);
@@ -114,7 +116,7 @@ int replay_one(const std::string& file, const Options& options, StandardOutput& 
   const double period = material->machine.control.period;
   Terminal terminal(options.progress, false, period);
   terminal.begin(name, static_cast<double>(material->recording.meta().rows - 1) * period);
-  const int status = run_again(*material, terminal);
+  const int status = run_again(file, *material, terminal);
   if (status >= kSignalled) return status;
   auto result = verdict(name, *material, out);
   if (!result && result.error().file.empty()) result.error().file = name;

@@ -24,7 +24,9 @@ Descriptor event() { return Descriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK))
 
 void set(const Descriptor& event) noexcept {
   constexpr std::uint64_t kOne = 1;
-  [[maybe_unused]] const ssize_t written = ::write(*event, &kOne, sizeof kOne);
+  constexpr int kAttempts = 10;
+  for (int i = 0; i < kAttempts; ++i)
+    if (::write(*event, &kOne, sizeof kOne) == sizeof kOne) return;
 }
 
 /// Waits until one of them can be read, -1 being none; without end if the time, in ms, is negative.

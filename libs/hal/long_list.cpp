@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "hal/temporary_file.hpp"
+#include "motion/unnamed_file.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -36,7 +36,7 @@ OverflowFile::~OverflowFile() {
 
 Status OverflowFile::add(std::span<const std::byte> bytes) {
   if (descriptor_ < 0) {
-    const int opened = open_unnamed();
+    const int opened = open_unnamed_file();
     if (opened < 0) return failure(errno);
     descriptor_ = opened;
   }

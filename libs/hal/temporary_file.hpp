@@ -11,10 +11,6 @@
 
 namespace softcnc::hal {
 
-/// A descriptor of a new empty file in the folder for temporary files, for reading and writing.
-/// Below 0: errno says why there is none.
-int open_unnamed();
-
 class TemporaryFile {
  public:
   /// Empty, in the folder for temporary files. Errors: SC6003.

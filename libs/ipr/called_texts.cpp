@@ -83,7 +83,12 @@ Found look(const std::string& path) {
 
 const Found& CalledTexts::find(const std::string& path) {
   const auto known = found_.find(path);
-  return known != found_.end() ? known->second : found_.emplace(path, look(path)).first->second;
+  if (known != found_.end()) return known->second;
+  return found_.emplace(path, is_closed_ ? Found(std::nullopt) : look(path)).first->second;
+}
+
+void CalledTexts::put(const std::string& path, Snapshot text) {
+  found_.insert_or_assign(path, Found(std::optional(std::move(text))));
 }
 
 }  // namespace softcnc::ipr

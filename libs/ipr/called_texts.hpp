@@ -21,8 +21,14 @@ class CalledTexts {
   /// may lead; SC6034; SC6003 where it cannot be kept.
   const Result<std::optional<Snapshot>>& find(const std::string& path);
 
+  /// From now on `path` is found to hold this text.
+  void put(const std::string& path, Snapshot text);
+  /// From now on no file is looked for.
+  void close() noexcept { is_closed_ = true; }
+
  private:
   std::map<std::string, Result<std::optional<Snapshot>>> found_;
+  bool is_closed_ = false;
 };
 
 }  // namespace softcnc::ipr

@@ -8,10 +8,11 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <filesystem>
 #include <limits>
 #include <system_error>
 #include <vector>
+
+#include "motion/unnamed_file.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -56,8 +57,10 @@ bool write(int file, const char* bytes, std::size_t size) {
 /// Within the kernel, as far as that can be done; returns where the rest begins.
 std::int64_t copy_quickly(int from, int to, std::int64_t begin, std::int64_t end) {
   ssize_t copied = 1;
-  while (begin < end && copied > 0)
-    copied = ::copy_file_range(from, &begin, to, nullptr, std::min(kPiece, end - begin), 0);
+  while (begin < end && copied > 0) {
+    const auto wanted = static_cast<std::size_t>(std::min(kPiece, end - begin));
+    copied = ::copy_file_range(from, &begin, to, nullptr, wanted, 0);
+  }
   return begin;
 }
 
@@ -94,16 +97,11 @@ Result<Snapshot> Snapshot::of(int file, std::int64_t begin) {
   return snapshot;
 }
 
-int open_unnamed_file() {
-  std::error_code error;
-  std::string name = std::filesystem::temp_directory_path(error) / "softcnc-XXXXXX";
-  if (error) {
-    errno = error.value();
-    return -1;
-  }
-  const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
-  if (descriptor >= 0) ::unlink(name.c_str());
-  return descriptor;
+Result<Snapshot> Snapshot::of(std::string_view text) {
+  Snapshot snapshot(open_for(static_cast<std::int64_t>(text.size())));
+  if (snapshot.descriptor_ < 0) return no_room();
+  if (!write(snapshot.descriptor_, text.data(), text.size())) return no_room();
+  return snapshot;
 }
 
 }  // namespace softcnc::ipr

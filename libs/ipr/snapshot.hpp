@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "motion/result.hpp"
@@ -19,6 +20,8 @@ class Snapshot {
   /// Copies what a regular file holds from `begin` on, in bytes. What is appended while it is
   /// copied is not part of it. Errors: SC6002, SC6003.
   static Result<Snapshot> of(int file, std::int64_t begin);
+  /// Keeps a text. Errors: SC6003.
+  static Result<Snapshot> of(std::string_view text);
 
   Snapshot(Snapshot&& other) noexcept : descriptor_(other.release()) {}
   Snapshot& operator=(Snapshot&& other) noexcept {
@@ -38,9 +41,5 @@ class Snapshot {
 
   int descriptor_;
 };
-
-/// An empty file without a name in the folder for temporary files; -1 with errno if there can be
-/// none. The caller closes it.
-int open_unnamed_file();
 
 }  // namespace softcnc::ipr

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "ipr/snapshot.hpp"
+#include "motion/unnamed_file.hpp"
 
 namespace softcnc::ipr {
 
