@@ -8,8 +8,8 @@ After a fault, whatever the exit status, each file to be written is the old one 
 been left, neither beside them nor in the folder for temporary files; nothing hangs. Status 0 is for new files alone;
 otherwise it is 5, or 2 where a file that says how to run could not be read, and an error with its code has been shown.
 
-With --kills, runs are killed at moments spread evenly instead: each file is the old or the new one, whole, and the next
-run names every file that has been left, and removes it.
+With --kills, runs are killed at moments spread evenly instead: each file is the old or the new one, whole, and later runs
+remove every file that has been left; the last one names those that it finds.
 
 Shows how many faults there were and what came of them; exit 1 if anything is broken.
 """
@@ -213,7 +213,8 @@ def fail_each(name, bench, allocations):
 
 def kill_many(name, bench, kills):
     """The same of runs that are killed, which all write to one folder."""
-    bad = left = done = 0
+    bad = done = 0
+    left = set()
     with tempfile.TemporaryDirectory() as place:
         folder, temporary = pathlib.Path(place) / "work", pathlib.Path(place) / "tmp"
         folder.mkdir(), temporary.mkdir()
@@ -232,18 +233,19 @@ def kill_many(name, bench, kills):
             for wrong in bench.broken_files(contents(folder)):
                 bad += 1
                 print(f"{name}: killed after {longest * i / kills:.4f} s: {wrong}", flush=True)
+            left |= set(os.listdir(folder)) - known
         strays = set(os.listdir(folder)) - known
         status, errors = ended(bench.start(folder, temporary, {}))
         bad += status != 0
+        bad += set(os.listdir(folder)) != known
         for stray in strays:
-            left += 1
             if stray not in errors or (folder / stray).exists():
                 bad += 1
                 print(f"{name}: the next run does not name {stray}, or leaves it", flush=True)
         for stray in os.listdir(temporary):
             bad += 1
             print(f"{name}: {stray} is left in the folder for temporary files", flush=True)
-    print(f"{name}: {kills - done} of {kills} runs killed, {left} files left and named by the next run; {bad} broken",
+    print(f"{name}: {kills - done} of {kills} runs killed, {len(left)} files left and gone after later runs; {bad} broken",
           flush=True)
     return bad
 
