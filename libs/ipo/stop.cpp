@@ -36,11 +36,11 @@ std::size_t run_move(Window& window, std::size_t intervals, Profile& profile, Li
 StopPlan plan_stop(const Constraints& constraints, const BlocksAround& around, const State& now,
                    Limit as) {
   const std::unique_ptr<Window> window = make_window(constraints, kAccelerationShare);
-  append_moves(*window, around, now.s);
+  if (now.v > 0) append_moves(*window, around, now.s);
   window->set_front(now.v, now.a);
   StopPlan plan;
   std::size_t intervals = 0;
-  if (now.v > 0 && window->size() > 0) {
+  if (window->size() > 0) {
     const auto stop = window->rest_early(kResolution);
     plan.effort = window->effort();
     if (!stop) return plan;
