@@ -28,7 +28,7 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 constexpr int kMostDescriptors = 1024;  // that are looked at
 constexpr std::string_view kLinks = "/proc/self/fd/";
 
-/// The link in /proc that tells the name of an open file.
+/// The link in /proc that leads to the name of an open file.
 std::array<char, 32> link_of(int descriptor) noexcept {
   std::array<char, 32> link{};
   std::size_t end = kLinks.copy(link.data(), kLinks.size());

@@ -202,12 +202,12 @@ def fail_each(name, bench, allocations):
             if wrong := bench.broken(ending):
                 bad += 1
                 print(f"{name}: {kind} {at} of {bench.counts[kind]}: {wrong}\n{ending.errors}", flush=True)
-    told = ", ".join(f"{kind} {sum(n for (k, _), n in statuses.items() if k == kind)}" for kind in KINDS)
+    counted = ", ".join(f"{kind} {sum(n for (k, _), n in statuses.items() if k == kind)}" for kind in KINDS)
     by_status = collections.Counter()
     for (_, status), number in statuses.items():
         by_status[status] += number
     ends = ", ".join(f"{number} with {status}" for status, number in sorted(by_status.items(), key=str))
-    print(f"{name}: {told}; ended {ends}; {bad} broken", flush=True)
+    print(f"{name}: {counted}; ended {ends}; {bad} broken", flush=True)
     return bad
 
 

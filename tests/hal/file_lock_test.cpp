@@ -57,7 +57,7 @@ TEST_CASE("a lock moves, and ends once", "[hal][lock]") {
   CHECK(FileLock::take(folder / "s.toml"));
 }
 
-TEST_CASE("what is no regular file has no lock, and a lock that cannot be made is told",
+TEST_CASE("what is no regular file has no lock, and a lock that cannot be made is reported",
           "[hal][lock]") {
   for (const std::string file : {"", "-", "/dev/null"}) {
     const auto first = FileLock::take(file), second = FileLock::take(file);
