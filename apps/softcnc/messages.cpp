@@ -15,7 +15,7 @@ namespace softcnc::app {
 namespace {
 
 constexpr std::size_t kBuffer = 65536;
-constexpr int kNotWritten = 5;  // exit status
+constexpr int kNotWritten = 5, kDefect = 70;  // exit status
 
 /// The text of a line of a called file, as it has been run; empty if it cannot be read.
 std::string line_of(const Diagnostic& diagnostic, ipr::CalledTexts& called) {
@@ -125,7 +125,7 @@ int end_document(int status) {
   const auto document = std::move(on_stderr().document);
   if (!document) return status;
   document->finish(status);
-  return on_stderr().written ? status : worse_status(status, kNotWritten);
+  return on_stderr().written || status == kDefect ? status : kNotWritten;
 }
 
 [[gnu::hot]] void StandardOutput::write(std::string_view text) {

@@ -58,6 +58,7 @@ class Performer {
   Diagnostics::Sink sink();
   void run(hal::Backend& backend, TraceRows& rows);
   bool by_the_clock() const;
+  hal::Patience patience() const;
   void judge(Diagnostics& diagnostics);
   void judge_punctuality();
   bool is_dropped(const std::string& file) const;
@@ -98,8 +99,9 @@ Performance Performer::move(const TracePlace& trace, double total) {
   auto backend = hal::open_backend(options_.dry_run ? without_backend(job_.machine) : job_.machine,
                                    PacedPlayer::open);
   if (!backend) return refused(backend.error());
-  auto rows = trace.packed ? packed_trace(*trace.packed, job_.program, job_.machine, **backend)
-                           : open_trace(trace.file, job_.program, job_.machine, **backend);
+  auto rows = trace.packed
+                  ? packed_trace(*trace.packed, job_.program, job_.machine, **backend)
+                  : open_trace(trace.file, job_.program, job_.machine, **backend, patience());
   if (!rows) return refused(rows.error());
   if (!options_.dry_run) terminal_.begin_motion(is_real(job_.machine.control.backend));
   terminal_.begin(options_.dry_run ? "planning" : "running", total);
@@ -140,6 +142,13 @@ void Performer::run(hal::Backend& backend, TraceRows& rows) {
 bool Performer::by_the_clock() const {
   return options_.realtime &&
          (options_.dry_run || job_.machine.control.backend != BackendKind::parport);
+}
+
+/// A machine that moves by the clock waits for nobody: half a second is planned ahead.
+hal::Patience Performer::patience() const {
+  constexpr int kOfTheClock = 200;  // ms
+  const bool waits = !by_the_clock() && !is_real(job_.machine.control.backend);
+  return {terminal_.stop(), waits ? -1 : kOfTheClock};
 }
 
 void Performer::judge(Diagnostics& diagnostics) {
@@ -228,8 +237,13 @@ Performance check_first(Job& job, Messages& messages, Terminal& terminal, Outcom
   return performance;
 }
 
+/// Once stopped, nobody waits for who reads it.
 void write_report(Job& job, const Options& options, Performance& performance) {
-  const auto written = hal::write_file(options.report, report_json(job, performance));
+  std::stop_source stop;
+  if (performance.ending == Ending::stopped) stop.request_stop();
+  const hal::Patience patience{
+      performance.ending == Ending::stopped ? stop.get_token() : std::stop_token(), -1};
+  const auto written = hal::write_file(options.report, report_json(job, performance), patience);
   if (written)
     performance.written.push_back({"report", options.report});
   else

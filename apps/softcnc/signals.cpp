@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "rest_on_signal.hpp"
+#include "standard_error.hpp"
 
 namespace softcnc::app {
 
@@ -54,10 +55,15 @@ StopSignals::StopSignals() : descriptor_(-1), came_(event()), ended_(event()) {
   if (!is_ignored(SIGHUP)) sigaddset(&signals_, SIGHUP);
   sigprocmask(SIG_BLOCK, &signals_, &before_);
   descriptor_ = Descriptor(::signalfd(-1, &signals_, SFD_NONBLOCK | SFD_CLOEXEC));
+  if (*descriptor_ < 0 || *came_ < 0 || *ended_ < 0) {  // signals have their usual effect, then
+    sigprocmask(SIG_SETMASK, &before_, nullptr);
+    return;
+  }
   thread_ = std::thread([this] { watch(); });
 }
 
 StopSignals::~StopSignals() {
+  if (!thread_.joinable()) return;
   set(ended_);
   thread_.join();
   sigprocmask(SIG_SETMASK, &before_, nullptr);
@@ -87,6 +93,7 @@ int StopSignals::take(int otherwise) noexcept {
   if (signal == SIGHUP) std::signal(SIGHUP, SIG_IGN);
   received_ = signal;
   stop_.request_stop();
+  stop_waiting_for_stderr();
   set(came_);
   return signal;
 }

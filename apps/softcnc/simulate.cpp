@@ -159,6 +159,7 @@ class Simulation {
   RowBuffer buffer_;
   std::size_t batch_;           // rows
   bool skims_, quiet_ = false;  // what follows
+  bool wanted_ = true;          // rows
   Verification verification_;
   const Diagnostics& diagnostics_;
   std::size_t worst_lines_;
@@ -217,13 +218,13 @@ bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   outcome_.cpu.cycle += cpu_.lap();
   verify();
   outcome_.cpu.verification += cpu_.lap();
-  const bool wanted = paced_ ? collect() : write(rows, cycle);
+  wanted_ = paced_ ? collect() : write(rows, cycle);
+  if (!wanted_) panel_.stop = true;  // the machine comes to rest on the path all the same
   quiet_ = batch.leads_into_quiet();
   if (watcher) watcher->sees(outcome_.last);
   channel_.feeder().states().pass(outcome_.last.block);
   channel_.forget_passed();
   outcome_.cpu.output += cpu_.lap();
-  if (!wanted) outcome_.end = Outcome::End::broken_off;
   if (outcome_.feedback.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
   return outcome_.end == Outcome::End::done && !batch.at_end();
 }
@@ -245,9 +246,10 @@ bool Simulation::write(RowSink* rows, const CycleReport& cycle) {
     outcome_.feedback = cycle.last;
     outcome_.last = buffer_.rows().back();
   }
-  for (std::size_t i = 0; rows && i < buffer_.rows().size(); ++i)
-    if (!rows->row(buffer_.rows()[i], buffer_.values(i))) return false;
-  return true;
+  bool wanted = wanted_;
+  for (std::size_t i = 0; rows && wanted && i < buffer_.rows().size(); ++i)
+    wanted = rows->row(buffer_.rows()[i], buffer_.values(i));
+  return wanted;
 }
 
 /// What has come back so far.
@@ -262,7 +264,7 @@ bool Simulation::collect() {
 void Simulation::end_paced() {
   if (outcome_.end == Outcome::End::done) paced_->rest();
   paced_->stop();
-  if (!collect()) outcome_.end = Outcome::End::broken_off;
+  wanted_ = collect();
   if (outcome_.feedback.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
   channel_.feeder().states().pass(outcome_.last.block);
 }
@@ -276,6 +278,7 @@ void Simulation::keep_times() {
 }
 
 Outcome Simulation::finish() {
+  if (!wanted_ && outcome_.end == Outcome::End::done) outcome_.end = Outcome::End::broken_off;
   if (outcome_.end == Outcome::End::done) verification_.finish();  // otherwise it is not at rest
   if (outcome_.end == Outcome::End::done && panel_.stop) outcome_.end = Outcome::End::stopped;
   const StateHistory& states = channel_.feeder().states();

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <climits>
 #include <csignal>
@@ -16,8 +17,12 @@ namespace {
 constexpr std::size_t kAtOnce = PIPE_BUF;  // what a pipe takes that is ready for any
 constexpr int kLook = 100;                 // ms from one look at signals to the next
 
-/// Blocked signals that have come; others act by themselves.
+std::atomic<bool> waits{true};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+/// Asked for by a signal that has been taken, or is blocked and has come; others act by themselves.
 bool is_stop_pending() noexcept {
+  if (!waits) return true;
   sigset_t pending;
   if (::sigpending(&pending) != 0) return false;
   return sigismember(&pending, SIGINT) == 1 || sigismember(&pending, SIGTERM) == 1 ||
@@ -38,6 +43,8 @@ bool wait_until_ready() noexcept {
 }
 
 }  // namespace
+
+void stop_waiting_for_stderr() noexcept { waits = false; }
 
 bool write_to_stderr(std::string_view text) noexcept {
   while (!text.empty()) {

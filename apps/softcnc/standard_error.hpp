@@ -10,6 +10,9 @@ namespace softcnc::app {
 /// written is dropped: false.
 bool write_to_stderr(std::string_view text) noexcept;
 
+/// From here on nobody waits for a reader of standard error: a signal has asked for a stop.
+void stop_waiting_for_stderr() noexcept;
+
 /// For a display: what would have to wait is dropped as well.
 void display_on_stderr(std::string_view text) noexcept;
 

@@ -22,11 +22,12 @@ Result<TraceRows> packed_trace(hal::TemporaryFile& file, Program& program, const
 }
 
 Result<TraceRows> open_trace(const std::string& file, Program& program, const Machine& machine,
-                             const hal::Backend& backend) {
+                             const hal::Backend& backend, hal::Patience patience) {
   if (file.empty()) return TraceRows(nullptr);
   const hal::TraceHeader header = trace_header(program, machine);
   if (Status read = program.read_status(); !read) return tl::make_unexpected(read.error());
-  auto writer = hal::TraceWriter::open(file, header, machine, row_columns(backend));
+  auto writer =
+      hal::TraceWriter::open(file, header, machine, row_columns(backend), std::move(patience));
   if (!writer) return tl::make_unexpected(std::move(writer.error()));
   return TraceRows(std::move(*writer));
 }

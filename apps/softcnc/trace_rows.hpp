@@ -43,8 +43,9 @@ hal::TraceHeader trace_header(Program& program, const Machine& machine);
 Result<TraceRows> packed_trace(hal::TemporaryFile& file, Program& program, const Machine& machine,
                                const hal::Backend& backend);
 
-/// Into a file; nowhere if its name is empty. Errors: those of hal::TraceWriter::open().
+/// Into a file; nowhere if its name is empty. `patience` is that with who reads a pipe. Errors:
+/// those of hal::TraceWriter::open(), SC6002.
 Result<TraceRows> open_trace(const std::string& file, Program& program, const Machine& machine,
-                             const hal::Backend& backend);
+                             const hal::Backend& backend, hal::Patience patience);
 
 }  // namespace softcnc::app

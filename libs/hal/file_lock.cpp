@@ -20,8 +20,17 @@ constexpr mode_t kMode = 0666;  // less the umask
 /// Another user's may be one that can only be read, which is enough for a lock.
 int open_lock(const std::string& name) {
   constexpr int kFlags = O_NOFOLLOW | O_CLOEXEC;
-  const int file = ::open(name.c_str(), O_RDWR | O_CREAT | kFlags, kMode);
-  return file >= 0 || errno != EACCES ? file : ::open(name.c_str(), O_RDONLY | kFlags);
+  int file = ::open(name.c_str(), O_RDWR | O_CREAT | kFlags, kMode);
+  if (file >= 0 || errno != EACCES) return file;
+  file = ::open(name.c_str(), O_RDONLY | kFlags);
+  if (file < 0) errno = EACCES;
+  return file;
+}
+
+/// Why open_lock() has failed. The file itself might be there.
+std::string why_not(const std::string& name) {
+  const std::string reason = std::strerror(errno);
+  return errno == ENOENT ? reason : "its lock " + name + ": " + reason;
 }
 
 /// A file system without locks takes none.
@@ -59,7 +68,7 @@ Result<FileLock> FileLock::take(const std::string& file) {
   for (;;) {
     FileLock lock(open_lock(name));
     if (lock.descriptor_ < 0)
-      return failure(Code::SC6011, file, std::string("cannot be created: ") + std::strerror(errno));
+      return failure(Code::SC6011, file, "cannot be created: " + why_not(name));
     if (is_taken(lock.descriptor_))
       return failure(Code::SC6017, file, "is in use by " + holder(lock.descriptor_));
     if (!bears(lock.descriptor_, name)) continue;  // whoever had it has just removed it

@@ -39,22 +39,21 @@ std::vector<std::string> unfinished_names(const std::string& target) {
   return names;
 }
 
-/// Nothing is said of a file that is being written, or is no file.
+/// Nothing is said of a file that is being written, has just got its name, or is no file; nor of
+/// one that may not be read, of which that cannot be known.
 void remove_leftover(const std::string& name, std::vector<Diagnostic>& notes) {
   struct stat info {};
-  const int file = ::open(name.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  const bool is_file = file < 0 ? ::lstat(name.c_str(), &info) == 0 && S_ISREG(info.st_mode)
-                                : ::fstat(file, &info) == 0 && S_ISREG(info.st_mode);
-  const bool unlocked = file < 0 || ::flock(file, LOCK_EX | LOCK_NB) == 0;
-  if (is_file && unlocked) {
-    if (file >= 0 && ::unlink(name.c_str()) == 0)
-      notes.push_back(leftover(name, "left unfinished by a run that was killed; it is removed"));
-    else
-      notes.push_back(leftover(name, std::string("left unfinished by a run that was killed; it "
-                                                 "cannot be removed: ") +
-                                         std::strerror(errno)));
-  }
-  if (file >= 0) ::close(file);
+  const int file = ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) return;
+  const bool is_left = ::fstat(file, &info) == 0 && S_ISREG(info.st_mode) &&
+                       ::flock(file, LOCK_EX | LOCK_NB) == 0 && bears(file, name);
+  if (is_left && ::unlink(name.c_str()) == 0)
+    notes.push_back(leftover(name, "left unfinished by a run that was killed; it is removed"));
+  else if (is_left)
+    notes.push_back(leftover(
+        name, std::string("left unfinished by a run that was killed; it cannot be removed: ") +
+                  std::strerror(errno)));
+  ::close(file);
 }
 
 }  // namespace

@@ -3,10 +3,13 @@
 #include "hal/output_file.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -17,9 +20,11 @@
 namespace softcnc::hal {
 namespace {
 
-constexpr mode_t kMode = 0666;    // less the umask
-constexpr mode_t kRights = 0777;  // of a mode
-constexpr int kMostLinks = 40;    // as many as the system follows
+constexpr mode_t kMode = 0666;             // less the umask
+constexpr mode_t kRights = 0777;           // of a mode
+constexpr int kMostLinks = 40;             // as many as the system follows
+constexpr int kLook = 50;                  // ms from one look for a reader to the next
+constexpr std::size_t kAtOnce = PIPE_BUF;  // what a pipe takes that is ready for any
 
 tl::unexpected<Diagnostic> failure(Code code, const std::string& file, std::string_view what) {
   return tl::make_unexpected(
@@ -30,6 +35,11 @@ tl::unexpected<Diagnostic> failure(Code code, const std::string& file, std::stri
 bool leads_nowhere(const std::string& file) {
   struct stat info {};
   return ::stat(file.c_str(), &info) != 0 && errno == ELOOP;
+}
+
+bool is_regular(int descriptor) {
+  struct stat info {};
+  return ::fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode);
 }
 
 bool written_directly(const std::string& file) {
@@ -52,7 +62,11 @@ bool sync_folder_of(const std::string& file) {
 /// What a new file in the place of another has from it.
 class Replaced {
  public:
-  explicit Replaced(const std::string& target) : exists_(::stat(target.c_str(), &info_) == 0) {}
+  explicit Replaced(const std::string& target)
+      : exists_(::stat(target.c_str(), &info_) == 0), can_be_(exists_ || errno != ENAMETOOLONG) {}
+
+  /// False with errno where no file can have that name: one beside it could be written.
+  bool can_be() const noexcept { return can_be_; }
 
   mode_t mode() const noexcept { return exists_ ? info_.st_mode & kRights : kMode; }
 
@@ -68,28 +82,43 @@ class Replaced {
 
  private:
   struct stat info_ {};
-  bool exists_;
+  bool exists_, can_be_;
 };
 
 }  // namespace
 
 /// The object is there before the file is: nothing that fails in between leaves one behind.
-Result<std::unique_ptr<OutputFile>> OutputFile::open(const std::string& file) {
+Result<std::unique_ptr<OutputFile>> OutputFile::open(const std::string& file, Patience patience) {
   if (leads_nowhere(file)) return failure(Code::SC6011, file, "cannot be created");
-  std::unique_ptr<OutputFile> output(new OutputFile(file));
+  std::unique_ptr<OutputFile> output(new OutputFile(file, std::move(patience)));
   if (file == "-")
     output->descriptor_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
   else if (written_directly(file))
-    output->descriptor_ = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+    output->descriptor_ = output->open_directly();
   else
     output->begin(target_of(file));
   if (output->descriptor_ < 0) return failure(Code::SC6011, file, "cannot be created");
+  output->may_wait_ = output->patience_.stop.stop_possible() && !is_regular(output->descriptor_);
   return output;
+}
+
+/// Without a reader a pipe is opened only by one who waits for it.
+int OutputFile::open_directly() const {
+  constexpr int kFlags = O_WRONLY | O_CLOEXEC;
+  if (!patience_.stop.stop_possible()) return ::open(name_.c_str(), kFlags);
+  int file = -1;
+  do {
+    file = ::open(name_.c_str(), kFlags | O_NONBLOCK);
+  } while (file < 0 && errno == ENXIO && !patience_.stop.stop_requested() &&
+           ::poll(nullptr, 0, kLook) == 0);
+  if (file >= 0) ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK);
+  return file;
 }
 
 void OutputFile::begin(std::string target) {
   target_ = std::move(target);
   const Replaced replaced(target_);
+  if (!replaced.can_be()) return;
   UnfinishedFile unfinished = make_unfinished(target_, replaced.mode());
   if (unfinished.descriptor < 0) return;
   descriptor_ = unfinished.descriptor;
@@ -104,13 +133,30 @@ OutputFile::~OutputFile() {
 
 Status OutputFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
-    const auto written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (may_wait_ && !has_reader())
+      return tl::make_unexpected(
+          Diagnostic{Code::SC6012, {}, "writing failed: nobody reads what is written", name_, {}});
+    const auto size = may_wait_ ? std::min(bytes.size(), kAtOnce) : bytes.size();
+    const auto written = ::write(descriptor_, bytes.data(), size);
     if (written >= 0)
       bytes.remove_prefix(static_cast<std::size_t>(written));
     else if (errno != EINTR)
       return failed();
   }
   return {};
+}
+
+/// Waits for one who takes what is written.
+bool OutputFile::has_reader() const {
+  int after_stop = 0;
+  for (int waited = 0; patience_.while_running < 0 || waited <= patience_.while_running;
+       waited += kLook) {
+    pollfd out{descriptor_, POLLOUT, 0};
+    const int ready = ::poll(&out, 1, kLook);
+    if (ready > 0 || (ready < 0 && errno != EINTR)) return true;
+    if (patience_.stop.stop_requested() && (after_stop += kLook) > Patience::kAfterStop) break;
+  }
+  return false;
 }
 
 /// The lock is held until the file has its name: nobody takes it for a leftover.
@@ -146,8 +192,8 @@ bool is_replaced(const std::string& file) {
   return !file.empty() && file != "-" && !written_directly(file);
 }
 
-Status write_file(const std::string& file, std::string_view text) {
-  auto output = OutputFile::open(file);
+Status write_file(const std::string& file, std::string_view text, Patience patience) {
+  auto output = OutputFile::open(file, std::move(patience));
   if (!output) return tl::make_unexpected(output.error());
   if (auto written = (*output)->write(text); !written) return written;
   return (*output)->finish();

@@ -42,9 +42,11 @@ const TraceFormat* format_of(std::string_view file) {
 
 }  // namespace
 
-Result<std::unique_ptr<TraceWriter>> TraceWriter::open(
-    const std::string& file, const TraceHeader& header, const Machine& machine,
-    std::span<const std::string> backend_columns) {
+Result<std::unique_ptr<TraceWriter>> TraceWriter::open(const std::string& file,
+                                                       const TraceHeader& header,
+                                                       const Machine& machine,
+                                                       std::span<const std::string> backend_columns,
+                                                       Patience patience) {
   std::string_view name = file;
   const bool compressed = name.ends_with(kCompressed);
   if (compressed) name.remove_suffix(kCompressed.size());
@@ -57,7 +59,7 @@ Result<std::unique_ptr<TraceWriter>> TraceWriter::open(
                    "no trace format has this suffix; known are " + trace_suffixes(),
                    file,
                    {}});
-  auto opened = OutputFile::open(file);
+  auto opened = OutputFile::open(file, std::move(patience));
   if (!opened) return tl::make_unexpected(std::move(opened.error()));
   std::unique_ptr<ByteSink> sink = std::move(*opened);
   if (compressed) sink = zstd_sink(std::move(sink));

@@ -27,11 +27,12 @@ struct TraceHeader {
 class TraceWriter {
  public:
   /// Known suffixes are those of trace_suffixes(); "-" and what is no regular file and has none of
-  /// them take CSV. Errors: SC6011, SC6014.
+  /// them take CSV. `patience` is that with who reads a pipe. Errors: SC6011, SC6014.
   static Result<std::unique_ptr<TraceWriter>> open(const std::string& file,
                                                    const TraceHeader& header,
                                                    const Machine& machine,
-                                                   std::span<const std::string> backend_columns);
+                                                   std::span<const std::string> backend_columns,
+                                                   Patience patience = {});
   virtual ~TraceWriter() = default;
 
   /// Takes as many values as there are backend columns, and the pulses of the setpoint. After an

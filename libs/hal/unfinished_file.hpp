@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A file beside its target while it is written: `.NAME.softcnc-XXXXXX`, locked by whoever writes
-// it.
+// A file beside its target while it is written: `.NAME.softcnc-XXXXXXXXXXXX`, locked by whoever
+// writes it.
 #pragma once
 
 #include <sys/types.h>
@@ -20,8 +20,8 @@ struct UnfinishedFile {
 /// long as the descriptor is open, where the file system knows locks. `mode` is less the umask.
 UnfinishedFile make_unfinished(const std::string& target, mode_t mode);
 
-/// Letters and digits at the end of its name.
-inline constexpr std::size_t kUnfinishedEnding = 6;
+/// Hexadecimal digits at the end of its name: so many that nobody else gives a file such a name.
+inline constexpr std::size_t kUnfinishedEnding = 12;
 
 /// `.NAME.softcnc-ENDING` in the folder of `target`; a long NAME is cut, so that it is a name.
 std::string name_beside_target(const std::string& target, std::string_view ending);

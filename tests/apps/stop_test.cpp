@@ -2,6 +2,7 @@
 // Ctrl-C: a stop on the path within the limits, whole files, and the exit status of the signal.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
@@ -33,6 +34,30 @@ double second_difference(const Trace& trace, std::size_t i, const char* column) 
 }
 
 }  // namespace
+
+TEST_CASE("a stop waits for nobody who reads rows or words", "[apps][stop]") {
+  const Folder folder;
+  write(folder / "part.nc", "G21 G90 G1 X400 F600\nM30\n");
+  const std::string begin = "cd " + (folder / "") + "; mkfifo full; exec 3<>full; ";
+  const std::string fill = "head -c 65536 /dev/zero >&3; ";
+  const std::string end =
+      " & pid=$!; sleep 1; kill -TERM $pid; "
+      "(sleep 20; kill -9 $pid) 2>/dev/null >/dev/null & wait $pid";
+  const Ended rows = shell(begin + "$softcnc run -q part.nc --trace - --report r.json >full" + end);
+  CHECK(rows.status == 5);
+  CHECK(shows(rows.err, "nobody reads what is written [SC6012]"));
+  CHECK(json::parse(read(folder / "r.json"))["status"] == "error");
+  std::filesystem::remove(folder / "full");
+  const Ended words =
+      shell(begin + fill + "$softcnc run -v --realtime part.nc --trace t.csv 2>full" + end);
+  CHECK(words.status == 143);
+  CHECK(std::filesystem::exists(folder / "t.csv"));
+  std::filesystem::remove(folder / "full");
+  const Ended report =
+      shell(begin + "mkfifo nobody; $softcnc run -q --realtime part.nc --report nobody" + end);
+  CHECK(report.status == 5);
+  CHECK(shows(report.err, "nobody: error: cannot be created: ... [SC6011]"));
+}
 
 TEST_CASE("an interrupted run stops within its limits and leaves whole files", "[apps][stop]") {
   const Folder folder;

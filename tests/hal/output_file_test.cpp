@@ -11,6 +11,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <stop_token>
 
 #include "hal/leftovers.hpp"
 #include "hal/unfinished_file.hpp"
@@ -210,17 +211,53 @@ TEST_CASE("a name as long as names may be can be written", "[hal][output]") {
   CHECK(test::names_in(folder.path()) == test::Names{name});
 }
 
+TEST_CASE("a name that no file can have is refused before anything is written", "[hal][output]") {
+  const test::Folder folder;
+  const auto open = OutputFile::open(folder / std::string(NAME_MAX + 1, 'n'));
+  REQUIRE_FALSE(open);
+  CHECK(open.error().code == Code::SC6011);
+  CHECK(test::names_in(folder.path()).empty());
+}
+
+TEST_CASE("a pipe that nobody reads is given up once a stop is asked for", "[hal][output]") {
+  const test::Folder folder;
+  const std::string pipe = folder / "pipe";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  std::stop_source stop;
+  stop.request_stop();
+  const auto nobody = OutputFile::open(pipe, {stop.get_token()});
+  REQUIRE_FALSE(nobody);
+  CHECK(nobody.error().code == Code::SC6011);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  REQUIRE(reader >= 0);
+  const std::string much(1U << 20U, 'x');
+  const auto after_stop = OutputFile::open(pipe, {stop.get_token()});
+  REQUIRE(after_stop);
+  CHECK((*after_stop)->write("taken"));
+  CHECK((*after_stop)->write(much).error().message ==
+        "writing failed: nobody reads what is written");
+  std::stop_source none;
+  const auto by_the_clock = OutputFile::open(pipe, {none.get_token(), 100});
+  REQUIRE(by_the_clock);
+  CHECK_FALSE((*by_the_clock)->write(much));
+  ::close(reader);
+}
+
 TEST_CASE("leftovers of killed runs are named and removed", "[hal][output]") {
   const test::Folder folder;
   const std::string file = folder / "out.txt";
-  const std::string left = folder / ".out.txt.softcnc-aB3xyZ";
+  const std::string left = folder / ".out.txt.softcnc-0a1b2c3d4e5f";
   test::write(left, "half");
-  const test::Names others{".out.txt.softcnc-aB3xy",    ".out.txt.softcnc-aB3xyZ7",
-                           ".out.txt.softcnc-aB3x.Z",   ".out.txt.softcnc-lock",
-                           ".other.txt.softcnc-aB3xyZ", "out.txt.part"};
+  const test::Names others{".out.txt.softcnc-backup",
+                           ".out.txt.softcnc-0a1b2c3d4e5",
+                           ".out.txt.softcnc-0a1b2c3d4e5f7",
+                           ".out.txt.softcnc-0a1b2c3d4e.f",
+                           ".out.txt.softcnc-lock",
+                           ".other.txt.softcnc-0a1b2c3d4e5f",
+                           "out.txt.part"};
   for (const std::string& name : others) test::write(folder / name, "of others");
-  fs::create_symlink("out.txt.part", folder / ".out.txt.softcnc-linked");
-  fs::create_directory(folder / ".out.txt.softcnc-folder");
+  fs::create_symlink("out.txt.part", folder / ".out.txt.softcnc-00112233aabb");
+  fs::create_directory(folder / ".out.txt.softcnc-ccddeeff4455");
   fs::create_symlink("out.txt", folder / "link");
   const auto open = OutputFile::open(file);
   REQUIRE(open);
