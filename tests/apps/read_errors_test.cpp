@@ -28,7 +28,7 @@ TEST_CASE("an error of input is no end of file", "[apps][files]") {
        {"check ", "run ", "run --dry-run ", "blocks ", "record -o x.rec ", "surface -o x.png "})
     CHECK(status_of(command + broken) == 5);
   CHECK(status_of("run p.nc --machine " + broken) == 2);
-  CHECK(status_of("run p.nc --state " + broken) == 2);
+  CHECK(status_of("check p.nc --state " + broken) == 2);
   CHECK(status_of("pulses " + broken) == 5);
   CHECK(call("replay " + broken).status == 5);
   CHECK(folder.files() == std::vector<std::string>{"p.nc"});
