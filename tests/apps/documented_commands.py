@@ -40,6 +40,8 @@ LEFT_OUT = {
     "scripts/coverage": BUILDS,
     "scripts/fuzz SECONDS": BUILDS + "; scripts/test runs it",
     "scripts/fuzz --runs N": BUILDS + "; scripts/test runs it",
+    "scripts/try_faults": BUILDS + "; a test of its own runs some of it",
+    "scripts/compare_builds": "needs two builds",
     "scripts/feed_table": MEASURES,
     "scripts/feed_table --check": MEASURES,
     "scripts/feed_table --write": MEASURES,
@@ -85,7 +87,7 @@ STANDS_FOR = {
 BUSY = {"--realtime": "periods were missed"}
 EDGES = "softcnc run -q programs/03_arc.nc --backend stepdir --set backend.stepdir.file=arc.vcd"
 BEFORE = {  # what a page takes for granted
-    "docs/cli.md": [EDGES],
+    "docs/cli.md": [EDGES, "softcnc record -q programs/01_line.nc -o n.rec"],
     "docs/pulses.md": [EDGES],
     "docs/machine.md": ["cp programs/machines/bench_mill.toml mill.toml"],
     "docs/trace.md": ["softcnc run -q programs/03_arc.nc --trace trace.csv"],
