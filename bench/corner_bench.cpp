@@ -3,7 +3,7 @@
 // all of planning does (per_block).
 #include <benchmark/benchmark.h>
 
-#include "ipo/planner.hpp"
+#include "ipo/planner/planner.hpp"
 #include "support/chords.hpp"
 
 namespace softcnc::ipo {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "channel.hpp"
+#include "session/channel.hpp"
 
 namespace softcnc::app {
 namespace {

@@ -2,7 +2,7 @@
 // What a NURBS costs: at run time by point, beforehand by curve.
 #include <benchmark/benchmark.h>
 
-#include "motion/nurbs.hpp"
+#include "motion/geometry/nurbs.hpp"
 #include "support/curves.hpp"
 #include "support/random_nurbs.hpp"
 

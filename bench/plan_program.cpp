@@ -17,9 +17,9 @@
 #include <utility>
 #include <vector>
 
-#include "hal/machine_file.hpp"
-#include "ipo/planner.hpp"
-#include "ipr/interpreter.hpp"
+#include "hal/machine/machine_file.hpp"
+#include "ipo/planner/planner.hpp"
+#include "ipr/interpreter/interpreter.hpp"
 
 namespace softcnc {
 namespace {

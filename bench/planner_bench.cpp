@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "ipo/planner.hpp"
+#include "ipo/planner/planner.hpp"
 #include "support/curves.hpp"
 
 namespace softcnc::ipo {

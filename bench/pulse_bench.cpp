@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "motion/staircase.hpp"
+#include "motion/pulses/staircase.hpp"
 #include "support/curves.hpp"
 #include "support/staircases.hpp"
 

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <limits>
 
-#include "motion/pulse_clock.hpp"
-#include "motion/pulse_line.hpp"
+#include "motion/pulses/pulse_clock.hpp"
+#include "motion/pulses/pulse_line.hpp"
 #include "support/staircases.hpp"
 
 namespace softcnc {

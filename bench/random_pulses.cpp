@@ -15,10 +15,10 @@
 #include <fstream>
 #include <iterator>
 
-#include "hal/edge_reader.hpp"
-#include "hal/pulse_rules.hpp"
-#include "hal/stepdir.hpp"
-#include "motion/step_rate.hpp"
+#include "hal/backends/stepdir.hpp"
+#include "hal/signals/edge_reader.hpp"
+#include "hal/signals/pulse_rules.hpp"
+#include "motion/model/step_rate.hpp"
 #include "support/random_program.hpp"
 
 namespace {

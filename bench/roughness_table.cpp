@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "loose_passes.hpp"
-#include "motion/roughness_table.hpp"
+#include "motion/roughness/roughness_table.hpp"
 #include "support/edge_surface.hpp"
 
 namespace {

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "hal/backend.hpp"
-#include "hal/trace.hpp"
+#include "hal/backends/backend.hpp"
+#include "hal/trace/trace.hpp"
 
 namespace softcnc::hal {
 namespace {

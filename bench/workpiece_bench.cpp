@@ -4,7 +4,7 @@
 
 #include "support/milled.hpp"
 
-namespace softcnc::hal {
+namespace softcnc::surface {
 namespace {
 
 /// A tile in the midst of passes; `incline` in degrees, `micrometres` per tooth.
@@ -34,4 +34,4 @@ BENCHMARK(cut_tile)
     ->Args({45, 500});
 
 }  // namespace
-}  // namespace softcnc::hal
+}  // namespace softcnc::surface

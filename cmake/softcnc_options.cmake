@@ -38,7 +38,7 @@ endfunction()
 # and writers only grow by that.
 function(softcnc_room name)
   cmake_parse_arguments(ROOM "COMPUTES" "" "STANDS_ON" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   add_library(softcnc_${name} STATIC ${sources})
   add_library(softcnc::${name} ALIAS softcnc_${name})
   target_link_libraries(softcnc_${name} PUBLIC softcnc_options ${ROOM_STANDS_ON})

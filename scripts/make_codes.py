@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes docs/codes.md from the table of diagnostics, libs/motion/diagnostic_table.inc.
+"""Makes docs/codes.md from the table of diagnostics, libs/motion/core/diagnostic_table.inc.
 
     scripts/make_codes.py            writes the page
     scripts/make_codes.py --check    changes nothing; exit 1 if the page is not up to date
@@ -10,7 +10,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-TABLE = ROOT / "libs/motion/diagnostic_table.inc"
+TABLE = ROOT / "libs/motion/core/diagnostic_table.inc"
 PAGE = ROOT / "docs/codes.md"
 LITERAL = r'"(?:[^"\\]|\\.)*"'
 TEXT = rf"((?:{LITERAL}\s*)+)"  # as in C++, literals that follow one another are one text
@@ -18,7 +18,7 @@ ROW = re.compile(rf"^SOFTCNC_DIAGNOSTIC\((\d+),\s*(\w+),\s*{TEXT},\s*{TEXT}\)", 
 
 HEAD = """# What the codes mean
 
-<!-- made by scripts/make_codes.py from libs/motion/diagnostic_table.inc; a test compares it -->
+<!-- made by scripts/make_codes.py from libs/motion/core/diagnostic_table.inc; a test compares it -->
 
 A diagnostic names its place, what is wrong, and its code; then comes the line with the place marked:
 

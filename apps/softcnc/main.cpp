@@ -8,11 +8,11 @@
 #include <memory>
 #include <variant>
 
-#include "commands.hpp"
-#include "messages.hpp"
-#include "out_of_memory.hpp"
-#include "rest_on_signal.hpp"
-#include "standard_error.hpp"
+#include "commands/commands.hpp"
+#include "output/messages.hpp"
+#include "output/standard_error.hpp"
+#include "realtime/out_of_memory.hpp"
+#include "realtime/signal_cleanup.hpp"
 
 namespace softcnc::app {
 namespace {

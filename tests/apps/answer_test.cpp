@@ -12,10 +12,10 @@
 
 #include "apps/shell.hpp"
 #include "apps/talk.hpp"
-#include "channel.hpp"
-#include "hal/backend.hpp"
-#include "messages.hpp"
-#include "signals.hpp"
+#include "hal/backends/backend.hpp"
+#include "output/messages.hpp"
+#include "realtime/signals.hpp"
+#include "session/channel.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;

@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "apps/shell.hpp"
-#include "ipr/gcode_table.hpp"
-#include "motion/diagnostic.hpp"
+#include "ipr/codes/gcode_table.hpp"
+#include "motion/core/diagnostic.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app::test;

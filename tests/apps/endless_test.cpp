@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Programs that never end are found by reading alone.
-#include "endless.hpp"
+#include "job/endless.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
-#include "lateness.hpp"
-#include "realtime.hpp"
+#include "realtime/lateness.hpp"
+#include "realtime/realtime.hpp"
 #include "support/sanitized.hpp"
 #include "support/shown.hpp"
 

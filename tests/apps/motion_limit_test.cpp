@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Programs that move for longer than a run may last.
-#include "motion_limit.hpp"
+#include "session/motion_limit.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -2,11 +2,11 @@
 // Parts of the program that are easier asked directly.
 #include <catch2/catch.hpp>
 
-#include "messages.hpp"
-#include "progress.hpp"
-#include "row_comparison.hpp"
-#include "terminal.hpp"
-#include "verification.hpp"
+#include "job/row_comparison.hpp"
+#include "job/terminal.hpp"
+#include "output/messages.hpp"
+#include "output/progress.hpp"
+#include "session/verification.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "apps/shell.hpp"
-#include "hal/hash.hpp"
+#include "hal/files/hash.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc::app::test;

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
-#include "hal/edge_reader.hpp"
-#include "hal/pulse_rules.hpp"
-#include "hal/stepdir.hpp"
+#include "hal/backends/stepdir.hpp"
+#include "hal/signals/edge_reader.hpp"
+#include "hal/signals/pulse_rules.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc;

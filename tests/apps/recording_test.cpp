@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "apps/shell.hpp"
-#include "hal/hash.hpp"
-#include "hal/zip_file.hpp"
-#include "recording_meta.hpp"
+#include "hal/files/hash.hpp"
+#include "hal/files/zip_file.hpp"
+#include "job/recording_meta.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc::app::test;

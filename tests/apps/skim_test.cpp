@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "apps/shell.hpp"
-#include "preflight.hpp"
-#include "verification.hpp"
+#include "job/preflight.hpp"
+#include "session/verification.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "apps/shell.hpp"
-#include "program.hpp"
+#include "job/program.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
-#include "hal/state_file.hpp"
-#include "machine_memory.hpp"
-#include "state_history.hpp"
+#include "hal/machine/state_file.hpp"
+#include "job/machine_memory.hpp"
+#include "session/state_history.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc;

@@ -7,10 +7,10 @@
 
 #include "apps/shell.hpp"
 #include "apps/talk.hpp"
-#include "channel.hpp"
-#include "hal/backend.hpp"
-#include "hal/hash.hpp"
-#include "stream_memory.hpp"
+#include "hal/backends/backend.hpp"
+#include "hal/files/hash.hpp"
+#include "job/stream_memory.hpp"
+#include "session/channel.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc;

@@ -5,12 +5,12 @@
 #include <sstream>
 
 #include "apps/shell.hpp"
-#include "hal/npz_file.hpp"
-#include "png_file.hpp"
-#include "roughness_map.hpp"
+#include "hal/files/npz_file.hpp"
+#include "output/png_file.hpp"
 #include "support/milled.hpp"
 #include "support/shown.hpp"
-#include "surface_bands.hpp"
+#include "surface/roughness_map.hpp"
+#include "surface/surface_bands.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;
@@ -322,11 +322,11 @@ TEST_CASE("a surface on a full disk ends with 5", "[apps][surface]") {
 TEST_CASE("bands are the same whatever the number of threads", "[apps][surface]") {
   const auto track = softcnc::test::milled({.incline = 4}, 9, 6);
   const auto grid = softcnc::test::grid_of(0.5, 0.5, 5, 3, 0.01);
-  const hal::Workpiece workpiece(track, grid);
+  const surface::Workpiece workpiece(track, grid);
   const auto cut_by = [&](unsigned threads) {
     std::vector<float> all;
-    const auto updates =
-        cut_bands(workpiece, threads, [&](const SurfaceBand& band) -> Result<bool> {
+    const auto updates = surface::cut_bands(
+        workpiece, threads, [&](const surface::SurfaceBand& band) -> Result<bool> {
           CHECK(band.columns == grid.columns);
           all.insert(all.end(), band.heights.begin(), band.heights.end());
           return true;
@@ -345,51 +345,55 @@ TEST_CASE("bands are the same whatever the number of threads", "[apps][surface]"
 TEST_CASE("whoever takes bands may end the work", "[apps][surface]") {
   const auto track = softcnc::test::milled({}, 3, 2);
   const auto grid = softcnc::test::grid_of(0, 0, 1, 20, 0.02);
-  const hal::Workpiece workpiece(track, grid);
+  const surface::Workpiece workpiece(track, grid);
   int bands = 0;
-  const TakeBand take = [&](const SurfaceBand&) -> Result<bool> { return ++bands < 2; };
-  CHECK(cut_bands(workpiece, 1, take));
+  const surface::TakeBand take = [&](const surface::SurfaceBand&) -> Result<bool> {
+    return ++bands < 2;
+  };
+  CHECK(surface::cut_bands(workpiece, 1, take));
   CHECK(bands == 2);
 }
 
 TEST_CASE("a stop ends the work within a band", "[apps][surface]") {
   const auto track = softcnc::test::milled({}, 3, 2);
   const auto grid = softcnc::test::grid_of(0, 0, 4, 4, 0.01);
-  const hal::Workpiece workpiece(track, grid);
+  const surface::Workpiece workpiece(track, grid);
   for (const unsigned threads : {1U, 3U}) {
     // Only the caller's thread asks; among others it may come to no tile but its first.
     const int patience = threads == 1 ? 10 : 0;
     int asked = 0, bands = 0;
-    const TakeBand take = [&](const SurfaceBand&) -> Result<bool> { return ++bands > 0; };
-    CHECK(cut_bands(workpiece, threads, take, [&] { return ++asked > patience; }));
+    const surface::TakeBand take = [&](const surface::SurfaceBand&) -> Result<bool> {
+      return ++bands > 0;
+    };
+    CHECK(surface::cut_bands(workpiece, threads, take, [&] { return ++asked > patience; }));
     CHECK(bands == 0);
     CHECK(asked < 16);
   }
 }
 
 TEST_CASE("a region meets its target if every point of it does", "[apps][surface]") {
-  constexpr int kBlock = hal::Workpiece::kBlock;
-  hal::StockGrid grid;
+  constexpr int kBlock = surface::Workpiece::kBlock;
+  surface::StockGrid grid;
   grid.columns = 4 * kBlock;
   grid.rows = kBlock;
-  SurfaceBand band{0, kBlock, 4 * kBlock, {}, {}, {0.008F, 0.020F, 0.010F, 0}};
+  surface::SurfaceBand band{0, kBlock, 4 * kBlock, {}, {}, {0.008F, 0.020F, 0.010F, 0}};
   band.deviations.assign(static_cast<std::size_t>(4 * kBlock * kBlock), 0.009F);
-  const auto judged = [&](int side, HeightFrom from) {
-    RoughnessMap map(grid, side, from);
+  const auto judged = [&](int side, surface::HeightFrom from) {
+    surface::RoughnessMap map(grid, side, from);
     map.add(band);
     return map;
   };
-  const auto met = judged(kBlock, HeightFrom::ideal).met();
+  const auto met = judged(kBlock, surface::HeightFrom::ideal).met();
   CHECK(met[0] == 0);
   CHECK(met[1] == 1);
   CHECK(met[2] == 1);
   CHECK(std::isnan(met[3]));
-  CHECK(judged(kBlock, HeightFrom::lowest).met()[0] == 1);  // it is flat
-  const RoughnessMap wide = judged(2 * kBlock, HeightFrom::ideal);
+  CHECK(judged(kBlock, surface::HeightFrom::lowest).met()[0] == 1);  // it is flat
+  const surface::RoughnessMap wide = judged(2 * kBlock, surface::HeightFrom::ideal);
   CHECK(wide.met()[0] == 0);
   CHECK(wide.targets()[0] == Approx(8));
   CHECK(wide.met()[1] == 1);
-  const TargetFigures target = target_figures(wide);
+  const surface::TargetFigures target = surface::target_figures(wide);
   CHECK(target.judged == 2);
   CHECK(target.missed == 1);
   CHECK(target.worst == 0);
@@ -399,12 +403,12 @@ TEST_CASE("a region meets its target if every point of it does", "[apps][surface
 
 TEST_CASE("a region is as rough as its highest point, and unknown where most of it is",
           "[apps][surface]") {
-  hal::StockGrid grid;
+  surface::StockGrid grid;
   grid.columns = 6;
   grid.rows = 3;
-  RoughnessMap map(grid, 3);
+  surface::RoughnessMap map(grid, 3);
   const float unknown = std::numeric_limits<float>::quiet_NaN();
-  SurfaceBand band{0, 3, 6, std::vector<float>(18), std::vector<float>(18, unknown), {}};
+  surface::SurfaceBand band{0, 3, 6, std::vector<float>(18), std::vector<float>(18, unknown), {}};
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column) band.deviations[band.index(column, row)] = 0.001F;
   band.deviations[band.index(1, 2)] = 0.004F;
@@ -414,43 +418,43 @@ TEST_CASE("a region is as rough as its highest point, and unknown where most of 
   REQUIRE(rmax.size() == 2);
   CHECK(rmax[0] == Approx(4));
   CHECK(std::isnan(rmax[1]));
-  CHECK(figures(rmax).largest == Approx(4));
-  CHECK(figures(rmax).regions == 1);
+  CHECK(surface::figures(rmax).largest == Approx(4));
+  CHECK(surface::figures(rmax).regions == 1);
   CHECK(map.gouges() == std::vector<float>{0, 0});
 }
 
 TEST_CASE("what the edge of the grid leaves of a region is no region", "[apps][surface]") {
-  hal::StockGrid grid;
+  surface::StockGrid grid;
   grid.columns = 5;
   grid.rows = 3;
-  RoughnessMap map(grid, 2);
-  SurfaceBand band{0, 3, 5, std::vector<float>(15), std::vector<float>(15, 0.001F), {}};
+  surface::RoughnessMap map(grid, 2);
+  surface::SurfaceBand band{0, 3, 5, std::vector<float>(15), std::vector<float>(15, 0.001F), {}};
   band.deviations[band.index(4, 0)] = 0.009F;
   band.deviations[band.index(1, 2)] = -0.02F;  // a gouge is one wherever it is
   map.add(band);
   const auto rmax = map.rmax();
   REQUIRE(rmax.size() == 6);
-  CHECK(figures(rmax).regions == 2);
-  CHECK(figures(rmax).mean == Approx(1));
+  CHECK(surface::figures(rmax).regions == 2);
+  CHECK(surface::figures(rmax).mean == Approx(1));
   for (const std::size_t cut_off : {2U, 3U, 4U, 5U}) CHECK(std::isnan(rmax[cut_off]));
-  CHECK(figures(map.gouges()).marked == 1);
+  CHECK(surface::figures(map.gouges()).marked == 1);
 }
 
 TEST_CASE("a surface that is smaller than a region is one", "[apps][surface]") {
-  hal::StockGrid grid;
+  surface::StockGrid grid;
   grid.columns = 5;
   grid.rows = 3;
-  RoughnessMap map(grid, 100);
+  surface::RoughnessMap map(grid, 100);
   map.add({0, 3, 5, std::vector<float>(15), std::vector<float>(15, 0.001F), {}});
-  CHECK(figures(map.rmax()).regions == 1);
+  CHECK(surface::figures(map.rmax()).regions == 1);
 }
 
 TEST_CASE("a gouge is no roughness", "[apps][surface]") {
-  hal::StockGrid grid;
+  surface::StockGrid grid;
   grid.columns = 4;
   grid.rows = 2;
-  RoughnessMap map(grid, 2);
-  SurfaceBand band{0, 2, 4, std::vector<float>(8), std::vector<float>(8, 0.001F), {}};
+  surface::RoughnessMap map(grid, 2);
+  surface::SurfaceBand band{0, 2, 4, std::vector<float>(8), std::vector<float>(8, 0.001F), {}};
   band.deviations[band.index(0, 0)] = -0.02F;  // in the first region one point, in the other all
   for (const int column : {2, 3})
     for (const int row : {0, 1}) band.deviations[band.index(column, row)] = -0.3F;
@@ -460,14 +464,15 @@ TEST_CASE("a gouge is no roughness", "[apps][surface]") {
   CHECK(std::isnan(rmax[1]));
   CHECK(gouges[0] == Approx(20));
   CHECK(gouges[1] == Approx(300));
-  CHECK(figures(gouges).marked == 2);
+  CHECK(surface::figures(gouges).marked == 2);
 }
 
 TEST_CASE("where a servo is off, a region is as rough as it is high", "[apps][surface]") {
-  hal::StockGrid grid;
+  surface::StockGrid grid;
   grid.columns = grid.rows = 2;
-  RoughnessMap map(grid, 2, HeightFrom::lowest);
-  SurfaceBand band{0, 2, 2, std::vector<float>(4), {-0.100F, -0.095F, -0.090F, -0.098F}, {}};
+  surface::RoughnessMap map(grid, 2, surface::HeightFrom::lowest);
+  surface::SurfaceBand band{0, 2, 2, std::vector<float>(4), {-0.100F, -0.095F, -0.090F, -0.098F},
+                            {}};
   map.add(band);
   CHECK(map.rmax()[0] == Approx(10).epsilon(1e-5));
   CHECK(map.gouges()[0] == 0);

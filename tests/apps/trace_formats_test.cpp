@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "apps/shell.hpp"
-#include "hal/edge_reader.hpp"
-#include "hal/port_timing.hpp"
-#include "hal/pulse_rules.hpp"
+#include "hal/ports/port_timing.hpp"
+#include "hal/signals/edge_reader.hpp"
+#include "hal/signals/pulse_rules.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc;

@@ -11,9 +11,9 @@
 #include <system_error>
 
 #include "apps/shell.hpp"
-#include "hal/file_lock.hpp"
-#include "hal/state_file.hpp"
-#include "out_of_memory.hpp"
+#include "hal/files/file_lock.hpp"
+#include "hal/machine/state_file.hpp"
+#include "realtime/out_of_memory.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;

@@ -12,8 +12,8 @@
 #include <filesystem>
 #include <string>
 
-#include "hal/edge_reader.hpp"
-#include "hal/packed_file.hpp"
+#include "hal/files/compressed_file.hpp"
+#include "hal/signals/edge_reader.hpp"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "hal/backend.hpp"
-#include "hal/machine_file.hpp"
+#include "hal/backends/backend.hpp"
+#include "hal/machine/machine_file.hpp"
 
 namespace {
 

@@ -18,11 +18,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "hal/hash.hpp"
-#include "hal/machine_file.hpp"
-#include "recording.hpp"
-#include "recording_meta.hpp"
-#include "trace_comparison.hpp"
+#include "hal/files/hash.hpp"
+#include "hal/machine/machine_file.hpp"
+#include "job/recording.hpp"
+#include "job/recording_meta.hpp"
+#include "job/trace_comparison.hpp"
 
 namespace {
 

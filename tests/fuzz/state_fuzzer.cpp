@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "hal/state_file.hpp"
+#include "hal/machine/state_file.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "hal/vcd_reader.hpp"
+#include "hal/signals/vcd_reader.hpp"
 
 namespace {
 

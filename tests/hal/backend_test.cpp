@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Backends: what they hand back, their columns, and the simulated mill as a whole.
-#include "hal/backend.hpp"
+#include "hal/backends/backend.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "hal/machine_file.hpp"
-#include "hal/pulse_source.hpp"
-#include "motion/counts.hpp"
+#include "hal/machine/machine_file.hpp"
+#include "hal/signals/pulse_source.hpp"
+#include "motion/pulses/counts.hpp"
 
 namespace softcnc::hal {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Lists of edges out of files: those of others, and those that are damaged.
-#include "hal/edge_reader.hpp"
+#include "hal/signals/edge_reader.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "hal/edge_file.hpp"
-#include "hal/output_file.hpp"
-#include "hal/packed_file.hpp"
-#include "hal/zstd_sink.hpp"
+#include "hal/files/compressed_file.hpp"
+#include "hal/files/output_file.hpp"
+#include "hal/files/zstd_sink.hpp"
+#include "hal/signals/edge_file.hpp"
 #include "support/folder.hpp"
 #include "support_hal.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One process at a time has a file.
-#include "hal/file_lock.hpp"
+#include "hal/files/file_lock.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The backend of LinuxCNC's HAL: its rows, read back; and what becomes of pipes and full disks.
-#include "hal/hal_stream.hpp"
+#include "hal/backends/hal_stream.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

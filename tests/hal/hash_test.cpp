@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fingerprints: known values, and the same however the bytes arrive.
-#include "hal/hash.hpp"
+#include "hal/files/hash.hpp"
 
 #include <catch2/catch.hpp>
 

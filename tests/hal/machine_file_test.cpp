@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Machine files that load, machine files that are refused with their place, and the way back to
 // text.
-#include "hal/machine_file.hpp"
+#include "hal/machine/machine_file.hpp"
 
 #include <rapidcheck.h>
 
@@ -12,7 +12,7 @@
 #include <set>
 #include <sstream>
 
-#include "hal/machine_keys.hpp"
+#include "hal/machine/machine_keys.hpp"
 #include "support/shown.hpp"
 #include "support_hal.hpp"
 

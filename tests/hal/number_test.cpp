@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Numbers as text: however they are written, the characters are those of std::to_chars.
-#include "hal/number.hpp"
+#include "hal/files/number.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files seen whole or not at all, and how writing fails.
-#include "hal/output_file.hpp"
+#include "hal/files/output_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -13,8 +13,8 @@
 #include <fstream>
 #include <stop_token>
 
-#include "hal/leftovers.hpp"
-#include "hal/unfinished_file.hpp"
+#include "hal/files/leftovers.hpp"
+#include "hal/files/unfinished_file.hpp"
 #include "support_hal.hpp"
 
 namespace softcnc::hal {

@@ -5,13 +5,13 @@
 #include <cerrno>
 #include <memory>
 
-#include "hal/backend.hpp"
-#include "hal/port_edges.hpp"
-#include "hal/port_output.hpp"
-#include "hal/ppdev.hpp"
-#include "hal/pulse_rules.hpp"
-#include "hal/stepdir.hpp"
-#include "hal/tick_pace.hpp"
+#include "hal/backends/backend.hpp"
+#include "hal/backends/stepdir.hpp"
+#include "hal/ports/port_edges.hpp"
+#include "hal/ports/port_output.hpp"
+#include "hal/ports/ppdev.hpp"
+#include "hal/ports/tick_pace.hpp"
+#include "hal/signals/pulse_rules.hpp"
 #include "support/recorded_port.hpp"
 #include "support_hal.hpp"
 

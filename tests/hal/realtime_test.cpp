@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "hal/backend.hpp"
-#include "hal/trace.hpp"
+#include "hal/backends/backend.hpp"
+#include "hal/trace/trace.hpp"
 #include "support/allocations.hpp"
 
 namespace softcnc::hal {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A servo axis against closed forms and against its differential equations, integrated finely.
-#include "hal/servo.hpp"
+#include "hal/backends/servo.hpp"
 
 #include <algorithm>
 #include <array>

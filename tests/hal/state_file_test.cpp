@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // States into text and back; what is wrong with a file; and that no crash leaves half of one.
-#include "hal/state_file.hpp"
+#include "hal/machine/state_file.hpp"
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -10,8 +10,8 @@
 #include <csignal>
 #include <random>
 
-#include "hal/output_file.hpp"
-#include "motion/units.hpp"
+#include "hal/files/output_file.hpp"
+#include "motion/core/units.hpp"
 #include "support/shown.hpp"
 #include "support_hal.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Pulses on wires, judged by the validator; and the validator, judged by planted faults.
-#include "hal/step_edges.hpp"
+#include "hal/signals/step_edges.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "hal/fine_pulses.hpp"
-#include "hal/pulse_rules.hpp"
+#include "hal/signals/fine_pulses.hpp"
+#include "hal/signals/pulse_rules.hpp"
 #include "support/random_nurbs.hpp"
 
 namespace softcnc::hal {

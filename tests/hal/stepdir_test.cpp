@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The backend of step and direction drives: its file, read back and judged by the validator.
-#include "hal/stepdir.hpp"
+#include "hal/backends/stepdir.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 
-#include "hal/edge_reader.hpp"
-#include "hal/pulse_rules.hpp"
-#include "motion/step_rate.hpp"
+#include "hal/signals/edge_reader.hpp"
+#include "hal/signals/pulse_rules.hpp"
+#include "motion/model/step_rate.hpp"
 #include "support/folder.hpp"
 #include "support_hal.hpp"
 

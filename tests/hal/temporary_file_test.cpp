@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Files without a name, and zips that are written into them.
-#include "hal/temporary_file.hpp"
+#include "hal/files/temporary_file.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
 
-#include "hal/zip_file.hpp"
+#include "hal/files/zip_file.hpp"
 #include "support_hal.hpp"
 
 namespace softcnc::hal {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // TOML that is nested deeper, or longer, than any parser may be trusted with.
-#include "hal/toml_depth.hpp"
+#include "hal/machine/toml_depth.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "hal/machine_file.hpp"
-#include "hal/machine_keys.hpp"
-#include "hal/machine_value.hpp"
-#include "hal/state_file.hpp"
+#include "hal/machine/machine_file.hpp"
+#include "hal/machine/machine_keys.hpp"
+#include "hal/machine/machine_value.hpp"
+#include "hal/machine/state_file.hpp"
 
 namespace softcnc::hal {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The trace: its columns, its numbers, its formats, and no half files.
-#include "hal/trace.hpp"
+#include "hal/trace/trace.hpp"
 
 #include <fcntl.h>
 #include <rapidcheck.h>
@@ -15,8 +15,8 @@
 #include <csignal>
 #include <filesystem>
 
-#include "hal/number.hpp"
-#include "hal/trace_csv.hpp"
+#include "hal/files/number.hpp"
+#include "hal/trace/trace_csv.hpp"
 #include "support_hal.hpp"
 
 namespace softcnc::hal {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "house/sources.hpp"
-#include "motion/diagnostic.hpp"
+#include "motion/core/diagnostic.hpp"
 
 using namespace softcnc;
 using namespace softcnc::house;

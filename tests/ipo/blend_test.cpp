@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/blend.hpp"
+#include "ipo/smoothing/blend.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "motion/section.hpp"
+#include "motion/geometry/section.hpp"
 #include "support/curves.hpp"
 
 using namespace softcnc;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/chord_merge.hpp"
+#include "ipo/smoothing/chord_merge.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/constraint.hpp"
+#include "ipo/limits/constraint.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

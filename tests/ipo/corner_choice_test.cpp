@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/corner_choice.hpp"
+#include "ipo/smoothing/corner_choice.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/corner_stage.hpp"
+#include "ipo/smoothing/corner_stage.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

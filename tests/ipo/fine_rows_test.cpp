@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "motion/deviation.hpp"
+#include "motion/geometry/deviation.hpp"
 #include "support/curves.hpp"
 #include "support/property.hpp"
 #include "support/random_program.hpp"

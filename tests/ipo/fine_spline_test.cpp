@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The spline between setpoints against what a spline promises.
-#include "ipo/fine_spline.hpp"
+#include "ipo/queue/fine_spline.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

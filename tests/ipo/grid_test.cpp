@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/grid.hpp"
+#include "ipo/path/grid.hpp"
 
 #include <catch2/catch.hpp>
 

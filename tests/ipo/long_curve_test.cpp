@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Curves of thousands of spans, planned a stretch at a time: the same path, as fast, within every
 // limit, whatever is asked of the feed meanwhile, and in little memory.
-#include "ipo/long_curve.hpp"
+#include "ipo/path/long_curve.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "motion/spline.hpp"
+#include "motion/geometry/spline.hpp"
 #include "support/run.hpp"
 #include "support/sanitized.hpp"
 

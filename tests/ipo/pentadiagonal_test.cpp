@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/pentadiagonal.hpp"
+#include "ipo/solver/pentadiagonal.hpp"
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>

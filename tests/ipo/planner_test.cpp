@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/planner.hpp"
+#include "ipo/planner/planner.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

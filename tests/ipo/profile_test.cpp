@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/profile.hpp"
+#include "ipo/path/profile.hpp"
 
 #include <catch2/catch.hpp>
 

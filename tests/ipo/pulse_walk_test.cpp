@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Interpolation by reference pulses, from blocks to rows with their pulses.
-#include "ipo/pulse_walk.hpp"
+#include "ipo/queue/pulse_walk.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

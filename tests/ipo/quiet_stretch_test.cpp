@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/quiet_stretch.hpp"
+#include "ipo/queue/quiet_stretch.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>

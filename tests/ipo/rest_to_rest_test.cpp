@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/rest_to_rest.hpp"
+#include "ipo/path/rest_to_rest.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "motion/roughness.hpp"
+#include "motion/roughness/roughness.hpp"
 #include "support/property.hpp"
 #include "support/random_program.hpp"
 #include "support/run.hpp"

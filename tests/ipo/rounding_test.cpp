@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/rounding.hpp"
+#include "ipo/smoothing/rounding.hpp"
 
 #include <algorithm>
 #include <array>

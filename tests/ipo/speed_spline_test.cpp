@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/speed_spline.hpp"
+#include "ipo/solver/speed_spline.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/stepping.hpp"
+#include "ipo/queue/stepping.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

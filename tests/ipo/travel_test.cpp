@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/travel.hpp"
+#include "ipo/path/travel.hpp"
 
 #include <catch2/catch.hpp>
 

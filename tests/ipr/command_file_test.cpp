@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The commands of paper 003, against blocks worked out by hand and against G-code.
-#include "ipr/command_file.hpp"
+#include "ipr/commands/command_file.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -9,7 +9,7 @@
 
 #include "ipr/interpret.hpp"
 #include "ipr/invariants.hpp"
-#include "motion/spline.hpp"
+#include "motion/geometry/spline.hpp"
 #include "support/property.hpp"
 
 namespace softcnc::ipr {

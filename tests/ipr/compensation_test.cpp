@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Cutter compensation against numbers of LinuxCNC's rs274 (T1: radius 5 mm) and against distances.
-#include "ipr/compensation.hpp"
+#include "ipr/compensation/compensation.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "ipr/handlers.hpp"
+#include "ipr/codes/handlers.hpp"
 #include "ipr/interpret.hpp"
 #include "support/property.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lines that mean something else in the other dialect: each kind is told where it stands, and only
 // where both dialects go on, each to a place of its own.
-#include "ipr/contradictions.hpp"
+#include "ipr/expressions/dialect_differences.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipr/coordinates.hpp"
+#include "ipr/interpreter/coordinates.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>

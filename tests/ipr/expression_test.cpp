@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Values of expressions, precedence in both dialects, and where a fault is told.
-#include "ipr/expression.hpp"
+#include "ipr/expressions/expression.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which of two languages a text is in, from a text and through a pipe.
-#include "ipr/format.hpp"
+#include "ipr/commands/format.hpp"
 
 #include <unistd.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "ipr/reader.hpp"
+#include "ipr/text/reader.hpp"
 
 namespace softcnc::ipr {
 namespace {

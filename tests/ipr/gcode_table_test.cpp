@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The table of codes: sound in itself, found by its numbers, told in docs/gcode.md.
-#include "ipr/gcode_table.hpp"
+#include "ipr/codes/gcode_table.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "ipr/arithmetic.hpp"
+#include "ipr/expressions/arithmetic.hpp"
 
 namespace softcnc::ipr {
 namespace {

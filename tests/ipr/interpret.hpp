@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "ipr/interpreter.hpp"
+#include "ipr/interpreter/interpreter.hpp"
 
 namespace softcnc::ipr {
 

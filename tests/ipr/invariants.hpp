@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "ipr/interpreter.hpp"
+#include "ipr/interpreter/interpreter.hpp"
 
 namespace softcnc::ipr {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "ipr/interpreter.hpp"
-#include "ipr/repairs.hpp"
+#include "ipr/interpreter/interpreter.hpp"
+#include "ipr/interpreter/repairs.hpp"
 
 namespace softcnc::ipr {
 

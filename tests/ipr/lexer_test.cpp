@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tokens and their places.
-#include "ipr/lexer.hpp"
+#include "ipr/text/lexer.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>

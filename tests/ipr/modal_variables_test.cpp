@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What programs read of position, offsets and modes.
-#include "ipr/modal_variables.hpp"
+#include "ipr/interpreter/modal_variables.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "ipr/interpret.hpp"
-#include "motion/line.hpp"
+#include "motion/geometry/line.hpp"
 
 namespace softcnc::ipr {
 namespace {

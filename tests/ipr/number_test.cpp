@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Decimal numbers: value, length, faults.
-#include "ipr/number.hpp"
+#include "ipr/text/number.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>

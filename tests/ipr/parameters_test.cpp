@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which variables there are, whose they are, and who may set them.
-#include "ipr/parameters.hpp"
+#include "ipr/expressions/parameters.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>

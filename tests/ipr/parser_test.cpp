@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Words of lines, the frame of '%', block skip.
-#include "ipr/parser.hpp"
+#include "ipr/parser/parser.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "ipr/curves.hpp"
-#include "motion/spline.hpp"
+#include "motion/geometry/spline.hpp"
 
 namespace softcnc::ipr {
 namespace {

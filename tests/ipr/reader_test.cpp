@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines of texts, files and descriptors.
-#include "ipr/reader.hpp"
+#include "ipr/text/reader.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

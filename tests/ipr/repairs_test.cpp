@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Errors that go when one character where an error is told is another follow from it; others do
 // not.
-#include "ipr/repairs.hpp"
+#include "ipr/interpreter/repairs.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copies of files, and of what a program calls: later changes of the files are not in them.
-#include "ipr/snapshot.hpp"
+#include "ipr/text/snapshot.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -10,8 +10,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "ipr/called_texts.hpp"
 #include "ipr/interpret.hpp"
+#include "ipr/text/called_texts.hpp"
 #include "support/folder.hpp"
 #include "support/shown.hpp"
 

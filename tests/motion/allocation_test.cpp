@@ -4,7 +4,7 @@
 #include <new>
 #include <vector>
 
-#include "motion/path.hpp"
+#include "motion/geometry/path.hpp"
 #include "support/allocations.hpp"
 #include "support/curves.hpp"
 

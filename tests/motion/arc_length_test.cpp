@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arc length and its inverse for speeds whose integrals are known in closed form.
-#include "motion/arc_length.hpp"
+#include "motion/geometry/arc_length.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arcs and helices against their closed forms, in every plane and direction.
-#include "motion/arc.hpp"
+#include "motion/geometry/arc.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bezier segments against polynomials worked out by hand, and places counted from both ends.
-#include "motion/bezier.hpp"
+#include "motion/geometry/bezier.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Chebyshev series against the functions they stand for.
-#include "motion/chebyshev.hpp"
+#include "motion/geometry/chebyshev.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rule by which positions become counts.
-#include "motion/counts.hpp"
+#include "motion/pulses/counts.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "motion/cycle.hpp"
+#include "motion/model/cycle.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "motion/deviation.hpp"
+#include "motion/geometry/deviation.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

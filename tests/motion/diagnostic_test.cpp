@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "motion/diagnostic.hpp"
+#include "motion/core/diagnostic.hpp"
 
 #include <catch2/catch.hpp>
 #include <regex>

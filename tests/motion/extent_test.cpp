@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The box around a path against points of the path, many of them.
-#include "motion/extent.hpp"
+#include "motion/geometry/extent.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

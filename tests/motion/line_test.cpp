@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Straight lines against their closed form.
-#include "motion/line.hpp"
+#include "motion/geometry/line.hpp"
 
 #include <catch2/catch.hpp>
 

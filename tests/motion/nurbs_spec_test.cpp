@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Every way in which a specification is not a curve, and how it is told.
-#include "motion/nurbs_spec.hpp"
+#include "motion/geometry/nurbs_spec.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
-#include "motion/nurbs.hpp"
+#include "motion/geometry/nurbs.hpp"
 
 namespace softcnc {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // NURBS curves against an evaluator in quadruple precision, closed forms, and themselves.
-#include "motion/nurbs.hpp"
+#include "motion/geometry/nurbs.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "motion/path_pieces.hpp"
+#include "motion/verification/path_pieces.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

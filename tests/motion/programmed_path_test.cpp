@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "motion/programmed_path.hpp"
+#include "motion/verification/programmed_path.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arcs as staircases, against Table 3 of paper 003 and against the circle.
-#include "motion/pulse_arc.hpp"
+#include "motion/pulses/pulse_arc.hpp"
 
 #include <catch2/catch.hpp>
 

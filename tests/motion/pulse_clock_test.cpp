@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Constant feed by dropped clocks, against its closed form; acceleration by delays.
-#include "motion/pulse_clock.hpp"
+#include "motion/pulses/pulse_clock.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "motion/pulse_line.hpp"
+#include "motion/pulses/pulse_line.hpp"
 #include "support/staircases.hpp"
 
 namespace softcnc {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines as staircases: ends, distances and the order of the moves.
-#include "motion/pulse_line.hpp"
+#include "motion/pulses/pulse_line.hpp"
 
 #include <catch2/catch.hpp>
 

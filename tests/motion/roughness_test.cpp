@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The extended roughness model of paper 004, by its printed figures and by independent derivation.
-#include "motion/roughness.hpp"
+#include "motion/roughness/roughness.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "motion/roughness_table.hpp"
-#include "motion/units.hpp"
+#include "motion/core/units.hpp"
+#include "motion/roughness/roughness_table.hpp"
 #include "support/edge_surface.hpp"
 #include "support/property.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "motion/section.hpp"
+#include "motion/geometry/section.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "motion/sharpest_turn.hpp"
+#include "motion/verification/sharpest_turn.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

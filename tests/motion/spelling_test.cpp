@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "motion/spelling.hpp"
+#include "motion/core/spelling.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>

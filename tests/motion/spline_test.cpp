@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The spline through points: against values of scipy.interpolate.CubicSpline, and by what defines
 // it.
-#include "motion/spline.hpp"
+#include "motion/geometry/spline.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "motion/nurbs.hpp"
+#include "motion/geometry/nurbs.hpp"
 #include "support/random_nurbs.hpp"
 
 namespace softcnc {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The error of staircases as the verifier measures it, against Table 3 of paper 003.
-#include "motion/staircase_error.hpp"
+#include "motion/verification/staircase_error.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/verify.hpp"
+#include "motion/verification/verify.hpp"
 #include "support/staircases.hpp"
 
 using namespace softcnc;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Curves of every kind as staircases: how far they stray, and where they end.
-#include "motion/staircase.hpp"
+#include "motion/pulses/staircase.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "motion/spline.hpp"
+#include "motion/geometry/spline.hpp"
 #include "support/curves.hpp"
 #include "support/property.hpp"
 #include "support/random_nurbs.hpp"

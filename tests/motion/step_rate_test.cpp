@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whole ns from step to step, against exact arithmetic in whole numbers.
-#include "motion/step_rate.hpp"
+#include "motion/model/step_rate.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Characters of UTF-8: the limits that RFC 3629, section 4, gives byte by byte.
-#include "motion/utf8.hpp"
+#include "motion/core/utf8.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "motion/verify.hpp"
+#include "motion/verification/verify.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "motion/block.hpp"
+#include "motion/model/block.hpp"
 
 namespace softcnc::test {
 

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "motion/curve.hpp"
+#include "motion/geometry/curve.hpp"
 
 namespace softcnc::test {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "motion/nurbs.hpp"
+#include "motion/geometry/nurbs.hpp"
 
 namespace softcnc::test {
 

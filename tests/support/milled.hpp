@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "hal/workpiece.hpp"
+#include "surface/workpiece.hpp"
 
 namespace softcnc::test {
 
@@ -40,10 +40,10 @@ inline AxisVector tip_over(const Milling& milling, double x, double y) {
 
 /// Adds passes that touch y = first, first + pick, ..., from x = 0 to `length`, `above` the plane;
 /// from the time `t`, s, on.
-inline void mill(hal::ToolTrack& track, double& t, const Milling& milling, int passes,
+inline void mill(surface::ToolTrack& track, double& t, const Milling& milling, int passes,
                  double length, double first = 0, double above = 0) {
-  const hal::Cutter cutter{milling.radius, milling.teeth, milling.spin};
-  const double speed = milling.feed / hal::ToolTrack::tooth_period(cutter);
+  const surface::Cutter cutter{milling.radius, milling.teeth, milling.spin};
+  const double speed = milling.feed / surface::ToolTrack::tooth_period(cutter);
   const AxisVector up = above * normal(milling);
   for (int pass = 0; pass < passes; ++pass) {
     const double y = (first + pass * milling.pick) * std::cos(radians(milling.tilt));
@@ -60,16 +60,16 @@ inline void mill(hal::ToolTrack& track, double& t, const Milling& milling, int p
 }
 
 /// Passes that touch y = 0, pick, 2 pick ..., from x = 0 to `length`.
-inline hal::ToolTrack milled(const Milling& milling, int passes, double length) {
-  hal::ToolTrack track;
+inline surface::ToolTrack milled(const Milling& milling, int passes, double length) {
+  surface::ToolTrack track;
   double t = 0;
   mill(track, t, milling, passes, length);
   (void)track.finish();
   return track;
 }
 
-inline hal::StockGrid grid_of(double x, double y, double side_x, double side_y, double step) {
-  hal::StockGrid grid;
+inline surface::StockGrid grid_of(double x, double y, double side_x, double side_y, double step) {
+  surface::StockGrid grid;
   grid.corner = AxisVector(x, y, -20);
   grid.top = 20;
   grid.step = step;
@@ -85,7 +85,7 @@ inline double rmax(const Milling& milling, double step) {
   const double level = std::cos(radians(milling.tilt));
   const auto grid =
       grid_of(length / 2, 3 * milling.pick * level, milling.feed, milling.pick * level, step);
-  const auto tile = hal::Workpiece(track, grid).cut(0, 0, grid.columns, grid.rows);
+  const auto tile = surface::Workpiece(track, grid).cut(0, 0, grid.columns, grid.rows);
   return *std::max_element(tile.deviations.begin(), tile.deviations.end());
 }
 

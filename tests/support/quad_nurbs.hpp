@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "motion/curve.hpp"
-#include "motion/nurbs_spec.hpp"
+#include "motion/geometry/curve.hpp"
+#include "motion/geometry/nurbs_spec.hpp"
 
 namespace softcnc::test {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "motion/nurbs_spec.hpp"
+#include "motion/geometry/nurbs_spec.hpp"
 
 namespace softcnc::test {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "hal/port_registers.hpp"
+#include "hal/ports/port_registers.hpp"
 
 namespace softcnc::test {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "ipo/corner_stage.hpp"
+#include "ipo/smoothing/corner_stage.hpp"
 
 namespace softcnc::test {
 

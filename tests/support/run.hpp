@@ -6,12 +6,12 @@
 #include <map>
 #include <vector>
 
-#include "ipo/interpolator.hpp"
-#include "ipo/planner.hpp"
-#include "ipo/stop.hpp"
-#include "motion/programmed_path.hpp"
-#include "motion/roughness.hpp"
-#include "motion/verify.hpp"
+#include "ipo/planner/planner.hpp"
+#include "ipo/planner/stop.hpp"
+#include "ipo/queue/interpolator.hpp"
+#include "motion/roughness/roughness.hpp"
+#include "motion/verification/programmed_path.hpp"
+#include "motion/verification/verify.hpp"
 
 namespace softcnc::test {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "motion/pulse_arc.hpp"
+#include "motion/pulses/pulse_arc.hpp"
 
 namespace softcnc::test {
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// `softcnc blocks`: the blocks as the interpreter leaves them.
+#include "commands/commands.hpp"
+#include "job/each_block.hpp"
+#include "job/machine_choice.hpp"
+#include "job/machine_memory.hpp"
+#include "job/preflight.hpp"
+#include "output/block_json.hpp"
+#include "output/messages.hpp"
+#include "output/repeated_errors.hpp"
+
+namespace softcnc::app {
+namespace {
+
+/// Streams: reads no further than it writes, and shows errors as it meets them.
+int write_blocks(Program& program, const Machine& machine, const Options& options) {
+  Messages messages;
+  auto state = open_state(options.state, messages);
+  if (!state) return messages.fail(state.error());
+  ShownOnce shown(program, messages.sink(program));
+  Diagnostics diagnostics(shown.sink());
+  diagnostics.set_file(program.name());
+  ipr::Reader reader = program.reader();
+  ipr::Parser parser(reader, diagnostics);
+  ipr::Interpreter interpreter(parser, machine, diagnostics,
+                               interpreter_options(options, program.folder()), std::move(*state));
+  StandardOutput out;
+  BlockJson json;
+  const auto take = [&](const Block& block) {
+    out.write(json(block, diagnostics.file(block.source.file)));
+    return out.ok();
+  };
+  const auto wait = [&] {
+    out.flush();
+    if (out.ok()) wait_for_input(program.descriptor());
+    return out.ok();
+  };
+  each_block(interpreter, take, wait);
+  shown.finish();
+  return worse_status(diagnostics.status(), out.finish());
+}
+
+}  // namespace
+
+int blocks(const Options& options) {
+  Messages messages;
+  const auto choice = choose_machine(options.files.front(), options, messages);
+  if (!choice) return failed(choice.error());
+  auto program = Program::open(options.files.front(), Readings::one);
+  if (!program) return failed(program.error());
+  return write_blocks(*program, choice->machine, options);
+}
+
+}  // namespace softcnc::app

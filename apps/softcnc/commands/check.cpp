@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// `softcnc check`: the whole pipeline without motion; every diagnostic of every file on stdout.
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "commands/commands.hpp"
+#include "job/file_watch.hpp"
+#include "job/machine_choice.hpp"
+#include "job/machine_memory.hpp"
+#include "job/preflight.hpp"
+#include "output/messages.hpp"
+#include "output/progress.hpp"
+#include "output/time_text.hpp"
+
+namespace softcnc::app {
+namespace {
+
+/// Breaks a check off when a signal comes.
+class SignalWatcher final : public Watcher {
+ public:
+  explicit SignalWatcher(StopSignals& signals) : signals_(signals) {}
+  bool wants_stop() override { return signals_.poll() != 0; }
+  std::stop_token token() const noexcept { return signals_.token(); }
+  void sees(const Setpoint&) override {}
+  void pause(const Pause&) override {}
+  void wait_for_input(int descriptor) override { signals_.wait_for_input(descriptor); }
+
+ private:
+  StopSignals& signals_;
+};
+
+/// Diagnostics on standard output. Text that is told of a stream is shown at once, since what
+/// follows may take long; a document is of use only as a whole.
+class Shown {
+ public:
+  explicit Shown(DiagnosticsFormat format) : text_(format == DiagnosticsFormat::text) {}
+  void write(std::string_view text) {
+    out_.write(text);
+    if (streaming_) out_.flush();
+  }
+  void set_streaming(bool streaming) {
+    streaming_ = streaming && text_;
+    if (streaming_) out_.flush();
+  }
+  bool ok() const noexcept { return out_.ok(); }
+  int finish() { return out_.finish(); }
+
+ private:
+  StandardOutput out_;
+  bool text_;
+  bool streaming_ = false;
+};
+
+/// The files that the program has called, and would have called if they were there, are added to
+/// `called`.
+int check_program(const std::string& name, const Machine& machine, const ChannelOptions& options,
+                  Shown& out, Messages& messages, Watcher* watcher,
+                  std::vector<std::string>& called) {
+  auto program = Program::open(name, Readings::one);
+  if (!program) return messages.fail(program.error());
+  out.set_streaming(program->streamed());
+  ChannelOptions beside = options;
+  beside.interpreter.folder = program->folder();
+  beside.interpreter.called = &program->called();
+  const Preflight checked =
+      preflight(*program, machine, beside, messages, watcher, Tells::surface_too);
+  const std::filesystem::path folder = program->folder();
+  for (const std::string& file : checked.outcome.called_files) called.push_back(folder / file);
+  for (const std::string& file : checked.outcome.missing_files) called.push_back(folder / file);
+  if (checked.status == 0) {
+    spdlog::debug("{}: {}, {:.3f} mm in {} blocks", program->name(),
+                  duration_text(checked.outcome.time), checked.outcome.last.s,
+                  checked.outcome.last.block);
+    spdlog::debug("{}", time_sheet_text(checked.outcome.time_sheet));
+    if (options.worst_lines > 0)
+      spdlog::info("{}:\n{}", program->name(), worst_lines_text(checked.outcome.worst_lines));
+  }
+  return checked.status;
+}
+
+int check_all(const Options& options, Shown& out, Messages& messages, SignalWatcher* watcher,
+              std::vector<std::string>& called) {
+  auto state = open_state(options.state, messages);
+  if (!state) return messages.fail(state.error());
+  MachineShelf machines(options, messages);
+  ChannelOptions channel = channel_options(options, {});
+  channel.interpreter.compare_dialects = true;
+  channel.state = std::move(*state);
+  if (watcher) channel.interpreter.stop = watcher->token();
+  int status = 0;
+  for (const std::string& name : options.files) {
+    if (!out.ok()) break;
+    const Machine* machine = machines.of(name);
+    if (!machine) continue;
+    channel.interpreter.unrun_too = name != "-";  // a pipe ends when it likes
+    status = worse_status(status,
+                          check_program(name, *machine, channel, out, messages, watcher, called));
+  }
+  return worse_status(status, machines.status());
+}
+
+struct Checked {
+  int status = 0;   // of what was found
+  int written = 0;  // 0: the output was written
+};
+
+std::string counts(const Messages& messages) {
+  const auto counted = [](int count, Severity severity) {
+    return fmt::format("{} {}{}", count, name(severity), count == 1 ? "" : "s");
+  };
+  return fmt::format("{}, {}, {}", counted(messages.count(Severity::error), Severity::error),
+                     counted(messages.count(Severity::warning), Severity::warning),
+                     counted(messages.count(Severity::note), Severity::note));
+}
+
+/// All files once, in the form asked for. Those that they call are watched, too.
+Checked check_once(const Options& options, SignalWatcher* watcher, FileWatch* changes) {
+  Shown out(options.diagnostics);
+  const auto write = [&out](std::string_view text) { out.write(text); };
+  const auto document = make_document(options.diagnostics, write);
+  Messages messages = document ? Messages(*document) : Messages(write, colourful(STDOUT_FILENO));
+  std::vector<std::string> called;
+  const int status = check_all(options, out, messages, watcher, called);
+  if (changes) changes->also(called);
+  if (document)
+    document->finish(status);
+  else if (options.watch)
+    out.write(fmt::format("--- {}; watching\n", counts(messages)));
+  return {status, out.finish()};
+}
+
+/// Machine files beside programs are watched before they are there.
+std::vector<std::string> files_of(const Options& options) {
+  std::vector<std::string> files = options.files;
+  for (const std::string& part : options.files)
+    if (!options.names_machine) files.push_back(name_beside(part));
+  for (const std::string& file : {options.machine_file, options.state})
+    if (!file.empty()) files.push_back(file);
+  return files;
+}
+
+int check_again_and_again(const Options& options) {
+  StopSignals signals;
+  SignalWatcher watcher(signals);
+  auto changes = FileWatch::open(files_of(options));
+  if (!changes) return failed(changes.error());
+  do {
+    if (const Checked checked = check_once(options, &watcher, &*changes); checked.written != 0)
+      return checked.written;
+  } while (changes->wait(signals));
+  return kSignalled + signals.poll();
+}
+
+}  // namespace
+
+int check(const Options& options) {
+  if (options.watch) return check_again_and_again(options);
+  const Checked checked = check_once(options, nullptr, nullptr);
+  return checked.written != 0 ? checked.written : checked.status;
+}
+
+}  // namespace softcnc::app

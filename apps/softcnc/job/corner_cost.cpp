@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "job/corner_cost.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "job/each_block.hpp"
+#include "motion/core/units.hpp"
+
+namespace softcnc::app {
+namespace {
+
+constexpr double kMuch = 0.1;                   // of the time
+constexpr double kTolerances[] = {0.01, 0.05};  // mm, tried in this order
+constexpr int kBlocksBetweenLooks = 1024;
+
+/// What a plan without a run knows of its times.
+struct PlannedTimes {
+  double time = 0;         // s
+  std::int64_t rests = 0;  // at corners
+};
+
+/// As under G64 P: what has a tolerance already keeps it.
+void round_corners(Block& block, double tolerance) {
+  Move* move = std::get_if<Move>(&block.what);
+  if (move == nullptr || move->corner_tolerance > 0) return;
+  move->join = Join::follow;
+  move->corner_tolerance = tolerance;
+  move->chord_tolerance = std::max(move->chord_tolerance, tolerance);
+}
+
+/// Nothing if the watcher wants to stop, or the plan fails.
+std::optional<PlannedTimes> plan_rounded(Program& program, const Machine& machine,
+                                         const ChannelOptions& options, double tolerance,
+                                         Watcher* watcher) {
+  Diagnostics silent([](const Diagnostic&) {});
+  ipr::Reader reader = program.reader();
+  ipr::Parser parser(reader, silent);
+  ipr::InterpreterOptions reading = options.interpreter;
+  reading.compare_dialects = reading.unrun_too = false;
+  ipr::Interpreter interpreter(parser, machine, silent, reading, options.state);
+  ipo::Planner planner(machine, options.feed_override, silent);
+  TimeKeeper keeper;
+  PlannedTimes times;
+  const auto take_timed = [&] {
+    while (const auto timed = planner.pop()) {
+      keeper.add(*timed, timed->profile.duration(), options.feed_override);
+      times.time = timed->t_end();
+    }
+  };
+  int blocks = 0;
+  bool stopped = false;
+  const auto take = [&](Block block) {
+    round_corners(block, tolerance);
+    planner.push(std::move(block));
+    take_timed();
+    stopped = watcher != nullptr && ++blocks % kBlocksBetweenLooks == 0 && watcher->wants_stop();
+    return !stopped;
+  };
+  each_block(interpreter, take, [] { return false; });
+  planner.finish();
+  if (!stopped) take_timed();
+  if (stopped || silent.errors() > 0) return std::nullopt;
+  times.rests = keeper.sheet().corners.count;
+  return times;
+}
+
+/// What a person reads of 0.0123, 4.56 and 691.2 s.
+std::string seconds_text(double seconds) {
+  constexpr double kManySeconds = 100;
+  return seconds < kManySeconds ? fmt::format("{:.3g} s", seconds)
+                                : fmt::format("{:.1f} s", seconds);
+}
+
+bool asks_for_exact_path(const CornerRests& rests) {
+  return rests.exact_seconds > 0.5 * rests.roundable_seconds;
+}
+
+/// The codes and keys that round corners.
+std::string remedy(double tolerance, bool exact) {
+  const std::string g64 = fmt::format("G64 P{:.6g} (mm)", tolerance);
+  if (exact) return g64;
+  return g64 + fmt::format(" or control.corner_tolerance_um = {:.6g}", um_from_mm(tolerance));
+}
+
+class CornerJudge {
+ public:
+  CornerJudge(const ChannelOptions& options, const Outcome& outcome, Diagnostics& diagnostics)
+      : options_(options), outcome_(outcome), diagnostics_(diagnostics) {}
+
+  /// Whether rounding may win back a tenth of the time.
+  bool is_worth_a_plan(const Machine& machine) const {
+    return !options_.single_block && !is_by_pulses(machine.control.interpolation) &&
+           is_much(rests().roundable_seconds);
+  }
+
+  std::optional<CornerCost> plan_again(Program& program, const Machine& machine,
+                                       Watcher* watcher) const {
+    for (const double tolerance : kTolerances) {
+      const auto rounded = plan_rounded(program, machine, options_, tolerance, watcher);
+      if (!rounded) return std::nullopt;
+      const double won = outcome_.time - rounded->time;
+      if (is_much(won)) return CornerCost{rests().count - rounded->rests, won, tolerance};
+    }
+    return std::nullopt;
+  }
+
+  void report(const CornerCost& cost, std::string_view about) const {
+    const bool exact = asks_for_exact_path(rests());
+    diagnostics_.report(
+        exact ? Code::SC4031 : Code::SC4030, {},
+        fmt::format("{} rests at corners{} cost {}{}, {:.0f} % of the time; {} would win {} back",
+                    cost.rests, exact ? ", which are to be sharp," : "", about,
+                    seconds_text(cost.seconds), 100 * cost.seconds / outcome_.time,
+                    remedy(cost.tolerance, exact), about.empty() ? "that" : "most of that"));
+  }
+
+  const CornerRests& rests() const { return outcome_.time_sheet.corners; }
+
+ private:
+  bool is_much(double seconds) const { return seconds > kMuch * outcome_.time; }
+
+  const ChannelOptions& options_;
+  const Outcome& outcome_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void judge_corners(Program& program, const Machine& machine, const ChannelOptions& options,
+                   Outcome& outcome, Watcher* watcher, Diagnostics& diagnostics) {
+  const CornerJudge judge(options, outcome, diagnostics);
+  if (!judge.is_worth_a_plan(machine)) return;
+  if (program.streamed() || !options.events.empty())
+    return judge.report({judge.rests().count, judge.rests().roundable_seconds, kTolerances[0]},
+                        "about ");
+  outcome.time_sheet.corner_cost = judge.plan_again(program, machine, watcher);
+  if (outcome.time_sheet.corner_cost) judge.report(*outcome.time_sheet.corner_cost, "");
+}
+
+}  // namespace softcnc::app

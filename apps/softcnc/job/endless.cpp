@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "job/endless.hpp"
+
+#include "job/each_block.hpp"
+
+namespace softcnc::app {
+namespace {
+
+constexpr int kBlocksBetweenLooks = 1024;
+
+/// Hands every block of the program to take(block), unless the watcher wants to stop.
+template <typename Take>
+void read(ipr::Interpreter& interpreter, Watcher* watcher, Take&& take) {
+  int blocks = 0;
+  const auto take_watched = [&](const Block& block) {
+    take(block);
+    return watcher == nullptr || ++blocks % kBlocksBetweenLooks != 0 || !watcher->wants_stop();
+  };
+  each_block(interpreter, take_watched, [] { return false; });
+}
+
+}  // namespace
+
+bool is_endless(Program& program, const Machine& machine, const ChannelOptions& options,
+                Watcher* watcher) {
+  ipr::Reader reader = program.reader();
+  return is_endless(reader, machine, options, watcher);
+}
+
+bool is_endless(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+                Watcher* watcher) {
+  bool endless = false;
+  Diagnostics silent([&](const Diagnostic& told) { endless |= told.code == Code::SC2310; });
+  ipr::Parser parser(reader, silent);
+  ipr::InterpreterOptions reading = options.interpreter;
+  reading.compare_dialects = reading.unrun_too = false;
+  ipr::Interpreter interpreter(parser, machine, silent, reading, options.state);
+  read(interpreter, watcher, [](const Block&) {});
+  return endless;
+}
+
+Unplanned read_unplanned(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+                         Diagnostics& diagnostics, Watcher* watcher) {
+  RefusedTravel travel(machine, diagnostics);
+  ipr::Parser parser(reader, diagnostics);
+  ipr::InterpreterOptions reading = options.interpreter;
+  reading.refused_moves = &travel;
+  ipr::Interpreter interpreter(parser, machine, diagnostics, reading, options.state);
+  read(interpreter, watcher, [&](const Block& block) {
+    if (const Move* move = std::get_if<Move>(&block.what)) travel.see(*move, block.source);
+  });
+  return {interpreter.called_files(), interpreter.missing_files(), parser.bytes_read()};
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "job/preflight.hpp"
+
+#include <utility>
+
+#include "job/corner_cost.hpp"
+#include "job/endless.hpp"
+#include "job/held_errors.hpp"
+#include "session/verification.hpp"
+
+namespace softcnc::app {
+
+namespace {
+
+/// The report tells of some, asked for or not.
+std::size_t worst_lines(const Options& options) {
+  constexpr std::size_t kReported = 10;
+  if (options.worst > 0) return static_cast<std::size_t>(options.worst);
+  return options.report.empty() ? 0 : kReported;
+}
+
+}  // namespace
+
+ipr::InterpreterOptions interpreter_options(const Options& options, const std::string& folder) {
+  ipr::InterpreterOptions interpreter;
+  interpreter.block_skip = options.block_skip;
+  interpreter.optional_stop = options.optional_stop;
+  interpreter.dialect = options.dialect;
+  interpreter.format = options.format;
+  interpreter.folder = folder;
+  return interpreter;
+}
+
+ChannelOptions channel_options(const Options& options, const std::string& folder) {
+  ChannelOptions channel;
+  channel.feed_override = options.feed_override;
+  channel.interpreter = interpreter_options(options, folder);
+  channel.single_block = options.single_block;
+  channel.events = options.events;
+  channel.worst_lines = worst_lines(options);
+  return channel;
+}
+
+Machine without_backend(Machine machine) {
+  machine.control.backend = BackendKind::none;
+  return machine;
+}
+
+/// By exact interpolation nothing depends on the rows before.
+ChannelOptions skimming(ChannelOptions options, const Machine& machine) {
+  options.skims = machine.control.interpolation == Method::arc_length && options.events.empty();
+  return options;
+}
+
+Preflight preflight(Program& program, const Machine& machine, const ChannelOptions& options,
+                    Messages& messages, Watcher* watcher, Tells tells) {
+  auto backend = hal::open_backend(without_backend(machine));
+  if (!backend) return {messages.fail(backend.error()), Outcome()};
+  HeldErrors errors(program, machine, options, messages, watcher);
+  Diagnostics diagnostics(errors.sink());
+  diagnostics.set_file(program.name());
+  Preflight result;
+  if (!program.streamed() && is_endless(program, machine, options, watcher)) {
+    ipr::Reader reader = program.reader();
+    Unplanned read = read_unplanned(reader, machine, options, diagnostics, watcher);
+    result.outcome.called_files = std::move(read.called_files);
+    result.outcome.missing_files = std::move(read.missing_files);
+    errors.finish();
+    result.status = errors.status();
+    return result;
+  }
+  ipr::Reader reader = program.reader();
+  ChannelOptions running = skimming(options, machine);
+  if (program.streamed())
+    running.is_endless = [&] {
+      ipr::Reader again = reader.again();
+      return is_endless(again, machine, options, watcher);
+    };
+  result.outcome = simulate(reader, program.descriptor(), machine, running, **backend, diagnostics,
+                            nullptr, watcher);
+  if (diagnostics.errors() == 0 && result.outcome.end == Outcome::End::done) {
+    report_excess(result.outcome.measured, result.outcome.deviation, machine, diagnostics);
+    if (tells == Tells::surface_too) result.outcome.surface.tell_blocks(diagnostics);
+    result.outcome.surface.warn(diagnostics);
+    judge_corners(program, machine, options, result.outcome, watcher, diagnostics);
+  }
+  errors.finish();
+  result.status = errors.status();
+  return result;
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The whole program before anything moves.
+#pragma once
+
+#include "commands/options.hpp"
+#include "job/program.hpp"
+#include "output/messages.hpp"
+#include "session/channel.hpp"
+
+namespace softcnc::app {
+
+/// `folder` is where the program finds the files that it calls.
+ipr::InterpreterOptions interpreter_options(const Options& options, const std::string& folder);
+ChannelOptions channel_options(const Options& options, const std::string& folder);
+
+/// The machine with a backend that goes nowhere.
+Machine without_backend(Machine machine);
+
+struct Preflight {
+  int status = 0;   // 0: it may run
+  Outcome outcome;  // of the run without backend; of interest if status is 0
+};
+
+enum class Tells : std::uint8_t { faults, surface_too };
+
+/// Runs the program without backend and shows all that is wrong with it; and what surface it
+/// leaves, where it asks for one.
+Preflight preflight(Program& program, const Machine& machine, const ChannelOptions& options,
+                    Messages& messages, Watcher* watcher = nullptr, Tells tells = Tells::faults);
+
+}  // namespace softcnc::app

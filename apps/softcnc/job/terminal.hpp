@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The person who watches a run: progress, Ctrl-C, and Enter where the program waits.
+#pragma once
+
+#include <stop_token>
+#include <string>
+
+#include "output/progress.hpp"
+#include "realtime/signals.hpp"
+#include "session/channel.hpp"
+
+namespace softcnc::app {
+
+class Terminal final : public Watcher {
+ public:
+  /// `data_on_terminal`: rows appear on the same screen. `period` in s.
+  Terminal(ProgressMode progress, bool data_on_terminal, double period);
+
+  /// Begins a part of the work; `total` in s of machine time, 0: unknown.
+  void begin(std::string label, double total);
+  /// From here on pauses wait for Enter.
+  void wait_at_stops() noexcept { waits_ = true; }
+
+  /// From here on the machine moves, a real one or a simulated: a signal lets it come to rest on
+  /// the path.
+  void begin_motion(bool real) noexcept { signals_.begin_motion(real); }
+
+  bool wants_stop() override { return signals_.poll() != 0; }
+  /// The same for loops that know of no terminal.
+  std::stop_token stop() const noexcept { return signals_.token(); }
+  void sees(const Setpoint& latest) override;
+  void pause(const Pause& pause) override;
+  void wait_for_input(int descriptor) override { signals_.wait_for_input(descriptor); }
+
+  /// Clears the screen for words.
+  void end() { progress_.clear(); }
+
+  /// The signal that asked for a stop; 0: none.
+  int signal() noexcept { return signals_.poll(); }
+
+ private:
+  Progress progress_;
+  StopSignals signals_;
+  double period_;
+  bool waits_ = false;
+};
+
+/// What a person has to do before the program goes on; empty: nothing.
+std::string instruction(const Pause& pause);
+
+}  // namespace softcnc::app

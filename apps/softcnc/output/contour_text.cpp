@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "output/contour_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "motion/core/units.hpp"
+
+namespace softcnc::app {
+namespace {
+
+std::string figures_text(const ContourFigures& figures) {
+  return fmt::format("{:.1f} um at most (line {}, {:.3f} s), rms {:.1f} um",
+                     um_from_mm(figures.max), figures.line, figures.time,
+                     um_from_mm(figures.rms()));
+}
+
+void add_figures(const ContourFigures& figures, const std::string& prefix,
+                 nlohmann::ordered_json& json) {
+  json[prefix + "um_max"] = um_from_mm(figures.max);
+  json[prefix + "um_rms"] = um_from_mm(figures.rms());
+  if (figures.instants > 0) json[prefix + "at"] = {{"t_s", figures.time}, {"line", figures.line}};
+}
+
+/// The smallest and the largest gain of the axes' position loops, 1/s.
+struct Gains {
+  double least = std::numeric_limits<double>::infinity(), largest = 0;
+};
+Gains gains(const Machine& machine) {
+  Gains gains;
+  for (const Axis& axis : machine.axes) {
+    if (!axis.present) continue;
+    gains.least = std::min(gains.least, axis.drive.kv);
+    gains.largest = std::max(gains.largest, axis.drive.kv);
+  }
+  return gains;
+}
+
+/// The circle that turns as the path does where the error is largest, if that explains it.
+std::string circle_text(const ContourFigures& worst, double kv) {
+  if (!(worst.radius > 0)) return {};
+  const double smaller = worst.speed * worst.speed / (2 * worst.radius * kv * kv);
+  if (smaller > 1.5 * worst.max || worst.max > 1.5 * smaller) return {};
+  return fmt::format(", here R {:.3g} mm at F{:.0f} by {:.1f} um", worst.radius,
+                     mm_min_from_mm_s(worst.speed), um_from_mm(smaller));
+}
+
+/// Of unequal gains: on a line between two axes the tool is v/2 times the difference of their 1/Kv
+/// off.
+std::string unequal_text(const Gains& gains) {
+  return fmt::format(
+      "\n  The gains of the axes differ, from {:.6g} to {:.6g} 1/s: so the tool leaves even "
+      "straight"
+      "\n  lines that are not along an axis, by up to v/2 times the difference of 1/Kv.",
+      gains.least, gains.largest);
+}
+
+/// Two digits.
+std::string feed_text(double mm_s) {
+  const double feed = mm_min_from_mm_s(mm_s);
+  const double unit = std::pow(10.0, std::floor(std::log10(feed)) - 1);
+  return fmt::format("F{:.6g}", std::round(feed / unit) * unit);
+}
+
+/// mm/s along the path: no move is faster.
+double fastest(const Machine& machine) {
+  double squares = 0;
+  for (const Axis& axis : machine.axes)
+    if (axis.present) squares += axis.velocity * axis.velocity;
+  return std::sqrt(squares);
+}
+
+/// The feeds at which about kGoal is left, as far as the machine can be faster.
+std::string feeds_text(const ContourReport& report, const Machine& machine, const Gains& loop) {
+  const auto matters = [most = fastest(machine), &loop](double lag) {
+    return lag > 0 && lag * loop.least < most;
+  };
+  std::vector<std::string> feeds;
+  if (matters(report.bend_lag))
+    feeds.push_back(fmt::format("at {} in the sharpest bend (R {:.3g} mm)",
+                                feed_text(report.bend_lag * loop.least),
+                                report.bend_lag * report.bend_lag / (2 * ContourReport::kGoal)));
+  if (matters(report.corner_lag))
+    feeds.push_back(fmt::format("at {} at corners", feed_text(report.corner_lag * loop.least)));
+  if (loop.least != loop.largest)
+    feeds.push_back(fmt::format("at {} on lines", feed_text(2 * ContourReport::kGoal /
+                                                            (1 / loop.least - 1 / loop.largest))));
+  if (feeds.empty()) return {};
+  return fmt::format("\n  About {:.0f} um would be left {}.", um_from_mm(ContourReport::kGoal),
+                     fmt::join(feeds, ", "));
+}
+
+std::string explanation(const ContourReport& report, const Machine& machine) {
+  const Gains loop = gains(machine);
+  std::string text = fmt::format(
+      "\n  A position loop of gain Kv ({:.6g} 1/s) makes a circle of radius R smaller by"
+      "\n  v^2/(2 R Kv^2){}, and rounds corners.",
+      loop.least, circle_text(report.cutting, loop.least));
+  if (loop.least != loop.largest) text += unequal_text(loop);
+  return text + feeds_text(report, machine, loop);
+}
+
+}  // namespace
+
+std::string contour_line(const ContourReport& report) {
+  std::string text = "\n  contour error ";
+  text += report.cutting.instants > 0 ? figures_text(report.cutting) : "none: nothing was cut";
+  if (report.rapids.instants > 0)
+    text += fmt::format("\n    of rapids   {}", figures_text(report.rapids));
+  return text;
+}
+
+std::string contour_paragraph(const ContourReport& report, const Machine& machine) {
+  std::string text =
+      "\n\n  The contour error is the distance of the tool from the path. The following error is "
+      "how"
+      "\n  far an axis is behind its command; most of it lies along the path.";
+  const double corner_tolerance = machine.control.corner_tolerance;
+  const double small =
+      std::max({ContourReport::kGoal, corner_tolerance, machine.control.chord_tolerance});
+  return report.cutting.max > small ? text + explanation(report, machine) : text;
+}
+
+void add_contour(const ContourReport& report, nlohmann::ordered_json& json) {
+  add_figures(report.cutting, "contour_error_", json);
+  add_figures(report.rapids, "contour_error_rapid_", json);
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What a person reads after a run.
+#pragma once
+
+#include <string>
+
+#include "job/job.hpp"
+
+namespace softcnc::app {
+
+/// A line that names the machine file beside the program, with the newline before it; empty: the
+/// machine is another one.
+std::string machine_line(const Job& job);
+
+/// Several lines, without a newline at the end.
+std::string summary(const Job& job, const Performance& performance);
+
+}  // namespace softcnc::app

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "output/surface_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+#include "hal/files/npz_file.hpp"
+#include "hal/files/zip_file.hpp"
+#include "job/recording.hpp"
+#include "output/surface_picture.hpp"
+
+namespace softcnc::app {
+namespace {
+
+/// heights_mm, rmax_um, target_um, met, gouges_um, origin_mm, step_mm, region_mm.
+class SurfaceArrays final : public SurfaceFile {
+ public:
+  SurfaceArrays(hal::OutputFile& output, const surface::StockGrid& grid)
+      : output_(output), grid_(grid), heights_(grid.rows, grid.columns) {}
+
+  Status add(const surface::SurfaceBand& band) override { return heights_.add(band.heights); }
+
+  Status finish(const surface::RoughnessMap& map) override {
+    const std::int64_t regions[] = {map.rows(), map.columns()};
+    const std::int64_t axes[] = {kAxes};
+    const double region = map.side() * grid_.step;
+    const auto packed = hal::TemporaryFile::make();
+    if (!packed) return tl::make_unexpected(packed.error());
+    hal::ZipWriter zip(packed->descriptor());
+    zip.add_descriptor("heights_mm.npy", heights_.descriptor(), hal::Packing::store);
+    zip.add_text("rmax_um.npy", hal::npy(std::span<const float>(map.rmax()), regions));
+    zip.add_text("target_um.npy", hal::npy(std::span<const float>(map.targets()), regions));
+    zip.add_text("met.npy", hal::npy(std::span<const float>(map.met()), regions));
+    zip.add_text("gouges_um.npy", hal::npy(std::span<const float>(map.gouges()), regions));
+    zip.add_text("origin_mm.npy", hal::npy(std::span(grid_.corner.data(), kAxes), axes));
+    zip.add_text("step_mm.npy", hal::npy(std::span(&grid_.step, 1), {}));
+    zip.add_text("region_mm.npy", hal::npy(std::span(&region, 1), {}));
+    if (Status written = zip.finish(); !written) return written;
+    return copy_to_output(*packed, output_);
+  }
+
+ private:
+  hal::OutputFile& output_;
+  surface::StockGrid grid_;
+  hal::NpyWriter heights_;
+};
+
+class SurfacePng final : public SurfaceFile {
+ public:
+  SurfacePng(std::string name, hal::OutputFile& output, const surface::StockGrid& grid, int region)
+      : name_(std::move(name)), output_(output), picture_(grid, region) {}
+
+  Status add(const surface::SurfaceBand& band) override {
+    picture_.add(band);
+    return {};
+  }
+
+  Status finish(const surface::RoughnessMap& map) override {
+    const auto png = picture_.draw(map).png(name_);
+    if (!png) return tl::make_unexpected(png.error());
+    if (Status written = output_.write(*png); !written) return written;
+    return output_.finish();
+  }
+
+ private:
+  std::string name_;
+  hal::OutputFile& output_;
+  SurfacePicture picture_;
+};
+
+/// In capitals too.
+bool has_suffix(std::string_view file, std::string_view suffix) {
+  const auto alike = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == b;
+  };
+  return file.size() >= suffix.size() &&
+         std::ranges::equal(file.substr(file.size() - suffix.size()), suffix, alike);
+}
+
+}  // namespace
+
+Status known_surface_form(const std::string& file) {
+  if (has_suffix(file, ".npz") || has_suffix(file, ".png")) return {};
+  return tl::make_unexpected(Diagnostic{
+      Code::SC6060, {}, "no form of a surface has this suffix; known are .npz, .png", file, {}});
+}
+
+Result<std::unique_ptr<SurfaceFile>> open_surface_file(const std::string& name,
+                                                       hal::OutputFile& output,
+                                                       const surface::StockGrid& grid, int region) {
+  if (has_suffix(name, ".png")) return std::make_unique<SurfacePng>(name, output, grid, region);
+  return std::make_unique<SurfaceArrays>(output, grid);
+}
+
+}  // namespace softcnc::app

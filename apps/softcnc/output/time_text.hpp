@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The time sheet and the worst lines, for a person and for a report.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "session/channel.hpp"
+
+namespace softcnc::app {
+
+/// One line of the summary, with a newline before it: how often the machine rests, and why. Empty
+/// where it never does.
+std::string rests_line(const TimeSheet& sheet);
+
+/// Lines without a newline at the end: what each tool did with its time, and the rests by cause.
+std::string time_sheet_text(const TimeSheet& sheet);
+
+/// Likewise: the lines that lose most, with the limit and the seconds.
+std::string worst_lines_text(const std::vector<WorstLine>& lines);
+
+/// The keys `rests`, `time_sheet` and `worst_lines`: docs/cli.md.
+void add_times(nlohmann::ordered_json& report, const Outcome& outcome);
+
+}  // namespace softcnc::app

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Backend: where setpoints go, and what comes back.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "hal/ports/port_player.hpp"
+#include "motion/core/result.hpp"
+#include "motion/model/machine.hpp"
+#include "motion/model/setpoint.hpp"
+
+namespace softcnc::hal {
+
+class Backend {
+ public:
+  virtual ~Backend() = default;
+
+  /// Carries the machine over one period to the setpoint; the first one tells where it stands.
+  /// Realtime.
+  virtual Feedback exchange(const Setpoint& setpoint) noexcept = 0;
+
+  /// Further columns of the trace, such as "x_act_mm".
+  virtual std::span<const std::string> columns() const noexcept { return {}; }
+
+  /// Their values after the last exchange; `out` is as long as columns(). Realtime.
+  virtual void values(std::span<double> out) const noexcept { static_cast<void>(out); }
+
+  /// Where the axes really were in the period of the last exchange, mm: evenly spaced instants of
+  /// the position loop, the last one that of the setpoint. The first exchange has one. Empty where
+  /// the backend does not know. Realtime.
+  virtual std::span<const AxisVector> actual() const noexcept { return {}; }
+
+  /// How many of them a period has; 0: the backend does not know where the axes are.
+  virtual std::size_t instants() const noexcept { return 0; }
+
+  /// Largest distance between command and axis over all exchanges so far, in mm by axis. NaN where
+  /// nothing is measured: axes the machine lacks, backends without feedback.
+  virtual std::array<double, kAxes> following_error_max() const noexcept;
+
+  /// The machine stands, and the next exchange may be long in coming.
+  virtual void rest() noexcept {}
+
+  /// Call once after the last exchange: what is left goes out. Without it a backend that writes a
+  /// file leaves none. Errors: SC6012, SC6013, SC6071, and those of
+  /// PortPlayer::finish().
+  virtual Status finish() { return {}; }
+
+  /// Rows that have gone to another program, so that it can be seen whether it got them all.
+  struct Tally {
+    std::int64_t rows = 0;
+    std::string checksum;  // hash_hex() of their lines
+  };
+  virtual std::optional<Tally> tally() const { return std::nullopt; }
+
+  /// Where the axes come to rest if the last command stands, in mm. Leaves the backend as it is.
+  virtual AxisVector settle() const noexcept = 0;
+};
+
+/// The machine with a backend that counts as before, but sends nothing anywhere.
+Machine without_port(Machine machine);
+
+/// Opens the port of a machine, and whoever writes to it when it is time.
+using OpenPlayer = Result<std::unique_ptr<PortPlayer>> (*)(const Machine&);
+
+/// The backend that machine.control.backend names. Without `open_player` the pulses of parport are
+/// counted and not sent. Errors: those of the backend's own open(), and of `open_player`.
+Result<std::unique_ptr<Backend>> open_backend(const Machine& machine,
+                                              OpenPlayer open_player = nullptr);
+
+}  // namespace softcnc::hal

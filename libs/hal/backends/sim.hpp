@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The simulated mill: a servo axis for each axis of the machine.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hal/backends/backend.hpp"
+#include "hal/backends/servo.hpp"
+#include "hal/signals/pulse_source.hpp"
+
+namespace softcnc::hal {
+
+/// Its up/down counters count the very pulses that a drive with step and direction inputs would
+/// get.
+class SimulatedMill final : public Backend {
+ public:
+  explicit SimulatedMill(const Machine& machine);
+
+  Feedback exchange(const Setpoint& setpoint) noexcept override;
+
+  /// For each axis: actual position (mm), command minus actual (um), motor current (A).
+  std::span<const std::string> columns() const noexcept override { return columns_; }
+  void values(std::span<double> out) const noexcept override;
+  std::span<const AxisVector> actual() const noexcept override {
+    return std::span(actual_).last(seen_);
+  }
+  std::size_t instants() const noexcept override { return actual_.size(); }
+  std::array<double, kAxes> following_error_max() const noexcept override { return error_max_; }
+
+  /// Runs a copy on until no encoder moves any more, for kSettleTime at most.
+  AxisVector settle() const noexcept override;
+  static constexpr double kSettleTime = 10.0;  // s
+
+ private:
+  struct Slide {
+    int axis;
+    ServoAxis servo;
+    PulseSource source;
+  };
+
+  void begin(const AxisVector& position) noexcept;
+  void run_period(Slide& slide, const Setpoint& setpoint) noexcept;
+
+  static constexpr std::size_t kPulses = 4096;  // in a period without a further allocation
+
+  std::vector<Slide> slides_;
+  std::vector<std::string> columns_;
+  double servo_period_;  // s: of the position loop
+  int servo_periods_;    // in one period
+  bool started_ = false;
+  std::vector<CommandPulse> pulses_;  // of one axis and period
+  AxisVector commanded_ = AxisVector::Zero();
+  std::vector<AxisVector> actual_;  // of each servo period
+  std::size_t seen_ = 0;            // so many of them, the last ones, are of the last exchange
+  std::array<double, kAxes> error_max_;
+};
+
+}  // namespace softcnc::hal

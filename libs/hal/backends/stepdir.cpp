@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "hal/backends/stepdir.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hal/files/axis_name.hpp"
+#include "hal/signals/edge_file.hpp"
+#include "motion/core/units.hpp"
+#include "motion/model/step_rate.hpp"
+
+namespace softcnc::hal {
+
+StepTiming step_timing(const StepPort& port) noexcept {
+  return {least_ns(port.step_length), least_ns(port.step_space), step_interval(port),
+          least_ns(port.direction_setup), least_ns(port.direction_hold)};
+}
+
+Result<std::unique_ptr<StepDir>> StepDir::open(const Machine& machine) {
+  std::unique_ptr<EdgeSink> file;
+  if (!machine.step_port.file.empty()) {
+    auto opened = EdgeWriter::open(machine.step_port.file);
+    if (!opened) return tl::make_unexpected(std::move(opened.error()));
+    file = std::make_unique<EdgeWriter>(std::move(*opened));
+  }
+  return std::make_unique<StepDir>(machine, step_timing(machine.step_port), std::move(file));
+}
+
+StepDir::StepDir(const Machine& machine, const StepTiming& timing, std::unique_ptr<EdgeSink> out)
+    : period_(ns_from_s(machine.control.period)), edges_(timing), out_(std::move(out)) {
+  for (int axis = 0; axis < kAxes; ++axis) {
+    if (!machine.axes[static_cast<std::size_t>(axis)].present) continue;
+    motors_.emplace_back(axis, machine);
+    columns_.push_back(axis_name(axis) + "_count");
+  }
+}
+
+Feedback StepDir::exchange(const Setpoint& setpoint) noexcept {
+  if (!std::exchange(started_, true)) {
+    begin(setpoint.position);
+    return {position(), Alarm::none, -1};
+  }
+  const auto begins = static_cast<double>(periods_++) * period_;
+  for (PulseSource& motor : motors_)
+    motor.move(setpoint, [&](double part, int direction) {
+      edges_.add(motor.axis(), std::llround(begins + part * period_), direction);
+    });
+  last_ = setpoint.position;
+  const std::int64_t ends = std::llround(begins + period_);
+  const auto edges = edges_.release(ends);
+  return {position(), out_ ? out_->take(edges, ends) : Alarm::none, -1};
+}
+
+/// The counts begin where the machine stands, without pulses.
+void StepDir::begin(const AxisVector& position) {
+  last_ = position;
+  for (PulseSource& motor : motors_) motor.begin(position[motor.axis()]);
+}
+
+/// What has been sent, or waits to be; an axis the machine lacks is where it is commanded.
+AxisVector StepDir::position() const noexcept {
+  AxisVector position = last_;
+  for (const PulseSource& motor : motors_) position[motor.axis()] = motor.position();
+  return position;
+}
+
+void StepDir::values(std::span<double> out) const noexcept {
+  for (std::size_t i = 0; i < motors_.size(); ++i)
+    out[i] = static_cast<double>(motors_[i].counts());
+}
+
+/// Time goes on until the last step is long over.
+void StepDir::rest() noexcept {
+  if (!out_) return;
+  const auto over = std::floor(static_cast<double>(edges_.end()) / period_) + 2;
+  periods_ = std::max(periods_, static_cast<std::int64_t>(over));
+  const std::int64_t ends = std::llround(static_cast<double>(periods_) * period_);
+  out_->take(edges_.release(ends), ends);
+  out_->rest();
+}
+
+Status StepDir::finish() {
+  if (!out_) return {};
+  out_->take(edges_.release_all(), edges_.end() + 1);
+  return out_->finish();
+}
+
+}  // namespace softcnc::hal

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The backend of drives with step and direction inputs: a timed list of edges.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hal/backends/backend.hpp"
+#include "hal/signals/edge_sink.hpp"
+#include "hal/signals/pulse_source.hpp"
+
+namespace softcnc::hal {
+
+/// Pulses by fine interpolation of the setpoints or by a method of reference pulses, put on wires
+/// as the driver allows, into a file or on a port. What takes the edges is the machine: where the
+/// axes are is what has been sent to them.
+class StepDir final : public Backend {
+ public:
+  /// Into a file. An empty name: pulses are counted and not kept. Errors: those of
+  /// EdgeWriter::open().
+  static Result<std::unique_ptr<StepDir>> open(const Machine& machine);
+  /// Where the edges go, which may be null, and the rules that they keep.
+  StepDir(const Machine& machine, const StepTiming& timing, std::unique_ptr<EdgeSink> out);
+
+  Feedback exchange(const Setpoint& setpoint) noexcept override;
+
+  /// For each axis the pulses so far, as counts of its position.
+  std::span<const std::string> columns() const noexcept override { return columns_; }
+  void values(std::span<double> out) const noexcept override;
+  AxisVector settle() const noexcept override { return position(); }
+  void rest() noexcept override;
+  Status finish() override;
+
+ private:
+  void begin(const AxisVector& position);
+  AxisVector position() const noexcept;
+
+  std::vector<PulseSource> motors_;
+  std::vector<std::string> columns_;
+  double period_;             // ns
+  std::int64_t periods_ = 0;  // that have passed
+  bool started_ = false;
+  AxisVector last_ = AxisVector::Zero();  // mm, commanded
+  StepEdges edges_;
+  std::unique_ptr<EdgeSink> out_;
+};
+
+/// What the machine's driver asks of its lines, in whole ns: never less.
+StepTiming step_timing(const StepPort& port) noexcept;
+
+}  // namespace softcnc::hal

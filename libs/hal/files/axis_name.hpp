@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Axes as machine files and columns spell them: in lower case.
+#pragma once
+
+#include <string>
+
+#include "motion/core/axes.hpp"
+
+namespace softcnc::hal {
+
+/// "x", "y", "z"; 0 <= axis < kAxes.
+inline std::string axis_name(int axis) {
+  const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
+  return {static_cast<char>(letter - 'A' + 'a')};
+}
+
+}  // namespace softcnc::hal

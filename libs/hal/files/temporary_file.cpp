@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "hal/files/temporary_file.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include "motion/core/unnamed_file.hpp"
+
+namespace softcnc::hal {
+namespace {
+
+constexpr std::size_t kPiece = 1U << 16U;  // bytes
+
+tl::unexpected<Diagnostic> failure() {
+  return tl::make_unexpected(Diagnostic{
+      Code::SC6003, {}, "no temporary file: " + std::generic_category().message(errno), {}, {}});
+}
+
+}  // namespace
+
+Result<TemporaryFile> TemporaryFile::make() {
+  const int descriptor = open_unnamed_file();
+  if (descriptor < 0) return failure();
+  return TemporaryFile(descriptor);
+}
+
+TemporaryFile::~TemporaryFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+Status TemporaryFile::add(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written >= 0)
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      return failure();
+  }
+  return {};
+}
+
+Status TemporaryFile::for_each_piece(const std::function<Status(std::string_view)>& take) const {
+  std::string piece(kPiece, '\0');
+  for (off_t at = 0;;) {
+    const ssize_t n = ::pread(descriptor_, piece.data(), piece.size(), at);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return failure();
+    if (n == 0) return {};
+    const auto size = static_cast<std::size_t>(n);
+    if (Status taken = take(std::string_view(piece).substr(0, size)); !taken) return taken;
+    at += n;
+  }
+}
+
+}  // namespace softcnc::hal

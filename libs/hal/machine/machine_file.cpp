@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Machines from files and back to text.
+#include "hal/machine/machine_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <tuple>
+
+#include "hal/files/text_file.hpp"
+#include "hal/machine/machine_keys.hpp"
+#include "hal/machine/machine_loader.hpp"
+#include "hal/machine/machine_reach.hpp"
+#include "hal/machine/machine_value.hpp"
+
+namespace softcnc::hal {
+namespace {
+
+/// In bytes: hundreds of times what any machine needs, a thousand tools included.
+constexpr std::size_t kLongestMachine = std::size_t{1} << 20U;
+
+LoadedOrFaults load_text(const std::string* text, const std::string& name,
+                         std::span<const std::string> settings) {
+  MachineLoader loader;
+  if (text) loader.read(*text, name);
+  for (const std::string& setting : settings) loader.set(setting);
+  return loader.finish();
+}
+
+LoadedOrFaults load_file(const std::string& file, std::span<const std::string> settings) {
+  if (file.empty()) return load_text(nullptr, {}, settings);
+  const auto text = read_text(file, Code::SC7003);
+  if (!text) return tl::make_unexpected(std::vector{text.error()});
+  if (text->size() > kLongestMachine)
+    return tl::make_unexpected(
+        std::vector{Diagnostic{Code::SC7003, {}, "cannot be read: longer than 1 MiB", file, {}}});
+  return load_text(&*text, file, settings);
+}
+
+/// A file that nobody has named is neither waited for nor passed over.
+std::optional<Diagnostic> unlike_a_file(const std::string& file) {
+  std::error_code error;
+  const auto type = std::filesystem::status(file, error).type();
+  if (type == std::filesystem::file_type::regular) return std::nullopt;
+  const std::string why = type == std::filesystem::file_type::not_found ? "it is a link to nothing"
+                                                                        : "it is no regular file";
+  return Diagnostic{Code::SC7003, {}, "cannot be read: " + why, file, {}};
+}
+
+Machine machine_of(LoadedMachine&& loaded) { return std::move(loaded.machine); }
+
+/// What a row stands for in this machine: itself, or itself for each axis or tool.
+std::vector<KeyRef> instances(const MachineKey& key, const Machine& machine) {
+  std::vector<KeyRef> refs;
+  if (is_axis_key(key)) {
+    for (int axis = 0; axis < kAxes; ++axis)
+      if (machine.axes[static_cast<std::size_t>(axis)].present) refs.push_back({&key, axis});
+  } else if (is_tool_key(key)) {
+    for (const auto& [number, tool] : machine.tools) refs.push_back({&key, number});
+  } else {
+    refs.push_back({&key, 0});
+  }
+  return refs;
+}
+
+/// All keys of a machine, in the order of the table, but each axis and each tool in one piece.
+std::vector<KeyRef> all_instances(const Machine& machine) {
+  std::vector<KeyRef> refs;
+  for (const MachineKey& key : machine_keys())
+    for (const KeyRef& ref : instances(key, machine)) refs.push_back(ref);
+  std::stable_sort(refs.begin(), refs.end(), [](const KeyRef& a, const KeyRef& b) {
+    const auto group = [](const KeyRef& ref) {
+      const int kind = is_tool_key(*ref.key) ? 2 : is_axis_key(*ref.key) ? 1 : 0;
+      return std::tuple(kind, ref.index);
+    };
+    return group(a) < group(b);
+  });
+  return refs;
+}
+
+std::string origin_of(const LoadedMachine& loaded, const std::string& path) {
+  const auto found = loaded.given.find(path);
+  if (found == loaded.given.end()) return "default";
+  const Place& place = found->second;
+  return place.file == kSettingFile ? place.file
+                                    : place.file + ":" + std::to_string(place.pos.line);
+}
+
+}  // namespace
+
+MachineOrFaults load_machine(const std::string& file, std::span<const std::string> settings) {
+  return load_file(file, settings).map(machine_of);
+}
+
+MachineOrFaults parse_machine(const std::string& text, const std::string& name,
+                              std::span<const std::string> settings) {
+  return load_text(&text, name, settings).map(machine_of);
+}
+
+tl::expected<FoundMachine, std::vector<Diagnostic>> find_machine(
+    const MachineSource& source, std::span<const std::string> settings) {
+  if (source.confined)
+    if (auto fault = unlike_a_file(source.file))
+      return tl::make_unexpected(std::vector{*std::move(fault)});
+  auto loaded = load_file(source.file, settings);
+  if (!loaded) return tl::make_unexpected(std::move(loaded.error()));
+  FoundMachine found;
+  if (source.confined) found.passed_over = confine(*loaded);
+  found.default_file = writes_default_file(*loaded);
+  found.machine = std::move(loaded->machine);
+  return found;
+}
+
+tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_values(
+    const std::string& file, std::span<const std::string> settings) {
+  auto loaded = load_file(file, settings);
+  if (!loaded) return tl::make_unexpected(std::move(loaded.error()));
+  std::vector<EffectiveValue> values;
+  for (const KeyRef& ref : all_instances(loaded->machine)) {
+    const std::string path = path_of(ref);
+    values.push_back({path, value_text(ref, loaded->machine), std::string(ref.key->unit),
+                      origin_of(*loaded, path), std::string(ref.key->meaning)});
+  }
+  return values;
+}
+
+std::string machine_toml(const Machine& machine) {
+  Machine copy = machine;
+  std::string text, section;
+  for (const KeyRef& ref : all_instances(machine)) {
+    const std::string path = path_of(ref);
+    const auto dot = path.rfind('.');
+    const std::string table = dot == path.npos ? "" : path.substr(0, dot);
+    if (table != section) text += "\n[" + table + "]\n";
+    section = table;
+    text += path.substr(dot + 1) + " = " + value_text(ref, copy) + '\n';
+  }
+  return text;
+}
+
+std::string key_table() {
+  Machine machine;
+  machine.tools[1] = {};
+  std::string text = "| key | default | takes | meaning |\n|---|---|---|---|\n";
+  for (const MachineKey& key : machine_keys()) {
+    const KeyRef ref{&key, is_tool_key(key) ? 1 : 0};
+    text += "| `" + std::string(key.name) + "` | `" + value_text(ref, machine) + "` | " +
+            allowed_text(key) + " | " + std::string(key.meaning) + " |\n";
+  }
+  return text;
+}
+
+}  // namespace softcnc::hal

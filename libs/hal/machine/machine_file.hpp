@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The machine file: TOML in, Machine out, or the place where it is wrong; and back to text.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "motion/core/result.hpp"
+#include "motion/model/machine.hpp"
+
+namespace softcnc::hal {
+
+/// A machine, or all that is wrong with its file, line by line, and then with the settings.
+using MachineOrFaults = tl::expected<Machine, std::vector<Diagnostic>>;
+
+/// The machine of a TOML file with `settings` ("KEY=VALUE": a TOML value, else a string) on top.
+/// An empty name means the built-in machine. A file that names any [axis.*] has exactly those axes;
+/// a key that is absent keeps its default, but the limit along the path, which then is none.
+/// Errors: the SC70xx codes, with line and column; those of settings in a file called "--set". None
+/// is told that follows from another; of a file that is no TOML the first alone.
+MachineOrFaults load_machine(const std::string& file, std::span<const std::string> settings);
+
+/// The same for a text that is already in memory; `name` stands for the file in diagnostics.
+MachineOrFaults parse_machine(const std::string& text, const std::string& name,
+                              std::span<const std::string> settings);
+
+/// Where the machine of a program comes from.
+struct MachineSource {
+  std::string file;       // empty: the built-in machine
+  bool confined = false;  // found beside the program: nothing in it reaches outside softcnc
+};
+
+/// The machine of a program, and what was done to it.
+struct FoundMachine {
+  Machine machine;
+  std::vector<Diagnostic> passed_over;  // SC7021: what the file asks for and may not
+  bool default_file = false;  // the backend writes a file under a name that nobody has given
+};
+
+/// As load_machine(), but a confined machine must be in a regular file (SC7003). It keeps its
+/// backend, but files of backends and ports count only where settings name them.
+tl::expected<FoundMachine, std::vector<Diagnostic>> find_machine(
+    const MachineSource& source, std::span<const std::string> settings);
+
+/// One value of the machine as it will be used.
+struct EffectiveValue {
+  std::string key;      // "axis.x.blu_um"
+  std::string value;    // as a machine file spells it: 2.5, "sim"
+  std::string unit;     // "um"; empty where there is none
+  std::string origin;   // "default", "mill.toml:3", "--set"
+  std::string meaning;  // in a few words
+};
+
+/// Every value of the machine that load_machine() returns, in the order of the table.
+tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_values(
+    const std::string& file, std::span<const std::string> settings);
+
+/// A complete TOML file. It loads back to the identical machine, bit for bit, for every machine
+/// that load_machine() returns.
+std::string machine_toml(const Machine& machine);
+
+/// The table of keys in Markdown, as it stands in docs/machine.md.
+std::string key_table();
+
+}  // namespace softcnc::hal

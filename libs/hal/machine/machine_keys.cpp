@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+// The rows of the table of machine keys, and how a name finds its row.
+#include "hal/machine/machine_keys.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <vector>
+
+#include "hal/files/axis_name.hpp"
+#include "motion/core/spelling.hpp"
+#include "motion/core/units.hpp"
+
+namespace softcnc::hal {
+namespace {
+
+constexpr double same(double value) noexcept { return value; }
+constexpr double s_from_us(double us) noexcept { return us / 1e6; }
+constexpr double us_from_s(double s) noexcept { return s * 1e6; }
+
+// Floors and ceilings. What is smaller than a floor is no property of a machine, but makes motions
+// that last longer than any machine, or figures that are lost in rounding.
+constexpr double kLeastRate = 1e-3;        // mm/min, mm/s^2, mm/s^3, 1/s, rpm
+constexpr double kMostVelocity = 1e7;      // mm/min
+constexpr double kMostAcceleration = 1e7;  // mm/s^2
+constexpr double kMostJerk = 1e10;         // mm/s^3
+constexpr double kLeastTolerance = 1e-3;   // um
+constexpr double kMostTolerance = 1e6;     // um
+constexpr double kLeastLength = 1e-3;      // mm, of tools and stocks
+constexpr double kLeastElectrical = 1e-6;  // V, A, V s/rad
+
+constexpr Range at_least_0(double high) { return {0, high}; }
+constexpr Range kPins{-17, 17};
+constexpr Range rate(double high) { return {kLeastRate, high}; }
+constexpr Range rate_or_0(double high) { return {kLeastRate, high, true}; }
+constexpr Range length_or_0(double high) { return {kLeastLength, high, true}; }
+constexpr Range electrical(double high) { return {kLeastElectrical, high}; }
+
+template <auto Part, auto Member>
+auto& in_part(Machine& machine, int) {
+  return machine.*Part.*Member;
+}
+template <auto Member>
+auto& in_axis(Machine& machine, int axis) {
+  return machine.axes[static_cast<std::size_t>(axis)].*Member;
+}
+template <auto Part, auto Member>
+auto& in_axis_part(Machine& machine, int axis) {
+  return machine.axes[static_cast<std::size_t>(axis)].*Part.*Member;
+}
+template <auto Member>
+auto& in_tool(Machine& machine, int number) {
+  return machine.tools[number].*Member;
+}
+std::string& machine_name(Machine& machine, int) { return machine.name; }
+std::vector<double>& stock_origin(Machine& machine, int) { return machine.stock.origin; }
+template <int axis>
+double& stock_size(Machine& machine, int) {
+  return machine.stock.size[axis];
+}
+std::string& edge_file(Machine& machine, int) { return machine.step_port.file; }
+std::string& port_device(Machine& machine, int) { return machine.parallel_port.device; }
+template <auto Member, std::size_t axis>
+int& axis_pin(Machine& machine, int) {
+  return (machine.parallel_port.*Member)[axis];
+}
+std::string& stream_file(Machine& machine, int) { return machine.hal_stream.file; }
+
+template <auto Part, auto Member>
+constexpr Choice choice_in(std::span<const std::string_view> words) {
+  return {words, [](const Machine& m) { return static_cast<int>((m.*Part).*Member); },
+          [](Machine& m, int i) {
+            auto& place = (m.*Part).*Member;
+            place = static_cast<std::remove_reference_t<decltype(place)>>(i);
+          }};
+}
+
+template <auto Member>
+constexpr auto motor = in_axis_part<&Axis::motor, Member>;
+template <auto Member>
+constexpr auto drive = in_axis_part<&Axis::drive, Member>;
+template <auto Member>
+constexpr auto control = in_part<&Machine::control, Member>;
+template <auto Member>
+constexpr auto port = in_part<&Machine::parallel_port, Member>;
+template <std::size_t axis>
+constexpr auto step_pin = axis_pin<&ParallelPort::step_pin, axis>;
+template <std::size_t axis>
+constexpr auto direction_pin = axis_pin<&ParallelPort::direction_pin, axis>;
+template <auto Member>
+constexpr auto step_port = in_part<&Machine::step_port, Member>;
+
+// clang-format off
+const MachineKey kKeys[] = {
+    {"name", "", "what the machine is called in reports; the file's name if absent",
+     Text{machine_name}},
+
+    {"control.period_ms", "ms", "interpolation period: one setpoint each",
+     Number{control<&Control::period>, s_from_ms, ms_from_s, {0.001, 1000}}},
+    {"control.servo_period_ms", "ms", "fine interpolation: positions to ports are the plan itself at these instants; where the path's curvature jumps, "
+     "the acceleration may change by the jerk times it; the simulated axes read their counters so often. Divides period_ms. 0 or absent: 1 ms, or the next smaller that divides period_ms, and 0.25 ms for the simulated axes",
+     Number{control<&Control::servo_period>, s_from_ms, ms_from_s, {0.001, 1000, true}}},
+    {"control.chord_tolerance_um", "um", "largest distance between curve and chord within one period",
+     Number{control<&Control::chord_tolerance>, mm_from_um, um_from_mm, {kLeastTolerance, kMostTolerance}}},
+    {"control.interpolation", "", "how the next point on a curve is found",
+     choice_in<&Machine::control, &Control::interpolation>(kMethodNames)},
+    {"control.pulse_clock", "", "when the clocks of an interpolation by pulses come: as the feed profile says, or as in paper 003",
+     choice_in<&Machine::control, &Control::pulse_clock>(kPulseClockNames)},
+    {"control.corner_tolerance_um", "um", "how far corners may be rounded by G64 without P; 0: the path is followed exactly",
+     Number{control<&Control::corner_tolerance>, mm_from_um, um_from_mm, {kLeastTolerance, kMostTolerance, true}}},
+    {"control.backend", "", "what moves: nothing, the simulated mill, drives with step and direction inputs by a file of edges or a parallel port, or a machine behind LinuxCNC's HAL",
+     choice_in<&Machine::control, &Control::backend>(kBackendNames)},
+
+    {"limits.feed_mm_min", "mm/min", "caps the speed of cutting moves along the path; 0, or absent beside axes of your own: only the axes limit. Where softcnc makes pulses, at most what they allow the fastest axis, and that if absent",
+     Number{in_part<&Machine::limits, &PathLimits::feed>, mm_s_from_mm_min, mm_min_from_mm_s, rate_or_0(kMostVelocity)}},
+    {"limits.tangential_mm_s2", "mm/s^2", "how fast the speed along the path may change, in rapids too; 0: only the axes limit",
+     Number{in_part<&Machine::limits, &PathLimits::tangential>, same, same, rate_or_0(kMostAcceleration)}},
+    {"limits.normal_mm_s2", "mm/s^2", "largest acceleration across the path, speed squared over the radius of the bend, in rapids too; 0: only the axes limit",
+     Number{in_part<&Machine::limits, &PathLimits::normal>, same, same, rate_or_0(kMostAcceleration)}},
+
+    {"axis.*.velocity_mm_min", "mm/min", "largest speed of the axis",
+     Number{in_axis<&Axis::velocity>, mm_s_from_mm_min, mm_min_from_mm_s, rate(kMostVelocity)}},
+    {"axis.*.acceleration_mm_s2", "mm/s^2", "largest acceleration of the axis",
+     Number{in_axis<&Axis::acceleration>, same, same, rate(kMostAcceleration)}},
+    {"axis.*.jerk_mm_s3", "mm/s^3", "largest jerk of the axis; 0: no limit",
+     Number{in_axis<&Axis::jerk>, same, same, rate_or_0(kMostJerk)}},
+    {"axis.*.min_mm", "mm", "lower end of travel, in machine coordinates",
+     Number{in_axis<&Axis::min>, same, same, {-1e5, 1e5}}},
+    {"axis.*.max_mm", "mm", "upper end of travel, in machine coordinates",
+     Number{in_axis<&Axis::max>, same, same, {-1e5, 1e5}}},
+    {"axis.*.blu_um", "um", "basic length unit: one command pulse",
+     Number{in_axis<&Axis::blu>, mm_from_um, um_from_mm, {0.001, 1e4}}},
+    {"axis.*.screw_lead_mm", "mm", "travel per turn of the screw",
+     Number{in_axis<&Axis::screw_lead>, same, same, {0.01, 1000}}},
+    {"axis.*.counts_per_rev", "", "encoder counts per turn of the motor, all edges",
+     Whole{in_axis<&Axis::counts_per_rev>, {1, 1e8}}},
+
+    {"axis.*.motor.resistance_ohm", "ohm", "terminal resistance of the armature circuit",
+     Number{motor<&Motor::resistance>, same, same, {1e-3, 1e4}}},
+    {"axis.*.motor.inductance_mh", "mH", "inductance of the armature circuit",
+     Number{motor<&Motor::inductance>, s_from_ms, ms_from_s, {1e-3, 1e4}}},
+    {"axis.*.motor.torque_constant_nm_a", "Nm/A", "torque per current",
+     Number{motor<&Motor::torque_constant>, same, same, {1e-4, 1e3}}},
+    {"axis.*.motor.emf_constant_v_s_rad", "V s/rad", "back-EMF per speed",
+     Number{motor<&Motor::emf_constant>, same, same, {1e-4, 1e3}}},
+    {"axis.*.motor.inertia_kg_m2", "kg m^2", "rotor, coupling, screw and table, reduced to the motor shaft",
+     Number{motor<&Motor::inertia>, same, same, {1e-8, 1e3}}},
+    {"axis.*.motor.viscous_friction_nm_s_rad", "Nm s/rad", "friction torque per speed",
+     Number{motor<&Motor::viscous_friction>, same, same, at_least_0(100)}},
+    {"axis.*.motor.coulomb_friction_nm", "Nm", "friction torque that any motion takes; a motor torque below it does not move the axis",
+     Number{motor<&Motor::coulomb_friction>, same, same, at_least_0(1e4)}},
+
+    {"axis.*.drive.kv_1_s", "1/s", "gain of the position loop: speed per following error",
+     Number{drive<&Drive::kv>, same, same, rate(1000)}},
+    {"axis.*.drive.counter_bits", "", "width of the up/down counter, sign included; an overflow is an alarm",
+     Whole{drive<&Drive::counter_bits>, {2, 32}}},
+    {"axis.*.drive.fv_time_constant_ms", "ms", "lag of the frequency-to-voltage converter that measures the speed",
+     Number{drive<&Drive::fv_time_constant>, s_from_ms, ms_from_s, {0.01, 1000}}},
+    {"axis.*.drive.velocity_gain_v_s_rad", "V s/rad", "motor voltage per speed error at the motor shaft",
+     Number{drive<&Drive::velocity_gain>, same, same, electrical(1e4)}},
+    {"axis.*.drive.velocity_reset_1_s", "1/s", "reset rate of the integral part of the velocity loop; 0: proportional only",
+     Number{drive<&Drive::velocity_reset>, same, same, rate_or_0(1e4)}},
+    {"axis.*.drive.supply_v", "V", "largest motor voltage, either way",
+     Number{drive<&Drive::supply_voltage>, same, same, electrical(1e4)}},
+    {"axis.*.drive.current_limit_a", "A", "largest motor current, either way",
+     Number{drive<&Drive::current_limit>, same, same, electrical(1e4)}},
+    {"axis.*.drive.following_error_um", "um", "a larger distance between command and axis is an alarm",
+     Number{drive<&Drive::following_error>, mm_from_um, um_from_mm, {kLeastTolerance, 1e8}}},
+    {"axis.*.drive.lost_pulse", "", "to try what happens: every n-th command pulse does not reach the counter, an alarm; 0: none is lost",
+     Whole{drive<&Drive::lost_pulse>, {0, 1e9}}},
+
+    {"spindle.min_rpm", "rpm", "a smaller S is clamped with a warning",
+     Number{in_part<&Machine::spindle, &Spindle::min_rpm>, same, same, rate_or_0(1e6)}},
+    {"spindle.max_rpm", "rpm", "a larger S is clamped with a warning",
+     Number{in_part<&Machine::spindle, &Spindle::max_rpm>, same, same, rate_or_0(1e6)}},
+
+    {"surface.model", "", "what holds the roughness that a program asks for: edges simulated on the ball, or the formulas of paper 004",
+     choice_in<&Machine::surfacing, &Surfacing::model>(kRoughnessModels)},
+    {"surface.phase", "", "how the edges of neighbouring passes stand to each other in the simulated surface: as in the paper, or by time",
+     choice_in<&Machine::surfacing, &Surfacing::phase>(kSpindlePhases)},
+
+    {"backend.stepdir.file", "", "where the edges of the step and direction lines go: .vcd or .edges; empty: nowhere",
+     Text{edge_file}},
+    {"backend.stepdir.max_rate_hz", "Hz", "largest rate of pulses of an axis; of the clocks, too, where interpolation is by pulses",
+     Number{step_port<&StepPort::max_rate>, same, same, {1, 1e7}}},
+    {"backend.stepdir.step_length_ns", "ns", "a step line stays high for so long",
+     Number{step_port<&StepPort::step_length>, s_from_ns, ns_from_s, {1, 1e8}}},
+    {"backend.stepdir.step_space_ns", "ns", "and low for at least so long",
+     Number{step_port<&StepPort::step_space>, s_from_ns, ns_from_s, {1, 1e8}}},
+    {"backend.stepdir.direction_setup_ns", "ns", "least time from a change of direction to the next step",
+     Number{step_port<&StepPort::direction_setup>, s_from_ns, ns_from_s, at_least_0(1e8)}},
+    {"backend.stepdir.direction_hold_ns", "ns", "least time from the end of a step to a change of direction",
+     Number{step_port<&StepPort::direction_hold>, s_from_ns, ns_from_s, at_least_0(1e8)}},
+
+    {"backend.parport.device", "", "the parallel port; empty: pulses are counted and not sent",
+     Text{port_device}},
+    {"backend.parport.base_period_us", "us", "time between two writes to the port; a step takes at least two",
+     Number{port<&ParallelPort::base_period>, s_from_us, us_from_s, {1, 1e6}}},
+    {"backend.parport.x_step_pin", "", "pin of the step line, 2 to 9; negative: inverted, 0: none. Timing is that of backend.stepdir",
+     Whole{step_pin<0>, kPins}},
+    {"backend.parport.x_direction_pin", "", "pin of the direction line, likewise; high is negative direction",
+     Whole{direction_pin<0>, kPins}},
+    {"backend.parport.y_step_pin", "", "the same for Y", Whole{step_pin<1>, kPins}},
+    {"backend.parport.y_direction_pin", "", "the same for Y", Whole{direction_pin<1>, kPins}},
+    {"backend.parport.z_step_pin", "", "the same for Z", Whole{step_pin<2>, kPins}},
+    {"backend.parport.z_direction_pin", "", "the same for Z", Whole{direction_pin<2>, kPins}},
+    {"backend.parport.enable_pin", "", "output, high while the drives are enabled: 1 to 9, 14, 16, 17; negative: inverted, 0: none",
+     Whole{port<&ParallelPort::enable_pin>, kPins}},
+    {"backend.parport.charge_pump_pin", "", "output that changes every base period as long as softcnc runs, likewise",
+     Whole{port<&ParallelPort::charge_pump_pin>, kPins}},
+    {"backend.parport.estop_pin", "", "input of the emergency stop, high is pressed: 10 to 13, 15; negative: low is pressed, 0: none",
+     Whole{port<&ParallelPort::estop_pin>, kPins}},
+    {"backend.parport.limit_pin", "", "input of the limit switches, likewise",
+     Whole{port<&ParallelPort::limit_pin>, kPins}},
+    {"backend.parport.fault_pin", "", "input of the drives' fault line, likewise",
+     Whole{port<&ParallelPort::fault_pin>, kPins}},
+
+    {"backend.hal-stream.file", "", "where rows for LinuxCNC's halstreamer go: a file, a FIFO, or - for standard output; empty: nowhere",
+     Text{stream_file}},
+    {"backend.hal-stream.patience_s", "s", "so long a full pipe may take no row; then the run ends",
+     Number{in_part<&Machine::hal_stream, &HalStream::patience>, same, same, {0.001, 1e6}}},
+
+    {"stock.x_mm", "mm", "length of the stock along X; 0: as far as the program cuts and the tool radius around it",
+     Number{stock_size<0>, same, same, length_or_0(1e5)}},
+    {"stock.y_mm", "mm", "the same along Y",
+     Number{stock_size<1>, same, same, length_or_0(1e5)}},
+    {"stock.z_mm", "mm", "height of the stock, from its origin; 0: up to the highest cut and the tool radius above it",
+     Number{stock_size<2>, same, same, length_or_0(1e5)}},
+    {"stock.origin_mm", "mm", "X, Y and Z of the corner of the stock with the smallest coordinates, in machine coordinates; "
+     "[]: where the program cuts, less the tool radius",
+     Point{stock_origin, {-1e5, 1e5}}},
+    {"stock.grid_um", "um", "distance of neighbouring points of the simulated surface",
+     Number{in_part<&Machine::stock, &Stock::grid>, mm_from_um, um_from_mm, {0.1, 1e4}}},
+
+    {"program.block_limit", "", "lines that one loop, or one call with all it calls, may run; more count as an endless loop, an error",
+     Whole{in_part<&Machine::program, &ProgramLimits::block_limit>, {1, 1e9}}},
+    {"program.motion_limit_h", "h", "longest motion of a program; one that moves for longer is refused; 0: none is",
+     Number{in_part<&Machine::program, &ProgramLimits::motion_limit>, s_from_h, h_from_s, at_least_0(1e9)}},
+
+    {"tool.*.radius_mm", "mm", "radius of the cutter",
+     Number{in_tool<&Tool::radius>, same, same, length_or_0(1e4)}},
+    {"tool.*.teeth", "", "number of teeth",
+     Whole{in_tool<&Tool::teeth>, {0, 1000}}},
+};
+// clang-format on
+
+std::vector<std::string_view> split(std::string_view path) {
+  std::vector<std::string_view> parts;
+  for (std::size_t dot; (dot = path.find('.')) != path.npos; path.remove_prefix(dot + 1))
+    parts.push_back(path.substr(0, dot));
+  parts.push_back(path);
+  return parts;
+}
+
+std::optional<int> axis_of(std::string_view part) {
+  if (part.size() != 1 || part[0] < 'a') return std::nullopt;
+  const int axis = axis_index(part[0]);
+  return axis < 0 ? std::nullopt : std::optional(axis);
+}
+
+std::optional<int> tool_of(std::string_view part) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
+  const bool plain = error == std::errc{} && end == part.data() + part.size() && part[0] != '0';
+  return plain && number > 0 ? std::optional(number) : std::nullopt;
+}
+
+/// What the '*' of a pattern stands for if `parts` begin as the pattern does; 0 if it has none.
+std::optional<int> match_prefix(const std::vector<std::string_view>& parts,
+                                const std::vector<std::string_view>& pattern) {
+  if (parts.size() > pattern.size()) return std::nullopt;
+  int index = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (pattern[i] == parts[i]) continue;
+    if (pattern[i] != "*") return std::nullopt;
+    const auto found = pattern[0] == "axis" ? axis_of(parts[i]) : tool_of(parts[i]);
+    if (!found) return std::nullopt;
+    index = *found;
+  }
+  return index;
+}
+
+/// The axis or tool that `path` names where `key` has its '*', otherwise the first.
+int index_like(std::string_view path, const MachineKey& key) {
+  const auto parts = split(path);
+  const bool axis = is_axis_key(key);
+  if (parts.size() > 1 && parts[0] == split(key.name)[0])
+    if (const auto index = axis ? axis_of(parts[1]) : tool_of(parts[1])) return *index;
+  return axis ? 0 : 1;
+}
+
+/// The known key, cut off after `depth` parts, that is most like `path`; empty if none is like it.
+std::string nearest(std::string_view path, std::size_t depth) {
+  std::vector<std::string> all;
+  for (const MachineKey& key : kKeys) {
+    std::string known = path_of({&key, index_like(path, key)});
+    const auto parts = split(known);
+    if (depth < parts.size())
+      known.resize(static_cast<std::size_t>(parts[depth].data() - known.data()) - 1);
+    all.push_back(std::move(known));
+  }
+  return nearest_name(path, std::vector<std::string_view>(all.begin(), all.end()));
+}
+
+}  // namespace
+
+std::span<const MachineKey> machine_keys() noexcept { return kKeys; }
+
+bool is_axis_key(const MachineKey& key) noexcept { return key.name.starts_with("axis."); }
+bool is_tool_key(const MachineKey& key) noexcept { return key.name.starts_with("tool."); }
+
+std::optional<KeyRef> find_key(std::string_view path) {
+  const auto parts = split(path);
+  for (const MachineKey& key : kKeys) {
+    const auto pattern = split(key.name);
+    if (pattern.size() != parts.size()) continue;
+    if (const auto index = match_prefix(parts, pattern)) return KeyRef{&key, *index};
+  }
+  return std::nullopt;
+}
+
+bool is_section(std::string_view path) {
+  const auto parts = split(path);
+  return std::any_of(std::begin(kKeys), std::end(kKeys), [&](const MachineKey& key) {
+    const auto pattern = split(key.name);
+    return parts.size() < pattern.size() && match_prefix(parts, pattern);
+  });
+}
+
+std::string path_of(const KeyRef& ref) {
+  std::string path(ref.key->name);
+  const auto star = path.find('*');
+  if (star == path.npos) return path;
+  const std::string stands_for =
+      is_axis_key(*ref.key) ? axis_name(ref.index) : std::to_string(ref.index);
+  return path.replace(star, 1, stands_for);
+}
+
+std::string nearest_key(std::string_view path) { return nearest(path, std::string_view::npos); }
+
+std::string nearest_section(std::string_view path) {
+  return nearest(path, static_cast<std::size_t>(std::count(path.begin(), path.end(), '.')) + 1);
+}
+
+}  // namespace softcnc::hal

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The table of machine keys: name with unit, meaning, scale into house units, place in Machine.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "motion/model/machine.hpp"
+
+namespace softcnc::hal {
+
+/// The values a key takes, in the unit of its name; `or_0` takes 0 beside them.
+struct Range {
+  double low, high;
+  bool or_0 = false;
+};
+
+struct Number {
+  double& (*place)(Machine&, int index);
+  double (*to_house)(double);  // from the unit of the name
+  double (*to_file)(double);
+  Range range;
+};
+
+struct Whole {
+  int& (*place)(Machine&, int index);
+  Range range;
+};
+
+struct Choice {
+  std::span<const std::string_view> words;
+  int (*get)(const Machine&);  // index into words
+  void (*set)(Machine&, int);
+};
+
+struct Text {
+  std::string& (*place)(Machine&, int index);
+};
+
+/// A point in the unit of the name: a number for each axis, or none.
+struct Point {
+  std::vector<double>& (*place)(Machine&, int index);
+  Range range;
+};
+
+/// A row of the table. A '*' in the name stands for an axis letter or a tool number, which is then
+/// the `index` of the functions above.
+struct MachineKey {
+  std::string_view name;
+  std::string_view unit;
+  std::string_view meaning;
+  std::variant<Number, Whole, Choice, Text, Point> value;
+};
+
+std::span<const MachineKey> machine_keys() noexcept;
+
+/// A key of one axis or tool: the row and what its '*' stands for.
+struct KeyRef {
+  const MachineKey* key;
+  int index = 0;
+};
+
+/// The key with this full name, as in "axis.x.blu_um".
+std::optional<KeyRef> find_key(std::string_view path);
+
+/// True for the names of tables: "axis", "axis.x", "axis.x.motor".
+bool is_section(std::string_view path);
+
+bool is_axis_key(const MachineKey& key) noexcept;
+bool is_tool_key(const MachineKey& key) noexcept;
+
+std::string path_of(const KeyRef& ref);
+
+/// The known key that reads most like `path`, spelled for the same axis or tool; empty if none
+/// does.
+std::string nearest_key(std::string_view path);
+
+/// The same for the name of a table.
+std::string nearest_section(std::string_view path);
+
+}  // namespace softcnc::hal

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// From the text of a machine file and the settings on the command line to a Machine.
+#pragma once
+
+#include <initializer_list>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/machine/machine_value.hpp"
+#include "hal/machine/toml_reader.hpp"
+#include "motion/core/result.hpp"
+
+namespace softcnc::hal {
+
+/// The file that diagnostics of settings name.
+inline constexpr std::string_view kSettingFile = "--set";
+
+/// Where a value was given.
+struct Place {
+  std::string file;
+  SourcePos pos;
+  std::string line;
+};
+
+struct LoadedMachine {
+  Machine machine;
+  std::map<std::string, Place, std::less<>> given;  // by full name of the key
+};
+
+using LoadedOrFaults = tl::expected<LoadedMachine, std::vector<Diagnostic>>;
+
+/// Collects what a file and then settings say, and all that is wrong with it, up to kMostFaults,
+/// except what follows from something wrong.
+class MachineLoader {
+ public:
+  void read(std::string_view text, const std::string& name);
+  void set(const std::string& setting);  // "KEY=VALUE"
+
+  /// Fills in what was left out and checks values against one another. Call once.
+  LoadedOrFaults finish();
+
+ private:
+  void take_all(const std::vector<TomlEntry>& entries, const TextLines& lines,
+                const std::string& name);
+  void take(const TomlEntry& entry, const TextLines& lines, const std::string& name);
+  void take(const KeyRef& ref, const FileValue& value, Place place);
+  void keep_named_axes(const std::vector<TomlEntry>& entries);
+  void check_periods();
+  void check_travel(int index);
+  void check_step_port();
+  void check_pulse_rate(int index);
+  void check_feed(double rate, const std::string& in_words);
+  void check_parallel_port();
+  void check_port_rate(int index);
+  void check_pin(const std::string& key, int pin, bool (*fits)(int));
+
+  bool has_axis_of(const KeyRef& ref) const;
+  using Keys = std::initializer_list<std::string>;
+  const Place& place_of(Keys keys) const;
+  void fail(Code code, const Place& place, std::string message);
+  void clash(Code code, Keys keys, std::string message);
+
+  LoadedMachine loaded_;
+  std::map<int, std::string> used_pins_;        // of the parallel port, and by which key
+  std::set<std::string, std::less<>> refused_;  // keys whose values are
+  bool is_doubtful_ = false;  // what could not be read may have been meant for any key
+  std::vector<Diagnostic> errors_;
+};
+
+}  // namespace softcnc::hal

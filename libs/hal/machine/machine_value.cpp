@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Type, range and scale of the values of a machine file.
+#include "hal/machine/machine_value.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hal/files/number.hpp"
+#include "motion/core/spelling.hpp"
+
+namespace softcnc::hal {
+namespace {
+
+Status failure(Code code, std::string message) {
+  return tl::make_unexpected(Diagnostic{code, {}, std::move(message), {}, {}});
+}
+
+std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+struct TypeName {
+  std::string_view operator()(double) const { return "a number"; }
+  std::string_view operator()(std::int64_t) const { return "a number"; }
+  std::string_view operator()(const std::string&) const { return "a text"; }
+  std::string_view operator()(const std::vector<double>&) const { return "an array"; }
+  std::string_view operator()(const OtherValue& other) const { return other.type; }
+};
+
+Status wrong_type(const KeyRef& ref, std::string_view wanted, const FileValue& value) {
+  return failure(Code::SC7004, path_of(ref) + " takes " + std::string(wanted) + ", not " +
+                                   std::string(std::visit(TypeName{}, value)));
+}
+
+std::string range_text(const Range& range) {
+  return (range.or_0 ? "0, or at least " : "at least ") + number_text(range.low) + " and at most " +
+         number_text(range.high);
+}
+
+Status check(const KeyRef& ref, double value, const Range& range) {
+  const bool within = value >= range.low && value <= range.high;  // false for NaN
+  if (within || (range.or_0 && value == 0)) return {};
+  return failure(Code::SC7005,
+                 path_of(ref) + " must be " + range_text(range) + ", not " + number_text(value));
+}
+
+std::string list(std::span<const std::string_view> words) {
+  std::string text;
+  for (const auto word : words) text += (text.empty() ? "" : ", ") + quoted(word);
+  return text;
+}
+
+Status store(const Number& number, const KeyRef& ref, const FileValue& value, Machine& machine) {
+  double file_value = 0;
+  if (const auto* real = std::get_if<double>(&value))
+    file_value = *real;
+  else if (const auto* whole = std::get_if<std::int64_t>(&value))
+    file_value = static_cast<double>(*whole);
+  else
+    return wrong_type(ref, "a number", value);
+  if (auto checked = check(ref, file_value, number.range); !checked) return checked;
+  number.place(machine, ref.index) = number.to_house(file_value + 0.0);
+  return {};
+}
+
+Status store(const Whole& whole, const KeyRef& ref, const FileValue& value, Machine& machine) {
+  const auto* given = std::get_if<std::int64_t>(&value);
+  if (!given) return wrong_type(ref, "a whole number", value);
+  auto checked = check(ref, static_cast<double>(*given), whole.range);
+  if (checked) whole.place(machine, ref.index) = static_cast<int>(*given);
+  return checked;
+}
+
+Status store(const Choice& choice, const KeyRef& ref, const FileValue& value, Machine& machine) {
+  const auto* word = std::get_if<std::string>(&value);
+  if (!word) return wrong_type(ref, "one of " + list(choice.words), value);
+  const auto found = std::find(choice.words.begin(), choice.words.end(), *word);
+  if (found == choice.words.end())
+    return failure(Code::SC7006, path_of(ref) + " does not know " + quoted(*word) + "; it knows " +
+                                     list(choice.words) +
+                                     did_you_mean(nearest_name(*word, choice.words)));
+  choice.set(machine, static_cast<int>(found - choice.words.begin()));
+  return {};
+}
+
+Status store(const Text& text, const KeyRef& ref, const FileValue& value, Machine& machine) {
+  const auto* given = std::get_if<std::string>(&value);
+  if (!given) return wrong_type(ref, "a text", value);
+  text.place(machine, ref.index) = *given;
+  return {};
+}
+
+Status store(const Point& point, const KeyRef& ref, const FileValue& value, Machine& machine) {
+  const auto* given = std::get_if<std::vector<double>>(&value);
+  if (!given || (!given->empty() && given->size() != kAxes))
+    return wrong_type(ref, "an array of three numbers, or of none", value);
+  for (const double number : *given)
+    if (auto checked = check(ref, number, point.range); !checked) return checked;
+  point.place(machine, ref.index) = *given;
+  return {};
+}
+
+/// A TOML basic string.
+std::string toml_string(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') out += '\\';
+    if (byte >= 0x20 && byte != 0x7F)
+      out += c;
+    else
+      out.append("\\u00").append(1, kDigits[byte >> 4U]).append(1, kDigits[byte & 15U]);
+  }
+  return out + '"';
+}
+
+struct Allowed {
+  std::string operator()(const Number& number) const { return range_text(number.range); }
+  std::string operator()(const Whole& whole) const { return "whole, " + range_text(whole.range); }
+  std::string operator()(const Choice& choice) const { return list(choice.words); }
+  std::string operator()(const Text&) const { return "a text"; }
+  std::string operator()(const Point& point) const {
+    return "three numbers, each " + range_text(point.range) + ", or none";
+  }
+};
+
+struct Spell {
+  const KeyRef& ref;
+  Machine& machine;
+
+  std::string operator()(const Number& number) const {
+    return scaled_text(number.place(machine, ref.index), number.to_house, number.to_file);
+  }
+  std::string operator()(const Whole& whole) const {
+    return std::to_string(whole.place(machine, ref.index));
+  }
+  std::string operator()(const Choice& choice) const {
+    return toml_string(choice.words[static_cast<std::size_t>(choice.get(machine))]);
+  }
+  std::string operator()(const Text& text) const {
+    return toml_string(text.place(machine, ref.index));
+  }
+  std::string operator()(const Point& point) const {
+    std::string text;
+    for (const double number : point.place(machine, ref.index))
+      text += (text.empty() ? "" : ", ") + number_text(number);
+    return '[' + text + ']';
+  }
+};
+
+}  // namespace
+
+Status assign(const KeyRef& ref, const FileValue& value, Machine& machine) {
+  return std::visit([&](const auto& kind) { return store(kind, ref, value, machine); },
+                    ref.key->value);
+}
+
+std::string allowed_text(const MachineKey& key) { return std::visit(Allowed{}, key.value); }
+
+std::string value_text(const KeyRef& ref, Machine& machine) {
+  return std::visit(Spell{ref, machine}, ref.key->value);
+}
+
+}  // namespace softcnc::hal

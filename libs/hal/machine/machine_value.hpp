@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// A value on its way between the text of a machine file and its place in the Machine.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "hal/machine/machine_keys.hpp"
+#include "motion/core/result.hpp"
+
+namespace softcnc::hal {
+
+/// A value that no key takes, by the name of its type: "a date", "a table".
+struct OtherValue {
+  std::string_view type;
+};
+using FileValue = std::variant<double, std::int64_t, std::string, std::vector<double>, OtherValue>;
+
+/// After so many errors nothing more is reported of a machine or state file: each of them keeps its
+/// line, and a hostile file may have millions.
+inline constexpr std::size_t kMostFaults = 1000;
+
+/// Checks `value` against type and range of the key and stores it in house units.
+/// Errors: SC7004, SC7005, SC7006, SC7009; their place is left to the caller.
+Status assign(const KeyRef& ref, const FileValue& value, Machine& machine);
+
+/// What the key takes, in words: "greater than 0 and at most 1000".
+std::string allowed_text(const MachineKey& key);
+
+/// The value as a machine file spells it; assign() of what that reads as stores the same bits. The
+/// machine stays as it is.
+std::string value_text(const KeyRef& ref, Machine& machine);
+
+}  // namespace softcnc::hal

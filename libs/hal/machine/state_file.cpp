@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+// A state as named numbers: the same names lead a number into the state and out of it.
+#include "hal/machine/state_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "hal/files/axis_name.hpp"
+#include "hal/files/number.hpp"
+#include "hal/files/text_file.hpp"
+#include "hal/machine/toml_reader.hpp"
+#include "motion/core/units.hpp"
+
+namespace softcnc::hal {
+namespace {
+
+constexpr std::array<std::string_view, kWorkSystems> kWorkNames{
+    "G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
+constexpr std::array<std::string_view, 2> kNoYes{"no", "yes"};
+
+constexpr double same(double value) noexcept { return value; }
+
+/// Where a number of the file has its place in a state.
+struct Slot {
+  double* place;
+  double (*to_house)(double) = same;
+  double limit = kFarthest;  // either way, in the unit of the file
+};
+
+template <typename Words>
+std::optional<int> index_in(const Words& words, std::string_view word) {
+  const auto found = std::find(words.begin(), words.end(), word);
+  return found == words.end() ? std::nullopt
+                              : std::optional(static_cast<int>(found - words.begin()));
+}
+
+std::optional<int> number_of(std::string_view word) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const bool whole = error == std::errc{} && end == word.data() + word.size() && word[0] != '0';
+  return whole && number > 0 ? std::optional(number) : std::nullopt;
+}
+
+std::optional<Slot> axis_slot(AxisVector& vector, std::string_view key) {
+  for (int axis = 0; axis < kAxes; ++axis)
+    if (key == axis_name(axis) + "_mm") return Slot{&vector[axis]};
+  return std::nullopt;
+}
+
+std::optional<Slot> work_slot(WorkOffset& work, std::string_view key) {
+  if (key == "rotation_deg") return Slot{&work.rotation, rad_from_deg, kMostTurned};
+  return axis_slot(work.origin, key);
+}
+
+std::optional<Slot> tool_slot(MachineState& state, int number, std::string_view key) {
+  ToolOffset& tool = state.tools[number];
+  if (key == "radius_mm") return Slot{&tool.radius};
+  if (key == "length_wear_mm") return Slot{&tool.length_wear};
+  if (key == "radius_wear_mm") return Slot{&tool.radius_wear};
+  return axis_slot(tool.length, key);
+}
+
+std::optional<Slot> parameter_slot(MachineState& state, std::string_view key) {
+  const auto number = number_of(key);
+  if (!number || *number < kFirstParameter || *number > kLastParameter) return std::nullopt;
+  return Slot{&state.parameters[*number], same, std::numeric_limits<double>::max()};
+}
+
+std::string_view without(std::string_view text, std::string_view prefix) {
+  return text.starts_with(prefix) ? text.substr(prefix.size()) : std::string_view();
+}
+
+std::optional<Slot> find_slot(MachineState& state, std::string_view path) {
+  const auto dot = std::min(path.rfind('.'), path.size());
+  const std::string_view table = path.substr(0, dot),
+                         key = path.substr(std::min(dot + 1, path.size()));
+  if (table == "g92") return axis_slot(state.shift, key);
+  if (table == "g28") return axis_slot(state.home, key);
+  if (table == "g30") return axis_slot(state.second_home, key);
+  if (table == "parameter") return parameter_slot(state, key);
+  if (const auto work = index_in(kWorkNames, without(table, "work.")))
+    return work_slot(state.work[static_cast<std::size_t>(*work)], key);
+  if (const auto tool = number_of(without(table, "tool."))) return tool_slot(state, *tool, key);
+  return std::nullopt;
+}
+
+bool is_table(std::string_view path) {
+  constexpr std::array<std::string_view, 6> kTables{"work", "g92",  "g28",
+                                                    "g30",  "tool", "parameter"};
+  return index_in(kTables, path) || index_in(kWorkNames, without(path, "work.")) ||
+         number_of(without(path, "tool."));
+}
+
+std::optional<double> as_number(const FileValue& value) {
+  if (const auto* real = std::get_if<double>(&value)) return *real;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+  return std::nullopt;
+}
+
+std::string list(std::span<const std::string_view> words) {
+  std::string text;
+  for (const auto word : words) (text += text.empty() ? "'" : ", '").append(word) += '\'';
+  return text;
+}
+
+/// Collects what a file says, and all that is wrong with it, up to kMostFaults. In a file of
+/// another schema, or of none, nothing else is wrong: it is another file.
+class StateReader {
+ public:
+  StateReader(std::string_view text, std::string name)
+      : text_(text), lines_(text), name_(std::move(name)) {}
+
+  StateOrFaults read();
+
+ private:
+  void read_schema(const std::vector<TomlEntry>& entries);
+  bool is_within_refused(std::string_view path) const;
+  void take(const TomlEntry& entry);
+  void take_value(const TomlEntry& entry);
+  void take_number(const TomlEntry& entry);
+  std::optional<int> word(const TomlEntry& entry, std::span<const std::string_view> words);
+  void fail(Code code, const SourcePos& pos, std::string message);
+
+  std::string_view text_;
+  TextLines lines_;
+  std::string name_;
+  MachineState state_;
+  std::string refused_;  // the last table that was
+  std::vector<Diagnostic> errors_;
+};
+
+void StateReader::fail(Code code, const SourcePos& pos, std::string message) {
+  errors_.push_back({code, pos, std::move(message), name_, std::string(lines_[pos.line])});
+}
+
+StateOrFaults StateReader::read() {
+  const auto entries = read_toml(text_);
+  if (!entries) {
+    const Diagnostic& broken = entries.error();
+    fail(broken.code == Code::SC7002 ? Code::SC7013 : broken.code, broken.pos, broken.message);
+    return tl::make_unexpected(std::move(errors_));
+  }
+  read_schema(*entries);
+  if (errors_.empty())
+    for (const TomlEntry& entry : *entries)
+      if (errors_.size() < kMostFaults && !is_within_refused(entry.path)) take(entry);
+  if (errors_.empty()) return std::move(state_);
+  std::stable_sort(errors_.begin(), errors_.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::tie(a.pos.line, a.pos.column) < std::tie(b.pos.line, b.pos.column);
+  });
+  return tl::make_unexpected(std::move(errors_));
+}
+
+/// What stands in a table that has been refused is not told as well. Tables come before what they
+/// contain.
+bool StateReader::is_within_refused(std::string_view path) const {
+  return !refused_.empty() && without(path, refused_).starts_with('.');
+}
+
+void StateReader::take(const TomlEntry& entry) {
+  const std::size_t before = errors_.size();
+  take_value(entry);
+  if (errors_.size() > before && entry.table) refused_ = entry.path;
+}
+
+void StateReader::take_value(const TomlEntry& entry) {
+  if (entry.path == "schema") return;
+  if (entry.path == "active") {
+    state_.active = word(entry, kWorkNames).value_or(0);
+  } else if (entry.path == "g92_in_force") {
+    state_.shift_on = word(entry, kNoYes).value_or(0) == 1;
+  } else if (is_table(entry.path)) {
+    if (!entry.table) fail(Code::SC7004, entry.value_pos, entry.path + " is a table of keys");
+  } else {
+    take_number(entry);
+  }
+}
+
+void StateReader::read_schema(const std::vector<TomlEntry>& entries) {
+  const auto entry = std::find_if(entries.begin(), entries.end(),
+                                  [](const TomlEntry& one) { return one.path == "schema"; });
+  if (entry == entries.end())
+    return fail(Code::SC7016, {}, "is no state file of softcnc: it names no schema");
+  const double schema = as_number(entry->value).value_or(0);
+  if (schema == kStateSchema) return;
+  fail(Code::SC7016, entry->value_pos,
+       "is a state of schema " + number_text(schema) + "; this version reads schema " +
+           std::to_string(kStateSchema));
+}
+
+void StateReader::take_number(const TomlEntry& entry) {
+  const auto slot = find_slot(state_, entry.path);
+  if (!slot) return fail(Code::SC7015, entry.key_pos, "unknown key '" + entry.path + "'");
+  const auto value = as_number(entry.value);
+  if (!value) return fail(Code::SC7004, entry.value_pos, entry.path + " takes a number");
+  if (!(std::abs(*value) <= slot->limit))
+    return fail(Code::SC7005, entry.value_pos,
+                entry.path + " must be from " + number_text(-slot->limit) + " to " +
+                    number_text(slot->limit) + ", not " + number_text(*value));
+  *slot->place = slot->to_house(*value + 0.0);
+}
+
+std::optional<int> StateReader::word(const TomlEntry& entry,
+                                     std::span<const std::string_view> words) {
+  const auto* given = std::get_if<std::string>(&entry.value);
+  const auto index = given ? index_in(words, *given) : std::nullopt;
+  if (!index)
+    fail(given ? Code::SC7006 : Code::SC7004, entry.value_pos,
+         entry.path + " takes one of " + list(words));
+  return index;
+}
+
+std::string section(const std::string& name) { return "\n[" + name + "]\n"; }
+
+std::string number_line(const std::string& key, double value) {
+  return key + " = " + number_text(value) + '\n';
+}
+
+std::string axis_lines(const AxisVector& vector) {
+  std::string text;
+  for (int axis = 0; axis < kAxes; ++axis)
+    text += number_line(axis_name(axis) + "_mm", vector[axis]);
+  return text;
+}
+
+std::string quoted(std::string_view name) { return '"' + std::string(name) + '"'; }
+
+std::string work_text(const MachineState& state, std::size_t i) {
+  const WorkOffset& work = state.work[i];
+  return section("work." + quoted(kWorkNames[i])) + axis_lines(work.origin) +
+         "rotation_deg = " + scaled_text(work.rotation, rad_from_deg, deg_from_rad) + '\n';
+}
+
+std::string tool_text(int number, const ToolOffset& tool) {
+  return section("tool." + std::to_string(number)) + axis_lines(tool.length) +
+         number_line("radius_mm", tool.radius) + number_line("length_wear_mm", tool.length_wear) +
+         number_line("radius_wear_mm", tool.radius_wear);
+}
+
+}  // namespace
+
+StateOrFaults load_state(const std::string& file) {
+  const auto text = read_text(file, Code::SC7014);
+  if (!text) return tl::make_unexpected(std::vector{text.error()});
+  return parse_state(*text, file);
+}
+
+StateOrFaults parse_state(const std::string& text, const std::string& name) {
+  return StateReader(text, name).read();
+}
+
+std::string state_toml(const MachineState& state) {
+  std::string text =
+      "# What programs have left behind on the machine. softcnc run --state writes it.\n";
+  text += number_line("schema", kStateSchema);
+  text += "active = " + quoted(kWorkNames[static_cast<std::size_t>(state.active)]) + '\n';
+  text += "g92_in_force = " + quoted(kNoYes[state.shift_on ? 1 : 0]) + '\n';
+  text += section("g92") + axis_lines(state.shift);
+  text += section("g28") + axis_lines(state.home);
+  text += section("g30") + axis_lines(state.second_home);
+  for (std::size_t i = 0; i < kWorkNames.size(); ++i) text += work_text(state, i);
+  for (const auto& [number, tool] : state.tools) text += tool_text(number, tool);
+  text += section("parameter");
+  for (const auto& [number, value] : state.parameters)
+    if (value != 0) text += number_line(std::to_string(number), value);
+  return text;
+}
+
+}  // namespace softcnc::hal

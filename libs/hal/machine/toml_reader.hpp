@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// TOML as a flat list of named values, each with its place in the text.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/machine/machine_value.hpp"
+#include "motion/core/result.hpp"
+
+namespace softcnc::hal {
+
+/// A value or a table of a TOML text. Tables come before what they contain.
+struct TomlEntry {
+  std::string path;  // "axis.x.blu_um"
+  bool table = false;
+  FileValue value;    // of a table: OtherValue
+  SourcePos key_pos;  // in bytes
+  SourcePos value_pos;
+};
+
+/// Every table and value of `text`. Errors: SC7002 (no TOML), SC7012 (a key given twice), SC7022
+/// (nested deeper than kDeepestToml).
+Result<std::vector<TomlEntry>> read_toml(std::string_view text);
+
+/// One value as TOML spells it; what is no TOML value is taken as a string.
+FileValue read_toml_value(const std::string& text);
+
+/// The lines of a text, found once: whoever asks for many of them does not search from its
+/// beginning each time.
+class TextLines {
+ public:
+  explicit TextLines(std::string_view text);
+
+  /// Line `number` (from 1), without its end; empty where there is none. As long as the text lives.
+  std::string_view operator[](int number) const noexcept;
+
+ private:
+  std::string_view text_;
+  std::vector<std::uint32_t> begins_;  // of each line
+};
+
+}  // namespace softcnc::hal

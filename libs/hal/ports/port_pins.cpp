@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "hal/ports/port_pins.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+
+namespace softcnc::hal {
+namespace {
+
+enum class Register : std::uint8_t { data, control, status };
+
+struct PinRow {
+  int pin;
+  Register where;
+  std::uint8_t bit;
+  bool inverted;  // by the port itself
+};
+
+constexpr PinRow kPins[] = {
+    {1, Register::control, 0x01, true},  {2, Register::data, 0x01, false},
+    {3, Register::data, 0x02, false},    {4, Register::data, 0x04, false},
+    {5, Register::data, 0x08, false},    {6, Register::data, 0x10, false},
+    {7, Register::data, 0x20, false},    {8, Register::data, 0x40, false},
+    {9, Register::data, 0x80, false},    {10, Register::status, 0x40, false},
+    {11, Register::status, 0x80, true},  {12, Register::status, 0x20, false},
+    {13, Register::status, 0x10, false}, {14, Register::control, 0x02, true},
+    {15, Register::status, 0x08, false}, {16, Register::control, 0x04, false},
+    {17, Register::control, 0x08, true},
+};
+
+const PinRow* row_of(int pin) noexcept {
+  const auto* row = std::find_if(std::begin(kPins), std::end(kPins),
+                                 [&](const PinRow& r) { return r.pin == std::abs(pin); });
+  return row == std::end(kPins) ? nullptr : row;
+}
+
+bool is_of(int pin, Register where) noexcept {
+  const PinRow* row = row_of(pin);
+  return row && row->where == where;
+}
+
+/// Levels of a bit with its inversions.
+std::uint8_t level_of_high(const PinRow& row, int pin) noexcept {
+  return row.inverted == (pin < 0) ? row.bit : std::uint8_t{0};
+}
+
+constexpr std::uint8_t with(std::uint8_t bits, std::uint8_t bit, std::uint8_t level) noexcept {
+  return static_cast<std::uint8_t>((bits & ~bit) | level);
+}
+
+}  // namespace
+
+bool is_data_pin(int pin) { return is_of(pin, Register::data); }
+bool is_output_pin(int pin) { return is_data_pin(pin) || is_of(pin, Register::control); }
+bool is_input_pin(int pin) { return is_of(pin, Register::status); }
+
+PortPins::Line PortPins::line_of(int pin) {
+  const PinRow* row = row_of(pin);
+  if (!row) return {};
+  const std::uint8_t high = level_of_high(*row, pin);
+  if (row->where == Register::data) return {{row->bit, 0}, {high, 0}};
+  return {{0, row->bit}, {0, high}};
+}
+
+PortPins::Input PortPins::input_of(int pin) {
+  const PinRow* row = row_of(pin);
+  return row ? Input{row->bit, level_of_high(*row, pin)} : Input{};
+}
+
+PortPins::PortPins(const Machine& machine) {
+  const ParallelPort& port = machine.parallel_port;
+  for (std::size_t i = 0; i < lines_.size(); ++i)
+    if (machine.axes[i].present)
+      lines_[i] = {line_of(port.step_pin[i]), line_of(port.direction_pin[i])};
+  enable_ = line_of(port.enable_pin);
+  charge_pump_ = line_of(port.charge_pump_pin);
+  estop_ = input_of(port.estop_pin);
+  limit_ = input_of(port.limit_pin);
+  fault_ = input_of(port.fault_pin);
+  for (const auto& axis : lines_)
+    for (const Line& line : axis) put(rest_, line, false);
+  put(rest_, enable_, false);
+  put(rest_, charge_pump_, false);
+}
+
+PortWord PortPins::enabled() const noexcept {
+  PortWord word = rest_;
+  put(word, enable_, true);
+  return word;
+}
+
+void PortPins::set(PortWord& word, int axis, Wire wire, bool high) const noexcept {
+  put(word, lines_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(wire)], high);
+}
+
+void PortPins::put(PortWord& word, const Line& line, bool high) noexcept {
+  const auto level = [&](std::uint8_t bit, std::uint8_t of_high) {
+    return static_cast<std::uint8_t>(high ? of_high : bit & ~of_high);
+  };
+  word.data = with(word.data, line.bit.data, level(line.bit.data, line.high.data));
+  word.control = with(word.control, line.bit.control, level(line.bit.control, line.high.control));
+}
+
+void PortPins::flip(PortWord& word, const Line& line) noexcept {
+  word.data ^= line.bit.data;
+  word.control ^= line.bit.control;
+}
+
+bool PortPins::looks() const noexcept { return (estop_.bit | limit_.bit | fault_.bit) != 0; }
+
+Alarm PortPins::alarm(std::uint8_t status) const noexcept {
+  const auto is_high = [&](const Input& input) {
+    return input.bit != 0 && (status & input.bit) == input.high;
+  };
+  if (is_high(estop_)) return Alarm::emergency_stop;
+  if (is_high(fault_)) return Alarm::driver_fault;
+  if (is_high(limit_)) return Alarm::limit_switch;
+  return Alarm::none;
+}
+
+}  // namespace softcnc::hal

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Which bit of which register a pin of the 25-pole plug is.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "hal/signals/step_edges.hpp"
+#include "motion/model/machine.hpp"
+#include "motion/model/setpoint.hpp"
+
+namespace softcnc::hal {
+
+/// What stands in both registers that are written.
+struct PortWord {
+  std::uint8_t data = 0, control = 0;
+  bool operator==(const PortWord&) const = default;
+};
+
+bool is_data_pin(int pin);
+bool is_output_pin(int pin);
+bool is_input_pin(int pin);
+
+/// The pins of a machine, its inversions and those of the port taken into account.
+class PortPins {
+ public:
+  explicit PortPins(const Machine& machine);
+
+  /// Steps low, drives disabled, charge pump low.
+  const PortWord& rest() const noexcept { return rest_; }
+  /// The same with the drives enabled.
+  PortWord enabled() const noexcept;
+
+  /// Realtime.
+  void set(PortWord& word, int axis, Wire wire, bool high) const noexcept;
+  void turn_charge_pump(PortWord& word) const noexcept { flip(word, charge_pump_); }
+
+  /// Whether there is anything to see in the status register.
+  bool looks() const noexcept;
+  /// What it means. Realtime.
+  Alarm alarm(std::uint8_t status) const noexcept;
+
+ private:
+  /// A bit, and how it stands for high; no bit: no pin.
+  struct Line {
+    PortWord bit;
+    PortWord high;
+  };
+  struct Input {
+    std::uint8_t bit = 0, high = 0;
+  };
+
+  static Line line_of(int pin);
+  static Input input_of(int pin);
+  static void put(PortWord& word, const Line& line, bool high) noexcept;
+  static void flip(PortWord& word, const Line& line) noexcept;
+
+  std::array<std::array<Line, 2>, kAxes> lines_{};  // by axis and wire
+  Line enable_, charge_pump_;
+  Input estop_, limit_, fault_;
+  PortWord rest_;
+};
+
+}  // namespace softcnc::hal

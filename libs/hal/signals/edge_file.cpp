@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "hal/signals/edge_file.hpp"
+
+#include "hal/signals/edge_format.hpp"
+
+namespace softcnc::hal {
+namespace {
+
+constexpr std::size_t kHandOn = 1U << 16U;  // bytes
+constexpr unsigned kMore = 0x80;
+
+/// How VCD calls a line: one printable character.
+constexpr char vcd_name(unsigned line) noexcept { return static_cast<char>('!' + line / 2); }
+
+class Vcd final : public EdgeFormat {
+ public:
+  std::string head() const override {
+    std::string text = "$timescale 1 ns $end\n$scope module softcnc $end\n";
+    std::string zeros;
+    for (unsigned line = 0; line < kLineNumbers; line += 2) {
+      text += std::string("$var wire 1 ") + vcd_name(line) + ' ' + line_name(line) + " $end\n";
+      zeros += std::string("0") + vcd_name(line) + '\n';
+    }
+    return text + "$upscope $end\n$enddefinitions $end\n#0\n$dumpvars\n" + zeros + "$end\n";
+  }
+
+  void append(const Edge& edge, std::string& bytes) override {
+    if (edge.time != time_) bytes += '#' + std::to_string(edge.time) + '\n';
+    time_ = edge.time;
+    bytes += edge.high ? '1' : '0';
+    bytes += vcd_name(line_of(edge));
+    bytes += '\n';
+  }
+
+ private:
+  std::int64_t time_ = 0;
+};
+
+class Binary final : public EdgeFormat {
+ public:
+  std::string head() const override { return std::string(kBinaryHead); }
+
+  void append(const Edge& edge, std::string& bytes) override {
+    auto since = static_cast<std::uint64_t>(edge.time - time_);
+    time_ = edge.time;
+    for (; since >= kMore; since >>= 7U) bytes += static_cast<char>((since & 0x7FU) | kMore);
+    bytes += static_cast<char>(since);
+    bytes += static_cast<char>(line_of(edge) + (edge.high ? 1U : 0U));
+  }
+
+ private:
+  std::int64_t time_ = 0;
+};
+
+std::unique_ptr<EdgeFormat> format_of(std::string_view file) {
+  if (file.ends_with(".vcd")) return std::make_unique<Vcd>();
+  if (file.ends_with(".edges")) return std::make_unique<Binary>();
+  return nullptr;
+}
+
+}  // namespace
+
+EdgeWriter::EdgeWriter(std::unique_ptr<EdgeFormat> format, std::unique_ptr<ByteSink> out)
+    : format_(std::move(format)), out_(std::move(out)), bytes_(format_->head()) {}
+
+Result<EdgeWriter> EdgeWriter::open(const std::string& file) {
+  auto format = format_of(file);
+  if (!format)
+    return tl::make_unexpected(
+        Diagnostic{Code::SC6050, {}, "a list of edges ends in .vcd or .edges", file, {}});
+  auto out = OutputFile::open(file);
+  if (!out) return tl::make_unexpected(std::move(out.error()));
+  return EdgeWriter(std::move(format), std::move(*out));
+}
+
+EdgeWriter EdgeWriter::vcd(std::unique_ptr<ByteSink> out) {
+  return {std::make_unique<Vcd>(), std::move(out)};
+}
+
+Alarm EdgeWriter::take(std::span<const Edge> edges, std::int64_t /*until*/) noexcept {
+  if (!ok()) return Alarm::port;
+  for (const Edge& edge : edges) format_->append(edge, bytes_);
+  if (bytes_.size() >= kHandOn) hand_on();
+  return ok() ? Alarm::none : Alarm::port;
+}
+
+void EdgeWriter::hand_on() {
+  status_ = out_->write(bytes_);
+  bytes_.clear();
+}
+
+Status EdgeWriter::finish() {
+  if (ok()) hand_on();
+  if (ok()) status_ = out_->finish();
+  return status_;
+}
+
+}  // namespace softcnc::hal

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What writer and readers of lists of edges agree on.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "hal/files/axis_name.hpp"
+#include "hal/signals/step_edges.hpp"
+
+namespace softcnc::hal {
+
+inline constexpr std::string_view kBinaryHead = "edges 1\n";
+
+/// The number of a line: 4 axis + 2 for its direction.
+constexpr unsigned line_of(const Edge& edge) noexcept {
+  return 4U * edge.axis + (edge.wire == Wire::direction ? 2U : 0U);
+}
+constexpr Edge edge_of(unsigned line, std::int64_t time, bool high) noexcept {
+  return {time, static_cast<std::uint8_t>(line / 4), line & 2U ? Wire::direction : Wire::step,
+          high};
+}
+/// All lines have smaller numbers, every other of which is one.
+inline constexpr unsigned kLineNumbers = 4 * kAxes;
+
+/// What a line is called: x_step, x_direction.
+inline std::string line_name(unsigned line) {
+  return axis_name(static_cast<int>(line / 4)) + (line & 2U ? "_direction" : "_step");
+}
+
+}  // namespace softcnc::hal

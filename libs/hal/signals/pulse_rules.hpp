@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// The validator of pulse rules: reads any list of edges and knows nothing of how it was made.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "hal/signals/step_edges.hpp"
+
+namespace softcnc::hal {
+
+enum class PulseRule : std::uint8_t {
+  length,
+  space,
+  interval,
+  setup,
+  hold,
+  direction_in_step,  // it stands still there
+  change,             // an edge is one
+  order,              // of time, in which edges come
+  end                 // of a step: it has one
+};
+inline constexpr std::array<std::string_view, 9> kPulseRuleNames{
+    "step length",      "step space",     "step interval",
+    "direction set-up", "direction hold", "direction during a step",
+    "no change",        "order of time",  "step without end"};
+constexpr std::string_view name(PulseRule rule) noexcept {
+  return kPulseRuleNames[static_cast<std::size_t>(rule)];
+}
+/// So many ask for a least time, the first of them.
+inline constexpr std::size_t kTimedRules = 5;
+
+/// ns: what a rule that asks for a least time asks for.
+std::int64_t least(PulseRule rule, const StepTiming& timing) noexcept;
+
+struct BrokenRule {
+  Edge edge;
+  PulseRule rule;
+  std::int64_t is, least;  // ns
+};
+
+/// In words, with axis and time.
+std::string text(const BrokenRule& broken);
+
+/// Judges edges as a driver would: by what it sees on its lines, all of which begin low.
+class PulseRules {
+ public:
+  /// What is measured on the lines of an axis.
+  struct Figures {
+    std::int64_t steps = 0, broken = 0;
+    std::array<std::optional<std::int64_t>, kTimedRules> shortest;  // ns, by rule
+  };
+  using Tell = std::function<void(const BrokenRule&)>;
+
+  /// Every broken rule is told.
+  explicit PulseRules(const StepTiming& timing, Tell tell = {})
+      : timing_(timing), tell_(std::move(tell)) {}
+
+  void read(std::span<const Edge> edges);
+  void read(const Edge& edge);
+  /// A line does not begin low.
+  void begin(const Edge& level) noexcept;
+  /// No more edges come: steps have ended. Call once, last, if at all.
+  void finish();
+
+  /// The first rule that was broken, in words.
+  const std::optional<std::string>& broken() const noexcept { return first_broken_; }
+  /// Steps so far, those in negative direction counting -1.
+  const GridPoint& counts() const noexcept { return counts_; }
+  const Figures& figures(int axis) const noexcept {
+    return figures_[static_cast<std::size_t>(axis)];
+  }
+  std::int64_t steps() const noexcept;
+  /// ns, between two steps of one axis; 0 if there were none.
+  std::int64_t shortest_interval() const noexcept;
+  std::int64_t edges() const noexcept { return edges_; }
+  /// ns, of the last edge.
+  std::int64_t time() const noexcept { return time_; }
+
+ private:
+  struct Line {
+    std::array<bool, 2> level{};  // by wire
+    std::optional<std::int64_t> rise, fall, turn;
+  };
+
+  void read_step(const Edge& edge, Line& line);
+  void read_direction(const Edge& edge, Line& line);
+  void measure(PulseRule rule, const Edge& edge, const std::optional<std::int64_t>& since);
+  void tell(const BrokenRule& broken);
+
+  StepTiming timing_;
+  Tell tell_;
+  std::array<Line, kAxes> lines_{};
+  std::array<Figures, kAxes> figures_{};
+  std::int64_t time_ = 0, edges_ = 0;
+  GridPoint counts_{};
+  std::optional<std::string> first_broken_;
+};
+
+}  // namespace softcnc::hal

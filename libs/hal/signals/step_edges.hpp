@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Pulses on wires: a step and a direction line for each axis, never faster than the driver allows.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "motion/pulses/pulse.hpp"
+
+namespace softcnc::hal {
+
+/// What a driver asks of its lines, ns. A step is a rising edge of the step line; the direction
+/// line is high for steps in negative direction.
+struct StepTiming {
+  std::int64_t length = 0;    // the step line stays high
+  std::int64_t space = 0;     // and low
+  std::int64_t interval = 0;  // from rising edge to rising edge: one over the largest rate, or more
+  std::int64_t setup = 0;     // from an edge of the direction line to a step
+  std::int64_t hold = 0;      // from the end of a step to an edge of the direction line
+};
+
+enum class Wire : std::uint8_t { step, direction };
+
+struct Edge {
+  std::int64_t time = 0;  // ns
+  std::uint8_t axis = 0;
+  Wire wire = Wire::step;
+  bool high = false;
+  bool operator==(const Edge&) const = default;
+};
+
+/// Puts pulses on wires. A pulse that comes too early for the driver waits, and so do those behind
+/// it: none is lost, and none comes before its time.
+class StepEdges {
+ public:
+  explicit StepEdges(const StepTiming& timing) : timing_(timing) {}
+
+  /// `direction` 1 or -1; `time` in ns, not before that of the axis' last pulse, nor before the end
+  /// of what release() has handed out.
+  void add(int axis, std::int64_t time, int direction);
+
+  /// Hands out the edges before `until` in order of time, and forgets them. Valid until the next
+  /// call.
+  std::span<const Edge> release(std::int64_t until);
+  /// All that are left.
+  std::span<const Edge> release_all();
+
+  /// When the last edge comes, ns.
+  std::int64_t end() const noexcept { return end_; }
+
+ private:
+  struct Line {
+    std::int64_t rise = 0, fall = 0, turn = 0;  // the last of each, ns
+    bool stepped = false;
+    bool back = false;
+  };
+
+  std::int64_t turn(int axis, Line& line, std::int64_t time);
+
+  StepTiming timing_;
+  std::array<Line, kAxes> lines_{};
+  std::int64_t released_ = 0, end_ = 0;
+  std::vector<Edge> waiting_, out_;
+};
+
+}  // namespace softcnc::hal

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "hal/trace/trace_hal.hpp"
+
+#include <utility>
+
+#include "hal/backends/stream_rows.hpp"
+
+namespace softcnc::hal {
+namespace {
+
+constexpr std::size_t kBuffer = 1U << 16U;  // bytes
+
+class HalTrace final : public TraceWriter {
+ public:
+  HalTrace(std::unique_ptr<ByteSink> out, const Machine& machine)
+      : out_(std::move(out)), rows_(machine, kBuffer), status_(out_->write(rows_.head())) {}
+
+  void row(const Setpoint& setpoint, std::span<const double> /*backend_values*/) noexcept override {
+    if (!ok()) return;
+    rows_.add(setpoint);
+    if (rows_.bytes().size() >= kBuffer) flush();
+  }
+
+  void rest() noexcept override { rows_.rest(); }
+
+  void flush() noexcept override {
+    if (ok()) status_ = out_->write(rows_.bytes());
+    rows_.pass();
+  }
+
+  void add_program_hash(const std::string& /*hash*/) override {}
+  bool ok() const noexcept override { return status_.has_value(); }
+
+  Status finish() override {
+    rest();
+    flush();
+    if (ok()) status_ = out_->write(rows_.tail());
+    if (ok()) status_ = out_->finish();
+    return status_;
+  }
+
+ private:
+  std::unique_ptr<ByteSink> out_;
+  StreamRows rows_;
+  Status status_;
+};
+
+}  // namespace
+
+std::unique_ptr<TraceWriter> hal_trace(std::unique_ptr<ByteSink> out, const TraceHeader& /*header*/,
+                                       const Machine& machine,
+                                       std::span<const std::string> /*backend_columns*/) {
+  return std::make_unique<HalTrace>(std::move(out), machine);
+}
+
+}  // namespace softcnc::hal

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/jerk/plan_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ipo/path/profile.hpp"
+
+namespace softcnc::ipo {
+namespace {
+
+/// Rows are promised to a little more.
+constexpr double kJerkAllowed = 1.0045, kAccelerationAllowed = 1.0007, kCapAllowed = 1.0004;
+constexpr double kPassingAllowed = 1.0012;  // of a place: its constraints keep more free
+constexpr double kFirmAllowed = 1 + 1e-7;   // rounding of a cap that holds everywhere
+constexpr int kInstants = 4;                // beside the first, or one a row up to
+constexpr int kMostInstants = 16;           // so many
+constexpr Used kTooMuch{kUnlimited, 0};     // no motion ahead
+
+double most(const AxisVector& values, const AxisVector& limits) noexcept {
+  return values.cwiseAbs().cwiseQuotient(limits).maxCoeff();
+}
+
+double used_rows(const PlanSpan& span, const Inside& inside, const PathPoint& x, const Instant& at,
+                 const JumpLoad& load) noexcept {
+  const double q = at.v * at.v;
+  const AxisVector jerk = x.dddq * (q * at.v) + x.ddq * (3 * at.v * at.a) + x.dq * at.j;
+  const AxisVector acceleration = x.ddq * q + x.dq * at.a;
+  const Constraints& limits = span.constraints;
+  const double pushed = std::max(most(acceleration, limits.acceleration_limits()),
+                                 std::abs(at.a) / limits.tangential_limit());
+  const AxisVector most_jerk = limits.jerk_limits().cwiseProduct(inside.jerk_share);
+  const AxisVector used = (jerk + load.above).cwiseMax(load.below - jerk);
+  return std::max(most(used, most_jerk) / (kJerkAllowed * span.share),
+                  pushed / (kAccelerationAllowed * span.share * inside.share));
+}
+
+/// One a row. The duration of a plan that went wrong may not be a number.
+int instants_on(const Ramp& ramp, double period) noexcept {
+  const double rows = ramp.duration / period;
+  return static_cast<int>(std::fmin(std::fmax(rows, kInstants), kMostInstants));
+}
+
+/// Of a ramp that begins at `t` s of its plan.
+Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap, double t,
+             PassedJumps& jumps) {
+  const Quintic motion = quintic(ramp);
+  const int instants = instants_on(ramp, span.constraints.fine_period());
+  Used used;
+  for (int k = 0; k <= instants; ++k) {
+    const double passed = ramp.duration * k / instants;
+    const Instant at = motion.at(passed);
+    if (!(at.v > -kStandstill && at.s > ramp.s0 - kStandstill && at.s < ramp.s1 + kStandstill))
+      return kTooMuch;
+    while (i + 1 < span.last && k < instants && span.interval(i).s1 <= at.s) ++i;
+    const Interval& interval = span.interval(i);
+    const PathPoint point =
+        interval.straight()
+            ? interval.left
+            : softcnc::at(*interval.path, at.s, k < instants ? Side::after : Side::before);
+    used.rows =
+        std::max(used.rows, used_rows(span, span.chain.inside[i], point, at, jumps.at(t + passed)));
+    const double q = at.v * at.v;
+    used.cap =
+        std::max({used.cap, q / (kCapAllowed * cap), q / (kPassingAllowed * interval.cap_at(at.s)),
+                  q / (kFirmAllowed * interval.most_at(at.s))});
+  }
+  return used;
+}
+
+}  // namespace
+
+Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap) {
+  PassedJumps none;
+  return used_by(span, i, ramp, cap, 0, none);
+}
+
+std::vector<Used> used_by(const PlanSpan& span, const std::vector<PlanNode>& nodes,
+                          const PlanProblem& problem, const std::vector<Ramp>& ramps) {
+  PassedJumps jumps(span, problem.jumps(), nodes.front().s, problem.problem().start(), ramps);
+  std::vector<Used> all;
+  all.reserve(ramps.size());
+  double t = 0;
+  for (std::size_t p = 0; p < ramps.size(); ++p) {
+    all.push_back(used_by(span, nodes[p].interval, ramps[p], problem.cap_between(p), t, jumps));
+    t += ramps[p].duration;
+  }
+  return all;
+}
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/jerk/speed_guess.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace softcnc::ipo {
+namespace {
+
+constexpr double kNodesPerPhase = 12;
+constexpr double kMany = 2000;         // of a long plan; more would only follow axes without jerk
+constexpr double kShortestTime = 0.5;  // periods
+constexpr double kLeastTime = 1e-3;    // of it, however fast the speed grows
+constexpr double kGrowth = 0.1;        // of the speed from node to node
+constexpr double kAccelerationPart = 0.8;
+constexpr double kGrading = 0.15;  // of the way since the speed has stood still
+constexpr double kSlowest = 1e-3;  // of the speed at the start
+constexpr double kHardly = 0.1;    // of the acceleration and the jerk of an axis, at a steady speed
+
+/// No q is larger at this point of a curve at constant speed.
+double jerk_cap(const PathPoint& point, const AxisVector& jerk) noexcept {
+  double most = kUnlimited;
+  for (int i = 0; i < kAxes; ++i)
+    if (point.dddq[i] != 0) most = std::min(most, jerk[i] / std::abs(point.dddq[i]));
+  return std::cbrt(most);
+}
+
+bool hardly_felt(const PathPoint& point, double v, const Constraints& constraints) noexcept {
+  const AxisVector a = point.ddq.cwiseAbs() * (v * v), j = point.dddq.cwiseAbs() * (v * v * v);
+  return (a.array() <= kHardly * constraints.acceleration_limits().array()).all() &&
+         (j.array() <= kHardly * constraints.jerk_limits().array()).all();
+}
+
+/// Whether an axis moves along the path at all.
+std::array<bool, kAxes> moving_axes(const PlanSpan& span) noexcept {
+  std::array<bool, kAxes> moving{};
+  for (std::size_t i = span.first; i < span.last; ++i) {
+    const Interval& in = span.interval(i);
+    for (int k = 0; k < kAxes; ++k)
+      if (in.left.dq[k] != 0 || in.right.dq[k] != 0) moving[static_cast<std::size_t>(k)] = true;
+  }
+  return moving;
+}
+
+/// The shortest time, s, in which an axis that moves takes up its acceleration; one that can do so
+/// within a period is followed from row to row, or every so many rows.
+double shortest_phase(const PlanSpan& span, double rows) noexcept {
+  const double period = span.constraints.fine_period();
+  const AxisVector times =
+      span.constraints.acceleration_limits().cwiseQuotient(span.constraints.jerk_limits());
+  const auto moving = moving_axes(span);
+  double shortest = kUnlimited;
+  for (int i = 0; i < kAxes; ++i)
+    if (moving[static_cast<std::size_t>(i)] && times[i] > 0)
+      shortest = std::min(
+          shortest, times[i] < period ? kNodesPerPhase * rows * period : times[i] / span.jerk_part);
+  return shortest;
+}
+
+}  // namespace
+
+SpeedGuess::SpeedGuess(const PlanSpan& span, const PlacedMotion& start, const PlacedMotion& end)
+    : from_(start.s), to_(end.s) {
+  shortest_ = kShortestTime * span.constraints.fine_period();
+  std::vector<Cell> cells;
+  for (std::size_t i = span.first; i < span.last; ++i) cells.push_back(cell(span, i));
+  std::vector<Cell> mirrored(cells.rbegin(), cells.rend());
+  for (Cell& each : mirrored) std::swap(each.begin_v, each.end_v);
+  const auto walk_both = [&](double rows) {
+    phase_ = shortest_phase(span, rows);
+    ahead_ = walk(cells, from_ - span.s(span.first), start.motion, to_ - from_);
+    back_ = walk(mirrored, span.s(span.last) - to_, end.motion, to_ - from_);
+    return static_cast<double>(std::max(ahead_.size(), back_.size()));
+  };
+  if (const double samples = walk_both(1); samples > kMany) walk_both(samples / kMany);
+}
+
+SpeedGuess::Cell SpeedGuess::cell(const PlanSpan& span, std::size_t i) const noexcept {
+  const Interval& interval = span.interval(i);
+  const auto cap = [&](const Node& node, const Cap& own) {
+    return std::sqrt(node.cap.q > 0 ? node.cap.q : own.q);
+  };
+  const AxisVector jerk = span.jerk_limits();
+  const bool straight = interval.straight();
+  const Directions directions = interval.directions();
+  Cell cell{interval.length(),
+            cap(span.chain.nodes[i], interval.left_cap),
+            cap(span.chain.nodes[i + 1], interval.right_cap),
+            std::sqrt(span.chain.inside[i].cap.q),
+            kAccelerationPart * (straight ? span.constraints.straight_u(interval.left.dq)
+                                          : span.constraints.least_u(directions)),
+            straight ? along(jerk, interval.left.dq) : directions.least(jerk),
+            straight,
+            kUnlimited};
+  if (straight) {
+    cell.steady_v = cell.inside_v;
+    return cell;
+  }
+  cell.begin_v = std::min(cell.begin_v, jerk_cap(interval.left, jerk));
+  cell.end_v = std::min(cell.end_v, jerk_cap(interval.right, jerk));
+  const double v = cell.begin_v;
+  if (v == cell.end_v && hardly_felt(interval.left, v, span.constraints) &&
+      hardly_felt(interval.right, v, span.constraints))
+    cell.steady_v = v;
+  return cell;
+}
+
+/// The longest time to the next node: a part of the phases of a motion, and of the time in which
+/// its speed doubles.
+double SpeedGuess::time_step(const Motion& at, double j) const noexcept {
+  const double phase = std::min(phase_, std::sqrt(at.v / j)) / kNodesPerPhase;
+  return std::max(std::min(std::max(phase, shortest_), kGrowth * at.v / std::abs(at.a)),
+                  kLeastTime * shortest_);
+}
+
+std::vector<SpeedGuess::Sample> SpeedGuess::walk(const std::vector<Cell>& cells, double skip,
+                                                 Motion at, double way) const {
+  std::vector<Sample> samples;
+  const double slowest = kSlowest * at.v;
+  double s = 0, begin = -skip, steady_from = kUnlimited;
+  for (const Cell& cell : cells) {
+    const double end = std::min(begin + cell.length, way);
+    while (s < end) {
+      const bool cruises = at.v >= cell.steady_v;
+      const double steady = cruises ? kGrading * std::max(s - steady_from, 0.0) : 0;
+      double dt = time_step(at, cell.j) + steady / at.v;
+      samples.push_back({s, at.v, at.v * dt});
+      const auto free_v = [&] { return at.v + dt * (at.a + 0.5 * dt * cell.j); };
+      const auto next_v = [&] { return std::max(free_v(), slowest); };
+      double ds = 0.5 * dt * (at.v + next_v());
+      if (s + ds >= end) {
+        dt *= (end - s) / ds;
+        ds = end - s;
+      }
+      s = s + ds >= end ? end : s + ds;
+      Motion next{next_v(), std::min(at.a + dt * cell.j, cell.a)};
+      if (free_v() < slowest) next.a = std::max(next.a, 0.0);  // it cannot slow down any further
+      const double cap =
+          s == end ? std::min(cell.cap_at(1), cell.end_v) : cell.cap_at((s - begin) / cell.length);
+      if (next.v < cap) steady_from = kUnlimited;
+      if (next.v >= cap && (cap < at.v || steady_from == kUnlimited))
+        steady_from = s + cap * std::abs(next.a) / cell.j;  // the jerk rounds the corner
+      at = next.v < cap ? next : Motion{cap, 0};
+    }
+    begin += cell.length;
+  }
+  samples.push_back({way, at.v, at.v * shortest_});
+  return samples;
+}
+
+SpeedGuess::Sample SpeedGuess::between(const std::vector<Sample>& samples, double s) noexcept {
+  const auto after = std::partition_point(samples.begin(), samples.end(),
+                                          [s](const Sample& sample) { return sample.s < s; });
+  if (after == samples.begin()) return samples.front();
+  if (after == samples.end()) return samples.back();
+  const Sample &a = after[-1], &b = *after;
+  const double w = (s - a.s) / (b.s - a.s);
+  return {s, a.v + w * (b.v - a.v), a.spacing + w * (b.spacing - a.spacing)};
+}
+
+double SpeedGuess::speed(double s) const noexcept {
+  return std::min(between(ahead_, s - from_).v, between(back_, to_ - s).v);
+}
+
+double SpeedGuess::spacing(double s) const noexcept {
+  return std::min(between(ahead_, s - from_).spacing, between(back_, to_ - s).spacing);
+}
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The chord error of paper 000: how long a period's step may be where the path curves.
+#include <algorithm>
+#include <cmath>
+
+#include "ipo/limits/constraint.hpp"
+
+namespace softcnc::ipo {
+namespace {
+
+/// Kept free for the change of curvature between two nodes of the grid.
+constexpr double kMargin = 1e-3;
+
+class ChordError final : public Constraint {
+ public:
+  ChordError(double tolerance, double period)
+      : tolerance_(tolerance * (1 - kMargin)), period_(period) {}
+
+  Limit limit(const Move&) const noexcept override { return Limit::chord; }
+  bool holds_over_steps() const noexcept override { return true; }
+
+  double cap(const PathPoint& point, const Move&) const noexcept override {
+    const double v = chord_step(point.ddq.norm(), tolerance_) / period_;
+    return v * v;
+  }
+
+ private:
+  double tolerance_, period_;
+};
+
+}  // namespace
+
+double chord_step(double kappa, double tolerance) noexcept {
+  if (kappa <= 0) return kUnlimited;
+  if (kappa * tolerance >= 1) return 2 * tolerance;
+  return 2 * std::sqrt(tolerance * (2 / kappa - tolerance));
+}
+
+std::unique_ptr<Constraint> make_chord_error(const Machine& machine) {
+  return std::make_unique<ChordError>(machine.control.chord_tolerance, machine.control.period);
+}
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Reference pulses: the clocks of a staircase come no faster than pulses may.
+#include "ipo/limits/constraint.hpp"
+#include "motion/model/step_rate.hpp"
+
+namespace softcnc::ipo {
+namespace {
+
+/// Kept free on curves, where the direction turns a little between two nodes of the grid.
+constexpr double kCurveMargin = 3e-4;
+
+class PulseRate final : public Constraint {
+ public:
+  explicit PulseRate(const Machine& machine)
+      : method_(pulse_method(machine.control.interpolation)),
+        paper_(machine.control.pulse_clock == PulseClock::paper),
+        rate_(step_rate(machine.step_port)) {
+    for (int i = 0; i < kAxes; ++i) blu_[i] = machine.axes[static_cast<std::size_t>(i)].blu;
+  }
+
+  Limit limit(const Move&) const noexcept override { return Limit::pulse_rate; }
+
+  double cap(const PathPoint& point, const Move&) const noexcept override {
+    double v = rate_ / clocks(point.dq.cwiseAbs().cwiseQuotient(blu_));
+    if (!point.ddq.isZero(0)) v *= 1 - kCurveMargin;
+    return v * v;
+  }
+
+ private:
+  /// Clocks for each mm of path, where the axes make so many BLU of it.
+  double clocks(const AxisVector& blu_per_mm) const noexcept {
+    if (method_ == PulseMethod::dda) return blu_per_mm.norm();
+    const double most = blu_per_mm.maxCoeff(), all = blu_per_mm.sum();
+    if (!paper_) return method_ == PulseMethod::sam ? all : most;
+    const double with_dropped = most + (all - most) / 3;
+    return method_ == PulseMethod::sam ? 1.5 * with_dropped : with_dropped;
+  }
+
+  PulseMethod method_;
+  bool paper_;
+  double rate_;
+  AxisVector blu_;
+};
+
+}  // namespace
+
+std::unique_ptr<Constraint> make_pulse_rate(const Machine& machine) {
+  return std::make_unique<PulseRate>(machine);
+}
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The roughness that a program asks for: feed per tooth x teeth x speed of the spindle (paper 004),
+// in planes of any kind, since the tool stands upright.
+#include "ipo/limits/constraint.hpp"
+#include "motion/roughness/roughness.hpp"
+
+namespace softcnc::ipo {
+namespace {
+
+/// How far the place of the tip may move from node to node, as part of the pick-feed and of how far
+/// away it is: the cap falls steeply where the tip cuts, and little happens to it far from there.
+constexpr double kNear = 0.04, kFar = 0.2;
+
+/// How much more the marks of a valley may grow from node to node.
+constexpr double kBendChange = 0.1;
+
+class RoughnessLimit final : public Constraint {
+ public:
+  explicit RoughnessLimit(RoughnessModel model) : model_(model) {}
+
+  Limit limit(const Move&) const noexcept override { return Limit::roughness; }
+
+  bool holds_everywhere() const noexcept override { return true; }
+
+  double cap(const PathPoint& point, const Move& move) const noexcept override {
+    if (!limits(move)) return kUnlimited;
+    const Surface& surface = *move.surface;
+    const double v = surface.tooth_rate() * largest_feed_per_tooth(model_, surface, point);
+    return v * v;
+  }
+
+  bool is_even(const PathPoint& left, const PathPoint& right,
+               const Move& move) const noexcept override {
+    if (!limits(move)) return true;
+    const double scale = move.surface->tool_radius / move.surface->pick_feed;
+    const double from = scale * left.dq[2], to = scale * right.dq[2];
+    if (model_ == RoughnessModel::guaranteed && !is_evenly_hollow(left, right, *move.surface))
+      return false;
+    const double nearest = from * to > 0 ? std::min(std::abs(from), std::abs(to)) : 0;
+    return std::abs(to - from) <= kNear + kFar * nearest;
+  }
+
+ private:
+  static bool limits(const Move& move) noexcept {
+    return move.surface && move.surface->tooth_rate() > 0;
+  }
+
+  static bool is_evenly_hollow(const PathPoint& left, const PathPoint& right,
+                               const Surface& surface) noexcept {
+    const double slope = surface.slope_across;
+    const double before = hollow_bend(left.dq, left.ddq, slope);
+    const double after = hollow_bend(right.dq, right.ddq, slope);
+    const double gentler = 1 / surface.tool_radius + std::min(before, after);
+    return std::abs(after - before) <= kBendChange * gentler;
+  }
+
+  RoughnessModel model_;
+};
+
+}  // namespace
+
+std::unique_ptr<Constraint> make_roughness_limit(const Machine& machine) {
+  return std::make_unique<RoughnessLimit>(machine.surfacing.model);
+}
+
+}  // namespace softcnc::ipo

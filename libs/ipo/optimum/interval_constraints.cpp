@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/optimum/interval_constraints.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softcnc::ipo {
+namespace {
+
+/// Kept free of the acceleration limits on curves: what the grid's tolerance may add to them.
+constexpr double kCurveMargin = 5e-4;
+
+}  // namespace
+
+IntervalRows::IntervalRows(const Interval& interval, const Constraints& constraints, double share,
+                           const KinkUse& kinks) noexcept
+    : length_(interval.length()), stopping_(-1 / (2 * length_)) {
+  const PathPoint &left = interval.left, &right = interval.right;
+  if (interval.straight()) {
+    straight_u_ = share * constraints.straight_u(left.dq);
+    leave_to(kinks, interval, constraints, share);
+    return;
+  }
+  const double free = share * (1.0 - kCurveMargin);
+  if (constraints.tangential_limit() < kUnlimited) add(0, 1, constraints.tangential_limit() * free);
+  for (int i = 0; i < kAxes; ++i) {
+    const double bound = constraints.acceleration_limits()[i];
+    if (bound == kUnlimited) continue;
+    add(left.ddq[i], left.dq[i], bound * free);
+    add(right.ddq[i], right.dq[i] + 2 * length_ * right.ddq[i], bound * free);
+  }
+}
+
+/// A row that sees an instant here sees kinks within two periods of it, where the machine may be
+/// faster by what it gains in that time.
+void IntervalRows::leave_to(const KinkUse& kinks, const Interval& interval,
+                            const Constraints& constraints, double share) noexcept {
+  if (kinks.part.isZero(0)) return;
+  for (int i = 0; i < kAxes; ++i) {
+    if (kinks.part[i] == 0 || interval.left.dq[i] == 0) continue;
+    const double all = share * constraints.acceleration_limits()[i] / std::abs(interval.left.dq[i]);
+    const double slope = all * kinks.per_speed[i];
+    falling_[falling_count_++] = {all - slope * kinks.gained, slope, all * (1 - kinks.part[i])};
+  }
+}
+
+double IntervalRows::straight_u(double q) const noexcept {
+  double u = straight_u_;
+  for (std::size_t i = 0; i < falling_count_; ++i)
+    u = std::min(
+        u, std::max(falling_[i].least, falling_[i].at_rest - falling_[i].slope * std::sqrt(q)));
+  return u;
+}
+
+/// v^2 = q + 2 length (at_rest - slope v).
+double IntervalRows::straight_rise(double q, double length) const noexcept {
+  double rise = q + 2 * straight_u_ * length;
+  for (std::size_t i = 0; i < falling_count_; ++i) {
+    const auto& [at_rest, slope, least] = falling_[i];
+    const double free = q + 2 * length * at_rest, half = length * slope;
+    const double v = free > 0 ? free / (half + std::sqrt(half * half + free)) : 0;
+    rise = std::min(rise, std::max(v * v, q + 2 * length * least));
+  }
+  return rise;
+}
+
+/// A strip |c0 q + c1 u| <= bound, solved for u.
+void IntervalRows::add(double c0, double c1, double bound) noexcept {
+  // Where the axis hardly answers to u, the strip bounds q alone.
+  if (std::abs(c1) < 1e-9 * std::max(1.0, std::abs(c0) * length_)) {
+    if (c0 != 0) q_bound_ = std::min(q_bound_, bound / std::abs(c0));
+    return;
+  }
+  upper_[count_++] = {bound / std::abs(c1), -c0 / c1};
+}
+
+/// The tightest bounds on u at this q; q at the right end is never negative.
+IntervalRows::Edges IntervalRows::edges(double q, const Bound& upper) const noexcept {
+  Edges best{upper, {0, stopping_}, upper.at(q), stopping_ * q};
+  for (std::size_t i = 0; i < count_; ++i) {
+    const auto& [p, m] = upper_[i];
+    if (p + m * q < best.highest) best.upper = upper_[i], best.highest = p + m * q;
+    if (m * q - p > best.lowest) best.lower = {-p, m}, best.lowest = m * q - p;
+  }
+  return best;
+}
+
+double IntervalRows::largest_q(double q_cap, double q_next) const noexcept {
+  const Bound arrive{q_next / (2 * length_), stopping_};
+  double q = std::min(q_cap, q_bound_);
+  for (int i = 0; i < 64; ++i) {  // each turn drops at least one pair of edges for good
+    const Edges best = edges(q, arrive);
+    const double closing = best.lower.m - best.upper.m;
+    if (best.highest >= best.lowest || closing <= 0) break;
+    const double crossing = std::max((best.upper.p - best.lower.p) / closing, 0.0);
+    if (!(crossing < q)) break;
+    q = crossing;
+  }
+  return q;
+}
+
+double IntervalRows::largest_u(double q) const noexcept {
+  const Edges best = edges(q, {kUnlimited, 0});
+  return std::max(best.highest, best.lowest);
+}
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Ramps to and from a rest that a corner forces: what holds back there is the corner.
+#pragma once
+
+#include <optional>
+
+#include "motion/model/block.hpp"
+#include "motion/model/setpoint.hpp"
+
+namespace softcnc::ipo {
+
+/// Why the machine rests where a move begins, whatever the path does there: Limit::corner where
+/// every block ends at rest (G61.1), Limit::stop for what happens between two moves.
+using RestBefore = std::optional<Limit>;
+
+/// The one that a move, or a block that is none (null), asks for where it ends.
+inline RestBefore rest_after(const Move* move) noexcept {
+  if (move == nullptr) return Limit::stop;
+  return move->join == Join::stop ? RestBefore(Limit::corner) : std::nullopt;
+}
+
+/// Whether what holds back is how fast the speed may change.
+constexpr bool limits_ramps(Limit limit) noexcept {
+  return limit == Limit::acceleration || limit == Limit::jerk || limit == Limit::tangential;
+}
+
+/// The names of a motion's pieces, in order, from one rest to the next.
+class RestRamps {
+ public:
+  /// The motion begins at rest; `corner`: a corner forces that.
+  constexpr void begin(bool corner) noexcept { rises_ = corner; }
+
+  /// The name of the next piece, which `limit` holds back and which leads from one speed to
+  /// another. `to_corner`: all that follows it brakes to a rest that a corner forces.
+  constexpr Limit name(Limit limit, double v0, double v1, bool to_corner) noexcept {
+    const bool falls = to_corner && v1 < v0;
+    rises_ = rises_ && limits_ramps(limit) && v1 > v0;
+    return limits_ramps(limit) && (rises_ || falls) ? Limit::corner : limit;
+  }
+
+ private:
+  bool rises_ = false;
+};
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/path/travel.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/geometry/extent.hpp"
+
+namespace softcnc::ipo {
+namespace {
+
+constexpr double kTolerance = 1e-6;  // mm
+
+/// By how much the box lies below (negative) or above the travel of an axis, mm; 0: within. What
+/// the move starts outside counts as within.
+double excess(const Extent& box, const Axis& axis, const AxisVector& start, int i) {
+  const double below = box.min[i] - std::min(axis.min, start[i]);
+  const double above = box.max[i] - std::max(axis.max, start[i]);
+  if (below < -kTolerance && -below >= above) return box.min[i] - axis.min;
+  return above > kTolerance ? box.max[i] - axis.max : 0;
+}
+
+/// So many decimals that two digits of the excess show; without zeros at the end.
+std::string length_text(double mm, double excess_mm) {
+  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(excess_mm))), 3, 9);
+  std::string text = fmt::format("{:.{}f}", mm, decimals);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+std::string reach_text(const Axis& axis, char letter, double excess) {
+  const double size = std::abs(excess);
+  const double reached = excess < 0 ? axis.min + excess : axis.max + excess;
+  return fmt::format("{} reaches {} mm, {} mm beyond its travel from {:.6g} to {:.6g} mm", letter,
+                     length_text(reached, size), length_text(size, size), axis.min, axis.max);
+}
+
+}  // namespace
+
+std::optional<Diagnostic> check_travel(const Move& move, const Machine& machine) {
+  const AxisVector begin = start(move.path);
+  const auto excess_in = [&](const Extent& box, int i) {
+    const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
+    const bool unknown = (move.unknown_axes >> i & 1) != 0;
+    return axis.present && !unknown ? excess(box, axis, begin, i) : 0;
+  };
+  const Extent rough = bounds(move.path);
+  bool within = true;
+  for (int i = 0; i < kAxes; ++i) within = within && excess_in(rough, i) == 0;
+  if (within) return std::nullopt;
+  const Extent box = extent(move.path);
+  std::string text;
+  std::uint32_t beyond = 0;  // a bit of each axis
+  for (int i = 0; i < kAxes; ++i) {
+    const double by = excess_in(box, i);
+    if (by == 0) continue;
+    const auto axis = static_cast<std::size_t>(i);
+    text += (text.empty() ? "" : "; ") + reach_text(machine.axes[axis], kAxisLetters[axis], by);
+    beyond |= 1U << axis;
+  }
+  if (text.empty()) return std::nullopt;
+  return Diagnostic{Code::SC4001, {}, std::move(text), {}, {}, {}, beyond};
+}
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/path/window.hpp"
+
+#include <algorithm>
+
+#include "ipo/jerk/jerk_window.hpp"
+#include "ipo/optimum/exact_window.hpp"
+
+namespace softcnc::ipo {
+namespace {
+
+constexpr double kNodePart = 1e-6;  // of an interval: nodes nearer to its end are there
+
+}  // namespace
+
+void Window::append(const Move& move, RestBefore rest) {
+  // What is appended changes these caps, and more behind it none before them.
+  const bool stand = derived_to_ == chain_.nodes.size() && derived_to_ > 0;
+  const bool passed = front_ > 0 && size() == 0;  // all of it: its last interval may be split now
+  if (stand && !passed) derived_to_ = last_final_cap();
+  chain_.append(move, constraints_, rest);
+  if (!passed) return;
+  front_ = chain_.intervals.size() - last_move().size();
+  derived_to_ = 0;
+}
+
+void Window::derive() {
+  if (derived_to_ < chain_.nodes.size()) derive_caps(chain_, constraints_, derived_to_);
+  derived_to_ = chain_.nodes.size();
+}
+
+void Window::derive_anew() {
+  derived_to_ = 0;
+  derive();
+}
+
+void Window::append(const Move& move, RestBefore rest, const Cap& slower) {
+  append(move, rest);
+  auto& intervals = chain_.intervals;
+  for (std::size_t i = intervals.size(); i-- > intervals.size() - last_move().size();)
+    intervals[i].slower_cap = slower;
+}
+
+void Window::skip(std::size_t moves, double s) {
+  for (; moves > 0 && front_ < chain_.intervals.size(); ++front_)
+    if (chain_.intervals[front_].ends_move) --moves;
+  while (front_ < chain_.intervals.size() && chain_.intervals[front_].s1 <= s)
+    if (chain_.intervals[front_++].ends_move) return;
+  if (front_ == chain_.intervals.size() || chain_.intervals[front_].s0 >= s) return;
+  chain_.split(front_, s);
+  derived_to_ = 0;
+  ++front_;
+}
+
+std::size_t Window::last_final_cap() const noexcept {
+  return std::max(front_, chain_.felt_from(chain_.nodes.size() - 1, constraints_.period()));
+}
+
+std::span<const Interval> Window::last_move() const noexcept {
+  std::size_t first = chain_.intervals.size() - 1;
+  while (first > 0 && !chain_.intervals[first - 1].ends_move) --first;
+  return std::span(chain_.intervals).subspan(first);
+}
+
+std::size_t Window::node_at(double s, double part) {
+  const auto& nodes = chain_.nodes;
+  std::size_t n = front_ + 1;
+  while (n + 1 < nodes.size() && nodes[n].s < s && nodes[n].cap.q > 0) ++n;
+  const Interval& interval = chain_.intervals[n - 1];
+  const double from_left = s - nodes[n - 1].s, least = part * interval.length();
+  if (nodes[n].s - s <= least) return n;
+  if (from_left <= least && n - 1 > front_) return n - 1;
+  chain_.split(n - 1, interval.s0 + from_left);
+  return n;
+}
+
+double Window::first_rest() const noexcept {
+  const auto& nodes = chain_.nodes;
+  std::size_t n = front_ + 1;
+  while (n + 1 < nodes.size() && nodes[n].cap.q > 0) ++n;
+  return nodes[n].s;
+}
+
+void Window::slow_from(const Chain& appended, double way) {
+  chain_ = appended;
+  slowing_way_ = way;
+  const std::size_t from = way > 0 ? node_at(chain_.nodes[front_].s + way, kNodePart) : front_;
+  chain_.slower_from = chain_.nodes[from].s;
+  derive_anew();
+}
+
+bool Window::drop_front() {
+  const bool ends_move = chain_.intervals[front_].ends_move;
+  ++front_;
+  if (front_ > forget_at_ && 2 * front_ > chain_.intervals.size()) forget();
+  return ends_move;
+}
+
+Window::Turn Window::front_turn() const noexcept {
+  if (!chain_.nodes[front_].turns()) return {false, false, {}};
+  const double period = constraints_.period();
+  return {true, shares_its_step(chain_, front_, period), chain_.directions_around(front_, period)};
+}
+
+/// Drops what lies so far behind the front that nothing ahead can feel it. Where that is next to
+/// nothing, it is looked for again when twice as much has been passed.
+void Window::forget() {
+  std::size_t keep = front_;
+  for (int i = 0; i < 3; ++i) keep = chain_.felt_from(keep, constraints_.period());
+  chain_.drop_front(keep);
+  front_ -= keep;
+  derived_to_ -= std::min(derived_to_, keep);
+  forget_at_ = std::max(kFewPassed, 2 * front_);
+}
+
+std::unique_ptr<Window> make_window(const Constraints& constraints, double share,
+                                    const Horizon& horizon) {
+  if (constraints.limits_jerk()) return std::make_unique<JerkWindow>(constraints, share, horizon);
+  return std::make_unique<ReachWindow>(constraints, share);
+}
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What a person asks of the feed while a program runs.
+#pragma once
+
+#include "motion/model/setpoint.hpp"
+
+namespace softcnc::ipo {
+
+struct FeedControl {
+  double feed_override = 1;  // of the programmed feed; 0 holds
+  bool hold = false;         // rest on the path until it is false again
+  bool stop = false;         // the same for good: nothing follows
+
+  bool halts() const noexcept { return stop || hold || feed_override == 0; }
+  Limit halted_by() const noexcept {
+    if (stop) return Limit::stop;
+    return hold ? Limit::hold : Limit::override_;
+  }
+};
+
+}  // namespace softcnc::ipo

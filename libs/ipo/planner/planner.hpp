@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Blocks in, timed blocks out: as fast as the machine may follow them, and never outside a limit.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ipo/path/window.hpp"
+#include "ipo/planner/feed_control.hpp"
+#include "ipo/planner/stop.hpp"
+#include "ipo/queue/block_queue.hpp"
+#include "ipo/queue/pulse_stage.hpp"
+#include "ipo/smoothing/corner_stage.hpp"
+#include "motion/model/machine.hpp"
+
+namespace softcnc::ipo {
+
+struct PlannerCounts {
+  std::size_t nodes = 0;   // of the grid, in all
+  std::size_t passes = 0;  // over the window
+  PlanEffort effort;
+};
+
+class Planner {
+ public:
+  /// `machine` must outlive the planner.
+  Planner(const Machine& machine, double feed_override, Diagnostics& diagnostics,
+          const Horizon& horizon = {});
+  Planner(const Planner&) = delete;
+  Planner& operator=(const Planner&) = delete;
+
+  /// A move that leaves the travel of an axis (SC4001), or that its pulses cannot make (SC7080), is
+  /// reported and left out: what came before it ends at rest.
+  void push(Block block);
+  /// Nothing follows: the machine rests at the end of the last block.
+  void finish();
+
+  /// The next block whose speeds no longer depend on blocks not yet pushed.
+  std::optional<TimedBlock> pop();
+  /// The same as soon as a part of the block is settled; then its next part.
+  std::optional<TimedPart> pop_part();
+  /// The same where nothing more may be pushed for long: finds out what is settled by now.
+  std::optional<TimedPart> pop_part_now();
+
+  /// Plans all anew from `state` inside the first block of `rest` not passed, at program
+  /// time `t`, for the feed that is asked for from then on. pop() goes on with that block; a block
+  /// in which the machine is held has no end. Returns what has been passed.
+  std::deque<TimedBlock> replan(PartlyPassed rest, const State& state, double t,
+                                const FeedControl& asked);
+
+  PlannerCounts counts() const noexcept;
+
+ private:
+  enum class Found : std::uint8_t { nothing, part, all };
+
+  void accept(Piece piece);
+  bool lay_ahead();
+  void lay(Piece piece);
+  void leave_out(Diagnostic diagnostic, const SourcePos& place);
+  void flush_corners();
+  void take_back(PartlyPassed& rest, double s, double t);
+  void halt(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
+  void go_on(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
+  std::vector<Profile> way_to_rest(PartlyPassed& rest, const State& now, double t, Limit as);
+  void plan_up_to_rest(PartlyPassed& rest);
+  double stopping_way(double s) const;
+  void lay_out(const std::deque<TimedBlock>& passed, double s);
+  void append(const Move& move, RestBefore rest);
+  bool stop_first();
+  Found find_next(bool parts);
+  Found run_move(bool parts);
+  bool has_part() const noexcept;
+  bool settle();
+  void report_no_speed(Profile& profile);
+  void rest_at_turn(Profile& profile);
+  void rest_until_row(Profile& profile);
+  TimedBlock take_ready();
+  TimedBlock take();
+  TimedBlock take_begin();
+  Continuation take_more();
+
+  const Machine& machine_;
+  Diagnostics& diagnostics_;
+  Constraints constraints_;
+  const Horizon horizon_;
+  PulseStage pulses_;
+  CornerStage corners_;
+  std::unique_ptr<Window> window_;
+  std::unique_ptr<Constraint> slower_;  // the feed that the moves of the window are to slow down to
+  std::deque<TimedBlock> ready_;        // timed; before the pending ones
+  std::deque<TimedBlock> pending_;
+  std::deque<Piece> ahead_;  // after the pending ones: a long curve, and what has come since
+  double laid_ = 0;          // mm of the first of them that are pending already
+  std::size_t given_ = 0;    // pieces of the first pending one that have left already
+  PlannerCounts counts_;
+  std::size_t settled_ = 0;        // intervals at the front of the window whose speeds are final
+  std::size_t last_size_ = 0;      // unsettled intervals after the last passes
+  double t_ = 0, s_ = 0;           // where the first pending block starts
+  double last_rest_ = -1;          // when the machine last rested at a turn
+  RestBefore rest_ = Limit::stop;  // before the next move
+  bool finished_ = false;
+  bool to_rest_ = false;  // at the end of what is pending, whatever follows
+  FeedControl feed_;
+  double running_;                // feed override when the machine was last to go on
+  double ceiling_;                // the highest one after which it may still be faster
+  double begun_ = 0;              // mm of path where the last plan began,
+  double slow_until_ = 0;         // and where the machine is as slow as it asks
+  std::vector<Profile> way_out_;  // from there to rest, until slowing down is planned
+  bool rests_anyway_ = false;     // the way out is the one that the machine was on
+  bool hurried_ = false;          // settling is worth its while however little has come
+};
+
+}  // namespace softcnc::ipo

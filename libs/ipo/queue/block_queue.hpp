@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// The door between planning and the cycle: timed blocks, in order.
+#pragma once
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "ipo/path/piece.hpp"
+#include "ipo/path/profile.hpp"
+#include "ipo/queue/pulse_walk.hpp"
+
+namespace softcnc::ipo {
+
+/// A block, or what is run of several in one curve, with its place in time and along the path.
+struct TimedBlock {
+  Block block;
+  Profile profile;
+  double t_start = 0;                   // s from the start of the program
+  double s_start = 0;                   // mm of path from the start of the program
+  std::vector<Mark> marks{};            // where later blocks begin
+  std::unique_ptr<PulseWalk> pulses{};  // of a move, by a method of reference pulses
+
+  double t_end() const noexcept { return t_start + profile.duration(); }
+  const Move* move() const noexcept { return std::get_if<Move>(&block.what); }
+
+  /// Which block it is `s` mm from its start, and where that is written. Realtime.
+  Mark at(double s) const noexcept {
+    const auto later = std::upper_bound(marks.begin(), marks.end(), s,
+                                        [](double a, const Mark& mark) { return a < mark.s; });
+    return later == marks.begin() ? Mark{0, block.source, block.number} : later[-1];
+  }
+  int last_number() const noexcept { return marks.empty() ? block.number : marks.back().number; }
+};
+
+/// More of the block before, of which only a part was timed.
+struct Continuation {
+  Profile profile;
+};
+
+using TimedPart = std::variant<TimedBlock, Continuation>;
+
+/// Blocks of which the first `passed` lie behind the machine.
+struct PartlyPassed {
+  std::deque<TimedBlock> blocks;
+  std::size_t passed = 0;
+};
+
+/// The reader advances and frees nothing; the writer frees what the reader has left behind.
+class BlockQueue {
+ public:
+  /// Blocks are remembered for `memory` s after they have been trimmed.
+  explicit BlockQueue(double memory) : memory_(memory) {}
+
+  void push(TimedBlock block);
+  void push(const Continuation& more);  // of the block pushed last
+  void push(TimedPart part);
+  void trim();  // planning side
+  /// Takes out everything from the present block on, to be planned anew, and before it what can
+  /// still be felt. Planning side.
+  PartlyPassed take_rest();
+  /// The other way round: what follows begins at `t`; `passed` can still be felt. Planning side.
+  void begin_again(std::deque<TimedBlock> passed, double t);
+
+  /// Realtime.
+  bool empty() const noexcept { return current_ == blocks_.size(); }
+  const TimedBlock& front() const noexcept { return blocks_[current_]; }   // if not empty()
+  PulseWalk* pulses() noexcept { return blocks_[current_].pulses.get(); }  // likewise
+  void advance() noexcept { ++current_; }
+
+  /// Calls visit(block) for what has been passed since trim() and for the present block.
+  template <typename Visit>
+  void for_each_recent(Visit&& visit) const {
+    for (std::size_t i = 0; i < blocks_.size() && i <= current_; ++i) visit(blocks_[i]);
+  }
+
+  /// The same, and then for what lies ahead.
+  template <typename Visit>
+  void for_each(Visit&& visit) const {
+    for (const TimedBlock& block : blocks_) visit(block);
+  }
+
+  /// The length of path, mm, up to which it is known; nothing where no move is in the queue.
+  std::optional<double> s_end() const noexcept {
+    for (auto block = blocks_.rbegin(); block != blocks_.rend(); ++block)
+      if (block->move()) return block->s_start + length(block->move()->path);
+    return std::nullopt;
+  }
+
+  /// The instant up to which everything is timed, s.
+  double t_end() const noexcept { return t_end_; }
+
+ private:
+  double memory_;
+  std::deque<TimedBlock> blocks_, remembered_;
+  std::size_t current_ = 0;
+  double t_end_ = 0;
+};
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// The setpoint one period later.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "ipo/queue/block_queue.hpp"
+#include "ipo/queue/fine_spline.hpp"
+#include "ipo/queue/stepping.hpp"
+#include "motion/model/machine.hpp"
+
+namespace softcnc::ipo {
+
+/// How many fine points a period has: as its backend asks for them.
+inline std::size_t fine_points(const Control& control) noexcept {
+  const bool simulated = control.backend == BackendKind::sim;
+  return static_cast<std::size_t>(
+      parts_of_period(control, simulated ? loop_period(control) : fine_period(control)));
+}
+
+class Interpolator {
+ public:
+  /// `queue` must outlive the interpolator.
+  Interpolator(BlockQueue& queue, const Control& control)
+      : queue_(queue), control_(control), fine_(fine_points(control)), spline_(fine_.size()) {
+    if (is_by_pulses(control.interpolation)) pulses_.reserve(kPulses);
+  }
+
+  /// Realtime. The next setpoint, nothing after the last, which rests at the end of the queue. The
+  /// queue must hold every block up to needs_until(), or all there are.
+  std::optional<Setpoint> step() noexcept;
+
+  /// The override of the programmed feed from the next setpoint on: what Setpoint::feed shows.
+  void set_feed_override(double feed_override) noexcept { feed_override_ = feed_override; }
+  double feed_override() const noexcept { return feed_override_; }
+
+  /// The planned time, s, that the next step may reach.
+  double needs_until() const noexcept;
+
+  /// Where the machine stands in the front block of the queue. Planning side.
+  State state() const noexcept;
+
+  /// The present block, and where it has been reached, s of its profile. Planning side.
+  double time_in_block() const noexcept { return t_; }
+  /// The next step is `periods` later than it would be: within the present block.
+  void pass_over(std::int64_t periods) noexcept { periods_ += periods; }
+
+  /// Goes on where it is after the queue has been planned anew from state(): the front block is the
+  /// same one, and its profile starts there. Planning side.
+  void replanned() noexcept;
+
+  /// The instant of the last setpoint, s.
+  double time() const noexcept { return static_cast<double>(periods_ - 1) * control_.period; }
+
+ private:
+  static constexpr std::size_t kPulses = 4096;  // in a period without a further allocation
+
+  void enter_block() noexcept;
+  void leave_block() noexcept;
+  void follow_time() noexcept;
+  void go_to(double t) noexcept;
+  void look_between() noexcept;
+  FinePoint point() noexcept;
+  FinePoint ahead() const noexcept;
+  std::span<const FinePoint> fine(const Setpoint& next) noexcept;
+  void walk_pulses(double t, double s) noexcept;
+  void follow_method(double period) noexcept;
+  double place(const State& now) noexcept;
+  Setpoint setpoint() noexcept;
+
+  BlockQueue& queue_;
+  const Control& control_;
+  std::int64_t periods_ = 0;           // setpoints made so far
+  double t_ = 0;                       // planned time within the front block
+  std::size_t hint_ = 0;               // piece of its profile
+  std::optional<ParameterWalk> walk_;  // through its NURBS, by a method of the literature
+  std::vector<TimedStep> pulses_;      // by a method of reference pulses: of the period
+  std::vector<FinePoint> fine_;        // of the period
+  FineSpline spline_;                  // where they are not the plan itself
+  double feed_override_ = 1;
+  double planned_ = 0;       // integral of the planned speed since the last setpoint, mm
+  double planned_from_ = 0;  // program length at the last setpoint, mm
+  Setpoint last_;
+  bool done_ = false;
+};
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/queue/pulse_stage.hpp"
+
+#include <fmt/format.h>
+
+#include "motion/core/units.hpp"
+#include "motion/geometry/extent.hpp"
+
+namespace softcnc::ipo {
+namespace {
+
+/// Clocks for each BLU along an axis: SAM drops one of every three there.
+double clocks_per_blu(PulseMethod method) noexcept {
+  return method == PulseMethod::sam ? 1.5 : 1.0;
+}
+
+std::string blu_text(int axis, double blu) {
+  return fmt::format("{:g} um of {}", um_from_mm(blu),
+                     kAxisLetters[static_cast<std::size_t>(axis)]);
+}
+
+}  // namespace
+
+PulseStage::PulseStage(const Machine& machine) : machine_(machine) {
+  for (int i = 0; i < kAxes; ++i) blu_[i] = machine.axes[static_cast<std::size_t>(i)].blu;
+}
+
+std::optional<Diagnostic> PulseStage::prepare(Block& block) const {
+  Move* move = std::get_if<Move>(&block.what);
+  if (!move || !works() || machine_.control.pulse_clock != PulseClock::paper) return std::nullopt;
+  if (auto unlike = check_blu(move->path)) return unlike;
+  const PulseMethod method = pulse_method(machine_.control.interpolation);
+  const auto clocks = static_cast<double>(count_clocks(move->path, blu_, method));
+  const Extent box = bounds(move->path);
+  int axis = 0;
+  (box.max - box.min).maxCoeff(&axis);
+  if (clocks > 0) move->feed *= length(move->path) * clocks_per_blu(method) / (clocks * blu_[axis]);
+  move->join = Join::stop;
+  move->corner_tolerance = 0;
+  move->chord_tolerance = 0;
+  return std::nullopt;
+}
+
+std::optional<Diagnostic> PulseStage::check_blu(const Path& path) const {
+  const Extent box = bounds(path);
+  int first = -1;
+  for (int i = 0; i < kAxes; ++i) {
+    if (box.max[i] == box.min[i]) continue;
+    if (first < 0) first = i;
+    if (blu_[i] != blu_[first])
+      return Diagnostic{Code::SC7080,
+                        {},
+                        fmt::format("one reference clock cannot serve a BLU of {} and one of {}",
+                                    blu_text(first, blu_[first]), blu_text(i, blu_[i])),
+                        {},
+                        {}};
+  }
+  return std::nullopt;
+}
+
+void PulseStage::attach(TimedBlock& timed) {
+  const Move* move = timed.move();
+  if (!move || !works()) return;
+  if (!timed.pulses) {
+    const GridPoint from = at_.value_or(counts_of(start(move->path), blu_));
+    timed.pulses =
+        std::make_unique<PulseWalk>(move->path, blu_, pulse_method(machine_.control.interpolation),
+                                    machine_.control.pulse_clock, from);
+  }
+  at_ = timed.pulses->to();
+}
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+//
+// The curve is a Bezier curve of degree 5. At an end with position p, tangent t and curvature
+// vector k, a cut d away from the joint along the path, its first control points are p, p + 0.4 d t
+// and p + 0.8 d t + 5/4 (0.4 d)^2 k: by that its curvature there is k. Along a straight line these
+// points are evenly spaced, so that the curve begins as if nothing were ahead.
+//
+// Between two lines at an angle its middle is 3/16 d |t1 - t0| from the joint. In general each of
+// its points has a place of its own on the paths: that which comes as early in the cut, moved along
+// the tangent to be nearer. What lies between the two is an upper bound both of the curve from the
+// paths and of the paths from the curve, since the places move over all of the cut, but for what
+// lies around the joint: that is no further from the middle than the joint is. The bound is
+// sampled, what it may rise to between samples added by its second differences, and d found by it.
+#include "ipo/smoothing/blend.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "motion/geometry/deviation.hpp"
+
+namespace softcnc::ipo {
+namespace {
+
+constexpr double kReach = 0.4;            // of d: first control point
+constexpr double kShortest = 1e-5;        // mm
+constexpr double kMostTurn = 0.6;         // rad: of a path within d
+constexpr int kTurnSamples = 8;           // where it is looked for
+constexpr std::size_t kSamples = 16;      // of the curve, on either side of its middle
+constexpr double kRise = 1.5 / 8;         // of a second difference: 1/8 for a parabola
+constexpr std::ptrdiff_t kMostKnots = 4;  // of a NURBS, within d: samples see what is between
+constexpr int kRounds = 12;
+
+struct Cut {
+  double before, after;
+};
+
+std::array<AxisVector, 3> end_points(const PathPoint& end, double d, double direction) {
+  const double reach = kReach * d;
+  const AxisVector along = direction * reach * end.dq;
+  return {end.q, end.q + along, end.q + 2 * along + 1.25 * reach * reach * end.ddq};
+}
+
+class Fit {
+ public:
+  explicit Fit(const Joint& joint) : joint_(joint), length_(length(joint.before)) {}
+
+  std::array<AxisVector, 6> control(const Cut& cut) const {
+    const auto a = end_points(at(joint_.before, length_ - cut.before, Side::before), cut.before, 1);
+    const auto b = end_points(at(joint_.after, cut.after, Side::after), cut.after, -1);
+    return {a[0], a[1], a[2], b[2], b[1], b[0]};
+  }
+
+  /// mm, at most.
+  double deviation(const Cut& cut) const {
+    const auto points = control(cut);
+    const double corner = (bezier(points, 0.5) - position(joint_.before, length_)).norm();
+    return std::max({corner, highest({&joint_.before, length_ - cut.before, length_}, points, 0),
+                     highest({&joint_.after, 0, cut.after}, points, 0.5)});
+  }
+
+  /// The paths turn little within the cut, and have no more knots there than samples can see.
+  bool is_tame(const Cut& cut) const {
+    return is_tame(Portion{&joint_.before, length_ - cut.before, length_}) &&
+           is_tame(Portion{&joint_.after, 0, cut.after});
+  }
+
+ private:
+  static bool is_tame(const Portion& portion) {
+    if (std::holds_alternative<Line>(*portion.path)) return true;
+    if (const Nurbs* nurbs = std::get_if<Nurbs>(portion.path);
+        nurbs && knots_within(*nurbs, portion.s0, portion.s1) > kMostKnots)
+      return false;
+    const double step = (portion.s1 - portion.s0) / kTurnSamples;
+    const PathPoint first = at(*portion.path, portion.s0);
+    if (first.ddq.norm() * step > kMostTurn) return false;
+    for (int i = 1; i <= kTurnSamples; ++i)
+      if ((at(*portion.path, portion.s0 + i * step, Side::before).dq - first.dq).norm() > kMostTurn)
+        return false;
+    return true;
+  }
+
+  static std::ptrdiff_t knots_within(const Nurbs& nurbs, double s0, double s1) {
+    const auto& knots = nurbs.spec().knots;
+    const auto first = std::upper_bound(knots.begin(), knots.end(), nurbs.parameter(s0));
+    return std::lower_bound(first, knots.end(), nurbs.parameter(s1)) - first;
+  }
+
+  static AxisVector bezier(std::array<AxisVector, 6> points, double t) {
+    for (std::size_t left = 5; left > 0; --left)
+      for (std::size_t i = 0; i < left; ++i) points[i] += t * (points[i + 1] - points[i]);
+    return points[0];
+  }
+
+  /// Of the half of the curve that begins at t0, from its places in the portion.
+  static double highest(const Portion& portion, const std::array<AxisVector, 6>& points,
+                        double t0) {
+    std::array<AxisVector, kSamples + 1> off;
+    for (std::size_t i = 0; i <= kSamples; ++i) {
+      const double part = static_cast<double>(i) / kSamples;
+      off[i] = from_place(portion, bezier(points, t0 + 0.5 * part), part);
+    }
+    std::array<double, kSamples + 1> bend{};
+    for (std::size_t i = 1; i < kSamples; ++i)
+      bend[i] = (off[i - 1] - 2 * off[i] + off[i + 1]).norm();
+    bend.front() = bend[1];
+    bend.back() = bend[kSamples - 1];
+    double largest = 0;
+    for (std::size_t i = 0; i < kSamples; ++i)
+      largest = std::max(largest, std::max(off[i].norm(), off[i + 1].norm()) +
+                                      kRise * std::max(bend[i], bend[i + 1]));
+    return largest;
+  }
+
+  static AxisVector from_place(const Portion& portion, const AxisVector& q, double part) {
+    const double s = portion.s0 + part * (portion.s1 - portion.s0);
+    const PathPoint here = at(*portion.path, s);
+    const double nearer = s + here.dq.dot(q - here.q);
+    return q - position(*portion.path, std::clamp(nearer, portion.s0, portion.s1));
+  }
+
+  const Joint& joint_;
+  double length_;
+};
+
+/// Both cuts as long as each other.
+Cut even(double d) { return {d, d}; }
+
+/// The longest cut whose deviation is within the tolerance, by regula falsi on its logarithm: the
+/// deviation grows like d at a corner, and like d squared where only the curvature jumps.
+struct Found {
+  double cut, deviation;
+};
+std::optional<Found> longest_cut(const Fit& fit, double most, double tolerance) {
+  double d = most;
+  while (!fit.is_tame(even(d)) && d > kShortest) d *= 0.5;
+  Found good{0, 0};
+  double bad = d;
+  for (int i = 0; i < kRounds && d > kShortest; ++i) {
+    const double off = fit.deviation(even(d));
+    if (off <= tolerance) {
+      good = {d, off};
+      if (d >= bad || off > 0.95 * tolerance) break;
+      d = std::min(0.5 * (d + bad), d * std::sqrt(0.98 * tolerance / off));
+    } else {
+      bad = d;
+      const double ratio = 0.99 * tolerance / off;
+      d = good.cut > 0 ? 0.5 * (good.cut + bad) : d * std::max(ratio, 0.02);
+    }
+  }
+  if (good.cut <= kShortest) return std::nullopt;
+  return good;
+}
+
+NurbsSpec bezier_spec(const std::array<AxisVector, 6>& control, double width) {
+  NurbsSpec spec{5, {control.begin(), control.end()}, std::vector<double>(6, 1.0), {}};
+  spec.knots.assign(6, 0.0);
+  spec.knots.insert(spec.knots.end(), 6, width);
+  return spec;
+}
+
+}  // namespace
+
+Jump jump(const Path& before, const Path& after) noexcept {
+  const PathPoint a = at(before, length(before), Side::before);
+  const PathPoint b = at(after, 0, Side::after);
+  return {(b.dq - a.dq).norm(), (b.ddq - a.ddq).norm()};
+}
+
+std::optional<Blend> make_blend(const Joint& joint) {
+  const double most = std::min(joint.most_before, joint.most_after);
+  const PathPoint a = at(joint.before, length(joint.before), Side::before);
+  const PathPoint b = at(joint.after, 0, Side::after);
+  if (a.dq.dot(b.dq) < kTurnsBack || !(joint.tolerance > 0)) return std::nullopt;
+  const Fit fit(joint);
+  const auto found = longest_cut(fit, most, joint.tolerance);
+  if (!found) return std::nullopt;
+  const double d = found->cut;
+  auto curve = Nurbs::make(bezier_spec(fit.control(even(d)), 2 * d));
+  if (!curve) return std::nullopt;
+  return Blend{std::move(*curve), d, d, found->deviation};
+}
+
+}  // namespace softcnc::ipo

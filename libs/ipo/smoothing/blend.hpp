@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// A curve that rounds the joint of two paths.
+#pragma once
+
+#include <optional>
+
+#include "motion/geometry/path.hpp"
+
+namespace softcnc::ipo {
+
+/// A joint and what may be used of the paths on either side of it, mm.
+struct Joint {
+  const Path& before;
+  const Path& after;
+  double most_before, most_after;
+  double tolerance;  // mm: how far the curve and the paths may lie apart
+};
+
+struct Blend {
+  Nurbs curve;
+  double before, after;  // mm of the paths that it replaces
+  double deviation;      // mm, at most
+};
+
+/// How the path changes at a joint: the jump of its tangent (rad, 2 sin of half the angle) and of
+/// its curvature (1/mm).
+struct Jump {
+  double tangent, curvature;
+};
+Jump jump(const Path& before, const Path& after) noexcept;
+
+/// A polynomial of degree 5 that goes over from one path into the other with the position, tangent
+/// and curvature of each, as long as the tolerance and the paths allow. Nothing where no such curve
+/// is longer than rounding, or where the path turns back.
+std::optional<Blend> make_blend(const Joint& joint);
+
+/// The cosine between two directions below which the path counts as turning back, and the machine
+/// stops: a curve around such a tip is hardly faster, and so small that planning it takes long.
+inline constexpr double kTurnsBack = -0.87;
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/smoothing/chord_merge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace softcnc::ipo {
+namespace {
+
+constexpr double kPart = 1.0 / 16;      // of the tolerance, for chords
+constexpr std::size_t kMostLines = 64;  // in one chord
+constexpr double kMargin = 1 - 1e-9;
+
+/// Distance of a point from the line through `from` along the unit vector `direction`.
+double aside(const AxisVector& point, const AxisVector& from, const AxisVector& direction) {
+  const AxisVector off = point - from;
+  return (off - off.dot(direction) * direction).norm();
+}
+
+/// Moves the marks from s on into a list of their own, which begins with the one in force there.
+std::vector<Mark> split(std::vector<Mark>& marks, double s) {
+  const auto behind =
+      std::find_if(marks.begin(), marks.end(), [s](const Mark& m) { return m.s > s; });
+  std::vector<Mark> rest{behind[-1]};
+  rest.insert(rest.end(), behind, marks.end());
+  marks.erase(behind, marks.end());
+  for (Mark& mark : rest) mark.s = std::max(mark.s - s, 0.0);
+  return rest;
+}
+
+}  // namespace
+
+std::vector<Mark> cut_front(Chord& chord, double length) {
+  std::vector<Mark> rest = split(chord.marks, length);
+  chord.from = Line(chord.from, chord.to).position(length);
+  return std::exchange(chord.marks, std::move(rest));
+}
+
+std::vector<Mark> cut_back(Chord& chord, double length) {
+  const Line line(chord.from, chord.to);
+  chord.to = line.position(line.length() - length);
+  return split(chord.marks, line.length() - length);
+}
+
+double merge_tolerance(const Manner& manner) noexcept {
+  const double p = manner.corner_tolerance, q = manner.chord_tolerance;
+  const double whole = std::max(p, q);
+  return kMargin * std::max(std::min(q, kPart * whole), whole - p);
+}
+
+double corner_tolerance(const Manner& manner, double deviation) noexcept {
+  const double p = manner.corner_tolerance;
+  return kMargin * std::min(p, std::max(p, manner.chord_tolerance) - deviation);
+}
+
+bool ChordMerge::add(const Line& line, const Manner& manner, const Mark& mark) {
+  if (empty()) {
+    from_ = line.from();
+    manner_ = manner;
+  } else if (!(manner == manner_) || !fits(line.to())) {
+    return false;
+  }
+  points_.push_back(line.to());
+  marks_.push_back(mark);
+  return true;
+}
+
+/// The lines go forward along the chord and stay near it: then each is within the tolerance of the
+/// other.
+bool ChordMerge::fits(const AxisVector& to) const noexcept {
+  const double tolerance = merge_tolerance(manner_);
+  if (points_.size() >= kMostLines || !(tolerance > 0)) return false;
+  const AxisVector direction = (to - from_).normalized();
+  double before = 0;
+  for (const AxisVector& point : points_) {
+    const double along = (point - from_).dot(direction);
+    if (!(along > before) || aside(point, from_, direction) > tolerance) return false;
+    before = along;
+  }
+  return (to - from_).norm() > before;
+}
+
+Chord ChordMerge::take() {
+  Chord chord{from_, points_.back(), manner_, 0, std::move(marks_)};
+  const AxisVector direction = (chord.to - from_).normalized();
+  chord.marks.front().s = 0;
+  for (std::size_t i = 1; i < chord.marks.size(); ++i) {
+    chord.marks[i].s = (points_[i - 1] - from_).dot(direction);
+    chord.deviation = std::max(chord.deviation, aside(points_[i - 1], from_, direction));
+  }
+  points_.clear();
+  marks_.clear();
+  return chord;
+}
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/smoothing/corner_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softcnc::ipo {
+namespace {
+
+// Measured on corners between long lines: parts of length over speed that the passage takes, and
+// the periods that rows of a short curve cost beside.
+constexpr double kByAcceleration = 0.6, kByJerk = 0.4;
+constexpr double kPeriods = 2;
+
+double limit_or_none(double limit) noexcept { return limit > 0 ? limit : kUnlimited; }
+
+}  // namespace
+
+CornerChoice::CornerChoice(const Machine& machine)
+    : period_(machine.control.period),
+      chord_tolerance_(machine.control.chord_tolerance),
+      feed_(limit_or_none(machine.limits.feed)),
+      tangential_(limit_or_none(machine.limits.tangential)),
+      normal_(limit_or_none(machine.limits.normal)) {
+  const bool jerky = limits_jerk(machine);
+  for (int i = 0; i < kAxes; ++i) {
+    const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
+    velocity_[i] = axis.present ? axis.velocity : kUnlimited;
+    acceleration_[i] = axis.present ? axis.acceleration : kUnlimited;
+    jerk_[i] = axis.present && jerky ? limit_or_none(axis.jerk) : kUnlimited;
+  }
+}
+
+/// mm/s: beside the corner.
+double CornerChoice::fastest(const RoundedCorner& corner) const noexcept {
+  return std::min({corner.feed, corner.feed < kUnlimited ? feed_ : kUnlimited,
+                   along(velocity_, corner.tangent)});
+}
+
+bool CornerChoice::is_sooner(const RoundedCorner& corner) const noexcept {
+  const double feed = fastest(corner), kappa = corner.ddq.norm();
+  const double by_acceleration =
+      std::sqrt(std::min(along(acceleration_, corner.ddq), normal_ / kappa));
+  const double by_jerk = std::cbrt(along(jerk_, corner.dddq));
+  const double by_chord = chord_step(kappa, chord_tolerance_) / period_;
+  const double v = std::min({by_acceleration, by_jerk, by_chord, feed});
+  const double passing = corner.length * std::max({kByAcceleration / by_acceleration,
+                                                   kByJerk / by_jerk, 1 / by_chord, 1 / feed});
+  const double jerk = along(jerk_, corner.tangent);
+  const double brake =
+      std::min({along(acceleration_, corner.tangent), tangential_, std::sqrt(feed * jerk)});
+  const double stopping = 2 * v / brake - v * v / (brake * feed) + corner.length / feed;
+  const double rows = jerk < kUnlimited ? 0 : kPeriods * period_ * (1 - v / feed);
+  return passing + rows < stopping;
+}
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/smoothing/corner_stage.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ipo/limits/constraint.hpp"
+#include "motion/geometry/section.hpp"
+
+namespace softcnc::ipo {
+namespace {
+
+/// Of a line or an arc, for the corner at either end; what the first does not use is left to the
+/// second, but for a rest.
+constexpr double kHalf = 0.5;
+constexpr double kRest = 1.0 / 64;
+
+constexpr double kTurn = 1e-9;         // rad: the tangent turns
+constexpr double kSmallTurn = 2e-4;    // rad: too small to hold any machine up without a jerk limit
+constexpr double kBend = 1e-6;         // 1/mm: the curvature jumps
+constexpr double kRests = 0.01;        // rad: a smaller corner can be passed exactly
+constexpr int kSamples = 16;           // of a curve that rounds one
+constexpr double kInnerCorner = 0.01;  // rad: of a NURBS, which is there cut in two
+
+bool is_rounded(const Move& move) {
+  return move.join == Join::follow && (move.corner_tolerance > 0 || move.chord_tolerance > 0);
+}
+
+double feed_of(const Manner& manner) { return manner.rapid ? kUnlimited : manner.feed; }
+
+Mark mark_of(const Block& block) { return {0, block.source, block.number}; }
+
+/// Inner places where the tangent of a path turns.
+std::vector<double> inner_corners(const Path& path) {
+  std::vector<double> corners;
+  for (const double s : breaks(path))
+    if ((at(path, s, Side::after).dq - at(path, s, Side::before).dq).norm() > kInnerCorner)
+      corners.push_back(s);
+  return corners;
+}
+
+}  // namespace
+
+CornerStage::CornerStage(const Machine& machine)
+    : machine_(machine), choice_(machine), has_jerk_limit_(limits_jerk(machine)) {}
+
+bool CornerStage::passes(const Block& block) const noexcept {
+  if (!chord_.empty() || !run_.empty() || held_ || !out_.empty()) return false;
+  const Move* move = std::get_if<Move>(&block.what);
+  return !move || !is_rounded(*move);
+}
+
+void CornerStage::push(Block&& block) {
+  const Move* move = std::get_if<Move>(&block.what);
+  const bool rounded = move && is_rounded(*move);
+  if (!rounded || !joins(*move)) flush();
+  if (!rounded) {
+    out_.push_back({std::move(block), {}, 0});
+    return;
+  }
+  last_ = manner_of(*move);
+  std::holds_alternative<Line>(move->path) ? push_line(block) : push_curve(std::move(block));
+}
+
+void CornerStage::finish() { flush(); }
+
+std::optional<Piece> CornerStage::pop() {
+  if (out_.empty()) return std::nullopt;
+  std::optional<Piece> piece = std::move(out_.front());
+  out_.pop_front();
+  return piece;
+}
+
+bool CornerStage::joins(const Move& move) const { return last_ && last_->rapid == move.rapid; }
+
+void CornerStage::push_line(const Block& block) {
+  const Move& move = std::get<Move>(block.what);
+  const Line& line = std::get<Line>(move.path);
+  if (chord_.add(line, manner_of(move), mark_of(block))) return;
+  close_chord();
+  chord_.add(line, manner_of(move), mark_of(block));
+}
+
+/// A NURBS with corners inside is several curves.
+void CornerStage::push_curve(Block block) {
+  const std::vector<double> corners = inner_corners(std::get<Move>(block.what).path);
+  double s = 0;
+  for (const double corner : corners) {
+    Block part = block;
+    Path& path = std::get<Move>(part.what).path;
+    path = section(path, s, corner);
+    hold(std::move(part));
+    s = corner;
+  }
+  Path& path = std::get<Move>(block.what).path;
+  if (s > 0) path = section(path, s, length(path));
+  hold(std::move(block));
+}
+
+/// Goes over from what came before into a curve, whose own end waits for what comes next.
+void CornerStage::hold(Block block) {
+  const Move& move = std::get<Move>(block.what);
+  const Side next{manner_of(move), {mark_of(block)}};
+  double begin = 0;
+  if (!chord_.empty()) {
+    begin = leave_chord(move.path, next);
+  } else if (held_) {
+    if (const auto blend =
+            leave_held(move.path, corner_tolerance(next.manner, 0), feed_of(next.manner))) {
+      emit_blend(*blend, held_side(), next);
+      begin = blend->after;
+    }
+  }
+  held_ = Held{std::move(block), begin};
+}
+
+/// Goes over from the chord into a curve; returns how much of it that takes, mm.
+double CornerStage::leave_chord(const Path& after, const Side& next) {
+  Chord chord = chord_.take();
+  if (held_) begin_with_held(chord);
+  const Line line(chord.from, chord.to);
+  const double left = (run_.empty() ? 1 - kRest : kHalf) * line.length();
+  const double tolerance =
+      std::min(corner_tolerance(chord.manner, chord.deviation), corner_tolerance(next.manner, 0));
+  const double feed = std::min(feed_of(chord.manner), feed_of(next.manner));
+  const auto blend = blend_into(line, left, tolerance, after, feed);
+  Side last{chord.manner, {}, chord.deviation};
+  if (blend) last.marks = cut_back(chord, blend->before);
+  run_.add(chord);
+  run_.end();
+  if (blend) emit_blend(*blend, std::move(last), next);
+  return blend ? blend->after : 0;
+}
+
+/// Goes over from the curve that is held into a chord.
+void CornerStage::begin_with_held(Chord& chord) {
+  const Path line = Line(chord.from, chord.to);
+  if (const auto blend =
+          leave_held(line, corner_tolerance(chord.manner, chord.deviation), feed_of(chord.manner)))
+    emit_blend(*blend, held_side(),
+               {chord.manner, cut_front(chord, blend->after), chord.deviation});
+  held_.reset();
+}
+
+/// Emits the curve up to where a blend into `after` begins, if there is one.
+std::optional<Blend> CornerStage::leave_held(const Path& after, double tolerance, double feed) {
+  const double length = softcnc::length(held_->path());
+  const double own = corner_tolerance(manner_of(held_->move()), 0);
+  auto blend =
+      blend_into(held_->path(), (1 - kRest) * (length - held_->begin), std::min(own, tolerance),
+                 after, std::min(feed_of(manner_of(held_->move())), feed));
+  emit_held(length - (blend ? blend->before : 0));
+  return blend;
+}
+
+void CornerStage::close_chord() {
+  if (chord_.empty()) return;
+  Chord chord = chord_.take();
+  if (held_) begin_with_held(chord);
+  run_.add(chord);
+}
+
+void CornerStage::flush() {
+  close_chord();
+  run_.end();
+  if (held_) emit_held(length(held_->path()));
+  held_.reset();
+  last_.reset();
+}
+
+/// Without limits of jerk a jump of curvature costs nothing, and a curve that is exact is better.
+std::optional<Blend> CornerStage::blend_into(const Path& before, double left, double tolerance,
+                                             const Path& after, double feed) const {
+  const Jump jump = ipo::jump(before, after);
+  const bool needed =
+      has_jerk_limit_ ? jump.tangent > kTurn || jump.curvature > kBend : jump.tangent > kSmallTurn;
+  if (!needed) return std::nullopt;
+  auto blend = make_blend({before, after, left, kHalf * length(after), tolerance});
+  if (blend && !within_travel(blend->curve)) return std::nullopt;
+  if (blend && jump.tangent > kRests && !is_sooner(blend->curve, feed)) return std::nullopt;
+  return blend;
+}
+
+/// Than a rest in the corner.
+bool CornerStage::is_sooner(const Nurbs& curve, double feed) const {
+  RoundedCorner corner{curve.length(), curve.at(0).dq, {}, AxisVector::Zero(), feed};
+  corner.ddq.setZero();
+  for (int k = 0; k <= kSamples; ++k) {
+    const PathPoint point = curve.at(curve.length() * k / kSamples);
+    if (point.ddq.norm() > corner.ddq.norm()) corner.ddq = point.ddq;
+    corner.dddq = corner.dddq.cwiseMax(point.dddq.cwiseAbs());
+  }
+  return choice_.is_sooner(corner);
+}
+
+bool CornerStage::within_travel(const Nurbs& curve) const {
+  for (const AxisVector& point : curve.spec().control)
+    for (int i = 0; i < kAxes; ++i) {
+      const Axis& axis = machine_.axes[static_cast<std::size_t>(i)];
+      if (axis.present && (point[i] < axis.min || point[i] > axis.max)) return false;
+    }
+  return true;
+}
+
+void CornerStage::emit_held(double end) {
+  Block block = held_->block;
+  Move& move = std::get<Move>(block.what);
+  move.path = section(move.path, held_->begin, end);
+  out_.push_back({std::move(block), {}, 0});
+}
+
+CornerStage::Side CornerStage::held_side() const {
+  return {manner_of(held_->move()), {mark_of(held_->block)}};
+}
+
+/// The first half belongs to what is before, the second to what is behind.
+void CornerStage::emit_blend(const Blend& blend, Side before, Side after) {
+  const Path path = blend.curve;
+  const double length = blend.curve.length();
+  const double middle = 0.5 * length;
+  const double deviation = blend.deviation + std::max(before.deviation, after.deviation);
+  for (Mark& mark : before.marks) mark.s *= middle / blend.before;
+  for (Mark& mark : after.marks) mark.s *= middle / blend.after;
+  const auto add = [&](Path part, const Side& side) {
+    const Mark& first = side.marks.front();
+    out_.push_back({{make_move(std::move(part), side.manner), first.source, first.number},
+                    {side.marks.begin() + 1, side.marks.end()},
+                    deviation});
+  };
+  if (before.manner == after.manner) {
+    for (Mark& mark : after.marks) mark.s += middle;
+    before.marks.insert(before.marks.end(), after.marks.begin(), after.marks.end());
+    add(path, before);
+    return;
+  }
+  add(section(path, 0, middle), before);
+  add(section(path, middle, length), after);
+}
+
+}  // namespace softcnc::ipo

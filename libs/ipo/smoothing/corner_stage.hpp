@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// G64: moves in, pieces of path out, with corners rounded within the tolerance.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "ipo/smoothing/blend.hpp"
+#include "ipo/smoothing/chord_merge.hpp"
+#include "ipo/smoothing/polyline.hpp"
+#include "motion/model/machine.hpp"
+
+namespace softcnc::ipo {
+
+/// Lines that follow one another go into a LineRun; a joint with an arc or a NURBS gets a Blend.
+/// Moves without a tolerance, and whatever is no move, end both exactly and pass unchanged, and so
+/// do joints between rapids and cutting moves. What comes out depends on the blocks alone, not on
+/// when they come.
+class CornerStage {
+ public:
+  /// `machine` must outlive the stage.
+  explicit CornerStage(const Machine& machine);
+  CornerStage(const CornerStage&) = delete;
+  CornerStage& operator=(const CornerStage&) = delete;
+
+  /// Whether push() would do nothing but hand the block on.
+  bool passes(const Block& block) const noexcept;
+  void push(const Block& block) { push(Block(block)); }
+  void push(Block&& block);
+  /// Nothing follows.
+  void finish();
+
+  /// The next piece of which nothing can change any more.
+  std::optional<Piece> pop();
+
+ private:
+  /// A curve whose end is not settled yet.
+  struct Held {
+    Block block;
+    double begin = 0;  // mm: what lies before is replaced already
+    const Path& path() const { return std::get<Move>(block.what).path; }
+    const Move& move() const { return std::get<Move>(block.what); }
+  };
+
+  /// What is on one side of a blend: marks by mm along the part that the blend replaces.
+  struct Side {
+    Manner manner;
+    std::vector<Mark> marks;
+    double deviation = 0;  // mm: of that part
+  };
+
+  void push_line(const Block& block);
+  void push_curve(Block block);
+  void hold(Block block);
+  double leave_chord(const Path& after, const Side& next);
+  std::optional<Blend> leave_held(const Path& after, double tolerance, double feed);
+  void close_chord();
+  void begin_with_held(Chord& chord);
+  void flush();
+  bool joins(const Move& move) const;
+  std::optional<Blend> blend_into(const Path& before, double left, double tolerance,
+                                  const Path& after, double feed) const;
+  bool is_sooner(const Nurbs& curve, double feed) const;
+  bool within_travel(const Nurbs& curve) const;
+  void emit_held(double end);
+  Side held_side() const;
+  void emit_blend(const Blend& blend, Side before, Side after);
+
+  const Machine& machine_;
+  CornerChoice choice_;
+  bool has_jerk_limit_ = false;
+  std::deque<Piece> out_;
+  LineRun run_{out_, machine_};
+  ChordMerge chord_;
+  std::optional<Held> held_;    // before the chord, if there is one
+  std::optional<Manner> last_;  // of the move before, if it may be joined
+};
+
+}  // namespace softcnc::ipo

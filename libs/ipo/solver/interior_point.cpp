@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/solver/interior_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace softcnc::ipo {
+namespace {
+
+constexpr int kMostIterations = 150;
+constexpr int kFewIterations = 45;           // a good guess needs no more
+constexpr double kTimeTolerance = 1e-4;      // of the time
+constexpr double kRowTolerance = 1e-7;       // of each bound
+constexpr double kGradientTolerance = 1e-3;  // of the gradient of the time
+constexpr double kTangentTolerance = 1e-2;   // rows are kept well enough to move the tangents
+constexpr int kStubborn = 5;                 // iterations after which tangents move all the same
+// What a step aims for, as a part of the gap: with more, whole curves take up to twice as many
+// steps.
+constexpr double kLeastCentred = 1e-3, kMostCentred = 0.1;
+constexpr double kHopelessGap = 1e6;       // of the time: multipliers grow where nothing keeps all
+constexpr double kFirstGap = 100;          // of the time: how far from the bounds to begin
+constexpr double kFirstSlack = 0.1;        // of each bound
+constexpr double kFirstSpeed = 0.25;       // of the guess, in q
+constexpr double kAccelerationPart = 0.7;  // the guess leaves the rest to the curve
+
+}  // namespace
+
+InteriorPoint::InteriorPoint(SpeedProblem problem)
+    : problem_(std::move(problem)),
+      n_(problem_.size()),
+      coefficients_(n_ + 2),
+      step_(n_ + 2),
+      at_(n_),
+      weight_(n_),
+      caps_(n_),
+      cap_(n_),
+      matrix_(n_ + 2) {
+  const std::vector<double>& s = problem_.spline().nodes();
+  for (std::size_t i = 0; i + 1 < n_; ++i) {
+    weight_[i] += 0.5 * (s[i + 1] - s[i]);
+    weight_[i + 1] += 0.5 * (s[i + 1] - s[i]);
+  }
+  rows_.reserve(problem_.rows().size());
+  for (const SpeedRow& row : problem_.rows())
+    rows_.push_back(
+        {row.factor.q, row.factor.dq, row.factor.ddq, Both::Zero(), Both::Constant(row.bound), {}});
+}
+
+/// Speeds under the caps and about half of what the rows allow: a place to begin, no more.
+std::vector<double> InteriorPoint::guess() const {
+  const std::vector<double>& s = problem_.spline().nodes();
+  std::vector<double> q(n_), slope(n_, std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < n_; ++i) {
+    q[i] = problem_.cap(i);
+    for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
+      const SpeedRow& row = problem_.rows()[r];
+      const double alone = row.bound / std::abs(row.factor.q);
+      if (row.factor.q != 0)
+        q[i] = std::min(q[i], row.over_root ? std::cbrt(alone * alone) : alone);
+      if (!row.over_root && row.factor.dq != 0)
+        slope[i] = std::min(slope[i], kAccelerationPart * row.bound / std::abs(row.factor.dq));
+    }
+  }
+  q.front() = std::min(q.front(), problem_.start().q);
+  q.back() = std::min(q.back(), problem_.end().q);
+  for (std::size_t i = 1; i < n_; ++i)
+    q[i] = std::min(q[i], q[i - 1] + slope[i] * (s[i] - s[i - 1]));
+  for (std::size_t i = n_ - 1; i-- > 0;)
+    q[i] = std::min(q[i], q[i + 1] + slope[i] * (s[i + 1] - s[i]));
+  return q;
+}
+
+/// act(bound, how far its row is over it, its scale) for the bounds of every cap and row.
+template <typename Act>
+void InteriorPoint::for_each_measured_bound(Act act) {
+  for (std::size_t i = 0; i < n_; ++i) {
+    act(caps_[i], over_cap(i), cap_[i]);
+    for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
+      TwoBounds& row = rows_[r];
+      act(row.bounds, row.over(at_[i]), row.bound.minCoeff());
+    }
+  }
+}
+
+void InteriorPoint::begin(const std::vector<double>& guess) {
+  for (std::size_t k = 0; k < coefficients_.size(); ++k)
+    coefficients_[k] = kFirstSpeed * guess[std::clamp<std::size_t>(k, 1, n_) - 1];
+  const auto first = problem_.spline().first_coefficients(problem_.start().q, problem_.start().dq);
+  const auto last = problem_.spline().last_coefficients(problem_.end().q, problem_.end().dq);
+  std::copy(first.begin(), first.end(), coefficients_.begin());
+  std::copy(last.begin(), last.end(), coefficients_.end() - 2);
+  for (std::size_t i = 0; i < n_; ++i) cap_[i] = problem_.cap(i);
+  cap_.front() = 2 * coefficients_[1];  // what is given is not to be held
+  cap_.back() = 2 * coefficients_[n_];
+  move_tangents(guess);
+  evaluate();
+  const double aim = kFirstGap * time_ / static_cast<double>(caps_.size() + 2 * rows_.size());
+  for_each_measured_bound([aim]<typename Value>(Bound<Value>& bound, const Value& g, double scale) {
+    bound.slack = kFirstSlack * larger(magnitude(g), Bound<Value>::uniform(scale));
+    bound.multiplier = aim / bound.slack;
+  });
+}
+
+/// bound / sqrt(q) >= bound (3/2 p^-1/2 - 1/2 p^-3/2 q), the tangent at p, and what a jump takes
+/// from it is k sqrt(q) <= k (1/2 p^1/2 + 1/2 p^-1/2 q).
+void InteriorPoint::move_tangents(const std::vector<double>& q) {
+  for (std::size_t i = 0; i < n_; ++i) {
+    const double root = 1 / std::sqrt(q[i]);
+    for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
+      const SpeedRow& row = problem_.rows()[r];
+      if (!row.over_root) continue;
+      const Both taken{row.above * q[i], row.below * q[i]};
+      rows_[r].tangent = (0.5 * root / q[i]) * (row.bound + taken);
+      rows_[r].bound = root * (1.5 * row.bound - 0.5 * taken);
+    }
+  }
+}
+
+void InteriorPoint::evaluate() {
+  time_ = 0;
+  for (std::size_t i = 0; i < n_; ++i) {
+    at_[i] = problem_.spline().at_node(i, coefficients_);
+    time_ += weight_[i] / std::sqrt(at_[i].q);
+  }
+}
+
+bool InteriorPoint::is_solved() {
+  measure();
+  if (gap_ > kTimeTolerance * time_ || violation_ > kRowTolerance) return false;
+  return gradient_left() <= kGradientTolerance;
+}
+
+/// Gap and violation.
+void InteriorPoint::measure() {
+  gap_ = violation_ = 0;
+  for_each_measured_bound(
+      [this]<typename Value>(Bound<Value>& bound, const Value& g, double scale) {
+        bound.measure(g);
+        raise(violation_, largest(bound.over), scale);
+        gap_ += sum(Value(bound.slack * bound.multiplier));
+      });
+}
+
+/// What the multipliers alone leave of the gradient of the time, as a part of it.
+double InteriorPoint::gradient_left() {
+  std::fill(step_.begin(), step_.end(), 0.0);
+  double of_time = 0, left = 0;
+  for (std::size_t i = 0; i < n_; ++i) {
+    const double pull = -0.5 * weight_[i] / (at_[i].q * std::sqrt(at_[i].q));
+    SpeedSquare y{pull, 0, 0};
+    step_[i + 1] += caps_[i].multiplier;
+    for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
+      rows_[r].add_gradients(rows_[r].bounds.multiplier, y);
+    }
+    add_to_step(i, y, 1);
+    of_time -= pull * at_[i].q;
+  }
+  for (std::size_t k = 2; k < n_; ++k) left += std::abs(step_[k] * coefficients_[k]);
+  return left / of_time;
+}
+
+/// What a derivative by (q, q', q'') at a node is by the coefficients.
+void InteriorPoint::add_to_step(std::size_t node, const SpeedSquare& y, double sign) {
+  const SpeedSpline::Weights& w = problem_.spline().weights(node);
+  for (std::size_t m = 0; m < 3; ++m)
+    step_[node + m] += sign * (y.q * w.q[m] + y.dq * w.dq[m] + y.ddq * w.ddq[m]);
+}
+
+std::vector<double> InteriorPoint::speeds() const {
+  std::vector<double> q(n_);
+  for (std::size_t i = 0; i < n_; ++i) q[i] = at_[i].q;
+  return q;
+}
+
+SpeedSolution InteriorPoint::run(const std::vector<double>& begin_at, int most) {
+  begin(begin_at.empty() ? guess() : begin_at);
+  const double bounds = static_cast<double>(caps_.size() + 2 * rows_.size());
+  int iteration = 0;
+  for (; iteration < most && !is_solved(); ++iteration) {
+    if (is_hopeless()) break;
+    const bool kept = violation_ < kTangentTolerance;
+    const double aim = gap_ / bounds;
+    assemble();
+    const double part = find_step(0, 0).gap_after(gap_) / gap_;
+    const double sigma = std::clamp(part * part * part, kLeastCentred, kMostCentred);
+    take(find_step(sigma * aim, 1));
+    if (!kept && iteration % kStubborn != kStubborn - 1) continue;
+    move_tangents(speeds());
+  }
+  return {coefficients_, iteration, iteration < most && !is_hopeless()};
+}
+
+bool InteriorPoint::is_hopeless() const noexcept {
+  return !std::isfinite(time_) || gap_ > kHopelessGap * time_;
+}
+
+/// From the guess, or, should that lead nowhere, from the optimum without jerk.
+SpeedSolution fastest_speeds(const SpeedProblem& problem, const std::vector<double>& begin_at,
+                             int most) {
+  SpeedSolution solution = InteriorPoint(problem).run(begin_at, std::min(kFewIterations, most));
+  const auto left = [&] { return std::min(kMostIterations, most - solution.iterations); };
+  if (solution.converged || left() <= 0) return solution;
+  InteriorPoint without_jerk(problem.without_root_rows());
+  solution.iterations += without_jerk.run({}, left()).iterations;
+  if (left() <= 0) return solution;
+  SpeedSolution last = InteriorPoint(problem).run(without_jerk.speeds(), left());
+  last.iterations += solution.iterations;
+  return last;
+}
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+// What codes do. Handlers change modes and position even on a line with an error, so that the lines
+// behind it are not reported for its sake.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "ipr/codes/command.hpp"
+#include "ipr/codes/gcode_table.hpp"
+#include "ipr/flow/flow.hpp"
+#include "ipr/interpreter/interpreter.hpp"
+#include "ipr/interpreter/modal.hpp"
+#include "ipr/interpreter/output.hpp"
+#include "ipr/interpreter/tool_table.hpp"
+#include "motion/geometry/spline.hpp"
+#include "motion/model/machine.hpp"
+
+namespace softcnc::ipr {
+
+/// One code of one line, at work.
+struct Task {
+  const GCode& code;
+  const Word& word;  // what called for it; for a modal motion the first coordinate
+  const Command& command;
+  const Values& values;
+  const Machine& machine;
+  const InterpreterOptions& options;
+  Modal& modal;
+  Output& out;
+  Flow& flow;
+};
+
+// moves.cpp
+void rapid(Task& task);
+void feed_line(Task& task);
+void cancel_motion(Task& task);
+/// Along a line to a place in machine coordinates; a way of no length gives no block.
+void move_straight(Task& task, const AxisVector& to, bool rapid);
+
+// arcs.cpp
+void arc_clockwise(Task& task);
+void arc_counterclockwise(Task& task);
+
+// bezier_words.cpp
+void cubic(Task& task);
+void quadratic(Task& task);
+// cycles.cpp
+void canned_cycle(Task& task);
+void refuse_cycle(Task& task);
+void retract_to_start(Task& task);
+void retract_to_r(Task& task);
+
+// nurbs_words.cpp
+void nurbs(Task& task);
+/// Tells codes of a line that do not belong into the pending curve, and ends it at some.
+void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, Output& out);
+/// Ends a pending curve at the end of the program.
+void end_pending_curve(Modal& modal, Output& out);
+
+// work_offsets.cpp
+void select_work_system(Task& task);
+void use_machine_coordinates(Task& task);
+void set_local_shift(Task& task);
+void name_position(Task& task);
+void clear_shift(Task& task);
+void suspend_shift(Task& task);
+void resume_shift(Task& task);
+
+// offset_table.cpp
+void set_offsets(Task& task);
+
+// tool_length.cpp
+inline constexpr int kLastTool = 999'999'999;
+ToolTable tools_of(Task& task);
+void report_unknown_tool(Task& task, int number, SourcePos pos);
+void use_tool_length(Task& task);
+void use_given_length(Task& task);
+void add_tool_length(Task& task);
+void use_no_tool_length(Task& task);
+void cancel_nothing(Task& task);
+void switch_look_ahead(Task& task);
+void end_data_input(Task& task);
+void stop_once(Task& task);
+void select_length(Task& task);
+
+// reference_points.cpp
+void go_home(Task& task);
+void keep_home(Task& task);
+
+// saved_modes.cpp
+void save_modes(Task& task);
+void forget_modes(Task& task);
+void restore_modes(Task& task);
+
+// refused.cpp
+void refuse_thread(Task& task);
+void refuse_signal(Task& task);
+void refuse_rigid_tapping(Task& task);
+void switch_input(Task& task);
+
+// open_curves.cpp: curves over several lines that an error has spoiled
+/// What the errors of a line leave of a curve to which it belongs.
+void note_faults(const Command& command, const Modal& modal, const Output& out, OpenCurve& curve);
+/// The same of a code that does not belong among its lines, which has been told.
+void note_stranger(const GCode& code, OpenCurve& curve);
+/// Shows where a curve leads that gives no block: as `made`, or, where that is not its shape, from
+/// one point to the next of those through which it goes for certain.
+void show_broken(const Modal& modal, const Output& out, const OpenCurve& curve, Result<Nurbs> made,
+                 std::span<const AxisVector> certain);
+
+// point_words.cpp
+void control_points(Task& task);
+void end_control_points(Task& task);
+void spline(Task& task);
+/// Tells codes of a line that do not belong among the pending points, and ends them at others.
+void check_pending_points(const Command& command, Modal& modal, Output& out);
+/// Ends the pending points of a spline, which has no code of its own to end it.
+void end_pending_spline(Modal& modal, Output& out);
+/// Ends pending points at the end of the program.
+void end_pending_points(Modal& modal, Output& out);
+
+// surface_words.cpp
+void ask_for_surface(Task& task);
+void cancel_surface(Task& task);
+/// The words of G06.4 in the first block of G06.2.
+void ask_for_surface_of_curve(Task& task);
+/// False, and told once, if a roughness is asked for while the spindle rests. `word` and `line`:
+/// the move's.
+bool has_surface_speed(Modal& modal, Output& out, SourcePos word, std::string_view line);
+/// The roughness in force, at the speed of the spindle.
+std::optional<Surface> surface_at_speed(const Modal& modal) noexcept;
+
+// modes.cpp
+void select_plane(Task& task);
+void use_inches(Task& task);
+void use_millimetres(Task& task);
+void use_absolute(Task& task);
+void use_incremental(Task& task);
+void use_absolute_centres(Task& task);
+void use_incremental_centres(Task& task);
+void switch_override(Task& task);
+void follow_exactly(Task& task);
+void follow_path_within(Task& task);
+void stop_exactly(Task& task);
+void set_feed(Task& task);
+void select_feed_mode(Task& task);
+void refuse_surface_speed(Task& task);
+
+// actions.cpp
+void dwell(Task& task);
+void set_speed(Task& task);
+void select_tool(Task& task);
+void change_tool(Task& task);
+void name_tool(Task& task);
+void turn_spindle(Task& task);
+void switch_coolant(Task& task);
+void stop_program(Task& task);
+void stop_optionally(Task& task);
+void end_program(Task& task);
+
+// compensation_words.cpp
+void compensate(Task& task);
+void select_radius(Task& task);
+void end_compensation(Task& task);
+/// Refuses codes that would move the contour or the tool while G41 or G42 is in force, or that
+/// cannot lead away behind G40. Motion acts all the same, so that it is known where it leads.
+bool may_act(Task& task);
+
+// calls.cpp
+void call_program(Task& task);
+void call_macro(Task& task);
+void refuse_modal_macro(Task& task);
+void leave_program(Task& task);
+
+/// The letters of coordinate `axis`, and of the distance from the start beside it.
+inline constexpr std::string_view kOffsetLetters = "IJK";
+constexpr char axis_letter(int axis) noexcept {
+  return kAxisLetters[static_cast<std::size_t>(axis)];
+}
+constexpr char offset_letter(int axis) noexcept {
+  return kOffsetLetters[static_cast<std::size_t>(axis)];
+}
+
+/// The two coordinates along a plane.
+constexpr Letters plane_letters(const PlaneAxes& axes) noexcept {
+  Letters letters;
+  letters.add(axis_letter(axes.first));
+  letters.add(axis_letter(axes.second));
+  return letters;
+}
+
+inline constexpr double kLongestDwell = 1e9;  // s
+
+// reach.cpp: what lies too far off is told at its word
+/// The place, where it is near enough; otherwise told, and what of it is.
+AxisVector near_place(const Task& task, const AxisVector& place);
+std::string leads_far(const std::string& who);
+/// Sets an offset. False, and told, where it is too large: then it stays.
+bool keep_offset(Task& task, AxisVector& offset, const AxisVector& wanted);
+bool keep_offset(Task& task, char letter, double& offset, double wanted);
+/// False, and told, where one of these words gives a length that is too large: of the radius or the
+/// centre of an arc, or a handle of a curve.
+bool has_near_lengths(Task& task, std::string_view letters);
+
+// words.cpp: what several handlers need
+/// Of the word with this letter, or of the code where the line has none.
+SourcePos place_of(const Task& task, char letter);
+/// Whether it is known where the machine is along the axes that the line names.
+bool knows_position(const Task& task) noexcept;
+/// Whether the word is written with a decimal point.
+bool has_point(const Task& task, const Word& word);
+/// Where the axis words lead, in mm and machine coordinates, from the position in force.
+AxisVector end_point(const Task& task);
+/// Notes where an offset that has been assigned to makes a difference between the dialects.
+void compare_offsets(const Task& task);
+/// Calls use(axis, mm) for every axis word of the line.
+template <typename Use>
+void for_named_axes(const Task& task, Use&& use) {
+  for (int i = 0; i < kAxes; ++i) {
+    const char letter = kAxisLetters[static_cast<std::size_t>(i)];
+    if (task.values.has(letter)) use(i, task.values[letter] * task.modal.mm_per_unit);
+  }
+}
+/// Moves along the path from the position, at the feed in force or as a rapid.
+void emit_move(Task& task, Path&& path, bool rapid = false);
+/// As of Move::unknown_axes.
+std::uint8_t axis_bits(Letters letters) noexcept;
+/// A cutting move by the modes in force.
+Move cutting_move(const Modal& modal, Path&& path, double feed);
+bool is_of_fanuc(Task& task);
+/// False, and muted, if an error has left open which plane is in force.
+bool knows_plane(Task& task);
+/// False, and told, if the machine lacks an axis of the plane.
+bool has_plane_axes(Task& task, const PlaneAxes& axes);
+/// What a curve over several lines keeps of its first one.
+CurveHead curve_head(Task& task);
+/// As many control points as a curve can have: all of it is held until its end.
+inline constexpr std::size_t kMostCurvePoints = 10'000;
+void report_too_many(Task& task);
+/// How far the first point of a curve may lie off the position, mm.
+double start_tolerance(const Machine& machine);
+/// Whether it is an O beside other words, which has been told.
+bool is_told_number(const GCode& code, const Command& command) noexcept;
+/// Whether the line has another motion code, or one that stops or ends the program.
+bool ends_curve(const Command& command, const GCode& curve) noexcept;
+/// False, and told or muted, if there is no feed. In G95 sets that of the spindle's speed.
+bool has_feed(Task& task);
+/// mm/s, held at the machine's limit with one warning.
+double held_feed(Task& task, double feed);
+/// FANUC: with G28 or G30, beside which G00 and G01 come into force and do not move.
+bool fanuc_goes_home(const Command& command, Dialect dialect) noexcept;
+/// Makes the code the motion in force.
+void begin_motion(Task& task);
+/// Reports, or only mutes the line if the error may come from an earlier one.
+void report_if_certain(Task& task, Letters depends_on, Code code, SourcePos pos,
+                       std::string message);
+/// Reports what is wrong with these words and no others, whatever else the line says, but where an
+/// error leaves open what they are, or whose.
+void report_words(const Task& task, Letters words, Code code, SourcePos pos, std::string message);
+/// The same of one word, at its place.
+void report_word(const Task& task, char letter, Code code, std::string message);
+/// The value as a whole number from 0; otherwise told, and nothing.
+std::optional<int> whole_number(Task& task, const Word& word);
+/// The same of a word that is a code, whatever else the line says.
+std::optional<int> whole_number(Output& out, const Word& word);
+/// False, and told, whatever else the line says, if the value is negative.
+bool is_not_negative(Output& out, const Word& word);
+/// The value as a whole number of nine digits at most; nothing where it is none, or below `least`.
+std::optional<int> whole_from(double least, double value) noexcept;
+/// From the first to the last of these words.
+SourcePos span_of(const Values& values, std::string_view letters) noexcept;
+/// A number for a message: at most three decimals, no trailing zeros.
+std::string number_text(double value);
+
+/// What is reported of a feed above the machine's `limit`, mm/s.
+std::string above_limit(const std::string& feed, double limit);
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+// Moves along the contour come in, moves of the tool beside it go out, one move late.
+#include "ipr/compensation/compensation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "ipr/codes/handlers.hpp"
+#include "ipr/compensation/corner.hpp"
+#include "ipr/compensation/entry.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr double kSamePoint = 1e-9;  // mm
+constexpr double kShortest = 1e-6;   // mm: less of a move is none
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kAtEnd = 1e-3;  // mm: parallels that meet so near an end do so at the corner
+constexpr std::size_t kMostWaiting = 10'000;
+constexpr double kGrazing = 5e-3;  // mm: programs are rounded to less
+
+bool stays_in_plane(const Path& path, const PlaneAxes& axes) {
+  if (!std::holds_alternative<softcnc::Line>(path)) return false;
+  return (in_plane(end(path), axes) - in_plane(start(path), axes)).norm() < kSamePoint;
+}
+
+bool same_height(const Path& before, const Path& behind, const PlaneAxes& axes) {
+  const double height = start(before)[axes.across];
+  const auto is_level = [&](const AxisVector& point) {
+    return std::abs(point[axes.across] - height) < kSamePoint;
+  };
+  return is_level(end(before)) && is_level(start(behind)) && is_level(end(behind));
+}
+
+/// What lies between two curves behind a point in which they cross at a small angle, is at most
+/// sin^2 / 2c wide, c being how much more the one bends than the other.
+bool grazes(const PlaneCurve& before, const PlaneCurve& behind, const PlaneVector& at) {
+  const PlaneVector a = before.direction_at(at), b = behind.direction_at(at);
+  const double sine = cross(a, b);
+  const double bend = (before.curvature() * left_of(a) - behind.curvature() * left_of(b)).norm();
+  return sine * sine < 2 * bend * kGrazing;
+}
+
+/// Whether they do, and not just touch, in a point that counts.
+template <typename Counts>
+bool cross_at(const PlaneCurve& before, const PlaneCurve& behind, Counts counts) {
+  const Meetings all = meetings(before, behind);
+  return std::any_of(
+      all.of.begin(), all.of.begin() + static_cast<std::ptrdiff_t>(all.count),
+      [&](const Meeting& at) { return counts(at) && !grazes(before, behind, at.at); });
+}
+
+const Path& path_of(const Block& block) { return std::get<Move>(block.what).path; }
+
+/// The whole line, from its first word on.
+SourcePos place_of(const Block& block, std::string_view text) {
+  SourcePos place = block.source;
+  const std::size_t last = text.find_last_not_of(" \t\r");
+  const int end = last == std::string_view::npos ? 0 : static_cast<int>(last) + 1;
+  place.length = std::max(1, end - place.column + 1);
+  return place;
+}
+
+std::string tool_text(double radius) { return "the tool, radius " + number_text(radius) + " mm, "; }
+
+}  // namespace
+
+/// Whether the tool passes there, mm from the parallel's start, and not just by its ends.
+bool Compensation::Along::keeps(double at) const noexcept {
+  return at > cut + kAtEnd && at < parallel.length() - cut_end - kAtEnd;
+}
+
+void Compensation::start(const CutterSide& mode) {
+  mode_ = mode;
+  before_.reset();
+  axes_ = plane_axes(mode.plane);
+  entered_ = false;
+}
+
+std::optional<AxisVector> Compensation::stop() {
+  if (held_) let_out_whole();
+  const bool beside = on() && entered_;
+  mode_.reset();
+  return beside ? std::optional(tool_) : std::nullopt;
+}
+
+void Compensation::follow(Block block, std::string_view text, bool certain) {
+  const bool move = std::holds_alternative<Move>(block.what);
+  if (move && on() && mode_->radius > 0) return follow_move(std::move(block), text, certain);
+  if (held_)
+    wait(std::move(block), text);
+  else
+    ready_.push_back(std::move(block));
+}
+
+std::optional<Block> Compensation::pop() {
+  if (ready_.empty()) return std::nullopt;
+  std::optional<Block> block(std::move(ready_.front()));
+  ready_.pop_front();
+  return block;
+}
+
+/// Until the next move of the contour tells where the one before ends.
+void Compensation::wait(Block block, std::string_view text) {
+  if (waiting_.size() < kMostWaiting) return waiting_.push_back(std::move(block));
+  report(Code::SC2151, block, text,
+         "more than " + std::to_string(kMostWaiting) +
+             " blocks without a move in the plane of the contour");
+  let_out_whole();
+  before_.reset();
+}
+
+void Compensation::follow_move(Block block, std::string_view text, bool certain) {
+  const AxisVector from = softcnc::start(path_of(block)), to = softcnc::end(path_of(block));
+  const bool broken = !certain || (from - programmed_).norm() > kShortest;
+  programmed_ = to;
+  if (stays_in_plane(path_of(block), axes_)) {
+    if (held_) return wait(std::move(block), text);
+    if (!entered_) return ready_.push_back(std::move(block));
+    return move_to(block, in_plane(tool_, axes_), to[axes_.across]);
+  }
+  const bool first = !std::exchange(entered_, true);
+  if (held_ && broken) let_out_whole();
+  if (broken) before_.reset();
+  if (first || !held_) tool_ = from;
+  if (!certain) return;
+  if (first) return enter(std::move(block), text);
+  go_on(std::move(block), text);
+}
+
+/// The first move leads from wherever the tool is to the side of its end.
+void Compensation::enter(Block block, std::string_view text) {
+  const PlaneCurve contour = plane_curve(path_of(block), axes_);
+  const double across = programmed_[axes_.across];
+  const bool square = mode_->square_entry && !contour.is_arc();
+  if (!square && (contour.to() - contour.from()).norm() <= mode_->radius) {
+    return report(Code::SC2143, block, text,
+                  "the first move of cutter compensation must be longer than the tool's radius, " +
+                      number_text(mode_->radius) + " mm");
+  }
+  const auto parallel = entry_beside(contour, offset());
+  if (!parallel)
+    return report(Code::SC2144, block, text,
+                  "no arc leads from here to the side of the end of this arc");
+  held_.emplace(Along{std::move(block), std::string(text), contour, *parallel, across});
+  held_->entry = true;
+}
+
+void Compensation::go_on(Block block, std::string_view text) {
+  const PlaneCurve contour = plane_curve(path_of(block), axes_);
+  const auto parallel = contour.parallel(offset());
+  if (!parallel) {
+    if (held_) let_out_whole();
+    return report(Code::SC2145, block, text,
+                  tool_text(mode_->radius) + "does not fit into an arc of radius " +
+                      number_text(contour.start_radius()) + " mm");
+  }
+  const double across = programmed_[axes_.across];
+  Along next{std::move(block), std::string(text), contour, *parallel, across};
+  if (held_)
+    join(next);
+  else
+    begin_at(*parallel);
+  held_.emplace(std::move(next));
+}
+
+void Compensation::join(Along& next) {
+  const Corner corner = corner_between(held_->contour, next.contour, mode_->side, mode_->radius);
+  if (held_->entry && !held_->contour.is_arc() && corner != Corner::none) {
+    contradictions_.note(Contradiction::entry, held_->block.source, held_->text);
+    if (mode_->square_entry) return let_out(next.parallel.from(), 0);
+  }
+  switch (corner) {
+    case Corner::none:
+      return let_out_whole();
+    case Corner::outside:
+      let_out_whole();
+      return turn_around(next);
+    case Corner::inside:
+      return cut_corner(next);
+  }
+}
+
+void Compensation::cut_corner(Along& next) {
+  const auto corner = meeting(held_->parallel, next.parallel);
+  if (!corner) {
+    report(Code::SC2146, next.block, next.text,
+           tool_text(mode_->radius) + "does not fit into the inside corner before this move");
+    let_out_whole();
+    return begin_at(next.parallel);
+  }
+  if (held_->cut + corner->cut_before > held_->parallel.length() + kShortest) {
+    report(Code::SC2147, held_->block, held_->text,
+           tool_text(mode_->radius) + "does not fit between the inside corners of this move");
+    let_out_whole();
+    return begin_at(next.parallel);
+  }
+  next.cut = corner->cut_behind;
+  let_out(corner->at, corner->cut_before);
+}
+
+/// Behind an error: what comes next is judged by itself.
+void Compensation::begin_at(const PlaneCurve& parallel) {
+  before_.reset();
+  tool_[axes_.first] = parallel.from().x();
+  tool_[axes_.second] = parallel.from().y();
+}
+
+void Compensation::turn_around(const Along& next) {
+  turn_to(next.block, next.parallel.from(), tool_[axes_.across], next.contour.from(),
+          -mode_->side * std::numbers::pi);
+}
+
+void Compensation::let_out_whole() { let_out(held_->parallel.to(), 0); }
+
+/// Where the parallels of neighbours cross elsewhere than at the corner, the tool cuts into both
+/// contours; where one behind an outside corner crosses the contour of the other, into that. Moves
+/// at other heights may pass over each other, and the entry is no contour.
+void Compensation::check_gouge() {
+  if (!before_ || before_->entry) return;
+  if (!same_height(path_of(before_->block), path_of(held_->block), axes_)) return;
+  if (parallels_cross() || cuts_behind_outside_corner())
+    report(Code::SC2150, held_->block, held_->text,
+           tool_text(mode_->radius) + "does not fit between this move and the one before");
+}
+
+bool Compensation::parallels_cross() const {
+  const PlaneCurve &before = before_->parallel, &behind = held_->parallel;
+  return cross_at(before, behind, [&](const Meeting& at) {
+    return before_->keeps(before.length() - at.cut_before) && held_->keeps(at.cut_behind);
+  });
+}
+
+bool Compensation::cuts_behind_outside_corner() const {
+  const PlaneCurve &before = before_->contour, &behind = held_->contour;
+  if (corner_between(before, behind, mode_->side, mode_->radius) != Corner::outside) return false;
+  const bool into_before = cross_at(before, held_->parallel, [&](const Meeting& at) {
+    return at.cut_before > kAtEnd && held_->keeps(at.cut_behind);
+  });
+  return into_before || cross_at(before_->parallel, behind, [&](const Meeting& at) {
+           return before_->keeps(before_->parallel.length() - at.cut_before) &&
+                  at.cut_behind > kAtEnd;
+         });
+}
+
+/// The held move as far as this point, and what has waited behind it.
+void Compensation::let_out(const PlaneVector& to, double cut) {
+  held_->cut_end = cut;
+  check_gouge();
+  const PlaneCurve& beside = held_->parallel;
+  const double left = 1 - (held_->cut + cut) / beside.length();
+  if (beside.is_arc())
+    turn_to(held_->block, to, held_->across, beside.center(), left * beside.sweep());
+  else
+    move_to(held_->block, to, held_->across);
+  for (Block& block : waiting_) {
+    if (std::holds_alternative<Move>(block.what))
+      move_to(block, in_plane(tool_, axes_), softcnc::end(path_of(block))[axes_.across]);
+    else
+      ready_.push_back(std::move(block));
+  }
+  waiting_.clear();
+  before_ = std::exchange(held_, std::nullopt);
+}
+
+void Compensation::move_to(const Block& like, const PlaneVector& to, double across) {
+  AxisVector end = tool_;
+  end[axes_.first] = to.x();
+  end[axes_.second] = to.y();
+  end[axes_.across] = across;
+  if ((end - tool_).norm() < kShortest) return;
+  ready_.push_back(like);
+  std::get<Move>(ready_.back().what).path = softcnc::Line(tool_, end);
+  tool_ = end;
+}
+
+/// On an arc about the centre; `sweep` tells its direction and how often it goes round, rad.
+void Compensation::turn_to(const Block& like, const PlaneVector& to, double across,
+                           const PlaneVector& center, double sweep) {
+  const bool closed = (to - in_plane(tool_, axes_)).norm() < kShortest;
+  if (closed && std::abs(sweep) < std::numbers::pi) return move_to(like, to, across);
+  ArcSpec spec{tool_, tool_, tool_, mode_->plane, sweep > 0, 0};
+  spec.center[axes_.first] = center.x();
+  spec.center[axes_.second] = center.y();
+  spec.to[axes_.across] = across;
+  spec.radius_tolerance = std::numeric_limits<double>::infinity();  // the contour is accepted
+  const double turns = std::abs(sweep) / kTurn;
+  spec.turns = static_cast<int>(closed ? std::round(turns) : std::ceil(turns)) - 1;
+  if (!closed) {
+    spec.to[axes_.first] = to.x();
+    spec.to[axes_.second] = to.y();
+  }
+  Result<Arc> arc = Arc::make(spec);
+  if (!arc)
+    return report(Code::SC9001, like, {}, "an arc beside the contour: " + arc.error().message);
+  ready_.push_back(like);
+  std::get<Move>(ready_.back().what).path = std::move(*arc);
+  tool_ = spec.to;
+}
+
+void Compensation::report(Code code, const Block& block, std::string_view text,
+                          std::string message) {
+  diagnostics_.report(code, place_of(block, text), std::move(message), text);
+}
+
+}  // namespace softcnc::ipr

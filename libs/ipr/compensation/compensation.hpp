@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Cutter compensation: moves along a contour become moves of the tool beside it.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ipr/codes/modes.hpp"
+#include "ipr/compensation/plane_curve.hpp"
+#include "ipr/expressions/dialect_differences.hpp"
+
+namespace softcnc::ipr {
+
+/// Between what handlers emit and what the interpreter gives out. It holds the last move of the
+/// contour, and what stands behind it, until the next one tells where the move ends.
+class Compensation {
+ public:
+  Compensation(Diagnostics& diagnostics, Contradictions& contradictions)
+      : diagnostics_(diagnostics), contradictions_(contradictions) {}
+
+  bool on() const noexcept { return mode_.has_value(); }
+  void start(const CutterSide& mode);
+  /// Lets everything out. Where the tool then is, mm, if that is beside the programmed position.
+  std::optional<AxisVector> stop();
+
+  /// The next block of the program, from a line of this text. What is wrong is reported if it is
+  /// certain that no earlier error is its cause.
+  void follow(Block block, std::string_view text, bool certain);
+  bool has_block() const noexcept { return !ready_.empty(); }
+  std::optional<Block> pop();
+
+ private:
+  /// A move along the contour, and beside it.
+  struct Along {
+    Block block;
+    std::string text;  // of its line
+    PlaneCurve contour, parallel;
+    double across;       // mm: where it ends across the plane
+    double cut = 0;      // mm: what the corner before takes off the parallel
+    double cut_end = 0;  // mm: what the corner behind takes off it
+    bool entry = false;
+
+    bool keeps(double at) const noexcept;
+  };
+
+  void wait(Block block, std::string_view text);
+  void follow_move(Block block, std::string_view text, bool certain);
+  void enter(Block block, std::string_view text);
+  void go_on(Block block, std::string_view text);
+  void join(Along& next);
+  void cut_corner(Along& next);
+  void begin_at(const PlaneCurve& parallel);
+  void turn_around(const Along& next);
+  void let_out(const PlaneVector& to, double cut);
+  void check_gouge();
+  bool parallels_cross() const;
+  bool cuts_behind_outside_corner() const;
+  void let_out_whole();
+  void move_to(const Block& like, const PlaneVector& to, double across);
+  void turn_to(const Block& like, const PlaneVector& to, double across, const PlaneVector& center,
+               double sweep);
+  double offset() const noexcept { return mode_->side * mode_->radius; }
+  void report(Code code, const Block& block, std::string_view text, std::string message);
+
+  Diagnostics& diagnostics_;
+  Contradictions& contradictions_;
+  std::optional<CutterSide> mode_;
+  PlaneAxes axes_{};
+  bool entered_ = false;                        // the first move in the plane has been seen
+  AxisVector programmed_ = AxisVector::Zero();  // mm: the end of the last move that came in
+  AxisVector tool_ = AxisVector::Zero();        // mm: the end of the last move let out
+  std::optional<Along> held_;
+  std::optional<Along> before_;  // the one let out last
+  std::vector<Block> waiting_;   // behind the held move
+  std::deque<Block> ready_;
+};
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The corner between two moves of a contour, seen from the side on which the tool runs.
+#pragma once
+
+#include "ipr/compensation/plane_curve.hpp"
+
+namespace softcnc::ipr {
+
+enum class Corner : std::uint8_t {
+  none,     // the parallels join
+  outside,  // the tool turns around the corner
+  inside,   // the parallels are cut off where they meet
+};
+
+/// `side`: 1 left, -1 right; `radius`: of the tool, mm.
+Corner corner_between(const PlaneCurve& before, const PlaneCurve& behind, int side, double radius);
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// The table of contradictions, and how they are told.
+#include "ipr/expressions/dialect_differences.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+namespace softcnc::ipr {
+namespace {
+
+using C = Contradiction;
+
+constexpr std::array<ContradictionRow, kContradictions> kTable{{
+    {C::logic, Code::SC1032, "AND, OR, XOR", "ask whether numbers are 0",
+     "join the bits of whole numbers"},
+    {C::modulo, Code::SC1032, "MOD", "is never negative",
+     "rounds its operands and has the sign of the first"},
+    {C::equality, Code::SC1032, "EQ, NE", "take numbers less than 0.0001 apart as equal",
+     "are exact"},
+    {C::angle, Code::SC1033, "ATAN, ASIN", "give -180 to 180 degrees, -90 to 90",
+     "give 0 to 360 degrees, ASIN of a negative number 270 to 360"},
+    {C::whole, Code::SC1033, "FIX, FUP of a negative number", "round down, up",
+     "round towards 0, away from 0"},
+    {C::round, Code::SC1033, "ROUND in a length or an angle", "gives a whole number",
+     "gives a multiple of 0.001 mm or 0.0001 inch"},
+    {C::grouping, Code::SC1034, "AND, OR, XOR beside other operators",
+     "bind looser than all others", "AND binds as *, OR and XOR as +"},
+    {C::vacant, Code::SC1035, "a variable without a value", "is 0",
+     "is vacant: a word with it counts as not written"},
+    {C::assignment, Code::SC1036, "a variable read on the line that assigns to it",
+     "has its value from before", "has the value assigned, if that stands before"},
+    {C::system_variable, Code::SC1037,
+     "#2001 to #2400, #3000, #3006, #4001 to #4120, #5001 to #5203", "are variables like others",
+     "are those of the system: tools, alarm, stop, modes, positions"},
+    {C::local_variable, Code::SC1038, "#31 to #33 in a called program", "belong to all programs",
+     "belong to the call"},
+    {C::assigned_offset, Code::SC1039, "an offset assigned to (#5211 to #5382)",
+     "counts from the next code that selects or changes one", "counts at once"},
+    {C::offset_unit, Code::SC1040, "the variable of an offset (#5161 to #5382) in G20", "counts mm",
+     "counts inches"},
+    {C::dwell, Code::SC2120, "G04 P", "counts seconds", "counts milliseconds"},
+    {C::cycle_dwell, Code::SC2121, "P of a canned cycle", "counts seconds", "counts milliseconds"},
+    {C::work_system_in_g91, Code::SC2122, "G10 L2 in G91", "sets the origin to the values",
+     "adds the values to the origin"},
+    {C::tool_value, Code::SC2123, "G10 L1, L10, L11 with R alone", "sets the radius of tool P",
+     "sets the length of offset P (L10) or its wear (L1, L11)"},
+    {C::length_number, Code::SC2124, "G43 without H", "takes the length of the tool in the spindle",
+     "takes the last H"},
+    {C::zero_radius, Code::SC2125, "G41, G42 with D0",
+     "takes the radius of the tool in the spindle", "takes a radius of 0"},
+    {C::radius_number, Code::SC2130, "G41, G42 without D",
+     "take the radius of the tool in the spindle", "take the last D"},
+    {C::local_shift, Code::SC2126, "G52 beside G92", "is one and the same shift",
+     "is a shift of its own, which adds to that of G92"},
+    {C::machine_point, Code::SC2127, "G53 with G01", "moves at the feed", "moves as a rapid"},
+    {C::old_call, Code::SC2128, "M98 P of five digits or more without L", "calls the program O P",
+     "calls the program of the last four digits, as often as those before them say"},
+    {C::retract, Code::SC2129, "a canned cycle before any G98 or G99", "goes out to R",
+     "goes out to where the first of the row began"},
+    {C::feed_out, Code::SC2131, "G74, G84, G89 with G98", "go out at the feed all the way",
+     "go out at the feed to R, where the spindle of a tap turns back, and on as a rapid"},
+    {C::entry, Code::SC2132, "the line on which cutter compensation begins", "leads beside its end",
+     "leads square to the beginning of the next move"},
+    {C::exact_stop, Code::SC2133, "G61", "follows the path exactly, without a stop",
+     "stops at the end of every block"},
+    {C::named_shift, Code::SC2134, "G92.1 with axes",
+     "forgets the shift of all axes, and moves where a motion is in force",
+     "forgets the shift of the axes named, and moves nothing"},
+}};
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < kTable.size(); ++i)
+    if (static_cast<std::size_t>(kTable[i].kind) != i) return false;
+  return true;
+}
+static_assert(in_order());
+
+}  // namespace
+
+std::span<const ContradictionRow> contradiction_table() noexcept { return kTable; }
+
+void Contradictions::note(Contradiction kind, SourcePos pos, std::string_view line,
+                          const std::string& detail) {
+  if (!watching_) return;
+  Met& met = met_[static_cast<std::size_t>(kind)];
+  if (met.lines.empty()) {
+    met.pos = diagnostics_.in_calls(pos);
+    met.line = line;
+    met.detail = detail;
+  }
+  if (met.lines.size() < kMostLines) met.lines.emplace(pos.file, pos.line);
+}
+
+/// "G04 P counts seconds; in the fanuc dialect: counts milliseconds (here and on 2 more lines)"
+std::string Contradictions::text_of(const ContradictionRow& row, const Met& met) const {
+  const bool fanuc = dialect_ == Dialect::fanuc;
+  std::string text = std::string(row.what) + ' ';
+  text += fanuc ? row.fanuc : row.linuxcnc;
+  text += fanuc ? "; in the linuxcnc dialect: " : "; in the fanuc dialect: ";
+  text += fanuc ? row.linuxcnc : row.fanuc;
+  text += met.detail;
+  const std::size_t more = met.lines.size() - 1;
+  if (more > 0)
+    text += " (here and on " + std::to_string(more) + " more line" + (more == 1 ? ")" : "s)");
+  return text;
+}
+
+void Contradictions::tell() {
+  std::vector<const ContradictionRow*> found;
+  const auto met_by = [this](const ContradictionRow& row) -> Met& {
+    return met_[static_cast<std::size_t>(row.kind)];
+  };
+  for (const ContradictionRow& row : kTable)
+    if (!met_by(row).lines.empty()) found.push_back(&row);
+  const auto place = [&](const ContradictionRow* row) {
+    const SourcePos& pos = met_by(*row).pos;
+    return std::tuple(pos.file, pos.line, pos.column);
+  };
+  std::stable_sort(found.begin(), found.end(),
+                   [&](const auto* a, const auto* b) { return place(a) < place(b); });
+  for (const ContradictionRow* row : found) {
+    Met& met = met_by(*row);
+    diagnostics_.report(row->code, met.pos, text_of(*row, met), met.line);
+    met = {};
+  }
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Where the dialects contradict each other: the table of it, and the lines of a program that would
+// mean something else in the other one.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "ipr/expressions/dialect.hpp"
+#include "motion/core/diagnostic.hpp"
+
+namespace softcnc::ipr {
+
+/// What both dialects take, each for something of its own. What one of them refuses is none: there
+/// it is an error, and told as such.
+enum class Contradiction : std::uint8_t {
+  logic,
+  modulo,
+  equality,
+  angle,
+  whole,
+  round,
+  grouping,
+  vacant,
+  assignment,
+  system_variable,
+  local_variable,
+  assigned_offset,
+  offset_unit,
+  dwell,
+  cycle_dwell,
+  work_system_in_g91,
+  tool_value,
+  length_number,
+  zero_radius,
+  radius_number,
+  local_shift,
+  machine_point,
+  old_call,
+  retract,
+  feed_out,
+  entry,
+  exact_stop,
+  named_shift,
+};
+inline constexpr std::size_t kContradictions = 28;
+
+struct ContradictionRow {
+  Contradiction kind;
+  Code code;
+  std::string_view what;             // as written in a program
+  std::string_view linuxcnc, fanuc;  // what it means
+};
+
+/// By kind.
+std::span<const ContradictionRow> contradiction_table() noexcept;
+
+/// Gathers such lines, and tells each kind once.
+class Contradictions {
+ public:
+  Contradictions(Diagnostics& diagnostics, Dialect dialect, bool watching)
+      : diagnostics_(diagnostics), dialect_(dialect), watching_(watching) {}
+
+  bool watching() const noexcept { return watching_; }
+  /// `detail` follows the text of the table.
+  void note(Contradiction kind, SourcePos pos, std::string_view line,
+            const std::string& detail = {});
+  /// At the end of the program: in the order of where each kind was met first.
+  void tell();
+
+ private:
+  static constexpr std::size_t kMostLines = 10000;
+
+  struct Met {
+    SourcePos pos;  // the first; line 0: not met
+    std::string line, detail;
+    std::set<std::pair<int, int>> lines;  // file and line
+  };
+
+  std::string text_of(const ContradictionRow& row, const Met& met) const;
+
+  Diagnostics& diagnostics_;
+  Dialect dialect_;
+  bool watching_;
+  std::array<Met, kContradictions> met_;
+};
+
+}  // namespace softcnc::ipr

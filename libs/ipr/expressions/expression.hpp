@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Evaluates what may stand for a number: '#' variables, bracketed expressions, functions.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "ipr/expressions/arithmetic.hpp"
+#include "ipr/expressions/dialect_differences.hpp"
+#include "ipr/expressions/parameters.hpp"
+#include "ipr/text/lexer.hpp"
+#include "motion/core/diagnostic.hpp"
+
+namespace softcnc::ipr {
+
+/// What is wrong with a part of a line.
+struct Fault {
+  Code code;
+  int column;
+  int length;
+  std::string message;
+};
+
+/// A variable by its number, or by its name in lower case and without blanks.
+struct Variable {
+  int number = -1;
+  std::string name;  // empty: by number
+};
+
+std::string name_of(const Variable& variable);
+
+/// That there is no such variable, and why.
+std::string lacks_variable(const Variable& variable, Dialect dialect);
+/// A name as it is known: in lower case, without blanks.
+std::string lower_case(std::string_view name);
+
+/// An expression that has another value in the other dialect.
+struct OtherValue {
+  Contradiction why;
+  int column, length;
+  double here, there;
+};
+
+/// What a variable holds on the other side of an assignment of the same line.
+struct Assigned {
+  Variable variable;
+  double value;
+};
+
+class Expression {
+ public:
+  /// Reads from where the lexer stands. What is referred to must outlive the expression.
+  Expression(Lexer& lexer, const Parameters& parameters) noexcept
+      : Expression(lexer, parameters, parameters.dialect()) {}
+
+  /// A number, '#' and what follows, '[...]' or a function, each with signs before it.
+  /// kUncertain: see fault(), or it rests on an earlier error.
+  double value();
+  /// FANUC: ROUND gives multiples of 1 / `per_unit` instead of whole numbers.
+  void round_to(double per_unit) noexcept { rounding_ = per_unit; }
+  /// '[...]'
+  double bracketed();
+  /// What may stand in brackets, without them.
+  double unbracketed();
+  /// What stands behind '#'. Nothing: see fault(), or its number rests on an earlier error.
+  std::optional<Variable> variable();
+  /// The fault that something else is expected than what comes next; it is passed.
+  void refuse_next(Code code, std::string_view expected) { stop_at_next(code, expected); }
+
+  /// In the other dialect these variables hold these values, the last of each counts.
+  void compare_with(std::span<const Assigned> there) noexcept { there_ = there; }
+  /// If both dialects take what value(), bracketed() or unbracketed() has read, and each for
+  /// something of its own; looked for where the parameters say so.
+  const std::optional<OtherValue>& other_value() const noexcept { return other_; }
+
+  /// The first fault.
+  const std::optional<Fault>& fault() const noexcept { return fault_; }
+  /// What follows cannot be trusted. Without a fault the lexer's next token tells why.
+  bool broke_off() const noexcept { return broke_off_; }
+
+ private:
+  Expression(Lexer& lexer, const Parameters& parameters, Dialect dialect) noexcept
+      : lexer_(lexer), parameters_(parameters), dialect_(dialect) {}
+
+  struct Operand {
+    double value = kUncertain;
+    int begin = 0, end = 0;  // columns
+  };
+
+  // dialect_comparison.cpp
+  template <typename Read>
+  double compared(Read read);
+  void compare(const Lexer& start, double here, double there, const Expression& shadow);
+  bool in_other_dialect() const noexcept { return dialect_ != parameters_.dialect(); }
+  void differs(Contradiction why) noexcept;
+  double in_unit_there(int number, double value);
+  void compare_operator(const Operator& op, double left, double right);
+  void compare_function(const Function& function, std::span<const double> arguments);
+  std::optional<double> read_there(const Variable& variable);
+
+  Operand binary(int lowest);
+  const Operator* peek_operator();
+  Operand combine(const Operator& op, const Operand& left, const Operand& right);
+  Operand operand();
+  double unsigned_operand(char first, int begin);
+  double number();
+  double read_variable(int begin);
+  double bracket_rest(int open);
+  void close(int open);
+  double function(int begin);
+  double call(const Function& function, int begin);
+  bool take_second_bracket();
+  double rounded(double value, Dialect dialect) const noexcept;
+  double given(const Function& function, std::span<const double> arguments, int begin);
+  double exists(int open);
+  double note(Code code, int begin, int end, std::string message);
+  double stop(Code code, int begin, int end, std::string message);
+  double stop_at_next(Code code, std::string_view expected);
+  int end() const noexcept { return lexer_.end(); }
+  bool is_fanuc() const noexcept { return dialect_ == Dialect::fanuc; }
+
+  Lexer& lexer_;
+  const Parameters& parameters_;
+  Dialect dialect_;
+  std::span<const Assigned> there_;
+  std::optional<OtherValue> other_;
+  std::optional<Contradiction> why_;  // in the other dialect: the first thing that differs
+  bool differs_whatever_its_value_ = false;
+  const Operator* operator_ = nullptr;  // read, but not yet used
+  std::optional<Fault> fault_;
+  int depth_ = 0;
+  double rounding_ = 1;
+  bool broke_off_ = false;
+};
+
+}  // namespace softcnc::ipr

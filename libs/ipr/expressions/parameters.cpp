@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// Variables in one array, locals on a stack of levels, names in maps.
+#include "ipr/expressions/parameters.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace softcnc::ipr {
+namespace {
+
+// LinuxCNC: #1 to #30 local, up to #5601; from #5061 on the system has its own among them.
+constexpr int kLocals = 30, kFirstSystem = 5000, kEnd = 5602;
+// FANUC: #1 to #33 local, #100 to #199 common; from #500 on those that the system keeps, and its
+// own.
+constexpr int kFanucLocals = 33, kFanucFirstCommon = 100, kFanucEndVolatile = 200;
+constexpr int kFanucFirstKept = 500, kFanucEnd = 1000;
+
+constexpr int kDebugSwitch = 5599;  // LinuxCNC: (DEBUG,text) is shown unless it is 0
+
+constexpr int kTouch = 5061, kTouchEnd = 5071;
+
+constexpr bool is_touch(int number) noexcept { return number >= kTouch && number < kTouchEnd; }
+
+constexpr bool is_fanuc_ordinary(int number) noexcept {
+  return (number >= 1 && number <= kFanucLocals) ||
+         (number >= kFanucFirstCommon && number < kFanucEndVolatile) ||
+         (number >= kFanucFirstKept && number < kFanucEnd);
+}
+
+}  // namespace
+
+Parameters::Parameters(Dialect dialect)
+    : dialect_(dialect),
+      locals_(dialect == Dialect::fanuc ? kFanucLocals : kLocals),
+      first_system_(dialect == Dialect::fanuc ? kFanucFirstKept : kFirstSystem) {
+  push({});
+}
+
+/// Whether the number is that of a variable that only programs use.
+bool Parameters::is_ordinary(int number) const noexcept {
+  return dialect_ == Dialect::fanuc ? is_fanuc_ordinary(number) : number >= 1 && number < kEnd;
+}
+
+/// Vacant where nothing has been assigned. Expects an ordinary variable.
+double Parameters::stored(int number) const noexcept {
+  const auto index = static_cast<std::size_t>(number);
+  if (number <= locals_) return levels_.back().numbered[index];
+  return index < numbered_.size() ? numbered_[index] : unset_;
+}
+
+/// Keeps it as one that outlives its call. Expects an ordinary variable.
+void Parameters::store(int number, double value) {
+  const auto index = static_cast<std::size_t>(number);
+  if (index >= numbered_.size()) numbered_.resize(index + 1, unset_);
+  numbered_[index] = value;
+}
+
+std::optional<double> Parameters::read(int number) const {
+  if (number == 0 && dialect_ == Dialect::fanuc) return kVacant;
+  if (touch_doubtful_ && is_touch(number)) return kUncertain;
+  if (!refused_.empty() && refused_.contains(number)) return kUncertain;
+  if (is_system(number) && system_ != nullptr)
+    if (const auto value = system_->read(number)) return value;
+  if (!is_ordinary(number)) return std::nullopt;
+  const double value = stored(number);
+  if (dialect_ == Dialect::fanuc || !is_vacant(value)) return value;
+  return number == kDebugSwitch ? 1 : 0;
+}
+
+std::optional<double> Parameters::read_as(int number, Dialect other) const {
+  if (other == Dialect::linuxcnc) {
+    const auto value = number >= 1 && number < kEnd ? read(number) : std::nullopt;
+    return value && is_vacant(*value) ? 0 : value;
+  }
+  if (number == 0) return kVacant;
+  if (is_fanuc_ordinary(number)) return stored(number);
+  const bool known = system_ != nullptr && system_->has(number, other);
+  return known ? system_->read(number) : std::nullopt;
+}
+
+bool Parameters::is_fanuc_system(int number) const {
+  return system_ != nullptr && !is_fanuc_ordinary(number) && number < kEnd &&
+         system_->has(number, Dialect::fanuc) && !system_->has(number, Dialect::linuxcnc);
+}
+
+double Parameters::fanuc_unit(int number) const {
+  return is_system(number) && system_ != nullptr ? system_->fanuc_unit(number) : 1;
+}
+
+bool Parameters::is_fanuc_local(int number) noexcept {
+  return number > kLocals && number <= kFanucLocals;
+}
+
+const Parameters::Names& Parameters::names_of(std::string_view name) const noexcept {
+  return name.starts_with('_') ? global_ : levels_.back().named;
+}
+
+/// The variables that tell of calls and lines.
+std::optional<double> Parameters::own(std::string_view name) const noexcept {
+  if (name == "_line") return line_;
+  if (name == "_call_level") return level();
+  if (name == "_value") return given_back_.value_or(0);
+  if (name == "_value_returned") return given_back_ ? 1 : 0;
+  return std::nullopt;
+}
+
+std::optional<double> Parameters::read(std::string_view name) const {
+  if (const auto value = own(name)) return value;
+  const Names& names = names_of(name);
+  if (const auto found = names.find(name); found != names.end()) return found->second;
+  if (system_ != nullptr)
+    if (const auto value = system_->read(name)) return value;
+  if (doubtful_) return kUncertain;
+  return std::nullopt;
+}
+
+Parameters::Access Parameters::access(int number) const {
+  if (number == 0 && dialect_ == Dialect::fanuc) return Access::read_only;
+  if (is_system(number) && system_ != nullptr && system_->read(number))
+    return system_->is_read_only(number) ? Access::read_only : Access::granted;
+  return is_ordinary(number) ? Access::granted : Access::no_such;
+}
+
+Parameters::Access Parameters::access(std::string_view name) const {
+  const bool taken = own(name) || (system_ != nullptr && system_->read(name));
+  return taken ? Access::read_only : Access::granted;
+}
+
+double Parameters::limit(int number) const {
+  const bool of_system = is_system(number) && system_ != nullptr;
+  return of_system ? system_->limit(number) : std::numeric_limits<double>::max();
+}
+
+void Parameters::write(int number, double value) {
+  assert(access(number) == Access::granted);
+  if (number <= locals_)
+    levels_.back().numbered[static_cast<std::size_t>(number)] = value;
+  else if (!is_system(number) || system_ == nullptr || !system_->write(number, value))
+    write_ordinary(number, value);
+}
+
+void Parameters::write_ordinary(int number, double value) {
+  store(number, value);
+  if (system_ != nullptr && kept_.contains(number)) system_->keep(number, value);
+}
+
+void Parameters::keep(const std::map<int, double>& values) {
+  for (const auto& [number, value] : values) {
+    if (number <= locals_ || number >= first_system_) continue;
+    store(number, value);
+    kept_.insert(number);
+  }
+}
+
+void Parameters::write(std::string_view name, double value) {
+  Names& names = name.starts_with('_') ? global_ : levels_.back().named;
+  if (const auto found = names.find(name); found != names.end())
+    found->second = value;
+  else
+    names.emplace(name, value);
+}
+
+void Parameters::doubt_all(bool locals) {
+  doubt();
+  unset_ = kUncertain;
+  std::fill(numbered_.begin(), numbered_.end(), kUncertain);
+  for (auto& [name, value] : global_) value = kUncertain;
+  give_back(kUncertain);
+  if (!locals) return;
+  levels_.back().numbered.fill(kUncertain);
+  for (auto& [name, value] : levels_.back().named) value = kUncertain;
+}
+
+void Parameters::doubt_touch() {
+  if (dialect_ == Dialect::fanuc)
+    touch_doubtful_ = true;
+  else
+    for (int number = kTouch; number < kTouchEnd; ++number) store(number, kUncertain);
+}
+
+void Parameters::push(std::span<const double> arguments) {
+  Level& level = levels_.emplace_back();
+  level.numbered.fill(kVacant);
+  assert(arguments.size() <= static_cast<std::size_t>(locals_));
+  std::copy(arguments.begin(), arguments.end(), level.numbered.begin() + 1);
+}
+
+void Parameters::pop() {
+  assert(level() > 0);
+  levels_.pop_back();
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Passing over lines: the definition of Flow::pass_to, for its own sources.
+#pragma once
+
+#include "ipr/flow/flow.hpp"
+
+namespace softcnc::ipr {
+
+/// Passes lines until `wanted` is one; before_ is the spot before it. False at the end of the
+/// subprogram or program.
+template <typename Wanted>
+bool Flow::pass_to(Wanted wanted) {
+  moved_ = true;
+  std::string definition;  // of a subprogram, which is passed over as a whole
+  for (;;) {
+    const auto line = parser_.next_statement();
+    if (!line) return false;
+    const Kind kind = line->statement ? line->statement->kind : Kind::none;
+    if (!definition.empty()) {
+      const bool ends = kind == Kind::end_sub && line->statement->label == definition;
+      const bool may_end = kind == Kind::misspelt && may_be_of(*line->statement, definition);
+      if (ends || may_end) definition.clear();
+    } else if (wanted(*line)) {
+      before_ = {parser_.file(), parser_.reader().place_before(line->text)};
+      return true;
+    } else if (kind == Kind::sub) {
+      definition = line->statement->label;
+    } else if (kind == Kind::end_sub || kind == Kind::program) {
+      return false;
+    }
+  }
+}
+
+}  // namespace softcnc::ipr

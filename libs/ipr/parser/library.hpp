@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// The texts of a program, its own and those it calls, and the subprograms in them.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ipr/parser/parser.hpp"
+#include "ipr/text/called_texts.hpp"
+
+namespace softcnc::ipr {
+
+/// Between two lines of one of the texts.
+struct Spot {
+  int file = 0;  // SourcePos::file
+  Reader::Place place;
+};
+
+/// How a subprogram is begun.
+enum class SubKind : std::uint8_t {
+  o_word,  // `o100 sub`, ended by `o100 endsub`
+  program  // `O100` alone, or the beginning of a file of its own; ended by M99
+};
+
+/// A subprogram: its name, and what lies behind its first line.
+struct Subprogram {
+  SubKind kind = SubKind::o_word;
+  std::string label;
+  Spot begin;
+};
+
+/// "o100 sub", "o<name> call": a statement as it is written.
+std::string o_word(std::string_view label, std::string_view keyword = {});
+/// "O1000", "O<name>"
+std::string program_name(std::string_view label);
+
+class Library {
+ public:
+  /// `folder` is where files are looked for that a program calls; empty: nowhere. Their texts are
+  /// kept in `called`, which must outlive it; by itself if that is nullptr.
+  Library(Parser& parser, Diagnostics& diagnostics, std::string folder,
+          CalledTexts* called = nullptr);
+
+  /// Where the parser stands.
+  Spot here() const;
+  /// Lets the parser read on at a spot. False, and reported, where that cannot be.
+  bool go(const Spot& spot);
+
+  /// The subprogram that a call means, looked for in the file of the call, in the main program and
+  /// in the folder. `program`: by M98 or G65. Nothing: there is none, or its file cannot be read,
+  /// which is reported at `call`. The parser's place is left alone; its line is gone.
+  std::optional<Subprogram> find(const std::string& label, bool program, const SourcePos& call,
+                                 std::string_view line);
+  /// All of the program's own file, in the order of their lines, those of one name too. The
+  /// parser's place is lost.
+  std::vector<Subprogram> all_of_program();
+  /// An endsub of this label has been seen.
+  bool has_end(const std::string& label) const { return ends_.contains(label); }
+  /// A ` sub` without a label has been seen in the program's own file.
+  bool has_sub_without_label() const noexcept { return sub_without_label_; }
+  /// A line of this label whose keyword cannot be read may be the beginning of such.
+  bool may_be_misspelt(std::string_view label) const;
+  /// The known label that resembles one that is not; empty if none does.
+  std::string nearest(const std::string& label) const;
+
+  /// Names, in the folder, of the files that have been called.
+  std::vector<std::string> files() const;
+  /// Names, in the folder, under which calls have looked for a file that is not there: 1000 at
+  /// most.
+  const std::set<std::string>& missing_files() const noexcept { return missing_; }
+  /// A go() has failed: the parser stands nowhere in particular.
+  bool is_lost() const noexcept { return lost_; }
+  const std::string& folder() const noexcept { return folder_; }
+
+ private:
+  struct Text {
+    std::unique_ptr<Reader> own;  // of a called file
+    Reader* reader = nullptr;
+    std::string name;  // in the folder
+    std::map<std::string, Subprogram> subs, programs;
+    Spot searched;  // subprograms before here are known
+    bool searched_all = false;
+  };
+
+  const Subprogram* find_in(int file, const std::string& label, bool program);
+  const Subprogram* known(const Text& text, const std::string& label, bool program) const;
+  void search_on(int file, const std::string& label, bool program);
+  void learn(Text& text, const Line& line);
+  Subprogram begun_by(const Statement& statement) const;
+  std::optional<Subprogram> find_file(const std::string& label, bool program, const SourcePos& call,
+                                      std::string_view line);
+  std::optional<int> open(const std::string& name, const SourcePos& call, std::string_view line);
+  Text& text(int file) { return texts_.at(file); }
+
+  Parser& parser_;
+  Diagnostics& diagnostics_;
+  std::string folder_;
+  CalledTexts own_;
+  CalledTexts* called_;
+  bool lost_ = false;
+  bool sub_without_label_ = false;
+  std::map<int, Text> texts_;                        // by SourcePos::file
+  std::map<std::string, int, std::less<>> file_of_;  // by name in the folder; -1: unreadable
+  std::set<std::string> missing_;
+  std::set<std::string> ends_;       // labels of endsubs, of all texts
+  std::vector<Statement> misspelt_;  // of all texts
+};
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// Reads words; a bad word is reported with its cause, and reading goes on behind it.
+#include "ipr/parser/parser.hpp"
+
+#include <string>
+#include <utility>
+
+#include "ipr/text/text_errors.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+/// M66, whose E is a word and no exponent.
+bool takes_e(const Word& word) noexcept { return word.letter == 'M' && word.value == 66; }
+
+}  // namespace
+
+void Parser::configure(const ParserOptions& options) {
+  options_ = options;
+  parameters_ = Parameters(options.dialect);
+  if (options.contradictions != nullptr && options.contradictions->watching()) parameters_.watch();
+}
+
+std::optional<Line> Parser::next() {
+  reader_->wait();
+  return next_line([this] { read_line(Depth::usual); });
+}
+
+std::optional<Line> Parser::next_if_there() {
+  reader_->do_not_wait();
+  return next_line([this] { read_line(Depth::usual); });
+}
+
+std::optional<Line> Parser::next_statement() {
+  reader_->wait();
+  return next_line([this] { read_outline(); });
+}
+
+Line Parser::evaluate() {
+  begin_line(line_.text);
+  read_line(Depth::whole);
+  if (file_ != 0) name_file();
+  return line_;
+}
+
+void Parser::read_on(Reader& reader, int file, bool at_beginning) noexcept {
+  reader_ = &reader;
+  file_ = file;
+  started_ = !at_beginning;
+  lone_percent_ = {};
+  ended_ = false;
+}
+
+/// Says in the places of the line which file it is of.
+void Parser::name_file() noexcept {
+  for (Word& word : words_) word.pos.file = file_;
+  statement_.pos.file = file_;
+}
+
+/// Reads lines until one has something to say.
+template <typename Read>
+std::optional<Line> Parser::next_line(Read read) {
+  while (!ended_) {
+    const auto text = reader_->next();
+    if (!text && reader_->waiting()) return std::nullopt;
+    if (!text) break;
+    begin_line(*text);
+    if (lone_percent_.line > 0 && goes_on_behind_end()) break;
+    read();
+    if (ended_) break;
+    const bool shown = line_.passed_over && passed_over_too_;
+    const bool says_nothing = words_.empty() && line_.statement == nullptr && !shown;
+    if (says_nothing && !line_.broken) continue;
+    if (!line_.broken) started_ = true;
+    if (file_ != 0) name_file();
+    return line_;
+  }
+  if (!ended_ && reader_->failure()) {
+    Diagnostic failure = *reader_->failure();
+    failure.pos.file = file_;
+    diagnostics_.report(std::move(failure));
+    broke_off_ = true;
+  }
+  ended_ = true;
+  return std::nullopt;
+}
+
+[[gnu::hot]] void Parser::begin_line(std::string_view text) {
+  bytes_read_ += static_cast<std::int64_t>(text.size());
+  words_.clear();
+  assignments_.clear();
+  before_.clear();
+  line_ = Line{};
+  line_.number = reader_->line();
+  line_.text = text;
+  given_up_ = false;
+  told_to_ = 0;
+  trusted_.reset();
+  before_then_.reset();
+}
+
+void Parser::read_line(Depth depth) {
+  depth_ = depth;
+  parameters_.set_line(line_.number);
+  if (!is_readable()) return;
+  if (prose_expected_ && is_prose(line_.text)) return;
+  read_words();
+  if (!assignments_.empty()) apply_assignments();
+  line_.words = words_;
+  if (before_then_) trusted_ = before_then_;
+  if (strange()) divide_words();
+}
+
+bool Parser::is_readable() {
+  const auto encoding = line_.number == 1 ? wide_encoding(line_.text) : std::string_view{};
+  if (!encoding.empty()) {
+    refuse_file(encoding);
+  } else if (reader_->line_was_cut()) {
+    give_up(Code::SC1015, Token{},
+            "the line is longer than " + std::to_string(Reader::kLongestLine) + " bytes");
+  }
+  return !given_up_;
+}
+
+/// No line of it can be read, or shown.
+void Parser::refuse_file(std::string_view encoding) {
+  line_.text = {};
+  TextFault fault = wide_fault(encoding);
+  give_up(fault.code, Token{}, std::move(fault.message));
+  ended_ = broke_off_ = true;
+}
+
+[[gnu::hot]] void Parser::read_words() {
+  Lexer lexer(line_.text);
+  for (PlainWord plain; lexer.take_plain_word(plain);) {
+    Word& word = words_.emplace_back();
+    word.letter = plain.letter;
+    word.value = plain.value;
+    word.pos = {line_.number, plain.column, plain.length};
+  }
+  Token token = lexer.next();
+  while (token.kind != Token::Kind::end && !given_up_ && !ended_)
+    token = token.kind == Token::Kind::letter ? read_word(lexer, token) : read_mark(lexer, token);
+  if (lexer.comment_column() > 0) obey_comment(lexer.comment_column());
+}
+
+/// Returns the first token that does not belong to the word.
+Token Parser::read_word(Lexer& lexer, const Token& letter) {
+  if (letter.letter == 'E' && has_word_before(letter) && !takes_e(words_.back()))
+    return read_exponent(lexer, letter);
+  if (letter.letter == 'O' && read_o_word(lexer, letter)) return {};
+  const Token number = lexer.next();
+  if (number.kind != Token::Kind::number || number.fault == NumberFault::no_digits)
+    return read_value(lexer, letter, number);
+  if (number.fault == NumberFault::none) {
+    const int length = number.end_column() - letter.column;
+    words_.push_back({letter.letter, number.value, {line_.number, letter.column, length}});
+  } else {
+    report_number(letter, number);
+    if (number.fault == NumberFault::sign_inside) lexer.take(']');  // whose '[' is missing
+    return pass_value(lexer);
+  }
+  return lexer.next();
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// Lines as words, a letter and a number each, and as statements; assignments are done on the way.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ipr/expressions/parameters.hpp"
+#include "ipr/parser/statement_reader.hpp"
+#include "ipr/text/letter_set.hpp"
+#include "ipr/text/lexer.hpp"
+#include "ipr/text/reader.hpp"
+#include "motion/core/diagnostic.hpp"
+
+namespace softcnc::ipr {
+
+struct Word {
+  char letter = 0;  // upper case
+  double value = 0;
+  SourcePos pos;
+};
+
+/// What a line says. Views are valid until the parser's next line.
+struct Line {
+  int number = 0;
+  std::string_view text;
+  std::span<const Word> words;
+  std::span<const Word> doubtful;        // behind what is no word: only looked at
+  const Statement* statement = nullptr;  // what it says about the order of lines, if anything
+  bool skip = false;                     // begins with '/'
+  bool broken = false;                   // reported already; `words` are those that could be read
+  Letters lost;                          // of a broken line: words that could not be read
+  std::optional<double> lone_number;     // the first one that has no letter
+  bool passed_over = false;              // what stands behind a THEN: it does not count
+  bool may_count = false;                // likewise, where that is not known
+  std::string_view called;               // FANUC: the program that it calls by name, in lower case
+};
+
+struct ParserOptions {
+  Dialect dialect = Dialect::linuxcnc;
+  bool block_skip = false;                   // lines that begin with '/' are passed over unread
+  Contradictions* contradictions = nullptr;  // takes what the other dialect reads otherwise
+};
+
+/// Two words or more, of letters and marks of a sentence, or a row of such marks; before a '(',
+/// which need not be closed.
+bool is_prose(std::string_view text) noexcept;
+
+class Parser {
+ public:
+  Parser(Reader& reader, Diagnostics& diagnostics) : reader_(&reader), diagnostics_(diagnostics) {}
+
+  /// Expects that no line has been read. Variables begin anew.
+  void configure(const ParserOptions& options);
+
+  /// The next line that has words or a statement or is broken; nothing at the end of the program,
+  /// which is the end of the text or a second '%'. Assignments take effect, conditions are
+  /// evaluated; the condition of an elseif is not.
+  std::optional<Line> next();
+  /// The same, but that it does not wait for a pipe: then waiting() is true.
+  std::optional<Line> next_if_there();
+  bool waiting() const noexcept { return !ended_ && reader_->waiting(); }
+
+  /// The next line that has a line number or a statement, of which only kind and label are read:
+  /// for lines that are passed over. Nothing is evaluated, assigned or reported.
+  std::optional<Line> next_statement();
+  /// The line last read once more, as by next(), the condition of an elseif included. Expects that
+  /// the Reader has not gone on.
+  Line evaluate();
+
+  /// Reads on from where this reader stands, as if the program went on there. `file` is the
+  /// SourcePos::file of its text; at its beginning a '%' does not end it.
+  void read_on(Reader& reader, int file, bool at_beginning) noexcept;
+  Reader& reader() const noexcept { return *reader_; }
+  int file() const noexcept { return file_; }
+
+  Parameters& parameters() noexcept { return parameters_; }
+
+  /// After an error it is not known which lines are executed: from here on an alarm of the program
+  /// is passed over, since it may be that nothing leads to it.
+  void doubt_order() noexcept { order_uncertain_ = true; }
+  /// From here on lines are read for what is wrong with them alone: what stands behind a THEN too,
+  /// whatever its condition.
+  void only_read() noexcept { only_read_ = true; }
+  /// An end may have been meant: lines of prose behind it are not read.
+  void expect_prose() noexcept { prose_expected_ = true; }
+  /// Lines that say nothing, but for what stands behind a THEN that does not count, are handed out
+  /// as well.
+  void show_passed_over() noexcept { passed_over_too_ = true; }
+
+  /// Number of the line last read.
+  int line() const noexcept { return reader_->line(); }
+  /// Bytes of all lines read, those read again among them.
+  std::int64_t bytes_read() const noexcept { return bytes_read_; }
+  /// The text could not be read to its end: that has been reported.
+  bool broke_off() const noexcept { return broke_off_; }
+
+ private:
+  using Depth = StatementReader::Depth;
+  using Found = StatementReader::Found;
+  template <typename Read>
+  std::optional<Line> next_line(Read read);
+  void begin_line(std::string_view text);
+  void read_line(Depth depth);
+  void read_outline();
+  Token pass_slash(Lexer& lexer, const Token& token);
+  void divide_words() noexcept;
+  bool is_readable();
+  void refuse_file(std::string_view encoding);
+  void read_nul(const Token& nul);
+  void read_words();
+  Token read_word(Lexer& lexer, const Token& letter);
+  Token read_value(Lexer& lexer, const Token& letter, const Token& first);
+  Token read_expression(Lexer& lexer, const Token& letter);
+  bool pass_operation(Lexer& lexer, int begin);
+  Token pass_broken(Lexer& lexer, Lexer begin, const std::optional<Fault>& fault);
+  Token pass_value(Lexer& lexer);
+  bool read_o_word(Lexer& lexer, const Token& letter);
+  bool refuse_late_statement(Lexer& lexer, const Token& letter);
+  std::optional<Token> read_keyword(Lexer& lexer, const Token& letter);
+  void settle(const StatementReader& reader, Lexer& lexer);
+  Token read_consequence(Lexer& lexer, bool known);
+  Token read_assignment(Lexer& lexer, const Token& sign);
+  Token read_order(Lexer& lexer, const Token& sign, int number);
+  std::string comment_behind(const Lexer& lexer) const;
+  bool may_assign(const Variable& variable, SourcePos at);
+  double within_limit(const Variable& variable, double value, SourcePos at);
+  void assign(Variable variable, double value);
+  void doubt_assignments();
+  void keep_before(const Variable& variable);
+  std::span<const Assigned> assigned_there() const noexcept;
+  void note(Contradiction why, int column, int length, const std::string& detail = {});
+  void note(const std::optional<OtherValue>& other);
+  void apply_assignments();
+  void obey_comment(int column);
+  void end_by_alarm(int column, int length, std::string message);
+  Token read_mark(Lexer& lexer, const Token& mark);
+  bool calls_program() const;
+  Token read_called(Lexer& lexer, const Token& mark);
+  Token read_macro(Lexer& lexer, const Token& mark);
+  Token read_percent(Lexer& lexer, const Token& percent);
+  std::optional<Token> sign_of_program(Lexer& lexer, const Token& mark) const;
+  bool goes_on_behind_end();
+  Token read_slash(Lexer& lexer, const Token& slash);
+  void lose_word_before(const Token& letter);
+  void lose_number_before(const Token& stranger);
+  bool has_word_before(const Token& token) const noexcept;
+  bool stands_behind_divided(const Token& letter) const;
+  bool looks_like_digit(const Token& letter) const noexcept;
+  Token pass_letter_for_digit(Lexer& lexer, const Token& letter);
+  Token pass_skipped(Lexer& lexer);
+  Token pass_letter_in_number(Lexer& lexer, const Token& letter);
+  bool is_comment_without_begin(Code code, int column, int length) const noexcept;
+  void doubt_unset(const Fault& fault);
+  void doubt_shorter(const Variable& variable);
+  std::optional<Token> pass_name(Lexer& lexer, const Token& letter);
+  void report_missing_number(const Token& letter, const Token& instead);
+  Token read_exponent(Lexer& lexer, const Token& letter);
+  void report_number(const Token& letter, const Token& number);
+  bool only_line_number() const noexcept;
+  void report(Code code, int column, int length, std::string message);
+  void report(const std::optional<Fault>& fault);
+  Token pass_number(Lexer& lexer, const Token& number);
+  Token pass_word_at(Lexer& lexer, int column);
+  Token pass_sign(Lexer& lexer, const Token& letter, const Token& sign);
+  bool is_decimal_comma(const Token& mark, Lexer behind) const;
+  Token pass_decimal_comma(Lexer& lexer, const Token& comma);
+  Token pass_stranger(Lexer& lexer, const Token& stranger);
+  Token go_on_behind(Lexer& lexer);
+  void give_up(Code code, const Token& token, std::string message);
+  void give_up(const std::optional<Fault>& fault, Lexer& lexer);
+  bool strange() const noexcept { return trusted_.has_value(); }
+  bool counts() const noexcept { return !strange() && !before_then_ && !only_read_; }
+  void lose_words();
+  void lose_rest();
+
+  void name_file() noexcept;
+
+  Reader* reader_;
+  int file_ = 0;
+  Diagnostics& diagnostics_;
+  Line line_;
+  std::vector<Word> words_;
+  std::string called_;
+  ParserOptions options_;
+  Parameters parameters_;
+  std::vector<Assigned> assignments_;  // of the line; all is read before one takes effect
+  std::vector<Assigned> before_;       // what they have replaced on the line
+  Statement statement_;
+  Depth depth_ = Depth::usual;
+  bool opened_ = false;       // by a '%'
+  SourcePos lone_percent_{};  // that ends a program which none has begun; line 0: none
+  bool started_ = false, given_up_ = false, ended_ = false, broke_off_ = false;
+  bool nul_seen_ = false;
+  std::int64_t bytes_read_ = 0;
+  int told_to_ = 0;  // the column behind the last fault of the line that was told; 0: none
+  std::optional<std::size_t> trusted_;      // words before something that is none
+  std::optional<std::size_t> before_then_;  // words before a THEN whose condition is not known
+  bool prose_expected_ = false;
+  bool order_uncertain_ = false;  // which lines are executed
+  bool only_read_ = false, passed_over_too_ = false;
+};
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Reads O-words, and IF, WHILE, DO, END and GOTO of FANUC macros.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ipr/expressions/expression.hpp"
+#include "ipr/parser/statement.hpp"
+
+namespace softcnc::ipr {
+
+class StatementReader {
+ public:
+  /// How much of a statement is evaluated.
+  enum class Depth : std::uint8_t {
+    outline,  // only its label: lines that are passed over
+    usual,    // all but the condition of elseif, which may never be asked for
+    whole,
+  };
+  enum class Found : std::uint8_t {
+    nothing,     // no statement: the lexer stands where it stood
+    program,     // O and a number alone: likewise
+    statement,   // the whole line, or as much as fault() lets be read
+    then_true,   // IF [..] THEN: what follows counts
+    then_false,  // what follows does not count
+  };
+
+  StatementReader(Lexer& lexer, const Parameters& parameters, Statement& statement, Depth depth)
+      : lexer_(lexer), parameters_(parameters), statement_(statement), depth_(depth) {}
+
+  /// Reads what follows an O; `at` is the place of the O.
+  Found read_o_word(SourcePos at);
+  /// Reads from the first letter of a line on, whose place is `at`.
+  Found read_keyword(SourcePos at);
+
+  const std::optional<Fault>& fault() const noexcept { return fault_; }
+  /// The first expression that has another value in the other dialect.
+  const std::optional<OtherValue>& other_value() const noexcept { return other_; }
+  /// The rest of the line cannot be understood. Without a fault the lexer's next token tells why.
+  bool broke_off() const noexcept { return broke_off_; }
+
+ private:
+  bool read_label();
+  void read_strange_label(Lexer label);
+  bool refuse_letter_in_label();
+  void refuse_signed_label();
+  void set_label(double value, int begin);
+  void mean_label(Lexer label);
+  void mean_longer_label();
+  Found read_behind_label(bool by_number, const Lexer& label);
+  void read_value();
+  void read_arguments();
+  Found refuse(SourcePos at, int end, const char* why);
+  Found read_if();
+  Found read_then(bool holds);
+  Found read_while();
+  Found read_jump();
+  Found read_loop(Statement::Kind kind);
+  bool read_misspelt_end();
+  bool condition();
+  double keep(const Expression& expression, double value);
+  void end_keyword() noexcept;
+  Found finish();
+  void stop(Code code, int begin, int end, std::string message);
+  void stop_at_next(Code code, std::string_view expected);
+
+  Lexer& lexer_;
+  const Parameters& parameters_;
+  Statement& statement_;
+  Depth depth_;
+  std::optional<Fault> fault_;
+  std::optional<OtherValue> other_;
+  bool broke_off_ = false;
+};
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// A line as tokens: letters, numbers, marks. Comments and blanks are passed over.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "ipr/text/number.hpp"
+
+namespace softcnc::ipr {
+
+struct Token {
+  enum class Kind : std::uint8_t {
+    end,
+    letter,
+    number,
+    slash,
+    percent,
+    macro,           // a character of variables and expressions: # [ ] = < > *
+    nul,             // a byte 0
+    open_comment,    // '(' without ')'
+    nested_comment,  // '(' within a comment that has one ')' too many
+    unknown,
+  };
+  Kind kind = Kind::end;
+  char letter = 0;  // upper case
+  NumberFault fault = NumberFault::none;
+  double value = 0;  // of a number
+  int column = 1;    // of the first byte
+  int length = 1;    // bytes
+
+  int end_column() const noexcept { return column + length; }
+};
+
+/// A letter and the number right behind it.
+struct PlainWord {
+  char letter = 0;  // upper case
+  double value = 0;
+  int column = 1, length = 1;  // as those of a token
+};
+
+class Lexer {
+ public:
+  explicit Lexer(std::string_view line) noexcept : line_(line) {}
+
+  /// After the last token: Kind::end, again and again.
+  Token next();
+
+  /// Passes the word that is next if it is written as most are; false if it is not. E and O can be
+  /// more than the letter of a word.
+  bool take_plain_word(PlainWord& word) noexcept;
+
+  // The same text by characters, for expressions and statements.
+  /// The next character in upper case, blanks and comments passed over; 0 at the end.
+  char peek() noexcept;
+  /// Column of what peek() shows.
+  int column() noexcept;
+  /// Column behind what was passed last.
+  int end() const noexcept { return static_cast<int>(at_) + 1; }
+  /// The very next character, no blank before it, is a letter.
+  bool at_letter() const noexcept;
+  /// Column of the last character passed that is no blank.
+  int last_column() const noexcept;
+  /// Column of the comment in ( ) that was passed last; 0: none was.
+  int comment_column() const noexcept { return comment_column_; }
+  /// Goes back to before a token.
+  void back_to(const Token& token) noexcept { at_ = static_cast<std::size_t>(token.column) - 1; }
+  /// Passes the character that peek() has shown.
+  void pass() noexcept { ++at_; }
+  /// Passes the character, or the letters (upper case, blanks between them allowed), if they are
+  /// next.
+  bool take(char wanted) noexcept;
+  bool take(std::string_view wanted) noexcept;
+  /// Passes the letters that are next and returns them.
+  std::string_view take_letters() noexcept;
+  /// Passes a number without a sign: what looks like one, from the next character on.
+  Token take_number();
+  /// Passes what stands before the next '[', and all to its ']'; false, and somewhere behind, if
+  /// one of them is missing.
+  bool pass_brackets() noexcept;
+  /// Passes what stands before '>', and the '>'; nothing if there is none.
+  std::optional<std::string_view> take_name() noexcept;
+
+ private:
+  Token token(Token::Kind kind, std::size_t length) noexcept;
+  Token read_number_token();
+  Token read_other() noexcept;
+  bool pass_comment(Token& broken) noexcept;
+
+  std::string_view line_;
+  std::size_t at_ = 0;
+  int comment_column_ = 0;
+};
+
+/// Bytes of the UTF-8 character at the beginning of `text`; 1 if it is none. Expects some text.
+std::size_t character_length(std::string_view text) noexcept;
+
+}  // namespace softcnc::ipr

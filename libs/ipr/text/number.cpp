@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Decimal numbers of any form: exact and fast as long as their digits fit an integer, otherwise by
+// std::from_chars.
+#include "ipr/text/number.hpp"
+
+#include <charconv>
+#include <string>
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr std::uint64_t kExact = std::uint64_t{1} << 53U;       // integers below are doubles
+constexpr std::uint64_t kRoomForDigit = (UINT64_MAX - 9) / 10;  // one digit more fits below
+
+struct Scan {
+  std::uint64_t digits = 0;  // all digits as one integer, as long as they fit
+  std::size_t decimals = 0, integer_digits = 0;
+  bool overflow = false, any_digit = false, point = false, negative = false;
+
+  void take_digit(char c) noexcept {
+    any_digit = true;
+    if (point)
+      ++decimals;
+    else if (digits != 0 || c != '0')
+      ++integer_digits;
+    if (digits > kRoomForDigit)
+      overflow = true;
+    else
+      digits = digits * 10 + static_cast<std::uint64_t>(c - '0');
+  }
+};
+
+/// The slow way, for more digits than fit an integer. A value too small for a double is 0.
+double from_text(std::string_view text) {
+  std::string clean;
+  for (const char c : text)
+    if (!is_blank(c) && c != '+') clean += c;
+  double value = 0;
+  std::from_chars(clean.data(), clean.data() + clean.size(), value);
+  return value;
+}
+
+/// Both operands are doubles exactly, so that one division rounds once (Clinger 1990).
+double value_of(const Scan& scan, std::string_view text) {
+  if (scan.overflow || scan.digits > kExact || scan.decimals >= kPowersOfTen.size())
+    return from_text(text);
+  const double magnitude = static_cast<double>(scan.digits) / kPowersOfTen[scan.decimals];
+  return scan.negative ? -magnitude : magnitude;
+}
+
+}  // namespace
+
+Number read_number(std::string_view text) {
+  Number number;
+  if ((number.length = read_plain_number(text, number.value)) > 0) return number;
+  Scan scan;
+  std::size_t i = 0;
+  for (; i < text.size(); ++i) {
+    const char c = text[i];
+    if (is_blank(c)) continue;
+    if (is_digit(c)) {
+      scan.take_digit(c);
+    } else if (c == '.') {
+      if (scan.point) number.fault = NumberFault::two_points;
+      scan.point = true;
+    } else if (c == '-' || c == '+') {
+      if (number.length > 0) number.fault = NumberFault::sign_inside;
+      scan.negative = c == '-';
+    } else {
+      break;
+    }
+    number.length = i + 1;
+  }
+  if (number.fault != NumberFault::none) return number;
+  if (!scan.any_digit) number.fault = NumberFault::no_digits;
+  if (scan.integer_digits > kIntegerDigits) number.fault = NumberFault::too_large;
+  if (number.fault == NumberFault::none)
+    number.value = value_of(scan, text.substr(0, number.length));
+  return number;
+}
+
+}  // namespace softcnc::ipr

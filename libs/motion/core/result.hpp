@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What a function returns that makes one thing or says why it cannot.
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include "motion/core/diagnostic.hpp"
+
+namespace softcnc {
+
+template <typename T>
+using Result = tl::expected<T, Diagnostic>;
+
+using Status = Result<void>;
+
+}  // namespace softcnc

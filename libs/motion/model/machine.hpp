@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// The machine: plain data in house units (mm, s, V, A, Nm, kg m^2). The defaults together are the
+// retrofitted mill of paper 003 (Table 1), with a z axis of the same kind.
+//
+// Paper 003 names a "400 W class" DC servo motor of 3000 rpm without its maker. The motor here is
+// the printed-armature DC servo motor BR13MACH of Pranshu Electricals (380 W, 1.20 Nm, 3000 rpm, 65
+// V, 8 A; maker's table of the B and BR series, http://pranshu.com/node/35). docs/machine.md shows
+// how each figure that the table does not give was derived.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "motion/core/axes.hpp"
+#include "motion/pulses/pulse.hpp"
+#include "motion/roughness/roughness_request.hpp"
+
+namespace softcnc {
+
+/// How the next point is found within a period; the last five by reference pulses.
+enum class Method : std::uint8_t {
+  arc_length,
+  taylor1,
+  taylor2,
+  curvature3p,
+  sam,
+  m_sam,
+  dsm,
+  m_dsm,
+  dda
+};
+inline constexpr std::array<std::string_view, 9> kMethodNames{
+    "arc-length", "taylor1", "taylor2", "curvature3p", "sam", "m-sam", "dsm", "m-dsm", "dda"};
+constexpr std::string_view name(Method method) noexcept {
+  return kMethodNames[static_cast<std::size_t>(method)];
+}
+constexpr bool is_by_pulses(Method method) noexcept { return method >= Method::sam; }
+
+/// Whether each setpoint lies where the plan is at its instant; otherwise a method of the
+/// literature goes its own way through the curve.
+constexpr bool follows_time(Method method) noexcept {
+  return method == Method::arc_length || is_by_pulses(method);
+}
+/// Of a method by pulses.
+constexpr PulseMethod pulse_method(Method method) noexcept {
+  return static_cast<PulseMethod>(static_cast<int>(method) - static_cast<int>(Method::sam));
+}
+
+/// When the clocks of a method by pulses come: as the feed profile says, or as in paper 003.
+enum class PulseClock : std::uint8_t { profile, paper };
+inline constexpr std::array<std::string_view, 2> kPulseClockNames{"profile", "paper"};
+
+enum class BackendKind : std::uint8_t { none, sim, stepdir, parport, hal_stream };
+inline constexpr std::array<std::string_view, 5> kBackendNames{"none", "sim", "stepdir", "parport",
+                                                               "hal-stream"};
+constexpr std::string_view name(BackendKind backend) noexcept {
+  return kBackendNames[static_cast<std::size_t>(backend)];
+}
+
+struct Control {
+  double period = 0.001;           // s: one setpoint each
+  double servo_period = 0;         // s: of fine interpolation; 0: see fine_period()
+  double chord_tolerance = 0.001;  // mm
+  Method interpolation = Method::arc_length;
+  double corner_tolerance = 0.01;  // mm; 0: the path is followed exactly
+  BackendKind backend = BackendKind::sim;
+  PulseClock pulse_clock = PulseClock::profile;
+};
+
+/// `whole` in equal parts, none longer than `longest`, s.
+constexpr double equal_part(double whole, double longest) noexcept {
+  constexpr double kRounding = 1e-9;  // of `longest`
+  const double parts = whole / longest - kRounding;
+  const auto fewer = static_cast<std::int64_t>(parts);
+  return whole / static_cast<double>(parts > static_cast<double>(fewer) ? fewer + 1 : fewer);
+}
+
+/// How far apart the positions are that go to a port, s: the servo period, or, if there is none, 1
+/// ms or the next smaller that divides the period. Limits are kept in rows so far apart, and where
+/// x'' jumps the acceleration may change by the jerk times it, whatever the backend.
+constexpr double fine_period(const Control& control) noexcept {
+  constexpr double kLongest = 1e-3;
+  return control.servo_period > 0 ? control.servo_period : equal_part(control.period, kLongest);
+}
+
+/// How often the position loop of the simulated axes looks at its counters, s: once a servo period,
+/// or, if there is none, every 0.25 ms or the next smaller that divides fine_period().
+constexpr double loop_period(const Control& control) noexcept {
+  constexpr double kLongest = 0.25e-3;
+  return control.servo_period > 0 ? control.servo_period
+                                  : equal_part(fine_period(control), kLongest);
+}
+
+/// How many equal parts of so many s the period has.
+constexpr int parts_of_period(const Control& control, double part) noexcept {
+  return static_cast<int>(control.period / part + 0.5);
+}
+
+/// 0: only the axes limit.
+struct PathLimits {
+  double feed = 250.0;      // mm/s; caps cutting moves
+  double tangential = 0.0;  // mm/s^2: how the speed along the path may change
+  double normal = 0.0;      // mm/s^2: v^2 / rho, in bends
+};
+
+/// A permanent-magnet DC motor with its load, reduced to the motor shaft.
+struct Motor {
+  double resistance = 1.5;           // ohm
+  double inductance = 80e-6;         // H
+  double torque_constant = 0.158;    // Nm/A
+  double emf_constant = 0.1576;      // V s/rad
+  double inertia = 6.1e-4;           // kg m^2: rotor, screw and table
+  double viscous_friction = 1.4e-4;  // Nm s/rad
+  double coulomb_friction = 0.18;    // Nm: motor, screw and guideways
+};
+
+/// The position loop (up/down counter), velocity loop (F/V converter) and amplifier.
+struct Drive {
+  double kv = 30.0;                 // 1/s: velocity per following error
+  int counter_bits = 14;            // of the up/down counter
+  double fv_time_constant = 0.001;  // s
+  double velocity_gain = 2.0;       // V s/rad: V per rad/s of velocity error
+  double velocity_reset = 50.0;     // 1/s: reset rate of the velocity loop's integral part
+  double supply_voltage = 80.0;     // V
+  double current_limit = 16.0;      // A
+  double following_error = 12.0;    // mm: alarm beyond
+  int lost_pulse = 0;               // every n-th command pulse is lost on its way; 0: none
+};
+
+struct Axis {
+  bool present = true;
+  double velocity = 250.0;       // mm/s
+  double acceleration = 1000.0;  // mm/s^2
+  double jerk = 0.0;             // mm/s^3; 0: no limit
+  double min = -1000.0;          // mm
+  double max = 1000.0;           // mm
+  double blu = 0.0025;           // mm: basic length unit, one command pulse
+  double screw_lead = 5.0;       // mm per revolution
+  int counts_per_rev = 2000;     // of the encoder
+  Motor motor;
+  Drive drive;
+};
+
+struct Spindle {
+  double min_rpm = 0;
+  double max_rpm = 24000;
+};
+
+/// Drives with step and direction inputs, and what they ask of their lines.
+struct StepPort {
+  std::string file = "steps.vcd";  // of edges; empty: none
+  double max_rate = 100e3;         // Hz: pulses of an axis
+  double step_length = 2.5e-6;     // s
+  double step_space = 2.5e-6;      // s
+  double direction_setup = 5e-6;   // s
+  double direction_hold = 5e-6;    // s
+};
+
+/// A PC's parallel port as step and direction lines, within the timing of StepPort. Pins are those
+/// of the 25-pole plug; a negative one is inverted, 0 is none.
+struct ParallelPort {
+  std::string device = "/dev/parport0";  // empty: none
+  double base_period = 50e-6;            // s between two writes to the port
+  std::array<int, kAxes> step_pin{2, 4, 6}, direction_pin{3, 5, 7};
+  int enable_pin = 8;       // out: high while it runs
+  int charge_pump_pin = 9;  // out: turns over every base period while it runs
+  int estop_pin = 10;       // in: high is pressed, so that a broken wire stops, too
+  int limit_pin = 0;        // in: high is an axis at the end of its travel
+  int fault_pin = 0;        // in: high is a drive that has switched itself off
+};
+
+/// Rows for LinuxCNC's halstreamer.
+struct HalStream {
+  std::string file = "setpoints.txt";  // or a FIFO; "-": standard output; empty: none
+  double patience = 5.0;               // s: so long a full pipe may take no row
+};
+
+struct ProgramLimits {
+  int block_limit = 2'000'000;  // lines that one loop, or one call with all it calls, may run
+  double motion_limit = 3.6e7;  // s: a program that moves for longer is refused; 0: none is
+};
+
+struct Tool {
+  double radius = 0;  // mm
+  int teeth = 0;
+};
+
+/// The piece of material that the simulated surface is cut from, as a grid seen from above.
+struct Stock {
+  AxisVector size = AxisVector::Zero();  // mm; 0: as far as the program cuts
+  std::vector<double> origin;  // mm: the corner with the smallest coordinates; empty: likewise
+  double grid = 0.01;          // mm between neighbouring points
+};
+
+struct Machine {
+  std::string name = "retrofitted mill (built-in)";
+  Control control;
+  PathLimits limits;
+  std::array<Axis, kAxes> axes;
+  Spindle spindle;
+  StepPort step_port;
+  ParallelPort parallel_port;
+  HalStream hal_stream;
+  ProgramLimits program;
+  Surfacing surfacing;
+  Stock stock;
+  std::map<int, Tool> tools;
+};
+
+}  // namespace softcnc

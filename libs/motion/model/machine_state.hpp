@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What programs leave behind on a machine: work offsets, reference points, tool lengths,
+// parameters.
+#pragma once
+
+#include <array>
+#include <map>
+
+#include "motion/core/axes.hpp"
+
+namespace softcnc {
+
+/// How far places and offsets may lie from 0, either way: what is kept is within.
+inline constexpr double kFarthest = 1e6;  // mm
+/// How far a work system may be turned, either way.
+inline constexpr double kMostTurned = 36000;  // degrees
+
+/// False for what is no number, too.
+inline bool is_near(double mm) noexcept { return mm >= -kFarthest && mm <= kFarthest; }
+inline bool is_near(const AxisVector& place) noexcept {
+  return is_near(place[0]) && is_near(place[1]) && is_near(place[2]);
+}
+
+/// A work coordinate system: G54 to G59.3.
+struct WorkOffset {
+  AxisVector origin = AxisVector::Zero();  // mm, in machine coordinates
+  double rotation = 0;                     // rad, about Z, counter-clockwise
+
+  friend bool operator==(const WorkOffset&, const WorkOffset&) = default;
+};
+
+/// What G10 L1, L10 and L11 keep of a tool. Wear is what a FANUC control keeps beside, by G10 L11
+/// and L13, and adds.
+struct ToolOffset {
+  AxisVector length = AxisVector::Zero();  // mm, from the control point to the tip
+  double radius = 0;                       // mm
+  double length_wear = 0;                  // mm, along Z
+  double radius_wear = 0;                  // mm
+
+  friend bool operator==(const ToolOffset&, const ToolOffset&) = default;
+};
+
+inline constexpr int kWorkSystems = 9;
+
+/// The start state is that of a new MachineState.
+struct MachineState {
+  std::array<WorkOffset, kWorkSystems> work;    // G54, G55, ... G59.3
+  int active = 0;                               // index into `work`
+  AxisVector shift = AxisVector::Zero();        // mm: of G92 and G52
+  bool shift_on = false;                        // off after G92.2
+  AxisVector home = AxisVector::Zero();         // mm, machine coordinates: G28
+  AxisVector second_home = AxisVector::Zero();  // G30
+  std::map<int, ToolOffset> tools;              // by tool number
+  std::map<int, double> parameters;             // numbered ones that outlive a program
+
+  friend bool operator==(const MachineState&, const MachineState&) = default;
+};
+
+}  // namespace softcnc

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Where a path lies in the way of a program.
+#pragma once
+
+#include <span>
+
+#include "motion/geometry/path.hpp"
+#include "motion/roughness/roughness_request.hpp"
+
+namespace softcnc {
+
+/// A path and where it starts along the program, mm.
+struct Stretch {
+  const Path* path;
+  double s_start;
+  const Surface* surface = nullptr;  // that it is to leave
+};
+
+/// The one on which the path is at s, mm along the program, in stretches that follow one another;
+/// at a joint the later one. There must be one.
+const Stretch& stretch_at(std::span<const Stretch> stretches, double s) noexcept;
+
+}  // namespace softcnc

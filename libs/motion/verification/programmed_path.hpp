@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The path as it was programmed, where what is run may leave it: how far the rows really do.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <limits>
+
+#include "motion/model/block.hpp"
+#include "motion/model/setpoint.hpp"
+
+namespace softcnc {
+
+/// Knows moves and rows alone: neither how corners are rounded nor what that promises.
+class ProgrammedPath {
+ public:
+  /// The next block of the program, before anything becomes of it.
+  void add(const Block& block);
+
+  /// The next row of the motion along the blocks that have been added.
+  void row(const Setpoint& setpoint) noexcept;
+
+  /// After the last row of a program that has run to its end.
+  void finish() noexcept;
+
+  /// How far rows are from the programmed path, or joints that may be rounded from the polyline
+  /// through the rows; mm.
+  struct Deviation {
+    double off = 0;
+    double allowed = 0;  // there: the larger one of P and Q
+  };
+  double largest() const noexcept { return largest_; }
+  /// Where it exceeds most what is allowed, or comes nearest to it; no limit, if nothing was
+  /// rounded.
+  const Deviation& worst() const noexcept { return worst_; }
+
+ private:
+  struct Stretch {
+    int number;  // of the block
+    Path path;
+    double s_start, s_end;  // mm of the programmed path
+    double allowed;         // mm: on the stretch,
+    double allowed_before;  // and where it begins
+    bool follows;           // the stretch before it, without a stop
+    double joint_off = std::numeric_limits<double>::infinity();  // of its start from the rows
+  };
+
+  void find(int number) noexcept;
+  void measure_row(const AxisVector& point) noexcept;
+  enum class Search { near_guess, whole };
+  Deviation deviation(const AxisVector& point, Search search) noexcept;
+  static double nearest_on(const Stretch& stretch, const AxisVector& point, double guess,
+                           Search search) noexcept;
+  void near_joints(const AxisVector& from, const AxisVector& to) noexcept;
+  void forget() noexcept;
+  bool is_record(const Deviation& found) const noexcept;
+  void count(const Deviation& deviation) noexcept;
+  void count_joint(const Stretch& stretch) noexcept;
+
+  std::deque<Stretch> stretches_;
+  std::size_t here_ = 0;  // that of the last row
+  double guess_ = 0;      // mm from its start: what was nearest to that row
+  double s_ = 0;          // mm programmed so far
+  double allowed_ = 0;    // where that ends
+  bool follows_ = false;  // what comes next goes on from the last stretch
+  bool has_row_ = false;
+  AxisVector row_ = AxisVector::Zero();
+  double largest_ = 0;
+  Deviation worst_{0, std::numeric_limits<double>::infinity()};
+};
+
+}  // namespace softcnc

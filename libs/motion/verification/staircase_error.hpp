@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// How far a staircase of reference pulses lies from its curve (paper 003, section 5).
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "motion/model/machine.hpp"
+#include "motion/model/path_stretch.hpp"
+#include "motion/model/setpoint.hpp"
+
+namespace softcnc {
+
+/// Measures every place that the clocks of a staircase visit, the start among them, by its distance
+/// from the curve: the error of Table 3 of paper 003.
+class StaircaseError {
+ public:
+  explicit StaircaseError(const Machine& machine) noexcept;
+
+  /// The place where the staircase begins.
+  void start(const Setpoint& first, std::span<const Stretch> stretches) noexcept;
+
+  /// The places that the pulses of `now` visit after those of `before`. `stretches` are the paths
+  /// from the one of `before` to the one of `now`, in order.
+  void period(const Setpoint& before, const Setpoint& now,
+              std::span<const Stretch> stretches) noexcept;
+
+  double largest() const noexcept { return largest_; }  // mm
+  /// Over all clocks, mm; 0 before the first one.
+  double mean() const noexcept { return places_ > 0 ? sum_ / static_cast<double>(places_) : 0; }
+
+ private:
+  void add(const AxisVector& place, double s, std::span<const Stretch> stretches) noexcept;
+
+  AxisVector blu_;  // mm
+  double largest_ = 0, sum_ = 0;
+  std::int64_t places_ = 0;
+};
+
+}  // namespace softcnc

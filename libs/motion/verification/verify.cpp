@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "motion/verification/verify.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/geometry/deviation.hpp"
+#include "motion/roughness/roughness.hpp"
+
+namespace softcnc {
+namespace {
+
+constexpr int kChordSamples = 8;
+constexpr double kIntegration = 1e-9;
+constexpr int kDepth = 20;
+constexpr double kSmallestAdvance = 1e-3;  // mm; interfaces: feed_fluctuation_max
+
+// Gauss-Legendre nodes and weights on [-1, 1], the positive half; they integrate polynomials of
+// degree 15 exactly (Abramowitz and Stegun, table 25.4).
+constexpr std::array<double, 4> kGaussNode{0.183434642495649805, 0.525532409916328986,
+                                           0.796666477413626740, 0.960289856497536232};
+constexpr std::array<double, 4> kGaussWeight{0.362683783378361983, 0.313706645877887287,
+                                             0.222381034453374471, 0.101228536290376259};
+
+double gauss(const Nurbs& nurbs, double u0, double u1) noexcept {
+  const double middle = 0.5 * (u0 + u1), half = 0.5 * (u1 - u0);
+  double sum = 0;
+  for (std::size_t i = 0; i < kGaussNode.size(); ++i)
+    sum += kGaussWeight[i] * (nurbs.speed(middle - half * kGaussNode[i]) +
+                              nurbs.speed(middle + half * kGaussNode[i]));
+  return sum * half;
+}
+
+/// Halves until both halves agree with the whole.
+double gauss_adaptive(const Nurbs& nurbs, double u0, double u1, double whole, int depth) noexcept {
+  const double middle = 0.5 * (u0 + u1);
+  const double left = gauss(nurbs, u0, middle), right = gauss(nurbs, middle, u1);
+  if (depth == 0 || std::abs(left + right - whole) <= kIntegration * whole) return left + right;
+  return gauss_adaptive(nurbs, u0, middle, left, depth - 1) +
+         gauss_adaptive(nurbs, middle, u1, right, depth - 1);
+}
+
+double integrate_span(const Nurbs& nurbs, double u0, double u1) noexcept {
+  return gauss_adaptive(nurbs, u0, u1, gauss(nurbs, u0, u1), kDepth);
+}
+
+double integrate(const Nurbs& nurbs, double s0, double s1) noexcept {
+  double sum = 0, u = nurbs.parameter(s0);
+  const auto inner = nurbs.breaks();
+  for (auto at = std::upper_bound(inner.begin(), inner.end(), s0); at != inner.end() && *at < s1;
+       ++at) {
+    const double u_break = nurbs.parameter(*at);
+    sum += integrate_span(nurbs, u, u_break);
+    u = u_break;
+  }
+  return sum + integrate_span(nurbs, u, nurbs.parameter(s1));
+}
+
+}  // namespace
+
+Verifier::Verifier(const Machine& machine) noexcept
+    : by_pulses_(is_by_pulses(machine.control.interpolation)),
+      period_(by_pulses_ ? machine.control.period : fine_period(machine.control)),
+      parts_(parts_of_period(machine.control, period_)),
+      staircase_(machine),
+      model_(machine.surfacing.model),
+      limits_normal_(machine.limits.normal > 0) {}
+
+void Verifier::row(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {
+  if (measured_.rows == 0) {
+    last_.fill(setpoint.position);
+    last_s_.fill(setpoint.s);
+    if (by_pulses_) staircase_.start(setpoint, stretches);
+  } else {
+    geometry(setpoint, stretches);
+  }
+  for_each_instant(setpoint, [this](const FinePoint& point) {
+    push(point);
+    differences();
+  });
+  before_ = setpoint;
+  ++measured_.rows;
+}
+
+void Verifier::pass_over(const Setpoint& setpoint) noexcept {
+  for_each_instant(setpoint, [this](const FinePoint& point) { push(point); });
+  row_rmax_ = 0;
+  measured_.rows += setpoint.period - before_.period;
+  before_ = setpoint;
+}
+
+void Verifier::finish() noexcept {
+  if (measured_.rows == 0) return;
+  for (int i = 0; i < 3; ++i) {
+    push({before_.s, before_.position});
+    differences();
+  }
+}
+
+template <typename Visit>
+void Verifier::for_each_instant(const Setpoint& setpoint, Visit&& visit) noexcept {
+  for_instants(setpoint, {before_.s, before_.position}, measured_.rows > 0 ? parts_ : 1, visit);
+}
+
+void Verifier::push(const FinePoint& point) noexcept {
+  std::rotate(last_.begin(), last_.end() - 1, last_.end());
+  last_[0] = point.position;
+  std::rotate(last_s_.begin(), last_s_.end() - 1, last_s_.end());
+  last_s_[0] = point.s;
+}
+
+void Verifier::differences() noexcept {
+  const AxisVector first = last_[0] - last_[1];
+  const AxisVector second = last_[0] - 2 * last_[1] + last_[2];
+  const AxisVector third = last_[0] - 3 * last_[1] + 3 * last_[2] - last_[3];
+  const auto raise = [](AxisVector& largest, const AxisVector& value) {
+    largest = largest.cwiseMax(value.cwiseAbs());
+  };
+  raise(measured_.velocity, first / period_);
+  raise(measured_.acceleration, second / (period_ * period_));
+  raise(measured_.jerk, third / (period_ * period_ * period_));
+  const double along_path = last_s_[0] - 2 * last_s_[1] + last_s_[2];
+  measured_.tangential = std::max(measured_.tangential, std::abs(along_path) / (period_ * period_));
+}
+
+void Verifier::geometry(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {
+  double travelled = 0;
+  row_rmax_ = 0;
+  for (const Stretch& stretch : stretches) {
+    const double s_end = softcnc::length(*stretch.path);
+    const double s0 = std::clamp(before_.s - stretch.s_start, 0.0, s_end);
+    const double s1 = std::clamp(setpoint.s - stretch.s_start, 0.0, s_end);
+    if (s1 <= s0) continue;
+    if (!by_pulses_)
+      measured_.chord_error =
+          std::max(measured_.chord_error,
+                   chord_error(*stretch.path, s0, s1, before_.position, setpoint.position));
+    travelled += integrated_length(*stretch.path, s0, s1);
+  }
+  if (!stretches.empty()) {
+    const Stretch& here = stretch_at(stretches, setpoint.s);
+    const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
+    if (here.surface) roughness(setpoint, here);
+    if (limits_normal_)
+      measured_.normal =
+          std::max(measured_.normal, setpoint.v * setpoint.v * at(*here.path, s).ddq.norm());
+    closeness(setpoint, stretches);
+  }
+  fluctuation(travelled, setpoint.advance);
+}
+
+/// Pulses run no chord: how far they are from the curve is the error of the period.
+void Verifier::closeness(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {
+  if (by_pulses_) {
+    staircase_.period(before_, setpoint, stretches);
+    measured_.path_deviation = measured_.chord_error = staircase_.largest();
+    measured_.path_deviation_mean = staircase_.mean();
+    return;
+  }
+  const Stretch& here = stretch_at(stretches, setpoint.s);
+  const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
+  measured_.path_deviation =
+      std::max(measured_.path_deviation, (position(*here.path, s) - setpoint.position).norm());
+}
+
+void Verifier::fluctuation(double travelled, double advance) noexcept {
+  if (advance <= kSmallestAdvance) return;
+  const double off = std::abs(travelled / advance - 1);
+  fluctuations_ += off * off;
+  ++advances_;
+  measured_.feed_fluctuation = std::max(measured_.feed_fluctuation, off);
+  measured_.feed_fluctuation_rms = std::sqrt(fluctuations_ / static_cast<double>(advances_));
+}
+
+/// Teeth that rub are not asked to be slower.
+void Verifier::roughness(const Setpoint& setpoint, const Stretch& here) noexcept {
+  constexpr double kRounding = 1e-6;
+  const Surface& surface = *here.surface;
+  const double feed = surface.tooth_rate() > 0 ? setpoint.v / surface.tooth_rate() : 0;
+  const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
+  const PathPoint point = at(*here.path, s);
+  row_rmax_ = rmax(model_, surface, feed, point);
+  if (feed <= kLeastFeedPerTooth * (1 + kRounding)) return;
+  if (row_rmax_ * measured_.rmax_target <= measured_.rmax * surface.rmax &&
+      measured_.rmax_target > 0)
+    return;
+  measured_.rmax = row_rmax_;
+  measured_.rmax_target = surface.rmax;
+}
+
+double chord_error(const Path& path, double s0, double s1, const AxisVector& a,
+                   const AxisVector& b) noexcept {
+  // The ends belong to the stretch: at a joint within the period they are off the chord as well.
+  double largest = std::max(distance_to_segment(position(path, s0), a, b),
+                            distance_to_segment(position(path, s1), a, b));
+  if (std::holds_alternative<Line>(path)) return largest;
+  for (int i = 1; i < kChordSamples; ++i)
+    largest = std::max(
+        largest, distance_to_segment(position(path, s0 + (s1 - s0) * i / kChordSamples), a, b));
+  return largest;
+}
+
+double integrated_length(const Path& path, double s0, double s1) noexcept {
+  const auto* nurbs = std::get_if<Nurbs>(&path);
+  return nurbs ? integrate(*nurbs, s0, s1) : s1 - s0;
+}
+
+}  // namespace softcnc

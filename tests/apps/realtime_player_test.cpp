@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+// The thread that writes to a parallel port: all words, in order; and at rest on every way out.
+#include "realtime/realtime_player.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <csignal>
+
+#include "apps/shell.hpp"
+#include "support/recorded_port.hpp"
+#include "support/shown.hpp"
+
+using namespace softcnc;
+using namespace softcnc::app;
+using softcnc::test::PortRecord;
+using softcnc::test::RecordedPort;
+
+namespace {
+
+/// Late by up to a second is no alarm: tests run beside one another.
+Machine on_port() {
+  Machine machine;
+  machine.control.backend = BackendKind::parport;
+  machine.control.period = 1;
+  machine.parallel_port.base_period = 50e-6;
+  machine.parallel_port.estop_pin = 0;
+  machine.parallel_port.fault_pin = 12;
+  return machine;
+}
+
+std::unique_ptr<PacedPlayer> open(const Machine& machine, PortRecord& record) {
+  auto player = PacedPlayer::open(machine, std::make_unique<RecordedPort>(record));
+  REQUIRE(player);
+  return std::move(*player);
+}
+
+/// Words that can be told from each other.
+std::vector<hal::PortWord> words(int count, int begin = 0) {
+  std::vector<hal::PortWord> all;
+  for (int i = 0; i < count; ++i)
+    all.push_back({static_cast<std::uint8_t>(0x40 | ((begin + i) % 16)), 0});
+  return all;
+}
+
+std::vector<std::uint8_t> data_of(const PortRecord& record) {
+  std::vector<std::uint8_t> data;
+  for (const auto& write : record.writes)
+    if (!write.control) data.push_back(write.bits);
+  return data;
+}
+
+/// The drives enabled, these words, the port at rest, and once more when the player goes.
+std::vector<std::uint8_t> expected(int count) {
+  std::vector<std::uint8_t> data{0x40};
+  for (const hal::PortWord& word : words(count))
+    if (word.data != data.back()) data.push_back(word.data);
+  data.insert(data.end(), 2, 0x00);
+  return data;
+}
+
+bool is_at_rest(const PortRecord& record) { return record.last(false) == 0x00; }
+
+}  // namespace
+
+TEST_CASE("all words are written, in order, and no sooner than they may", "[apps][parport]") {
+  PortRecord record;
+  {
+    auto player = open(on_port(), record);
+    const std::int64_t begin = now_ns();
+    for (int i = 0; i < 200; ++i) CHECK(player->play(words(100, 100 * i)) == Alarm::none);
+    REQUIRE(player->finish());
+    CHECK(now_ns() - begin >= 20'000 * 50'000LL);
+  }
+  CHECK(data_of(record) == expected(20'000));
+}
+
+TEST_CASE("where the program waits the port stands, and goes on", "[apps][parport]") {
+  PortRecord record;
+  {
+    auto player = open(on_port(), record);
+    CHECK(player->play(words(48)) == Alarm::none);
+    player->rest();
+    sleep_until(now_ns() + 50'000'000);
+    CHECK(player->play(words(48)) == Alarm::none);
+    sleep_until(now_ns() + 50'000'000);
+    CHECK(player->play(words(48)) == Alarm::none);  // too few yet to begin with
+    REQUIRE(player->finish());
+  }
+  CHECK(data_of(record) == expected(144));
+}
+
+TEST_CASE("words that come too late are an alarm, and the port is at rest", "[apps][parport]") {
+  PortRecord record;
+  auto player = open(on_port(), record);
+  CHECK(player->play(words(6'000)) == Alarm::none);  // enough to begin with
+  for (int i = 0; i < 1000 && player->play({}) == Alarm::none; ++i)
+    sleep_until(now_ns() + 10'000'000);
+  CHECK(player->play(words(10)) == Alarm::overrun);
+  const Status finished = player->finish();
+  REQUIRE_FALSE(finished);
+  CHECK(finished.error().code == Code::SC5030);
+  CHECK(is_at_rest(record));
+}
+
+TEST_CASE("an input that comes on ends it at rest, at once", "[apps][parport]") {
+  PortRecord record;
+  auto player = open(on_port(), record);
+  CHECK(player->play(words(6'000)) == Alarm::none);
+  sleep_until(now_ns() + 20'000'000);
+  record.status = 0x20;
+  const Status finished = player->finish();
+  REQUIRE_FALSE(finished);
+  CHECK(finished.error().code == Code::SC5033);
+  CHECK(is_at_rest(record));
+  CHECK(record.writes.size() < 6'000);
+}
+
+TEST_CASE("nothing is enabled while an input is on", "[apps][parport]") {
+  PortRecord record;
+  record.status = 0x20;
+  const auto refused = PacedPlayer::open(on_port(), std::make_unique<RecordedPort>(record));
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().code == Code::SC5033);
+  CHECK(is_at_rest(record));
+  for (const std::uint8_t data : data_of(record)) CHECK((data & 0x40) == 0);
+}
+
+TEST_CASE("a port that fails is told", "[apps][parport]") {
+  PortRecord record;
+  auto player = open(on_port(), record);
+  CHECK(player->play(words(6'000)) == Alarm::none);
+  record.fails = true;
+  const Status finished = player->finish();
+  REQUIRE_FALSE(finished);
+  CHECK(finished.error().code == Code::SC6074);
+}
+
+TEST_CASE("a player that goes away leaves the port at rest", "[apps][parport]") {
+  PortRecord record;
+  {
+    auto player = open(on_port(), record);
+    player->play(words(6'000));
+    sleep_until(now_ns() + 20'000'000);
+  }
+  CHECK(is_at_rest(record));
+}
+
+namespace {
+
+/// A port whose writes take as long as a hundred base periods, but for that of the rest.
+class SlowPort final : public hal::PortRegisters {
+ public:
+  explicit SlowPort(std::atomic<int>& written) : written_(written) {}
+  bool write_data(std::uint8_t bits) noexcept override {
+    if (bits != 0) sleep_until(now_ns() + 5'000'000);
+    ++written_;
+    return true;
+  }
+  bool write_control(std::uint8_t) noexcept override { return true; }
+  std::optional<std::uint8_t> read_status() noexcept override { return 0; }
+  Diagnostic failure() const override { return {Code::SC6074, {}, "", "", {}}; }
+
+ private:
+  std::atomic<int>& written_;
+};
+
+}  // namespace
+
+TEST_CASE("behind an abandoned player nothing is written any more", "[apps][parport]") {
+  std::atomic<int> written{0};
+  auto player = PacedPlayer::open(on_port(), std::make_unique<SlowPort>(written));
+  REQUIRE(player);
+  (*player)->play(words(6'000));
+  for (int i = 0; i < 1000 && written < 5; ++i) sleep_until(now_ns() + 1'000'000);
+  REQUIRE(written >= 5);
+  (*player)->abandon();
+  const int before = written;
+  sleep_until(now_ns() + 20'000'000);
+  CHECK(written == before);
+}
+
+namespace {
+
+/// A port whose last word goes to a pipe when it is put at rest.
+class TellingPort final : public hal::PortRegisters {
+ public:
+  explicit TellingPort(int pipe) : pipe_(pipe) {}
+  bool write_data(std::uint8_t bits) noexcept override { return ::write(pipe_, &bits, 1) == 1; }
+  bool write_control(std::uint8_t) noexcept override { return true; }
+  std::optional<std::uint8_t> read_status() noexcept override { return 0; }
+  Diagnostic failure() const override { return {Code::SC6074, {}, "", "", {}}; }
+
+ private:
+  int pipe_;
+};
+
+}  // namespace
+
+TEST_CASE("a signal that ends the process leaves the port at rest", "[apps][parport]") {
+  const int signal = GENERATE(SIGTERM, SIGINT, SIGABRT, SIGSEGV);
+  int pipe[2];
+  REQUIRE(::pipe(pipe) == 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::signal(signal, SIG_DFL);
+    auto player = PacedPlayer::open(on_port(), std::make_unique<TellingPort>(pipe[1]));
+    if (!player) ::_exit(1);
+    (*player)->play(words(6'000));
+    sleep_until(now_ns() + 30'000'000);
+    ::raise(signal);
+    ::_exit(2);
+  }
+  ::close(pipe[1]);
+  int status = 0;
+  std::uint8_t bits = 0xFF;
+  int writes = 0;
+  while (::read(pipe[0], &bits, 1) == 1) ++writes;
+  ::waitpid(child, &status, 0);
+  ::close(pipe[0]);
+  CHECK(WIFSIGNALED(status));
+  CHECK(WTERMSIG(status) == signal);
+  CHECK(writes > 1);
+  CHECK(bits == 0x00);
+}
+
+TEST_CASE("a parallel port that is not there, or none, is status 5", "[apps][parport]") {
+  const std::string run =
+      "run -q --backend parport --set axis.x.velocity_mm_min=1500 --set "
+      "axis.y.velocity_mm_min=1500 "
+      "--set axis.z.velocity_mm_min=1500 --set backend.parport.device=";
+  const app::test::Ended missing = app::test::call(run + "/dev/parport77 $data/square.nc");
+  CHECK(missing.status == 5);
+  CHECK(
+      missing.err ==
+      "/dev/parport77: error: there is no such port (open: No such file or directory) [SC6072]\n");
+  const app::test::Ended wrong = app::test::call(run + "/dev/null $data/square.nc");
+  CHECK(wrong.status == 5);
+  CHECK(shows(wrong.err, "error: this is no parallel port... [SC6072]"));
+  CHECK(app::test::call(run + "'\"\"' $data/square.nc").status == 0);
+}
