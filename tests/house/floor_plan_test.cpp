@@ -1,139 +1,132 @@
 // SPDX-License-Identifier: MIT
-// The floor plan of docs/floor-plan.md, held against every source: who includes whom, which file
-// knows which outside library, and what no library does.
+// docs/floor-plan.md against the sources: it names every folder, in an order in which no folder
+// includes a later one, and it gives the reason for every file that is longer than usual.
 #include <catch2/catch.hpp>
 #include <map>
+#include <regex>
 #include <set>
 
-#include "house/sources.hpp"
+#include "house/includes.hpp"
 
 using namespace softcnc::house;
 
 namespace {
 
-/// Outside libraries, by the beginning of their headers, and the only files that may know them.
-const std::map<std::string, std::set<std::string>> kKeepers{
-    {"toml++/", {"hal/toml_reader.cpp"}},
-    {"zstd.h", {"hal/packed_file.cpp", "hal/zstd_sink.cpp"}},
-    {"xxhash.h", {"hal/hash.cpp"}},
-    {"zip.h", {"hal/zip_file.cpp"}},
-    {"spdlog/", {}},
-    {"CLI/", {}},
-    {"nlohmann/", {}},
-    {"iostream", {}},
-    {"thread", {}},
-    {"chrono", {}},
-};
+constexpr std::size_t kMostUnits = 25;   // of a folder: a header with its source is one
+constexpr std::size_t kMostLines = 300;  // of a file
 
-/// What no library does: print, read the environment or a clock, share ownership, differ by option.
-const std::vector<std::string> kUnheard{"std::cout", "std::cerr",      "std::clog", "std::printf",
-                                        "getenv",    "shared_ptr",     "#ifdef",    "#ifndef",
-                                        "std::rand", "using namespace"};
+std::string plan() { return text_of(kRoot / "docs/floor-plan.md"); }
 
-/// What stands between these marks behind #include on a line; empty if it is no such line.
-std::string included(const std::string& line, char open, char close) {
-  const std::string head = std::string("#include ") + open;
-  if (line.rfind(head, 0) != 0) return {};
-  return line.substr(head.size(), line.find(close, head.size()) - head.size());
+/// The sources below libs and apps, named from the root: "libs/ipr/text/lexer.cpp".
+std::vector<Source> program_sources() {
+  std::vector<Source> all;
+  for (const std::string top : {"libs", "apps"})
+    for (Source& source : sources_below(top)) {
+      source.name = top + "/" + source.name;
+      all.push_back(std::move(source));
+    }
+  return all;
 }
 
-/// Lines that include a file of a room other than their own and the ground.
-Faults doors_broken(const Source& source) {
+/// Folders with sources that the plan does not name.
+Faults folders_unnamed(const std::vector<Source>& sources, const std::string& text) {
+  std::set<std::string> folders;
+  for (const Source& source : sources) folders.insert(source.folder());
   Faults faults;
-  for (std::size_t i = 0; i < source.lines.size(); ++i) {
-    const std::string header = included(source.lines[i], '"', '"');
-    const std::string room = header.substr(0, header.find('/'));
-    if (!header.empty() && room != source.room() && room != "motion")
-      faults.push_back(source.place(i));
-  }
+  for (const std::string& folder : folders)
+    if (text.find("`" + folder + "`") == std::string::npos) faults.push_back(folder);
   return faults;
 }
 
-/// Lines that include an outside library which another file keeps, or none.
-Faults libraries_out_of_place(const Source& source) {
+/// Paths below libs, apps and tests that the plan names and that do not exist.
+Faults paths_missing(const std::string& text) {
+  static const std::regex path("`((libs|apps|tests)/[^`*]+)`");
   Faults faults;
-  for (std::size_t i = 0; i < source.lines.size(); ++i) {
-    const std::string header = included(source.lines[i], '<', '>');
-    for (const auto& [library, keepers] : kKeepers)
-      if (header.rfind(library, 0) == 0 && !keepers.contains(source.name))
-        faults.push_back(source.place(i));
-  }
+  for (std::sregex_iterator found(text.begin(), text.end(), path), end; found != end; ++found)
+    if (!std::filesystem::exists(kRoot / (*found)[1].str())) faults.push_back((*found)[1]);
   return faults;
 }
 
-Faults unheard(const Source& source) {
+/// Arrows to a folder that the table of folders lists after the one that includes it, of folders
+/// named from `top`.
+Faults arrows_upward(const std::vector<Arrow>& arrows, const std::string& top,
+                     const std::string& text) {
+  const auto row = [&](const std::string& folder) {
+    return text.find("\n| `" + top + folder + "` |");
+  };
   Faults faults;
-  for (std::size_t i = 0; i < source.lines.size(); ++i) {
-    const std::string code = source.lines[i].substr(0, source.lines[i].find("//"));
-    for (const std::string& word : kUnheard)
-      if (code.find(word) != std::string::npos) faults.push_back(source.place(i));
-  }
+  for (const Arrow& arrow : arrows)
+    if (row(arrow.to) != std::string::npos && row(arrow.from) < row(arrow.to))
+      faults.push_back(arrow.from + " -> " + arrow.to + " by " + arrow.place);
   return faults;
 }
 
-/// Files, and what each of them includes.
-using Graph = std::map<std::string, std::set<std::string>>;
-
-Graph include_graph(const std::vector<Source>& sources) {
-  Graph graph;
+/// Folders with too many units, each with their number.
+Faults folders_too_full(const std::vector<Source>& sources) {
+  std::map<std::string, std::set<std::string>> units;
   for (const Source& source : sources)
-    for (const std::string& line : source.lines)
-      if (const std::string header = included(line, '"', '"'); !header.empty())
-        graph[source.name].insert(header);
-  return graph;
+    units[source.folder()].insert(std::filesystem::path(source.name).stem().string());
+  Faults faults;
+  for (const auto& [folder, names] : units)
+    if (names.size() > kMostUnits) faults.push_back(folder + ": " + std::to_string(names.size()));
+  return faults;
 }
 
-/// The files on a circle of includes, and those that lead to one: what is left when all that
-/// includes nothing any more has been taken away, again and again.
-Faults circle(Graph graph) {
-  const auto leaf = [&graph](const std::string& name) { return !graph.contains(name); };
-  for (bool shrunk = true; shrunk;) {
-    shrunk = false;
-    for (auto& [name, headers] : graph) std::erase_if(headers, leaf);
-    shrunk = std::erase_if(graph, [](const auto& node) { return node.second.empty(); }) > 0;
-  }
-  Faults names;
-  for (const auto& [name, headers] : graph) names.push_back(name);
-  return names;
+/// Files that are too long and for which the plan has no row with a reason, each with its length.
+Faults files_too_long(const std::vector<Source>& sources, const std::string& text) {
+  Faults faults;
+  for (const Source& source : sources)
+    if (source.lines.size() > kMostLines &&
+        text.find("\n| `" + source.name + "` | ") == std::string::npos)
+      faults.push_back(source.name + ": " + std::to_string(source.lines.size()));
+  return faults;
+}
+
+Source long_file(const std::string& name) {
+  return planted(name, std::string(kMostLines + 1, '\n'));
 }
 
 }  // namespace
 
-TEST_CASE("no room includes a room but its own and the ground", "[house]") {
-  CHECK(over(sources_below("libs"), doors_broken) == Faults{});
+TEST_CASE("the floor plan names every folder of the program, and no other path", "[house]") {
+  CHECK(listed(folders_unnamed(program_sources(), plan())) == "");
+  CHECK(listed(paths_missing(plan())) == "");
 }
 
-TEST_CASE("a planted include of a neighbour is found, with its place", "[house]") {
-  const Source source =
-      planted("ipr/lexer.cpp", "#include \"motion/block.hpp\"\n#include \"hal/sim.hpp\"\n");
-  CHECK(doors_broken(source) == Faults{"ipr/lexer.cpp:2: #include \"hal/sim.hpp\""});
+TEST_CASE("a planted folder that no plan names is found, and so is a path to nothing", "[house]") {
+  const std::vector<Source> sources{planted("libs/ipr/text/lexer.cpp", ""),
+                                    planted("libs/ipr/attic/spare.cpp", "")};
+  CHECK(folders_unnamed(sources, "| `libs/ipr/text` | lines |") == Faults{"libs/ipr/attic"});
+  CHECK(paths_missing("`libs/motion/core` and `libs/attic`") == Faults{"libs/attic"});
 }
 
-TEST_CASE("an outside library is known to the one file that keeps it", "[house]") {
-  CHECK(over(sources_below("libs"), libraries_out_of_place) == Faults{});
-  CHECK(libraries_out_of_place(planted("ipo/grid.cpp", "#include <iostream>")).size() == 1);
-  CHECK(libraries_out_of_place(planted("hal/sim.cpp", "#include <toml++/toml.h>")).size() == 1);
-  CHECK(libraries_out_of_place(planted("hal/toml_reader.cpp", "#include <toml++/toml.h>")).empty());
+TEST_CASE("a folder includes only folders that the floor plan lists before it", "[house]") {
+  CHECK(listed(arrows_upward(folder_arrows(sources_below("libs")), "libs/", plan())) == "");
+  CHECK(listed(arrows_upward(folder_arrows(sources_below("apps/softcnc")), "apps/softcnc/",
+                             plan())) == "");
 }
 
-TEST_CASE("every keeper of an outside library still keeps it", "[house]") {
-  for (const auto& [library, keepers] : kKeepers)
-    for (const std::string& keeper : keepers) {
-      std::ifstream in(kRoot / "libs" / keeper);
-      const std::string text{std::istreambuf_iterator<char>(in), {}};
-      CAPTURE(library, keeper);
-      CHECK(text.find("#include <" + library) != std::string::npos);
-    }
+TEST_CASE("a planted arrow to a later folder is found", "[house]") {
+  const std::string text = "\n| `libs/ipo/path` | a |\n| `libs/ipo/jerk` | b |\n";
+  const std::vector<Arrow> arrows{{"ipo/path", "ipo/jerk", "1"}, {"ipo/jerk", "ipo/path", "2"}};
+  CHECK(arrows_upward(arrows, "libs/", text) == Faults{"ipo/path -> ipo/jerk by 1"});
 }
 
-TEST_CASE("no library prints, reads the environment or shares ownership", "[house]") {
-  CHECK(over(sources_below("libs"), unheard) == Faults{});
-  CHECK(unheard(planted("ipo/grid.cpp", "std::shared_ptr<int> p;")).size() == 1);
-  CHECK(unheard(planted("ipo/grid.cpp", "// no shared_ptr here")).empty());
+TEST_CASE("no folder has more than 25 units", "[house]") {
+  CHECK(listed(folders_too_full(program_sources())) == "");
+  std::vector<Source> sources;
+  for (std::size_t i = 0; i <= kMostUnits; ++i)
+    for (const char* suffix : {".hpp", ".cpp"})
+      sources.push_back(planted("libs/ipo/path/a" + std::to_string(i) + suffix, ""));
+  CHECK(folders_too_full(sources) == Faults{"libs/ipo/path: 26"});
+  sources.resize(2 * kMostUnits);
+  CHECK(folders_too_full(sources).empty());
 }
 
-TEST_CASE("headers include one another without a circle", "[house]") {
-  CHECK(circle(include_graph(sources_below("libs"))) == Faults{});
-  CHECK(circle({{"a", {"b"}}, {"b", {"c"}}, {"c", {"a"}}, {"d", {"a"}}}).size() == 4);
-  CHECK(circle({{"a", {"b", "c"}}, {"b", {"c"}}}).empty());
+TEST_CASE("no file is longer than 300 lines unless the floor plan gives the reason", "[house]") {
+  CHECK(listed(files_too_long(program_sources(), plan())) == "");
+  const Source file = long_file("libs/ipr/flow/flow.cpp");
+  CHECK(files_too_long({file}, "") == Faults{"libs/ipr/flow/flow.cpp: 301"});
+  CHECK(files_too_long({file}, "\n| `libs/ipr/flow/flow.cpp` | a table |\n").empty());
+  CHECK(files_too_long({planted("libs/a.cpp", std::string(kMostLines, '\n'))}, "").empty());
 }

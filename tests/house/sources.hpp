@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The sources of the repository, read as text, for the tests of the house itself.
+// The sources of the repository, read as text, for the tests of its structure.
 #pragma once
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -13,14 +14,16 @@
 namespace softcnc::house {
 
 inline const std::filesystem::path kRoot = SOFTCNC_SOURCE_DIR;
-inline const std::vector<std::string> kRooms{"motion", "ipr", "ipo", "hal"};
 
 struct Source {
-  std::string name;  // "ipr/lexer.cpp"
+  std::string name;  // "ipr/text/lexer.cpp"
   std::vector<std::string> lines;
 
-  std::string room() const { return name.substr(0, name.find('/')); }
-  /// "ipr/lexer.cpp:2: the text of the line", of the line with this index.
+  /// Returns the library of a source below libs: "ipr".
+  std::string library() const { return name.substr(0, name.find('/')); }
+  /// Returns the folder of a source: "ipr/text"; empty if it has none.
+  std::string folder() const { return std::filesystem::path(name).parent_path().generic_string(); }
+  /// Returns the place and the text of the line with this index: "ipr/text/lexer.cpp:2: ...".
   std::string place(std::size_t line) const {
     return name + ":" + std::to_string(line + 1) + ": " + lines[line];
   }
@@ -32,7 +35,7 @@ inline Source source_from(std::string name, std::istream& in) {
   return source;
 }
 
-/// A source that stands in no file, to see whether a check finds what is wrong in it.
+/// Returns a source that is in no file, with which a test shows that a check finds a violation.
 inline Source planted(const std::string& name, const std::string& text) {
   std::istringstream in(text);
   return source_from(name, in);
@@ -42,7 +45,7 @@ inline bool is_cpp(const std::filesystem::path& path) {
   return path.extension() == ".cpp" || path.extension() == ".hpp" || path.extension() == ".inc";
 }
 
-/// Every C++ file below a folder of the repository, in order of its name from that folder.
+/// Returns every C++ file below a folder of the repository, sorted by its name from that folder.
 inline std::vector<Source> sources_below(const std::string& folder) {
   namespace fs = std::filesystem;
   std::vector<Source> sources;
@@ -56,9 +59,23 @@ inline std::vector<Source> sources_below(const std::string& folder) {
   return sources;
 }
 
-/// What is wrong, a line each.
+/// Returns the whole text of a file; empty if it cannot be read.
+inline std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Violations, one text each.
 using Faults = std::vector<std::string>;
 
+/// Returns violations as a text, a line each, as a failed test shows them best.
+inline std::string listed(const Faults& faults) {
+  std::string text;
+  for (const std::string& fault : faults) text += fault + "\n";
+  return text;
+}
+
+/// Returns the violations that a check finds in any of the sources.
 inline Faults over(const std::vector<Source>& sources, Faults (*check)(const Source&)) {
   Faults all;
   for (const Source& source : sources) {

@@ -14,8 +14,8 @@ using namespace softcnc::house;
 
 namespace {
 
-/// Those of files, ports, runs and surfaces as a whole, which no line is to be named for; and 3003,
-/// which no program is told.
+/// Codes of files, ports, runs and surfaces as a whole, which have no line; and 3003, which no
+/// program gets.
 const std::set<Code> kWithoutPlace{
     Code::SC2382, Code::SC3003, Code::SC4002, Code::SC4003, Code::SC4030, Code::SC4031,
     Code::SC4040, Code::SC5030, Code::SC5031, Code::SC5032, Code::SC5033, Code::SC5040,
@@ -30,14 +30,14 @@ struct Asserted {
   std::set<std::string> with_place, without_place;
 };
 
-/// Literals that follow one another are one.
+/// Returns a source in which literals that follow one another are one.
 std::string joined(const std::string& source) {
   static const std::regex between_literals("\"\\s+\"");
   return std::regex_replace(source, between_literals, "");
 }
 
-/// The code at the end of what begins at a byte of `text`; empty if another one, or another
-/// statement, begins before it.
+/// Returns the code at the end of the diagnostic that begins at a byte of `text`; empty if another
+/// diagnostic, or another statement, begins before it.
 std::string code_after(const std::string& text, std::size_t begin) {
   static const std::regex end_or_code(R"(: (error|warning|note): |\);|\n\S|\[(SC\d{4})\])");
   std::smatch found;
@@ -45,7 +45,7 @@ std::string code_after(const std::string& text, std::size_t begin) {
   return std::regex_search(from, text.end(), found, end_or_code) ? found[2].str() : "";
 }
 
-/// Adds what stands in `text` in the form in which render() shows it.
+/// Adds the codes of the diagnostics in `text` that have the form in which render() shows them.
 void collect(const std::string& text, Asserted& asserted) {
   static const std::regex shown(R"((:\d+(:\d+)?)?: (error|warning|note): (?!\.\.\.)[^"\\\n]{8})");
   for (std::sregex_iterator found(text.begin(), text.end(), shown), end; found != end; ++found) {

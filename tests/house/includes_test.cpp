@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Who includes whom: libraries beside each other stay apart, and folders form no circle.
+#include "house/includes.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace softcnc::house;
+
+namespace {
+
+/// Lines that include a library other than their own and motion.
+Faults libraries_crossed(const Source& source) {
+  Faults faults;
+  for (const Arrow& arrow : file_arrows({source})) {
+    const std::string library = Source{arrow.to, {}}.library();
+    if (library != source.library() && library != "motion") faults.push_back(arrow.place);
+  }
+  return faults;
+}
+
+const Source kLexer =
+    planted("ipr/text/lexer.cpp",
+            "#include \"motion/model/block.hpp\"\n#include \"hal/backends/sim.hpp\"\n");
+
+}  // namespace
+
+TEST_CASE("no library includes a library except motion", "[house]") {
+  CHECK(listed(over(sources_below("libs"), libraries_crossed)) == "");
+}
+
+TEST_CASE("a planted include of another library is found, with its place", "[house]") {
+  CHECK(libraries_crossed(kLexer) ==
+        Faults{"ipr/text/lexer.cpp:2: #include \"hal/backends/sim.hpp\""});
+  CHECK(libraries_crossed(planted("motion/core/axes.hpp", "#include \"ipo/path/grid.hpp\"")) ==
+        Faults{"motion/core/axes.hpp:1: #include \"ipo/path/grid.hpp\""});
+}
+
+TEST_CASE("folders of the libraries form no circle", "[house]") {
+  CHECK(listed(arrows_of_circles(folder_arrows(sources_below("libs")))) == "");
+}
+
+TEST_CASE("folders of the application form no circle", "[house]") {
+  CHECK(listed(arrows_of_circles(folder_arrows(sources_below("apps/softcnc")))) == "");
+}
+
+TEST_CASE("a planted circle of folders is found, with its arrows alone", "[house]") {
+  const std::vector<Source> sources{
+      planted("ipo/path/grid.cpp", "#include \"ipo/path/grid.hpp\"\n#include \"ipo/jerk/a.hpp\""),
+      planted("ipo/jerk/a.hpp", "#include <cmath>\n#include \"ipo/solver/b.hpp\""),
+      planted("ipo/solver/b.hpp", "#include \"ipo/path/grid.hpp\""),
+      planted("ipo/planner/c.hpp", "#include \"ipo/path/grid.hpp\"")};
+  CHECK(arrows_of_circles(folder_arrows(sources)) ==
+        Faults{"ipo/path -> ipo/jerk by ipo/path/grid.cpp:2: #include \"ipo/jerk/a.hpp\"",
+               "ipo/jerk -> ipo/solver by ipo/jerk/a.hpp:2: #include \"ipo/solver/b.hpp\"",
+               "ipo/solver -> ipo/path by ipo/solver/b.hpp:1: #include \"ipo/path/grid.hpp\""});
+}
+
+TEST_CASE("files include one another without a circle", "[house]") {
+  for (const char* folder : {"libs", "apps/softcnc"}) {
+    CAPTURE(folder);
+    CHECK(listed(arrows_of_circles(file_arrows(sources_below(folder)))) == "");
+  }
+  CHECK(arrows_of_circles({{"a", "b", "1"}, {"b", "a", "2"}, {"c", "a", "3"}}) ==
+        Faults{"a -> b by 1", "b -> a by 2"});
+  CHECK(arrows_of_circles({{"a", "b", "1"}, {"a", "c", "2"}, {"b", "c", "3"}}).empty());
+}
