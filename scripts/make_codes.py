@@ -20,7 +20,8 @@ HEAD = """# What the codes mean
 
 <!-- made by scripts/make_codes.py from libs/motion/core/diagnostic_table.inc; a test compares it -->
 
-A diagnostic names its place, what is wrong, and its code; then comes the line with the place marked:
+A diagnostic names its place, what is wrong, and its code. Below it is the line with the place
+marked:
 
 ```
 part.nc:12:9: error: G02 ends 0.35 mm off its circle (radius 10 mm at the start, 10.35 mm at the end) [SC2103]
@@ -28,8 +29,8 @@ part.nc:12:9: error: G02 ends 0.35 mm off its circle (radius 10 mm at the start,
       |         ^~~~~~~~~~~~~~
 ```
 
-An error keeps a program from running. A warning says what softcnc does instead of what was asked for. A note is worth knowing. A code never
-changes its meaning.
+An error keeps a program from running. A warning says what softcnc does instead of what was asked
+for. A note is worth knowing. A code never changes its meaning.
 """
 
 SECTIONS = {
