@@ -8,7 +8,7 @@ G00 X0 Y0 Z0
 
 (G18. Clockwise and counter-clockwise are seen against the axis across the plane,)
 (here Y, with Z as the first axis and X as the second. Drawn with X to the right)
-(and Z upwards, as one stands in front of a mill, that is the mirror image: G02)
+(and Z upwards, as seen from the front of a mill, that is the mirror image: G02)
 (looks counter-clockwise. This one is a valley of radius 10.)
 G18
 G02 X20 Z0 I10 K0 F1500
@@ -18,7 +18,7 @@ G02 X20 Z0 I10 K0 F1500
 G19
 G03 Y20 Z0 J10 K0
 
-(A helix works in every plane: in G18 it is Y that goes along.)
+(A helix works in every plane: in G18 it goes along Y.)
 G18
 G03 X0 Z0 Y0 R10
 G17

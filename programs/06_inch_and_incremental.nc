@@ -1,8 +1,8 @@
 (SPDX-License-Identifier: MIT)
 (06  INCHES AND DISTANCES)
 (G20: lengths are in inches and feeds in inches per minute. G21: back to mm.)
-(The change counts for every word of its own line and below. Inside softcnc and in)
-(every output there are millimetres only.)
+(The change applies to every word of its own line and after it. Inside softcnc and in)
+(every output all lengths are in millimetres.)
 
 G20
 G00 X1 Y1            (25.4 mm each)
@@ -11,7 +11,7 @@ G21
 G01 Y50.8 F1000      (millimetres again: the same as Y2 in inches)
 
 (G91: coordinates are distances from where the tool is. G90: positions again.)
-(Handy for patterns: the same four lines cut a slot wherever the tool stands.)
+(Useful for patterns: the same four lines cut a slot wherever the tool is.)
 G91
 G00 X10
 G01 Y-10

@@ -3,9 +3,9 @@
 (A NURBS is a smooth curve drawn by a few control points, which pull at it like)
 (magnets. G06.2 gives it to the machine as it is, not chopped into short lines.)
 
-(  P   order: the degree plus one. P4, a cubic, is meant where P is missing.)
-(  X Y Z  one control point a line. The first is where the tool stands already.)
-(  R   weight of the point, 1 where missing: the larger, the stronger it pulls.)
+(  P   order: the degree plus one. The default is P4, a cubic.)
+(  X Y Z  one control point a line. The first is the position of the tool.)
+(  R   weight of the point, default 1: the larger, the stronger it pulls.)
 (  K   knot. A curve has as many knots as control points plus order: one in the)
 (      line of each point, and order more, each alone on a line, which end it.)
 

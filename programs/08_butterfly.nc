@@ -1,6 +1,6 @@
 (SPDX-License-Identifier: MIT)
 (08  THE BUTTERFLY)
-(The curve that papers on NURBS interpolation measure themselves with: 51 points)
+(The curve on which papers about NURBS interpolation are compared: 51 points)
 (of weights 1 to 5, degree 3, 382.86 mm long. Between the upper and the lower wing)
 (its radius goes down to 0.023 mm. After Yeh and Hsu, Computer-Aided Design 34,)
 (2002, 229-237; the coordinates as in Hu et al., Int. J. Adv. Manuf. Technol. 129,)
@@ -8,7 +8,7 @@
 
 (F6000 is 100 mm/s. On a radius of 0.023 mm that would be 430 m/s2 towards the)
 (centre; the machine has 1 m/s2 an axis. So the feed goes down before each tight)
-(turn and up again behind it. The summary names what held it down for how long.)
+(turn and up again after it. The summary shows what limited it for how long.)
 
 G00 X54.493 Y52.139
 

@@ -4,8 +4,8 @@
 (curve so near that it turns sharply beside them, and runs almost straight between.)
 (After Cheng, Tsai and Kuo, Int. J. Machine Tools and Manufacture 42, 2002.)
 
-(The knot 0.5 stands twice, which for degree 2 permits a corner. Here the points on)
-(both sides lie in line with the crossing, so there is none, and the curve runs)
+(The knot 0.5 occurs twice, which for degree 2 permits a corner. Here the points on)
+(both sides are in line with the crossing, so there is none, and the curve runs)
 (through X0 Y0 without a stop. Only its curvature may jump there.)
 (F12000 is more than the sharp turns allow: on 5.6 mm and 1000 mm/s2 about 75 mm/s.)
 

@@ -1,19 +1,19 @@
 (SPDX-License-Identifier: MIT)
 (10  CHORD ERROR: THE SIMULATION OF PAPER 000)
 (A machine that gets a point every 8 ms draws chords, not curves. Kim, Song and)
-(Kwon limit how far a chord may lie off its curve by slowing down where it bends:)
+(Kwon limit how far a chord may lie off its curve by slowing down where it curves:)
 (on a radius r a step of T seconds stays within e if F <= 2/T * sqrt[2 r e - e2].)
 (Their simulation: T = 8 ms, F 2000 mm/min, e = 0.05 um. The file)
 (10_paper000_chord_error.toml beside this one is that machine. Their curve is)
-(printed as a picture only; the butterfly of page 08 stands in for it. Like theirs)
-(it is run through clockwise.)
+(printed as a picture only; the butterfly of page 08 replaces it. Like theirs it)
+(is run clockwise.)
 
-(Where the curve bends, the trace names chord as the limit, and no row is further)
-(off than 0.05 um. Things to try, behind the name of this file:)
+(Where the curve is tight, the trace names chord as the limit, and no row is further)
+(off than 0.05 um. Things to try, after the name of this file:)
 (  --set control.chord_tolerance_um=2           the coarser run of the paper)
 (  --set control.interpolation=curvature3p      the paper's own method: curvature)
-(        from the last three points. It looks back, the curve lies ahead; the)
-(        summary shows by how much its chord error exceeds what was asked.)
+(        from the last three points. It looks back, while the curve is ahead; the)
+(        summary shows by how much its chord error exceeds the tolerance.)
 
 G00 X54.493 Y52.139
 

@@ -1,7 +1,7 @@
 (SPDX-License-Identifier: MIT)
 (12  DWELL, SPINDLE, TOOL, COOLANT)
 (Besides moving, a program switches things. All of them happen at rest: the machine)
-(stops before such a block, and goes on behind it.)
+(stops before such a block, and goes on after it.)
 
 T1 M06               (T chooses the tool, M06 changes to it)
 S3000 M03            (3000 rpm, clockwise; M04 turns the other way)

@@ -4,7 +4,7 @@
 (motors with encoders, 5 mm ball screws, one pulse for every 2.5 um, at most)
 (15 m/min. The file 13_paper003_shapes.toml beside this one is that mill; it has no)
 (Z. They showed what it can do with three workpieces, a line, an arc and a curve.)
-(Their sizes are not printed. Their input counts from where the tool stands, so)
+(Their sizes are not printed. Their input counts from where the tool is, so)
 (these do as well: G91.)
 
 G91
@@ -13,7 +13,7 @@ G01 X20 F3000
 Y10
 X-20 Y-10
 
-(Arcs: half a circle each way, an S.)
+(Arcs: half a circle in each direction, an S.)
 G00 X30
 G03 X0 Y12 I0 J6
 G02 X0 Y12 I0 J6

@@ -1,7 +1,7 @@
 (SPDX-License-Identifier: MIT)
 (14  LOOPS AND SUBPROGRAMS)
 (A subprogram is written once and called with other numbers each time; a loop runs its)
-(lines again. What stands behind # is a variable: #1, #2 ... are those of the call.)
+(lines again. A number after # is a variable: #1, #2 ... are those of the call.)
 
 o100 sub             (a hole: X, Y, depth, depth of one peck)
   G00 X#1 Y#2

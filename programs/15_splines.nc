@@ -3,7 +3,7 @@
 (A NURBS says everything a curve can be, and asks for a lot of words. Four shorter)
 (forms lead to the same exact curves; none of them is chopped into lines.)
 
-(FIRST: through points. G06.1 draws one smooth curve from where the tool stands)
+(FIRST: through points. G06.1 draws one smooth curve from where the tool is)
 (through every point that follows, one a line, as a thin ruler bent around pins)
 (would lie. It ends where another motion code begins.)
 G00 X0 Y0
@@ -14,7 +14,7 @@ G06.1 X10 Y15 F3000
 
 (SECOND: the handles of a drawing program. G05 is a cubic: I J is the handle at its)
 (start, P Q the one at its end. A second G05 without I J goes on in the same)
-(direction, so that there is no bend and no stop between them.)
+(direction, so that there is no corner and no stop between them.)
 G05 X80 Y10 I5 J-10 P-5 Q-15
 G05 X100 Y10 P-8 Q12
 

@@ -11,7 +11,7 @@ G00 Z20              (the height from which the first hole is begun)
 G99 G81 X10 Y10 Z-4 R2 F300   (drill to Z-4; G99: out to R only, for the next hole is near)
 X25
 X40
-G98 Y25              (G98: out to Z20, where the row began, over a clamp behind this hole)
+G98 Y25              (G98: out to Z20, where the series began, over a clamp after this hole)
 G99 X25
 X10
 

@@ -1,8 +1,8 @@
 (SPDX-License-Identifier: MIT)
 (19  ROUNDED CORNERS)
 (At a corner a machine must rest, unless it may leave the path a little. G64 P says by how)
-(much: no point of the way is further than P from the programmed one. docs/corners.md)
-(tells how. The same star three times, then a wave of short lines.)
+(much: no point of the path is further than P from the programmed one. docs/corners.md)
+(explains how. The same star three times, then a wave of short lines.)
 
 F6000
 G61.1                (rest at the end of every block)
@@ -50,7 +50,7 @@ G01 X58 Y-10
 G03 X70 Y-10 I6 J0
 
 (A wave in lines of 0.4 mm, as CAM systems write curves: within 0.01 mm it is run as a)
-(curve. Q, how far lines may lie from one that stands for them, is P where it is missing.)
+(curve. Q, how far lines may be from the one that replaces them, defaults to P.)
 G64 P0.01
 G00 X0 Y30
 G01

@@ -3,7 +3,7 @@
 (The curve of program 11 with the roughness of the paper: 10.67 um by a ball of)
 (5 mm and two teeth, passes 0.5 mm apart. Around the top, in the middle of the curve,)
 (the feed sinks to 65 %, as in figure 12. D and L are those of tool 1 in the machine file.)
-(Four passes: between them softcnc surface tells what is left.)
+(Four passes: between them softcnc surface shows what is left.)
 
 o100 sub             (a pass at Y#1)
 G00 X0 Y#1

@@ -1,10 +1,10 @@
 (SPDX-License-Identifier: MIT)
 (23  THE PART OF PAPER 004, TABLE 1, AT A VARIABLE FEED)
 (Program 22 with G06.4. The paper asks for 3.3 um, which passes and teeth leave where both)
-(are 0.2 mm. Its equation 5 would then hold 5796 mm/min everywhere, and yet its figure 17)
+(are 0.2 mm. Its equation 5 would then keep 5796 mm/min everywhere, and yet its figure 17)
 (shows 7000 but where the tip cuts. Asked for what F7000 leaves beside the tip, 4.24 um,)
 (the feed is that of figure 17, and the paper has measured 4.1 um. Try H3.33, too:)
-(docs/roughness.md compares both. The machine file beside this one holds the roughness by)
+(docs/roughness.md compares both. The machine file beside this one keeps the roughness by)
 (the formulas of the paper, which promise too little near the critical inclination: half)
 (of the regions that softcnc surface judges miss the H. Without that file none does.)
 
