@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What every target of softcnc is compiled with.
+# The options of every target of softcnc.
 add_library(softcnc_options INTERFACE)
 target_include_directories(softcnc_options INTERFACE ${PROJECT_SOURCE_DIR}/libs)
 target_compile_options(softcnc_options INTERFACE
@@ -14,8 +14,8 @@ if(SOFTCNC_SANITIZE MATCHES thread)  # which does not know the fences of readerw
   target_compile_options(softcnc_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-tsan>)
 endif()
 if(SOFTCNC_FUZZ)
-  # Comparisons are not traced: most are checks of the sanitizers, and to trace them takes longer than
-  # all the rest. The words that count stand in the dictionaries.
+  # Comparisons are not traced: most are checks of the sanitizers, and tracing them takes longer than
+  # everything else. The dictionaries have the words that matter.
   target_compile_options(softcnc_options INTERFACE -fsanitize=fuzzer-no-link
                                                    -fno-sanitize-coverage=trace-cmp)
 endif()
@@ -24,7 +24,8 @@ if(SOFTCNC_LTO AND NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   message(FATAL_ERROR "SOFTCNC_LTO is for g++ alone, and this is ${CMAKE_CXX_COMPILER_ID}")
 endif()
 
-# softcnc_for_link_time(TARGET): compiled for both ways of linking, as the program is and as tests are.
+# softcnc_for_link_time(TARGET): compiles for both ways of linking, that of the program and that of
+# the tests.
 function(softcnc_for_link_time target)
   if(SOFTCNC_LTO)
     target_compile_options(${target} PRIVATE -flto=auto -ffat-lto-objects)
@@ -33,17 +34,17 @@ function(softcnc_for_link_time target)
   endif()
 endfunction()
 
-# softcnc_room(NAME [COMPUTES] STANDS_ON targets...): one room of the house, made of the sources in its
-# folder. One that COMPUTES is optimised for it: its loops over axes and terms are unrolled. Readers
-# and writers only grow by that.
-function(softcnc_room name)
-  cmake_parse_arguments(ROOM "COMPUTES" "" "STANDS_ON" ${ARGN})
+# softcnc_library(NAME [COMPUTES] STANDS_ON targets...): a library of the sources below its folder. One
+# that COMPUTES has its loops over axes and terms unrolled; readers and writers would only grow by
+# that.
+function(softcnc_library name)
+  cmake_parse_arguments(LIBRARY "COMPUTES" "" "STANDS_ON" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   add_library(softcnc_${name} STATIC ${sources})
   add_library(softcnc::${name} ALIAS softcnc_${name})
-  target_link_libraries(softcnc_${name} PUBLIC softcnc_options ${ROOM_STANDS_ON})
+  target_link_libraries(softcnc_${name} PUBLIC softcnc_options ${LIBRARY_STANDS_ON})
   softcnc_for_link_time(softcnc_${name})
-  if(ROOM_COMPUTES)
+  if(LIBRARY_COMPUTES)
     target_compile_options(softcnc_${name} PRIVATE $<$<CONFIG:Release>:-O3>)
   endif()
   if(SOFTCNC_COVERAGE STREQUAL name)
