@@ -5,7 +5,7 @@
     scripts/coverage_table.py BUILD FOLDER [--missing]
 
 BUILD was made with SOFTCNC_COVERAGE, and its tests have run; FOLDER holds the sources. With --missing
-each line that was not reached, or a branch of it, is shown behind the table. Exit 1 below 95 % of the
+each line that was not reached, or a branch of it, is shown after the table. Exit 1 below 95 % of the
 lines or 85 % of the branches.
 
 A line counts once however many instances of a template it has, and is reached if one is. A branch is an
@@ -22,7 +22,7 @@ LINES, BRANCHES = 95.0, 85.0
 
 
 def reports(build):
-    """What gcov says of every object that has run."""
+    """What gcov reports for every object that has run."""
     for data in sorted(pathlib.Path(build).rglob("*.gcda")):
         said = subprocess.run(["gcov", "--json-format", "--stdout", "--branch-probabilities", data.name],
                               cwd=data.parent, capture_output=True, check=True).stdout

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash disable=SC2034
-# What the scripts share: saying what they do, installing what is missing, building a preset.
+# Functions that the scripts share: messages, installing what is missing, building a preset.
 # Read by bash scripts, which set -euo pipefail before.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -24,7 +24,7 @@ missing() {
   done
 }
 
-# as_root COMMAND...: never asks for a password where nobody can type one.
+# as_root COMMAND...: never asks for a password without a terminal.
 as_root() {
   if ((EUID == 0)); then "$@"
   elif [[ -t 0 ]]; then sudo -- "$@"
@@ -36,7 +36,7 @@ apt_install() {
     apt-get install --yes --quiet --no-install-recommends "$@"
 }
 
-# need PACKAGE...: installs what is missing; exit 2 and the line to type where that is not allowed.
+# need PACKAGE...: installs what is missing; exit 2 with the command to type if that is not allowed.
 need() {
   local wanted log="$root/build/install.log"
   read -ra wanted <<<"$(missing "$@")"
@@ -53,7 +53,7 @@ need() {
   say "updating the list of packages, then installing again"
   { as_root apt-get update --quiet && apt_install "${wanted[@]}"; } >>"$log" 2>&1 && return 0
   tail -n 15 "$log" >&2
-  say "installing failed; all that was said stands in $log"
+  say "installing failed; the output is in $log"
   exit 2
 }
 
@@ -66,11 +66,11 @@ configure() {
   command -v ccache >/dev/null && cached=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   (cd "$root" && cmake --preset "$@" "${cached[@]}") >"$log" 2>&1 && return 0
   tail -n 25 "$log" >&2
-  say "configuring failed; all that was said stands in $log"
+  say "configuring failed; the output is in $log"
   return 1
 }
 
-# build PRESET TARGET...: with its progress on a terminal, otherwise with nothing but errors.
+# build PRESET TARGET...: shows progress on a terminal, otherwise only errors.
 build() {
   local make=(ninja -C "$root/build/$1" -j"$(nproc)")
   say "building ${*:2} in build/$1"

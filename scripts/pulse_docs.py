@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The tables of docs/pulses.md and the figure beside them, from what pulse_table measures."""
+"""Makes the tables of docs/pulses.md and its figure from what pulse_table measures."""
 import argparse
 import pathlib
 import subprocess

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The table of docs/surface.md, from what surface_table measures."""
+"""Makes the table of docs/surface.md from what surface_table measures."""
 import argparse
 import pathlib
 import subprocess

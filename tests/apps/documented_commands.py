@@ -6,8 +6,8 @@
 
 A command line is a line of a block of code, or code within a text, that begins with one of WORDS.
 Each page has a folder of its own with a copy of programs/, in which its lines run in their order;
-each has to end with status 0. What is not run is listed in LEFT_OUT with the reason, and a reason
-that no page needs is an error, too.
+each must end with status 0. LEFT_OUT lists what is not run, with the reason; a reason that no page
+needs is an error, too.
 """
 import collections
 import os
@@ -22,7 +22,7 @@ import xml.etree.ElementTree
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PAGES = ["README.md", "CONTRIBUTING.md", *sorted(f"docs/{p.name}" for p in (ROOT / "docs").glob("*.md"))]
 WORDS = r"softcnc|scripts/\w+(?:\.py)?|tests/\S+\.py|build/\S+|halrun|halstreamer|mkfifo|awk|grep|ROWS=\S+"
-LEAST = 40  # command lines on all pages: fewer, and they are no longer found
+LEAST = 40  # command lines on all pages; fewer means that they are not found
 SECONDS = 120
 
 BUILDS = "installs packages and builds"
@@ -68,7 +68,7 @@ LEFT_OUT = {
     "grep -v '^#' FILE | xxhsum -H2": "needs the package xxhash",
 }
 
-# What stands for something, by the line as it is shown.
+# Lines with a placeholder, as shown, and the lines that are run for them.
 STANDS_FOR = {
     "softcnc check PART...": "softcnc check programs/01_line.nc programs/02_square.nc",
     "softcnc replay F.rec...": "softcnc replay F.rec",
@@ -83,10 +83,10 @@ STANDS_FOR = {
     "softcnc run --machine programs/hal/mill.toml PART":
         "cat rows >/dev/null & softcnc run --machine programs/hal/mill.toml programs/01_line.nc && wait",
 }
-# What a busy computer may be told of, by a word in the line.
+# What a busy computer may report, by a word in the line.
 BUSY = {"--realtime": "periods were missed"}
 EDGES = "softcnc run -q programs/03_arc.nc --backend stepdir --set backend.stepdir.file=arc.vcd"
-BEFORE = {  # what a page takes for granted
+BEFORE = {  # what a page requires
     "docs/cli.md": [EDGES, "softcnc record -q programs/01_line.nc -o n.rec"],
     "docs/pulses.md": [EDGES],
     "docs/machine.md": ["cp programs/machines/bench_mill.toml mill.toml"],
@@ -129,7 +129,7 @@ def as_run(command):
 
 
 def run(command, folder, softcnc):
-    """What is wrong with a command line, in words; None: nothing."""
+    """What is wrong with a command line, as a text; None if nothing is."""
     path = f"{softcnc.parent}{os.pathsep}{os.environ['PATH']}"
     try:
         ended = subprocess.run(["bash", "-c", command], cwd=folder, stdin=subprocess.DEVNULL,
@@ -144,7 +144,7 @@ def run(command, folder, softcnc):
 
 
 def try_page(page, text, softcnc):
-    """Faults of a page, and how many of its command lines were run."""
+    """The faults of a page, and the number of its command lines that were run."""
     faults, count = [], 0
     with tempfile.TemporaryDirectory() as folder:
         shutil.copytree(ROOT / "programs", pathlib.Path(folder) / "programs")
@@ -163,7 +163,7 @@ def try_page(page, text, softcnc):
 
 
 def finds_faults(softcnc):
-    """Whether a page that is wrong would be found."""
+    """Whether the faults of a wrong page are found."""
     page = "Text with `softcnc run no.nc`.\n\n```\n$ softcnc chekc programs/*.nc   # what is wrong\n```\n\n" \
            "    softcnc machine --machine no.toml\n    softcnc machine\n"
     faults, count = try_page("page", page, softcnc)
