@@ -84,7 +84,7 @@ STANDS_FOR = {
         "cat rows >/dev/null & softcnc run --machine programs/hal/mill.toml programs/01_line.nc && wait",
 }
 # What a busy computer may report, by a word in the line.
-BUSY = {"--realtime": "periods were missed"}
+BUSY = {"--realtime": "[SC504"}
 EDGES = "softcnc run -q programs/03_arc.nc --backend stepdir --set backend.stepdir.file=arc.vcd"
 BEFORE = {  # what a page requires
     "docs/cli.md": [EDGES, "softcnc record -q programs/01_line.nc -o n.rec"],
