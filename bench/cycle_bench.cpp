@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "session/channel.hpp"
+#include "session/simulate.hpp"
 
 namespace softcnc::app {
 namespace {

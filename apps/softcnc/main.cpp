@@ -8,11 +8,12 @@
 #include <memory>
 #include <variant>
 
+#include "commands/command_line.hpp"
 #include "commands/commands.hpp"
-#include "output/messages.hpp"
-#include "output/standard_error.hpp"
-#include "realtime/out_of_memory.hpp"
-#include "realtime/signal_cleanup.hpp"
+#include "messages/messages.hpp"
+#include "process/out_of_memory.hpp"
+#include "process/signal_cleanup.hpp"
+#include "process/standard_error.hpp"
 
 namespace softcnc::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
-#include "output/diagnostic_document.hpp"
+#include "messages/diagnostic_document.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // --at: override, hold and resume at given moments of a run, the same in its replay.
-#include "commands/feed_script.hpp"
+#include "session/feed_script.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

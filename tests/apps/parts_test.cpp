@@ -2,10 +2,10 @@
 // Parts of the program that are easier asked directly.
 #include <catch2/catch.hpp>
 
-#include "job/row_comparison.hpp"
 #include "job/terminal.hpp"
-#include "output/messages.hpp"
-#include "output/progress.hpp"
+#include "messages/duration_text.hpp"
+#include "messages/messages.hpp"
+#include "recording/row_comparison.hpp"
 #include "session/verification.hpp"
 
 using namespace softcnc;

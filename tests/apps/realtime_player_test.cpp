@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The thread that writes to a parallel port: all words, in order; and at rest on every way out.
-#include "realtime/realtime_player.hpp"
+#include "job/open_player.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -30,8 +30,8 @@ Machine on_port() {
   return machine;
 }
 
-std::unique_ptr<PacedPlayer> open(const Machine& machine, PortRecord& record) {
-  auto player = PacedPlayer::open(machine, std::make_unique<RecordedPort>(record));
+std::unique_ptr<RealtimePlayer> open(const Machine& machine, PortRecord& record) {
+  auto player = open_player(machine, std::make_unique<RecordedPort>(record));
   REQUIRE(player);
   return std::move(*player);
 }
@@ -120,7 +120,7 @@ TEST_CASE("an input that comes on ends it at rest, at once", "[apps][parport]") 
 TEST_CASE("nothing is enabled while an input is on", "[apps][parport]") {
   PortRecord record;
   record.status = 0x20;
-  const auto refused = PacedPlayer::open(on_port(), std::make_unique<RecordedPort>(record));
+  const auto refused = open_player(on_port(), std::make_unique<RecordedPort>(record));
   REQUIRE_FALSE(refused);
   CHECK(refused.error().code == Code::SC5033);
   CHECK(is_at_rest(record));
@@ -170,7 +170,7 @@ class SlowPort final : public hal::PortRegisters {
 
 TEST_CASE("behind an abandoned player nothing is written any more", "[apps][parport]") {
   std::atomic<int> written{0};
-  auto player = PacedPlayer::open(on_port(), std::make_unique<SlowPort>(written));
+  auto player = open_player(on_port(), std::make_unique<SlowPort>(written));
   REQUIRE(player);
   (*player)->play(words(6'000));
   for (int i = 0; i < 1000 && written < 5; ++i) sleep_until(now_ns() + 1'000'000);
@@ -205,7 +205,7 @@ TEST_CASE("a signal that ends the process leaves the port at rest", "[apps][parp
   const pid_t child = ::fork();
   if (child == 0) {
     std::signal(signal, SIG_DFL);
-    auto player = PacedPlayer::open(on_port(), std::make_unique<TellingPort>(pipe[1]));
+    auto player = open_player(on_port(), std::make_unique<TellingPort>(pipe[1]));
     if (!player) ::_exit(1);
     (*player)->play(words(6'000));
     sleep_until(now_ns() + 30'000'000);

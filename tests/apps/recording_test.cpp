@@ -9,7 +9,7 @@
 #include "apps/shell.hpp"
 #include "hal/files/hash.hpp"
 #include "hal/files/zip_file.hpp"
-#include "job/recording_meta.hpp"
+#include "recording/recording_meta.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc::app::test;

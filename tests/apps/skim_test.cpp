@@ -5,6 +5,7 @@
 
 #include "apps/shell.hpp"
 #include "job/preflight.hpp"
+#include "session/simulate.hpp"
 #include "session/verification.hpp"
 
 using namespace softcnc;

@@ -6,8 +6,8 @@
 
 #include "apps/shell.hpp"
 #include "hal/machine/state_file.hpp"
-#include "job/machine_memory.hpp"
 #include "session/state_history.hpp"
+#include "settings/machine_memory.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc;

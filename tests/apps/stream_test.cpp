@@ -9,8 +9,8 @@
 #include "apps/talk.hpp"
 #include "hal/backends/backend.hpp"
 #include "hal/files/hash.hpp"
-#include "job/stream_memory.hpp"
-#include "session/channel.hpp"
+#include "program/stream_memory.hpp"
+#include "session/simulate.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc;

@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "commands/commands.hpp"
-#include "job/file_watch.hpp"
-#include "job/machine_choice.hpp"
-#include "job/machine_memory.hpp"
 #include "job/preflight.hpp"
-#include "output/messages.hpp"
-#include "output/progress.hpp"
+#include "messages/duration_text.hpp"
+#include "messages/messages.hpp"
+#include "messages/standard_output.hpp"
 #include "output/time_text.hpp"
+#include "process/file_watch.hpp"
+#include "settings/machine_choice.hpp"
+#include "settings/machine_memory.hpp"
 
 namespace softcnc::app {
 namespace {

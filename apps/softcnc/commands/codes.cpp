@@ -7,8 +7,9 @@
 
 #include "commands/commands.hpp"
 #include "ipr/codes/gcode_table.hpp"
-#include "output/messages.hpp"
-#include "output/standard_error.hpp"
+#include "messages/messages.hpp"
+#include "messages/standard_output.hpp"
+#include "process/standard_error.hpp"
 
 namespace softcnc::app {
 namespace {

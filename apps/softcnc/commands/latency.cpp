@@ -10,12 +10,13 @@
 #include "commands/commands.hpp"
 #include "hal/files/axis_name.hpp"
 #include "hal/machine/machine_file.hpp"
+#include "messages/messages.hpp"
+#include "messages/standard_output.hpp"
 #include "motion/core/units.hpp"
 #include "motion/model/step_rate.hpp"
-#include "output/messages.hpp"
+#include "process/signals.hpp"
 #include "realtime/lateness.hpp"
 #include "realtime/realtime.hpp"
-#include "realtime/signals.hpp"
 
 namespace softcnc::app {
 namespace {

@@ -6,16 +6,16 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.hpp"
-#include "hal/backends/stepdir.hpp"
 #include "hal/files/axis_name.hpp"
 #include "hal/files/compressed_file.hpp"
 #include "hal/machine/machine_file.hpp"
 #include "hal/ports/port_timing.hpp"
 #include "hal/signals/edge_reader.hpp"
 #include "hal/signals/pulse_rules.hpp"
+#include "messages/messages.hpp"
+#include "messages/standard_output.hpp"
 #include "motion/core/units.hpp"
 #include "motion/core/utf8.hpp"
-#include "output/messages.hpp"
 
 namespace softcnc::app {
 namespace {

@@ -3,9 +3,10 @@
 #include <spdlog/spdlog.h>
 
 #include "commands/commands.hpp"
-#include "job/job.hpp"
-#include "job/recording.hpp"
-#include "output/messages.hpp"
+#include "job/run_job.hpp"
+#include "messages/messages.hpp"
+#include "output/finish_job.hpp"
+#include "recording/recording.hpp"
 
 namespace softcnc::app {
 namespace {

@@ -7,12 +7,14 @@
 #include "hal/files/hash.hpp"
 #include "hal/machine/machine_file.hpp"
 #include "hal/trace/trace_csv.hpp"
-#include "job/recording.hpp"
 #include "job/terminal.hpp"
-#include "job/trace_comparison.hpp"
-#include "output/messages.hpp"
-#include "session/contour_rows.hpp"
-#include "session/trace_rows.hpp"
+#include "messages/messages.hpp"
+#include "messages/standard_output.hpp"
+#include "recording/recording.hpp"
+#include "recording/trace_comparison.hpp"
+#include "rows/contour_rows.hpp"
+#include "rows/trace_rows.hpp"
+#include "session/simulate.hpp"
 
 namespace softcnc::app {
 namespace {

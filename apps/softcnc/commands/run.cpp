@@ -2,9 +2,10 @@
 // `softcnc run`: pre-flight, motion, summary.
 #include "commands/commands.hpp"
 #include "hal/files/file_lock.hpp"
-#include "job/job.hpp"
-#include "job/machine_memory.hpp"
-#include "output/messages.hpp"
+#include "job/run_job.hpp"
+#include "messages/messages.hpp"
+#include "output/finish_job.hpp"
+#include "settings/machine_memory.hpp"
 
 namespace softcnc::app {
 namespace {

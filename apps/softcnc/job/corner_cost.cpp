@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "job/each_block.hpp"
 #include "motion/core/units.hpp"
+#include "program/each_block.hpp"
 
 namespace softcnc::app {
 namespace {

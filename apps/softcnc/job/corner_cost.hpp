@@ -2,8 +2,10 @@
 // What rests at corners cost, and the tolerance that would win it back.
 #pragma once
 
-#include "job/program.hpp"
-#include "session/channel.hpp"
+#include "program/program.hpp"
+#include "session/channel_options.hpp"
+#include "session/outcome.hpp"
+#include "session/watcher.hpp"
 
 namespace softcnc::app {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "job/endless.hpp"
 
-#include "job/each_block.hpp"
+#include "program/each_block.hpp"
+#include "session/refused_travel.hpp"
 
 namespace softcnc::app {
 namespace {

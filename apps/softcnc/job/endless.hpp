@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "job/program.hpp"
-#include "session/channel.hpp"
+#include "program/program.hpp"
+#include "session/channel_options.hpp"
+#include "session/watcher.hpp"
 
 namespace softcnc::app {
 

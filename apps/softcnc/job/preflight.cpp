@@ -6,6 +6,7 @@
 #include "job/corner_cost.hpp"
 #include "job/endless.hpp"
 #include "job/held_errors.hpp"
+#include "session/simulate.hpp"
 #include "session/verification.hpp"
 
 namespace softcnc::app {

@@ -2,10 +2,12 @@
 // The whole program before anything moves.
 #pragma once
 
-#include "commands/options.hpp"
-#include "job/program.hpp"
-#include "output/messages.hpp"
-#include "session/channel.hpp"
+#include "messages/messages.hpp"
+#include "program/program.hpp"
+#include "session/channel_options.hpp"
+#include "session/outcome.hpp"
+#include "session/watcher.hpp"
+#include "settings/options.hpp"
 
 namespace softcnc::app {
 

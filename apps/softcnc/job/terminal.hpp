@@ -5,9 +5,9 @@
 #include <stop_token>
 #include <string>
 
-#include "output/progress.hpp"
-#include "realtime/signals.hpp"
-#include "session/channel.hpp"
+#include "messages/progress.hpp"
+#include "process/signals.hpp"
+#include "session/watcher.hpp"
 
 namespace softcnc::app {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "figures/cpu_clock.hpp"
 #include "hal/files/axis_name.hpp"
 #include "hal/files/hash.hpp"
 #include "hal/machine/machine_file.hpp"
@@ -11,7 +12,6 @@
 #include "motion/pulses/counts.hpp"
 #include "output/contour_text.hpp"
 #include "output/time_text.hpp"
-#include "session/cpu_clock.hpp"
 
 namespace softcnc::app {
 namespace {

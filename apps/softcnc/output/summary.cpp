@@ -8,12 +8,12 @@
 #include <numeric>
 #include <vector>
 
+#include "figures/cpu_clock.hpp"
+#include "messages/duration_text.hpp"
 #include "motion/core/units.hpp"
 #include "motion/pulses/counts.hpp"
 #include "output/contour_text.hpp"
-#include "output/progress.hpp"
 #include "output/time_text.hpp"
-#include "session/cpu_clock.hpp"
 
 namespace softcnc::app {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "hal/files/npz_file.hpp"
+#include "hal/files/temporary_file.hpp"
 #include "hal/files/zip_file.hpp"
-#include "job/recording.hpp"
 #include "output/surface_picture.hpp"
 
 namespace softcnc::app {
@@ -37,7 +37,7 @@ class SurfaceArrays final : public SurfaceFile {
     zip.add_text("step_mm.npy", hal::npy(std::span(&grid_.step, 1), {}));
     zip.add_text("region_mm.npy", hal::npy(std::span(&region, 1), {}));
     if (Status written = zip.finish(); !written) return written;
-    return copy_to_output(*packed, output_);
+    return packed->copy_to(output_);
   }
 
  private:

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "messages/duration_text.hpp"
 #include "motion/core/units.hpp"
-#include "output/progress.hpp"
 
 namespace softcnc::app {
 namespace {

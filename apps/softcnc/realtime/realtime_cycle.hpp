@@ -13,7 +13,7 @@
 #include "realtime/lateness.hpp"
 #include "realtime/realtime.hpp"
 #include "realtime/realtime_queue.hpp"
-#include "session/channel.hpp"
+#include "rows/row_sink.hpp"
 
 namespace softcnc {
 class Contour;
@@ -33,14 +33,14 @@ struct Punctuality {
 
 /// Setpoints wait in a queue of half a second; their rows come back and are written by the thread
 /// that plans. A period that comes late makes those behind it later, too, and the run goes on.
-class PacedCycle {
+class RealtimeCycle {
  public:
   /// The backend must outlive it, and nobody else may touch it between two calls of rest(). `rows`
   /// may be null.
-  PacedCycle(hal::Backend& backend, double period, RowSink* rows);
-  PacedCycle(const PacedCycle&) = delete;
-  PacedCycle& operator=(const PacedCycle&) = delete;
-  ~PacedCycle() { stop(); }
+  RealtimeCycle(hal::Backend& backend, double period, RowSink* rows);
+  RealtimeCycle(const RealtimeCycle&) = delete;
+  RealtimeCycle& operator=(const RealtimeCycle&) = delete;
+  ~RealtimeCycle() { stop(); }
 
   /// The rows that come back are measured before they are written, as soon as it has their path.
   void measure(Contour& contour) noexcept { contour_ = &contour; }
@@ -76,7 +76,7 @@ class PacedCycle {
     Feedback feedback;
     bool exchanged = false;  // false: after an alarm nothing moves any more
   };
-  using Queue = PacedQueue<Slot*>;
+  using Queue = RealtimeQueue<Slot*>;
 
   void run() noexcept;
   void exchange(Slot& slot) noexcept;

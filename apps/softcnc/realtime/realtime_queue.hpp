@@ -11,9 +11,9 @@ namespace softcnc::app {
 
 /// Motion begins when the queue is half full, or all there is before a rest has come.
 template <typename T>
-class PacedQueue {
+class RealtimeQueue {
  public:
-  explicit PacedQueue(std::size_t capacity) : queue_(capacity) {}
+  explicit RealtimeQueue(std::size_t capacity) : queue_(capacity) {}
 
   std::size_t capacity() const noexcept { return queue_.capacity(); }
 

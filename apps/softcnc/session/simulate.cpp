@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 // A run in batches: the cycle fills one with rows, which are then verified and written. With a
 // clock the rows come back later, and whoever keeps the clock writes them.
+#include "session/simulate.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "job/descriptor.hpp"
+#include "figures/cpu_clock.hpp"
+#include "program/descriptor.hpp"
 #include "realtime/realtime_cycle.hpp"
+#include "rows/contour_rows.hpp"
 #include "session/channel.hpp"
-#include "session/contour_rows.hpp"
-#include "session/cpu_clock.hpp"
 #include "session/verification.hpp"
 
 namespace softcnc::app {
@@ -111,7 +113,7 @@ class Batch {
 class Simulation {
  public:
   Simulation(ipr::Reader& reader, int input, const Machine& machine, const ChannelOptions& options,
-             hal::Backend& backend, Diagnostics& diagnostics, PacedCycle* paced)
+             hal::Backend& backend, Diagnostics& diagnostics, RealtimeCycle* paced)
       : input_(input),
         channel_(reader, input, machine, options, diagnostics),
         backend_(backend),
@@ -155,7 +157,7 @@ class Simulation {
   Panel panel_;
   Channel channel_;
   hal::Backend& backend_;
-  PacedCycle* paced_;
+  RealtimeCycle* paced_;
   RowBuffer buffer_;
   std::size_t batch_;           // rows
   bool skims_, quiet_ = false;  // what follows
@@ -303,7 +305,7 @@ Outcome Simulation::finish() {
 
 Outcome simulate(ipr::Reader& reader, int input, const Machine& machine,
                  const ChannelOptions& options, hal::Backend& backend, Diagnostics& diagnostics,
-                 RowSink* rows, Watcher* watcher, PacedCycle* paced) {
+                 RowSink* rows, Watcher* watcher, RealtimeCycle* paced) {
   return Simulation(reader, input, machine, options, backend, diagnostics, paced)
       .run(rows, watcher);
 }

@@ -46,7 +46,4 @@ class StepDir final : public Backend {
   std::unique_ptr<EdgeSink> out_;
 };
 
-/// What the machine's driver asks of its lines, in whole ns: never less.
-StepTiming step_timing(const StepPort& port) noexcept;
-
 }  // namespace softcnc::hal

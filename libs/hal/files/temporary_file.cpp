@@ -55,4 +55,9 @@ Status TemporaryFile::for_each_piece(const std::function<Status(std::string_view
   }
 }
 
+Status TemporaryFile::copy_to(ByteSink& out) const {
+  const Status copied = for_each_piece([&](std::string_view piece) { return out.write(piece); });
+  return copied ? out.finish() : copied;
+}
+
 }  // namespace softcnc::hal

@@ -29,6 +29,9 @@ class TemporaryFile {
   /// take().
   Status for_each_piece(const std::function<Status(std::string_view)>& take) const;
 
+  /// Writes all that is in it to `out` and finishes that. Errors: SC6003, and those of `out`.
+  Status copy_to(ByteSink& out) const;
+
  private:
   explicit TemporaryFile(int descriptor) noexcept : descriptor_(descriptor) {}
 

@@ -7,19 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "hal/signals/step_timing.hpp"
 #include "motion/pulses/pulse.hpp"
 
 namespace softcnc::hal {
-
-/// What a driver asks of its lines, ns. A step is a rising edge of the step line; the direction
-/// line is high for steps in negative direction.
-struct StepTiming {
-  std::int64_t length = 0;    // the step line stays high
-  std::int64_t space = 0;     // and low
-  std::int64_t interval = 0;  // from rising edge to rising edge: one over the largest rate, or more
-  std::int64_t setup = 0;     // from an edge of the direction line to a step
-  std::int64_t hold = 0;      // from the end of a step to an edge of the direction line
-};
 
 enum class Wire : std::uint8_t { step, direction };
 

@@ -164,9 +164,7 @@ Status NpzTrace::finish() {
   if (!packed) return tl::make_unexpected(std::move(packed.error()));
   if (Status done = pack(*packed); !done) return done;
   columns_.clear();
-  const Status copied =
-      packed->for_each_piece([this](std::string_view piece) { return out_->write(piece); });
-  return copied ? out_->finish() : copied;
+  return packed->copy_to(*out_);
 }
 
 }  // namespace
