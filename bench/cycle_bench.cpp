@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "hal/backends/backend.hpp"
 #include "session/simulate.hpp"
 
 namespace softcnc::app {

@@ -71,7 +71,7 @@ TEST_CASE("the same excess by a method of the literature is a note", "[apps][par
         "of 1 um [SC4003]\n");
 }
 
-TEST_CASE("a large excess is told in plain digits", "[apps][parts]") {
+TEST_CASE("a large excess is reported in plain digits", "[apps][parts]") {
   Machine machine;
   machine.control.interpolation = Method::taylor1;
   Measured measured;

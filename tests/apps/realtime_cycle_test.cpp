@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run by the clock: the same rows, in their time; and what is told when that was not kept.
+// A run by the clock: the same rows, in their time; and what is reported when that was not kept.
 #include "realtime/realtime_cycle.hpp"
 
 #include <catch2/catch.hpp>
@@ -187,7 +187,7 @@ TEST_CASE("after an alarm nothing is exchanged any more", "[apps][realtime]") {
   CHECK(cycle.feedback().alarm_axis == 1);
 }
 
-TEST_CASE("rows that nobody wants any more are told", "[apps][realtime]") {
+TEST_CASE("rows that nobody wants any more are reported", "[apps][realtime]") {
   Fickle backend;
   Kept rows;
   rows.most = 5;

@@ -8,8 +8,8 @@
 
 namespace softcnc::app {
 
-/// What was asked for; or, where there is nothing more to do, the exit status: 0 after --help and
-/// --version (5 where they cannot be written), 2 after telling what is wrong with the command line.
+/// Returns the options; or, where there is nothing more to do, the exit status: 0 after --help and
+/// --version (5 where they cannot be written), 2 after reporting a wrong command line.
 std::variant<Options, int> parse_command_line(int argc, const char* const* argv);
 
 }  // namespace softcnc::app

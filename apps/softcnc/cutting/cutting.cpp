@@ -28,7 +28,7 @@ class CuttingReader {
 
   Cutting finish() {
     if (!cutting_.tips && diagnostics_.errors() == 0)
-      diagnostics_.report({Code::SC2382, {}, "the program has no cutting move", {}, {}});
+      diagnostics_.report({.code = Code::SC2382, .message = "the program has no cutting move"});
     return std::move(cutting_);
   }
 
@@ -70,14 +70,14 @@ class CuttingReader {
 
   void add(const Move& move, const surface::Cutter& cutter, const Block& block) {
     if (cutter.radius <= 0 || cutter.teeth <= 0)
-      return tell_once(Code::SC2380, "no tool with a radius and teeth is in the spindle", block);
+      return report_once(Code::SC2380, "no tool with a radius and teeth is in the spindle", block);
     if (cutter.teeth > kMostTeeth)
-      return tell_once(Code::SC4041,
-                       fmt::format("a tool of {} teeth: surfaces are cut by {} at most",
-                                   cutter.teeth, kMostTeeth),
-                       block);
+      return report_once(Code::SC4041,
+                         fmt::format("a tool of {} teeth; a surface can be cut with at most {}",
+                                     cutter.teeth, kMostTeeth),
+                         block);
     if (cutter.spin == 0)
-      return tell_once(Code::SC2381, "a cutting move while the spindle stands still", block);
+      return report_once(Code::SC2381, "a cutting move while the spindle stands still", block);
     const Extent box = bounds(move.path);
     if (!cutting_.tips) cutting_.tips = box;
     cutting_.tips->include(box.min);
@@ -88,9 +88,9 @@ class CuttingReader {
     if (move.surface) cutting_.pick_feed = std::max(cutting_.pick_feed, move.surface->pick_feed);
   }
 
-  void tell_once(Code code, std::string text, const Block& block) {
-    if (std::exchange(told_, true)) return;
-    diagnostics_.report({code, block.source, std::move(text), {}, {}});
+  void report_once(Code code, std::string text, const Block& block) {
+    if (std::exchange(reported_, true)) return;
+    diagnostics_.report({.code = code, .pos = block.source, .message = std::move(text)});
   }
 
   const Machine& machine_;
@@ -99,7 +99,7 @@ class CuttingReader {
   Tool tool_;
   double spin_ = 0;
   AxisVector direction_ = AxisVector::Zero();
-  bool after_rapid_ = true, told_ = false;
+  bool after_rapid_ = true, reported_ = false;
 };
 
 }  // namespace

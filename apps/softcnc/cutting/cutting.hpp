@@ -20,7 +20,7 @@ struct CuttingChange {
   bool cutting = false;                   // moves are no rapids
   AxisVector start = AxisVector::Zero();  // mm, of the block
   double target = 0;                      // mm: the Rmax that is asked for; 0: none is
-  bool begins_pass = false;  // the block is the first of a pass: it comes behind a rapid or a turn
+  bool begins_pass = false;  // the block is the first of a pass: it comes after a rapid or a turn
 };
 
 struct Cutting {
@@ -28,7 +28,7 @@ struct Cutting {
   std::optional<Extent> tips;          // of all cutting moves, mm
   double radius = 0;                   // mm, largest
   double feed_per_tooth = 0;           // mm, largest as programmed
-  double pick_feed = 0;                // mm, largest that is told; 0: none is
+  double pick_feed = 0;                // mm, largest that is stated; 0: none is
 };
 
 /// Reads the program as far as blocks, or until the watcher wants it to stop. Errors, beside those

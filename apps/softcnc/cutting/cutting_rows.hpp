@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows of a run on their way into the track of its tool.
+// The rows of a run as the track of its tool.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@ namespace softcnc::app {
 class CuttingRows final : public RowSink {
  public:
   /// `columns` of the backend: the tool is where it was measured, if any are; otherwise where it is
-  /// told to be. `period` in s.
+  /// commanded to be. `period` in s.
   CuttingRows(const Cutting& cutting, SpindlePhase phase, double period,
               std::span<const std::string> columns);
 
   bool row(const Setpoint& setpoint, std::span<const double> backend_values) override;
 
-  /// Behind the last row. Errors: SC6003.
+  /// Call after the last row. Errors: SC6003.
   Result<surface::ToolTrack> finish();
 
  private:

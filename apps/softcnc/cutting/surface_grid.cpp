@@ -20,14 +20,11 @@ constexpr int kLeastRegion = 4;          // points
 double points(double length, double step) { return std::floor(length / step + 1e-6) + 1; }
 
 tl::unexpected<Diagnostic> too_large(double columns, double rows, double step) {
-  return tl::make_unexpected(
-      Diagnostic{Code::SC7050,
-                 {},
-                 fmt::format("a surface of {:.0f} x {:.0f} points, one every {:.6g} um: at most "
-                             "{:.0f} along X and {:.0f} in all are cut",
-                             columns, rows, um_from_mm(step), kMostColumns, kMostPoints),
-                 {},
-                 {}});
+  return tl::make_unexpected(Diagnostic{
+      .code = Code::SC7050,
+      .message = fmt::format("a surface of {:.0f} x {:.0f} points, one every {:.6g} um: at most "
+                             "{:.0f} along X and {:.0f} in total are possible",
+                             columns, rows, um_from_mm(step), kMostColumns, kMostPoints)});
 }
 
 }  // namespace
@@ -43,7 +40,8 @@ Result<surface::StockGrid> stock_grid(const Stock& stock, const Cutting& cutting
     if (stock.size[axis] > 0) high[axis] = low[axis] + stock.size[axis];
   if (!((high - low).minCoeff() > 0))
     return tl::make_unexpected(
-        Diagnostic{Code::SC2382, {}, "the stock lies beyond all that the program cuts", {}, {}});
+        Diagnostic{.code = Code::SC2382,
+                   .message = "the stock lies outside everything that the program cuts"});
   grid.corner = low;
   grid.top = high[2];
   const double columns = points(high[0] - low[0], stock.grid);

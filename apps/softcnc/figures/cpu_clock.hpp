@@ -13,7 +13,7 @@ inline double cpu_seconds(clockid_t clock) noexcept {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Shares the CPU time of this thread out: each lap goes to whom it was used for.
+/// Divides the CPU time of this thread into laps, one for each kind of work.
 class CpuLaps {
  public:
   double lap() noexcept {

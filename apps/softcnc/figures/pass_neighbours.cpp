@@ -37,27 +37,27 @@ bool is_in_air(double aside, double rise, double pick_feed) noexcept {
 
 }  // namespace
 
-std::optional<Beside> PassNeighbours::add(const Setpoint& row, const Path& path, double begin,
-                                          const Surface& surface) {
+std::optional<NeighbourPass> PassNeighbours::add(const Setpoint& row, const Path& path,
+                                                 double begin, const Surface& surface) {
   const double time = static_cast<double>(row.period) * period_;
   if (begins_pass(row, path, begin, time)) begin_pass(block_begun_, surface.pick_feed);
   const Place place{row.position, (time - begun_) * surface.tooth_rate(), row.v};
   if (present_.places.empty()) keep({at(path, begin).q, 0, 0});
-  const AxisVector way = row.position - kept_;
-  const double length = way.norm();
+  const AxisVector advance = row.position - kept_;
+  const double length = advance.norm();
   if (length < kSpacing * surface.pick_feed || length < kRests) return std::nullopt;
-  if (turns(way / length)) {
+  if (turns(advance / length)) {
     begin_pass(block_begun_, surface.pick_feed);
     keep(place);
     return std::nullopt;
   }
-  way_before_ = std::exchange(way_, way / length);
-  present_.length += from_above(way).norm();
+  advance_before_ = std::exchange(advance_, advance / length);
+  present_.length += from_above(advance).norm();
   keep(place);
-  if (present_.length < told_ + surface.pick_feed || from_above(way_).norm() < kLevel)
+  if (present_.length < reported_ + surface.pick_feed || from_above(advance_).norm() < kLevel)
     return std::nullopt;
-  told_ = present_.length;
-  return beside(place, surface.pick_feed);
+  reported_ = present_.length;
+  return neighbour(place, surface.pick_feed);
 }
 
 void PassNeighbours::keep(const Place& place) {
@@ -78,9 +78,9 @@ bool PassNeighbours::begins_pass(const Setpoint& row, const Path& path, double b
 }
 
 /// Where corners are rounded it takes two steps.
-bool PassNeighbours::turns(const AxisVector& way) const noexcept {
-  return (!way_.isZero() && way.dot(way_) < kTurned) ||
-         (!way_before_.isZero() && way.dot(way_before_) < kTurned);
+bool PassNeighbours::turns(const AxisVector& advance) const noexcept {
+  return (!advance_.isZero() && advance.dot(advance_) < kTurned) ||
+         (!advance_before_.isZero() && advance.dot(advance_before_) < kTurned);
 }
 
 void PassNeighbours::begin_pass(double time, double pick_feed) {
@@ -90,15 +90,15 @@ void PassNeighbours::begin_pass(double time, double pick_feed) {
     for (Pass& pass : earlier_) pass.misses = 0;
   }
   present_ = {};
-  told_ = 0;
+  reported_ = 0;
   begun_ = time;
-  way_.setZero();
-  way_before_.setZero();
+  advance_.setZero();
+  advance_before_.setZero();
 }
 
 /// The nearest pass; none in the air.
-std::optional<Beside> PassNeighbours::beside(const Place& place, double pick_feed) {
-  std::optional<Beside> nearest;
+std::optional<NeighbourPass> PassNeighbours::neighbour(const Place& place, double pick_feed) {
+  std::optional<NeighbourPass> nearest;
   for (Pass& pass : earlier_) {
     const auto found = offset(pass, place, pick_feed);
     if (!found) continue;
@@ -108,7 +108,7 @@ std::optional<Beside> PassNeighbours::beside(const Place& place, double pick_fee
       continue;
     if (nearest && nearest->distance <= found->aside) continue;
     const bool opposite = found->heading < 0;
-    nearest = Beside{found->aside, opposite, opposite ? 0 : found->lag, slope};
+    nearest = NeighbourPass{found->aside, opposite, opposite ? 0 : found->lag, slope};
   }
   return nearest;
 }
@@ -126,7 +126,7 @@ std::optional<PassNeighbours::Offset> PassNeighbours::offset(Pass& pass, const P
   const double aside = (away - part * chord).norm();
   if (aside > kFar * pick_feed || part < -1 || part > 2) return std::nullopt;
   return Offset{aside, place.at[2] - (a.at[2] + part * (b.at[2] - a.at[2])),
-                chord.dot(way_) / along / from_above(way_).norm(),
+                chord.dot(advance_) / along / from_above(advance_).norm(),
                 std::max(a.v, b.v) > kEven * std::min(a.v, b.v)
                     ? 0
                     : lag_of(place.teeth - teeth_at(a, b, part))};

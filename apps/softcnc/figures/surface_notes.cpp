@@ -16,7 +16,7 @@ namespace {
 constexpr double kTolerance = 0.03;
 /// Of a tooth: what passes in phase may differ by.
 constexpr double kInPhase = 0.1;
-/// Of the tangent along the tool axis: a way that is no steeper leaves a surface beside it.
+/// Of the tangent along the tool axis: a path that is no steeper leaves a surface beside it.
 constexpr double kPlunge = 0.9999;
 /// rad, 0.3 degrees: what a slope may exceed the stated one by; it leaves some 3 % more.
 constexpr double kLevel = 0.0052;
@@ -34,8 +34,7 @@ double edge_rmax(const Move& move, const Surface& surface, double s, double v) n
 }
 
 std::string of_target(double rmax, double target) {
-  return fmt::format("{:.2f} um, where {:.4g} um are asked for", um_from_mm(rmax),
-                     um_from_mm(target));
+  return fmt::format("{:.2f} um (target {:.4g} um)", um_from_mm(rmax), um_from_mm(target));
 }
 
 }  // namespace
@@ -85,7 +84,7 @@ void SurfaceNotes::look_beside(const ipo::TimedBlock& timed, const Setpoint& row
 }
 
 void SurfaceNotes::judge_slope(const Move& move, const Setpoint& row, double s,
-                               const Beside& beside) {
+                               const NeighbourPass& beside) {
   slope_ = std::max(slope_, beside.slope);
   Surface sloped = *move.surface;
   sloped.slope_across = beside.slope;
@@ -98,22 +97,22 @@ void SurfaceNotes::judge_slope(const Move& move, const Setpoint& row, double s,
 
 void SurfaceNotes::begin(const ipo::TimedBlock& timed, const Setpoint& row, double target) {
   const Note note{timed.at(row.s - timed.s_start).source, row.block, 0, target};
-  if (++blocks_ <= kTold)
+  if (++blocks_ <= kReported)
     notes_.push_back(note);
   else
     last_ = note;
 }
 
-void SurfaceNotes::tell(const Note& note, Diagnostics& diagnostics) {
+void SurfaceNotes::report(const Note& note, Diagnostics& diagnostics) {
   diagnostics.report(Code::SC4010, note.source, "an Rmax of " + of_target(note.rmax, note.target));
 }
 
-void SurfaceNotes::tell_blocks(Diagnostics& diagnostics) const {
-  for (const Note& note : notes_) tell(note, diagnostics);
-  if (blocks_ <= kTold) return;
+void SurfaceNotes::report_blocks(Diagnostics& diagnostics) const {
+  for (const Note& note : notes_) report(note, diagnostics);
+  if (blocks_ <= kReported) return;
   diagnostics.report(Code::SC4010, roughest_.source,
-                     fmt::format("and {} blocks more, with at most an Rmax of {}", blocks_ - kTold,
-                                 of_target(roughest_.rmax, roughest_.target)));
+                     fmt::format("and {} blocks more, with at most an Rmax of {}",
+                                 blocks_ - kReported, of_target(roughest_.rmax, roughest_.target)));
 }
 
 void SurfaceNotes::warn(Diagnostics& diagnostics) const {
@@ -122,33 +121,35 @@ void SurfaceNotes::warn(Diagnostics& diagnostics) const {
   if (above_ == 0) return;
   diagnostics.report(
       Code::SC4011, worst_.source,
-      fmt::format("edges may leave an Rmax of up to {}{}", of_target(worst_.rmax, worst_.target),
-                  above_ == 1 ? "" : fmt::format("; so do others of {} blocks", above_)));
+      fmt::format("cutting edges may leave an Rmax of up to {}{}",
+                  of_target(worst_.rmax, worst_.target),
+                  above_ == 1 ? "" : fmt::format("; other blocks of {} exceed theirs", above_)));
 }
 
 void SurfaceNotes::warn_of_phase(Diagnostics& diagnostics) const {
   const std::string more =
-      std::string("edges may leave half as much again as is asked for") +
+      std::string("cutting edges may leave half as much again as the target") +
       (surfacing_.model == RoughnessModel::guaranteed ? "; Q in G06.4 allows for that" : "");
-  const auto tell = [&](const std::optional<SourcePos>& where, const char* what) {
+  const auto report = [&](const std::optional<SourcePos>& where, const char* what) {
     diagnostics.report(Code::SC4012, *where, fmt::format("{}: {}", what, more));
   };
   if (surfacing_.phase == SpindlePhase::time && beside_)
-    tell(beside_, "the spindle begins passes at any phase");
+    report(beside_, "the spindle begins passes at any phase");
   else if (opposite_)
-    tell(opposite_, "passes run to and fro, out of phase");
+    report(opposite_, "passes run back and forth, out of phase");
   else if (lagging_)
-    tell(lagging_, "this pass is out of phase with the one beside it");
+    report(lagging_, "this pass is out of phase with the one beside it");
 }
 
 void SurfaceNotes::warn_of_slope(Diagnostics& diagnostics) const {
   if (steepest_.block == 0) return;
   diagnostics.report(
       Code::SC4042, steepest_.source,
-      fmt::format("the surface slopes by {:.1f} degrees across the feed, which is not stated: "
-                  "edges may leave an Rmax of up to {}; Q{:.0f} in G06.4 states all of its slopes",
-                  deg_from_rad(slope_there_), of_target(steepest_.rmax, steepest_.target),
-                  std::ceil(deg_from_rad(slope_) - 0.1)));
+      fmt::format(
+          "the surface slopes by {:.1f} degrees across the feed, which is not stated: "
+          "cutting edges may leave an Rmax of up to {}; Q{:.0f} in G06.4 covers all of its slopes",
+          deg_from_rad(slope_there_), of_target(steepest_.rmax, steepest_.target),
+          std::ceil(deg_from_rad(slope_) - 0.1)));
 }
 
 }  // namespace softcnc::app

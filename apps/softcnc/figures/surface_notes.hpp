@@ -24,7 +24,7 @@ class SurfaceNotes {
   void add(const ipo::TimedBlock& timed, const Setpoint& row, double rmax);
 
   /// SC4010 for each block, of many for the first ones and the roughest.
-  void tell_blocks(Diagnostics& diagnostics) const;
+  void report_blocks(Diagnostics& diagnostics) const;
   /// SC4011 for the block that by simulated edges may exceed its target most; SC4012 where passes
   /// side by side are not in phase, and SC4042 where the surface slopes from one to the next, if
   /// the feed knows of neither.
@@ -38,16 +38,16 @@ class SurfaceNotes {
 
     double part() const noexcept { return rmax / target; }
   };
-  static constexpr std::size_t kTold = 100;  // blocks
+  static constexpr std::size_t kReported = 100;  // blocks
 
   void judge(const ipo::TimedBlock& timed, const Setpoint& row, const SourcePos& source,
              double rmax);
   void look_beside(const ipo::TimedBlock& timed, const Setpoint& row);
-  void judge_slope(const Move& move, const Setpoint& row, double s, const Beside& beside);
+  void judge_slope(const Move& move, const Setpoint& row, double s, const NeighbourPass& beside);
   void warn_of_phase(Diagnostics& diagnostics) const;
   void warn_of_slope(Diagnostics& diagnostics) const;
   void begin(const ipo::TimedBlock& timed, const Setpoint& row, double target);
-  static void tell(const Note& note, Diagnostics& diagnostics);
+  static void report(const Note& note, Diagnostics& diagnostics);
 
   Surfacing surfacing_;
   std::vector<Note> notes_;   // of the first blocks

@@ -25,7 +25,7 @@ std::optional<RestCause> cause_of(const Block& block) {
   return std::nullopt;
 }
 
-/// Seconds beyond those of the same way at the feed that is asked for.
+/// Returns the seconds beyond those of the same path at the programmed feed.
 double lost_in(const ipo::Profile::Span& span, double feed) {
   const double speed = feed > 0 ? feed : std::max(span.v0, span.v1);
   return speed > 0 ? std::max(span.t1 - span.t0 - (span.s1 - span.s0) / speed, 0.0) : 0.0;

@@ -21,7 +21,7 @@ enum class RestCause : std::uint8_t {
   coolant,   // M07, M08, M09
   stop,      // M00, M01, M60
   hold,      // a feed hold, or an override of 0
-  planning,  // no faster way was found: planner_fallbacks
+  planning,  // no faster plan was found: planner_fallbacks
 };
 inline constexpr std::size_t kRestCauses = 8;
 
@@ -37,7 +37,7 @@ struct ToolTime {
 };
 
 /// What rests at corners take: their ramps, and the wait for the next row, in s beyond the time
-/// that the same way takes at the programmed feed; in rapids at the speed where the ramp ends.
+/// that the same path takes at the programmed feed; in rapids at the speed where the ramp ends.
 struct CornerRests {
   std::int64_t count = 0;
   double seconds = 0;
@@ -81,7 +81,7 @@ class TimeKeeper {
 
   TimeSheet sheet_;
   int tool_ = 0;
-  bool rests_ = false;            // for a reason that the next block tells
+  bool rests_ = false;            // for a reason that the next block gives
   bool rests_at_corner_ = false;  // since the last motion
 };
 

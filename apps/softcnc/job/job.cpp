@@ -14,7 +14,7 @@ namespace {
 
 /// A dry run opens no backend, and surface none that writes.
 bool moves(const Options& options) {
-  return !options.dry_run && options.command != Command::surface;
+  return !options.dry_run && options.command != CommandName::surface;
 }
 
 }  // namespace
@@ -25,7 +25,8 @@ Result<Job> open_job(const Options& options) {
   if (!choice) return tl::make_unexpected(std::move(choice.error()));
   const Machine& machine = choice->machine;
   if (const std::string clash = file_clash(options, machine); !clash.empty() && moves(options))
-    return tl::make_unexpected(Diagnostic{Code::SC7072, {}, clash, options.machine_file, {}});
+    return tl::make_unexpected(
+        Diagnostic{.code = Code::SC7072, .message = clash, .file = options.machine_file});
   for (const std::string& file : written_files(options, moves(options) ? machine : Machine()))
     clear_leftovers(file);
   auto program =

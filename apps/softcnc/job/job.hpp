@@ -36,8 +36,8 @@ struct WrittenFile {
   std::string file;
 };
 
-/// All that is known after a run: summary and report are made of it.
-struct Performance {
+/// All that is known after a run, for the summary and the report.
+struct JobResult {
   Ending ending = Ending::error;
   int status = 0;      // exit status
   bool moved = false;  // false: refused before anything moved; the rest means nothing
@@ -45,7 +45,7 @@ struct Performance {
   std::array<double, kAxes> following_error{};  // mm, largest; NaN: not measured
   AxisVector settled = AxisVector::Zero();      // mm, where a following error is measured
   std::optional<hal::Backend::Tally> tally;     // of rows sent elsewhere
-  std::optional<Punctuality> punctuality;       // of a run by the clock
+  std::optional<Punctuality> punctuality;       // of a run in real time
   std::vector<Diagnostic> diagnostics;
   std::vector<WrittenFile> written;
 };

@@ -20,7 +20,7 @@ Result<std::unique_ptr<RealtimePlayer>> open_player(const Machine& machine,
                                                     std::unique_ptr<hal::PortRegisters> registers) {
   return RealtimePlayer::open(
       machine, std::move(registers),
-      {.holds_port = rest_on_signal,
+      {.holds_port = clean_up_port_on_signal,
        .report = [](const Diagnostic& diagnostic) { Messages().show(diagnostic); }});
 }
 

@@ -23,11 +23,12 @@ struct Preflight {
   Outcome outcome;  // of the run without backend; of interest if status is 0
 };
 
-enum class Tells : std::uint8_t { faults, surface_too };
+enum class PreflightNotes : std::uint8_t { errors, surface_too };
 
 /// Runs the program without backend and shows all that is wrong with it; and what surface it
 /// leaves, where it asks for one.
 Preflight preflight(Program& program, const Machine& machine, const ChannelOptions& options,
-                    Messages& messages, Watcher* watcher = nullptr, Tells tells = Tells::faults);
+                    Messages& messages, Watcher* watcher = nullptr,
+                    PreflightNotes notes = PreflightNotes::errors);
 
 }  // namespace softcnc::app

@@ -10,12 +10,13 @@
 
 namespace softcnc::app {
 
-/// What the backend itself does not tell by finish().
+/// Returns whether an alarm is one of an axis: finish() of the backend does not report these.
 bool is_of_axis(Alarm alarm) noexcept;
-/// Such an alarm in words: SC5001, SC5002, SC5020.
+/// Describes such an alarm: SC5001, SC5002, SC5020.
 Diagnostic alarm_diagnostic(const Outcome& outcome);
 
-/// SC5040; SC5041 where the rights were missing. Expects that periods have been missed.
+/// Describes missed periods, of which there must be some: SC5040, or SC5041 where the real-time
+/// rights were missing.
 Diagnostic missed_periods(const Punctuality& punctuality, const std::string& program);
 
 }  // namespace softcnc::app

@@ -10,12 +10,13 @@
 namespace softcnc::app {
 
 /// Where the rows of a run go.
-struct TracePlace {
-  std::string file;                      // empty: nowhere, unless
-  hal::TemporaryFile* packed = nullptr;  // they are for a recording
+struct TraceTarget {
+  std::string file;                          // empty: nowhere, unless
+  hal::TemporaryFile* compressed = nullptr;  // they are for a recording
 };
 
-/// Pre-flight (except for a dry run), then motion; the rows go to `trace`. Diagnostics are shown.
-Performance perform(Job& job, const Options& options, const TracePlace& trace);
+/// Does the pre-flight (except for a dry run), then the motion; the rows go to `trace`. Diagnostics
+/// are shown.
+JobResult run_job(Job& job, const Options& options, const TraceTarget& trace);
 
 }  // namespace softcnc::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The person who watches a run: progress, Ctrl-C, and Enter where the program waits.
+// The terminal of a run: progress, Ctrl-C, and Enter where the program waits.
 #pragma once
 
 #include <stop_token>
@@ -45,7 +45,7 @@ class Terminal final : public Watcher {
   bool waits_ = false;
 };
 
-/// What a person has to do before the program goes on; empty: nothing.
+/// Returns what a person has to do before the program goes on; empty: nothing.
 std::string instruction(const Pause& pause);
 
 }  // namespace softcnc::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Diagnostics as one document for a program to read.
+// Diagnostics as one document that programs read.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace softcnc::app {
 
 enum class DiagnosticsFormat : std::uint8_t { text, json, sarif };
 
-/// Written as the diagnostics come, so that any number of them takes no memory.
+/// A document that is written as the diagnostics come, so that any number of them fits.
 class DiagnosticDocument {
  public:
   using Write = std::function<void(std::string_view)>;
@@ -30,7 +30,7 @@ std::unique_ptr<DiagnosticDocument> json_document(DiagnosticDocument::Write writ
 /// SARIF 2.1.0 (OASIS), with a rule for every code there is.
 std::unique_ptr<DiagnosticDocument> sarif_document(DiagnosticDocument::Write write);
 
-/// Null for text.
+/// Returns the document of a format; null for text.
 std::unique_ptr<DiagnosticDocument> make_document(DiagnosticsFormat format,
                                                   DiagnosticDocument::Write write);
 

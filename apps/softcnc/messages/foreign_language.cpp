@@ -19,13 +19,13 @@ constexpr std::string_view kControlNames[] = {
 };
 
 /// A pattern as of file names (POSIX, fnmatch), of a line in capitals without its number.
-struct Mark {
+struct LanguageMark {
   std::size_t control;
   int weight;
   const char* pattern;
 };
 
-constexpr Mark kMarks[] = {
+constexpr LanguageMark kMarks[] = {
     {0, 3, "BEGIN PGM *"},
     {0, 2, "BLK FORM *"},
     {0, 2, "TOOL CALL *"},
@@ -91,7 +91,7 @@ void ForeignLanguage::see(std::string_view line, int number) {
   const std::string text = bare(line);
   if (text.empty() || text.front() == '(' || text.front() == ';') return;
   for (std::size_t i = 0; i < std::size(kMarks); ++i) {
-    const Mark& mark = kMarks[i];
+    const LanguageMark& mark = kMarks[i];
     if (seen_[i] || ::fnmatch(mark.pattern, text.c_str(), FNM_NOESCAPE) != 0) continue;
     seen_[i] = true;
     Evidence& evidence = evidence_[mark.control];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a text that is no G-code of ours is a program for another kind of control.
+// Whether a text with errors is a program for another kind of control.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ class ForeignLanguage {
   void see(std::string_view line, int number);
 
   bool found() const noexcept;
-  /// For whom the program is, with an article; and the first line that shows it.
+  /// The control the program is made for, with an article; and the first line that shows it.
   std::string_view control() const noexcept;
   int line() const noexcept;
   const std::string& text() const noexcept;

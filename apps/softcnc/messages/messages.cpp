@@ -95,19 +95,19 @@ int Messages::fail(Diagnostic diagnostic) {
   return exit_status(diagnostic);
 }
 
-Diagnostic Messages::show_but_last(std::vector<Diagnostic> faults) {
-  Diagnostic last = std::move(faults.back());
-  faults.pop_back();
-  for (const Diagnostic& fault : faults) show(fault);
+Diagnostic Messages::show_but_last(std::vector<Diagnostic> errors) {
+  Diagnostic last = std::move(errors.back());
+  errors.pop_back();
+  for (const Diagnostic& error : errors) show(error);
   return last;
 }
 
-int Messages::fail(std::vector<Diagnostic> faults) {
-  return fail(show_but_last(std::move(faults)));
+int Messages::fail(std::vector<Diagnostic> errors) {
+  return fail(show_but_last(std::move(errors)));
 }
 
 int failed(const Diagnostic& diagnostic) { return Messages().fail(diagnostic); }
-int failed(const std::vector<Diagnostic>& faults) { return Messages().fail(faults); }
+int failed(const std::vector<Diagnostic>& errors) { return Messages().fail(errors); }
 
 void clear_leftovers(const std::string& file) {
   Messages messages;

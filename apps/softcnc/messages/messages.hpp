@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Diagnostics on their way to a person, and data on its way to standard output.
+// Diagnostics for a person, or as a document, on standard error.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace softcnc::app {
 /// What is added to the number of a signal in the exit status of what it has stopped.
 inline constexpr int kSignalled = 128;
 
-/// True where colours please: a terminal, and NO_COLOR is not set.
+/// Returns whether colours may be used: on a terminal, unless NO_COLOR is set.
 bool colourful(int descriptor);
 
 /// Shows diagnostics as they come and keeps the first of them for a report.
@@ -40,13 +40,13 @@ class Messages {
   /// Shows an error that ends a command, a closed pipe excepted, and returns its exit status.
   int fail(Diagnostic diagnostic);
 
-  /// Shows all that is wrong with one thing.
-  int fail(std::vector<Diagnostic> faults);
+  /// Shows several errors; returns the exit status of the last.
+  int fail(std::vector<Diagnostic> errors);
 
-  /// Shows faults, which are some, but the last one.
-  Diagnostic show_but_last(std::vector<Diagnostic> faults);
+  /// Shows all errors except the last, and returns that.
+  Diagnostic show_but_last(std::vector<Diagnostic> errors);
 
-  /// Where the stages report to. `program` supplies the text of lines and must outlive it.
+  /// Returns the sink for the stages. `program` supplies the text of lines and must outlive it.
   Diagnostics::Sink sink(Program& program);
 
   /// How many have been shown.
@@ -66,9 +66,9 @@ class Messages {
 
 /// The same on standard error.
 int failed(const Diagnostic& diagnostic);
-int failed(const std::vector<Diagnostic>& faults);
+int failed(const std::vector<Diagnostic>& errors);
 
-/// Removes what runs that were killed have left of a file that is to be written; a note names it.
+/// Removes what killed runs have left of a file that is to be written; a note names it.
 void clear_leftovers(const std::string& file);
 
 /// From here on standard error is one document: whatever would be shown there is added to it.

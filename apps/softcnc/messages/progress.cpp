@@ -66,9 +66,9 @@ void Progress::draw(double time, int line) {
     const double part = std::clamp(time / total_, 0.0, 1.0);
     text = fmt::format(" {:3.0f} %{}  {} left", std::floor(100 * part), text,
                        duration_text(std::max(total_ - time, 0.0)));
-    const std::size_t room =
+    const std::size_t width =
         screen_width() - std::min(screen_width(), label_.size() + text.size() + 5);
-    if (room > 4) text = bar(part, std::min(room, kLargestBar)) + text;
+    if (width > 4) text = bar(part, std::min(width, kLargestBar)) + text;
   } else {
     text = fmt::format("{}  {} so far", text, duration_text(time));
   }

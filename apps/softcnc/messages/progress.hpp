@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a run is, for a person or a program that looks at standard error.
+// The progress of a run, for a person or a program that reads standard error.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@ enum class ProgressMode : std::uint8_t { automatic, none, json };
 /// and nothing else.
 class Progress {
  public:
-  /// `data_on_terminal`: rows appear on the same screen, so there is no room for a bar.
+  /// `data_on_terminal`: rows appear on the same screen, so there is no place for a bar.
   Progress(ProgressMode mode, bool data_on_terminal);
   ~Progress();
   Progress(const Progress&) = delete;

@@ -19,7 +19,7 @@ class RepeatedErrors {
   /// `program` supplies its first lines and must outlive it; without one no language is looked for.
   explicit RepeatedErrors(Program* program = nullptr) : program_(program) {}
 
-  /// Counts an error whose cause has been shown; true of one that is not to be shown itself. The
+  /// Counts an error whose cause has been shown, and returns whether it is not to be shown. The
   /// first error of a program in another control's language becomes one that says so.
   bool takes(Diagnostic& diagnostic);
 

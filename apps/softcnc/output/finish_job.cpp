@@ -11,17 +11,17 @@
 namespace softcnc::app {
 namespace {
 
-/// Once stopped, nobody waits for who reads it.
-void write_report(Job& job, const Options& options, Performance& performance) {
+/// After a stop, no reader is waited for.
+void write_report(Job& job, const Options& options, JobResult& result) {
   std::stop_source stop;
-  if (performance.ending == Ending::stopped) stop.request_stop();
+  if (result.ending == Ending::stopped) stop.request_stop();
   const hal::Patience patience{
-      performance.ending == Ending::stopped ? stop.get_token() : std::stop_token(), -1};
-  const auto written = hal::write_file(options.report, report_json(job, performance), patience);
+      result.ending == Ending::stopped ? stop.get_token() : std::stop_token(), -1};
+  const auto written = hal::write_file(options.report, report_json(job, result), patience);
   if (written)
-    performance.written.push_back({"report", options.report});
+    result.written.push_back({"report", options.report});
   else
-    performance.status = worse_status(performance.status, failed(written.error()));
+    result.status = worse_status(result.status, failed(written.error()));
 }
 
 /// The summary; with -v its time sheet, too, and the worst lines where they are asked for.
@@ -33,19 +33,18 @@ void say(const Outcome& outcome, const Options& options, const std::string& summ
 
 }  // namespace
 
-int conclude(Job& job, const Options& options, Performance& performance) {
-  if (!options.report.empty()) write_report(job, options, performance);
-  if (performance.moved && performance.ending != Ending::error)
-    say(performance.outcome, options, summary(job, performance));
-  const std::size_t left = performance.outcome.events_left;
+int finish_job(Job& job, const Options& options, JobResult& result) {
+  if (!options.report.empty()) write_report(job, options, result);
+  if (result.moved && result.ending != Ending::error)
+    say(result.outcome, options, summary(job, result));
+  const std::size_t left = result.outcome.events_left;
   for (std::size_t i = job.options.events.size() - left;
-       performance.moved && performance.ending == Ending::done && i < job.options.events.size();
-       ++i)
-    spdlog::warn("--at {} was not reached: the program had ended",
+       result.moved && result.ending == Ending::done && i < job.options.events.size(); ++i)
+    spdlog::warn("--at {} was not reached: the program ended first",
                  event_text(job.options.events[i]));
-  if (!performance.moved && performance.ending == Ending::stopped)
+  if (!result.moved && result.ending == Ending::stopped)
     spdlog::info("stopped before anything moved");
-  return performance.status;
+  return result.status;
 }
 
 }  // namespace softcnc::app

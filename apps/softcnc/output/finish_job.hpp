@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What a person and other programs get after a run: summary, report, exit status.
+// The end of a job: summary, report and exit status.
 #pragma once
 
 #include "job/job.hpp"
 
 namespace softcnc::app {
 
-/// The report where one is asked for, and the summary, which names what has been written. Returns
-/// the exit status of it all.
-int conclude(Job& job, const Options& options, Performance& performance);
+/// Writes the report where one is asked for, and prints the summary, which names the files that
+/// have been written. Returns the exit status of the job.
+int finish_job(Job& job, const Options& options, JobResult& result);
 
 }  // namespace softcnc::app

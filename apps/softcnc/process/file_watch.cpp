@@ -20,8 +20,10 @@ constexpr std::uint32_t kChanges =
 constexpr int kQuiet = 50;  // ms: what is saved in several steps is one change
 
 tl::unexpected<Diagnostic> unwatched(const std::string& file) {
-  return tl::make_unexpected(Diagnostic{
-      Code::SC6041, {}, std::string("cannot be watched: ") + std::strerror(errno), file, {}});
+  return tl::make_unexpected(
+      Diagnostic{.code = Code::SC6041,
+                 .message = std::string("cannot be watched: ") + std::strerror(errno),
+                 .file = file});
 }
 
 constexpr int kLook = 1000;  // ms
@@ -83,17 +85,17 @@ bool FileWatch::has_changed() {
   return changed;
 }
 
-/// What is there now has been told.
+/// Everything there is now counts as reported.
 void FileWatch::look() {
-  for (auto& [file, seen] : seen_) seen.told = seen.last = stamp_of(file);
+  for (auto& [file, seen] : seen_) seen.reported = seen.last = stamp_of(file);
 }
 
-/// Something is there that was not told, and has been left alone since the last time.
+/// Returns whether something unreported is there and has been left alone since the last look.
 bool FileWatch::looks_changed() {
   bool changed = false;
   for (auto& [file, seen] : seen_) {
     const FileStamp before = std::exchange(seen.last, stamp_of(file));
-    changed = changed || (seen.last == before && !(seen.last == seen.told));
+    changed = changed || (seen.last == before && !(seen.last == seen.reported));
   }
   return changed;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tells when files change, also where an editor saves by renaming.
+// Reports when files change, also where an editor saves by renaming.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct FileStamp {
 };
 
 /// Watches the folders of files by inotify: a file may vanish and come again. What that does not
-/// see, as of a folder that is made anew or a link that leads elsewhere, is looked for once a
+/// see, as of a folder that is made again or a link that leads elsewhere, is looked for once a
 /// second.
 class FileWatch {
  public:
@@ -47,7 +47,7 @@ class FileWatch {
   Descriptor queue_;
   std::map<int, std::set<std::string>> names_;  // in each watched folder
   struct Seen {
-    FileStamp told, last;  // what wait() has returned for; what was there a second ago
+    FileStamp reported, last;  // what wait() has returned for; what was there a second ago
   };
   std::map<std::string, Seen> seen_;
 };

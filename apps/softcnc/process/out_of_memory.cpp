@@ -26,7 +26,7 @@ std::terminate_handler otherwise = nullptr;
 
 [[noreturn]] void terminate() noexcept {
   if (!ran_out) otherwise();
-  leave_at_rest();
+  clean_up_now();
   write_to_stderr("softcnc: error: out of memory [SC6004]\n");
   ::_exit(kStatus);
 }
@@ -42,7 +42,7 @@ std::string lacking_resource(const std::exception& error) {
   return lacks ? "no more memory or threads: " + system->code().message() : std::string();
 }
 
-void end_well_out_of_memory() noexcept {
+void handle_out_of_memory() noexcept {
   std::set_new_handler(no_memory);
   otherwise = std::set_terminate(terminate);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An end in order where there is no more memory.
+// An orderly end when memory runs out.
 #pragma once
 
 #include <exception>
@@ -7,11 +7,11 @@
 
 namespace softcnc::app {
 
-/// What the system had no more of, memory or threads, in words; empty: the exception is another.
+/// Returns which resource has run out, memory or threads, in words; empty for other exceptions.
 std::string lacking_resource(const std::exception& error);
 
 /// From here on, running out of memory where nothing may be thrown, or in a thread, is exit status
 /// 5 as well, with a text; port and files are left as by a signal.
-void end_well_out_of_memory() noexcept;
+void handle_out_of_memory() noexcept;
 
 }  // namespace softcnc::app

@@ -22,7 +22,7 @@ constexpr int kEnding[] = {SIGINT, SIGTERM, SIGQUIT, SIGHUP,  SIGSEGV, SIGBUS,
 std::atomic<RealtimePlayer*> playing{nullptr};
 static_assert(std::atomic<RealtimePlayer*>::is_always_lock_free);
 
-std::atomic<bool> removes_parts{false};
+std::atomic<bool> removes_unfinished{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 constexpr int kMostDescriptors = 1024;  // that are looked at
@@ -39,7 +39,7 @@ std::array<char, 32> link_of(int descriptor) noexcept {
 }
 
 /// Removes an open file that has not got its name yet. It is locked by nobody else, then.
-void remove_part(int descriptor) noexcept {
+void remove_unfinished_file(int descriptor) noexcept {
   std::array<char, PATH_MAX> name{};
   const ssize_t size = ::readlink(link_of(descriptor).data(), name.data(), name.size() - 1);
   if (size <= 0) return;
@@ -49,45 +49,46 @@ void remove_part(int descriptor) noexcept {
 }
 
 /// Calls nothing that a signal handler may not.
-void remove_parts() noexcept {
-  for (int descriptor = 0; descriptor < kMostDescriptors; ++descriptor) remove_part(descriptor);
+void remove_unfinished_files() noexcept {
+  for (int descriptor = 0; descriptor < kMostDescriptors; ++descriptor)
+    remove_unfinished_file(descriptor);
 }
 
 /// What would have ended softcnc still does.
-void rest_then_end(int signal) {
-  leave_at_rest();
+void clean_up_then_end(int signal) {
+  clean_up_now();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
 
 /// Handles signals as long as there is anything to do.
 void handle_signals() {
-  const bool handles = playing.load() != nullptr || removes_parts;
+  const bool handles = playing.load() != nullptr || removes_unfinished;
   for (const int signal : kEnding) {
     struct sigaction present {};
     ::sigaction(signal, nullptr, &present);
-    if (handles && present.sa_handler == SIG_DFL) std::signal(signal, rest_then_end);
-    if (!handles && present.sa_handler == rest_then_end) std::signal(signal, SIG_DFL);
+    if (handles && present.sa_handler == SIG_DFL) std::signal(signal, clean_up_then_end);
+    if (!handles && present.sa_handler == clean_up_then_end) std::signal(signal, SIG_DFL);
   }
 }
 
 }  // namespace
 
-void end_by(int signal) { rest_then_end(signal); }
+void end_by(int signal) { clean_up_then_end(signal); }
 
-void rest_on_signal(RealtimePlayer* player) {
+void clean_up_port_on_signal(RealtimePlayer* player) {
   playing = player;
   handle_signals();
 }
 
-void leave_no_parts_on_signal() {
-  removes_parts = true;
+void clean_up_files_on_signal() {
+  removes_unfinished = true;
   handle_signals();
 }
 
-void leave_at_rest() noexcept {
+void clean_up_now() noexcept {
   if (RealtimePlayer* player = playing.exchange(nullptr)) player->abandon();
-  if (removes_parts) remove_parts();
+  if (removes_unfinished) remove_unfinished_files();
 }
 
 }  // namespace softcnc::app

@@ -83,7 +83,7 @@ void StopSignals::watch() noexcept {
 }
 
 /// The first signal: one that has come, else the other one, if any. A terminal that is closed may
-/// be noticed by who reads it before its signal is.
+/// be noticed by its reader before its signal is.
 int StopSignals::take(int otherwise) noexcept {
   const std::lock_guard lock(taking_);
   if (received_ != 0) return received_;

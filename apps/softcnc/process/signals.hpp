@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C and its like as something to ask for, not something that interrupts.
+// Ctrl-C and the like as a state to poll, not as an interruption.
 #pragma once
 
 #include <atomic>

@@ -15,12 +15,9 @@ namespace softcnc::app {
 namespace {
 
 tl::unexpected<Diagnostic> no_temporary_file() {
-  return tl::make_unexpected(
-      Diagnostic{Code::SC6003,
-                 {},
-                 "cannot be kept in a temporary file: " + std::generic_category().message(errno),
-                 {},
-                 {}});
+  return tl::make_unexpected(Diagnostic{
+      .code = Code::SC6003,
+      .message = "cannot be kept in a temporary file: " + std::generic_category().message(errno)});
 }
 
 }  // namespace

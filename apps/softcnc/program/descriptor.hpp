@@ -26,10 +26,10 @@ class Descriptor {
 /// Returns when there is something to read, or a stop has been requested.
 void wait_for_input(int descriptor, const std::stop_token& stop = {});
 
-/// An empty file that vanishes with its descriptor. Errors: SC6003.
+/// Makes an empty file that vanishes with its descriptor. Errors: SC6003.
 Result<Descriptor> unlinked_file();
 
-/// Errors: SC6003.
+/// Writes all of `bytes`. Errors: SC6003.
 Status write_all(const Descriptor& file, std::string_view bytes);
 
 }  // namespace softcnc::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The blocks of a program one after the other, for whoever wants no motion.
+// The blocks of a program one after the other, without motion.
 #pragma once
 
 #include "ipr/interpreter/interpreter.hpp"

@@ -19,7 +19,9 @@ namespace {
 
 tl::unexpected<Diagnostic> unreadable(Code code, const std::string& name, int error) {
   return tl::make_unexpected(
-      Diagnostic{code, {}, "cannot be read: " + std::generic_category().message(error), name, {}});
+      Diagnostic{.code = code,
+                 .message = "cannot be read: " + std::generic_category().message(error),
+                 .file = name});
 }
 
 Result<Descriptor> copied(const Descriptor& from, const std::string& name) {

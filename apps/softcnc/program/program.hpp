@@ -18,7 +18,7 @@
 
 namespace softcnc::app {
 
-/// What a program is read for: its motion is that of the text that has been checked before.
+/// How often a program is read: its motion is that of the text that was checked before.
 enum class Readings : std::uint8_t { one, any };
 
 class Program {
@@ -29,20 +29,20 @@ class Program {
   /// A program that lies in `file` already.
   static Program in_file(std::string name, Descriptor file);
 
-  /// As the user named it; "<stdin>" for "-".
+  /// The name that the user gave; "<stdin>" for "-".
   const std::string& name() const noexcept { return name_; }
 
-  /// Where files lie that the program calls: beside it; empty if it comes from a pipe.
+  /// The folder of the files that the program calls: its own; empty if it comes from a pipe.
   const std::string& folder() const noexcept { return folder_; }
   void set_folder(std::string folder) { folder_ = std::move(folder); }
 
-  /// What the files hold that it calls, the same for every reading.
+  /// The texts of the files that it calls, the same for every reading.
   ipr::CalledTexts& called() const noexcept { return *called_; }
 
-  /// Reads from the beginning. Of a stream, one reader at a time.
+  /// Returns a reader from the beginning. A stream has one reader at a time.
   ipr::Reader reader();
 
-  /// Whether the text passes but once.
+  /// Returns whether the text can be read only once.
   bool streamed() const noexcept { return stream_ != nullptr; }
   int descriptor() const noexcept { return *file_; }
 
@@ -53,8 +53,8 @@ class Program {
   /// looks like the end of the text. Errors: SC6002.
   Status read_status() const;
 
-  /// Text of a line, from 1; empty behind the end, and where a stream has long passed it. A reader
-  /// may be under way; cheap where lines are asked for in their order.
+  /// Returns the text of a line, from 1; empty after the end, and where a stream has long passed
+  /// it. A reader may be active; cheap where lines are asked for in their order.
   std::string line(int number);
 
   /// Calls take(bytes) for the text, piece by piece, from the beginning.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is remembered of a text that passes but once: its hash, and its latest lines.
+// What is kept of a text that can be read only once: its hash, and its latest lines.
 #pragma once
 
 #include <string>

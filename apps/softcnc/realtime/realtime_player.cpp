@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kAhead = 0.5;                  // s of words in the queue
 constexpr std::int64_t kLook = 1'000'000;       // ns from one look at the inputs to the next
-constexpr std::int64_t kBreath = 1'000'000;     // ns that whoever fills the queue waits for room
+constexpr std::int64_t kBreath = 1'000'000;     // ns between two tries to fill the queue
 constexpr std::int64_t kPatience = 20'000'000;  // ns for the thread to end by itself
 constexpr double kNsPerSecond = 1e9;
 

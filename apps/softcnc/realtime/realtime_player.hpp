@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A thread of its own writes to a parallel port, a word each base period by the clock.
+// A thread that writes to a parallel port in real time, one word each base period.
 #pragma once
 
 #include <atomic>
@@ -16,14 +16,14 @@
 
 namespace softcnc::app {
 
-/// Words wait in a queue of half a second. An alarm, a port that fails, a period missed (SC5030)
-/// and the end, also by a signal that ends softcnc: the port is put at rest first.
+/// Words wait in a queue of half a second. After an alarm, a failure of the port, a missed period
+/// (SC5030), at the end and before a signal ends softcnc, the port is put at rest.
 class RealtimePlayer final : public hal::PortPlayer {
  public:
-  /// Whom the player keeps informed.
+  /// The one that the player keeps informed.
   struct Listener {
     /// Called with the player before it can write to the port, and with null once it never will
-    /// again: whoever ends softcnc meanwhile calls abandon() first.
+    /// again: until then an end of softcnc calls abandon() first.
     std::function<void(RealtimePlayer*)> holds_port;
     /// Takes SC6075 where the system has refused the real-time rights.
     Diagnostics::Sink report;
@@ -42,8 +42,8 @@ class RealtimePlayer final : public hal::PortPlayer {
   void rest() noexcept override;
   Status finish() override;
 
-  /// The port at rest, as soon as the word being written is out; nothing is written any more. For
-  /// signal handlers.
+  /// Puts the port at rest as soon as the present word is out, and writes nothing more. For signal
+  /// handlers.
   void abandon() noexcept;
 
  private:

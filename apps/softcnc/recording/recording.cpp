@@ -18,12 +18,9 @@ namespace softcnc::app {
 namespace {
 
 tl::unexpected<Diagnostic> no_temporary(int error) {
-  return tl::make_unexpected(
-      Diagnostic{Code::SC6003,
-                 {},
-                 "cannot be kept in a temporary file: " + std::generic_category().message(error),
-                 {},
-                 {}});
+  return tl::make_unexpected(Diagnostic{
+      .code = Code::SC6003,
+      .message = "cannot be kept in a temporary file: " + std::generic_category().message(error)});
 }
 
 /// Calls take(bytes) for a file, piece by piece.
@@ -100,8 +97,8 @@ Status write_recording(hal::OutputFile& file, Program& program, const Machine& m
   if (!trace_hash) return tl::make_unexpected(std::move(trace_hash.error()));
   const auto copy = copy_of(program);
   if (!copy) return tl::make_unexpected(copy.error());
-  const auto packed = hal::TemporaryFile::make();
-  if (!packed) return tl::make_unexpected(packed.error());
+  const auto archive = hal::TemporaryFile::make();
+  if (!archive) return tl::make_unexpected(archive.error());
   const std::string machine_text = hal::machine_toml(machine);
   meta.program_name = program.name();
   meta.program_hash = program.hash();
@@ -111,16 +108,16 @@ Status write_recording(hal::OutputFile& file, Program& program, const Machine& m
   meta.state_hash = hal::hash_hex(state_text);
   if (Status hashed = hash_called(program, meta.called); !hashed) return hashed;
 
-  hal::ZipWriter zip(packed->descriptor());
+  hal::ZipWriter zip(archive->descriptor());
   zip.add_text("meta.json", meta_json(meta));
-  zip.add_descriptor("program", copy->descriptor(), hal::Packing::deflate);
+  zip.add_descriptor("program", copy->descriptor(), hal::Compression::deflate);
   for (const CalledFile& called : meta.called)
-    zip.add_file(entry_of(called), path_of(program, called), hal::Packing::deflate);
+    zip.add_file(entry_of(called), path_of(program, called), hal::Compression::deflate);
   zip.add_text("machine.toml", machine_text);
   zip.add_text("state.toml", state_text);
-  zip.add_descriptor("trace.csv.zst", trace.descriptor(), hal::Packing::store);
+  zip.add_descriptor("trace.csv.zst", trace.descriptor(), hal::Compression::store);
   if (Status written = zip.finish(); !written) return written;
-  return packed->copy_to(file);
+  return archive->copy_to(file);
 }
 
 Result<Recording> Recording::open(const std::string& file) {
@@ -170,8 +167,10 @@ Status Recording::check_hash(const std::string& name, const std::string& expecte
     return {};
   });
   if (!read || hasher.hex() == expected) return read;
-  return tl::make_unexpected(Diagnostic{
-      Code::SC6021, {}, name + " in it is not what was recorded: its hash differs", file_, {}});
+  return tl::make_unexpected(
+      Diagnostic{.code = Code::SC6021,
+                 .message = "its " + name + " is not what was recorded: the hash differs",
+                 .file = file_});
 }
 
 Result<Program> Recording::program() const {

@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 tl::unexpected<Diagnostic> error(Code code, std::string message) {
-  return tl::make_unexpected(Diagnostic{code, {}, std::move(message), {}, {}});
+  return tl::make_unexpected(Diagnostic{.code = code, .message = std::move(message)});
 }
 
 constexpr int kFirstSchema = 1;  // without a hash
@@ -39,7 +39,7 @@ bool is_too_deep(std::string_view text) {
     if (within_string) continue;
     if (c == '[' || c == '{') ++depth;
     if (c == ']' || c == '}') --depth;
-    if (depth > kDeepestMeta) return true;
+    if (depth > kMaxMetaDepth) return true;
   }
   return false;
 }
@@ -50,14 +50,14 @@ Result<std::int64_t> read_rows(const Json& trace) {
   const bool whole = rows.is_number_unsigned() || rows.is_number_integer();
   const std::int64_t count = whole ? rows.get<std::int64_t>() : -1;
   if (count >= 0) return count;
-  return error(Code::SC6021, "has a meta.json that says: " + rows.dump() + " rows");
+  return error(Code::SC6021, "its meta.json has an invalid number of rows: " + rows.dump());
 }
 
 Result<double> read_override(const Json& options) {
   const double feed_override = options.at("feed_override");
   if (feed_override > 0 && feed_override <= kLargestOverride) return feed_override;
-  return error(Code::SC6021, "has a meta.json that says: a feed override of " +
-                                 options.at("feed_override").dump());
+  return error(Code::SC6021,
+               "its meta.json has an invalid feed override: " + options.at("feed_override").dump());
 }
 
 /// Each file is read once.
@@ -86,15 +86,14 @@ Result<ipr::Format> read_format(const Json& options) {
   const std::string word = options.value("format", std::string(name(Format::automatic)));
   for (const Format format : {Format::automatic, Format::gcode, Format::commands})
     if (word == name(format)) return format;
-  return error(Code::SC6022, "was made of a format this version does not know: '" + word + "'");
+  return error(Code::SC6022, "was made in a format this version does not know: '" + word + "'");
 }
 
 Result<std::vector<FeedEvent>> read_events(const Json& options) {
   std::vector<FeedEvent> events;
   for (const std::string text : options.value("at", Json::array())) {
     const auto event = parse_event(text);
-    if (!event)
-      return error(Code::SC6022, "asks at some moment for what is not known: '" + text + "'");
+    if (!event) return error(Code::SC6022, "has an unknown feed event: '" + text + "'");
     events.push_back(*event);
   }
   sort_events(events);
@@ -168,8 +167,8 @@ std::string sealed_meta(const std::string& text) {
 
 Result<RecordingMeta> parse_meta(const std::string& text) {
   if (is_too_deep(text))
-    return error(Code::SC6021, "has a meta.json that is nested deeper than " +
-                                   std::to_string(kDeepestMeta) + " levels");
+    return error(Code::SC6021, "its meta.json is nested deeper than " +
+                                   std::to_string(kMaxMetaDepth) + " levels");
   try {
     const Json json = Json::parse(text);
     const Json& given = json.at("schema");
@@ -180,10 +179,10 @@ Result<RecordingMeta> parse_meta(const std::string& text) {
                                      std::to_string(kFirstSchema) + " to " +
                                      std::to_string(kRecordingSchema));
     if (schema > kFirstSchema && json.at("hash") != hash_of_rest(json))
-      return error(Code::SC6021, "meta.json in it is not what was recorded: its hash differs");
+      return error(Code::SC6021, "its meta.json is not what was recorded: the hash differs");
     return read(json);
   } catch (const Json::exception& broken) {
-    return error(Code::SC6021, std::string("has a meta.json that says: ") + broken.what());
+    return error(Code::SC6021, std::string("its meta.json is invalid: ") + broken.what());
   }
 }
 

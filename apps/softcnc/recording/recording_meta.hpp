@@ -12,7 +12,7 @@ namespace softcnc::app {
 std::string meta_json(const RecordingMeta& meta);
 
 /// No array or object of a meta.json lies deeper.
-inline constexpr int kDeepestMeta = 16;
+inline constexpr int kMaxMetaDepth = 16;
 
 /// Puts the hash of a text that is a JSON object right; any other text is returned as it is.
 std::string sealed_meta(const std::string& text);

@@ -37,9 +37,9 @@ std::string difference(std::string_view a, std::string_view b) {
 }
 
 /// A row by the names of its columns.
-class Row {
+class ParsedRow {
  public:
-  Row(const std::vector<std::string>& columns, std::string_view line)
+  ParsedRow(const std::vector<std::string>& columns, std::string_view line)
       : columns_(columns), values_(split(line)) {
     values_.resize(columns.size());
   }
@@ -59,7 +59,7 @@ class Row {
 };
 
 /// Straight from one place to the other, mm.
-double apart(const Row& a, const Row& b) {
+double apart(const ParsedRow& a, const ParsedRow& b) {
   double squares = 0;
   for (const char* axis : {"x_mm", "y_mm", "z_mm"})
     squares += std::pow(b.value(axis) - a.value(axis), 2);
@@ -67,18 +67,19 @@ double apart(const Row& a, const Row& b) {
 }
 
 /// Along the path no two places are further apart than the lengths to them differ.
-std::string meaning(const Row& recorded, const Row& replayed) {
+std::string meaning(const ParsedRow& recorded, const ParsedRow& replayed) {
   constexpr double kSame = 1e-6, kRounding = 1e-3;  // mm; of a length
   const double far = apart(recorded, replayed);
   if (far <= kSame) return "the tool is in the same place";
   if (recorded.word("block") != replayed.word("block"))
     return fmt::format(
-        "the tool is {:.4g} mm away, in another block: the motion takes another time", far);
+        "the tool is {:.4g} mm away, in another block: the motion takes a different time", far);
   const double along = replayed.value("s_mm") - recorded.value("s_mm");
   if (far <= std::abs(along) * (1 + kRounding) + kSame)
-    return fmt::format("the same path at another time: the tool is {:.4g} mm {}", std::abs(along),
-                       along > 0 ? "ahead" : "behind");
-  return fmt::format("another path, or another part of it: the tool is {:.4g} mm away", far);
+    return fmt::format("the same path at a different time: the tool is {:.4g} mm {}",
+                       std::abs(along), along > 0 ? "ahead" : "behind");
+  return fmt::format("a different path, or a different part of it: the tool is {:.4g} mm away",
+                     far);
 }
 
 }  // namespace
@@ -101,7 +102,7 @@ bool same_row(const std::vector<std::string>& columns, std::string_view a, std::
 
 std::string in_words(const std::vector<std::string>& columns, std::string_view recorded,
                      std::string_view replayed) {
-  const Row a(columns, recorded), b(columns, replayed);
+  const ParsedRow a(columns, recorded), b(columns, replayed);
   std::string text, others;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (same_value(columns[i], a[i], b[i])) continue;
@@ -111,7 +112,7 @@ std::string in_words(const std::vector<std::string>& columns, std::string_view r
     else
       others += (others.empty() ? "" : ", ") + columns[i];
   }
-  if (!others.empty()) text += "; " + others + " differ, too";
+  if (!others.empty()) text += "; " + others + " differ as well";
   return text + "; " + meaning(a, b);
 }
 

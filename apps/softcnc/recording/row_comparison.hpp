@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two rows of a trace side by side, and whether they tell the same.
+// Two rows of a trace side by side, and whether they agree.
 #pragma once
 
 #include <string>
@@ -13,15 +13,15 @@ namespace softcnc::app {
 /// of their size or of 1. Words and whole numbers (line, block, limit) may not.
 bool same_value(std::string_view column, std::string_view a, std::string_view b);
 
-/// True if all columns tell the same. Rows are lines of CSV.
+/// Returns whether all columns agree. Rows are lines of CSV.
 bool same_row(const std::vector<std::string>& columns, std::string_view a, std::string_view b);
 
-/// The columns that do not tell the same, with both values of the first, and where that leads: the
-/// same path at another time, or another path. Rows are whole.
+/// Describes the columns that differ, with both values of the first, and what that means: the
+/// same path at a different time, or a different path. Rows are whole.
 std::string in_words(const std::vector<std::string>& columns, std::string_view recorded,
                      std::string_view replayed);
 
-/// A table of both with their differences; columns that do not tell the same are marked. An empty
+/// Returns a table of both with their differences; columns that differ are marked. An empty
 /// row is one that is missing.
 std::string side_by_side(const std::vector<std::string>& columns, std::string_view recorded,
                          std::string_view replayed);

@@ -13,7 +13,7 @@ class ComparisonSink final : public hal::ByteSink {
   explicit ComparisonSink(TraceComparison& comparison) : comparison_(comparison) {}
   Status write(std::string_view bytes) override {
     if (comparison_.take(bytes)) return {};
-    return tl::make_unexpected(Diagnostic{Code::SC6013, {}, "a row differs", {}, {}});
+    return tl::make_unexpected(Diagnostic{.code = Code::SC6013, .message = "a row differs"});
   }
   Status finish() override { return {}; }
 
@@ -63,7 +63,7 @@ void TraceComparison::row(std::string_view line) {
     return;
   }
   in_words_ = fmt::format("row {} {}", rows_ + 1,
-                          recorded ? "differs" : "is not in the recording, which ends before");
+                          recorded ? "differs" : "is not in the recording, which ends earlier");
   difference_ = in_words_ + '\n' + side_by_side(columns_, recorded.value_or(""), line);
   if (recorded) in_words_ += ": " + app::in_words(columns_, *recorded, line);
 }
@@ -71,7 +71,7 @@ void TraceComparison::row(std::string_view line) {
 void TraceComparison::finish() {
   if (!difference_.empty() || !status()) return;
   if (const auto recorded = recorded_.next()) {
-    in_words_ = fmt::format("row {} is recorded, but the replay ends before", rows_ + 1);
+    in_words_ = fmt::format("row {} is recorded, but the replay ends earlier", rows_ + 1);
     difference_ = in_words_ + '\n' + side_by_side(columns_, *recorded, "");
   }
 }

@@ -26,7 +26,7 @@ class TraceLines {
   std::optional<std::string_view> next();
 
   /// Errors: SC6021 (damaged, or a line longer than kLongestRow), SC6024 (more comes out of it than
-  /// hal::may_unpack() allows).
+  /// hal::may_decompress() allows).
   const Status& status() const noexcept { return status_; }
 
  private:
@@ -35,9 +35,9 @@ class TraceLines {
 
   hal::ZipEntry entry_;
   std::unique_ptr<ZSTD_DCtx_s, std::size_t (*)(ZSTD_DCtx_s*)> stream_;
-  std::string packed_, text_;
-  std::uint64_t unpacked_bytes_ = 0;
-  std::size_t packed_begin_ = 0, packed_end_ = 0, begin_ = 0;
+  std::string compressed_, text_;
+  std::uint64_t decompressed_bytes_ = 0;
+  std::size_t compressed_begin_ = 0, compressed_end_ = 0, begin_ = 0;
   Status status_;
 };
 

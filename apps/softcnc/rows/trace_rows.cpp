@@ -13,8 +13,8 @@ hal::TraceHeader trace_header(Program& program, const Machine& machine) {
           hal::hash_hex(hal::machine_toml(machine))};
 }
 
-Result<TraceRows> packed_trace(hal::TemporaryFile& file, Program& program, const Machine& machine,
-                               const hal::Backend& backend) {
+Result<TraceRows> compressed_trace(hal::TemporaryFile& file, Program& program,
+                                   const Machine& machine, const hal::Backend& backend) {
   const hal::TraceHeader header = trace_header(program, machine);
   if (Status read = program.read_status(); !read) return tl::make_unexpected(read.error());
   auto sink = hal::zstd_sink(std::make_unique<hal::TemporarySink>(file));

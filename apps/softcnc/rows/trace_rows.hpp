@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows of a run on their way into a trace.
+// The rows of a run as a trace.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace softcnc::app {
 
-/// Rows into a trace writer, or nowhere if it is null.
+/// Passes rows to a trace writer, or nowhere if it is null.
 class TraceRows final : public RowSink {
  public:
   explicit TraceRows(std::unique_ptr<hal::TraceWriter> writer) : writer_(std::move(writer)) {}
@@ -27,7 +27,7 @@ class TraceRows final : public RowSink {
   void flush() override {
     if (writer_) writer_->flush();
   }
-  /// Behind the last row of a program whose hash the header could not tell.
+  /// Adds the hash, after the last row, of a program whose hash was not known to the header.
   void add_hash_of(Program& program) {
     if (writer_ && program.streamed()) writer_->add_program_hash(program.hash());
   }
@@ -40,12 +40,12 @@ class TraceRows final : public RowSink {
 
 hal::TraceHeader trace_header(Program& program, const Machine& machine);
 
-/// As CSV, compressed, into a temporary file that must outlive the rows.
-Result<TraceRows> packed_trace(hal::TemporaryFile& file, Program& program, const Machine& machine,
-                               const hal::Backend& backend);
+/// Writes compressed CSV into a temporary file, which must outlive the rows.
+Result<TraceRows> compressed_trace(hal::TemporaryFile& file, Program& program,
+                                   const Machine& machine, const hal::Backend& backend);
 
-/// Into a file; nowhere if its name is empty. `patience` is that with who reads a pipe. Errors:
-/// those of hal::TraceWriter::open(), SC6002.
+/// Writes into a file; nowhere if its name is empty. `patience` limits the wait for a reader.
+/// Errors: those of hal::TraceWriter::open(), SC6002.
 Result<TraceRows> open_trace(const std::string& file, Program& program, const Machine& machine,
                              const hal::Backend& backend, hal::Patience patience);
 

@@ -35,7 +35,7 @@ bool Channel::plan_ahead() noexcept {
   if (broken_) return false;
   try {
     const double needed = interpolator_.needs_until();
-    if (queue_.t_end() <= needed || feeder_.is_behind())
+    if (queue_.t_end() <= needed || feeder_.needs_more_first())
       feeder_.fill(queue_, needed + kAhead * machine_.control.period);
     if (replanned_ && !queue_.empty()) interpolator_.replanned();
     replanned_ = replanned_ && queue_.empty();

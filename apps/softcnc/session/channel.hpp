@@ -29,23 +29,23 @@ class Channel {
   Channel(ipr::Reader& reader, int input, const Machine& machine, const ChannelOptions& options,
           Diagnostics& diagnostics);
 
-  /// Whether an event of the script is to be answered before the next step.
+  /// Returns whether an event of the script is to be answered before the next step.
   bool event_due() const noexcept;
-  /// Plans the rest of the way anew for what the events due ask for; right behind forget_passed().
+  /// Plans the rest of the path again for the events that are due; right after forget_passed().
   void answer_events() noexcept;
 
-  /// The next setpoint; nothing at the end. When the panel asks for a stop the rest of the way is
-  /// planned anew, to rest as soon as the limits allow; it must not ask between two calls of
+  /// Returns the next setpoint; nothing at the end. On a stop by the panel the rest of the path is
+  /// planned again, to rest as soon as the limits allow; it must not ask between two calls of
   /// forget_passed().
   std::optional<Setpoint> step(const Panel& panel) noexcept;
 
-  /// The pause that the next step passes, if there is one; resume() lets it pass.
+  /// Returns the pause that the next step passes, if there is one; resume() lets it pass.
   const Pause* pause_ahead() noexcept;
   void resume() noexcept { feeder_.pauses().pop_front(); }
 
-  /// Whether there is no next setpoint until more of the program comes.
+  /// Returns whether there is no next setpoint until more of the program comes.
   bool waiting() const noexcept {
-    return feeder_.is_behind() ||
+    return feeder_.needs_more_first() ||
            (feeder_.waiting() && queue_.t_end() <= interpolator_.needs_until());
   }
 
@@ -69,7 +69,7 @@ class Channel {
   void rethrow() const;
 
   /// The instant of the plan that has been reached, s: at the end, its duration. Of methods that go
-  /// their own way through the curves, the instant of the last row.
+  /// their own path through the curves, the instant of the last row.
   double time() const noexcept;
   /// What it was spent on. Nothing may be run after that.
   const RunTimes& end_times();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is asked of the feed at given moments of a run: --at.
+// Changes of the feed at given moments of a run: --at.
 #pragma once
 
 #include <cstdint>
@@ -23,13 +23,13 @@ struct FeedEvent {
 /// "1.5:override=50", "2:hold", "3:resume"; nothing if it is none of them.
 std::optional<FeedEvent> parse_event(std::string_view text);
 
-/// The other way round.
+/// Returns the text that parse_event() reads as this event.
 std::string event_text(const FeedEvent& event);
 
-/// What is asked for from the event on.
+/// Returns what is asked for from the event on.
 ipo::FeedControl after(const FeedEvent& event, ipo::FeedControl control) noexcept;
 
-/// In the order of time; those of one moment stay in theirs.
+/// Sorts events by time; those of one moment keep their order.
 void sort_events(std::vector<FeedEvent>& events);
 
 }  // namespace softcnc::app

@@ -29,33 +29,33 @@ class Feeder {
          Diagnostics& diagnostics);
 
   /// Times blocks until the queue reaches beyond `until`, or holds all there are. After an error
-  /// the motion ends with the last good block, and the rest is read only to tell what else is
+  /// the motion ends with the last good block, and the rest is read only to report what else is
   /// wrong.
   void fill(ipo::BlockQueue& queue, double until);
   /// Times what there is of the path up to `s` mm, but no further than until `t`. What may
   /// still change when more of a program comes is left as it is.
   void look_ahead(ipo::BlockQueue& queue, double s, double t);
-  /// Whether fill() has ended because the program's pipe has nothing more yet.
+  /// Returns whether fill() has ended because the program's pipe has nothing more yet.
   bool waiting() const noexcept { return waiting_; }
-  /// Whether the queue is to be filled further before anything is taken from it: where the rest of
-  /// the way will be planned anew, as much of it is to be known as of a program in a file.
-  bool is_behind() const noexcept { return waiting_ && patient_; }
+  /// Returns whether the queue must be filled further before anything is taken from it: where the
+  /// rest of the path will be planned again, as much of it must be known as of a program in a file.
+  bool needs_more_first() const noexcept { return waiting_ && patient_; }
 
-  /// Plans the queue anew from the state `now` in its first block, at program time `t`; fill()
-  /// gives it what follows. After a stop nothing more is read.
+  /// Plans the queue again from the state `now` in its first block, at program time `t`; fill()
+  /// adds what follows. After a stop nothing more is read.
   void replan(ipo::BlockQueue& queue, const ipo::State& now, double t,
               const ipo::FeedControl& asked);
 
   /// Reads no further; the queue gets what has been read.
   void finish(ipo::BlockQueue& queue);
 
-  /// Pauses on the way to the end of the queue; whoever waits at one takes it out.
+  /// The pauses up to the end of the queue; the caller removes the one it has waited at.
   std::deque<Pause>& pauses() noexcept { return pauses_; }
 
-  /// As far as has been read.
+  /// The states of the machine as far as has been read.
   StateHistory& states() noexcept { return states_; }
 
-  /// Hands it every block before the planner gets it.
+  /// Passes every block to `programmed` before the planner gets it.
   void show(ProgrammedPath& programmed) noexcept { programmed_ = &programmed; }
 
   std::vector<std::string> called_files() const { return interpreter_.called_files(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that a run leaves behind.
+// The result of a run.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@
 
 namespace softcnc::app {
 
-/// What a run leaves. CPU times are of this thread.
+/// The result of a run. CPU times are those of this thread.
 struct Outcome {
   enum class End : std::uint8_t { done, stopped, alarm, broken_off };
   struct Cpu {

@@ -8,8 +8,8 @@
 
 namespace softcnc::app {
 
-/// Tells where a move that is not planned would leave the travel, as that of a line which is
-/// refused for something else.
+/// Reports where a move that is not planned would leave the travel, as that of a line which
+/// is refused for something else.
 class RefusedTravel final : public ipr::RefusedMoves {
  public:
   RefusedTravel(const Machine& machine, Diagnostics& diagnostics)

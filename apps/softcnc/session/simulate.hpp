@@ -14,11 +14,11 @@ namespace softcnc::app {
 
 class RealtimeCycle;
 
-/// A run as fast as the computer goes: the same rows every time. `rows` and `watcher` may be null.
-/// `input` is where the reader reads. With `paced`, which writes the rows then, as fast as the
-/// clock goes, and the same rows all the same.
+/// Runs a program as fast as the computer can, with the same rows every time. `rows` and `watcher`
+/// may be null; `input` is the descriptor of the reader. With `realtime`, which then writes the
+/// rows, it runs in real time, with the same rows all the same.
 Outcome simulate(ipr::Reader& reader, int input, const Machine& machine,
                  const ChannelOptions& options, hal::Backend& backend, Diagnostics& diagnostics,
-                 RowSink* rows, Watcher* watcher, RealtimeCycle* paced = nullptr);
+                 RowSink* rows, Watcher* watcher, RealtimeCycle* realtime = nullptr);
 
 }  // namespace softcnc::app

@@ -84,7 +84,7 @@ std::string file_clash(const Options& options, const Machine& machine) {
 }
 
 std::vector<std::string> written_files(const Options& options, const Machine& machine) {
-  const bool writes_state = options.command == Command::run && !options.dry_run;
+  const bool writes_state = options.command == CommandName::run && !options.dry_run;
   return {options.trace, options.report, options.output, writes_state ? options.state : "",
           written_by(machine).name};
 }

@@ -21,7 +21,7 @@ bool is_in_the_way(const std::string& file) {
 /// Only these commands let the backend write.
 bool writes(const Options& options) {
   return !options.dry_run &&
-         (options.command == Command::run || options.command == Command::record);
+         (options.command == CommandName::run || options.command == CommandName::record);
 }
 
 Status check_default_file(const hal::FoundMachine& found, const Options& options) {
@@ -29,12 +29,10 @@ Status check_default_file(const hal::FoundMachine& found, const Options& options
   const auto [key, file] = backend_file(found.machine);
   if (!is_in_the_way(file)) return {};
   return tl::make_unexpected(
-      Diagnostic{Code::SC6015,
-                 {},
-                 "is there already, and nobody has named it: name a file by --set " + key +
-                     "=FILE; the file " + file + " is left as it is",
-                 file,
-                 {}});
+      Diagnostic{.code = Code::SC6015,
+                 .message = "exists already, and you have not named it: name a file with --set " +
+                            key + "=FILE; the file " + file + " is left unchanged",
+                 .file = file});
 }
 
 }  // namespace
@@ -65,13 +63,13 @@ Result<MachineChoice> choose_machine(const std::string& part, const Options& opt
   const hal::MachineSource source = machine_source(part, options);
   auto found = hal::find_machine(source, options.settings);
   if (!found) return tl::make_unexpected(messages.show_but_last(std::move(found.error())));
-  for (const Diagnostic& warning : found->passed_over) messages.show(warning);
+  for (const Diagnostic& warning : found->ignored) messages.show(warning);
   if (Status free = check_default_file(*found, options); !free)
     return tl::make_unexpected(std::move(free.error()));
   return MachineChoice{std::move(found->machine), source.confined ? source.file : std::string()};
 }
 
-const Machine* MachineShelf::of(const std::string& part) {
+const Machine* MachineCache::of(const std::string& part) {
   const hal::MachineSource source = machine_source(part, options_);
   auto known = machines_.find(source.file);
   if (known == machines_.end()) known = machines_.emplace(source.file, load(source)).first;
@@ -79,16 +77,16 @@ const Machine* MachineShelf::of(const std::string& part) {
 }
 
 /// A setting that no machine takes is wrong once, however many machines there are.
-std::optional<Machine> MachineShelf::load(const hal::MachineSource& source) {
+std::optional<Machine> MachineCache::load(const hal::MachineSource& source) {
   auto found = hal::find_machine(source, options_.settings);
   if (found) {
-    for (const Diagnostic& warning : found->passed_over) messages_.show(warning);
+    for (const Diagnostic& warning : found->ignored) messages_.show(warning);
     return std::move(found->machine);
   }
   for (Diagnostic& error : found.error()) {
     status_ = worse_status(status_, exit_status(error));
     const bool is_of_file = error.file == source.file;
-    if (is_of_file || told_.insert(error.message).second) messages_.fail(std::move(error));
+    if (is_of_file || reported_.insert(error.message).second) messages_.fail(std::move(error));
   }
   return std::nullopt;
 }

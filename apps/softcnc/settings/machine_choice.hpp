@@ -14,7 +14,7 @@
 
 namespace softcnc::app {
 
-/// What a machine file beside a part program is called: PART with the suffix .toml.
+/// Returns the name of a machine file beside a part program: PART with the suffix .toml.
 std::string name_beside(const std::string& part);
 
 /// The machine file beside a part program. Empty where nothing has its name, where that is the
@@ -23,7 +23,7 @@ std::string name_beside(const std::string& part);
 /// hal::find_machine() refuses it.
 std::string machine_beside(const std::string& part, const Options& options);
 
-/// Where the machine of a part program comes from.
+/// Returns where the machine of a part program comes from.
 hal::MachineSource machine_source(const std::string& part, const Options& options);
 
 /// Its machine, read and ready to run.
@@ -32,18 +32,18 @@ struct MachineChoice {
   std::string file_beside;  // empty: the machine is not that of a file beside the program
 };
 
-/// The machine of a part program. Warnings are shown, and all errors but the last one. Errors: the
-/// SC70xx codes; SC6015 where a run would write over a file that nobody has named.
+/// Loads the machine of a part program. Shows warnings, and all errors except the last one. Errors:
+/// the SC70xx codes; SC6015 where a run would overwrite a file that the user has not named.
 Result<MachineChoice> choose_machine(const std::string& part, const Options& options,
                                      Messages& messages);
 
-/// The machines of several programs: each file is read, and what is wrong with it told, once.
-class MachineShelf {
+/// The machines of several programs: each file is read, and its errors reported, once.
+class MachineCache {
  public:
-  MachineShelf(const Options& options, Messages& messages)
+  MachineCache(const Options& options, Messages& messages)
       : options_(options), messages_(messages) {}
 
-  /// Null where its file is wrong; that has been shown.
+  /// Returns the machine of a part program; null where its file is wrong, which has been shown.
   const Machine* of(const std::string& part);
   /// The exit status of the files that are wrong; 0: none is.
   int status() const noexcept { return status_; }
@@ -54,7 +54,7 @@ class MachineShelf {
   const Options& options_;
   Messages& messages_;
   std::map<std::string, std::optional<Machine>> machines_;  // by file
-  std::set<std::string> told_;                              // what is wrong with settings
+  std::set<std::string> reported_;                          // what is wrong with settings
   int status_ = 0;
 };
 

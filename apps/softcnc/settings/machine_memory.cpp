@@ -13,15 +13,14 @@ Result<MachineState> open_state(const std::string& file, Messages& messages) {
   std::error_code ignored;
   if (file.empty()) return MachineState();
   if (std::filesystem::exists(file, ignored) || ignored) {
-    return hal::load_state(file).map_error([&](std::vector<Diagnostic>&& faults) {
-      return messages.show_but_last(std::move(faults));
+    return hal::load_state(file).map_error([&](std::vector<Diagnostic>&& errors) {
+      return messages.show_but_last(std::move(errors));
     });
   }
-  messages.show({Code::SC7017,
-                 {},
-                 "is not there yet: work offsets, tool table and parameters begin at 0",
-                 file,
-                 {}});
+  messages.show(
+      {.code = Code::SC7017,
+       .message = "does not exist yet: work offsets, tool table and parameters begin at 0",
+       .file = file});
   return MachineState();
 }
 

@@ -11,8 +11,9 @@
 
 namespace softcnc::app {
 
-/// The state in a file; the start state if the name is empty, or there is no such file yet, which
-/// is noted. Errors: those of hal::load_state(), of which all but the last have been shown.
+/// Loads the state in a file; the start state if the name is empty or there is no such file yet,
+/// which is noted. Errors: those of hal::load_state(), of which all except the last have been
+/// shown.
 Result<MachineState> open_state(const std::string& file, Messages& messages);
 
 /// Writes a state back where it has changed.
@@ -22,7 +23,8 @@ class MachineMemory {
   /// Errors: SC6011.
   static Result<MachineMemory> open(const std::string& file, MachineState before);
 
-  /// Whether it has been written. Errors: SC6012. What is in the file is whole, the old or the new.
+  /// Writes a state that has changed and returns whether it has. Errors: SC6012. The file stays
+  /// whole.
   Result<bool> keep(const MachineState& state);
 
  private:

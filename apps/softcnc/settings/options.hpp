@@ -14,7 +14,7 @@
 
 namespace softcnc::app {
 
-enum class Command : std::uint8_t {
+enum class CommandName : std::uint8_t {
   run,
   check,
   blocks,
@@ -28,7 +28,7 @@ enum class Command : std::uint8_t {
 };
 
 struct Options {
-  Command command = Command::run;
+  CommandName command = CommandName::run;
   std::vector<std::string> files;  // PART, FILE.rec or a list of edges; "-": standard input
 
   std::string machine_file;           // of --machine; empty: the built-in machine

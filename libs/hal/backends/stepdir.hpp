@@ -13,8 +13,8 @@
 namespace softcnc::hal {
 
 /// Pulses by fine interpolation of the setpoints or by a method of reference pulses, put on wires
-/// as the driver allows, into a file or on a port. What takes the edges is the machine: where the
-/// axes are is what has been sent to them.
+/// as the driver allows, into a file or to a port. There is no feedback: the axes are taken to be
+/// where they have been sent.
 class StepDir final : public Backend {
  public:
   /// Into a file. An empty name: pulses are counted and not kept. Errors: those of

@@ -15,8 +15,9 @@ namespace {
 constexpr std::size_t kPiece = 1U << 16U;  // bytes
 
 tl::unexpected<Diagnostic> failure() {
-  return tl::make_unexpected(Diagnostic{
-      Code::SC6003, {}, "no temporary file: " + std::generic_category().message(errno), {}, {}});
+  return tl::make_unexpected(
+      Diagnostic{.code = Code::SC6003,
+                 .message = "no temporary file: " + std::generic_category().message(errno)});
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the driver of a motor asks of its step and direction lines.
+// The timing that the driver of a motor requires on its step and direction lines.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace softcnc::hal {
 
-/// What a driver asks of its lines, ns. A step is a rising edge of the step line; the direction
+/// The timing that a driver requires, ns. A step is a rising edge of the step line; the direction
 /// line is high for steps in negative direction.
 struct StepTiming {
   std::int64_t length = 0;    // the step line stays high
@@ -18,7 +18,7 @@ struct StepTiming {
   std::int64_t hold = 0;      // from the end of a step to an edge of the direction line
 };
 
-/// Returns what the machine's driver asks of its lines, in whole ns: never less.
+/// Returns the timing of the machine's driver in whole ns, never rounded down.
 StepTiming step_timing(const StepPort& port) noexcept;
 
 }  // namespace softcnc::hal

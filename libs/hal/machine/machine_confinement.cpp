@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "hal/machine/machine_reach.hpp"
+#include "hal/machine/machine_confinement.hpp"
 
 #include <string>
 #include <string_view>
@@ -7,15 +7,15 @@
 namespace softcnc::hal {
 namespace {
 
-/// A key by which a backend reaches outside, and what a machine is left with that may not.
-struct Opening {
+/// A key by which a backend reaches outside, and what a machine does without it.
+struct OutsideKey {
   BackendKind backend;
   std::string_view key;
   std::string& (*value)(Machine&);
   std::string_view without;
 };
 
-constexpr Opening kOpenings[] = {
+constexpr OutsideKey kOutsideKeys[] = {
     {BackendKind::stepdir, "backend.stepdir.file",
      [](Machine& machine) -> std::string& { return machine.step_port.file; },
      "no edges are written"},
@@ -29,7 +29,7 @@ constexpr Opening kOpenings[] = {
 constexpr std::string_view kBackendKey = "control.backend";
 
 /// Where the file of the machine gives a value; null where a setting or nobody does.
-const Place* place_in_file(const LoadedMachine& loaded, std::string_view key) {
+const GivenAt* place_in_file(const LoadedMachine& loaded, std::string_view key) {
   const auto found = loaded.given.find(key);
   return found == loaded.given.end() || found->second.file == kSettingFile ? nullptr
                                                                            : &found->second;
@@ -39,27 +39,29 @@ bool is_set(const LoadedMachine& loaded, std::string_view key) {
   return loaded.given.contains(key) && !place_in_file(loaded, key);
 }
 
-Diagnostic passed_over(const Opening& opening, std::string_view key, const Place& place) {
-  return {Code::SC7021, place.pos,
-          std::string(key) + " counts only in a machine file that --machine names: " +
-              std::string(opening.without),
-          place.file, place.line};
+Diagnostic ignored(const OutsideKey& opening, std::string_view key, const GivenAt& place) {
+  return {.code = Code::SC7021,
+          .pos = place.pos,
+          .message = std::string(key) +
+                     " is ignored unless --machine names the file: " + std::string(opening.without),
+          .file = place.file,
+          .source_line = place.line};
 }
 
 }  // namespace
 
 std::vector<Diagnostic> confine(LoadedMachine& loaded) {
   std::vector<Diagnostic> changes;
-  for (const Opening& opening : kOpenings) {
+  for (const OutsideKey& opening : kOutsideKeys) {
     if (is_set(loaded, opening.key)) continue;
-    const Place* named = place_in_file(loaded, opening.key);
-    const Place* chosen = place_in_file(loaded, kBackendKey);
+    const GivenAt* named = place_in_file(loaded, opening.key);
+    const GivenAt* chosen = place_in_file(loaded, kBackendKey);
     std::string& value = opening.value(loaded.machine);
     const bool would_reach =
         loaded.machine.control.backend == opening.backend && !value.empty() && (named || chosen);
     if (would_reach)
       changes.push_back(
-          passed_over(opening, named ? opening.key : kBackendKey, named ? *named : *chosen));
+          ignored(opening, named ? opening.key : kBackendKey, named ? *named : *chosen));
     if (named || chosen) value.clear();
     if (named) loaded.given.erase(loaded.given.find(opening.key));
   }
@@ -68,7 +70,7 @@ std::vector<Diagnostic> confine(LoadedMachine& loaded) {
 
 bool writes_default_file(const LoadedMachine& loaded) {
   Machine machine = loaded.machine;
-  for (const Opening& opening : kOpenings)
+  for (const OutsideKey& opening : kOutsideKeys)
     if (opening.backend == machine.control.backend && opening.backend != BackendKind::parport)
       return !loaded.given.contains(opening.key) && !opening.value(machine).empty();
   return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What of a machine reaches outside softcnc: files that its backend writes, ports that it opens.
+// Keys that reach outside softcnc: files that a backend writes, ports that it opens.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace softcnc::hal {
 
-/// Takes out of a machine what only its file asks for and what would reach outside; settings stay.
-/// The backend stays as well, but counts what it would have sent. Returns what that has changed:
-/// SC7021, at its place in the file.
+/// Removes from a machine what would reach outside and is not set on the command line. The backend
+/// stays, but only counts what it would have sent. Returns the changes: SC7021, with their places
+/// in the file.
 std::vector<Diagnostic> confine(LoadedMachine& loaded);
 
 /// Whether the backend in force writes a file under a name that neither a file nor a setting gives.
