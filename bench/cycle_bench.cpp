@@ -5,7 +5,8 @@
 
 #include <string>
 
-#include "session/channel.hpp"
+#include "hal/backends/backend.hpp"
+#include "session/simulate.hpp"
 
 namespace softcnc::app {
 namespace {

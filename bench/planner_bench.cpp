@@ -62,7 +62,7 @@ void plan_curve(benchmark::State& state) {
   const std::string name = kCurves.at(static_cast<std::size_t>(state.range(0)));
   const Setting& setting = kSettings.at(static_cast<std::size_t>(state.range(1)));
   const Machine machine = machine_of(setting);
-  const Block block{Move{test::curve(name), false, setting.feed / 60}, {1, 1, 1}, 1};
+  const Block block{Move{.path = test::curve(name), .feed = setting.feed / 60}, {1, 1, 1}, 1};
   Planned planned;
   double motion = 0;
   for (auto _ : state) {

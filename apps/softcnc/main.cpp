@@ -8,22 +8,23 @@
 #include <memory>
 #include <variant>
 
+#include "commands/command_line.hpp"
 #include "commands/commands.hpp"
-#include "output/messages.hpp"
-#include "output/standard_error.hpp"
-#include "realtime/out_of_memory.hpp"
-#include "realtime/signal_cleanup.hpp"
+#include "messages/messages.hpp"
+#include "process/out_of_memory.hpp"
+#include "process/signal_cleanup.hpp"
+#include "process/standard_error.hpp"
 
 namespace softcnc::app {
 namespace {
 
-/// Whether standard error is one document, with no words beside it.
+/// Returns whether standard error is one document, without other text.
 bool owns_stderr(const Options& options) {
-  return options.diagnostics != DiagnosticsFormat::text && options.command != Command::check;
+  return options.diagnostics != DiagnosticsFormat::text && options.command != CommandName::check;
 }
 
-/// Words for a person on their way to standard error.
-class Words final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
+/// Log messages for a person, written to standard error as they are.
+class StderrSink final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
  protected:
   void sink_it_(const spdlog::details::log_msg& message) override {
     spdlog::memory_buf_t text;
@@ -33,53 +34,52 @@ class Words final : public spdlog::sinks::base_sink<spdlog::details::null_mutex>
   void flush_() override {}
 };
 
-/// They go there as they are.
-void set_up_words(const Options& options) {
+void set_up_logging(const Options& options) {
   spdlog::set_default_logger(
-      std::make_shared<spdlog::logger>("softcnc", std::make_shared<Words>()));
+      std::make_shared<spdlog::logger>("softcnc", std::make_shared<StderrSink>()));
   spdlog::set_pattern("%v");
   if (options.quiet) spdlog::set_level(spdlog::level::warn);
   if (options.verbose) spdlog::set_level(spdlog::level::debug);
   if (owns_stderr(options)) spdlog::set_level(spdlog::level::off);
 }
 
-/// What nobody has expected: memory or threads that there are no more of, or a defect.
+/// Reports an unexpected exception: memory or threads have run out, or there is a defect.
 int report_exception(const std::exception& error) {
   if (const std::string lacking = lacking_resource(error); !lacking.empty())
-    return failed({Code::SC6004, {}, lacking, {}, {}});
-  return failed({Code::SC9001, {}, error.what(), {}, {}});
+    return failed({.code = Code::SC6004, .message = lacking});
+  return failed({.code = Code::SC9001, .message = error.what()});
 }
 
-/// What fails is reported by the call that fails, not by a signal; and files that are being written
-/// are removed, however softcnc ends.
+/// Failures are reported by the call that fails, not by a signal; and files that are being written
+/// are removed however softcnc ends.
 void set_up_signals() {
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond the limit of its size
-  leave_no_parts_on_signal();
-  end_well_out_of_memory();
+  clean_up_files_on_signal();
+  handle_out_of_memory();
 }
 
 int dispatch(const Options& options) {
   switch (options.command) {
-    case Command::run:
+    case CommandName::run:
       return run(options);
-    case Command::check:
+    case CommandName::check:
       return check(options);
-    case Command::blocks:
+    case CommandName::blocks:
       return blocks(options);
-    case Command::record:
+    case CommandName::record:
       return record(options);
-    case Command::replay:
+    case CommandName::replay:
       return replay(options);
-    case Command::surface:
+    case CommandName::surface:
       return surface(options);
-    case Command::machine:
+    case CommandName::machine:
       return machine(options);
-    case Command::latency:
+    case CommandName::latency:
       return latency(options);
-    case Command::pulses:
+    case CommandName::pulses:
       return pulses(options);
-    case Command::codes:
+    case CommandName::codes:
       return codes(options);
   }
   return 0;
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
   const auto parsed = parse_command_line(argc, argv);
   if (const int* status = std::get_if<int>(&parsed)) return *status;
   const auto& options = std::get<Options>(parsed);
-  set_up_words(options);
+  set_up_logging(options);
   if (owns_stderr(options)) begin_document(options.diagnostics);
   int status = 0;
   try {

@@ -19,7 +19,7 @@ struct Rectangle {
 /// along Y from the corner of the stock. Places below are relative to that corner.
 struct PointRow {
   double y;         // mm
-  int first, last;  // points of the row, behind the last one
+  int first, last;  // points of the row; the last is excluded
   double* heights;  // mm; of point 0, if it were here
 };
 

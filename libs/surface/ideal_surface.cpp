@@ -46,7 +46,7 @@ double half_side(double pick, double edge, double reach) {
 /// on the same surface.
 std::optional<IdealSurface> IdealSurface::near(std::span<const Centre> centres, double radius,
                                                double x, double y, double reach) {
-  const Centre* from = deepest_of(centres, radius, [&](const Centre& centre) {
+  const Centre* from = lowest_ball(centres, radius, [&](const Centre& centre) {
     return Ball{centre.at[0] - x, centre.at[1] - y, centre.at[2]};
   });
   if (from == nullptr) return std::nullopt;
@@ -65,20 +65,21 @@ std::optional<IdealSurface> IdealSurface::near(std::span<const Centre> centres, 
   const double wide = half_side(pick_feed(beside, kSide * strip), edge, reach);
   if (surface.lay(surface.place(centres, wide, wide), wide)) return surface;
 
-  return surface.lay_deepest(centres, beside, {x, y, 0}, edge, reach) ? std::optional(surface)
-                                                                      : std::nullopt;
+  return surface.lay_lower_envelope(centres, beside, {x, y, 0}, edge, reach)
+             ? std::optional(surface)
+             : std::nullopt;
 }
 
-bool IdealSurface::lay_deepest(std::span<const Centre> centres, std::span<const Ball> beside,
-                               const AxisVector& at, double edge, double reach) {
+bool IdealSurface::lay_lower_envelope(std::span<const Centre> centres, std::span<const Ball> beside,
+                                      const AxisVector& at, double edge, double reach) {
   const Ball middle = place(at);
   const Lattice across{middle.a, middle.b, 0, radius_ / 2, 0, kAcross};
-  const double pick = pick_feed(deepest(beside, radius_, across), kSide * kEdges * edge);
+  const double pick = pick_feed(lower_envelope(beside, radius_, across), kSide * kEdges * edge);
   const double wide = half_side(pick, edge, reach);
   if (!(wide < radius_)) return false;
   const double wider = wide + std::max(pick, edge);  // so that all balls are there up to the side
   const Lattice around{middle.a, middle.b, wide, wide, kAround, kAround};
-  auto deep = deepest(place(centres, wider, wider), radius_, around);
+  auto deep = lower_envelope(place(centres, wider, wider), radius_, around);
   std::erase_if(deep, [wide](const Ball& ball) {
     return std::abs(ball.a) > wide || std::abs(ball.b) > wide;
   });
@@ -98,7 +99,7 @@ bool IdealSurface::lies_below(std::span<const Centre> centres, const AxisVector&
       const auto seen = [&](const Centre& centre) {
         return Ball{centre.at[0] - x, centre.at[1] - y, centre.at[2]};
       };
-      const Centre* found = deepest_of(centres, radius_, seen);
+      const Centre* found = lowest_ball(centres, radius_, seen);
       if (found == nullptr) return false;
       const Ball ball = seen(*found);
       const double bottom =
@@ -140,13 +141,13 @@ bool IdealSurface::lay(std::span<const Ball> balls, double wide) {
   if (!c.allFinite()) return false;
   std::copy_n(c.data(), 6, c_.begin());
   c_[0] += z_;
-  reach(balls);
+  bound(balls);
   return std::ranges::all_of(
       balls, [&](const Ball& ball) { return std::abs(height(ball) - ball.z) <= kSmooth; });
 }
 
 /// Where centres are.
-void IdealSurface::reach(std::span<const Ball> balls) noexcept {
+void IdealSurface::bound(std::span<const Ball> balls) noexcept {
   a0_ = a1_ = b0_ = b1_ = 0;
   for (const Ball& ball : balls) {
     a0_ = std::min(a0_, ball.a / unit_);
@@ -171,8 +172,8 @@ std::optional<IdealSurface::Point> IdealSurface::at(double x, double y) const no
   const double pa = (dx * along_x_ + dy * along_y_) / unit_;
   const double pb = (dy * along_x_ - dx * along_y_) / unit_;
   const Eigen::Vector2d wanted(pa, pb);
-  const Eigen::Matrix2d bend{{2 * c_[3] / unit_, c_[4] / unit_},
-                             {c_[4] / unit_, 2 * c_[5] / unit_}};
+  const Eigen::Matrix2d curvature{{2 * c_[3] / unit_, c_[4] / unit_},
+                                  {c_[4] / unit_, 2 * c_[5] / unit_}};
   const double part = radius_ / unit_;
   Eigen::Vector2d ab = wanted, g;
   double step = std::numeric_limits<double>::infinity(), long_ = 1;
@@ -181,12 +182,12 @@ std::optional<IdealSurface::Point> IdealSurface::at(double x, double y) const no
     g = {ga, gb};
     long_ = std::sqrt(1 + g.squaredNorm());
     const Eigen::Vector2d miss = ab - wanted + part / long_ * g;
-    const Eigen::Matrix2d turned = bend - g * (g.transpose() * bend) / (long_ * long_);
+    const Eigen::Matrix2d turned = curvature - g * (g.transpose() * curvature) / (long_ * long_);
     const Eigen::Matrix2d slopes = Eigen::Matrix2d::Identity() + part / long_ * turned;
     if (!(slopes.determinant() > 0)) break;  // the ball would cut what it has left
-    const Eigen::Vector2d way = slopes.inverse() * miss;
-    ab -= way;
-    step = way.norm();
+    const Eigen::Vector2d newton = slopes.inverse() * miss;
+    ab -= newton;
+    step = newton.norm();
   }
   if (!(step <= kFound)) return std::nullopt;
   return Point{value(ab[0], ab[1]) - radius_ / long_, g[0] * along_x_ - g[1] * along_y_,

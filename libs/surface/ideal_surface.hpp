@@ -12,13 +12,13 @@
 
 namespace softcnc::surface {
 
-/// Where a ball of the radius touches what it is to make, worked out from where its centre is told
-/// to go: through the centres of neighbouring passes a surface of second degree is laid, and the
+/// Where a ball of the radius touches what it is to make, worked out from the commanded path of its
+/// centre: through the centres of neighbouring passes a surface of second degree is laid, and the
 /// ideal surface lies one radius below it. Where passes run above each other, as roughing and
 /// finishing do, those count that cut deepest.
 class IdealSurface {
  public:
-  /// A centre as commanded, which way it goes, and the Rmax asked for there (0: none is).
+  /// A centre as commanded, its direction, and the target of Rmax there (0: none).
   struct Centre {
     AxisVector at, along;  // mm; along: over one pass of the edges
     float target = 0;      // mm
@@ -50,10 +50,10 @@ class IdealSurface {
   Ball place(const AxisVector& centre) const noexcept;
   std::vector<Ball> place(std::span<const Centre> centres, double far_a, double far_b) const;
   bool lay(std::span<const Ball> balls, double wide);
-  bool lay_deepest(std::span<const Centre> centres, std::span<const Ball> beside,
-                   const AxisVector& at, double edge, double reach);
+  bool lay_lower_envelope(std::span<const Centre> centres, std::span<const Ball> beside,
+                          const AxisVector& at, double edge, double reach);
   bool lies_below(std::span<const Centre> centres, const AxisVector& at, double reach) const;
-  void reach(std::span<const Ball> balls) noexcept;
+  void bound(std::span<const Ball> balls) noexcept;
   double height(const Ball& ball) const noexcept {
     return value(ball.a / unit_, ball.b / unit_) - z_;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of balls that cut one after the other, those that leave the surface.
+// The lower envelope of balls: those that leave the surface, of all that cut it.
 #pragma once
 
 #include <cmath>
@@ -21,10 +21,10 @@ struct Lattice {
   int steps_a, steps_b;   // from the middle to the outermost
 };
 
-/// The one of `centres` whose ball reaches deepest at (0, 0); null where none reaches it. `seen`
+/// Returns the centre whose ball reaches lowest at (0, 0); null where none reaches it. `seen`
 /// makes a Ball of each.
 template <typename Centre, typename Seen>
-const Centre* deepest_of(std::span<const Centre> centres, double radius, Seen&& seen) {
+const Centre* lowest_ball(std::span<const Centre> centres, double radius, Seen&& seen) {
   const Centre* found = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const Centre& centre : centres) {
@@ -38,8 +38,9 @@ const Centre* deepest_of(std::span<const Centre> centres, double radius, Seen&& 
   return found;
 }
 
-/// Those that reach deepest at some place of the lattice, in their order: what other balls have
-/// left there, they have cut away.
-std::vector<Ball> deepest(std::span<const Ball> balls, double radius, const Lattice& lattice);
+/// Returns the balls that reach lowest at some place of the lattice, in their order: what other
+/// balls have left there, they have cut away.
+std::vector<Ball> lower_envelope(std::span<const Ball> balls, double radius,
+                                 const Lattice& lattice);
 
 }  // namespace softcnc::surface

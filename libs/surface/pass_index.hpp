@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which passes of the edges come near a place, without asking all of them.
+// The passes of the cutting edges that come near a place, without testing all of them.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ class PassIndex {
  public:
   explicit PassIndex(const ToolTrack& track);
 
-  /// Passes whose tool may touch something within, in their order, as indices into the track's.
+  /// Returns the passes whose tool may touch something within, in order, as indices into the track.
   std::vector<std::uint32_t> near(const Rectangle& place) const;
 
   std::size_t memory() const noexcept;
@@ -32,10 +32,10 @@ class PassIndex {
   std::vector<std::uint32_t> members_;
 };
 
-/// Where the tip is during a pass, seen from above.
+/// Returns where the tip is during a pass, seen from above.
 Rectangle footprint(const EdgePass& pass) noexcept;
 
-/// Square of the least distance between two rectangles, mm^2.
+/// Returns the square of the least distance between two rectangles, mm^2.
 double square_distance(const Rectangle& a, const Rectangle& b) noexcept;
 
 }  // namespace softcnc::surface

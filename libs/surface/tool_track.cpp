@@ -61,9 +61,9 @@ void ToolTrack::add(const ToolRow& row) {
   last_ = row;
 }
 
-/// Closes every pass that ends on the way to the row.
+/// Closes every pass that ends up to the row.
 void ToolTrack::close_passes(const ToolRow& row) {
-  const Stretch& stretch = stretches_.back();
+  const SpindleStretch& stretch = stretches_.back();
   const double period = tooth_period(stretch.cutter);
   pass_cutting_ = pass_cutting_ && row.cutting;
   target_ = row.target;
@@ -155,7 +155,7 @@ void ToolTrack::sample(const EdgePass& pass, std::span<AxisVector> out) const {
 }
 
 std::size_t ToolTrack::memory() const noexcept {
-  return stretches_.capacity() * sizeof(Stretch) + places_.memory() + passes_.memory();
+  return stretches_.capacity() * sizeof(SpindleStretch) + places_.memory() + passes_.memory();
 }
 
 void ToolTrack::release() const noexcept {

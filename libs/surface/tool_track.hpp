@@ -42,7 +42,7 @@ struct EdgePass {
 };
 
 /// A time over which the spindle turns evenly; it always begins in the same position.
-struct Stretch {
+struct SpindleStretch {
   Cutter cutter;
   double begin;       // s
   std::size_t first;  // of its places
@@ -98,16 +98,16 @@ class ToolTrack {
   bool begins_ = false, any_ = false;
   double begins_at_ = -1;  // s
   ToolRow last_;
-  std::vector<Stretch> stretches_;
-  LongList<Place> places_;
-  LongList<EdgePass> passes_;
+  std::vector<SpindleStretch> stretches_;
+  DiskBackedVector<Place> places_;
+  DiskBackedVector<EdgePass> passes_;
   std::optional<Place> place_;  // the last one, not yet among places_
   bool place_rests_ = false;    // where the one before is
 
   // of the pass that is not yet closed
   double pass_begin_ = 0;
   AxisVector pass_from_ = AxisVector::Zero();
-  std::vector<AxisVector> pass_tips_;  // behind its begin
+  std::vector<AxisVector> pass_tips_;  // after its begin
   std::size_t pass_number_ = 0;        // in the stretch
   bool pass_cutting_ = true, rests_ = false;
   double target_ = 0;

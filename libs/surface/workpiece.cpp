@@ -24,13 +24,13 @@ constexpr std::size_t kMostLines = std::size_t{1} << 24;  // bytes of edges that
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 /// z = slope_x x + slope_y y; heights are compared from there.
-struct Plane {
+struct SlopedPlane {
   double slope_x = 0, slope_y = 0;
   double at(double x, double y) const noexcept { return slope_x * x + slope_y * y; }
 };
 
 /// How deep a pass may reach.
-struct Bound {
+struct DepthBound {
   double base;       // mm above the plane: the lowest that any point is cut
   double diameter;   // mm
   Rectangle lowest;  // where that is; farther off it is higher
@@ -38,7 +38,8 @@ struct Bound {
 };
 
 /// Places seen from the corner.
-Bound bound_of(const EdgePass& pass, double radius, const AxisVector& corner, const Plane& plane) {
+DepthBound depth_bound(const EdgePass& pass, double radius, const AxisVector& corner,
+                       const SlopedPlane& plane) {
   const double length =
       std::sqrt(1 + plane.slope_x * plane.slope_x + plane.slope_y * plane.slope_y);
   const auto above = [&](const AxisVector& tip) {
@@ -53,10 +54,10 @@ Bound bound_of(const EdgePass& pass, double radius, const AxisVector& corner, co
 }
 
 /// The passes near a tile. Their lines are made when they are asked for, and kept for the next
-/// block as long as there is room.
-class Passes {
+/// block as long as memory allows.
+class TilePasses {
  public:
-  Passes(const ToolTrack& track, const StockGrid& grid, std::vector<std::uint32_t> members)
+  TilePasses(const ToolTrack& track, const StockGrid& grid, std::vector<std::uint32_t> members)
       : track_(track), grid_(grid), members_(std::move(members)), lines_(members_.size()) {
     for (const std::uint32_t member : members_) add_centre(track.passes()[member]);
   }
@@ -102,16 +103,16 @@ class Passes {
   double ball_ = 0;
 };
 
-/// Passes of a tile, in their order, among which are all that cut anything as low as `height` above
-/// the plane.
+/// Passes of a tile, in their order, among which are all that cut anything as low as `height`
+/// above the plane.
 struct ClosePasses {
   std::vector<std::size_t> passes;
-  Plane plane;
+  SlopedPlane plane;
   double height = -std::numeric_limits<double>::infinity();
 };
 
 /// `tile` seen from the corner.
-ClosePasses close_passes(const Passes& passes, const StockGrid& grid, const Rectangle& tile) {
+ClosePasses close_passes(const TilePasses& passes, const StockGrid& grid, const Rectangle& tile) {
   ClosePasses close;
   const double x = (tile.x0 + tile.x1) / 2, y = (tile.y0 + tile.y1) / 2;
   const auto ideal = IdealSurface::near(passes.centres(), passes.ball(), x, y, grid.step);
@@ -120,7 +121,7 @@ ClosePasses close_passes(const Passes& passes, const StockGrid& grid, const Rect
   close.plane = {point->slope_x, point->slope_y};
   close.height = point->z - close.plane.at(x, y) + kClose * passes.ball();
   for (std::size_t i = 0; i < passes.size(); ++i) {
-    const Bound bound = bound_of(passes[i], passes.radius(i), grid.corner, close.plane);
+    const DepthBound bound = depth_bound(passes[i], passes.radius(i), grid.corner, close.plane);
     if (bound.over(square_distance(bound.lowest, tile)) <= close.height) close.passes.push_back(i);
   }
   return close;
@@ -128,7 +129,7 @@ ClosePasses close_passes(const Passes& passes, const StockGrid& grid, const Rect
 
 class BlockCutter {
  public:
-  BlockCutter(const StockGrid& grid, Tile& tile, Passes& passes, const ClosePasses& close,
+  BlockCutter(const StockGrid& grid, Tile& tile, TilePasses& passes, const ClosePasses& close,
               int column, int row)
       : step_(grid.step),
         top_(grid.top),
@@ -169,16 +170,16 @@ class BlockCutter {
   bool reaches_above(const ClosePasses& close) const noexcept;
   std::vector<std::size_t> all_passes() const;
   void cut(std::span<const std::size_t> passes);
-  void cut(std::size_t pass, const Bound& bound);
+  void cut(std::size_t pass, const DepthBound& bound);
   void measure() const;
 
   double step_, top_;
   AxisVector corner_;
   Tile& tile_;
-  Passes& passes_;
+  TilePasses& passes_;
   const ClosePasses& close_;
   int column0_, row0_, column1_, row1_;
-  Plane plane_;
+  SlopedPlane plane_;
   Eigen::Array<double, Workpiece::kBlock, 1> rise_;  // of the plane along a row
   std::vector<double> highest_;                      // above the plane, by row
   std::vector<std::uint32_t> steps_;                 // of the pass that cuts
@@ -211,21 +212,21 @@ void BlockCutter::cut(std::span<const std::size_t> passes) {
   struct Candidate {
     double least;
     std::size_t pass;
-    Bound bound;
+    DepthBound bound;
     bool operator<(const Candidate& other) const noexcept {
       return least != other.least ? least < other.least : pass < other.pass;
     }
   };
   std::vector<Candidate> candidates;
   for (const std::size_t i : passes) {
-    const Bound bound = bound_of(passes_[i], passes_.radius(i), corner_, plane_);
+    const DepthBound bound = depth_bound(passes_[i], passes_.radius(i), corner_, plane_);
     candidates.push_back({bound.over(square_distance(bound.lowest, place())), i, bound});
   }
   for (auto next = candidates.begin(); next != candidates.end();) {
     const auto left = static_cast<std::size_t>(candidates.end() - next);
-    const auto behind = next + static_cast<std::ptrdiff_t>(std::min(left, kAtOnce));
-    std::partial_sort(next, behind, candidates.end());
-    for (; next != behind; ++next) {
+    const auto end = next + static_cast<std::ptrdiff_t>(std::min(left, kAtOnce));
+    std::partial_sort(next, end, candidates.end());
+    for (; next != end; ++next) {
       if (next->least >= highest()) return;
       cut(next->pass, next->bound);
     }
@@ -233,7 +234,7 @@ void BlockCutter::cut(std::span<const std::size_t> passes) {
 }
 
 /// Points of a row farther off than `wide` from where the pass reaches lowest stay as they are.
-void BlockCutter::cut(std::size_t pass, const Bound& bound) {
+void BlockCutter::cut(std::size_t pass, const DepthBound& bound) {
   const EdgeLines& lines = passes_.lines(pass);
   lines.passing(place(), steps_);
   for (int row = row0_; row < row1_; ++row) {
@@ -264,8 +265,8 @@ struct Parabola {
   double operator()(double x) const noexcept { return c0 + x * (c1 + x * c2); }
 };
 
-/// The ideal surface is smooth: within a block nine of its points tell it. Where it lies above the
-/// stock there is nothing to cut, and nothing to tell.
+/// The ideal surface is smooth: within a block nine of its points determine it. Where it lies above
+/// the stock there is nothing to cut, and nothing to report.
 void BlockCutter::measure() const {
   const double wide = step_ * (column1_ - 1 - column0_), high = step_ * (row1_ - 1 - row0_);
   IdealSurface::Point at[3][3];
@@ -316,8 +317,8 @@ Tile Workpiece::cut(int first_column, int first_row, int columns, int rows,
   tile.deviations.assign(points, kUnknown);
   const double x = grid_.corner[0] + first_column * grid_.step;
   const double y = grid_.corner[1] + first_row * grid_.step;
-  Passes passes(track_, grid_,
-                index_.near({x, y, x + tile.columns * grid_.step, y + tile.rows * grid_.step}));
+  TilePasses passes(track_, grid_,
+                    index_.near({x, y, x + tile.columns * grid_.step, y + tile.rows * grid_.step}));
   const ClosePasses close = close_passes(
       passes, grid_,
       {first_column * grid_.step, first_row * grid_.step,

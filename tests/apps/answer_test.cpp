@@ -13,9 +13,9 @@
 #include "apps/shell.hpp"
 #include "apps/talk.hpp"
 #include "hal/backends/backend.hpp"
-#include "output/messages.hpp"
-#include "realtime/signals.hpp"
-#include "session/channel.hpp"
+#include "messages/messages.hpp"
+#include "process/signals.hpp"
+#include "session/simulate.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;

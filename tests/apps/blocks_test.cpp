@@ -99,7 +99,7 @@ TEST_CASE("a block of a called file names its file", "[apps][blocks]") {
             "{\"line\":4,\"block\":4,\"kind\":\"end\",\"code\":30}\n");
 }
 
-TEST_CASE("blocks tells errors on stderr and goes on", "[apps][blocks]") {
+TEST_CASE("blocks reports errors on stderr and goes on", "[apps][blocks]") {
   const Ended ended = call("blocks $data/two_errors.nc");
   CHECK(ended.status == 1);
   CHECK(shows(ended.err, ":5:5: error: ... [SC2001]"));

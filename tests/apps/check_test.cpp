@@ -15,7 +15,7 @@ TEST_CASE("check of good programs says nothing", "[apps][check]") {
   CHECK(ended.err.empty());
 }
 
-TEST_CASE("check tells everything wrong with every file, on stdout", "[apps][check]") {
+TEST_CASE("check reports everything wrong with every file, on stdout", "[apps][check]") {
   const Ended ended = shell("cd $data; $softcnc check two_errors.nc zigzag.nc beyond.nc none.nc");
   CHECK(ended.status == 5);  // the first that applies of 2, 5, 1, 3
   CHECK(ended.err.empty());
@@ -31,7 +31,7 @@ TEST_CASE("check tells everything wrong with every file, on stdout", "[apps][che
   CHECK(shell("cd $data; $softcnc check beyond.nc").status == 3);
 }
 
-TEST_CASE("check goes on to look at the travel behind an error of the program", "[apps][check]") {
+TEST_CASE("check goes on to look at the travel after an error of the program", "[apps][check]") {
   const Ended ended = call("check -", "G01 F600 X10\nX20 Y\nX30\nX2000\nM30\n");
   CHECK(ended.status == 1);
   CHECK(shows(ended.out, "<stdin>:2:5: error: ... [SC1002]"));
@@ -68,7 +68,7 @@ TEST_CASE("check looks at the travel of lines that have no feed, or another mist
   CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 9);
 }
 
-TEST_CASE("check tells once of each axes that the moves of a line leave", "[apps][check]") {
+TEST_CASE("check reports once of each axes that the moves of a line leave", "[apps][check]") {
   const Ended ended = call("check -", "G00 X0 Y0 Z5 F100\nG99 G91 G81 X40 Y30 Z-2 R-1 L500\nM30\n");
   CHECK(ended.status == 3);
   CHECK(shows(ended.out, "<stdin>:2:1: error: X reaches ... [SC4001]"));
@@ -76,7 +76,7 @@ TEST_CASE("check tells once of each axes that the moves of a line leave", "[apps
   CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 2);
 }
 
-TEST_CASE("check tells no travel behind offsets that an error has left unknown", "[apps][check]") {
+TEST_CASE("check reports no travel after offsets that an error has left unknown", "[apps][check]") {
   const auto carets = [](const std::string& program) {
     const std::string out = call("check -", program + "M30\n").out;
     return std::count(out.begin(), out.end(), '^');
@@ -92,19 +92,19 @@ TEST_CASE("check tells no travel behind offsets that an error has left unknown",
   CHECK(carets("G51 X0 P0.5\nG0 X1500\n") == 1);
 }
 
-TEST_CASE("check tells once what is wrong with all moves of a line", "[apps][check]") {
+TEST_CASE("check reports once what is wrong with all moves of a line", "[apps][check]") {
   const Ended ended = call("check -", "G91 G81 R1 X1 Z-2000 F100 L3\nM30\n");
   CHECK(std::count(ended.out.begin(), ended.out.end(), '^') == 1);
 }
 
-TEST_CASE("check tells a wrong machine file, exit status 2", "[apps][check]") {
+TEST_CASE("check reports a wrong machine file, exit status 2", "[apps][check]") {
   const Ended ended = call("check $data/square.nc --set axis.x.velocity=3");
   CHECK(ended.status == 2);
   CHECK(shows(ended.out, "error: ... [SC7001]"));
   CHECK(ended.err.empty());
 }
 
-TEST_CASE("many errors of the planner are told with their lines in time", "[apps][check]") {
+TEST_CASE("many errors of the planner are reported with their lines in time", "[apps][check]") {
   std::string part = "G90 G01 F600\n";
   for (int i = 0; i < 20000; ++i) part += "X" + std::to_string(2000 + i % 2) + "\n";
   const Ended ended = call("check -", part + "M30\n");
@@ -176,7 +176,7 @@ TEST_CASE("check looks at the travel of a curve that is refused for something el
   CHECK(where("G05.1 X2000 Y0 I1 J..1").empty());
 }
 
-TEST_CASE("check tells of an endless loop all that it tells of others", "[apps][check]") {
+TEST_CASE("check reports of an endless loop all that it reports of others", "[apps][check]") {
   const Folder folder;
   const std::string part = folder / "part.nc";
   write(part, "(loop)\nM98 P2\nM30\nO2\nWHILE [1] DO 1\nG00 X2000\nX0 Q1\nEND 1\nM99\n");
@@ -198,7 +198,7 @@ TEST_CASE("check tells of an endless loop all that it tells of others", "[apps][
                          part + ":2:1: note: called from here\n");
 }
 
-TEST_CASE("a diagnostic in a subprogram tells the calls that led there", "[apps][check]") {
+TEST_CASE("a diagnostic in a subprogram names the calls that led there", "[apps][check]") {
   const Folder folder;
   write(folder / "part.nc", "(calls)\no<middle> call\nM30\n");
   write(folder / "middle.nc", "o<middle> sub\n  o<inner> call [1]\no<middle> endsub\n");
@@ -223,7 +223,7 @@ TEST_CASE("a diagnostic in a subprogram tells the calls that led there", "[apps]
                    "\"message\":{\"text\":\"called from here\"}},") != std::string::npos);
 }
 
-TEST_CASE("what the planner tells of a subprogram tells its calls too", "[apps][check]") {
+TEST_CASE("what the planner reports of a subprogram names its calls too", "[apps][check]") {
   const Ended ended =
       call("check -", "O1\nM98 P2\nG0 X0\nM98 P3\nM30\nO2\nG0 X1\nM99\nO3\nG0 X5000\nM99\n");
   CHECK(ended.status == 3);
@@ -244,8 +244,7 @@ TEST_CASE("a program that cannot be read to its end is reported once", "[apps][c
   }
 }
 
-TEST_CASE("check tells of a loop without an end, not where its later rounds lead",
-          "[apps][check]") {
+TEST_CASE("check reports a loop without an end, not where its later rounds lead", "[apps][check]") {
   const Folder folder;
   const std::string part = folder / "part.nc";
   const auto told = [&](const std::string& program) {

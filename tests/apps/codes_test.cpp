@@ -36,7 +36,7 @@ TEST_CASE("codes says what one code means, however it is written", "[apps][codes
   CHECK(call("codes sc2103 G02").out == call("codes SC2103").out + g02);
 }
 
-TEST_CASE("codes tells words, group and order of a code", "[apps][codes]") {
+TEST_CASE("codes lists words, group and order of a code", "[apps][codes]") {
   CHECK(call("codes G41").out ==
         "G41     D L                 The tool runs left of the contour, by its radius; D: that of "
         "another tool (fanuc: without D the last).\n"
@@ -56,7 +56,7 @@ TEST_CASE("codes tells words, group and order of a code", "[apps][codes]") {
 }
 
 TEST_CASE("help names the codes, and codes --help lists them", "[apps][codes]") {
-  CHECK(call("--help").out.find("softcnc codes G41 all about one of them") != std::string::npos);
+  CHECK(call("--help").out.find("'softcnc codes G41' explains one of them") != std::string::npos);
   const Ended help = call("codes --help");
   CHECK(help.status == 0);
   CHECK(help.out.find(call("codes").out) != std::string::npos);

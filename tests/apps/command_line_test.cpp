@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the program understands, and how it tells what it does not.
+// What the program understands, and how it reports what it does not.
 #include <catch2/catch.hpp>
 
 #include "apps/shell.hpp"
@@ -29,20 +29,20 @@ TEST_CASE("a word that is no command is named, with the commands and the nearest
     CHECK(ended.out.empty());
     return ended.err;
   };
-  CHECK(refused("rum p.nc") == "'rum' is no command; did you mean 'run'?" + kKnown);
-  CHECK(refused("chekc p.nc") == "'chekc' is no command; did you mean 'check'?" + kKnown);
-  CHECK(refused("report p.nc") == "'report' is no command; did you mean 'record'?" + kKnown);
-  CHECK(refused("simulate p.nc") == "'simulate' is no command" + kKnown);
+  CHECK(refused("rum p.nc") == "'rum' is not a command; did you mean 'run'?" + kKnown);
+  CHECK(refused("chekc p.nc") == "'chekc' is not a command; did you mean 'check'?" + kKnown);
+  CHECK(refused("report p.nc") == "'report' is not a command; did you mean 'record'?" + kKnown);
+  CHECK(refused("simulate p.nc") == "'simulate' is not a command" + kKnown);
   CHECK(refused("--loud") == "--loud: a command is missing" + kKnown);
-  CHECK(refused("part.nc") == "'part.nc' is no command; 'softcnc run part.nc' runs it" + kKnown);
-  CHECK(refused("- --dry-run") == "'-' is no command; 'softcnc run -' runs it" + kKnown);
+  CHECK(refused("part.nc") == "'part.nc' is not a command; 'softcnc run part.nc' runs it" + kKnown);
+  CHECK(refused("- --dry-run") == "'-' is not a command; 'softcnc run -' runs it" + kKnown);
 }
 
 TEST_CASE("of a name that an option does not know the nearest is named", "[apps][cli]") {
   CHECK(shows(call("run --dialect fanux p.nc").err,
-              "'fanux' is none of fanuc, linuxcnc; did you mean 'fanuc'?"));
+              "'fanux' is not one of fanuc, linuxcnc; did you mean 'fanuc'?"));
   CHECK(shows(call("run --backend hal-streams p.nc").err, "; did you mean 'hal-stream'?"));
-  CHECK(shows(call("check --diagnostics xml p.nc").err, "'xml' is none of text, json, sarif\n"));
+  CHECK(shows(call("check --diagnostics xml p.nc").err, "'xml' is not one of text, json, sarif\n"));
 }
 
 TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
@@ -115,7 +115,7 @@ TEST_CASE("an unknown option is named, whatever follows it", "[apps][cli]") {
     const std::string name = all.substr(begin, all.find_first_of(" =", begin) - begin);
     const std::string meant = name == "--real-time" ? "; did you mean '--realtime'?" : "";
     const std::string says =
-        name + ": no such option of run" + meant + "\nRun with --help for more information.\n";
+        name + ": no such option of 'run'" + meant + "\nRun with --help for more information.\n";
     const Ended behind = call("run $data/square.nc " + all);
     CHECK(behind.status == 2);
     CHECK(behind.err == says);
@@ -154,7 +154,7 @@ TEST_CASE("a feed override outside 0 to 200 percent is refused", "[apps][cli]") 
     CHECK(call(std::string("run -q $data/square.nc --feed-override ") + percent).status == 2);
   }
   CHECK(call("run $data/square.nc --feed-override 0").err ==
-        "--feed-override: takes a percentage above 0, at most 200\n"
+        "--feed-override: takes a percentage above 0 and at most 200\n"
         "Run with --help for more information.\n");
 }
 
@@ -182,7 +182,7 @@ TEST_CASE("a folder is no part program", "[apps][cli]") {
   CHECK(shows(ended.err, "error: cannot be read: Is a directory... [SC6001]"));
 }
 
-TEST_CASE("full disks and closed pipes are told apart", "[apps][cli]") {
+TEST_CASE("full disks and closed pipes are distinguished", "[apps][cli]") {
   for (const char* command :
        {"run -q --dry-run $data/square.nc", "blocks $data/square.nc", "machine", "--help",
         "run --help", "--version", "check $data/two_errors.nc"}) {

@@ -71,7 +71,7 @@ TEST_CASE("a circle is smaller by the closed form, and that is said", "[apps][co
   const std::string& shown = circle.ended.err;
   CHECK(shown.find("contour error 2") != std::string::npos);
   CHECK(shown.find("v^2/(2 R Kv^2), here R 50 mm at F3000 by 27.8 um") != std::string::npos);
-  CHECK(shown.find("at F1800 in the sharpest bend (R 50 mm)") != std::string::npos);
+  CHECK(shown.find("at F1800 in the sharpest curve (R 50 mm)") != std::string::npos);
 }
 
 TEST_CASE("the feed that the summary names leaves what it says", "[apps][contour]") {

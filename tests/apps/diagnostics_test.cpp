@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
-#include "output/diagnostic_document.hpp"
+#include "messages/diagnostic_document.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;
@@ -45,7 +45,7 @@ void check_sarif(const json& log) {
 
 }  // namespace
 
-TEST_CASE("check tells everything as one JSON array on stdout", "[apps][diagnostics]") {
+TEST_CASE("check reports everything as one JSON array on stdout", "[apps][diagnostics]") {
   const Ended ended = shell(
       "cd $data; $softcnc check --diagnostics json two_errors.nc zigzag.nc beyond.nc none.nc");
   CHECK(ended.status == 5);
@@ -141,11 +141,12 @@ TEST_CASE("other commands write the document to stderr, and no word beside it",
   CHECK(json::parse(call("machine --diagnostics json --set a=1").err)[0]["code"] == "SC7001");
   CHECK(json::parse(call("replay --diagnostics json none.rec").err).size() == 1);
   CHECK(call("run --diagnostics json --progress json $data/square.nc").err ==
-        "--progress json and --diagnostics both want standard error\n"
+        "--progress json and --diagnostics both use standard error\n"
         "Run with --help for more information.\n");
 }
 
-TEST_CASE("a document that cannot be written is an error, told as text", "[apps][diagnostics]") {
+TEST_CASE("a document that cannot be written is an error, reported as text",
+          "[apps][diagnostics]") {
   for (const char* form : {"json", "sarif"}) {
     const Ended ended =
         call(std::string("check --diagnostics ") + form + " $data/square.nc >/dev/full");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // --at: override, hold and resume at given moments of a run, the same in its replay.
-#include "commands/feed_script.hpp"
+#include "session/feed_script.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -53,10 +53,10 @@ TEST_CASE("a recording keeps the events, and a replay answers them", "[apps][rec
   CHECK(call("replay -q " + file).status == 0);
 }
 
-TEST_CASE("a moment behind the end is told", "[apps][replan]") {
+TEST_CASE("a moment after the end is reported", "[apps][replan]") {
   const Ended ended = call("run --dry-run --trace /dev/null --at 60:override=50 -", kPart);
   CHECK(ended.status == 0);
-  CHECK(ended.err.find("--at 60:override=50 was not reached: the program had ended\n") !=
+  CHECK(ended.err.find("--at 60:override=50 was not reached: the program ended first\n") !=
         std::string::npos);
 }
 

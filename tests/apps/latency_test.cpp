@@ -34,7 +34,7 @@ TEST_CASE("percentiles, overruns and the shortest period follow from the wake-up
   CHECK(lateness.percentile(1) == 250'000'000);
 }
 
-TEST_CASE("percentiles tell lateness of any size", "[apps]") {
+TEST_CASE("percentiles describe lateness of any size", "[apps]") {
   constexpr std::int64_t kMs = 1'000'000;
   for (const std::int64_t unit : {kMs, 100 * kMs, 3'600'000 * kMs}) {
     CAPTURE(unit);
@@ -62,7 +62,7 @@ TEST_CASE("the time to measure is a bound, however short the period", "[apps]") 
   CHECK(ended.status == 0);
   const auto report = nlohmann::json::parse(read(folder / "r.json"));
   CHECK(report["wakeups"].get<int>() + report["left_out"].get<int>() == 300'000);
-  const bool told = ended.out.find("  no time for   ") != std::string::npos;
+  const bool told = ended.out.find("  skipped       ") != std::string::npos;
   CHECK(told == (report["left_out"] > 0));
   CHECK(told != (ended.out.find("this computer keeps ") != std::string::npos));
 }
@@ -74,7 +74,7 @@ TEST_CASE("the clock is waited for", "[apps]") {
   sleep_until(begin);  // past: at once
 }
 
-TEST_CASE("latency tells wake-ups, rates and the feed of each axis", "[apps]") {
+TEST_CASE("latency reports wake-ups, rates and the feed of each axis", "[apps]") {
   const Folder folder;
   const Ended ended =
       call("latency --seconds 0.2 --period-us 500 --set axis.y.blu_um=10 --report " +

@@ -48,7 +48,7 @@ TEST_CASE("the values of machine stand below each other", "[apps][machine]") {
   CHECK(count > 50);
 }
 
-TEST_CASE("every command tells all that is wrong with its machine", "[apps][machine]") {
+TEST_CASE("every command reports all that is wrong with its machine", "[apps][machine]") {
   const Folder folder;
   const std::string mill = folder / "mill.toml", recording = folder / "part.rec";
   REQUIRE(call("record -q $data/square.nc -o " + recording).status == 0);

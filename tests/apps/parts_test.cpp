@@ -2,10 +2,10 @@
 // Parts of the program that are easier asked directly.
 #include <catch2/catch.hpp>
 
-#include "job/row_comparison.hpp"
 #include "job/terminal.hpp"
-#include "output/messages.hpp"
-#include "output/progress.hpp"
+#include "messages/duration_text.hpp"
+#include "messages/messages.hpp"
+#include "recording/row_comparison.hpp"
 #include "session/verification.hpp"
 
 using namespace softcnc;
@@ -71,7 +71,7 @@ TEST_CASE("the same excess by a method of the literature is a note", "[apps][par
         "of 1 um [SC4003]\n");
 }
 
-TEST_CASE("a large excess is told in plain digits", "[apps][parts]") {
+TEST_CASE("a large excess is reported in plain digits", "[apps][parts]") {
   Machine machine;
   machine.control.interpolation = Method::taylor1;
   Measured measured;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Backends that lead out of softcnc, from outside: what arrives, and what is told when it cannot.
+// Backends that lead out of softcnc, from outside: what arrives, and what is reported when it
+// cannot.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>

@@ -75,7 +75,7 @@ TEST_CASE("preview, mill and replay make the same pulses", "[apps][pulse]") {
   CHECK(call("check " + options).out.find("SC4") == std::string::npos);
 }
 
-TEST_CASE("a move that the paper's clock cannot make is told with its place", "[apps][pulse]") {
+TEST_CASE("a move that the paper's clock cannot make is reported with its place", "[apps][pulse]") {
   const Folder folder;
   write(folder / "p.nc", "G90 F600\nG01 X5\n  G01 X6 Y7\nM30\n");
   const Ended ended = call("check " + (folder / "p.nc") +

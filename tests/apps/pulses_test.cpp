@@ -40,7 +40,7 @@ TEST_CASE("pulses counts and measures what keeps the rules", "[apps][pulse]") {
       "     0\n"
       "  z                1           1          -       7000          -          -          -   "
       "     0\n"
-      "  asked for                           10000       2500       2500       5000       5000\n");
+      "  required                            10000       2500       2500       5000       5000\n");
   const auto report = nlohmann::json::parse(read(folder / "r.json"));
   CHECK(report["edges"] == 9);
   CHECK(report["steps"] == 4);
@@ -54,8 +54,8 @@ TEST_CASE("pulses counts and measures what keeps the rules", "[apps][pulse]") {
 
 TEST_CASE("pulses finds a broken rule of each kind", "[apps][pulse][code]") {
   CHECK(told("#10 1s #12 0s\n") ==
-        "<stdin>:6:12: error: x at 12000 ns: step length 2000 ns, at least 2500 ns is asked "
-        "for [SC4090]\n"
+        "<stdin>:6:12: error: x at 12000 ns: step length 2000 ns, at least 2500 ns is "
+        "required [SC4090]\n"
         "    6 | #10 1s #12 0s\n"
         "      |            ^~\n");
   CHECK(begins_showing(
@@ -76,13 +76,13 @@ TEST_CASE("pulses finds a broken rule of each kind", "[apps][pulse][code]") {
   CHECK(told("#10 1z #13 0z 0z\n")
             .starts_with("<stdin>:6:15: error: z at 13000 ns: the line is low already [SC4090]\n"));
   CHECK(told("#10 1z #13 0z #9 1d\n")
-            .starts_with("<stdin>:6:18: error: x at 9000 ns: comes before the edge ahead of "
-                         "it, at 13000 ns [SC4090]\n"));
+            .starts_with("<stdin>:6:18: error: x at 9000 ns: comes before the previous edge, "
+                         "at 13000 ns [SC4090]\n"));
   CHECK(told("#10 1s\n") ==
         "<stdin>: error: x at 10000 ns: the step that begins here has no end [SC4090]\n");
 }
 
-TEST_CASE("pulses tells every broken rule, in order, and how many there are", "[apps][pulse]") {
+TEST_CASE("pulses reports every broken rule, in order, and how many there are", "[apps][pulse]") {
   const Ended ended = judged("#10 1s #12 0s #13 1s #15 0s\n");
   CHECK(ended.status == 3);
   CHECK(
@@ -111,7 +111,7 @@ TEST_CASE("the machine says what its drivers ask for", "[apps][pulse]") {
              "axis.z.velocity_mm_min=12500",
              list)
             .err.starts_with("<stdin>:7:5: error: x at 19000 ns: step interval 9000 ns, at "
-                             "least 12000 ns is asked for [SC4090]\n"));
+                             "least 12000 ns is required [SC4090]\n"));
   CHECK(call("pulses - --machine /no/such.toml", list).status == 2);
   CHECK(call("pulses - --set backend.stepdir.max_rate=1", list).status == 2);
 }

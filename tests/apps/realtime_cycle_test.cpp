@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run by the clock: the same rows, in their time; and what is told when that was not kept.
+// A run by the clock: the same rows, in their time; and what is reported when that was not kept.
 #include "realtime/realtime_cycle.hpp"
 
 #include <catch2/catch.hpp>
@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "apps/shell.hpp"
-#include "job/job.hpp"
+#include "job/run_diagnostics.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc;
@@ -67,7 +67,7 @@ Setpoint at(int i) {
   return setpoint;
 }
 
-void drive(PacedCycle& cycle, int count, int begin = 0) {
+void drive(RealtimeCycle& cycle, int count, int begin = 0) {
   for (int i = begin; i < begin + count; ++i) cycle.exchange(at(i));
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("every setpoint is exchanged once, in order, in its period", "[apps][r
   Fickle backend;
   Kept rows;
   const std::int64_t begin = now_ns();
-  PacedCycle cycle(backend, kPeriod, &rows);
+  RealtimeCycle cycle(backend, kPeriod, &rows);
   drive(cycle, 700);
   cycle.rest();
   CHECK(now_ns() - begin >= 699'000'000);
@@ -123,7 +123,7 @@ TEST_CASE("every setpoint is exchanged once, in order, in its period", "[apps][r
 TEST_CASE("pulses of a setpoint reach the backend, though theirs are gone", "[apps][realtime]") {
   Fickle backend;
   Kept rows;
-  PacedCycle cycle(backend, kPeriod, &rows);
+  RealtimeCycle cycle(backend, kPeriod, &rows);
   std::vector<TimedStep> steps;
   for (int i = 0; i < 20; ++i) {
     steps.assign(static_cast<std::size_t>(i), {0.5, Step(0, 1)});
@@ -138,7 +138,7 @@ TEST_CASE("pulses of a setpoint reach the backend, though theirs are gone", "[ap
 TEST_CASE("where the program waits the clock goes on, and nothing is missed", "[apps][realtime]") {
   Fickle backend;
   Kept rows;
-  PacedCycle cycle(backend, kPeriod, &rows);
+  RealtimeCycle cycle(backend, kPeriod, &rows);
   drive(cycle, 10);
   cycle.rest();
   sleep_until(now_ns() + 30'000'000);
@@ -153,7 +153,7 @@ TEST_CASE("a backend that takes too long is an overrun, and so is a plan", "[app
   Fickle backend;
   backend.slow_at = 100;
   backend.slow_for = 20'000'000;
-  PacedCycle slow(backend, kPeriod, nullptr);
+  RealtimeCycle slow(backend, kPeriod, nullptr);
   drive(slow, 300);
   slow.rest();
   slow.stop();
@@ -162,7 +162,7 @@ TEST_CASE("a backend that takes too long is an overrun, and so is a plan", "[app
   CHECK(slow.punctuality().lateness.largest() >= 18'000'000);
 
   Fickle quick;
-  PacedCycle starved(quick, kPeriod, nullptr);
+  RealtimeCycle starved(quick, kPeriod, nullptr);
   drive(starved, 400);  // enough to begin with
   sleep_until(now_ns() + 1'500'000'000);
   drive(starved, 10, 400);
@@ -176,7 +176,7 @@ TEST_CASE("after an alarm nothing is exchanged any more", "[apps][realtime]") {
   Fickle backend;
   backend.alarm_at = 50;
   Kept rows;
-  PacedCycle cycle(backend, kPeriod, &rows);
+  RealtimeCycle cycle(backend, kPeriod, &rows);
   drive(cycle, 400);
   cycle.rest();
   cycle.stop();
@@ -187,11 +187,11 @@ TEST_CASE("after an alarm nothing is exchanged any more", "[apps][realtime]") {
   CHECK(cycle.feedback().alarm_axis == 1);
 }
 
-TEST_CASE("rows that nobody wants any more are told", "[apps][realtime]") {
+TEST_CASE("rows that nobody wants any more are reported", "[apps][realtime]") {
   Fickle backend;
   Kept rows;
   rows.most = 5;
-  PacedCycle cycle(backend, kPeriod, &rows);
+  RealtimeCycle cycle(backend, kPeriod, &rows);
   drive(cycle, 20);
   cycle.rest();
   CHECK_FALSE(cycle.collect());
@@ -199,7 +199,7 @@ TEST_CASE("rows that nobody wants any more are told", "[apps][realtime]") {
 }
 
 TEST_CASE("a queue between two threads loses nothing and keeps its bound", "[apps][realtime]") {
-  PacedQueue<int> queue(100);
+  RealtimeQueue<int> queue(100);
   constexpr int kItems = 300'000;
   std::thread planner([&] {
     for (int i = 0; i < kItems;) i += queue.push(i) ? 1 : 0;
@@ -207,11 +207,11 @@ TEST_CASE("a queue between two threads loses nothing and keeps its bound", "[app
   });
   int expected = 0;
   for (int item = -1; expected < kItems;)
-    if (queue.take(item) == PacedQueue<int>::Next::item && item == expected) ++expected;
+    if (queue.take(item) == RealtimeQueue<int>::Next::item && item == expected) ++expected;
   planner.join();
   CHECK(expected == kItems);
   int item = 0;
-  CHECK(queue.take(item) == PacedQueue<int>::Next::stands);
+  CHECK(queue.take(item) == RealtimeQueue<int>::Next::stands);
   for (int i = 0; i < 100; ++i) REQUIRE(queue.push(i));
   CHECK_FALSE(queue.push(100));
 }

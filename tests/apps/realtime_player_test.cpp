@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The thread that writes to a parallel port: all words, in order; and at rest on every way out.
-#include "realtime/realtime_player.hpp"
+#include "job/open_player.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -30,13 +30,13 @@ Machine on_port() {
   return machine;
 }
 
-std::unique_ptr<PacedPlayer> open(const Machine& machine, PortRecord& record) {
-  auto player = PacedPlayer::open(machine, std::make_unique<RecordedPort>(record));
+std::unique_ptr<RealtimePlayer> open(const Machine& machine, PortRecord& record) {
+  auto player = open_player(machine, std::make_unique<RecordedPort>(record));
   REQUIRE(player);
   return std::move(*player);
 }
 
-/// Words that can be told from each other.
+/// Words that can be distinguished from each other.
 std::vector<hal::PortWord> words(int count, int begin = 0) {
   std::vector<hal::PortWord> all;
   for (int i = 0; i < count; ++i)
@@ -120,14 +120,14 @@ TEST_CASE("an input that comes on ends it at rest, at once", "[apps][parport]") 
 TEST_CASE("nothing is enabled while an input is on", "[apps][parport]") {
   PortRecord record;
   record.status = 0x20;
-  const auto refused = PacedPlayer::open(on_port(), std::make_unique<RecordedPort>(record));
+  const auto refused = open_player(on_port(), std::make_unique<RecordedPort>(record));
   REQUIRE_FALSE(refused);
   CHECK(refused.error().code == Code::SC5033);
   CHECK(is_at_rest(record));
   for (const std::uint8_t data : data_of(record)) CHECK((data & 0x40) == 0);
 }
 
-TEST_CASE("a port that fails is told", "[apps][parport]") {
+TEST_CASE("a port that fails is reported", "[apps][parport]") {
   PortRecord record;
   auto player = open(on_port(), record);
   CHECK(player->play(words(6'000)) == Alarm::none);
@@ -149,7 +149,7 @@ TEST_CASE("a player that goes away leaves the port at rest", "[apps][parport]") 
 
 namespace {
 
-/// A port whose writes take as long as a hundred base periods, but for that of the rest.
+/// A port whose writes take as long as a hundred base periods, except that of the rest.
 class SlowPort final : public hal::PortRegisters {
  public:
   explicit SlowPort(std::atomic<int>& written) : written_(written) {}
@@ -168,9 +168,9 @@ class SlowPort final : public hal::PortRegisters {
 
 }  // namespace
 
-TEST_CASE("behind an abandoned player nothing is written any more", "[apps][parport]") {
+TEST_CASE("after an abandoned player nothing is written any more", "[apps][parport]") {
   std::atomic<int> written{0};
-  auto player = PacedPlayer::open(on_port(), std::make_unique<SlowPort>(written));
+  auto player = open_player(on_port(), std::make_unique<SlowPort>(written));
   REQUIRE(player);
   (*player)->play(words(6'000));
   for (int i = 0; i < 1000 && written < 5; ++i) sleep_until(now_ns() + 1'000'000);
@@ -205,7 +205,7 @@ TEST_CASE("a signal that ends the process leaves the port at rest", "[apps][parp
   const pid_t child = ::fork();
   if (child == 0) {
     std::signal(signal, SIG_DFL);
-    auto player = PacedPlayer::open(on_port(), std::make_unique<TellingPort>(pipe[1]));
+    auto player = open_player(on_port(), std::make_unique<TellingPort>(pipe[1]));
     if (!player) ::_exit(1);
     (*player)->play(words(6'000));
     sleep_until(now_ns() + 30'000'000);
@@ -237,6 +237,6 @@ TEST_CASE("a parallel port that is not there, or none, is status 5", "[apps][par
       "/dev/parport77: error: there is no such port (open: No such file or directory) [SC6072]\n");
   const app::test::Ended wrong = app::test::call(run + "/dev/null $data/square.nc");
   CHECK(wrong.status == 5);
-  CHECK(shows(wrong.err, "error: this is no parallel port... [SC6072]"));
+  CHECK(shows(wrong.err, "error: this is not a parallel port... [SC6072]"));
   CHECK(app::test::call(run + "'\"\"' $data/square.nc").status == 0);
 }

@@ -9,12 +9,12 @@
 #include "apps/shell.hpp"
 #include "hal/files/hash.hpp"
 #include "hal/files/zip_file.hpp"
-#include "job/recording_meta.hpp"
+#include "recording/recording_meta.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc::app::test;
 using nlohmann::json;
-using softcnc::hal::Packing;
+using softcnc::hal::Compression;
 using softcnc::hal::ZipReader;
 using softcnc::hal::ZipWriter;
 
@@ -167,7 +167,7 @@ TEST_CASE("a recording keeps the format that was asked for", "[apps][recording]"
   held.meta = meta.dump();
   pack(file, held);
   CHECK(call("replay -q " + file).err ==
-        file + ": error: was made of a format this version does not know: 'step' [SC6022]\n");
+        file + ": error: was made in a format this version does not know: 'step' [SC6022]\n");
 }
 
 TEST_CASE("one BLU in one row is a difference: the row is shown, exit status 1",
@@ -185,10 +185,11 @@ TEST_CASE("one BLU in one row is a difference: the row is shown, exit status 1",
   CHECK(ended.out.find("\n! x_mm ") != std::string::npos);
   CHECK(ended.out.find("\n  y_mm ") != std::string::npos);
   CHECK(ended.out.find(trace.word(320, "x_mm") + "  -0.0025\n") != std::string::npos);
-  CHECK(shows(ended.err,
-              ".rec: error: row 321 differs: at 0.32 s, line ..., x_mm is ... in the recording "
-              "and ... here; another path, or another part of it: the tool is 0.0025 mm away "
-              "[SC6023]\n"));
+  CHECK(
+      shows(ended.err,
+            ".rec: error: row 321 differs: at 0.32 s, line ..., x_mm is ... in the recording "
+            "and ... here; a different path, or a different part of it: the tool is 0.0025 mm away "
+            "[SC6023]\n"));
 }
 
 TEST_CASE("a difference is a diagnostic for programs, too", "[apps][recording]") {
@@ -275,7 +276,7 @@ TEST_CASE("rows that only one of the two has are a difference", "[apps][recordin
   Ended ended = call("replay " + file);
   CHECK(ended.status == 1);
   CHECK(ended.out.starts_with(file + ": row " + std::to_string(rows) +
-                              " is not in the recording, which ends before\n"));
+                              " is not in the recording, which ends earlier\n"));
 
   Content longer = held;
   longer.trace += longer.trace.substr(longer.trace.rfind('\n', longer.trace.size() - 2) + 1);
@@ -283,7 +284,7 @@ TEST_CASE("rows that only one of the two has are a difference", "[apps][recordin
   ended = call("replay " + file);
   CHECK(ended.status == 1);
   CHECK(ended.out.starts_with(file + ": row " + std::to_string(rows + 1) +
-                              " is recorded, but the replay ends before\n"));
+                              " is recorded, but the replay ends earlier\n"));
 }
 
 TEST_CASE("another machine shows where it first differs", "[apps][recording]") {
@@ -294,16 +295,17 @@ TEST_CASE("another machine shows where it first differs", "[apps][recording]") {
   const Ended ended = call("replay " + file + " --machine " + (folder / "two.toml"));
   CHECK(ended.status == 1);
   CHECK(ended.out.find("the columns differ\n") != std::string::npos);
-  CHECK(ended.err.find(file + ": not on the machine of the recording: its hash is ") !=
+  CHECK(ended.err.find(file +
+                       ": replayed on a machine other than that of the recording: its hash is ") !=
         std::string::npos);
 }
 
-TEST_CASE("the machine of the recording is not told of", "[apps][recording]") {
+TEST_CASE("the machine of the recording is not reported", "[apps][recording]") {
   const Folder folder;
   const std::string file = recorded(folder);
   CHECK(call("replay " + file).err.find("not on the machine") == std::string::npos);
   const Ended set = call("replay " + file + " --set axis.x.acceleration_mm_s2=900");
-  CHECK(set.err.find("not on the machine of the recording") != std::string::npos);
+  CHECK(set.err.find("on a machine other than that of the recording") != std::string::npos);
 }
 
 TEST_CASE("a damaged recording is refused with SC6021, exit status 5", "[apps][recording]") {
@@ -328,7 +330,7 @@ TEST_CASE("a damaged recording is refused with SC6021, exit status 5", "[apps][r
   flipped[bytes.size() / 2] ^= 1;
   write(file, flipped);
   refused("");
-  // One bit of the trace, in its first rows and its last ones: told before any row is compared.
+  // One bit of the trace, in its first rows and its last ones: reported before any row is compared.
   const std::size_t trace = bytes.find("trace.csv.zst") + std::string("trace.csv.zst").size();
   const std::size_t directory = bytes.find("PK\x01\x02", trace);
   REQUIRE(directory != std::string::npos);
@@ -344,15 +346,15 @@ TEST_CASE("a damaged recording is refused with SC6021, exit status 5", "[apps][r
   Content other = held;
   other.program += "\n";
   pack(file, other);
-  refused("program in it is not what was recorded: its hash differs");
+  refused("its program is not what was recorded: the hash differs");
   other = held;
   other.meta = "{";
   pack(file, other);
-  refused("has a meta.json that says: ");
+  refused("its meta.json is invalid: ");
   other = held;
   other.trace.insert(0, "# more\n");
   pack(file, other);
-  refused("trace.csv.zst in it is not what was recorded: its hash differs");
+  refused("its trace.csv.zst is not what was recorded: the hash differs");
 }
 
 TEST_CASE("a recording of a later form is refused with SC6022", "[apps][recording]") {
@@ -399,7 +401,7 @@ TEST_CASE("a meta.json that was changed is noticed", "[apps][recording]") {
           meta = nlohmann::ordered_json::parse(softcnc::app::sealed_meta(meta.dump()));
         }).status == 0);
   const std::string differs =
-      file + ": error: meta.json in it is not what was recorded: its hash differs [SC6021]\n";
+      file + ": error: its meta.json is not what was recorded: the hash differs [SC6021]\n";
   CHECK(replayed_with(file, held, [](auto& meta) { meta["trace"]["rows"] = 7; }).err == differs);
   CHECK(replayed_with(file, held, [](auto& meta) { meta["more"] = 7; }).err == differs);
   CHECK(replayed_with(file, held, [](auto& meta) { meta["options"]["block_skip"] = true; }).err ==
@@ -416,9 +418,10 @@ TEST_CASE("a meta.json that was changed is noticed", "[apps][recording]") {
   };
   CHECK(of_first([](auto&) {}).status == 0);
   CHECK(of_first([](auto& meta) { meta["trace"]["rows"] = -1; }).err ==
-        file + ": error: has a meta.json that says: -1 rows [SC6021]\n");
-  CHECK(begins_showing(of_first([](auto& meta) { meta["trace"]["rows"] = 7; }).err,
-                       file + ": error: meta.json in it says 7 rows, its trace has ... [SC6021]"));
+        file + ": error: its meta.json has an invalid number of rows: -1 [SC6021]\n");
+  CHECK(
+      begins_showing(of_first([](auto& meta) { meta["trace"]["rows"] = 7; }).err,
+                     file + ": error: its meta.json promises 7 rows, its trace has ... [SC6021]"));
   CHECK(of_first([](auto& meta) { meta["trace"]["rows"] = 1e300; }).status == 5);
   CHECK(of_first([](auto& meta) { meta["options"]["feed_override"] = -1; }).status == 5);
   CHECK(of_first([](auto& meta) { meta["options"]["feed_override"] = 1e300; }).status == 5);
@@ -433,8 +436,7 @@ TEST_CASE("a meta.json nested deeply, or naming a file twice, is refused", "[app
   pack(file, held);
   const Ended deep = call("replay " + file);
   CHECK(deep.status == 5);
-  CHECK(deep.err ==
-        file + ": error: has a meta.json that is nested deeper than 16 levels [SC6021]\n");
+  CHECK(deep.err == file + ": error: its meta.json is nested deeper than 16 levels [SC6021]\n");
   held.meta = std::string(1'000'000, '[');
   pack(file, held);
   CHECK(call("replay " + file).status == 5);
@@ -498,9 +500,8 @@ TEST_CASE("a recording may come from standard input where that is a file", "[app
   CHECK(ended.status == 0);
   CHECK(ended.err.starts_with("<stdin>: "));
   const std::string refused =
-      ": error: cannot be read as a recording: it is no regular file, and a recording is read at "
-      "any "
-      "place [SC6021]\n";
+      ": error: cannot be read as a recording: it is not a regular file, which a recording must "
+      "be [SC6021]\n";
   CHECK(shell("$softcnc replay - < /dev/null").err == "<stdin>" + refused);
   CHECK(shell("cat " + file + " | $softcnc replay -").err == "<stdin>" + refused);
   CHECK(call("replay /dev/null").err == "/dev/null" + refused);
@@ -548,7 +549,7 @@ TEST_CASE("a recording holds the files that its program called", "[apps][recordi
   CHECK(same.status == 0);
 }
 
-TEST_CASE("what happens in a called file is told with its name", "[apps][check]") {
+TEST_CASE("what happens in a called file is reported with its name", "[apps][check]") {
   const Folder folder;
   write(folder / "main.nc", "o<far> call\nM30\n");
   write(folder / "far.ngc", "(far away)\no<far> sub\nG0 X2000\no<far> endsub\n");

@@ -22,12 +22,12 @@ std::string cylinder(const std::string& words) {
 }
 const std::string kWords = "G06.4 D5 J0.5 H10.67 L2\n";
 
-/// The same at another Y, behind it.
+/// The same at another Y, after it.
 std::string cylinder_pass(const std::string& y) {
   return "G03 X21.1309 I21.1309 K-45.3154 F6000\nG00 Z60\nX-21.1309 Y" + y + "\nZ45.3154\n";
 }
 
-/// Passes along X, each as far from X0 as told.
+/// Passes along X, each as far from X0 as stated.
 std::string one_way(const std::vector<double>& begins) {
   std::string program;
   for (std::size_t i = 0; i < begins.size(); ++i)
@@ -70,7 +70,7 @@ TEST_CASE("check notes the roughness of every block that asks for one", "[apps][
   const Ended ended = call("check -", cylinder(kWords));
   CHECK(ended.status == 0);
   CHECK(shows(ended.out, "<stdin>:5:1: note: an Rmax of 10.6... [SC4010]"));
-  CHECK(ended.out.find("where 10.67 um are asked for") != std::string::npos);
+  CHECK(ended.out.find("(target 10.67 um)") != std::string::npos);
   CHECK(ended.out.find("SC4011") == std::string::npos);
   CHECK(call("check -", cylinder("")).out.empty());
 }
@@ -78,7 +78,8 @@ TEST_CASE("check notes the roughness of every block that asks for one", "[apps][
 TEST_CASE("check warns where the formulas of the paper miss the target", "[apps][roughness]") {
   const Ended ended = call("check --set surface.model=paper -", cylinder(kWords));
   CHECK(ended.status == 0);
-  CHECK(shows(ended.out, "<stdin>:5:1: warning: edges may leave an Rmax of up to 1... [SC4011]"));
+  CHECK(shows(ended.out,
+              "<stdin>:5:1: warning: cutting edges may leave an Rmax of up to 1... [SC4011]"));
 }
 
 TEST_CASE("check warns of passes that are not in phase", "[apps][roughness]") {
@@ -87,8 +88,8 @@ TEST_CASE("check warns of passes that are not in phase", "[apps][roughness]") {
   const std::string round = head + "G01 X20\nG03 Y0.5 J0.25\nG01 X0\nM30\n";
   const std::string staggered = head + one_way({0, 0.13, 0.31, 0.07});
   const std::string contour = head + "G01 X20\nY20\nX0\nY0\nX0.5 Y0.5\nX19.5\nY19.5\nM30\n";
-  CHECK(warns_of_phase(to_and_fro, "<stdin>:5:1: warning: passes run to and fro... [SC4012]"));
-  CHECK(warns_of_phase(round, "<stdin>:5:1: warning: passes run to and fro... [SC4012]"));
+  CHECK(warns_of_phase(to_and_fro, "<stdin>:5:1: warning: passes run back and forth... [SC4012]"));
+  CHECK(warns_of_phase(round, "<stdin>:5:1: warning: passes run back and forth... [SC4012]"));
   CHECK(warns_of_phase(
       staggered,
       "<stdin>:10:1: warning: this pass is out of phase with the one beside it... [SC4012]"));
@@ -120,7 +121,7 @@ TEST_CASE("where Q stands for any phase check does not warn of it", "[apps][roug
   const std::string program =
       "S6000 M03 F6000\nG06.4 D5 J0.5 H10.67 L2 Q1\nG01 X20\nY0.5\nX0\nY1\nX20\nM30\n";
   CHECK(call("check -", program).out.find("SC4012") == std::string::npos);
-  CHECK(warns_of_phase(program, "<stdin>:5:1: warning: passes run to and fro... [SC4012]",
+  CHECK(warns_of_phase(program, "<stdin>:5:1: warning: passes run back and forth... [SC4012]",
                        "--set surface.model=paper"));
 }
 
@@ -138,8 +139,8 @@ TEST_CASE("check warns of slopes across the feed that are not stated, and says w
   CHECK(without.status == 0);
   CHECK(shows(without.out,
               "<stdin>:26:1: warning: the surface slopes by 20.0 degrees across the feed, "
-              "which is not stated: edges may leave an Rmax of up to 1... [SC4042]"));
-  CHECK(without.out.find("; Q20 in G06.4 states all of its slopes") != std::string::npos);
+              "which is not stated: cutting edges may leave an Rmax of up to 1... [SC4042]"));
+  CHECK(without.out.find("; Q20 in G06.4 covers all of its slopes") != std::string::npos);
   CHECK(call("check -", tilted("Q20")).out.find("SC4042") == std::string::npos);
   CHECK(call("check -", tilted("Q10")).out.find("SC4042") != std::string::npos);
   CHECK(call("check -", "S6000 M03 F6000\n" + kWords + one_way({0, 0, 0})).out.find("SC4042") ==

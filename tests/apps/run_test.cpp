@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run from outside: trace, report, summary; and the same pipeline behind every command.
+// A run from outside: trace, report, summary; and the same pipeline for every command.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -34,9 +34,9 @@ TEST_CASE("a run writes nothing to stdout and a summary to stderr", "[apps][run]
   const Ended ended = call("run $data/square.nc");
   CHECK(ended.status == 0);
   CHECK(ended.out.empty());
-  for (const char* words :
-       {"square.nc on retrofitted mill (built-in)\n", "  held by  ", "  feed  ", "  acceleration  ",
-        "  chord error  ", " times faster than real time\n", "following", "counts"}) {
+  for (const char* words : {"square.nc on retrofitted mill (built-in)\n", "  limited by  ",
+                            "  feed  ", "  acceleration  ", "  chord error  ",
+                            " times faster than real time\n", "following", "counts"}) {
     CAPTURE(words, ended.err);
     CHECK(ended.err.find(words) != std::string::npos);
   }
@@ -45,7 +45,7 @@ TEST_CASE("a run writes nothing to stdout and a summary to stderr", "[apps][run]
   CHECK(call("run --quiet $data/square.nc").err.empty());
 }
 
-TEST_CASE("the summary tells of the jerk of axes that have a limit of it", "[apps][run]") {
+TEST_CASE("the summary reports the jerk of axes that have a limit of it", "[apps][run]") {
   const std::string told = call("run $data/square.nc --set axis.x.jerk_mm_s3=50000").err;
   const std::size_t row = told.find("  jerk of X, mm/s3 ");
   REQUIRE(row != std::string::npos);
@@ -55,7 +55,7 @@ TEST_CASE("the summary tells of the jerk of axes that have a limit of it", "[app
   CHECK(told.find("jerk of Y") == std::string::npos);
 }
 
-TEST_CASE("the report tells the figures of the run", "[apps][run]") {
+TEST_CASE("the report reports the figures of the run", "[apps][run]") {
   const json report = report_of("$data/square.nc --set control.corner_tolerance_um=0");
   CHECK(report["status"] == "done");
   CHECK(report["machine"] == "retrofitted mill (built-in)");
@@ -125,7 +125,7 @@ TEST_CASE("an override multiplies the feed and no machine limit", "[apps][run]")
   CHECK(half["velocity_max"]["x"].get<double>() == Approx(250).epsilon(1e-9));
 }
 
-TEST_CASE("the report of one run is that of the next, but for CPU times", "[apps][run]") {
+TEST_CASE("the report of one run is that of the next, except for CPU times", "[apps][run]") {
   json reports[2];
   for (json& report : reports) {
     report = report_of("$programs/08_butterfly.nc");
@@ -192,7 +192,8 @@ TEST_CASE("a program with errors moves nothing: no trace, exit status 1", "[apps
   CHECK(report["diagnostics"][1]["severity"] == "error");
 }
 
-TEST_CASE("a dry run ends at rest behind the last good block and tells all errors", "[apps][run]") {
+TEST_CASE("a dry run ends at rest after the last good block and reports all errors",
+          "[apps][run]") {
   const Ended ended = call("run --dry-run $data/two_errors.nc");
   CHECK(ended.status == 1);
   CHECK(shows(ended.err, ":3:6: error: ... [SC1004]"));

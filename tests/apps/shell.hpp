@@ -14,7 +14,7 @@ using softcnc::shows;
 using softcnc::where_shown;
 
 struct Ended {
-  int status = 0;  // as a shell tells it: 128 + n for signal n
+  int status = 0;  // as a shell reports it: 128 + n for signal n
   std::string out, err;
 };
 

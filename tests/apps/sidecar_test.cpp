@@ -16,9 +16,9 @@ constexpr const char* kPart = "G21 G90\nG01 X10 F6000\nM30\n";
 constexpr const char* kSlow = "name = \"slow mill\"\n[axis.x]\nvelocity_mm_min = 600\n";
 
 /// A folder with p.nc and, beside it, p.toml.
-class Beside {
+class NeighbourPass {
  public:
-  explicit Beside(const std::string& machine = kSlow) {
+  explicit NeighbourPass(const std::string& machine = kSlow) {
     write(part(), kPart);
     write(machine_file(), machine);
   }
@@ -42,7 +42,7 @@ bool holds(const std::string& text, const std::string& part) {
 
 TEST_CASE("a machine file beside the program is its machine, and the summary names it",
           "[apps][sidecar]") {
-  const Beside beside;
+  const NeighbourPass beside;
   const std::string part = beside.part();
   const Ended run = call("run " + part + " --report " + (beside / "r.json"));
   CHECK(run.status == 0);
@@ -61,7 +61,7 @@ TEST_CASE("a machine file beside the program is its machine, and the summary nam
 }
 
 TEST_CASE("every command that takes a program takes the machine beside it", "[apps][sidecar]") {
-  const Beside beside;
+  const NeighbourPass beside;
   const std::string part = beside.part();
   write(part, "G01 X10 Y1 F6000\nM30\n");  // which the machine beside it has no axis for
   for (const std::string command :
@@ -74,7 +74,7 @@ TEST_CASE("every command that takes a program takes the machine beside it", "[ap
 }
 
 TEST_CASE("each of several programs has the machine beside it", "[apps][sidecar]") {
-  const Beside beside;
+  const NeighbourPass beside;
   write(beside / "q.nc", "G01 Y1 F600\nM30\n");
   write(beside / "r.nc", "G01 Y1 F600\nM30\n");
   write(beside / "r.toml", "[axis.x]\n[axis.y]\nmax_mm = 0.5\n");
@@ -88,7 +88,7 @@ TEST_CASE("each of several programs has the machine beside it", "[apps][sidecar]
 
 TEST_CASE("the machine beside a program is compared in a replay, wherever that runs",
           "[apps][sidecar]") {
-  const Beside beside;
+  const NeighbourPass beside;
   REQUIRE(call("record -q " + beside.part() + " -o " + (beside / "x.rec")).status == 0);
   std::filesystem::remove(beside.machine_file());
   CHECK(call("replay -q " + (beside / "x.rec")).status == 0);
@@ -96,7 +96,7 @@ TEST_CASE("the machine beside a program is compared in a replay, wherever that r
 }
 
 TEST_CASE("a broken machine file beside a program is an error with its place", "[apps][sidecar]") {
-  const Beside beside("[control]\nperiod_ms = -1\n");
+  const NeighbourPass beside("[control]\nperiod_ms = -1\n");
   write(beside / "good.nc", kPart);
   for (const std::string command : {"run", "run --dry-run", "check", "blocks"}) {
     const Ended ended = shell("$softcnc " + command + " -q " + beside.part() + " 2>&1");
@@ -106,12 +106,12 @@ TEST_CASE("a broken machine file beside a program is an error with its place", "
   }
   const Ended both = beside.in_it("$softcnc check p.nc p.nc good.nc");
   CHECK(both.status == 2);
-  CHECK(both.out.find("SC7005") == both.out.rfind("SC7005"));  // told once
+  CHECK(both.out.find("SC7005") == both.out.rfind("SC7005"));  // reported once
   CHECK(call("check " + beside.part() + " --machine builtin").status == 0);
 }
 
 TEST_CASE("what a setting lacks is reported once for all machines", "[apps][sidecar]") {
-  const Beside beside;
+  const NeighbourPass beside;
   write(beside / "q.nc", kPart);
   const Ended ended = beside.in_it("$softcnc check p.nc q.nc --set control.preiod_ms=1");
   CHECK(ended.status == 2);
@@ -128,9 +128,9 @@ TEST_CASE("what has the name of the machine of a program and is no file is an er
     const char* why;
   };
   for (const Case& tried :
-       {Case{"mkdir", "it is no regular file"}, Case{"mkfifo", "it is no regular file"},
+       {Case{"mkdir", "it is not a regular file"}, Case{"mkfifo", "it is not a regular file"},
         Case{"ln -s /no/such/file", "it is a link to nothing"},
-        Case{"ln -s /dev/null", "it is no regular file"}}) {
+        Case{"ln -s /dev/null", "it is not a regular file"}}) {
     REQUIRE(shell(std::string(tried.make) + " " + machine).status == 0);
     CAPTURE(tried.make);
     for (const std::string command : {"check", "run", "run --dry-run", "blocks"}) {
@@ -170,11 +170,11 @@ TEST_CASE("a state file is no machine file", "[apps][sidecar]") {
   CHECK(ended.status == 2);
   CHECK(ended.out.starts_with(
       (folder / "p.toml") +
-      ":1:1: error: 'schema' stands in state files: this is none of a machine [SC7020]\n"));
+      ":1:1: error: 'schema' belongs in a state file: this is not a machine file [SC7020]\n"));
 }
 
 TEST_CASE("a machine file without a name is wrong usage", "[apps][sidecar]") {
-  const Beside beside;
+  const NeighbourPass beside;
   CHECK(beside.in_it("$softcnc check --machine '' p.nc").status == 2);
 }
 
@@ -190,7 +190,7 @@ TEST_CASE("a machine beside a program writes no file and opens no port", "[apps]
   const std::string backend = tried.backend;
   CAPTURE(backend);
   const std::string slow = "[axis.x]\nvelocity_mm_min = 600\n[limits]\nfeed_mm_min = 600\n";
-  const Beside beside;
+  const NeighbourPass beside;
   const std::string victim = beside / "mine.vcd";
   write(victim, "mine");
   write(beside.machine_file(), "control.backend = \"" + backend + "\"\n" + slow + "[backend." +
@@ -204,9 +204,8 @@ TEST_CASE("a machine beside a program writes no file and opens no port", "[apps]
     CHECK(ended.out.starts_with("p.toml:7:"));
     CHECK(holds(ended.out, ": warning"));
     CHECK(holds(ended.out, "SC7021"));
-    CHECK(
-        holds(ended.out, "backend." + backend + "." + tried.key +
-                             " counts only in a machine file that --machine names: " + tried.says));
+    CHECK(holds(ended.out, "backend." + backend + "." + tried.key +
+                               " is ignored unless --machine names the file: " + tried.says));
     CHECK(read(victim) == "mine");
     CHECK(beside.files() == before);
   }
@@ -215,17 +214,17 @@ TEST_CASE("a machine beside a program writes no file and opens no port", "[apps]
   const Ended by_default = beside.in_it("$softcnc run -q p.nc 2>&1");
   CHECK(by_default.status == 0);
   CHECK(by_default.out.starts_with("p.toml:1:"));
-  CHECK(holds(by_default.out, "control.backend counts only"));
+  CHECK(holds(by_default.out, "control.backend is ignored"));
   CHECK(beside.files() == before);
 }
 
 TEST_CASE("a file that a setting names is written, whatever machine lies beside the program",
           "[apps][sidecar]") {
-  const Beside beside("control.backend = \"stepdir\"\nbackend.stepdir.file = \"no.vcd\"\n");
+  const NeighbourPass beside("control.backend = \"stepdir\"\nbackend.stepdir.file = \"no.vcd\"\n");
   const Ended plain = beside.in_it("$softcnc run -q p.nc");
   CHECK(plain.err.starts_with(
-      "p.toml:2:24: warning: backend.stepdir.file counts only in a machine file that --machine "
-      "names: no edges are written [SC7021]\n"));
+      "p.toml:2:24: warning: backend.stepdir.file is ignored unless --machine names the "
+      "file: no edges are written [SC7021]\n"));
   const Ended ended = beside.in_it("$softcnc run p.nc --set backend.stepdir.file=yes.vcd");
   CHECK(ended.status == 0);
   CHECK_FALSE(holds(ended.err, "SC7021"));
@@ -237,13 +236,13 @@ TEST_CASE("a file that a setting names is written, whatever machine lies beside 
 }
 
 TEST_CASE("the pulses of a machine beside a program are counted", "[apps][sidecar]") {
-  const Beside beside("control.backend = \"stepdir\"\n[axis.x]\n");
+  const NeighbourPass beside("control.backend = \"stepdir\"\n[axis.x]\n");
   REQUIRE(beside.in_it("$softcnc run -q p.nc --trace t.csv").status == 0);
   CHECK(parse_trace(read(beside / "t.csv")).columns.back() == "x_count");
 }
 
 TEST_CASE("a report does not take the place of the machine beside the program", "[apps][sidecar]") {
-  const Beside beside;
+  const NeighbourPass beside;
   const Ended ended = call("run -q " + beside.part() + " --report " + beside.machine_file());
   CHECK(ended.status == 2);
   CHECK(holds(ended.err, "name the same file"));

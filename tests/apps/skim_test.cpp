@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "apps/shell.hpp"
+#include "hal/backends/backend.hpp"
 #include "job/preflight.hpp"
+#include "session/simulate.hpp"
 #include "session/verification.hpp"
 
 using namespace softcnc;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "apps/shell.hpp"
-#include "job/program.hpp"
+#include "program/program.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;

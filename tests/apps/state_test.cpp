@@ -6,8 +6,8 @@
 
 #include "apps/shell.hpp"
 #include "hal/machine/state_file.hpp"
-#include "job/machine_memory.hpp"
 #include "session/state_history.hpp"
+#include "settings/machine_memory.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc;
@@ -97,7 +97,7 @@ TEST_CASE("a state file that is not there yet is noted and begins at 0", "[apps]
   const Ended ended = call("check $data/zigzag.nc --state " + file);
   CHECK(ended.status == 0);
   CHECK(ended.out == file +
-                         ": note: is not there yet: work offsets, tool table and parameters "
+                         ": note: does not exist yet: work offsets, tool table and parameters "
                          "begin at 0 [SC7017]\n");
   CHECK(folder.files().empty());
 }
@@ -115,7 +115,7 @@ TEST_CASE("a state file named by a link that leads nowhere yet is made where it 
   CHECK(call(run + " --report " + target).err.find("name the same file: ") != std::string::npos);
 }
 
-TEST_CASE("a wrong state file is told, and nothing moves, exit status 2", "[apps][state]") {
+TEST_CASE("a wrong state file is reported, and nothing moves, exit status 2", "[apps][state]") {
   const Folder folder;
   write(folder / "mill.state", "schema = 1\n[work.G54]\nx = 3\nx_mm = 1e7\n");
   for (const char* command : {"run", "run --dry-run", "check", "blocks", "record -o x.rec"}) {

@@ -9,8 +9,8 @@
 #include "apps/talk.hpp"
 #include "hal/backends/backend.hpp"
 #include "hal/files/hash.hpp"
-#include "job/stream_memory.hpp"
-#include "session/channel.hpp"
+#include "program/stream_memory.hpp"
+#include "session/simulate.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc;
@@ -27,7 +27,7 @@ const std::string kExactly = "control.corner_tolerance_um=0";
 class LineWriter final : public Watcher {
  public:
   LineWriter(int pipe, std::vector<std::string> lines) : pipe_(pipe), lines_(std::move(lines)) {
-    write_line();  // the form of the program is told by it
+    write_line();  // the format of the program follows from it
   }
 
   bool wants_stop() override { return false; }
@@ -145,7 +145,7 @@ TEST_CASE("a dry run shows the rows of the first line before the second is writt
   CHECK(talk.status() == 0);
 }
 
-TEST_CASE("check tells what is wrong with a line before the next one is written",
+TEST_CASE("check reports what is wrong with a line before the next one is written",
           "[apps][stream]") {
   Talk talk({"check", "-"});
   talk.say("G01 X1 Q3 F600\n");
@@ -171,7 +171,7 @@ TEST_CASE("a warning of check does not wait for an error", "[apps][stream]") {
   CHECK(talk.status() == 0);
 }
 
-TEST_CASE("check tells the same of a pipe as of a file", "[apps][stream]") {
+TEST_CASE("check reports the same of a pipe as of a file", "[apps][stream]") {
   const Folder folder;
   write(folder / "p.nc", "G01 X1 Q3 F99999\nY2000\nG02 X3\n#1=\nX1 X2\n");
   for (const char* form : {"text", "json", "sarif"}) {

@@ -95,7 +95,7 @@ TEST_CASE("what was cut is summed up", "[apps][surface]") {
   CHECK(ended.out.empty());
   for (const char* text :
        {"stock        2 x 1 x 3 mm from X2 Y1 Z-1", "201 x 101 points, one every 10 um",
-        "in the mean of", "regions of 0.5 x 0.5 mm", "million a second and core", "memory"})
+        "on average over", "regions of 0.5 x 0.5 mm", "million per second and core", "memory"})
     CHECK(ended.err.find(text) != std::string::npos);
 }
 
@@ -166,7 +166,7 @@ TEST_CASE("a tool that stands in the program turns on between its passes", "[app
   CHECK((read(folder / "aligned.npz") != read(folder / "time.npz")));
 }
 
-TEST_CASE("a surface tells by region whether its target is met", "[apps][surface]") {
+TEST_CASE("a surface reports by region whether its target is met", "[apps][surface]") {
   const Folder folder;
   const auto cut_for = [&](const std::string& target) {
     std::string text = read(softcnc::app::test::data("plane.nc"));
@@ -178,8 +178,7 @@ TEST_CASE("a surface tells by region whether its target is met", "[apps][surface
   const Ended met = cut_for("26");
   CHECK(met.status == 0);
   CHECK(met.err.find("SC4040") == std::string::npos);
-  CHECK(met.err.find("\n  target       met in 8 of 8 regions that are asked for and known\n") !=
-        std::string::npos);
+  CHECK(met.err.find("\n  target       met in all 8 regions that have one\n") != std::string::npos);
   CHECK(number(folder / "own.npz", "numpy.nansum(f['met'])") == 8);  // 2 x 1 mm, 0.5 x 0.5 each
   CHECK(number(folder / "own.npz", "numpy.nanmax(f['target_um'])") == 26);
   json report = json::parse(read(folder / "own.json"));
@@ -194,7 +193,7 @@ TEST_CASE("a surface tells by region whether its target is met", "[apps][surface
   const double most = number(folder / "own.npz", "numpy.nanmax(f['rmax_um'])");
   CHECK(most > 9);
   CHECK(shows(missed.err, "own.nc: warning: an Rmax of 9... [SC4040]"));
-  CHECK(missed.err.find("where 9 um are asked for; ") != std::string::npos);
+  CHECK(missed.err.find("(target 9 um) at X") != std::string::npos);
   CHECK(number(folder / "own.npz", "int(((f['met'] == 0) == (f['rmax_um'] > 9.00001)).all())") ==
         1);
   report = json::parse(read(folder / "own.json"));
@@ -213,7 +212,7 @@ TEST_CASE("a report says null of what is not known, and the summary why", "[apps
   const Ended ended =
       call("surface --set stock.grid_um=50 - " + files, head + pass + pass + "M30\n");
   CHECK(ended.status == 0);
-  CHECK(ended.err.find("Rmax         not known: a pick-feed above 0.76 of the tool radius") !=
+  CHECK(ended.err.find("Rmax         unknown: the pick-feed exceeds 0.76 of the tool radius") !=
         std::string::npos);
   const json report = json::parse(read(folder / "own.json"));
   CHECK(report.contains("rmax_um_max"));
@@ -288,8 +287,9 @@ TEST_CASE("a surface that cannot be cut is refused, and no file is left", "[apps
   };
   refused("$data/plane.nc -o " + file, 1,
           "plane.nc:9:3: error: no tool with a radius and teeth is in the spindle [SC2380]");
-  refused("$data/plane.nc --set tool.1.radius_mm=5 --set tool.1.teeth=101 -o " + file, 3,
-          "plane.nc:9:3: error: a tool of 101 teeth: surfaces are cut by 100 at most [SC4041]");
+  refused(
+      "$data/plane.nc --set tool.1.radius_mm=5 --set tool.1.teeth=101 -o " + file, 3,
+      "plane.nc:9:3: error: a tool of 101 teeth; a surface can be cut with at most 100 [SC4041]");
   refused(program("T1 M06\nG01 X5 F100\nM30\n") + kTool + "-o " + file, 1,
           ":2:1: error: a cutting move while the spindle stands still [SC2381]");
   refused(program("T1 M06\nS100 M03\nG00 X5\nM30\n") + kTool + "-o " + file, 1,
@@ -299,9 +299,9 @@ TEST_CASE("a surface that cannot be cut is refused, and no file is left", "[apps
           "x.obj: error: no form of a surface has this suffix; known are .npz, .png [SC6060]");
   refused("$data/plane.nc" + kTool + "--set stock.x_mm=90000 --set stock.grid_um=1 -o " + file, 2,
           "softcnc: error: a surface of 90000001 x 13001 points, one every 1 um: at most 200000 "
-          "along X and 4000000000 in all are cut [SC7050]\n");
+          "along X and 4000000000 in total are possible [SC7050]\n");
   refused("$data/plane.nc" + kTool + "--set 'stock.origin_mm=[2, 1, 50]' -o " + file, 1,
-          "error: the stock lies beyond all that the program cuts [SC2382]");
+          "error: the stock lies outside everything that the program cuts [SC2382]");
   refused("$data/plane.nc" + kTool + "-o " + (folder / "no/x.npz"), 5, "error: ... [SC6011]");
   refused("$data/plane.nc" + kTool + "--set axis.x.max_mm=3 -o " + file, 3, "error: ... [SC4001]");
   refused("$data/plane.nc" + kTool, 2, "--output");

@@ -23,7 +23,7 @@ class Talk {
   std::string finish();
   /// What is left of its output when it ends by itself.
   std::string hear_rest();
-  /// The exit status, as a shell tells it.
+  /// The exit status, as a shell reports it.
   int status();
 
  private:

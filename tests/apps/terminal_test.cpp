@@ -113,7 +113,7 @@ TEST_CASE("what ends a run at a prompt leaves the machine where it rests", "[app
   CHECK(trace.number(trace.rows.size() - 1, "v_mm_s") == 0);
 }
 
-TEST_CASE("a prompt comes before anything behind it moves", "[apps][terminal]") {
+TEST_CASE("a prompt comes before anything after it moves", "[apps][terminal]") {
   const Folder folder;
   write(folder / "p.nc", "M00\nG00 X100\nM30\n");
   const Ended ended =

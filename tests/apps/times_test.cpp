@@ -37,7 +37,7 @@ std::string trochoid(const std::string& head, int turns = 6) {
   return text + "M2\n";
 }
 
-/// The seconds that a message tells.
+/// The seconds that a message names.
 double seconds_in(const std::string& text) {
   static const std::regex seconds(R"(cost (about )?([0-9.]+) s)");
   std::smatch found;
@@ -98,7 +98,7 @@ TEST_CASE("the lines that lose most time are named, all rounds of a loop togethe
   const Ended told = call("run --worst 2 " + (folder / "p.nc"));
   CHECK(told.err.find("        line          lost   limited by\n             6      0.0") !=
         std::string::npos);
-  CHECK(count(told.err.substr(told.err.find("limited by")), " s   ") == 2);
+  CHECK(count(told.err.substr(told.err.find("lost   limited by")), " s   ") == 2);
   const Ended checked = call("check --worst 1 " + (folder / "p.nc"));
   CHECK(checked.out.find("lost") == std::string::npos);
   CHECK(count(checked.err, "\n             6 ") == 1);
@@ -172,7 +172,7 @@ TEST_CASE("what rests at corners cost is reported, with the tolerance that wins 
   CHECK(checked.out ==
         part +
             ": warning: 359 rests at corners cost 10.3 s, 60 % of the time; G64 P0.01 (mm) or "
-            "control.corner_tolerance_um = 10 would win that back [SC4030]\n");
+            "control.corner_tolerance_um = 10 would save that [SC4030]\n");
   const json exact = report_of(part + kExactly);
   const json rounded = report_of(part + " --set control.corner_tolerance_um=10");
   const double won = exact["time_s"].get<double>() - rounded["time_s"].get<double>();
@@ -183,7 +183,7 @@ TEST_CASE("what rests at corners cost is reported, with the tolerance that wins 
   CHECK(exact["time_by_limit_s"]["corner"].get<double>() > 0.95 * exact["time_s"].get<double>());
   CHECK(rounded["diagnostics"] == json::array());
   CHECK(rounded["rests"]["count"] == 1);  // from the rapid to the first chord
-  // A dry run tells the same, and a pipe about the same.
+  // A dry run reports the same, and a pipe about the same.
   CHECK(seconds_in(call("run --dry-run " + part + kExactly + "--trace /dev/null").err) ==
         Approx(won).epsilon(0.01));
   const Ended piped = shell("cat " + part + " | $softcnc check -" + kExactly);
@@ -200,8 +200,8 @@ TEST_CASE("who asks for sharp corners gets a note of what they cost", "[apps][ti
     INFO(checked.out);
     CHECK(count(checked.out, "SC4030") == 0);
     CHECK(checked.out.find(
-              ": note: 359 rests at corners, which are to be sharp, cost 10.3 s, 60 % of "
-              "the time; G64 P0.01 (mm) would win that back [SC4031]\n") != std::string::npos);
+              ": note: 359 rests at corners, which must stay sharp, cost 10.3 s, 60 % of "
+              "the time; G64 P0.01 (mm) would save that [SC4031]\n") != std::string::npos);
     write(folder / "g64.nc", trochoid("G64 P0.01"));
     const double won = report_of(part)["time_s"].get<double>() -
                        report_of(folder / "g64.nc")["time_s"].get<double>();

@@ -69,7 +69,7 @@ std::string differences(const Folder& folder) {
   return ended.out + ended.err;
 }
 
-/// Rows of a VCD of real variables, by what stands in force at each instant that is told.
+/// Rows of a VCD of real variables, by what stands in force at each instant that is reported.
 std::map<std::int64_t, std::map<char, double>> positions(const std::string& vcd) {
   std::istringstream in(vcd.substr(vcd.find("$enddefinitions $end\n") + 21));
   std::map<std::int64_t, std::map<char, double>> all;

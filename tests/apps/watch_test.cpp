@@ -44,7 +44,7 @@ TEST_CASE("a program is checked again when it changes, until Ctrl-C", "[apps][wa
   CHECK(talk.status() == 130);
 }
 
-TEST_CASE("a program is found again where its folder is made anew", "[apps][watch]") {
+TEST_CASE("a program is found again where its folder is made again", "[apps][watch]") {
   const Folder folder;
   const std::filesystem::path parts = folder / "parts";
   std::filesystem::create_directory(parts);
@@ -126,7 +126,7 @@ TEST_CASE("a program is checked again when a file appears that it calls", "[apps
   write(folder / "p.nc", "M98 P123\nM30\n");
   Talk talk({"check", "--watch", folder / "p.nc"});
   CHECK(shows(talk.hear("---").front(), "error: no subprogram O123 in ... [SC2301]"));
-  write(folder / "124.ngc", "G00 X10\nM99\n");  // of another number: nothing is told of it
+  write(folder / "124.ngc", "G00 X10\nM99\n");  // of another number: nothing is reported of it
   write(folder / "123.ngc", "G00 X10\nM99\n");
   CHECK(talk.hear("---") == std::vector<std::string>{kNothing});
   write(folder / "O0123.nc", "G00 X1.0.0\nM99\n");  // which is looked for before the other
@@ -148,7 +148,7 @@ TEST_CASE("each round is a document of its own where that is asked for", "[apps]
   CHECK(nlohmann::json::parse(document)[0]["code"] == "SC1004");
 }
 
-TEST_CASE("what cannot be watched is told", "[apps][watch]") {
+TEST_CASE("what cannot be watched is reported", "[apps][watch]") {
   const Ended folder = call("check --watch no/p.nc");
   CHECK(folder.status == 5);
   CHECK(folder.err == "no/p.nc: error: cannot be watched: No such file or directory [SC6041]\n");

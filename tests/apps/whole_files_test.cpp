@@ -13,7 +13,7 @@
 #include "apps/shell.hpp"
 #include "hal/files/file_lock.hpp"
 #include "hal/machine/state_file.hpp"
-#include "realtime/out_of_memory.hpp"
+#include "process/out_of_memory.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;

@@ -86,7 +86,7 @@ TEST_CASE("a default name is used where nothing has it, and is named", "[apps][w
       CHECK(second.err.starts_with(file + ": error"));
       CHECK(holds(second.err, "SC6015"));
       CHECK(holds(second.err, "--set backend." + backend + ".file=FILE; the file " + file +
-                                  " is left as it is"));
+                                  " is left unchanged"));
       CHECK(read(folder / file) == text);
     }
   }
@@ -98,8 +98,8 @@ TEST_CASE("a default name is used where nothing has it, and is named", "[apps][w
   CHECK(read(folder / file).size() > 100);
   if (backend == "stepdir")
     CHECK(in(folder, "$softcnc run p.nc --backend stepdir").err ==
-          "steps.vcd: error: is there already, and nobody has named it: name a file by --set "
-          "backend.stepdir.file=FILE; the file steps.vcd is left as it is [SC6015]\n");
+          "steps.vcd: error: exists already, and you have not named it: name a file with --set "
+          "backend.stepdir.file=FILE; the file steps.vcd is left unchanged [SC6015]\n");
   // A link is in the way, too, wherever it leads.
   std::filesystem::remove(folder / file);
   std::filesystem::create_symlink("nowhere", folder / file);
@@ -113,7 +113,7 @@ TEST_CASE("rows for a FIFO that is not there are noted, and named", "[apps][writ
   const Ended ended = in(folder, run);
   CHECK(ended.status == 0);
   CHECK(ended.err.starts_with(
-      "rows: note: is not there: the rows go to a new file, and no program reads along "
+      "rows: note: does not exist: the rows go to a new file, and no program reads them "
       "[SC6076]\n"));
   CHECK(holds(ended.err, "\n  rows written to rows\n"));
   CHECK_FALSE(holds(in(folder, run).err, "SC6076"));  // now it is there

@@ -48,7 +48,7 @@ std::string compressed(std::string_view bytes) {
 }
 
 Status read_all(std::int64_t& edges) {
-  auto packed = hal::PackedFile::open(file(), Code::SC6090, Code::SC6091);
+  auto packed = hal::CompressedFile::open(file(), Code::SC6090, Code::SC6091);
   if (!packed) return tl::make_unexpected(packed.error());
   hal::EdgeReader reader([&](const hal::ReadEdge& read) {
     expect(read.edge.time >= 0, "an edge before the first instant");

@@ -20,9 +20,9 @@
 
 #include "hal/files/hash.hpp"
 #include "hal/machine/machine_file.hpp"
-#include "job/recording.hpp"
-#include "job/recording_meta.hpp"
-#include "job/trace_comparison.hpp"
+#include "recording/recording.hpp"
+#include "recording/recording_meta.hpp"
+#include "recording/trace_comparison.hpp"
 
 namespace {
 

@@ -101,7 +101,7 @@ TEST_CASE("pulses follow the fine points of a setpoint", "[hal][sim]") {
   CHECK(parts[4] == Approx(0.75));
 }
 
-TEST_CASE("the first setpoint tells where the mill stands", "[hal][sim]") {
+TEST_CASE("the first setpoint says where the mill stands", "[hal][sim]") {
   const auto backend = opened(retrofit());
   const Feedback feedback = backend->exchange(at(-12.3456, 7));
   CHECK(feedback.position[0] == Approx(-12.3456).epsilon(1e-15));
@@ -181,7 +181,7 @@ TEST_CASE("a jump of the command is an alarm that names its axis", "[hal][sim]")
 }
 
 TEST_CASE("between setpoints the mill is led along the line in servo periods", "[hal][sim]") {
-  // 8 ms told as one setpoint is 8 setpoints of 1 ms on the same line.
+  // 8 ms given as one setpoint is 8 setpoints of 1 ms on the same line.
   Machine slow = retrofit();
   slow.control.period = 0.008;
   const auto coarse = opened(slow);

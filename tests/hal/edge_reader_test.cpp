@@ -22,7 +22,7 @@ const std::string kHead =
     "$var real 64 v speed $end\n$upscope $end\n$upscope $end\n$enddefinitions $end\n";
 
 struct Reading {
-  std::vector<Edge> edges, begins;
+  std::vector<SignalEdge> edges, begins;
   std::vector<SourcePos> places;
   std::vector<std::string> lines;
   std::string error;
@@ -52,7 +52,7 @@ Reading read_all(std::string_view text) {
 
 std::string error_of(std::string_view text) { return read_all(text).error; }
 
-Edge step(std::int64_t time, bool high, std::uint8_t axis = 0) {
+SignalEdge step(std::int64_t time, bool high, std::uint8_t axis = 0) {
   return {time, axis, Wire::step, high};
 }
 
@@ -67,9 +67,9 @@ TEST_CASE("a dump of another program is read, wherever it is cut", "[hal][pulse]
     const Reading reading = read_in_pieces(text, piece);
     CHECK(reading.error.empty());
     CHECK(reading.begins ==
-          std::vector{Edge{30'000, 2, Wire::direction, true}, step(40'000, false, 2)});
+          std::vector{SignalEdge{30'000, 2, Wire::direction, true}, step(40'000, false, 2)});
     CHECK(reading.edges == std::vector{step(100'000, true, 2), step(120'000, false, 2),
-                                       Edge{120'000, 2, Wire::direction, false}});
+                                       SignalEdge{120'000, 2, Wire::direction, false}});
     CHECK(reading.places[2].line == 19);
     CHECK(reading.places[2].column == 1);
     CHECK(reading.places[2].length == 3);
@@ -118,22 +118,22 @@ TEST_CASE("a dump that is damaged or says nothing of pulses is refused", "[hal][
   CHECK(error_of("$var wire 1 ! x_step $end $var wire 1 ? x_step $end\n") ==
         "x_step is there twice");
   CHECK(error_of("$var wire 1 $end\n") == "$var takes a type, a size and two names");
-  CHECK(error_of("$end\n") == "an $end of nothing");
+  CHECK(error_of("$end\n") == "an $end without a beginning");
   CHECK(error_of("$date $end\n#1\n") == "'#1' among the definitions");
   CHECK(error_of(kHead + "#4 1s") == "not whole: it ends within a line");
   CHECK(error_of(kHead + "#4 b1\n") == "not whole: it ends within a value");
   CHECK(error_of(kHead + "#4 $comment\n") == "not whole: it ends within $comment");
   CHECK(error_of(kHead + "$dumpvars 1s1\n") == "not whole: it ends within a dump of all values");
-  CHECK(error_of(kHead + "#-4\n") == "'#-4' is no time");
-  CHECK(error_of(kHead + "#9223372036854775807\n") == "'#9223372036854775807' is no time");
-  CHECK(error_of(kHead + "#4 hello\n") == "'hello' is no value of a variable");
+  CHECK(error_of(kHead + "#-4\n") == "'#-4' is not a time");
+  CHECK(error_of(kHead + "#9223372036854775807\n") == "'#9223372036854775807' is not a time");
+  CHECK(error_of(kHead + "#4 hello\n") == "'hello' is not a value of a variable");
   CHECK(error_of(kHead + std::string(1000, 'q') + '\n') ==
-        "'" + std::string(40, 'q') + "...' is no value of a variable");
+        "'" + std::string(40, 'q') + "...' is not a value of a variable");
   CHECK(error_of(kHead + "#4 1s1 #5 xs1\n") == "z_step is neither high nor low");
   CHECK(error_of(kHead + "#4 1s1 #5 b00 s1\n") == "z_step is neither high nor low");
 }
 
-TEST_CASE("the place of what is wrong in a dump is told", "[hal][pulse]") {
+TEST_CASE("the place of what is wrong in a dump is reported", "[hal][pulse]") {
   EdgeReader reader([](const ReadEdge&) {});
   const Status read = reader.read(kHead + "#4\n1s1\n#5 ?!\n");
   REQUIRE_FALSE(read);
@@ -178,7 +178,7 @@ TEST_CASE("a packed list of edges that unpacks to a thousand times its size is r
   for (int i = 0; i < 400; ++i) REQUIRE(sink->write(blank));
   REQUIRE(sink->finish());
   REQUIRE(std::filesystem::file_size(file) < 100'000);
-  auto packed = PackedFile::open(file, Code::SC6090, Code::SC6091);
+  auto packed = CompressedFile::open(file, Code::SC6090, Code::SC6091);
   REQUIRE(packed);
   std::size_t unpacked = 0;
   Result<std::string_view> bytes = packed->next();
@@ -195,8 +195,8 @@ TEST_CASE("a binary list is read wherever it is cut, and refused where it is dam
   for (const std::size_t piece : {1UL, 3UL, 15UL}) {
     const Reading reading = read_in_pieces(text, piece);
     CHECK(reading.error.empty());
-    CHECK(reading.edges ==
-          std::vector{Edge{133, 1, Wire::direction, false}, step(138, true), step(138, false)});
+    CHECK(reading.edges == std::vector{SignalEdge{133, 1, Wire::direction, false}, step(138, true),
+                                       step(138, false)});
   }
   CHECK(error_of(text.substr(0, 14)) == "not whole: it ends within an edge");
   CHECK(error_of(text.substr(0, 10)) == "not whole: it ends within an edge");
@@ -219,7 +219,7 @@ TEST_CASE("a compressed file is unpacked, and must be whole", "[hal]") {
   REQUIRE(packed.size() < text.size());
   const auto unpacked = [&](const std::string& bytes) -> std::string {
     REQUIRE(write_file(folder / "b", bytes));
-    auto file = PackedFile::open(folder / "b", Code::SC6090, Code::SC6091);
+    auto file = CompressedFile::open(folder / "b", Code::SC6090, Code::SC6091);
     REQUIRE(file);
     std::string all;
     for (;;) {
@@ -245,12 +245,12 @@ TEST_CASE("a compressed file is unpacked, and must be whole", "[hal]") {
   CHECK(unpacked(damaged).starts_with("damaged: "));
 }
 
-TEST_CASE("a file that cannot be read is told from one that is damaged", "[hal][code]") {
-  const auto missing = PackedFile::open("/no/such/list", Code::SC6090, Code::SC6091);
+TEST_CASE("a file that cannot be read is distinguished from one that is damaged", "[hal][code]") {
+  const auto missing = CompressedFile::open("/no/such/list", Code::SC6090, Code::SC6091);
   REQUIRE_FALSE(missing);
   CHECK(missing.error().code == Code::SC6090);
   CHECK(missing.error().message == "cannot be read: No such file or directory");
-  auto folder = PackedFile::open("/", Code::SC6090, Code::SC6091);
+  auto folder = CompressedFile::open("/", Code::SC6090, Code::SC6091);
   REQUIRE(folder);
   const auto bytes = folder->next();
   REQUIRE_FALSE(bytes);

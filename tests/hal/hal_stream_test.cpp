@@ -139,7 +139,7 @@ TEST_CASE("rows are the fine points of a setpoint", "[hal]") {
   CHECK(lines[4] == "1 0 0 1 3");
 }
 
-TEST_CASE("before the program waits, HAL has all rows and is told of it", "[hal]") {
+TEST_CASE("before the program waits, HAL has all rows and is informed of it", "[hal]") {
   const test::Folder folder;
   Fifo fifo(folder / "rows");
   auto backend = HalRows::open(streamed(folder / "rows"));
@@ -216,7 +216,7 @@ TEST_CASE("a pipe that stays full, or is closed, is an alarm of the port", "[hal
                                         "; HAL holds the last row it got [" + code + "]\n");
 }
 
-TEST_CASE("a full disk and a folder that is not there are told", "[hal][code]") {
+TEST_CASE("a full disk and a folder that is not there are reported", "[hal][code]") {
   auto full = HalRows::open(streamed("/dev/full"));
   REQUIRE(full);
   CHECK((*full)->exchange(at(0, 0, 0)).alarm == Alarm::port);

@@ -34,7 +34,7 @@ Machine parsed(const std::string& text, const Settings& settings = {}) {
   return *machine;
 }
 
-/// All that is told.
+/// All that is reported.
 std::string refused(const std::string& text, const Settings& settings = {}) {
   const auto machine = parse_machine(text, "mill.toml", settings);
   REQUIRE_FALSE(machine);
@@ -62,15 +62,16 @@ bool identical(Machine a, Machine b) {
   for (std::size_t axis = 0; axis < a.axes.size(); ++axis)
     if (a.axes[axis].present != b.axes[axis].present) return false;
   const auto same = [&](const MachineKey& key, int index) {
-    if (const auto* number = std::get_if<Number>(&key.value))
+    if (const auto* number = std::get_if<NumberKey>(&key.value))
       return same_bits(number->place(a, index), number->place(b, index));
-    if (const auto* whole = std::get_if<Whole>(&key.value))
+    if (const auto* whole = std::get_if<WholeKey>(&key.value))
       return whole->place(a, index) == whole->place(b, index);
-    if (const auto* choice = std::get_if<Choice>(&key.value))
+    if (const auto* choice = std::get_if<ChoiceKey>(&key.value))
       return choice->get(a) == choice->get(b);
-    if (const auto* point = std::get_if<Point>(&key.value))
+    if (const auto* point = std::get_if<PointKey>(&key.value))
       return point->place(a, index) == point->place(b, index);
-    return std::get<Text>(key.value).place(a, index) == std::get<Text>(key.value).place(b, index);
+    return std::get<TextKey>(key.value).place(a, index) ==
+           std::get<TextKey>(key.value).place(b, index);
   };
   for (const MachineKey& key : machine_keys()) {
     if (is_axis_key(key)) {
@@ -102,7 +103,7 @@ TEST_CASE("an empty file is the built-in machine under the file's name", "[hal][
   CHECK(identical(parsed(""), expected));
 }
 
-TEST_CASE("every key reaches its place in house units", "[hal][machine]") {
+TEST_CASE("every key reaches its place in internal units", "[hal][machine]") {
   const Machine m = parsed(R"(
 name = "bench mill"
 [control]
@@ -317,14 +318,14 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
   }
   SECTION("a wrong type") {
     CHECK(refused("[axis.x]\nblu_um = \"fine\"") ==
-          "mill.toml:2:10: error: axis.x.blu_um takes a number, not a text [SC7004]\n"
+          "mill.toml:2:10: error: axis.x.blu_um takes a number, not a string [SC7004]\n"
           "    2 | blu_um = \"fine\"\n"
           "      |          ^~~~~~\n");
     CHECK(refused("control = 3")
-              .starts_with("mill.toml:1:11: error: control is a table of keys [SC7004]\n"));
+              .starts_with("mill.toml:1:11: error: control must be a table [SC7004]\n"));
     CHECK(refused("axis.x.counts_per_rev = 2000.5")
-              .starts_with("mill.toml:1:25: error: axis.x.counts_per_rev takes a whole "
-                           "number, not a number [SC7004]\n"));
+              .starts_with("mill.toml:1:25: error: axis.x.counts_per_rev takes an "
+                           "integer, not a number [SC7004]\n"));
     CHECK(refused("control.backend = true")
               .starts_with(
                   "mill.toml:1:19: error: control.backend takes one of 'none', "
@@ -333,11 +334,11 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
         refused("[control.period_ms]\nx = 1")
             .starts_with(
                 "mill.toml:1:1: error: control.period_ms takes a number, not a table [SC7004]\n"));
-    CHECK(
-        refused("name = 1979-05-27")
-            .starts_with("mill.toml:1:8: error: name takes a text, not a date or time [SC7004]\n"));
+    CHECK(refused("name = 1979-05-27")
+              .starts_with(
+                  "mill.toml:1:8: error: name takes a string, not a date or time [SC7004]\n"));
     CHECK(refused("name = [1]")
-              .starts_with("mill.toml:1:8: error: name takes a text, not an array [SC7004]\n"));
+              .starts_with("mill.toml:1:8: error: name takes a string, not an array [SC7004]\n"));
   }
   SECTION("no point") {
     CHECK(refused("[stock]\norigin_mm = [1, 2]")
@@ -372,10 +373,10 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
   }
   SECTION("an unknown word") {
     CHECK(refused("control.interpolation = 'spline'")
-              .starts_with("mill.toml:1:25: error: control.interpolation does not know "
-                           "'spline'; it knows "
+              .starts_with("mill.toml:1:25: error: control.interpolation must be one "
+                           "of "
                            "'arc-length', 'taylor1', 'taylor2', 'curvature3p', 'sam', 'm-sam', "
-                           "'dsm', 'm-dsm', 'dda' [SC7006]\n"));
+                           "'dsm', 'm-dsm', 'dda', not 'spline' [SC7006]\n"));
   }
   SECTION("travel the wrong way round") {
     CHECK(refused("[axis.x]\nmin_mm = 10\nmax_mm = 10") ==
@@ -388,7 +389,7 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
   }
   SECTION("periods that do not divide") {
     CHECK(refused("[control]\nperiod_ms = 1.5\nservo_period_ms = 1.0") ==
-          "mill.toml:2:13: error: control.period_ms = 1.5 is no multiple of "
+          "mill.toml:2:13: error: control.period_ms = 1.5 is not a multiple of "
           "control.servo_period_ms = 1 [SC7010]\n"
           "    2 | period_ms = 1.5\n"
           "      |             ^~~\n");
@@ -504,13 +505,13 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
     const std::string port =
         "control.backend = 'parport'\nbackend.parport.base_period_us = 5\nbackend.parport.";
     CHECK(refused(port + "x_step_pin = 14")
-              .starts_with("mill.toml:3:30: error: backend.parport.x_step_pin = 14 is no "
+              .starts_with("mill.toml:3:30: error: backend.parport.x_step_pin = 14 is not a "
                            "data pin: 2 to 9 [SC7071]\n"));
     CHECK(refused(port + "enable_pin = -11")
-              .starts_with("mill.toml:3:30: error: backend.parport.enable_pin = -11 is no "
+              .starts_with("mill.toml:3:30: error: backend.parport.enable_pin = -11 is not an "
                            "output: 1 to 9, 14, 16, 17 [SC7071]\n"));
     CHECK(refused(port + "limit_pin = 9")
-              .starts_with("mill.toml:3:29: error: backend.parport.limit_pin = 9 is no "
+              .starts_with("mill.toml:3:29: error: backend.parport.limit_pin = 9 is not an "
                            "input: 10, 11, 12, 13, 15 [SC7071]\n"));
     CHECK(refused(port + "y_direction_pin = -2")
               .starts_with("mill.toml:3:35: error: backend.parport.y_direction_pin = -2 is "
@@ -550,13 +551,14 @@ TEST_CASE("a wrong setting is refused with its place", "[hal][machine]") {
   CHECK(begins_showing(refused("", {"=3"}), "--set:1:2: error: ... [SC7011]"));
   CHECK(refused("", {"name=mill\x80"})
             .starts_with("--set:1:6: error: not TOML: a value that is not UTF-8 [SC7002]\n"));
-  CHECK(refused("", {"axis.x.blu_um=2.5\naxis.y.blu_um=1"})
-            .starts_with("--set:1:15: error: axis.x.blu_um takes a number, not a text [SC7004]\n"));
+  CHECK(
+      refused("", {"axis.x.blu_um=2.5\naxis.y.blu_um=1"})
+          .starts_with("--set:1:15: error: axis.x.blu_um takes a number, not a string [SC7004]\n"));
   CHECK(begins_showing(refused("", {"control.period_ms=3", "control.servo_period_ms=2"}),
                        "--set:1:19: error: ... [SC7010]"));
 }
 
-TEST_CASE("all errors of a file and of settings are told at once, by their places",
+TEST_CASE("all errors of a file and of settings are reported at once, by their places",
           "[hal][machine]") {
   CHECK(refused("[spindle]\nmax_rpm = -1\n[control]\nperiod_ms = \"a\"\nbackend = 'no'\n"
                 "[axis.x]\nmin_mm = 20\nmax_mm = 10\n",
@@ -565,17 +567,17 @@ TEST_CASE("all errors of a file and of settings are told at once, by their place
         "1e+06, not -1 [SC7005]\n"
         "    2 | max_rpm = -1\n"
         "      |           ^~\n"
-        "mill.toml:4:13: error: control.period_ms takes a number, not a text [SC7004]\n"
+        "mill.toml:4:13: error: control.period_ms takes a number, not a string [SC7004]\n"
         "    4 | period_ms = \"a\"\n"
         "      |             ^~~\n"
-        "mill.toml:5:11: error: control.backend does not know 'no'; it knows 'none', 'sim', "
-        "'stepdir', 'parport', 'hal-stream'; did you mean 'none'? [SC7006]\n"
+        "mill.toml:5:11: error: control.backend must be one of 'none', 'sim', "
+        "'stepdir', 'parport', 'hal-stream', not 'no'; did you mean 'none'? [SC7006]\n"
         "    5 | backend = 'no'\n"
         "      |           ^~~~\n"
         "mill.toml:8:10: error: axis.x.min_mm = 20 is not below axis.x.max_mm = 10 [SC7008]\n"
         "    8 | max_mm = 10\n"
         "      |          ^~\n"
-        "--set:1:20: error: limits.feed_mm_min takes a number, not a text [SC7004]\n"
+        "--set:1:20: error: limits.feed_mm_min takes a number, not a string [SC7004]\n"
         "    1 | limits.feed_mm_min=x\n"
         "      |                    ^\n"
         "--set:1:17: error: spindle.min_rpm must be 0, or at least 0.001 and at most 1e+06, not "
@@ -587,7 +589,7 @@ TEST_CASE("all errors of a file and of settings are told at once, by their place
         Faults{"mill.toml:2:1: SC7001", "mill.toml:4:1: SC7001"});
 }
 
-TEST_CASE("what follows from an error of a machine file is not told", "[hal][machine]") {
+TEST_CASE("what follows from an error of a machine file is not reported", "[hal][machine]") {
   using Faults = std::vector<std::string>;
   SECTION("what stands in a table that is not known") {
     CHECK(faults_of("[axes.x]\nblu_um = 1\n[axes.x.motor]\ncolour = 2\n[spindel]\nx = 1\n") ==
@@ -645,7 +647,7 @@ TEST_CASE("the built-in machine reads back from its text bit for bit", "[hal][ma
 TEST_CASE("a machine reads back from its text bit for bit", "[hal][machine][property]") {
   rc::check("any values, any axes, any tools", [] {
     const auto pick = [](const MachineKey& key) -> std::string {
-      if (const auto* number = std::get_if<Number>(&key.value)) {
+      if (const auto* number = std::get_if<NumberKey>(&key.value)) {
         if (number->range.high == 0) return "0";
         const double part = *rc::gen::inRange(1, 1'000'000'000) / 1e9;
         std::ostringstream text;
@@ -654,11 +656,11 @@ TEST_CASE("a machine reads back from its text bit for bit", "[hal][machine][prop
                     part * (std::min(number->range.high, 900.0) - number->range.low);
         return text.str();
       }
-      if (const auto* whole = std::get_if<Whole>(&key.value))
+      if (const auto* whole = std::get_if<WholeKey>(&key.value))
         return std::to_string(
             *rc::gen::inRange(static_cast<int>(whole->range.low),
                               static_cast<int>(std::min(whole->range.high, 1e6))));
-      if (const auto* choice = std::get_if<Choice>(&key.value)) {
+      if (const auto* choice = std::get_if<ChoiceKey>(&key.value)) {
         std::vector<std::string_view> words(choice->words.begin(), choice->words.end());
         std::erase_if(words, [](auto word) {  // pulses ask some values to fit one another
           return std::any_of(std::begin(kPulseMethodNames), std::end(kPulseMethodNames),
@@ -666,7 +668,7 @@ TEST_CASE("a machine reads back from its text bit for bit", "[hal][machine][prop
         });
         return std::string(*rc::gen::elementOf(words));
       }
-      if (std::holds_alternative<Point>(key.value))
+      if (std::holds_alternative<PointKey>(key.value))
         return *rc::gen::element<std::string>("[]", "[1, -2.5, 1e-3]");
       return "\"a \\\" \\\\ \\u0007 ü\"";
     };
@@ -698,7 +700,7 @@ TEST_CASE("numbers are written as a person would", "[hal][machine]") {
   CHECK(text.starts_with("name = \"mill\"\n\n[control]\nperiod_ms = 1\n"));
 }
 
-TEST_CASE("the effective machine tells where each value came from", "[hal][machine]") {
+TEST_CASE("the effective machine names the origin of each value", "[hal][machine]") {
   const test::Folder folder;
   const std::string file = folder / "mill.toml";
   std::ofstream(file) << "[control]\n\nperiod_ms = 8\n[axis.x]\nblu_um = 1.0\n";

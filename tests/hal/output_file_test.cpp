@@ -70,7 +70,7 @@ TEST_CASE("a symbolic link to a file that is not there yet is written through", 
   CHECK(test::read(folder / "target") == "new");
 }
 
-TEST_CASE("a symbolic link to nowhere is told and stays", "[hal][output]") {
+TEST_CASE("a symbolic link to nowhere is reported and stays", "[hal][output]") {
   const test::Folder folder;
   fs::create_symlink("no/such/folder", folder / "lost");
   fs::create_symlink("circle", folder / "circle");
@@ -99,7 +99,7 @@ TEST_CASE("a file that cannot be created says why", "[hal][output]") {
         folder.path() + ": error: cannot be created: Is a directory [SC6011]\n");
 }
 
-TEST_CASE("a full disk is told", "[hal][output]") {
+TEST_CASE("a full disk is reported", "[hal][output]") {
   const auto written = write_file("/dev/full", "x");
   REQUIRE_FALSE(written);
   CHECK(render(written.error()) ==
@@ -112,7 +112,7 @@ TEST_CASE("what is no regular file is written directly", "[hal][output]") {
   CHECK(fs::is_character_file("/dev/null"));
 }
 
-TEST_CASE("a closed pipe can be told from other failures", "[hal][output]") {
+TEST_CASE("a closed pipe can be distinguished from other failures", "[hal][output]") {
   std::signal(SIGPIPE, SIG_IGN);
   const test::Folder folder;
   const std::string pipe = folder / "pipe";

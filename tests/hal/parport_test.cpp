@@ -68,8 +68,8 @@ Setpoint at(const AxisVector& place) {
 }
 
 /// The edges of the lines on pins 2 to 7, by ticks of so many ns.
-std::vector<Edge> edges_in(const PortRecord& record, std::int64_t base) {
-  std::vector<Edge> edges;
+std::vector<SignalEdge> edges_in(const PortRecord& record, std::int64_t base) {
+  std::vector<SignalEdge> edges;
   unsigned levels = 0;
   for (const auto& write : record.writes) {
     if (write.control) continue;
@@ -179,7 +179,7 @@ TEST_CASE("inputs are understood, inverted or not", "[hal][parport]") {
   CHECK(backend->exchange(at({0.02, 0, 0})).alarm == Alarm::emergency_stop);
 }
 
-TEST_CASE("a port that fails is told, and so is every other alarm", "[hal][parport][code]") {
+TEST_CASE("a port that fails is reported, and so is every other alarm", "[hal][parport][code]") {
   const Machine machine = on_port();
   PortRecord record;
   auto backend = open_recorded(machine, record);
@@ -206,7 +206,7 @@ TEST_CASE("a port that fails is told, and so is every other alarm", "[hal][parpo
         "are disabled [SC5030]\n");
 }
 
-TEST_CASE("what the system refuses is told by its reason", "[hal][parport][code]") {
+TEST_CASE("what the system refuses is reported by its reason", "[hal][parport][code]") {
   const auto text = [](const char* call, int error) {
     const Diagnostic told = port_refusal("/dev/parport0", call, error);
     CHECK(exit_status(told) == 5);
@@ -216,8 +216,9 @@ TEST_CASE("what the system refuses is told by its reason", "[hal][parport][code]
         "/dev/parport0: error: there is no such port (open: No such file or directory) [SC6072]\n");
   CHECK(text("open", ENXIO) ==
         "/dev/parport0: error: there is no such port (open: No such device or address) [SC6072]\n");
-  CHECK(text("open", EACCES) ==
-        "/dev/parport0: error: you may not use this port (open: Permission denied) [SC6072]\n");
+  CHECK(
+      text("open", EACCES) ==
+      "/dev/parport0: error: no permission to use this port (open: Permission denied) [SC6072]\n");
   CHECK(text("PPCLAIM", ENXIO) ==
         "/dev/parport0: error: another driver or program uses "
         "this port (PPCLAIM: No such device or address) [SC6073]\n");
@@ -227,7 +228,7 @@ TEST_CASE("what the system refuses is told by its reason", "[hal][parport][code]
   const auto null = Ppdev::open("/dev/null");
   REQUIRE_FALSE(null);
   CHECK(render(null.error()) ==
-        "/dev/null: error: this is no parallel port (PPEXCL: "
+        "/dev/null: error: this is not a parallel port (PPEXCL: "
         "Inappropriate ioctl for device) [SC6072]\n");
   CHECK_FALSE(Ppdev::open("/no/such/port"));
 }

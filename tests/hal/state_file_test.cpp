@@ -36,7 +36,7 @@ MachineState full_state(std::mt19937& random) {
   return state;
 }
 
-std::string told(const StateOrFaults& state) {
+std::string told(const StateOrErrors& state) {
   REQUIRE_FALSE(state);
   std::string text;
   for (const Diagnostic& fault : state.error()) text += render(fault);
@@ -62,7 +62,7 @@ TEST_CASE("the start state is written out in full", "[hal][state]") {
   CHECK(*state == MachineState());
 }
 
-TEST_CASE("every number of a state file reaches its place in house units", "[hal][state]") {
+TEST_CASE("every number of a state file reaches its place in internal units", "[hal][state]") {
   const auto state = parse_state(R"(schema = 1
 active = "G59.1"
 g92_in_force = "yes"
@@ -111,13 +111,13 @@ TEST_CASE("any state reads back bit for bit, and is the same text again", "[hal]
   }
 }
 
-TEST_CASE("parameters that are 0 need not be told", "[hal][state]") {
+TEST_CASE("parameters that are 0 need not be stated", "[hal][state]") {
   MachineState state;
   state.parameters[100] = 0;
   CHECK(state_toml(state) == state_toml({}));
 }
 
-TEST_CASE("what is wrong with a state file is told with its place", "[hal][state]") {
+TEST_CASE("what is wrong with a state file is reported with its place", "[hal][state]") {
   CHECK(refused("[work.G54]\nx = 3\n") ==
         "mill.state:3:1: error: unknown key 'work.G54.x' [SC7015]\n"
         "    3 | x = 3\n      | ^\n");
@@ -127,8 +127,8 @@ TEST_CASE("what is wrong with a state file is told with its place", "[hal][state
             .starts_with("mill.state:2:7: error: unknown key 'work.G60' [SC7015]\n"));
   CHECK(refused("[g28]\nx_mm = \"a\"\n")
             .starts_with("mill.state:3:8: error: g28.x_mm takes a number [SC7004]\n"));
-  CHECK(refused("tool = 3\n")
-            .starts_with("mill.state:2:8: error: tool is a table of keys [SC7004]\n"));
+  CHECK(
+      refused("tool = 3\n").starts_with("mill.state:2:8: error: tool must be a table [SC7004]\n"));
   CHECK(refused("[g28]\nx_mm = 1e7\n")
             .starts_with("mill.state:3:8: error: g28.x_mm must be from -1e+06 to 1e+06, not 1e+07 "
                          "[SC7005]\n"));
@@ -143,7 +143,7 @@ TEST_CASE("what is wrong with a state file is told with its place", "[hal][state
       "mill.state:2:5: error: not TOML: table header: expected ']', saw ... [SC7013]"));
   CHECK(shows(refused("[g28]\nx_mm = 1\nx_mm = 2\n"), "error: ... [SC7012]"));
   CHECK(told(parse_state("", "mill.state")) ==
-        "mill.state: error: is no state file of softcnc: it names no schema [SC7016]\n");
+        "mill.state: error: is not a state file of softcnc: it names no schema [SC7016]\n");
   CHECK(told(parse_state("schema = 2\n", "mill.state"))
             .starts_with("mill.state:1:10: error: is a state of schema 2; this version "
                          "reads schema 1 [SC7016]\n"));
@@ -151,7 +151,7 @@ TEST_CASE("what is wrong with a state file is told with its place", "[hal][state
         "no/such.state: error: cannot be read: No such file or directory [SC7014]\n");
 }
 
-TEST_CASE("all errors of a state file are told, by their lines", "[hal][state]") {
+TEST_CASE("all errors of a state file are reported, by their lines", "[hal][state]") {
   CHECK(refused("[work.G54]\ny = 3\nx_mm = 1\nz_mm = 1e7\n[g28]\nx_mm = \"a\"\n") ==
         "mill.state:3:1: error: unknown key 'work.G54.y' [SC7015]\n"
         "    3 | y = 3\n      | ^\n"
@@ -161,7 +161,7 @@ TEST_CASE("all errors of a state file are told, by their lines", "[hal][state]")
         "    7 | x_mm = \"a\"\n      |        ^~~\n");
 }
 
-TEST_CASE("what stands in a table that is refused is not told as well", "[hal][state]") {
+TEST_CASE("what stands in a table that is refused is not reported as well", "[hal][state]") {
   CHECK(refused("[work.G60]\nx_mm = 3\ny = 4\n[work.G600]\n[g92]\nq = 1\n") ==
         "mill.state:2:7: error: unknown key 'work.G60' [SC7015]\n"
         "    2 | [work.G60]\n      |       ^~~\n"
@@ -171,9 +171,9 @@ TEST_CASE("what stands in a table that is refused is not told as well", "[hal][s
         "    7 | q = 1\n      | ^\n");
 }
 
-TEST_CASE("of a file of another schema nothing else is told", "[hal][state]") {
+TEST_CASE("of a file of another schema nothing else is reported", "[hal][state]") {
   CHECK(told(parse_state("axis = 3\nperiod = \"a\"\n", "mill.state")) ==
-        "mill.state: error: is no state file of softcnc: it names no schema [SC7016]\n");
+        "mill.state: error: is not a state file of softcnc: it names no schema [SC7016]\n");
   CHECK(told(parse_state("schema = 2\nnew = 3\n", "mill.state")).find("SC7015") ==
         std::string::npos);
 }

@@ -21,20 +21,22 @@ constexpr StepTiming kXylotex{2000, 1000, 3000, 200, 200};
 /// One that takes the direction at the very instant of the step.
 constexpr StepTiming kAtOnce{500, 500, 1000, 0, 0};
 
-Edge step(std::int64_t time, bool high, std::uint8_t axis = 0) {
+SignalEdge step(std::int64_t time, bool high, std::uint8_t axis = 0) {
   return {time, axis, Wire::step, high};
 }
-Edge turn(std::int64_t time, bool high, std::uint8_t axis = 0) {
+SignalEdge turn(std::int64_t time, bool high, std::uint8_t axis = 0) {
   return {time, axis, Wire::direction, high};
 }
 
-std::string fault(std::initializer_list<Edge> edges) {
+std::string fault(std::initializer_list<SignalEdge> edges) {
   PulseRules rules(kGecko540);
-  rules.read(std::vector<Edge>(edges));
+  rules.read(std::vector<SignalEdge>(edges));
   return rules.broken().value_or("none");
 }
 
-std::vector<Edge> copied(std::span<const Edge> edges) { return {edges.begin(), edges.end()}; }
+std::vector<SignalEdge> copied(std::span<const SignalEdge> edges) {
+  return {edges.begin(), edges.end()};
+}
 
 }  // namespace
 
@@ -43,23 +45,23 @@ TEST_CASE("the validator finds each rule that is broken", "[hal][pulse]") {
   CHECK(fault({turn(0, true), step(10000, true), step(15000, false), turn(25000, false)}) ==
         "none");
   CHECK(fault({step(0, true), step(4999, false)}) ==
-        "x at 4999 ns: step length 4999 ns, at least 5000 ns is asked for");
+        "x at 4999 ns: step length 4999 ns, at least 5000 ns is required");
   CHECK(fault({step(0, true), step(5001, false), step(10000, true)}) ==
-        "x at 10000 ns: step space 4999 ns, at least 5000 ns is asked for");
+        "x at 10000 ns: step space 4999 ns, at least 5000 ns is required");
   CHECK(fault({step(0, true, 1), step(6000, false, 1), step(9999, true, 1)}) ==
-        "y at 9999 ns: step space 3999 ns, at least 5000 ns is asked for");
+        "y at 9999 ns: step space 3999 ns, at least 5000 ns is required");
   CHECK(fault({turn(0, true), step(9999, true)}) ==
-        "x at 9999 ns: direction set-up 9999 ns, at least 10000 ns is asked for");
+        "x at 9999 ns: direction set-up 9999 ns, at least 10000 ns is required");
   CHECK(fault({step(0, true), step(5000, false), turn(14999, true)}) ==
-        "x at 14999 ns: direction hold 9999 ns, at least 10000 ns is asked for");
+        "x at 14999 ns: direction hold 9999 ns, at least 10000 ns is required");
   CHECK(fault({step(0, true), turn(4000, true)}) ==
         "x at 4000 ns: the direction changes during a step");
   CHECK(fault({step(0, true), step(7000, true)}) == "x at 7000 ns: the line is high already");
   CHECK(fault({step(10, true), step(9, true, 2)}) ==
-        "z at 9 ns: comes before the edge ahead of it, at 10 ns");
+        "z at 9 ns: comes before the previous edge, at 10 ns");
 }
 
-TEST_CASE("the validator tells every broken rule, and measures each axis", "[hal][pulse]") {
+TEST_CASE("the validator reports every broken rule, and measures each axis", "[hal][pulse]") {
   std::vector<std::string> told;
   PulseRules rules(kGecko540, [&](const BrokenRule& broken) { told.push_back(text(broken)); });
   rules.read(std::vector{step(0, true), step(4000, false), step(7000, true), turn(8000, true),
@@ -67,12 +69,12 @@ TEST_CASE("the validator tells every broken rule, and measures each axis", "[hal
                          step(30000, true, 1), step(36000, false, 1)});
   rules.finish();
   CHECK(told == std::vector<std::string>{
-                    "x at 4000 ns: step length 4000 ns, at least 5000 ns is asked for",
-                    "x at 7000 ns: step space 3000 ns, at least 5000 ns is asked for",
-                    "x at 7000 ns: step interval 7000 ns, at least 10000 ns is asked for",
+                    "x at 4000 ns: step length 4000 ns, at least 5000 ns is required",
+                    "x at 7000 ns: step space 3000 ns, at least 5000 ns is required",
+                    "x at 7000 ns: step interval 7000 ns, at least 10000 ns is required",
                     "x at 8000 ns: the direction changes during a step",
-                    "x at 20000 ns: direction hold 8000 ns, at least 10000 ns is asked for",
-                    "x at 22000 ns: direction set-up 2000 ns, at least 10000 ns is asked for",
+                    "x at 20000 ns: direction hold 8000 ns, at least 10000 ns is required",
+                    "x at 22000 ns: direction set-up 2000 ns, at least 10000 ns is required",
                     "x at 22000 ns: the step that begins here has no end"});
   const PulseRules::Figures& x = rules.figures(0);
   CHECK(x.steps == 3);
@@ -86,7 +88,7 @@ TEST_CASE("the validator tells every broken rule, and measures each axis", "[hal
   CHECK(rules.edges() == 9);
 }
 
-TEST_CASE("a line may begin high, and an edge out of order is told once", "[hal][pulse]") {
+TEST_CASE("a line may begin high, and an edge out of order is reported once", "[hal][pulse]") {
   std::vector<PulseRule> told;
   PulseRules rules(kGecko540, [&](const BrokenRule& broken) { told.push_back(broken.rule); });
   rules.begin(turn(0, true));
@@ -99,10 +101,10 @@ TEST_CASE("a line may begin high, and an edge out of order is told once", "[hal]
 TEST_CASE("the validator knows the largest rate apart from length and space", "[hal][pulse]") {
   PulseRules rules({1000, 1000, 10000, 0, 0});
   rules.read(std::vector{step(0, true), step(1000, false), step(9000, true)});
-  CHECK(rules.broken() == "x at 9000 ns: step interval 9000 ns, at least 10000 ns is asked for");
+  CHECK(rules.broken() == "x at 9000 ns: step interval 9000 ns, at least 10000 ns is required");
 }
 
-TEST_CASE("pulses with room between them come when they should", "[hal][pulse]") {
+TEST_CASE("pulses with space between them come when they should", "[hal][pulse]") {
   StepEdges edges(kGecko540);
   edges.add(0, 20000, 1);
   edges.add(1, 20500, -1);

@@ -91,7 +91,7 @@ TEST_CASE("at the fastest speed that is accepted no pulse is late", "[hal][pulse
     const auto edges = read_edges(test::read(machine.step_port.file));
     REQUIRE(edges);
     std::vector<std::int64_t> rises;
-    for (const Edge& edge : *edges)
+    for (const SignalEdge& edge : *edges)
       if (edge.high) rises.push_back(edge.time);
     REQUIRE(static_cast<double>(rises.size()) >= 50e6 / interval - 1);
     for (std::size_t i = 0; i < rises.size(); ++i) {
@@ -104,7 +104,7 @@ TEST_CASE("at the fastest speed that is accepted no pulse is late", "[hal][pulse
 
 TEST_CASE("both forms of the file hold the same edges", "[hal][pulse]") {
   const test::Folder folder;
-  std::vector<std::vector<Edge>> forms;
+  std::vector<std::vector<SignalEdge>> forms;
   for (const char* name : {"steps.vcd", "steps.edges"}) {
     auto backend = StepDir::open(stepper(folder / name));
     REQUIRE(backend);
@@ -142,14 +142,14 @@ TEST_CASE("a waveform viewer finds every line by name", "[hal][pulse]") {
         "#502500\n0!\n0%\n");
 }
 
-TEST_CASE("files that are no lists of edges are told from them", "[hal][pulse]") {
+TEST_CASE("files that are no lists of edges are distinguished from them", "[hal][pulse]") {
   CHECK_FALSE(read_edges(""));
   CHECK_FALSE(read_edges("$timescale 1 ps $end\n"));
   CHECK(read_edges("edges 1\n")->empty());
   CHECK(read_edges(std::string("edges 1\n\x05\x01", 10)).value() ==
-        std::vector{Edge{5, 0, Wire::step, true}});
+        std::vector{SignalEdge{5, 0, Wire::step, true}});
   CHECK(read_edges(std::string("edges 1\n\x85\x01\x06", 11)).value() ==
-        std::vector{Edge{133, 1, Wire::direction, false}});
+        std::vector{SignalEdge{133, 1, Wire::direction, false}});
   CHECK_FALSE(read_edges(std::string("edges 1\n\x05", 9)));       // cut off
   CHECK_FALSE(read_edges(std::string("edges 1\n\x05\x0c", 10)));  // no such axis
 }
@@ -164,7 +164,7 @@ TEST_CASE("an edge list that cannot be made is refused", "[hal][pulse][code]") {
   CHECK(nowhere.error().code == Code::SC6011);
 }
 
-TEST_CASE("a full disk is an alarm of the port, and the file tells it", "[hal][pulse]") {
+TEST_CASE("a full disk is an alarm of the port, and the file reports it", "[hal][pulse]") {
   const test::Folder folder;
   std::filesystem::create_symlink("/dev/full", folder / "full.edges");
   auto backend = StepDir::open(stepper(folder / "full.edges"));

@@ -86,7 +86,7 @@ TEST_CASE("an entry from an open file is all of it", "[hal][temporary][zip]") {
   REQUIRE(file);
   REQUIRE(file->add("what has just been written"));
   ZipWriter zip(folder / "x.zip");
-  zip.add_descriptor("stored", file->descriptor(), Packing::store);
+  zip.add_descriptor("stored", file->descriptor(), Compression::store);
   REQUIRE(zip.finish());
   CHECK(*ZipReader::open(folder / "x.zip")->text("stored") == "what has just been written");
 }

@@ -110,10 +110,10 @@ TEST_CASE("of a file that is wrong all over the first thousand errors are report
   for (int i = 0; i < 20'000; ++i) text += "k" + std::to_string(i) + " = 1\n";
   const auto machine = parse_machine(text, "mill.toml", {});
   REQUIRE_FALSE(machine);
-  CHECK(machine.error().size() == kMostFaults);
+  CHECK(machine.error().size() == kMostErrors);
   const auto state = parse_state("schema = 1\n" + text, "mill.state");
   REQUIRE_FALSE(state);
-  CHECK(state.error().size() == kMostFaults);
+  CHECK(state.error().size() == kMostErrors);
 }
 
 TEST_CASE("a file of many tools is read and written in a time that goes by its length",
@@ -132,7 +132,7 @@ TEST_CASE("every number of a machine has a floor and a ceiling that its refusal 
           "[hal][machine]") {
   int floors = 0;
   for (const MachineKey& key : machine_keys()) {
-    const auto* number = std::get_if<Number>(&key.value);
+    const auto* number = std::get_if<NumberKey>(&key.value);
     if (!number) continue;
     const KeyRef ref{&key, is_tool_key(key) ? 1 : 0};
     CAPTURE(key.name, allowed_text(key));

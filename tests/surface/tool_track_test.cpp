@@ -70,7 +70,7 @@ TEST_CASE("a stretch may begin between two rows", "[hal][track]") {
   CHECK(track.passes()[0].to[0] == Approx(35));
 }
 
-TEST_CASE("a bend within a pass is told", "[hal][track]") {
+TEST_CASE("a bend within a pass is reported", "[hal][track]") {
   ToolTrack track;
   track.add(row(0, 0));
   track.begin({5, 1, kTurn});

@@ -203,7 +203,7 @@ TEST_CASE("where nothing cuts, the stock stays", "[hal][workpiece]") {
                     [](double z) { return z == 20; }));
   CHECK(std::all_of(untouched.deviations.begin(), untouched.deviations.end(),
                     [](float d) { return std::isnan(d); }));
-  const auto one = milled({}, 1, 3);  // a single pass tells no surface
+  const auto one = milled({}, 1, 3);  // a single pass defines no surface
   const Tile beside = Workpiece(one, grid).cut(0, 0, grid.columns, grid.rows);
   CHECK(std::isnan(beside.deviations.front()));
   CHECK(beside.heights.front() < 0.1);
@@ -239,7 +239,7 @@ TEST_CASE("passes above each other: those count that cut deepest", "[hal][workpi
   if (above > 0.02) CHECK(most(both.deviations) == Approx(most(one.deviations)).margin(1e-6));
 }
 
-TEST_CASE("what is cut below the ideal surface is told as such", "[hal][workpiece]") {
+TEST_CASE("what is cut below the ideal surface is reported as such", "[hal][workpiece]") {
   ToolTrack track;
   double t = 0;
   mill(track, t, {}, 9, 4);
@@ -263,7 +263,7 @@ TEST_CASE("where the stock ends below the ideal surface nothing is known", "[hal
   CHECK(tile.heights.front() == -0.1);
 }
 
-TEST_CASE("edges that are made anew for want of room cut the same", "[hal][workpiece]") {
+TEST_CASE("edges that are made again for want of memory cut the same", "[hal][workpiece]") {
   const auto track = milled({.teeth = 999, .feed = 0.002, .spin = 60}, 3, 1.5);
   const auto grid = grid_of(0.2, 0, 1, 1, 0.02);
   const Workpiece workpiece(track, grid);

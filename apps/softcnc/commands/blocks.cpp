@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // `softcnc blocks`: the blocks as the interpreter leaves them.
 #include "commands/commands.hpp"
-#include "job/each_block.hpp"
-#include "job/machine_choice.hpp"
-#include "job/machine_memory.hpp"
 #include "job/preflight.hpp"
+#include "messages/messages.hpp"
+#include "messages/repeated_errors.hpp"
+#include "messages/standard_output.hpp"
 #include "output/block_json.hpp"
-#include "output/messages.hpp"
-#include "output/repeated_errors.hpp"
+#include "program/each_block.hpp"
+#include "settings/machine_choice.hpp"
+#include "settings/machine_memory.hpp"
 
 namespace softcnc::app {
 namespace {

@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "commands/commands.hpp"
-#include "job/file_watch.hpp"
-#include "job/machine_choice.hpp"
-#include "job/machine_memory.hpp"
 #include "job/preflight.hpp"
-#include "output/messages.hpp"
-#include "output/progress.hpp"
+#include "messages/duration_text.hpp"
+#include "messages/messages.hpp"
+#include "messages/standard_output.hpp"
 #include "output/time_text.hpp"
+#include "process/file_watch.hpp"
+#include "settings/machine_choice.hpp"
+#include "settings/machine_memory.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -34,7 +35,7 @@ class SignalWatcher final : public Watcher {
   StopSignals& signals_;
 };
 
-/// Diagnostics on standard output. Text that is told of a stream is shown at once, since what
+/// Diagnostics on standard output. Those of a stream are shown at once as text, since what
 /// follows may take long; a document is of use only as a whole.
 class Shown {
  public:
@@ -68,7 +69,7 @@ int check_program(const std::string& name, const Machine& machine, const Channel
   beside.interpreter.folder = program->folder();
   beside.interpreter.called = &program->called();
   const Preflight checked =
-      preflight(*program, machine, beside, messages, watcher, Tells::surface_too);
+      preflight(*program, machine, beside, messages, watcher, PreflightNotes::surface_too);
   const std::filesystem::path folder = program->folder();
   for (const std::string& file : checked.outcome.called_files) called.push_back(folder / file);
   for (const std::string& file : checked.outcome.missing_files) called.push_back(folder / file);
@@ -87,7 +88,7 @@ int check_all(const Options& options, Shown& out, Messages& messages, SignalWatc
               std::vector<std::string>& called) {
   auto state = open_state(options.state, messages);
   if (!state) return messages.fail(state.error());
-  MachineShelf machines(options, messages);
+  MachineCache machines(options, messages);
   ChannelOptions channel = channel_options(options, {});
   channel.interpreter.compare_dialects = true;
   channel.state = std::move(*state);

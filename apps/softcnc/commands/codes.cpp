@@ -7,8 +7,9 @@
 
 #include "commands/commands.hpp"
 #include "ipr/codes/gcode_table.hpp"
-#include "output/messages.hpp"
-#include "output/standard_error.hpp"
+#include "messages/messages.hpp"
+#include "messages/standard_output.hpp"
+#include "process/standard_error.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -48,7 +49,7 @@ std::string codes_of(ipr::Group group) {
   return text;
 }
 
-/// All that the table says of a code.
+/// Returns all that the table says of a code.
 std::string explained(const ipr::GCode& code) {
   std::string text = row(code);
   const auto line = [&text](std::string_view what, std::string_view says) {
@@ -71,7 +72,7 @@ std::string explained(const CodeInfo& info) {
                      info.title, info.help);
 }
 
-/// The row of that name, or all rows whose names begin so; empty: there is none.
+/// Returns the row of that name, or all rows whose names begin so; empty where there is none.
 std::string found(const std::string& word) {
   std::string text;
   for (const ipr::GCode& code : ipr::gcode_table()) {

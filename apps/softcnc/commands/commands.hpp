@@ -2,7 +2,7 @@
 // One function per command; each returns the exit status.
 #pragma once
 
-#include "commands/options.hpp"
+#include "settings/options.hpp"
 
 namespace softcnc::app {
 

@@ -10,12 +10,13 @@
 #include "commands/commands.hpp"
 #include "hal/files/axis_name.hpp"
 #include "hal/machine/machine_file.hpp"
+#include "messages/messages.hpp"
+#include "messages/standard_output.hpp"
 #include "motion/core/units.hpp"
 #include "motion/model/step_rate.hpp"
-#include "output/messages.hpp"
+#include "process/signals.hpp"
 #include "realtime/lateness.hpp"
 #include "realtime/realtime.hpp"
-#include "realtime/signals.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -28,18 +29,18 @@ constexpr std::int64_t kGrace = 500'000'000;  // ns to catch up, beyond the time
 constexpr double kPeriodsPerStep = 2;         // one high, one low
 
 constexpr const char* kTooShort =
-    "\nThis computer does not keep pace with this period at all; measure with a longer one.\n";
+    "\nThis computer cannot keep up with this period; measure with a longer one.\n";
 
 std::int64_t to_ns(double seconds) noexcept { return std::llround(seconds * kNsPerSecond); }
 double us(std::int64_t ns) noexcept { return static_cast<double>(ns) / kNsPerUs; }
 
-/// So many wake-ups fit into the time asked for.
+/// Returns how many wake-ups fit into the time asked for.
 std::int64_t wakeups_in(double seconds, std::int64_t period) noexcept {
   return static_cast<std::int64_t>(seconds * kNsPerSecond) / period;
 }
 
-/// Wakes once a period for so many s, or until a signal comes. Where it cannot keep pace, it makes
-/// fewer wake-ups.
+/// Wakes once a period for the given time, s, or until a signal comes. Where it cannot keep up, it
+/// makes fewer wake-ups.
 Lateness measure(double seconds, std::int64_t period, StopSignals& signals) {
   Lateness lateness(period);
   const std::int64_t wakeups = wakeups_in(seconds, period);
@@ -80,13 +81,14 @@ std::string figures(const Lateness& lateness, std::int64_t period, std::int64_t 
   for (const auto& [name, part] : kPercentiles)
     text += fmt::format("   {} {:.1f}", name, us(lateness.percentile(part)));
   text += fmt::format("\n  overruns      {}\n", lateness.overruns());
-  return left_out > 0 ? text + fmt::format("  no time for   {} more\n", left_out) : text;
+  return left_out > 0 ? text + fmt::format("  skipped       {}\n", left_out) : text;
 }
 
 std::string consequences(const Pace& pace, const Machine& machine) {
   std::string text = fmt::format(
-      "\nNo wake-up was as late as {:.0f} us: this computer keeps {:.0f} wake-ups a second, and\n"
-      "{:.0f} steps a second and axis{}. With that:\n",
+      "\nNo wake-up was as late as {:.0f} us: this computer sustains {:.0f} wake-ups per second "
+      "and\n"
+      "{:.0f} steps per second and axis{}. This permits:\n",
       pace.period * 1e6, 1 / pace.period, pace.steps,
       pace.driver_limit ? ", all that backend.stepdir.max_rate_hz allows" : "");
   for (int i = 0; i < kAxes; ++i) {
@@ -132,7 +134,7 @@ int latency(const Options& options) {
   const Lateness lateness = measure(options.seconds, period, signals);
   become_ordinary();
   if (!rights.all())
-    Messages().show({Code::SC6075, {}, "no real-time rights: " + rights.refusal, {}, {}});
+    Messages().show({.code = Code::SC6075, .message = "no real-time rights: " + rights.refusal});
   int status = signals.poll() != 0 ? kSignalled + signals.poll() : 0;
   if (lateness.wakeups() == 0) return status;
   StandardOutput out;

@@ -6,7 +6,8 @@
 
 #include "commands/commands.hpp"
 #include "hal/machine/machine_file.hpp"
-#include "output/messages.hpp"
+#include "messages/messages.hpp"
+#include "messages/standard_output.hpp"
 
 namespace softcnc::app {
 

@@ -3,31 +3,30 @@
 #include <spdlog/spdlog.h>
 
 #include "commands/commands.hpp"
-#include "job/job.hpp"
-#include "job/recording.hpp"
-#include "output/messages.hpp"
+#include "job/run_job.hpp"
+#include "messages/messages.hpp"
+#include "output/finish_job.hpp"
+#include "recording/recording.hpp"
 
 namespace softcnc::app {
 namespace {
 
 /// A run that was stopped by hand cannot be run again as it was.
-bool worth_keeping(const Performance& performance) {
-  return performance.moved &&
-         (performance.ending == Ending::done || performance.ending == Ending::alarm);
+bool worth_keeping(const JobResult& result) {
+  return result.moved && (result.ending == Ending::done || result.ending == Ending::alarm);
 }
 
-void keep(Job& job, hal::OutputFile& file, const std::string& to, Performance& performance,
+void keep(Job& job, hal::OutputFile& file, const std::string& to, JobResult& result,
           const hal::TemporaryFile& trace) {
   RecordingMeta meta;
-  meta.rows = performance.outcome.setpoints;
+  meta.rows = result.outcome.setpoints;
   meta.options = job.options;
-  for (const std::string& name : performance.outcome.called_files)
-    meta.called.push_back({name, {}});
+  for (const std::string& name : result.outcome.called_files) meta.called.push_back({name, {}});
   const Status written = write_recording(file, job.program, job.machine, meta, trace);
   if (written)
-    performance.written.push_back({"recording", to});
+    result.written.push_back({"recording", to});
   else
-    performance.status = worse_status(performance.status, failed(written.error()));
+    result.status = worse_status(result.status, failed(written.error()));
 }
 
 }  // namespace
@@ -39,12 +38,11 @@ int record(const Options& options) {
   if (!file) return failed(file.error());
   auto trace = hal::TemporaryFile::make();
   if (!trace) return failed(trace.error());
-  Performance performance = perform(*job, options, {"", &*trace});
-  const bool kept = worth_keeping(performance);
-  if (kept) keep(*job, **file, options.output, performance, *trace);
-  const int status = conclude(*job, options, performance);
-  if (performance.moved && !kept)
-    spdlog::warn("no recording is kept of a run that did not come to its end");
+  JobResult result = run_job(*job, options, {"", &*trace});
+  const bool kept = worth_keeping(result);
+  if (kept) keep(*job, **file, options.output, result, *trace);
+  const int status = finish_job(*job, options, result);
+  if (result.moved && !kept) spdlog::warn("no recording is written of a run that did not finish");
   return status;
 }
 

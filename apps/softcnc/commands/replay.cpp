@@ -7,18 +7,20 @@
 #include "hal/files/hash.hpp"
 #include "hal/machine/machine_file.hpp"
 #include "hal/trace/trace_csv.hpp"
-#include "job/recording.hpp"
 #include "job/terminal.hpp"
-#include "job/trace_comparison.hpp"
-#include "output/messages.hpp"
-#include "session/contour_rows.hpp"
-#include "session/trace_rows.hpp"
+#include "messages/messages.hpp"
+#include "messages/standard_output.hpp"
+#include "recording/recording.hpp"
+#include "recording/trace_comparison.hpp"
+#include "rows/contour_rows.hpp"
+#include "rows/trace_rows.hpp"
+#include "session/simulate.hpp"
 
 namespace softcnc::app {
 namespace {
 
 /// The machine of the recording unless one is given.
-hal::MachineOrFaults machine_of(const Recording& recording, const std::string& name,
+hal::MachineOrErrors machine_of(const Recording& recording, const std::string& name,
                                 const Options& options) {
   if (options.names_machine) return hal::load_machine(options.machine_file, options.settings);
   return hal::parse_machine(recording.machine(), name + ":machine.toml", options.settings);
@@ -61,7 +63,7 @@ int run_again(const std::string& name, Material& material, Terminal& terminal) {
                                 row_columns(*material.backend)));
   Messages messages([&terminal] { terminal.end(); });
   Diagnostics diagnostics([&, show = messages.sink(material.program)](const Diagnostic& d) {
-    if (d.severity() == Severity::error) show(d);  // the rest was told when it was recorded
+    if (d.severity() == Severity::error) show(d);  // the rest was reported when it was recorded
   });
   diagnostics.set_file(material.program.name());
   ipr::Reader reader = material.program.reader();
@@ -77,31 +79,32 @@ int run_again(const std::string& name, Material& material, Terminal& terminal) {
   return worse_status(diagnostics.status(), stopped ? kSignalled + terminal.signal() : 0);
 }
 
-/// Says so where the machine is another one than that of the recording, which an earlier version
-/// may have written out with fewer keys.
+/// Reports a machine other than that of the recording, which an earlier version may have written
+/// with fewer keys.
 void compare_machines(const std::string& name, const Material& material) {
   const auto recorded = hal::parse_machine(material.recording.machine(), name, {});
   const std::string here = hal::machine_toml(material.machine);
   if (!recorded || hal::machine_toml(*recorded) == here) return;
-  spdlog::info("{}: not on the machine of the recording: its hash is {} there and {} here", name,
-               material.recording.meta().machine_hash, hal::hash_hex(here));
+  spdlog::info(
+      "{}: replayed on a machine other than that of the recording: its hash is {} in the recording "
+      "and {} here",
+      name, material.recording.meta().machine_hash, hal::hash_hex(here));
 }
 
-/// Says what has come out. A damaged trace whose rows nevertheless agree is an error all the same.
+/// Reports the result. A damaged trace whose rows nevertheless agree is an error all the same.
 Result<int> verdict(const std::string& name, const Material& material, StandardOutput& out) {
   const TraceComparison& comparison = material.comparison;
   if (!comparison.status()) return tl::make_unexpected(comparison.status().error());
   if (!comparison.difference().empty()) {
     out.write(fmt::format("{}: {}", name, comparison.difference()));
-    return failed({Code::SC6023, {}, comparison.in_words(), name, {}});
+    return failed({.code = Code::SC6023, .message = comparison.in_words(), .file = name});
   }
   if (const std::int64_t rows = material.recording.meta().rows; rows != comparison.rows())
-    return tl::make_unexpected(Diagnostic{
-        Code::SC6021,
-        {},
-        fmt::format("meta.json in it says {} rows, its trace has {}", rows, comparison.rows()),
-        name,
-        {}});
+    return tl::make_unexpected(
+        Diagnostic{.code = Code::SC6021,
+                   .message = fmt::format("its meta.json promises {} rows, its trace has {}", rows,
+                                          comparison.rows()),
+                   .file = name});
   if (Status good = material.recording.check_trace(); !good)
     return tl::make_unexpected(std::move(good.error()));
   spdlog::info("{}: {} rows agree", name, comparison.rows());

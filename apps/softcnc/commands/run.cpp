@@ -2,17 +2,18 @@
 // `softcnc run`: pre-flight, motion, summary.
 #include "commands/commands.hpp"
 #include "hal/files/file_lock.hpp"
-#include "job/job.hpp"
-#include "job/machine_memory.hpp"
-#include "output/messages.hpp"
+#include "job/run_job.hpp"
+#include "messages/messages.hpp"
+#include "output/finish_job.hpp"
+#include "settings/machine_memory.hpp"
 
 namespace softcnc::app {
 namespace {
 
-void keep_state(MachineMemory& memory, const std::string& file, Performance& performance) {
-  const auto kept = memory.keep(performance.outcome.state);
-  if (!kept) performance.status = worse_status(performance.status, failed(kept.error()));
-  if (kept && *kept) performance.written.push_back({"state", file});
+void keep_state(MachineMemory& memory, const std::string& file, JobResult& result) {
+  const auto kept = memory.keep(result.outcome.state);
+  if (!kept) result.status = worse_status(result.status, failed(kept.error()));
+  if (kept && *kept) result.written.push_back({"state", file});
 }
 
 }  // namespace
@@ -26,9 +27,9 @@ int run(const Options& options) {
   if (!memory) return failed(memory.error());
   job->options.keeps_state = !options.dry_run && !options.state.empty();
   const std::string trace = options.dry_run && options.trace.empty() ? "-" : options.trace;
-  Performance performance = perform(*job, options, {trace});
-  if (performance.moved) keep_state(*memory, options.state, performance);
-  return conclude(*job, options, performance);
+  JobResult result = run_job(*job, options, {trace});
+  if (result.moved) keep_state(*memory, options.state, result);
+  return finish_job(*job, options, result);
 }
 
 }  // namespace softcnc::app

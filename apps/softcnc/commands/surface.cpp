@@ -8,20 +8,22 @@
 #include <thread>
 
 #include "commands/commands.hpp"
+#include "cutting/cutting_rows.hpp"
+#include "cutting/surface_grid.hpp"
+#include "figures/cpu_clock.hpp"
 #include "job/job.hpp"
 #include "job/preflight.hpp"
+#include "job/run_diagnostics.hpp"
 #include "job/terminal.hpp"
+#include "messages/duration_text.hpp"
+#include "messages/messages.hpp"
+#include "messages/repeated_errors.hpp"
 #include "motion/core/units.hpp"
-#include "output/messages.hpp"
-#include "output/progress.hpp"
-#include "output/repeated_errors.hpp"
 #include "output/summary.hpp"
 #include "output/surface_file.hpp"
 #include "output/surface_report.hpp"
-#include "session/contour_rows.hpp"
-#include "session/cpu_clock.hpp"
-#include "session/cutting_rows.hpp"
-#include "session/surface_grid.hpp"
+#include "rows/contour_rows.hpp"
+#include "session/simulate.hpp"
 #include "session/verification.hpp"
 #include "surface/ideal_surface.hpp"
 
@@ -48,7 +50,7 @@ class SurfaceJob {
   int report(const surface::RoughnessMap& map);
   int cut(hal::OutputFile& output);
   int stopped() { return kSignalled + terminal_.signal(); }
-  void tell(const surface::RoughnessMap& map, double seconds, double cpu) const;
+  void log_summary(const surface::RoughnessMap& map, double seconds, double cpu) const;
 
   Job& job_;
   const Options& options_;
@@ -60,8 +62,9 @@ class SurfaceJob {
   std::int64_t updates_ = 0;
 };
 
-/// The first reading: what cuts, and what is wrong with the text. It takes a small part of the time
-/// of the run, and before that the size of the surface is known, and whether it can be cut at all.
+/// The first reading: the cutting moves, and the errors of the text. It takes a small part of the
+/// time of the run, and before that the size of the surface is known, and whether it can be cut at
+/// all.
 int SurfaceJob::read() {
   ShownOnce shown(job_.program, messages_.sink(job_.program));
   Diagnostics diagnostics(shown.sink());
@@ -71,7 +74,7 @@ int SurfaceJob::read() {
   return terminal_.signal() != 0 ? stopped() : diagnostics.status();
 }
 
-/// The run. What the first reading has told is not told again.
+/// The run. What the first reading has reported is not reported again.
 int SurfaceJob::move() {
   constexpr int kOfPlanning = 4000;
   Machine machine = without_backend(job_.machine);
@@ -130,7 +133,7 @@ int SurfaceJob::cut(hal::OutputFile& output) {
   if (terminal_.signal() != 0) return stopped();
   updates_ = *updates;
   if (Status written = (*file)->finish(map); !written) return fail(written.error());
-  tell(map, taken.count(), cpu_taken);
+  log_summary(map, taken.count(), cpu_taken);
   return report(map);
 }
 
@@ -140,7 +143,7 @@ int SurfaceJob::report(const surface::RoughnessMap& map) {
   Diagnostics diagnostics(messages_.sink(job_.program));
   diagnostics.set_file(job_.program.name());
   if (target.missed > 0)
-    diagnostics.report({Code::SC4040, {}, missed_text(target, map, grid_), {}, {}});
+    diagnostics.report({.code = Code::SC4040, .message = missed_text(target, map, grid_)});
   if (options_.report.empty()) return 0;
   const Status written = hal::write_file(options_.report, surface_report(job_, map, grid_));
   if (!written) return fail(written.error());
@@ -158,11 +161,11 @@ double memory_mb() {
 std::string roughness_text(const surface::RoughnessMap& map, double step, const Cutting& cutting) {
   const surface::RegionFigures sum = surface::figures(map.rmax());
   if (sum.regions == 0 && cutting.pick_feed > surface::IdealSurface::kWidestPick * cutting.radius)
-    return fmt::format("not known: a pick-feed above {:.2g} of the tool radius",
+    return fmt::format("unknown: the pick-feed exceeds {:.2g} of the tool radius",
                        surface::IdealSurface::kWidestPick);
   if (sum.regions == 0)
-    return "not known: nowhere do passes lie side by side on a smooth surface without gouges";
-  return fmt::format("{:.2f} um, {:.2f} um in the mean of {} regions of {:.4g} x {:.4g} mm",
+    return "unknown: no passes lie side by side on a smooth surface without gouges";
+  return fmt::format("{:.2f} um, {:.2f} um on average over {} regions of {:.4g} x {:.4g} mm",
                      sum.largest, sum.mean, sum.regions, map.side() * step, map.side() * step);
 }
 
@@ -170,7 +173,9 @@ std::string roughness_text(const surface::RoughnessMap& map, double step, const 
 std::string target_text(const surface::RoughnessMap& map) {
   const surface::TargetFigures target = target_figures(map);
   if (target.judged == 0) return {};
-  return fmt::format("\n  target       met in {} of {} regions that are asked for and known",
+  if (target.missed == 0)
+    return fmt::format("\n  target       met in all {} regions that have one", target.judged);
+  return fmt::format("\n  target       met in {} of {} regions that have one",
                      target.judged - target.missed, target.judged);
 }
 
@@ -186,7 +191,7 @@ std::string form_text(const surface::RoughnessMap& map) {
                      sum.largest, sum.marked);
 }
 
-void SurfaceJob::tell(const surface::RoughnessMap& map, double seconds, double cpu) const {
+void SurfaceJob::log_summary(const surface::RoughnessMap& map, double seconds, double cpu) const {
   const double points = static_cast<double>(grid_.columns) * grid_.rows;
   const double updates = static_cast<double>(updates_);
   spdlog::info(
@@ -194,7 +199,7 @@ void SurfaceJob::tell(const surface::RoughnessMap& map, double seconds, double c
       "Z{:.6g}\n  grid         {} x {} points, one every {:.6g} um\n  edges        {} passes\n"
       "  Rmax         {}{}{}\n  cut          {:.0f} points, {:.3g} updates in {:.2f} s, CPU {:.2f} "
       "s: "
-      "{:.1f} million a second and core\n  memory       {:.0f} MB\n\n  surface written to {}",
+      "{:.1f} million per second and core\n  memory       {:.0f} MB\n\n  surface written to {}",
       job_.program.name(), job_.machine.name, options_.actual ? ", by its actual positions" : "",
       machine_line(job_), (grid_.columns - 1) * grid_.step, (grid_.rows - 1) * grid_.step,
       grid_.top - grid_.corner[2], grid_.corner[0], grid_.corner[1], grid_.corner[2], grid_.columns,

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "job/each_block.hpp"
 #include "motion/core/units.hpp"
+#include "program/each_block.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -112,8 +112,8 @@ class CornerJudge {
     const bool exact = asks_for_exact_path(rests());
     diagnostics_.report(
         exact ? Code::SC4031 : Code::SC4030, {},
-        fmt::format("{} rests at corners{} cost {}{}, {:.0f} % of the time; {} would win {} back",
-                    cost.rests, exact ? ", which are to be sharp," : "", about,
+        fmt::format("{} rests at corners{} cost {}{}, {:.0f} % of the time; {} would save {}",
+                    cost.rests, exact ? ", which must stay sharp," : "", about,
                     seconds_text(cost.seconds), 100 * cost.seconds / outcome_.time,
                     remedy(cost.tolerance, exact), about.empty() ? "that" : "most of that"));
   }
@@ -130,8 +130,8 @@ class CornerJudge {
 
 }  // namespace
 
-void judge_corners(Program& program, const Machine& machine, const ChannelOptions& options,
-                   Outcome& outcome, Watcher* watcher, Diagnostics& diagnostics) {
+void report_corner_cost(Program& program, const Machine& machine, const ChannelOptions& options,
+                        Outcome& outcome, Watcher* watcher, Diagnostics& diagnostics) {
   const CornerJudge judge(options, outcome, diagnostics);
   if (!judge.is_worth_a_plan(machine)) return;
   if (program.streamed() || !options.events.empty())

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What rests at corners cost, and the tolerance that would win it back.
+// The time that rests at corners cost, and the tolerance that would save it.
 #pragma once
 
-#include "job/program.hpp"
-#include "session/channel.hpp"
+#include "program/program.hpp"
+#include "session/channel_options.hpp"
+#include "session/outcome.hpp"
+#include "session/watcher.hpp"
 
 namespace softcnc::app {
 
@@ -14,7 +16,7 @@ namespace softcnc::app {
 /// whose feed is changed while it runs, are not planned again; what is reported is their loss
 /// against the feed. Nothing is reported where every block is to end at rest, by --single-block or
 /// a clock of pulses. The outcome is that of a run that came to its end without errors.
-void judge_corners(Program& program, const Machine& machine, const ChannelOptions& options,
-                   Outcome& outcome, Watcher* watcher, Diagnostics& diagnostics);
+void report_corner_cost(Program& program, const Machine& machine, const ChannelOptions& options,
+                        Outcome& outcome, Watcher* watcher, Diagnostics& diagnostics);
 
 }  // namespace softcnc::app

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "job/endless.hpp"
 
-#include "job/each_block.hpp"
+#include "program/each_block.hpp"
+#include "session/refused_travel.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -30,7 +31,8 @@ bool is_endless(Program& program, const Machine& machine, const ChannelOptions& 
 bool is_endless(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
                 Watcher* watcher) {
   bool endless = false;
-  Diagnostics silent([&](const Diagnostic& told) { endless |= told.code == Code::SC2310; });
+  Diagnostics silent(
+      [&](const Diagnostic& diagnostic) { endless |= diagnostic.code == Code::SC2310; });
   ipr::Parser parser(reader, silent);
   ipr::InterpreterOptions reading = options.interpreter;
   reading.compare_dialects = reading.unrun_too = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Programs that never end: reading tells so in a moment, planning what they do would take long.
+// Programs that never end: reading shows that in a moment, planning them would take long.
 #pragma once
 
 #include <cstdint>
@@ -7,16 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "job/program.hpp"
-#include "session/channel.hpp"
+#include "program/program.hpp"
+#include "session/channel_options.hpp"
+#include "session/watcher.hpp"
 
 namespace softcnc::app {
 
-/// Whether reading the program breaks off in an endless loop. False where the watcher wants to stop
-/// before that is known, and where a pipe has nothing more yet.
+/// Returns whether reading the program ends in an endless loop. False where the watcher wants to
+/// stop before that is known, and where a pipe has nothing more yet.
 bool is_endless(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
                 Watcher* watcher);
-/// Expects a program that can be read again.
+/// The same for a program that can be read again.
 bool is_endless(Program& program, const Machine& machine, const ChannelOptions& options,
                 Watcher* watcher);
 
@@ -26,7 +27,7 @@ struct Unplanned {
   std::int64_t bytes_read = 0;  // of lines, those read again among them
 };
 
-/// Tells what reading a program tells, and where it would leave the travel.
+/// Reports what reading a program reports, and where its moves would leave the travel.
 Unplanned read_unplanned(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
                          Diagnostics& diagnostics, Watcher* watcher);
 

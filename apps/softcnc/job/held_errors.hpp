@@ -9,10 +9,11 @@
 
 #include "ipr/interpreter/repairs.hpp"
 #include "job/endless_rounds.hpp"
-#include "job/program.hpp"
-#include "output/messages.hpp"
-#include "output/repeated_errors.hpp"
-#include "session/channel.hpp"
+#include "messages/messages.hpp"
+#include "messages/repeated_errors.hpp"
+#include "program/program.hpp"
+#include "session/channel_options.hpp"
+#include "session/watcher.hpp"
 
 namespace softcnc::app {
 

@@ -1,296 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "job/job.hpp"
 
-#include <fmt/format.h>
-#include <spdlog/spdlog.h>
-#include <unistd.h>
+#include <utility>
 
-#include <cmath>
-#include <filesystem>
-
-#include "job/corner_cost.hpp"
-#include "job/file_clash.hpp"
-#include "job/machine_choice.hpp"
-#include "job/machine_memory.hpp"
 #include "job/preflight.hpp"
-#include "job/terminal.hpp"
-#include "output/messages.hpp"
-#include "output/repeated_errors.hpp"
-#include "output/report_json.hpp"
-#include "output/summary.hpp"
-#include "output/time_text.hpp"
-#include "realtime/realtime_player.hpp"
-#include "session/trace_rows.hpp"
-#include "session/verification.hpp"
+#include "messages/messages.hpp"
+#include "settings/file_clash.hpp"
+#include "settings/machine_choice.hpp"
+#include "settings/machine_memory.hpp"
 
 namespace softcnc::app {
 namespace {
 
-/// What the backend of a machine writes, if anything.
-WrittenFile backend_output(const Machine& machine) {
-  const bool is_edges = machine.control.backend == BackendKind::stepdir;
-  return {is_edges ? "edges" : "rows", backend_file(machine).second};
-}
-
-/// Whether a machine outside softcnc may be moved.
-bool is_real(BackendKind backend) {
-  return backend == BackendKind::parport || backend == BackendKind::hal_stream;
-}
-
-bool on_terminal(const std::string& trace) { return trace == "-" && ::isatty(STDOUT_FILENO) != 0; }
-
-bool may_ask(const Options& options) {
-  return !options.dry_run && options.files.front() != "-" && ::isatty(STDIN_FILENO) != 0 &&
-         ::isatty(STDERR_FILENO) != 0;
-}
-
-/// The run itself, after the pre-flight.
-class Performer {
- public:
-  Performer(Job& job, const Options& options, Messages& messages, Terminal& terminal)
-      : job_(job), options_(options), messages_(messages), terminal_(terminal) {}
-
-  Performance move(const TracePlace& trace, double total);
-
- private:
-  Performance refused(const Diagnostic& diagnostic) const;
-  void note_missing_fifo();
-  Diagnostics::Sink sink();
-  void run(hal::Backend& backend, TraceRows& rows);
-  bool by_the_clock() const;
-  hal::Patience patience() const;
-  void judge(Diagnostics& diagnostics);
-  void judge_punctuality();
-  bool is_dropped(const std::string& file) const;
-  void close(TraceRows& rows, const std::string& trace);
-  void close(hal::Backend& backend);
-  void settle(const Status& finished, WrittenFile file);
-  void failed_to_write(const Diagnostic& diagnostic);
-
-  Job& job_;
-  const Options& options_;
-  Messages& messages_;
-  Terminal& terminal_;
-  Performance performance_;
-};
-
-Performance Performer::refused(const Diagnostic& diagnostic) const {
-  Performance performance;
-  performance.status = messages_.fail(diagnostic);
-  return performance;
-}
-
-/// Rows for later may go into a file; rows for a program that reads along would be lost in it.
-void Performer::note_missing_fifo() {
-  const Machine& machine = job_.machine;
-  const std::string& file = machine.hal_stream.file;
-  const bool sends = !options_.dry_run && machine.control.backend == BackendKind::hal_stream;
-  std::error_code ignored;
-  if (!sends || file.empty() || file == "-" || std::filesystem::exists(file, ignored)) return;
-  messages_.show({Code::SC6076,
-                  {},
-                  "is not there: the rows go to a new file, and no program reads along",
-                  file,
-                  {}});
-}
-
-Performance Performer::move(const TracePlace& trace, double total) {
-  note_missing_fifo();
-  auto backend = hal::open_backend(options_.dry_run ? without_backend(job_.machine) : job_.machine,
-                                   PacedPlayer::open);
-  if (!backend) return refused(backend.error());
-  auto rows = trace.packed
-                  ? packed_trace(*trace.packed, job_.program, job_.machine, **backend)
-                  : open_trace(trace.file, job_.program, job_.machine, **backend, patience());
-  if (!rows) return refused(rows.error());
-  if (!options_.dry_run) terminal_.begin_motion(is_real(job_.machine.control.backend));
-  terminal_.begin(options_.dry_run ? "planning" : "running", total);
-  performance_.moved = true;
-  run(**backend, *rows);
-  close(**backend);
-  close(*rows, trace.file);
-  return std::move(performance_);
-}
-
-/// After a pre-flight only errors are news.
-Diagnostics::Sink Performer::sink() {
-  return [this, show = messages_.sink(job_.program)](const Diagnostic& diagnostic) {
-    if (options_.dry_run || diagnostic.severity() == Severity::error) show(diagnostic);
-  };
-}
-
-void Performer::run(hal::Backend& backend, TraceRows& rows) {
-  ShownOnce shown(job_.program, sink());
-  Diagnostics diagnostics(shown.sink());
-  diagnostics.set_file(job_.program.name());
-  ipr::Reader reader = job_.program.reader();
-  std::optional<PacedCycle> paced;
-  if (by_the_clock()) paced.emplace(backend, job_.machine.control.period, &rows);
-  performance_.outcome =
-      simulate(reader, job_.program.descriptor(), job_.machine, job_.options, backend, diagnostics,
-               &rows, &terminal_, paced ? &*paced : nullptr);
-  terminal_.end();
-  shown.finish();
-  if (paced) performance_.punctuality = paced->punctuality();
-  performance_.following_error = backend.following_error_max();
-  performance_.settled = backend.settle();
-  judge(diagnostics);
-  if (paced) judge_punctuality();
-}
-
-/// A parallel port keeps a clock of its own.
-bool Performer::by_the_clock() const {
-  return options_.realtime &&
-         (options_.dry_run || job_.machine.control.backend != BackendKind::parport);
-}
-
-/// A machine that moves by the clock waits for nobody: half a second is planned ahead.
-hal::Patience Performer::patience() const {
-  constexpr int kOfTheClock = 200;  // ms
-  const bool waits = !by_the_clock() && !is_real(job_.machine.control.backend);
-  return {terminal_.stop(), waits ? -1 : kOfTheClock};
-}
-
-void Performer::judge(Diagnostics& diagnostics) {
-  const Outcome& outcome = performance_.outcome;
-  if (is_of_axis(outcome.feedback.alarm)) diagnostics.report(alarm_diagnostic(outcome));
-  const bool at_rest = outcome.end == Outcome::End::done || outcome.end == Outcome::End::stopped;
-  if (at_rest && diagnostics.errors() == 0)
-    report_excess(outcome.measured, outcome.deviation, job_.machine, diagnostics);
-  if (options_.dry_run && outcome.end == Outcome::End::done && diagnostics.errors() == 0)
-    judge_corners(job_.program, job_.machine, job_.options, performance_.outcome, &terminal_,
-                  diagnostics);
-  performance_.status = diagnostics.status();
-  if (outcome.end == Outcome::End::alarm)
-    performance_.ending = Ending::alarm;
-  else if (diagnostics.errors() > 0 || outcome.end == Outcome::End::broken_off)
-    performance_.ending = Ending::error;
-  else if (outcome.end == Outcome::End::stopped)
-    performance_.ending = Ending::stopped;
-  else
-    performance_.ending = Ending::done;
-  if (outcome.end == Outcome::End::stopped)
-    performance_.status = worse_status(performance_.status, kSignalled + terminal_.signal());
-}
-
-/// Without the rights nothing was promised.
-void Performer::judge_punctuality() {
-  const Punctuality& punctuality = *performance_.punctuality;
-  const RealtimeRights& rights = punctuality.rights;
-  if (!rights.all())
-    messages_.show({Code::SC6075, {}, "no real-time rights: " + rights.refusal, {}, {}});
-  if (punctuality.overruns() == 0) return;
-  const Diagnostic missed = missed_periods(punctuality, job_.program.name());
-  messages_.show(missed);
-  performance_.status = worse_status(performance_.status, exit_status(missed));
-}
-
-/// After an error in program or output a file is not whole, and what it would replace stays. What
-/// has gone down a pipe has gone.
-bool Performer::is_dropped(const std::string& file) const {
-  return performance_.ending == Ending::error && hal::is_replaced(file);
-}
-
-void Performer::close(TraceRows& rows, const std::string& trace) {
-  if (is_dropped(trace) && rows.ok()) return;  // otherwise its error is still to be shown
-  if (performance_.outcome.end == Outcome::End::done) rows.add_hash_of(job_.program);
-  settle(rows.finish(), {"trace", trace});
-}
-
-void Performer::close(hal::Backend& backend) {
-  WrittenFile output = backend_output(options_.dry_run ? Machine() : job_.machine);
-  if (!is_dropped(output.file)) settle(backend.finish(), std::move(output));
-  performance_.tally = backend.tally();
-}
-
-void Performer::settle(const Status& finished, WrittenFile file) {
-  if (!finished) return failed_to_write(finished.error());
-  if (!file.file.empty() && file.file != "-") performance_.written.push_back(std::move(file));
-}
-
-void Performer::failed_to_write(const Diagnostic& diagnostic) {
-  performance_.ending = Ending::error;
-  performance_.status = worse_status(performance_.status, messages_.fail(diagnostic));
-}
-
-void explain(std::string_view what, const Outcome& outcome) {
-  spdlog::debug(
-      "{}: {} nodes planned in {} passes; CPU {:.3f} s planning, {:.3f} s cycle, {:.3f} s "
-      "verification, {:.3f} s output",
-      what, outcome.planner.nodes, outcome.planner.passes, outcome.cpu.planning, outcome.cpu.cycle,
-      outcome.cpu.verification, outcome.cpu.output);
-}
-
-/// The pre-flight; `expected` becomes its outcome.
-Performance check_first(Job& job, Messages& messages, Terminal& terminal, Outcome& expected) {
-  terminal.begin("checking", 0);
-  Preflight checked = preflight(job.program, job.machine, job.options, messages, &terminal);
-  terminal.end();
-  explain("pre-flight", checked.outcome);
-  Performance performance;
-  performance.status = checked.status;
-  if (checked.outcome.end == Outcome::End::stopped) {
-    performance.status = worse_status(checked.status, kSignalled + terminal.signal());
-    if (checked.status == 0) performance.ending = Ending::stopped;
-  }
-  expected = std::move(checked.outcome);
-  return performance;
-}
-
-/// Once stopped, nobody waits for who reads it.
-void write_report(Job& job, const Options& options, Performance& performance) {
-  std::stop_source stop;
-  if (performance.ending == Ending::stopped) stop.request_stop();
-  const hal::Patience patience{
-      performance.ending == Ending::stopped ? stop.get_token() : std::stop_token(), -1};
-  const auto written = hal::write_file(options.report, report_json(job, performance), patience);
-  if (written)
-    performance.written.push_back({"report", options.report});
-  else
-    performance.status = worse_status(performance.status, failed(written.error()));
+/// A dry run opens no backend, and surface none that writes.
+bool moves(const Options& options) {
+  return !options.dry_run && options.command != CommandName::surface;
 }
 
 }  // namespace
-
-bool is_of_axis(Alarm alarm) noexcept {
-  return alarm == Alarm::following_error || alarm == Alarm::counter_overflow ||
-         alarm == Alarm::lost_pulses;
-}
-
-Diagnostic alarm_diagnostic(const Outcome& outcome) {
-  const int axis = outcome.feedback.alarm_axis;
-  if (outcome.feedback.alarm == Alarm::lost_pulses)
-    return {Code::SC5020,
-            {outcome.last.line, 0, 1},
-            fmt::format("lost pulses of {}: its counter has missed one on the way to {:.4f} mm",
-                        kAxisLetters[static_cast<std::size_t>(axis)], outcome.last.position[axis]),
-            {},
-            {}};
-  const double lag = outcome.last.position[axis] - outcome.feedback.position[axis];
-  const bool overflow = outcome.feedback.alarm == Alarm::counter_overflow;
-  return {overflow ? Code::SC5002 : Code::SC5001,
-          {outcome.last.line, 0, 1},
-          fmt::format("{} of {}: it is {:.3f} mm behind its command", name(outcome.feedback.alarm),
-                      kAxisLetters[static_cast<std::size_t>(axis)], std::abs(lag)),
-          {},
-          {}};
-}
-
-Diagnostic missed_periods(const Punctuality& punctuality, const std::string& program) {
-  const std::int64_t overruns = punctuality.overruns();
-  return {punctuality.rights.all() ? Code::SC5040 : Code::SC5041,
-          {},
-          fmt::format("{} of {} periods {} missed; the latest came {:.1f} us late", overruns,
-                      punctuality.lateness.wakeups(), overruns == 1 ? "was" : "were",
-                      static_cast<double>(punctuality.lateness.largest()) / 1e3),
-          program,
-          {}};
-}
-
-/// A dry run opens no backend, and surface none that writes.
-bool moves(const Options& options) {
-  return !options.dry_run && options.command != Command::surface;
-}
 
 Result<Job> open_job(const Options& options) {
   Messages messages;
@@ -298,7 +25,8 @@ Result<Job> open_job(const Options& options) {
   if (!choice) return tl::make_unexpected(std::move(choice.error()));
   const Machine& machine = choice->machine;
   if (const std::string clash = file_clash(options, machine); !clash.empty() && moves(options))
-    return tl::make_unexpected(Diagnostic{Code::SC7072, {}, clash, options.machine_file, {}});
+    return tl::make_unexpected(
+        Diagnostic{.code = Code::SC7072, .message = clash, .file = options.machine_file});
   for (const std::string& file : written_files(options, moves(options) ? machine : Machine()))
     clear_leftovers(file);
   auto program =
@@ -316,46 +44,6 @@ Result<Job> open_job(const Options& options) {
 std::string_view name(Ending ending) noexcept {
   constexpr std::array<std::string_view, 4> names{"done", "stopped", "alarm", "error"};
   return names[static_cast<std::size_t>(ending)];
-}
-
-Performance perform(Job& job, const Options& options, const TracePlace& trace) {
-  Terminal terminal(options.progress, on_terminal(trace.file), job.machine.control.period);
-  Messages messages([&terminal] { terminal.end(); });
-  job.options.interpreter.stop = terminal.stop();
-  Outcome expected;
-  Performance performance;
-  if (!options.dry_run) performance = check_first(job, messages, terminal, expected);
-  if (performance.status == 0) {
-    if (may_ask(options)) terminal.wait_at_stops();
-    performance = Performer(job, options, messages, terminal).move(trace, expected.time);
-    if (!options.dry_run)
-      performance.outcome.time_sheet.corner_cost = expected.time_sheet.corner_cost;
-    if (performance.moved) explain("run", performance.outcome);
-  }
-  performance.diagnostics.assign(messages.kept().begin(), messages.kept().end());
-  return performance;
-}
-
-/// The summary; with -v its time sheet, too, and the worst lines where they are asked for.
-void say(const Outcome& outcome, const Options& options, const std::string& summary) {
-  spdlog::info("{}", summary);
-  spdlog::debug("{}", time_sheet_text(outcome.time_sheet));
-  if (options.worst > 0) spdlog::info("{}", worst_lines_text(outcome.worst_lines));
-}
-
-int conclude(Job& job, const Options& options, Performance& performance) {
-  if (!options.report.empty()) write_report(job, options, performance);
-  if (performance.moved && performance.ending != Ending::error)
-    say(performance.outcome, options, summary(job, performance));
-  const std::size_t left = performance.outcome.events_left;
-  for (std::size_t i = job.options.events.size() - left;
-       performance.moved && performance.ending == Ending::done && i < job.options.events.size();
-       ++i)
-    spdlog::warn("--at {} was not reached: the program had ended",
-                 event_text(job.options.events[i]));
-  if (!performance.moved && performance.ending == Ending::stopped)
-    spdlog::info("stopped before anything moved");
-  return performance.status;
 }
 
 }  // namespace softcnc::app

@@ -6,13 +6,14 @@
 #include "job/corner_cost.hpp"
 #include "job/endless.hpp"
 #include "job/held_errors.hpp"
+#include "session/simulate.hpp"
 #include "session/verification.hpp"
 
 namespace softcnc::app {
 
 namespace {
 
-/// The report tells of some, asked for or not.
+/// A report names some of them even if none are asked for.
 std::size_t worst_lines(const Options& options) {
   constexpr std::size_t kReported = 10;
   if (options.worst > 0) return static_cast<std::size_t>(options.worst);
@@ -53,7 +54,7 @@ ChannelOptions skimming(ChannelOptions options, const Machine& machine) {
 }
 
 Preflight preflight(Program& program, const Machine& machine, const ChannelOptions& options,
-                    Messages& messages, Watcher* watcher, Tells tells) {
+                    Messages& messages, Watcher* watcher, PreflightNotes notes) {
   auto backend = hal::open_backend(without_backend(machine));
   if (!backend) return {messages.fail(backend.error()), Outcome()};
   HeldErrors errors(program, machine, options, messages, watcher);
@@ -80,9 +81,9 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
                             nullptr, watcher);
   if (diagnostics.errors() == 0 && result.outcome.end == Outcome::End::done) {
     report_excess(result.outcome.measured, result.outcome.deviation, machine, diagnostics);
-    if (tells == Tells::surface_too) result.outcome.surface.tell_blocks(diagnostics);
+    if (notes == PreflightNotes::surface_too) result.outcome.surface.report_blocks(diagnostics);
     result.outcome.surface.warn(diagnostics);
-    judge_corners(program, machine, options, result.outcome, watcher, diagnostics);
+    report_corner_cost(program, machine, options, result.outcome, watcher, diagnostics);
   }
   errors.finish();
   result.status = errors.status();

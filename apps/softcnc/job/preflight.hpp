@@ -2,10 +2,12 @@
 // The whole program before anything moves.
 #pragma once
 
-#include "commands/options.hpp"
-#include "job/program.hpp"
-#include "output/messages.hpp"
-#include "session/channel.hpp"
+#include "messages/messages.hpp"
+#include "program/program.hpp"
+#include "session/channel_options.hpp"
+#include "session/outcome.hpp"
+#include "session/watcher.hpp"
+#include "settings/options.hpp"
 
 namespace softcnc::app {
 
@@ -21,11 +23,12 @@ struct Preflight {
   Outcome outcome;  // of the run without backend; of interest if status is 0
 };
 
-enum class Tells : std::uint8_t { faults, surface_too };
+enum class PreflightNotes : std::uint8_t { errors, surface_too };
 
 /// Runs the program without backend and shows all that is wrong with it; and what surface it
 /// leaves, where it asks for one.
 Preflight preflight(Program& program, const Machine& machine, const ChannelOptions& options,
-                    Messages& messages, Watcher* watcher = nullptr, Tells tells = Tells::faults);
+                    Messages& messages, Watcher* watcher = nullptr,
+                    PreflightNotes notes = PreflightNotes::errors);
 
 }  // namespace softcnc::app

@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "output/standard_error.hpp"
+#include "process/standard_error.hpp"
 
 namespace softcnc::app {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The person who watches a run: progress, Ctrl-C, and Enter where the program waits.
+// The terminal of a run: progress, Ctrl-C, and Enter where the program waits.
 #pragma once
 
 #include <stop_token>
 #include <string>
 
-#include "output/progress.hpp"
-#include "realtime/signals.hpp"
-#include "session/channel.hpp"
+#include "messages/progress.hpp"
+#include "process/signals.hpp"
+#include "session/watcher.hpp"
 
 namespace softcnc::app {
 
@@ -45,7 +45,7 @@ class Terminal final : public Watcher {
   bool waits_ = false;
 };
 
-/// What a person has to do before the program goes on; empty: nothing.
+/// Returns what a person has to do before the program goes on; empty: nothing.
 std::string instruction(const Pause& pause);
 
 }  // namespace softcnc::app

@@ -82,7 +82,7 @@ std::string feeds_text(const ContourReport& report, const Machine& machine, cons
   };
   std::vector<std::string> feeds;
   if (matters(report.bend_lag))
-    feeds.push_back(fmt::format("at {} in the sharpest bend (R {:.3g} mm)",
+    feeds.push_back(fmt::format("at {} in the sharpest curve (R {:.3g} mm)",
                                 feed_text(report.bend_lag * loop.least),
                                 report.bend_lag * report.bend_lag / (2 * ContourReport::kGoal)));
   if (matters(report.corner_lag))
@@ -91,7 +91,7 @@ std::string feeds_text(const ContourReport& report, const Machine& machine, cons
     feeds.push_back(fmt::format("at {} on lines", feed_text(2 * ContourReport::kGoal /
                                                             (1 / loop.least - 1 / loop.largest))));
   if (feeds.empty()) return {};
-  return fmt::format("\n  About {:.0f} um would be left {}.", um_from_mm(ContourReport::kGoal),
+  return fmt::format("\n  About {:.0f} um would remain {}.", um_from_mm(ContourReport::kGoal),
                      fmt::join(feeds, ", "));
 }
 

@@ -127,8 +127,9 @@ Result<std::string> Canvas::png(const std::string& file) const {
          png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels_.data(), 0, nullptr) != 0;
   bytes.resize(size);
   if (good) return bytes;
-  return tl::make_unexpected(
-      Diagnostic{Code::SC6012, {}, std::string("writing failed: ") + image.message, file, {}});
+  return tl::make_unexpected(Diagnostic{.code = Code::SC6012,
+                                        .message = std::string("writing failed: ") + image.message,
+                                        .file = file});
 }
 
 }  // namespace softcnc::app

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "figures/cpu_clock.hpp"
 #include "hal/files/axis_name.hpp"
 #include "hal/files/hash.hpp"
 #include "hal/machine/machine_file.hpp"
@@ -11,7 +12,6 @@
 #include "motion/pulses/counts.hpp"
 #include "output/contour_text.hpp"
 #include "output/time_text.hpp"
-#include "session/cpu_clock.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -44,9 +44,9 @@ Json time_by_limit(const Outcome& outcome) {
   return object;
 }
 
-Json diagnostics(const Performance& performance) {
+Json diagnostics(const JobResult& result) {
   Json list = Json::array();
-  for (const Diagnostic& d : performance.diagnostics)
+  for (const Diagnostic& d : result.diagnostics)
     list.push_back({{"file", d.file},
                     {"line", d.pos.line},
                     {"column", d.pos.column},
@@ -79,15 +79,15 @@ void add_measured(Json& report, const Machine& machine, const Outcome& outcome) 
   if (machine.limits.normal > 0) report["normal_max"] = measured.normal;
 }
 
-void add_axes(Json& report, const Machine& machine, const Performance& performance) {
-  report["counts"] = counts(machine, performance.outcome.last.position);
+void add_axes(Json& report, const Machine& machine, const JobResult& result) {
+  report["counts"] = counts(machine, result.outcome.last.position);
   const Json following = by_axis(machine, [&](int i) {
-    return um_from_mm(performance.following_error[static_cast<std::size_t>(i)]);
+    return um_from_mm(result.following_error[static_cast<std::size_t>(i)]);
   });
   if (following.empty()) return;
   report["following_error_um_max"] = following;
-  report["settled_mm"] = by_axis(machine, [&](int i) { return performance.settled[i]; });
-  report["settled_counts"] = counts(machine, performance.settled);
+  report["settled_mm"] = by_axis(machine, [&](int i) { return result.settled[i]; });
+  report["settled_counts"] = counts(machine, result.settled);
 }
 
 void add_punctuality(Json& report, const Punctuality& punctuality) {
@@ -111,17 +111,17 @@ void add_cpu(Json& report, const Outcome::Cpu& cpu) {
 
 }  // namespace
 
-std::string report_json(Job& job, const Performance& performance) {
-  const Outcome& outcome = performance.outcome;
+std::string report_json(Job& job, const JobResult& result) {
+  const Outcome& outcome = result.outcome;
   Json report;
-  report["status"] = name(performance.ending);
+  report["status"] = name(result.ending);
   report["program"] = job.program.name();
   report["program_hash"] = job.program.hash();
   report["machine"] = job.machine.name;
   if (!job.machine_file.empty()) report["machine_file"] = job.machine_file;
   report["machine_hash"] = hal::hash_hex(hal::machine_toml(job.machine));
   report["softcnc"] = SOFTCNC_VERSION;
-  if (performance.moved) {
+  if (result.moved) {
     report["time_s"] = outcome.time;
     report["length_mm"] = outcome.last.s;
     report["blocks"] = outcome.last.block;
@@ -130,22 +130,22 @@ std::string report_json(Job& job, const Performance& performance) {
     if (outcome.contour) add_contour(*outcome.contour, report);
     report["time_by_limit_s"] = time_by_limit(outcome);
     add_times(report, outcome);
-    add_axes(report, job.machine, performance);
+    add_axes(report, job.machine, result);
     report["planner_nodes"] = outcome.planner.nodes;
     report["planner_passes"] = outcome.planner.passes;
     report["planner_plan_nodes"] = outcome.planner.effort.nodes;
     report["planner_iterations"] = outcome.planner.effort.iterations;
     report["planner_fallbacks"] = outcome.planner.effort.fallbacks;
-    if (performance.tally) {
-      report["stream_rows"] = performance.tally->rows;
-      report["stream_xxh3"] = performance.tally->checksum;
+    if (result.tally) {
+      report["stream_rows"] = result.tally->rows;
+      report["stream_xxh3"] = result.tally->checksum;
     }
-    for (const WrittenFile& file : performance.written)
+    for (const WrittenFile& file : result.written)
       report["written"].push_back({{"what", file.what}, {"file", file.file}});
-    if (performance.punctuality) add_punctuality(report, *performance.punctuality);
+    if (result.punctuality) add_punctuality(report, *result.punctuality);
     add_cpu(report, outcome.cpu);
   }
-  report["diagnostics"] = diagnostics(performance);
+  report["diagnostics"] = diagnostics(result);
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -10,6 +10,6 @@ namespace softcnc::app {
 
 /// Keys and units: docs/cli.md. All of it but the CPU times and `realtime` follows from program and
 /// machine alone.
-std::string report_json(Job& job, const Performance& performance);
+std::string report_json(Job& job, const JobResult& result);
 
 }  // namespace softcnc::app

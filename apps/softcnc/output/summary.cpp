@@ -8,32 +8,32 @@
 #include <numeric>
 #include <vector>
 
+#include "figures/cpu_clock.hpp"
+#include "messages/duration_text.hpp"
 #include "motion/core/units.hpp"
 #include "motion/pulses/counts.hpp"
 #include "output/contour_text.hpp"
-#include "output/progress.hpp"
 #include "output/time_text.hpp"
-#include "session/cpu_clock.hpp"
 
 namespace softcnc::app {
 namespace {
 
 constexpr double kBar = 30;  // characters for 100 %
 
-std::string head(const Job& job, const Performance& performance) {
+std::string head(const Job& job, const JobResult& result) {
   std::string text = fmt::format("{} on {}", job.program.name(), job.machine.name);
-  const Setpoint& last = performance.outcome.last;
-  if (performance.ending == Ending::stopped)
+  const Setpoint& last = result.outcome.last;
+  if (result.ending == Ending::stopped)
     text += fmt::format(", stopped at rest in line {}", last.line);
-  if (performance.ending == Ending::alarm)
-    text += fmt::format(", broken off by an alarm in line {}", last.line);
+  if (result.ending == Ending::alarm)
+    text += fmt::format(", stopped by an alarm in line {}", last.line);
   return text;
 }
 
 /// Of rows on the curve their chords; pulses follow it between the rows.
 std::string closeness(const Machine& machine, const Measured& measured) {
   if (is_by_pulses(machine.control.interpolation))
-    return fmt::format("staircase    {:.4f} um from the curve at most, {:.4f} um in the mean",
+    return fmt::format("staircase    {:.4f} um from the curve at most, {:.4f} um on average",
                        um_from_mm(measured.path_deviation),
                        um_from_mm(measured.path_deviation_mean));
   return fmt::format("chord error  {:.4f} um, {:.6g} um allowed", um_from_mm(measured.chord_error),
@@ -58,7 +58,7 @@ std::string held_by(const Outcome& outcome) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return outcome.time_by_limit[a] > outcome.time_by_limit[b];
   });
-  std::string text = "\n\n  held by              time        %";
+  std::string text = "\n\n  limited by           time        %";
   for (const std::size_t i : order) {
     const double time = outcome.time_by_limit[i];
     if (!(time > 0)) break;
@@ -70,10 +70,10 @@ std::string held_by(const Outcome& outcome) {
   return text;
 }
 
-std::string axis_row(const Machine& machine, const Performance& performance, int i) {
+std::string axis_row(const Machine& machine, const JobResult& result, int i) {
   const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
-  const Outcome& outcome = performance.outcome;
-  const double following = performance.following_error[static_cast<std::size_t>(i)];
+  const Outcome& outcome = result.outcome;
+  const double following = result.following_error[static_cast<std::size_t>(i)];
   return fmt::format("\n  {}     {:>8.2f} / {:<8.6g} {:>8.1f} / {:<8.6g} {:>12} {:>12.4f} {:>9}",
                      kAxisLetters[static_cast<std::size_t>(i)], outcome.measured.velocity[i],
                      axis.velocity, outcome.measured.acceleration[i], axis.acceleration,
@@ -81,13 +81,12 @@ std::string axis_row(const Machine& machine, const Performance& performance, int
                      outcome.last.position[i] + 0.0, Counts(axis.blu)(outcome.last.position[i]));
 }
 
-std::string axes(const Machine& machine, const Performance& performance) {
+std::string axes(const Machine& machine, const JobResult& result) {
   std::string text =
       "\n\n  axis    velocity / limit      accel. / limit     following       end at     counts"
       "\n          mm/s                  mm/s2              error, um       mm         of BLU";
   for (int i = 0; i < kAxes; ++i)
-    if (machine.axes[static_cast<std::size_t>(i)].present)
-      text += axis_row(machine, performance, i);
+    if (machine.axes[static_cast<std::size_t>(i)].present) text += axis_row(machine, result, i);
   return text;
 }
 
@@ -107,10 +106,9 @@ std::string further_limits(const Machine& machine, const Measured& measured) {
 }
 
 /// What the other program should have got.
-std::string sent(const Performance& performance) {
-  if (!performance.tally) return {};
-  return fmt::format("\n\n  {} rows sent, xxh3 {}", performance.tally->rows,
-                     performance.tally->checksum);
+std::string sent(const JobResult& result) {
+  if (!result.tally) return {};
+  return fmt::format("\n\n  {} rows sent, xxh3 {}", result.tally->rows, result.tally->checksum);
 }
 
 /// Files that are there now.
@@ -121,9 +119,9 @@ std::string left(const std::vector<WrittenFile>& files) {
   return text;
 }
 
-std::string punctuality(const Performance& performance) {
-  if (!performance.punctuality) return {};
-  const Punctuality& kept = *performance.punctuality;
+std::string punctuality(const JobResult& result) {
+  if (!result.punctuality) return {};
+  const Punctuality& kept = *result.punctuality;
   return fmt::format("\n\n  {} of {} periods missed, at most {:.1f} us late: {}", kept.overruns(),
                      kept.lateness.wakeups(), static_cast<double>(kept.lateness.largest()) / 1e3,
                      text(kept.rights));
@@ -142,13 +140,13 @@ std::string machine_line(const Job& job) {
   return fmt::format("\n  machine      {}, beside the program", job.machine_file);
 }
 
-std::string summary(const Job& job, const Performance& performance) {
-  const Outcome& outcome = performance.outcome;
-  return head(job, performance) + machine_line(job) + sizes(job, outcome) +
-         rests_line(outcome.time_sheet) + held_by(outcome) + axes(job.machine, performance) +
+std::string summary(const Job& job, const JobResult& result) {
+  const Outcome& outcome = result.outcome;
+  return head(job, result) + machine_line(job) + sizes(job, outcome) +
+         rests_line(outcome.time_sheet) + held_by(outcome) + axes(job.machine, result) +
          (outcome.contour ? contour_paragraph(*outcome.contour, job.machine) : "") +
-         further_limits(job.machine, outcome.measured) + sent(performance) +
-         punctuality(performance) + left(performance.written) + cost(outcome);
+         further_limits(job.machine, outcome.measured) + sent(result) + punctuality(result) +
+         left(result.written) + cost(outcome);
 }
 
 }  // namespace softcnc::app

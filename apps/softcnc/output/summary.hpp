@@ -13,6 +13,6 @@ namespace softcnc::app {
 std::string machine_line(const Job& job);
 
 /// Several lines, without a newline at the end.
-std::string summary(const Job& job, const Performance& performance);
+std::string summary(const Job& job, const JobResult& result);
 
 }  // namespace softcnc::app

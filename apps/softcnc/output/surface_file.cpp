@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "hal/files/npz_file.hpp"
+#include "hal/files/temporary_file.hpp"
 #include "hal/files/zip_file.hpp"
-#include "job/recording.hpp"
 #include "output/surface_picture.hpp"
 
 namespace softcnc::app {
@@ -25,10 +25,10 @@ class SurfaceArrays final : public SurfaceFile {
     const std::int64_t regions[] = {map.rows(), map.columns()};
     const std::int64_t axes[] = {kAxes};
     const double region = map.side() * grid_.step;
-    const auto packed = hal::TemporaryFile::make();
-    if (!packed) return tl::make_unexpected(packed.error());
-    hal::ZipWriter zip(packed->descriptor());
-    zip.add_descriptor("heights_mm.npy", heights_.descriptor(), hal::Packing::store);
+    const auto archive = hal::TemporaryFile::make();
+    if (!archive) return tl::make_unexpected(archive.error());
+    hal::ZipWriter zip(archive->descriptor());
+    zip.add_descriptor("heights_mm.npy", heights_.descriptor(), hal::Compression::store);
     zip.add_text("rmax_um.npy", hal::npy(std::span<const float>(map.rmax()), regions));
     zip.add_text("target_um.npy", hal::npy(std::span<const float>(map.targets()), regions));
     zip.add_text("met.npy", hal::npy(std::span<const float>(map.met()), regions));
@@ -37,7 +37,7 @@ class SurfaceArrays final : public SurfaceFile {
     zip.add_text("step_mm.npy", hal::npy(std::span(&grid_.step, 1), {}));
     zip.add_text("region_mm.npy", hal::npy(std::span(&region, 1), {}));
     if (Status written = zip.finish(); !written) return written;
-    return copy_to_output(*packed, output_);
+    return archive->copy_to(output_);
   }
 
  private:
@@ -82,8 +82,10 @@ bool has_suffix(std::string_view file, std::string_view suffix) {
 
 Status known_surface_form(const std::string& file) {
   if (has_suffix(file, ".npz") || has_suffix(file, ".png")) return {};
-  return tl::make_unexpected(Diagnostic{
-      Code::SC6060, {}, "no form of a surface has this suffix; known are .npz, .png", file, {}});
+  return tl::make_unexpected(
+      Diagnostic{.code = Code::SC6060,
+                 .message = "no form of a surface has this suffix; known are .npz, .png",
+                 .file = file});
 }
 
 Result<std::unique_ptr<SurfaceFile>> open_surface_file(const std::string& name,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a surface is written as: numpy arrays or a picture.
+// A surface as a file: numpy arrays or a picture.
 #pragma once
 
 #include <memory>
@@ -16,11 +16,11 @@ class SurfaceFile {
   virtual ~SurfaceFile() = default;
   virtual Status add(const surface::SurfaceBand& band) = 0;
 
-  /// Call once behind the last band; without it no file is left.
+  /// Call once after the last band; without it no file is left.
   virtual Status finish(const surface::RoughnessMap& map) = 0;
 };
 
-/// Whether the suffix names a form. Errors: SC6060.
+/// Checks that the suffix names a format. Errors: SC6060.
 Status known_surface_form(const std::string& file);
 
 /// The form that the suffix of `name` names, into `output`. Errors: SC6003.

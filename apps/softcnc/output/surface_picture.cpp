@@ -77,7 +77,7 @@ void title(Canvas& canvas, int left, int top, const std::string& text) {
   canvas.write(left, top - 12 * kScale, text, kScale, kInk);
 }
 
-/// A red frame around each region that is rougher than asked for, as far as there is room for one.
+/// Draws a red frame around each region that is rougher than its target, where there is space.
 void frame_missed(Canvas& canvas, const Frame& frame, const surface::RoughnessMap& map) {
   const std::vector<float> met = map.met();
   const auto at = [](int i, int pixels, int count) {

@@ -18,7 +18,7 @@ class SurfacePicture {
 
   void add(const surface::SurfaceBand& band);
 
-  /// Call once behind the last band.
+  /// Call once after the last band.
   Canvas draw(const surface::RoughnessMap& map);
 
  private:

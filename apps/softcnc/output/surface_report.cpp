@@ -17,11 +17,12 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostListed = 1000;  // regions
 
 /// The middle of a region, mm.
-struct Place {
+struct RegionCentre {
   double x, y;
 };
 
-Place place(std::size_t region, const surface::RoughnessMap& map, const surface::StockGrid& grid) {
+RegionCentre centre_of(std::size_t region, const surface::RoughnessMap& map,
+                       const surface::StockGrid& grid) {
   const auto columns = static_cast<std::size_t>(map.columns());
   const double side = map.side() * grid.step;
   return {grid.corner[0] + (static_cast<double>(region % columns) + 0.5) * side,
@@ -34,7 +35,7 @@ Json missed_regions(const surface::RoughnessMap& map, const surface::StockGrid& 
   Json list = Json::array();
   for (std::size_t i = 0; i < met.size() && list.size() < kMostListed; ++i) {
     if (met[i] != 0) continue;
-    const Place at = place(i, map, grid);
+    const RegionCentre at = centre_of(i, map, grid);
     list.push_back(
         {{"x_mm", at.x}, {"y_mm", at.y}, {"rmax_um", rmax[i]}, {"rmax_target_um", targets[i]}});
   }
@@ -71,12 +72,11 @@ std::string surface_report(Job& job, const surface::RoughnessMap& map,
 
 std::string missed_text(const surface::TargetFigures& target, const surface::RoughnessMap& map,
                         const surface::StockGrid& grid) {
-  const Place at = place(target.worst, map, grid);
+  const RegionCentre at = centre_of(target.worst, map, grid);
   return fmt::format(
-      "an Rmax of {:.2f} um at X{:.6g} Y{:.6g}, where {:.4g} um are asked for; {} of {} regions "
-      "are "
-      "rougher than asked for",
-      target.rmax, at.x, at.y, target.target, target.missed, target.judged);
+      "an Rmax of {:.2f} um (target {:.4g} um) at X{:.6g} Y{:.6g}; {} of {} regions exceed their "
+      "target",
+      target.rmax, target.target, at.x, at.y, target.missed, target.judged);
 }
 
 }  // namespace softcnc::app

@@ -26,28 +26,28 @@ class TextBuffer {
   char& back() noexcept { return at_[-1]; }
 
   void add(std::string_view piece) {
-    std::memcpy(room(piece.size()), piece.data(), piece.size());
+    std::memcpy(reserve(piece.size()), piece.data(), piece.size());
     at_ += piece.size();
   }
   template <std::size_t Size>
   void add(const char (&literal)[Size]) {
-    std::memcpy(room(Size - 1), literal, Size - 1);
+    std::memcpy(reserve(Size - 1), literal, Size - 1);
     at_ += Size - 1;
   }
   void add(char letter) {
-    *room(1) = letter;
+    *reserve(1) = letter;
     ++at_;
   }
-  void add(double value) { at_ = hal::write_number(room(hal::kNumberLength), value); }
+  void add(double value) { at_ = hal::write_number(reserve(hal::kNumberLength), value); }
   void add(int value) {
-    char* const at = room(hal::kNumberLength);
+    char* const at = reserve(hal::kNumberLength);
     at_ = value < 0 ? std::to_chars(at, at + hal::kNumberLength, value).ptr
                     : hal::write_whole(at, static_cast<std::uint32_t>(value));
   }
 
  private:
   /// Where so many bytes are free.
-  char* room(std::size_t size) {
+  char* reserve(std::size_t size) {
     if (static_cast<std::size_t>(end_ - at_) < size) [[unlikely]]
       grow(size);
     return at_;

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "messages/duration_text.hpp"
 #include "motion/core/units.hpp"
-#include "output/progress.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 std::string_view reason(RestCause cause) {
   constexpr std::array<std::string_view, kRestCauses> reasons{
       "at corners",      "for a dwell", "for a tool", "for the spindle",
-      "for the coolant", "at a stop",   "on hold",    "for want of a faster plan"};
+      "for the coolant", "at a stop",   "on hold",    "where no faster plan was found"};
   return reasons[static_cast<std::size_t>(cause)];
 }
 

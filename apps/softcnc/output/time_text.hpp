@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "session/channel.hpp"
+#include "session/outcome.hpp"
 
 namespace softcnc::app {
 

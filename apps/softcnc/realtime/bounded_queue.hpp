@@ -16,7 +16,7 @@ class BoundedQueue {
  public:
   explicit BoundedQueue(std::size_t capacity) : capacity_(capacity), queue_(capacity) {}
 
-  /// False: it is full. Realtime.
+  /// Adds an item; false if the queue is full. Realtime.
   bool push(const T& item) noexcept {
     const std::uint64_t pushed = pushed_.load(std::memory_order_relaxed);
     if (pushed - taken() >= capacity_ || !queue_.try_enqueue(item)) return false;
@@ -24,7 +24,7 @@ class BoundedQueue {
     return true;
   }
 
-  /// False: there is none. Realtime.
+  /// Takes an item; false if there is none. Realtime.
   bool take(T& item) noexcept {
     const std::uint64_t taken = taken_.load(std::memory_order_relaxed);
     if (pushed() == taken || !queue_.try_dequeue(item)) return false;

@@ -7,7 +7,7 @@
 
 namespace softcnc::app {
 
-/// How figures of lateness are told.
+/// A percentile of lateness, as reports name it.
 struct Percentile {
   const char* name;
   double part;
@@ -20,7 +20,7 @@ class Lateness {
   /// `period` of the loop, ns.
   explicit Lateness(std::int64_t period);
 
-  /// A wake-up `late` ns behind its instant. Realtime.
+  /// Counts a wake-up that came `late` ns after its instant. Realtime.
   void add(std::int64_t late) noexcept;
 
   std::int64_t wakeups() const noexcept { return wakeups_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Real time as Linux has it: a thread that comes first, memory that stays, a clock to wait for.
+// Real time on Linux: scheduling priority, locked memory, a clock to wait for.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace softcnc::app {
 
-/// What the system has granted.
+/// The real-time rights that the system has granted.
 struct RealtimeRights {
   bool first = false;   // SCHED_FIFO: before all ordinary threads
   bool locked = false;  // no page of memory is fetched while it runs
@@ -16,19 +16,19 @@ struct RealtimeRights {
   bool all() const noexcept { return first && locked; }
 };
 
-/// Asks for both for the calling thread, and touches its stack.
+/// Requests both for the calling thread, and touches its stack.
 RealtimeRights become_realtime();
 
-/// Gives both back.
+/// Returns both to the system.
 void become_ordinary() noexcept;
 
-/// In words: "SCHED_FIFO, memory locked".
+/// Describes the rights: "SCHED_FIFO, memory locked".
 std::string text(const RealtimeRights& rights);
 
-/// ns of a clock that nobody sets.
+/// Returns the time in ns of a clock that is never set.
 std::int64_t now_ns() noexcept;
 
-/// Returns when the clock has come to `instant`, ns, or at once if it has passed. Realtime.
+/// Waits until the clock reaches `instant`, ns; returns at once if it has passed. Realtime.
 void sleep_until(std::int64_t instant) noexcept;
 
 }  // namespace softcnc::app

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hal/ports/tick_pace.hpp"
-#include "session/contour_rows.hpp"
+#include "rows/contour_rows.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -21,7 +21,7 @@ std::size_t setpoints_ahead(double period) {
 
 }  // namespace
 
-PacedCycle::PacedCycle(hal::Backend& backend, double period, RowSink* rows)
+RealtimeCycle::RealtimeCycle(hal::Backend& backend, double period, RowSink* rows)
     : backend_(backend),
       period_(std::llround(period * kNsPerSecond)),
       row_sink_(rows),
@@ -37,7 +37,7 @@ PacedCycle::PacedCycle(hal::Backend& backend, double period, RowSink* rows)
   thread_ = std::thread([this] { run(); });
 }
 
-Feedback PacedCycle::exchange(const Setpoint& setpoint) noexcept {
+Feedback RealtimeCycle::exchange(const Setpoint& setpoint) noexcept {
   for (collect(); free_.empty(); collect()) sleep_until(now_ns() + kBreath);
   Slot& slot = *free_.back();
   free_.pop_back();
@@ -50,7 +50,7 @@ Feedback PacedCycle::exchange(const Setpoint& setpoint) noexcept {
   return feedback_;
 }
 
-bool PacedCycle::collect() {
+bool RealtimeCycle::collect() {
   for (Slot* slot = nullptr; done_.take(slot);) back_.push_back(slot);
   for (; can_write_next(); back_.pop_front()) {
     if (back_.front()->exchanged) write(*back_.front());
@@ -60,12 +60,12 @@ bool PacedCycle::collect() {
 }
 
 /// A batch of rows gets its path when all of it has been planned.
-bool PacedCycle::can_write_next() const noexcept {
+bool RealtimeCycle::can_write_next() const noexcept {
   if (back_.empty()) return false;
   return !contour_ || !back_.front()->exchanged || contour_->expects_row();
 }
 
-void PacedCycle::write(Slot& slot) {
+void RealtimeCycle::write(Slot& slot) {
   if (contour_) measure_contour(slot.setpoint, slot.actual, *contour_, slot.values);
   if (row_sink_ && wanted_) wanted_ = row_sink_->row(slot.setpoint, slot.values);
   ++written_;
@@ -75,17 +75,17 @@ void PacedCycle::write(Slot& slot) {
   feedback_ = slot.feedback;
 }
 
-void PacedCycle::rest() {
+void RealtimeCycle::rest() {
   to_do_.rest();
   for (collect(); free_.size() < slots_.size(); collect()) sleep_until(now_ns() + kBreath);
 }
 
-void PacedCycle::stop() noexcept {
+void RealtimeCycle::stop() noexcept {
   stopping_ = true;
   if (thread_.joinable()) thread_.join();
 }
 
-void PacedCycle::run() noexcept {
+void RealtimeCycle::run() noexcept {
   punctuality_.rights = become_realtime();
   hal::TickPace pace(period_, period_ / 2, now_ns() + period_);
   while (!stopping_) {
@@ -102,7 +102,7 @@ void PacedCycle::run() noexcept {
   become_ordinary();
 }
 
-void PacedCycle::exchange(Slot& slot) noexcept {
+void RealtimeCycle::exchange(Slot& slot) noexcept {
   slot.exchanged = !alarmed_;
   if (alarmed_) return;
   slot.feedback = backend_.exchange(slot.setpoint);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A backend that is exchanged with by the clock, one setpoint each period, by a thread of its own.
+// A thread that exchanges with a backend in real time, one setpoint each period.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 #include "realtime/lateness.hpp"
 #include "realtime/realtime.hpp"
 #include "realtime/realtime_queue.hpp"
-#include "session/channel.hpp"
+#include "rows/row_sink.hpp"
 
 namespace softcnc {
 class Contour;
@@ -21,7 +21,7 @@ class Contour;
 
 namespace softcnc::app {
 
-/// How well a run kept pace.
+/// How punctual a run in real time was.
 struct Punctuality {
   Lateness lateness;           // of the periods in which it moved
   std::int64_t unplanned = 0;  // periods for which no setpoint had been planned in time
@@ -32,30 +32,30 @@ struct Punctuality {
 };
 
 /// Setpoints wait in a queue of half a second; their rows come back and are written by the thread
-/// that plans. A period that comes late makes those behind it later, too, and the run goes on.
-class PacedCycle {
+/// that plans. A period that comes late delays those after it, and the run goes on.
+class RealtimeCycle {
  public:
   /// The backend must outlive it, and nobody else may touch it between two calls of rest(). `rows`
   /// may be null.
-  PacedCycle(hal::Backend& backend, double period, RowSink* rows);
-  PacedCycle(const PacedCycle&) = delete;
-  PacedCycle& operator=(const PacedCycle&) = delete;
-  ~PacedCycle() { stop(); }
+  RealtimeCycle(hal::Backend& backend, double period, RowSink* rows);
+  RealtimeCycle(const RealtimeCycle&) = delete;
+  RealtimeCycle& operator=(const RealtimeCycle&) = delete;
+  ~RealtimeCycle() { stop(); }
 
-  /// The rows that come back are measured before they are written, as soon as it has their path.
+  /// Measures the rows that come back before they are written, as soon as their path is known.
   void measure(Contour& contour) noexcept { contour_ = &contour; }
 
-  /// Takes a further setpoint; may wait until there is room. What came back so far, of the last row
-  /// that has been written.
+  /// Takes a further setpoint; may wait until the queue has room. Returns the feedback of the last
+  /// row that has been written.
   Feedback exchange(const Setpoint& setpoint) noexcept;
 
-  /// Writes the rows that have come back. False: no more are wanted.
+  /// Writes the rows that have come back. Returns false when no more are wanted.
   bool collect();
 
-  /// The setpoints so far end at rest; returns when all of them have been exchanged and written.
+  /// Ends the setpoints so far at rest; returns when all have been exchanged and written.
   void rest();
 
-  /// No setpoint comes any more.
+  /// Ends the thread: no setpoint comes any more.
   void stop() noexcept;
 
   /// Rows that have been exchanged and written, and the last of them.
@@ -76,7 +76,7 @@ class PacedCycle {
     Feedback feedback;
     bool exchanged = false;  // false: after an alarm nothing moves any more
   };
-  using Queue = PacedQueue<Slot*>;
+  using Queue = RealtimeQueue<Slot*>;
 
   void run() noexcept;
   void exchange(Slot& slot) noexcept;

@@ -5,17 +5,14 @@
 #include <cmath>
 #include <utility>
 
-#include "hal/ports/ppdev.hpp"
 #include "hal/ports/tick_pace.hpp"
-#include "output/messages.hpp"
-#include "realtime/signal_cleanup.hpp"
 
 namespace softcnc::app {
 namespace {
 
 constexpr double kAhead = 0.5;                  // s of words in the queue
 constexpr std::int64_t kLook = 1'000'000;       // ns from one look at the inputs to the next
-constexpr std::int64_t kBreath = 1'000'000;     // ns that whoever fills the queue waits for room
+constexpr std::int64_t kBreath = 1'000'000;     // ns between two tries to fill the queue
 constexpr std::int64_t kPatience = 20'000'000;  // ns for the thread to end by itself
 constexpr double kNsPerSecond = 1e9;
 
@@ -25,39 +22,34 @@ std::size_t words_ahead(const hal::PortTiming& timing) {
 
 }  // namespace
 
-Result<std::unique_ptr<hal::PortPlayer>> PacedPlayer::open(const Machine& machine) {
-  auto port = hal::Ppdev::open(machine.parallel_port.device);
-  if (!port) return tl::make_unexpected(std::move(port.error()));
-  return open(machine, std::move(*port)).map([](auto&& player) -> std::unique_ptr<PortPlayer> {
-    return std::move(player);
-  });
-}
-
-Result<std::unique_ptr<PacedPlayer>> PacedPlayer::open(
-    const Machine& machine, std::unique_ptr<hal::PortRegisters> registers) {
-  std::unique_ptr<PacedPlayer> player(new PacedPlayer(machine, std::move(registers)));
+Result<std::unique_ptr<RealtimePlayer>> RealtimePlayer::open(
+    const Machine& machine, std::unique_ptr<hal::PortRegisters> registers, Listener listener) {
+  std::unique_ptr<RealtimePlayer> player(
+      new RealtimePlayer(machine, std::move(registers), std::move(listener)));
   if (const Alarm alarm = player->output_.look(); alarm != Alarm::none)
     return tl::make_unexpected(player->output_.diagnostic(alarm));
   player->thread_ = std::thread([raw = player.get()] { raw->run(); });
   return player;
 }
 
-PacedPlayer::PacedPlayer(const Machine& machine, std::unique_ptr<hal::PortRegisters> registers)
+RealtimePlayer::RealtimePlayer(const Machine& machine,
+                               std::unique_ptr<hal::PortRegisters> registers, Listener listener)
     : timing_(hal::port_timing(machine)),
       tolerance_(std::llround(machine.control.period * kNsPerSecond)),
       ticks_to_look_(std::max<std::int64_t>(kLook / timing_.base, 1)),
       output_(std::move(registers), machine),
-      words_(words_ahead(timing_)) {
-  rest_on_signal(this);
+      words_(words_ahead(timing_)),
+      listener_(std::move(listener)) {
+  listener_.holds_port(this);
 }
 
-PacedPlayer::~PacedPlayer() {
+RealtimePlayer::~RealtimePlayer() {
   abandoned_ = true;
   if (thread_.joinable()) thread_.join();
-  rest_on_signal(nullptr);
+  listener_.holds_port(nullptr);
 }
 
-Alarm PacedPlayer::play(std::span<const hal::PortWord> words) noexcept {
+Alarm RealtimePlayer::play(std::span<const hal::PortWord> words) noexcept {
   for (const hal::PortWord& word : words)
     while (!words_.push(word)) {
       if (ended_) return alarm_;
@@ -66,21 +58,21 @@ Alarm PacedPlayer::play(std::span<const hal::PortWord> words) noexcept {
   return alarm_;
 }
 
-void PacedPlayer::rest() noexcept { words_.rest(); }
+void RealtimePlayer::rest() noexcept { words_.rest(); }
 
-Status PacedPlayer::finish() {
+Status RealtimePlayer::finish() {
   rest();
   finishing_ = true;
   if (thread_.joinable()) thread_.join();
   if (!rights_.all())
-    Messages().show({Code::SC6075, {}, "no real-time rights: " + rights_.refusal, {}, {}});
+    listener_.report({.code = Code::SC6075, .message = "no real-time rights: " + rights_.refusal});
   if (alarm_ == Alarm::none) return {};
   return tl::make_unexpected(output_.diagnostic(alarm_));
 }
 
 /// The thread writes no more once it has ended. It is waited for, unless the signal is its own or
 /// something holds it up.
-void PacedPlayer::abandon() noexcept {
+void RealtimePlayer::abandon() noexcept {
   abandoned_ = true;
   const bool own = thread_.get_id() == std::this_thread::get_id();
   const std::int64_t patience = now_ns() + std::max(2 * timing_.base, kPatience);
@@ -88,7 +80,7 @@ void PacedPlayer::abandon() noexcept {
   output_.rest();
 }
 
-void PacedPlayer::run() noexcept {
+void RealtimePlayer::run() noexcept {
   rights_ = become_realtime();
   alarm_ = play_all();
   output_.rest();
@@ -96,15 +88,15 @@ void PacedPlayer::run() noexcept {
 }
 
 /// A word, if it moves and there is one. Where it may stand it waits for more.
-Alarm PacedPlayer::write_next() noexcept {
-  using Next = PacedQueue<hal::PortWord>::Next;
+Alarm RealtimePlayer::write_next() noexcept {
+  using Next = RealtimeQueue<hal::PortWord>::Next;
   hal::PortWord word;
   const Next next = words_.take(word);
   if (next == Next::item) return output_.write(word);
   return next == Next::stands ? Alarm::none : Alarm::overrun;
 }
 
-Alarm PacedPlayer::play_all() noexcept {
+Alarm RealtimePlayer::play_all() noexcept {
   Alarm alarm = output_.write(output_.pins().enabled());
   hal::TickPace pace(timing_.base, timing_.shortest, now_ns() + timing_.base);
   for (std::int64_t tick = 0; alarm == Alarm::none && !abandoned_; ++tick) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the thread that plans hands to the thread that keeps the clock, and when that may move.
+// The queue from the thread that plans to the real-time thread, and when that may move.
 #pragma once
 
 #include <atomic>
@@ -11,16 +11,16 @@ namespace softcnc::app {
 
 /// Motion begins when the queue is half full, or all there is before a rest has come.
 template <typename T>
-class PacedQueue {
+class RealtimeQueue {
  public:
-  explicit PacedQueue(std::size_t capacity) : queue_(capacity) {}
+  explicit RealtimeQueue(std::size_t capacity) : queue_(capacity) {}
 
   std::size_t capacity() const noexcept { return queue_.capacity(); }
 
-  /// False: it is full. Realtime.
+  /// Adds an item; false if the queue is full. Realtime.
   bool push(const T& item) noexcept { return queue_.push(item); }
 
-  /// What has been pushed so far ends at rest, and more may be long in coming.
+  /// Marks that the items so far end at rest, and that more may take long.
   void rest() noexcept { rest_at_ = queue_.pushed(); }
 
   enum class Next : std::uint8_t {
@@ -29,7 +29,7 @@ class PacedQueue {
     missing,  // there should be one: it has come to the end of what was pushed, and not to rest
   };
 
-  /// For the thread that keeps the clock. Realtime.
+  /// Takes the next item, in the real-time thread. Realtime.
   Next take(T& item) noexcept {
     moves_ = moves_ || may_move();
     if (!moves_) return Next::stands;

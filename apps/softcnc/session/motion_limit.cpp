@@ -40,13 +40,12 @@ std::optional<Diagnostic> MotionLimit::check(const Block& block, double planned)
 std::optional<Diagnostic> MotionLimit::check_end(const Block& block, double end) const {
   const double limit = machine_.program.motion_limit;
   if (limit == 0 || end <= limit || std::isinf(end)) return std::nullopt;
-  return Diagnostic{Code::SC4050,
-                    block.source,
-                    fmt::format("the program moves for more than {:.6g} h: {:.6g} h up to the end "
-                                "of this line",
-                                h_from_s(limit), h_from_s(end)),
-                    {},
-                    {}};
+  return Diagnostic{
+      .code = Code::SC4050,
+      .pos = block.source,
+      .message = fmt::format("the program moves for more than {:.6g} h: {:.6g} h up to the end "
+                             "of this line",
+                             h_from_s(limit), h_from_s(end))};
 }
 
 }  // namespace softcnc::app

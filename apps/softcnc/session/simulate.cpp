@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: MIT
-// A run in batches: the cycle fills one with rows, which are then verified and written. With a
-// clock the rows come back later, and whoever keeps the clock writes them.
+// A run in batches: the cycle fills one with rows, which are then verified and written. In real
+// time the rows come back later, and the real-time cycle writes them.
+#include "session/simulate.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "job/descriptor.hpp"
+#include "figures/cpu_clock.hpp"
+#include "program/descriptor.hpp"
 #include "realtime/realtime_cycle.hpp"
+#include "rows/contour_rows.hpp"
 #include "session/channel.hpp"
-#include "session/contour_rows.hpp"
-#include "session/cpu_clock.hpp"
 #include "session/verification.hpp"
 
 namespace softcnc::app {
 namespace {
 
 constexpr std::size_t kBatch = 256;      // rows
-constexpr double kLongestBatch = 0.256;  // s: a backend may keep pace with the clock
-constexpr std::size_t kFelt = 3;         // rows before one that its differences feel
+constexpr double kLongestBatch = 0.256;  // s: a backend may run in real time
+constexpr std::size_t kFelt = 3;         // rows before one that its differences depend on
 constexpr std::int64_t kFewQuiet = 32;   // rows: fewer are not worth passing over
 
 std::size_t batch_of(const Machine& machine) {
@@ -111,19 +113,19 @@ class Batch {
 class Simulation {
  public:
   Simulation(ipr::Reader& reader, int input, const Machine& machine, const ChannelOptions& options,
-             hal::Backend& backend, Diagnostics& diagnostics, PacedCycle* paced)
+             hal::Backend& backend, Diagnostics& diagnostics, RealtimeCycle* realtime)
       : input_(input),
         channel_(reader, input, machine, options, diagnostics),
         backend_(backend),
-        paced_(paced),
-        buffer_(paced ? nullptr : &backend),
+        realtime_(realtime),
+        buffer_(realtime ? nullptr : &backend),
         batch_(batch_of(machine)),
-        skims_(options.skims && !paced),
+        skims_(options.skims && !realtime),
         verification_(machine),
         diagnostics_(diagnostics),
         worst_lines_(options.worst_lines) {
     if (knows_contour(backend)) contour_.emplace(machine.control.period);
-    if (paced_ && contour_) paced_->measure(*contour_);
+    if (realtime_ && contour_) realtime_->measure(*contour_);
     channel_.feeder().show(verification_.programmed());
   }
 
@@ -135,7 +137,7 @@ class Simulation {
       if (watcher && !panel_.stop) panel_.stop = watcher->wants_stop();
     } while (run_batch(rows, watcher));
     channel_.rethrow();
-    if (paced_) end_paced();
+    if (realtime_) end_realtime();
     return finish();
   }
 
@@ -147,7 +149,7 @@ class Simulation {
   void verify();
   bool write(RowSink* rows, const CycleReport& cycle);
   bool collect();
-  void end_paced();
+  void end_realtime();
   void keep_times();
   Outcome finish();
 
@@ -155,7 +157,7 @@ class Simulation {
   Panel panel_;
   Channel channel_;
   hal::Backend& backend_;
-  PacedCycle* paced_;
+  RealtimeCycle* realtime_;
   RowBuffer buffer_;
   std::size_t batch_;           // rows
   bool skims_, quiet_ = false;  // what follows
@@ -172,7 +174,7 @@ class Simulation {
 /// All rows so far are out; the machine rests in the next one, whatever the answer.
 void Simulation::wait(RowSink* rows, Watcher* watcher) {
   while (const Pause* pause = channel_.pause_ahead()) {
-    if (paced_) paced_->rest();
+    if (realtime_) realtime_->rest();
     backend_.rest();
     if (rows) rows->rest();
     if (watcher) watcher->pause(*pause);
@@ -180,9 +182,9 @@ void Simulation::wait(RowSink* rows, Watcher* watcher) {
   }
 }
 
-/// Whoever reads the rows sees what there is, however long the next line of the program takes.
+/// A reader of the rows gets what there is, however long the next line of the program takes.
 void Simulation::wait_for_more(RowSink* rows, Watcher* watcher) const {
-  if (paced_) paced_->rest();
+  if (realtime_) realtime_->rest();
   if (rows) rows->flush();
   if (watcher)
     watcher->wait_for_input(input_);
@@ -191,7 +193,7 @@ void Simulation::wait_for_more(RowSink* rows, Watcher* watcher) const {
 }
 
 /// The rows before have been in the stretch as long as a difference reaches back; those that the
-/// first one behind it feels are shown again.
+/// first one after it depends on are shown again.
 void Simulation::pass_quiet_rows(Watcher* watcher) {
   const Channel::Quiet quiet = channel_.quiet_ahead();
   constexpr std::int64_t felt{kFelt};
@@ -213,12 +215,12 @@ bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   buffer_.clear();
   if (std::exchange(quiet_, false)) pass_quiet_rows(watcher);
   Batch batch(channel_, batch_, skims_);
-  const CycleReport cycle = paced_ ? run_cycle(batch, *paced_, buffer_, panel_)
-                                   : run_cycle(batch, backend_, buffer_, panel_);
+  const CycleReport cycle = realtime_ ? run_cycle(batch, *realtime_, buffer_, panel_)
+                                      : run_cycle(batch, backend_, buffer_, panel_);
   outcome_.cpu.cycle += cpu_.lap();
   verify();
   outcome_.cpu.verification += cpu_.lap();
-  wanted_ = paced_ ? collect() : write(rows, cycle);
+  wanted_ = realtime_ ? collect() : write(rows, cycle);
   if (!wanted_) panel_.stop = true;  // the machine comes to rest on the path all the same
   quiet_ = batch.leads_into_quiet();
   if (watcher) watcher->sees(outcome_.last);
@@ -236,7 +238,7 @@ void Simulation::verify() {
   verification_.add(rows, channel_.queue());
   if (contour_) add_path(rows, planned_s_, channel_.queue(), *contour_);
   planned_s_ = rows.back().s;
-  for (std::size_t i = 0; contour_ && !paced_ && i < rows.size(); ++i)
+  for (std::size_t i = 0; contour_ && !realtime_ && i < rows.size(); ++i)
     measure_contour(rows[i], buffer_.actual(i), *contour_, buffer_.values(i));
 }
 
@@ -254,16 +256,16 @@ bool Simulation::write(RowSink* rows, const CycleReport& cycle) {
 
 /// What has come back so far.
 bool Simulation::collect() {
-  const bool wanted = paced_->collect();
-  outcome_.setpoints = paced_->rows();
-  outcome_.feedback = paced_->feedback();
-  outcome_.last = paced_->last();
+  const bool wanted = realtime_->collect();
+  outcome_.setpoints = realtime_->rows();
+  outcome_.feedback = realtime_->feedback();
+  outcome_.last = realtime_->last();
   return wanted;
 }
 
-void Simulation::end_paced() {
-  if (outcome_.end == Outcome::End::done) paced_->rest();
-  paced_->stop();
+void Simulation::end_realtime() {
+  if (outcome_.end == Outcome::End::done) realtime_->rest();
+  realtime_->stop();
   wanted_ = collect();
   if (outcome_.feedback.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
   channel_.feeder().states().pass(outcome_.last.block);
@@ -303,8 +305,8 @@ Outcome Simulation::finish() {
 
 Outcome simulate(ipr::Reader& reader, int input, const Machine& machine,
                  const ChannelOptions& options, hal::Backend& backend, Diagnostics& diagnostics,
-                 RowSink* rows, Watcher* watcher, PacedCycle* paced) {
-  return Simulation(reader, input, machine, options, backend, diagnostics, paced)
+                 RowSink* rows, Watcher* watcher, RealtimeCycle* realtime) {
+  return Simulation(reader, input, machine, options, backend, diagnostics, realtime)
       .run(rows, watcher);
 }
 

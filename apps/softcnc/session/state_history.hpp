@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the machine remembers at each block: programs are read ahead of the motion, so a stop must
-// find the way back.
+// The state of the machine at each block: programs are read ahead of the motion, so a stop must
+// return to an earlier state.
 #pragma once
 
 #include <deque>

@@ -27,9 +27,9 @@ std::string percent_text(double percent) {
   return percent < 100 ? fmt::format("{:.3g}", percent) : fmt::format("{:.0f}", percent);
 }
 
-class Judge {
+class ExcessReporter {
  public:
-  Judge(const Machine& machine, Diagnostics& diagnostics)
+  ExcessReporter(const Machine& machine, Diagnostics& diagnostics)
       : promised_(machine.control.interpolation == Method::arc_length),
         method_(name(machine.control.interpolation)),
         diagnostics_(diagnostics) {}
@@ -102,7 +102,7 @@ void Verification::finish() noexcept {
 
 void report_excess(const Measured& measured, const ProgrammedPath::Deviation& worst,
                    const Machine& machine, Diagnostics& diagnostics) {
-  Judge judge(machine, diagnostics);
+  ExcessReporter check(machine, diagnostics);
   const bool by_pulses = is_by_pulses(machine.control.interpolation);
   for (int i = 0; i < kAxes; ++i) {
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
@@ -111,30 +111,30 @@ void report_excess(const Measured& measured, const ProgrammedPath::Deviation& wo
     const double per_period = 2 / machine.control.period;  // of a difference, by pulses
     const double v_grid = by_pulses ? kStray * axis.blu * per_period : 0;
     const double a_grid = v_grid * per_period;
-    judge(fmt::format("the velocity of {}", letter), measured.velocity[i], axis.velocity,
+    check(fmt::format("the velocity of {}", letter), measured.velocity[i], axis.velocity,
           kAxisTolerance, "mm/s", v_grid);
-    judge(fmt::format("the acceleration of {}", letter), measured.acceleration[i],
+    check(fmt::format("the acceleration of {}", letter), measured.acceleration[i],
           axis.acceleration, kAxisTolerance, "mm/s2", a_grid);
     if (axis.jerk > 0)
-      judge(fmt::format("the jerk of {}", letter), measured.jerk[i], axis.jerk, kJerkTolerance,
+      check(fmt::format("the jerk of {}", letter), measured.jerk[i], axis.jerk, kJerkTolerance,
             "mm/s3", a_grid * per_period);
   }
   if (machine.limits.tangential > 0)
-    judge("the tangential acceleration", measured.tangential, machine.limits.tangential,
+    check("the tangential acceleration", measured.tangential, machine.limits.tangential,
           kAxisTolerance, "mm/s2");
   if (machine.limits.normal > 0)
-    judge("the normal acceleration", measured.normal, machine.limits.normal, kAxisTolerance,
+    check("the normal acceleration", measured.normal, machine.limits.normal, kAxisTolerance,
           "mm/s2");
   if (!by_pulses)  // pulses follow the path between the rows
-    judge("the chord error", um_from_mm(measured.chord_error),
+    check("the chord error", um_from_mm(measured.chord_error),
           um_from_mm(machine.control.chord_tolerance), kChordTolerance, "um");
   if (machine.control.interpolation == Method::arc_length) {
-    judge("the distance from the path", um_from_mm(measured.path_deviation),
+    check("the distance from the path", um_from_mm(measured.path_deviation),
           um_from_mm(kPathTolerance), 0, "um");
     report_deviation(worst, machine.control.chord_tolerance, diagnostics);
   }
   if (measured.rmax_target > 0)
-    judge("Rmax", um_from_mm(measured.rmax), um_from_mm(measured.rmax_target), kRoughnessTolerance,
+    check("Rmax", um_from_mm(measured.rmax), um_from_mm(measured.rmax_target), kRoughnessTolerance,
           "um");
 }
 

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "figures/surface_notes.hpp"
 #include "ipo/queue/block_queue.hpp"
 #include "motion/verification/programmed_path.hpp"
 #include "motion/verification/verify.hpp"
-#include "session/surface_notes.hpp"
 
 namespace softcnc::app {
 

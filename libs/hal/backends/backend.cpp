@@ -15,7 +15,7 @@ namespace softcnc::hal {
 namespace {
 
 /// Goes nowhere: the axes are taken to be where they are commanded.
-class None final : public Backend {
+class NullBackend final : public Backend {
  public:
   Feedback exchange(const Setpoint& setpoint) noexcept override {
     position_ = setpoint.position;
@@ -37,15 +37,15 @@ Result<std::unique_ptr<Backend>> open_parport(const Machine& machine, OpenPlayer
   return std::make_unique<StepDir>(machine, port_timing(machine).rules, std::move(edges));
 }
 
-struct BackendRow {
+struct BackendEntry {
   BackendKind kind;
   Result<std::unique_ptr<Backend>> (*open)(const Machine&, OpenPlayer);
 };
 
-constexpr BackendRow kBackends[] = {
+constexpr BackendEntry kBackends[] = {
     {BackendKind::none,
      [](const Machine&, OpenPlayer) -> Result<std::unique_ptr<Backend>> {
-       return std::make_unique<None>();
+       return std::make_unique<NullBackend>();
      }},
     {BackendKind::sim,
      [](const Machine& machine, OpenPlayer) -> Result<std::unique_ptr<Backend>> {
@@ -78,9 +78,10 @@ Machine without_port(Machine machine) {
 }
 
 Result<std::unique_ptr<Backend>> open_backend(const Machine& machine, OpenPlayer open_player) {
-  const auto* row = std::find_if(std::begin(kBackends), std::end(kBackends),
-                                 [&](const auto& r) { return r.kind == machine.control.backend; });
-  return row->open(machine, open_player);
+  const auto* entry = std::find_if(std::begin(kBackends), std::end(kBackends), [&](const auto& r) {
+    return r.kind == machine.control.backend;
+  });
+  return entry->open(machine, open_player);
 }
 
 }  // namespace softcnc::hal

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Backend: where setpoints go, and what comes back.
+// Backends: they take setpoints and return feedback.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class Backend {
  public:
   virtual ~Backend() = default;
 
-  /// Carries the machine over one period to the setpoint; the first one tells where it stands.
+  /// Carries the machine over one period to the setpoint; the first one says where it stands.
   /// Realtime.
   virtual Feedback exchange(const Setpoint& setpoint) noexcept = 0;
 
@@ -41,10 +41,10 @@ class Backend {
   /// nothing is measured: axes the machine lacks, backends without feedback.
   virtual std::array<double, kAxes> following_error_max() const noexcept;
 
-  /// The machine stands, and the next exchange may be long in coming.
+  /// Called where the machine is at rest and the next exchange may take long.
   virtual void rest() noexcept {}
 
-  /// Call once after the last exchange: what is left goes out. Without it a backend that writes a
+  /// Writes what is left. Call once after the last exchange; without it a backend that writes a
   /// file leaves none. Errors: SC6012, SC6013, SC6071, and those of
   /// PortPlayer::finish().
   virtual Status finish() { return {}; }
@@ -60,14 +60,15 @@ class Backend {
   virtual AxisVector settle() const noexcept = 0;
 };
 
-/// The machine with a backend that counts as before, but sends nothing anywhere.
+/// Returns the machine with a backend that counts as before, but sends nothing.
 Machine without_port(Machine machine);
 
-/// Opens the port of a machine, and whoever writes to it when it is time.
+/// Opens the port of a machine, with a player that writes to it in time.
 using OpenPlayer = Result<std::unique_ptr<PortPlayer>> (*)(const Machine&);
 
-/// The backend that machine.control.backend names. Without `open_player` the pulses of parport are
-/// counted and not sent. Errors: those of the backend's own open(), and of `open_player`.
+/// Opens the backend that machine.control.backend names. Without `open_player` the pulses of
+/// parport are counted and not sent. Errors: those of the backend's own open(), and of
+/// `open_player`.
 Result<std::unique_ptr<Backend>> open_backend(const Machine& machine,
                                               OpenPlayer open_player = nullptr);
 

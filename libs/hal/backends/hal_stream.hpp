@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The backend of machines behind LinuxCNC's HAL: rows for halstreamer, one a servo period.
+// The backend of machines on LinuxCNC's HAL: rows for halstreamer, one per servo period.
 #pragma once
 
 #include <memory>

@@ -12,7 +12,7 @@
 
 namespace softcnc::hal {
 
-/// A command pulse: when it comes, as a part of a servo period, and which way it counts.
+/// A command pulse: when it comes, as a part of a servo period, and in which direction it counts.
 struct CommandPulse {
   double part = 0;
   int direction = 0;
@@ -31,7 +31,7 @@ struct CommandPulse {
 ///   present speed; while clamped, the voltage stands still and so does the integral part;
 /// - Coulomb friction is a constant torque against the motion. When the speed passes zero the axis
 ///   stops, and stays at rest until the motor's torque exceeds the friction.
-/// The ripple of single pulses behind the F/V converter is not modelled.
+/// The ripple of single pulses after the F/V converter is not modelled.
 class ServoAxis {
  public:
   static constexpr double kSubstep = 0.25e-3;  // s, at most
@@ -95,7 +95,7 @@ class ServoAxis {
 
   std::array<double, kStates> state_{};
   double angle_ = 0;                          // rad
-  std::int64_t pulses_ = 0;                   // on their way to the counter so far
+  std::int64_t pulses_ = 0;                   // sent to the counter so far
   std::int64_t commanded_ = 0, counter_ = 0;  // BLU: by the pulses that have arrived
   Alarm alarm_ = Alarm::none;
 };

@@ -8,14 +8,8 @@
 #include "hal/files/axis_name.hpp"
 #include "hal/signals/edge_file.hpp"
 #include "motion/core/units.hpp"
-#include "motion/model/step_rate.hpp"
 
 namespace softcnc::hal {
-
-StepTiming step_timing(const StepPort& port) noexcept {
-  return {least_ns(port.step_length), least_ns(port.step_space), step_interval(port),
-          least_ns(port.direction_setup), least_ns(port.direction_hold)};
-}
 
 Result<std::unique_ptr<StepDir>> StepDir::open(const Machine& machine) {
   std::unique_ptr<EdgeSink> file;

@@ -13,8 +13,8 @@
 namespace softcnc::hal {
 
 /// Pulses by fine interpolation of the setpoints or by a method of reference pulses, put on wires
-/// as the driver allows, into a file or on a port. What takes the edges is the machine: where the
-/// axes are is what has been sent to them.
+/// as the driver allows, into a file or to a port. There is no feedback: the axes are taken to be
+/// where they have been sent.
 class StepDir final : public Backend {
  public:
   /// Into a file. An empty name: pulses are counted and not kept. Errors: those of
@@ -45,8 +45,5 @@ class StepDir final : public Backend {
   StepEdges edges_;
   std::unique_ptr<EdgeSink> out_;
 };
-
-/// What the machine's driver asks of its lines, in whole ns: never less.
-StepTiming step_timing(const StepPort& port) noexcept;
 
 }  // namespace softcnc::hal

@@ -18,16 +18,16 @@ namespace softcnc::hal {
 /// cfg=fffbu. Lines that begin with '#' are comments.
 class StreamRows {
  public:
-  /// `lead`: bytes for which there is room at once.
+  /// `lead`: bytes that are reserved at once.
   StreamRows(const Machine& machine, std::size_t lead);
 
   std::string head() const;
-  /// The comment behind the last row.
+  /// Returns the comment after the last row.
   std::string tail() const;
 
-  /// The rows that lead to a setpoint. Realtime, as long as there is room.
+  /// Adds the rows that lead to a setpoint. Realtime, as long as memory is reserved.
   void add(const Setpoint& setpoint) noexcept;
-  /// HAL is told that no more rows come for a while.
+  /// Signals to HAL that no more rows come for a while.
   void rest() noexcept;
 
   /// Rows that wait to be passed on; pass() forgets and counts them.

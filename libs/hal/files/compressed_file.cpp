@@ -7,69 +7,72 @@
 #include <cstring>
 #include <utility>
 
-#include "hal/files/unpacking.hpp"
+#include "hal/files/decompression_limit.hpp"
 
 namespace softcnc::hal {
 namespace {
 
 constexpr std::size_t kPiece = 1U << 16U;  // bytes
-constexpr std::string_view kPackedHead = "\x28\xB5\x2F\xFD";
+constexpr std::string_view kZstdMagic = "\x28\xB5\x2F\xFD";
 
 int leave_open(std::FILE* /*stream*/) { return 0; }
 
 }  // namespace
 
-PackedFile::PackedFile(std::string file, std::FILE* stream, Code unreadable, Code damaged)
+CompressedFile::CompressedFile(std::string file, std::FILE* stream, Code unreadable, Code damaged)
     : file_(std::move(file)),
       stream_(stream, stream == stdin ? leave_open : std::fclose),
       unreadable_(unreadable),
       damaged_(damaged),
-      unpacker_(ZSTD_createDCtx(), ZSTD_freeDCtx),
+      decompressor_(ZSTD_createDCtx(), ZSTD_freeDCtx),
       bytes_(kPiece, '\0') {}
 
-Result<PackedFile> PackedFile::open(const std::string& file, Code unreadable, Code damaged) {
+Result<CompressedFile> CompressedFile::open(const std::string& file, Code unreadable,
+                                            Code damaged) {
   std::FILE* stream = file == "-" ? stdin : std::fopen(file.c_str(), "rbe");
-  if (stream) return PackedFile(file, stream, unreadable, damaged);
+  if (stream) return CompressedFile(file, stream, unreadable, damaged);
   return tl::make_unexpected(
-      Diagnostic{unreadable, {}, std::string("cannot be read: ") + std::strerror(errno), file, {}});
+      Diagnostic{.code = unreadable,
+                 .message = std::string("cannot be read: ") + std::strerror(errno),
+                 .file = file});
 }
 
-Result<std::string_view> PackedFile::failure(Code code, const std::string& why) const {
-  return tl::make_unexpected(Diagnostic{code, {}, why, file_, {}});
+Result<std::string_view> CompressedFile::failure(Code code, const std::string& why) const {
+  return tl::make_unexpected(Diagnostic{.code = code, .message = why, .file = file_});
 }
 
-Result<std::string_view> PackedFile::next() {
-  if (packed_) return unpack();
+Result<std::string_view> CompressedFile::next() {
+  if (compressed_) return decompress();
   auto bytes = read();
-  if (!bytes || std::exchange(begun_, true) || !bytes->starts_with(kPackedHead)) return bytes;
-  packed_ = true;
+  if (!bytes || std::exchange(begun_, true) || !bytes->starts_with(kZstdMagic)) return bytes;
+  compressed_ = true;
   end_ = bytes->size();
-  return unpack();
+  return decompress();
 }
 
-Result<std::string_view> PackedFile::read() {
+Result<std::string_view> CompressedFile::read() {
   const std::size_t n = std::fread(bytes_.data(), 1, bytes_.size(), stream_.get());
   if (n == 0 && std::ferror(stream_.get()))
     return failure(unreadable_, std::string("cannot be read: ") + std::strerror(errno));
-  packed_bytes_ += n;
+  compressed_bytes_ += n;
   return std::string_view(bytes_).substr(0, n);
 }
 
-Result<std::string_view> PackedFile::unpack() {
-  unpacked_.resize(ZSTD_DStreamOutSize());
+Result<std::string_view> CompressedFile::decompress() {
+  decompressed_.resize(ZSTD_DStreamOutSize());
   for (;;) {
     ZSTD_inBuffer in{bytes_.data(), end_, begin_};
-    ZSTD_outBuffer out{unpacked_.data(), unpacked_.size(), 0};
-    const std::size_t left = ZSTD_decompressStream(unpacker_.get(), &out, &in);
+    ZSTD_outBuffer out{decompressed_.data(), decompressed_.size(), 0};
+    const std::size_t left = ZSTD_decompressStream(decompressor_.get(), &out, &in);
     if (ZSTD_isError(left))
       return failure(damaged_, std::string("damaged: ") + ZSTD_getErrorName(left));
     if (in.pos > begin_ || out.pos > 0) within_frame_ = left > 0;
     begin_ = in.pos;
-    unpacked_bytes_ += out.pos;
-    if (!may_unpack(unpacked_bytes_, packed_bytes_))
-      return failure(damaged_, "unpacks to more than " + std::to_string(kMostUnpackedPerByte) +
+    decompressed_bytes_ += out.pos;
+    if (!may_decompress(decompressed_bytes_, compressed_bytes_))
+      return failure(damaged_, "unpacks to more than " + std::to_string(kMostDecompressedPerByte) +
                                    " times its size");
-    if (out.pos > 0) return std::string_view(unpacked_).substr(0, out.pos);
+    if (out.pos > 0) return std::string_view(decompressed_).substr(0, out.pos);
     if (begin_ < end_) continue;
     const auto bytes = read();
     if (!bytes) return bytes;

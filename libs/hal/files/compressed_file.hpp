@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file read piece by piece, unpacked where Zstandard has compressed it.
+// A file read piece by piece, decompressed where Zstandard has compressed it.
 #pragma once
 
 #include <cstdint>
@@ -14,29 +14,29 @@ struct ZSTD_DCtx_s;
 
 namespace softcnc::hal {
 
-class PackedFile {
+class CompressedFile {
  public:
   /// "-": standard input. Errors: `unreadable`.
-  static Result<PackedFile> open(const std::string& file, Code unreadable, Code damaged);
+  static Result<CompressedFile> open(const std::string& file, Code unreadable, Code damaged);
 
-  /// What comes next, empty at the end; valid until the next call. Errors: `unreadable`, or
-  /// `damaged` where it is compressed and not whole, or unpacks to more than may_unpack().
+  /// Returns the next piece, empty at the end; valid until the next call. Errors: `unreadable`, or
+  /// `damaged` where it is compressed and not whole, or larger than may_decompress() allows.
   Result<std::string_view> next();
 
  private:
-  PackedFile(std::string file, std::FILE* stream, Code unreadable, Code damaged);
+  CompressedFile(std::string file, std::FILE* stream, Code unreadable, Code damaged);
   Result<std::string_view> failure(Code code, const std::string& why) const;
   Result<std::string_view> read();
-  Result<std::string_view> unpack();
+  Result<std::string_view> decompress();
 
   std::string file_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream_;
   Code unreadable_, damaged_;
-  std::unique_ptr<ZSTD_DCtx_s, std::size_t (*)(ZSTD_DCtx_s*)> unpacker_;
-  std::string bytes_, unpacked_;
-  std::size_t begin_ = 0, end_ = 0;  // of what is read and not yet unpacked
-  std::uint64_t packed_bytes_ = 0, unpacked_bytes_ = 0;
-  bool begun_ = false, packed_ = false, within_frame_ = false;
+  std::unique_ptr<ZSTD_DCtx_s, std::size_t (*)(ZSTD_DCtx_s*)> decompressor_;
+  std::string bytes_, decompressed_;
+  std::size_t begin_ = 0, end_ = 0;  // of what is read and not yet decompressed
+  std::uint64_t compressed_bytes_ = 0, decompressed_bytes_ = 0;
+  bool begun_ = false, compressed_ = false, within_frame_ = false;
 };
 
 }  // namespace softcnc::hal

@@ -49,7 +49,7 @@ std::string holder(int descriptor) {
   return is_number ? "process " + number : "another run";
 }
 
-/// For a person who wonders; the lock does not need it.
+/// For the message to another process; the lock does not need it.
 void sign(int descriptor) {
   const std::string number = std::to_string(::getpid()) + '\n';
   if (::ftruncate(descriptor, 0) != 0) return;
@@ -57,7 +57,7 @@ void sign(int descriptor) {
 }
 
 tl::unexpected<Diagnostic> failure(Code code, const std::string& file, const std::string& what) {
-  return tl::make_unexpected(Diagnostic{code, {}, what, file, {}});
+  return tl::make_unexpected(Diagnostic{.code = code, .message = what, .file = file});
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ Result<FileLock> FileLock::take(const std::string& file) {
       return failure(Code::SC6011, file, "cannot be created: " + why_not(name));
     if (is_taken(lock.descriptor_))
       return failure(Code::SC6017, file, "is in use by " + holder(lock.descriptor_));
-    if (!bears(lock.descriptor_, name)) continue;  // whoever had it has just removed it
+    if (!bears(lock.descriptor_, name)) continue;  // its last holder has just removed it
     sign(lock.descriptor_);
     lock.name_ = std::move(name);
     return lock;

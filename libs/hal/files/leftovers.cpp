@@ -19,7 +19,7 @@ namespace softcnc::hal {
 namespace {
 
 Diagnostic leftover(const std::string& name, const std::string& says) {
-  return {Code::SC6016, {}, says, name, {}};
+  return {.code = Code::SC6016, .message = says, .file = name};
 }
 
 /// The names beside `target` of unfinished files, sorted.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What runs that were killed have left beside the files that they wrote.
+// Unfinished files that killed runs have left beside the files that they wrote.
 #pragma once
 
 #include <string>

@@ -41,7 +41,8 @@ inline char* write_whole(char* out, std::uint32_t number) noexcept {
 }
 
 /// Writes a size of at most six decimals, as most are, without searching for its digits: as many
-/// decimals as doubles can tell apart are its shortest form. nullptr: it is no such size. Realtime.
+/// decimals as doubles can distinguish are its shortest form. nullptr: it is no such size.
+/// Realtime.
 inline char* write_short_decimal(char* out, double size) noexcept {
   constexpr double kLow = 1e-3, kHigh = 1e5;  // beyond, an exponent may be shorter
   constexpr std::uint32_t kParts = 1000000;
@@ -70,19 +71,19 @@ inline std::string number_text(double value) {
   return {text, write_number(text, value)};
 }
 
-/// The shortest number that to_house() turns into exactly `house`. Scaling rounds, so it lies
-/// within a few units in the last place of to_file(house); if none is exact, it is that.
-inline std::string scaled_text(double house, double (*to_house)(double),
+/// The shortest number that to_internal() turns into exactly `internal`. Scaling rounds, so it lies
+/// within a few units in the last place of to_file(internal); if none is exact, it is that.
+inline std::string scaled_text(double internal, double (*to_internal)(double),
                                double (*to_file)(double)) {
   constexpr int kNeighbours = 4;
   const double infinity = std::numeric_limits<double>::infinity();
-  double candidate = to_file(house);
+  double candidate = to_file(internal);
   std::string shortest = number_text(candidate);
-  bool exact = to_house(candidate) == house;
+  bool exact = to_internal(candidate) == internal;
   for (int i = 0; i < kNeighbours; ++i) candidate = std::nextafter(candidate, -infinity);
   for (int i = -kNeighbours; i <= kNeighbours; ++i) {
     const std::string text = number_text(candidate);
-    if (to_house(candidate) == house && (!exact || text.size() < shortest.size())) {
+    if (to_internal(candidate) == internal && (!exact || text.size() < shortest.size())) {
       shortest = text;
       exact = true;
     }

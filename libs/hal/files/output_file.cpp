@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writing, syncing and renaming by POSIX calls, which alone tell why they fail.
+// Writing, syncing and renaming by POSIX calls, which alone report why they fail.
 #include "hal/files/output_file.hpp"
 
 #include <fcntl.h>
@@ -27,8 +27,8 @@ constexpr int kLook = 50;                  // ms from one look for a reader to t
 constexpr std::size_t kAtOnce = PIPE_BUF;  // what a pipe takes that is ready for any
 
 tl::unexpected<Diagnostic> failure(Code code, const std::string& file, std::string_view what) {
-  return tl::make_unexpected(
-      Diagnostic{code, {}, std::string(what) + ": " + std::strerror(errno), file, {}});
+  return tl::make_unexpected(Diagnostic{
+      .code = code, .message = std::string(what) + ": " + std::strerror(errno), .file = file});
 }
 
 /// Symbolic links that lead round in a circle, or too many of them.
@@ -87,7 +87,7 @@ class Replaced {
 
 }  // namespace
 
-/// The object is there before the file is: nothing that fails in between leaves one behind.
+/// The object is there before the file is: no failure in between leaves a file.
 Result<std::unique_ptr<OutputFile>> OutputFile::open(const std::string& file, Patience patience) {
   if (leads_nowhere(file)) return failure(Code::SC6011, file, "cannot be created");
   std::unique_ptr<OutputFile> output(new OutputFile(file, std::move(patience)));
@@ -102,7 +102,7 @@ Result<std::unique_ptr<OutputFile>> OutputFile::open(const std::string& file, Pa
   return output;
 }
 
-/// Without a reader a pipe is opened only by one who waits for it.
+/// Without a reader a pipe is opened only by waiting for it.
 int OutputFile::open_directly() const {
   constexpr int kFlags = O_WRONLY | O_CLOEXEC;
   if (!patience_.stop.stop_possible()) return ::open(name_.c_str(), kFlags);
@@ -135,7 +135,9 @@ Status OutputFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
     if (may_wait_ && !has_reader())
       return tl::make_unexpected(
-          Diagnostic{Code::SC6012, {}, "writing failed: nobody reads what is written", name_, {}});
+          Diagnostic{.code = Code::SC6012,
+                     .message = "writing failed: nobody reads what is written",
+                     .file = name_});
     const auto size = may_wait_ ? std::min(bytes.size(), kAtOnce) : bytes.size();
     const auto written = ::write(descriptor_, bytes.data(), size);
     if (written >= 0)
@@ -146,7 +148,7 @@ Status OutputFile::write(std::string_view bytes) {
   return {};
 }
 
-/// Waits for one who takes what is written.
+/// Waits for a reader that takes what is written.
 bool OutputFile::has_reader() const {
   int after_stop = 0;
   for (int waited = 0; patience_.while_running < 0 || waited <= patience_.while_running;

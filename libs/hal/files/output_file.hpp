@@ -13,17 +13,17 @@
 
 namespace softcnc::hal {
 
-/// Somewhere bytes go, in order.
+/// A destination of bytes.
 class ByteSink {
  public:
   virtual ~ByteSink() = default;
   virtual Status write(std::string_view bytes) = 0;
 
-  /// Call once after the last write; without it nothing is kept.
+  /// Completes the output. Call once after the last write; without it nothing is kept.
   virtual Status finish() = 0;
 };
 
-/// How long a pipe may have no reader, or one that takes nothing. More is an error.
+/// How long a pipe may have no reader, or one that takes nothing; longer is an error.
 struct Patience {
   static constexpr int kAfterStop = 300;  // ms
 
@@ -37,7 +37,6 @@ struct Patience {
 /// exists and is no regular file (a pipe, /dev/null) is written directly, and "-" is standard
 /// output. Errors: SC6011 (cannot be created), SC6012 (writing failed), SC6013 (the reader closed
 /// the pipe; only where SIGPIPE is ignored).
-///
 class OutputFile final : public ByteSink {
  public:
   static Result<std::unique_ptr<OutputFile>> open(const std::string& file, Patience patience = {});
@@ -65,14 +64,14 @@ class OutputFile final : public ByteSink {
   bool may_wait_ = false;  // for a reader
 };
 
-/// The file that is made or replaced where this name is written to: at the end of symbolic links,
-/// be it there already or not.
+/// Returns the file that writing to this name makes or replaces: at the end of symbolic links,
+/// whether it exists or not.
 std::string target_of(const std::string& file);
 
-/// Whether `file` is replaced as a whole, or made; false where it is written directly, or empty.
+/// Returns whether `file` is replaced as a whole, or made; false where it is written directly.
 bool is_replaced(const std::string& file);
 
-/// All of `text` into `file`, by the same rules.
+/// Writes all of `text` into `file`, by the same rules.
 Status write_file(const std::string& file, std::string_view text, Patience patience = {});
 
 }  // namespace softcnc::hal

@@ -22,7 +22,7 @@ namespace {
 constexpr std::string_view kStandardOutput = "-";
 
 tl::unexpected<Diagnostic> refused(Code code, const std::string& file, const std::string& what) {
-  return tl::make_unexpected(Diagnostic{code, {}, what, file, {}});
+  return tl::make_unexpected(Diagnostic{.code = code, .message = what, .file = file});
 }
 
 /// Opened without waiting for a reader; from then on writing may wait.

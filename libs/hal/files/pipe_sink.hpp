@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bytes into a pipe whose reader sets the pace, but may not keep us waiting for ever.
+// Bytes into a pipe whose reader sets the pace, with a timeout.
 #pragma once
 
 #include <memory>
@@ -9,12 +9,12 @@
 
 namespace softcnc::hal {
 
-/// Whether `file` is a pipe: a FIFO, or "-" where standard output is one.
+/// Returns whether `file` is a pipe: a FIFO, or "-" where standard output is one.
 bool is_pipe(const std::string& file);
 
 class PipeSink final : public ByteSink {
  public:
-  /// `patience`, s: so long a full pipe may take nothing. Errors: SC6011, SC6070 (nobody reads).
+  /// `patience`, s: timeout for a full pipe. Errors: SC6011, SC6070 (nobody reads).
   static Result<std::unique_ptr<PipeSink>> open(const std::string& file, double patience);
 
   PipeSink(const PipeSink&) = delete;

@@ -15,8 +15,9 @@ namespace {
 constexpr std::size_t kPiece = 1U << 16U;  // bytes
 
 tl::unexpected<Diagnostic> failure() {
-  return tl::make_unexpected(Diagnostic{
-      Code::SC6003, {}, "no temporary file: " + std::generic_category().message(errno), {}, {}});
+  return tl::make_unexpected(
+      Diagnostic{.code = Code::SC6003,
+                 .message = "no temporary file: " + std::generic_category().message(errno)});
 }
 
 }  // namespace
@@ -53,6 +54,11 @@ Status TemporaryFile::for_each_piece(const std::function<Status(std::string_view
     if (Status taken = take(std::string_view(piece).substr(0, size)); !taken) return taken;
     at += n;
   }
+}
+
+Status TemporaryFile::copy_to(ByteSink& out) const {
+  const Status copied = for_each_piece([&](std::string_view piece) { return out.write(piece); });
+  return copied ? out.finish() : copied;
 }
 
 }  // namespace softcnc::hal

@@ -13,7 +13,7 @@ namespace softcnc::hal {
 
 class TemporaryFile {
  public:
-  /// Empty, in the folder for temporary files. Errors: SC6003.
+  /// Makes an empty one in the folder for temporary files. Errors: SC6003.
   static Result<TemporaryFile> make();
   TemporaryFile(TemporaryFile&& other) noexcept
       : descriptor_(std::exchange(other.descriptor_, -1)) {}
@@ -22,12 +22,15 @@ class TemporaryFile {
 
   int descriptor() const noexcept { return descriptor_; }
 
-  /// Behind what there is. Errors: SC6003.
+  /// Appends bytes. Errors: SC6003.
   Status add(std::string_view bytes);
 
-  /// Hands on what is in it, piece by piece from the beginning. Errors: SC6003, and those of
+  /// Passes its contents to take(), piece by piece from the beginning. Errors: SC6003, and those of
   /// take().
   Status for_each_piece(const std::function<Status(std::string_view)>& take) const;
+
+  /// Writes all that is in it to `out` and finishes that. Errors: SC6003, and those of `out`.
+  Status copy_to(ByteSink& out) const;
 
  private:
   explicit TemporaryFile(int descriptor) noexcept : descriptor_(descriptor) {}

@@ -12,13 +12,16 @@ namespace {
 
 tl::unexpected<Diagnostic> unreadable(const std::string& file, Code code) {
   return tl::make_unexpected(
-      Diagnostic{code, {}, std::string("cannot be read: ") + std::strerror(errno), file, {}});
+      Diagnostic{.code = code,
+                 .message = std::string("cannot be read: ") + std::strerror(errno),
+                 .file = file});
 }
 
 constexpr std::size_t kLongest = std::size_t{1} << 24;  // bytes: no machine needs as many
 
 tl::unexpected<Diagnostic> too_long(const std::string& file, Code code) {
-  return tl::make_unexpected(Diagnostic{code, {}, "cannot be read: longer than 16 MiB", file, {}});
+  return tl::make_unexpected(
+      Diagnostic{.code = code, .message = "cannot be read: longer than 16 MiB", .file = file});
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace softcnc::hal {
 
-/// Errors: `code`, with the reason.
+/// Reads a whole file. Errors: `code`, with the reason.
 Result<std::string> read_text(const std::string& file, Code code);
 
 }  // namespace softcnc::hal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A file beside its target while it is written: `.NAME.softcnc-XXXXXXXXXXXX`, locked by whoever
-// writes it.
+// A file beside its target while it is written: `.NAME.softcnc-XXXXXXXXXXXX`, locked by its
+// writer.
 #pragma once
 
 #include <sys/types.h>

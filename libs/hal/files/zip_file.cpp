@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "hal/files/unpacking.hpp"
+#include "hal/files/decompression_limit.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -24,12 +24,12 @@ constexpr zip_uint16_t kDate = (1U << 5U) | 1U;
 constexpr std::size_t kLargestText = 1U << 20U;
 
 tl::unexpected<Diagnostic> unreadable(const std::string& file, const std::string& reason) {
-  return tl::make_unexpected(
-      Diagnostic{Code::SC6021, {}, "cannot be read as a recording: " + reason, file, {}});
+  return tl::make_unexpected(Diagnostic{
+      .code = Code::SC6021, .message = "cannot be read as a recording: " + reason, .file = file});
 }
 
 Status too_much(const std::string& file, const std::string& why) {
-  return tl::make_unexpected(Diagnostic{Code::SC6024, {}, why, file, {}});
+  return tl::make_unexpected(Diagnostic{.code = Code::SC6024, .message = why, .file = file});
 }
 
 std::string text_of(int code) {
@@ -171,14 +171,14 @@ ZipWriter::~ZipWriter() {
 
 void ZipWriter::add_text(const std::string& name, std::string text) {
   const std::string& kept = texts_.emplace_back(std::move(text));
-  add(name, zip_source_buffer(zip_, kept.data(), kept.size(), 0), Packing::deflate);
+  add(name, zip_source_buffer(zip_, kept.data(), kept.size(), 0), Compression::deflate);
 }
 
-void ZipWriter::add_file(const std::string& name, const std::string& path, Packing packing) {
+void ZipWriter::add_file(const std::string& name, const std::string& path, Compression packing) {
   add(name, zip_source_file(zip_, path.c_str(), 0, -1), packing);
 }
 
-void ZipWriter::add_descriptor(const std::string& name, int descriptor, Packing packing) {
+void ZipWriter::add_descriptor(const std::string& name, int descriptor, Compression packing) {
   ::lseek(descriptor, 0, SEEK_SET);  // libzip reads from where it stands
   std::FILE* stream = ::fdopen(::dup(descriptor), "rb");
   zip_source_t* source = stream ? zip_source_filep(zip_, stream, 0, -1) : nullptr;
@@ -192,7 +192,7 @@ void ZipWriter::set_comment(const std::string& text) {
     reason_ = zip_strerror(zip_);
 }
 
-void ZipWriter::add(const std::string& name, void* source, Packing packing) {
+void ZipWriter::add(const std::string& name, void* source, Compression packing) {
   if (!reason_.empty()) return;
   auto* from = static_cast<zip_source_t*>(source);
   const zip_int64_t added = from ? zip_file_add(zip_, name.c_str(), from, ZIP_FL_ENC_UTF_8) : -1;
@@ -202,7 +202,7 @@ void ZipWriter::add(const std::string& name, void* source, Packing packing) {
     return;
   }
   const auto index = static_cast<zip_uint64_t>(added);
-  const zip_int32_t method = packing == Packing::store ? ZIP_CM_STORE : ZIP_CM_DEFLATE;
+  const zip_int32_t method = packing == Compression::store ? ZIP_CM_STORE : ZIP_CM_DEFLATE;
   if (zip_set_file_compression(zip_, index, method, 9) != 0 ||
       zip_file_set_dostime(zip_, index, kTime, kDate, 0) != 0)
     reason_ = zip_strerror(zip_);
@@ -219,7 +219,8 @@ Status ZipWriter::finish() {
 }
 
 Status ZipWriter::failure() const {
-  return tl::make_unexpected(Diagnostic{Code::SC6012, {}, "writing failed: " + reason_, file_, {}});
+  return tl::make_unexpected(
+      Diagnostic{.code = Code::SC6012, .message = "writing failed: " + reason_, .file = file_});
 }
 
 ZipEntry::ZipEntry(zip_file* entry, std::string file, std::uint64_t file_size) noexcept
@@ -241,7 +242,7 @@ Result<ZipReader> ZipReader::open(const std::string& file) {
   std::error_code unknown;
   const bool exists = std::filesystem::exists(path, unknown);
   if (exists && !std::filesystem::is_regular_file(path, unknown))
-    return unreadable(shown, "it is no regular file, and a recording is read at any place");
+    return unreadable(shown, "it is not a regular file, which a recording must be");
   int code = 0;
   zip_t* archive = zip_open(path.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &code);
   if (archive == nullptr) return unreadable(shown, text_of(code));
@@ -267,12 +268,12 @@ Status ZipReader::check() const {
   const zip_int64_t entries = zip_get_num_entries(zip_.get(), 0);
   if (entries > kMostEntries)
     return too_much(file_, "has more than " + std::to_string(kMostEntries) + " entries");
-  std::uint64_t unpacked = 0;
+  std::uint64_t decompressed = 0;
   const auto count = [&](std::string_view piece) -> Status {
-    unpacked += piece.size();
-    if (may_unpack(unpacked, size_)) return {};
-    return too_much(
-        file_, "unpacks to more than " + std::to_string(kMostUnpackedPerByte) + " times its size");
+    decompressed += piece.size();
+    if (may_decompress(decompressed, size_)) return {};
+    return too_much(file_, "unpacks to more than " + std::to_string(kMostDecompressedPerByte) +
+                               " times its size");
   };
   for (zip_int64_t i = 0; i < entries; ++i) {
     auto found = entry(static_cast<std::uint64_t>(i));

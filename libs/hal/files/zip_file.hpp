@@ -15,7 +15,7 @@ struct zip_file;
 
 namespace softcnc::hal {
 
-enum class Packing { store, deflate };
+enum class Compression { store, deflate };
 
 class ZipDestination;
 
@@ -32,9 +32,9 @@ class ZipWriter {
   /// Entries stand in the zip in the order in which they are added, all with one fixed date.
   void add_text(const std::string& name, std::string text);
   /// `path` is read by finish().
-  void add_file(const std::string& name, const std::string& path, Packing packing);
+  void add_file(const std::string& name, const std::string& path, Compression packing);
   /// The same of a file that is open, from its beginning.
-  void add_descriptor(const std::string& name, int descriptor, Packing packing);
+  void add_descriptor(const std::string& name, int descriptor, Compression packing);
   /// Of the zip as a whole.
   void set_comment(const std::string& text);
 
@@ -43,7 +43,7 @@ class ZipWriter {
 
  private:
   void open(int descriptor);
-  void add(const std::string& name, void* source, Packing packing);
+  void add(const std::string& name, void* source, Compression packing);
   Status failure() const;
 
   std::string file_;  // its name, if it has one
@@ -82,7 +82,7 @@ class ZipReader {
   Result<ZipEntry> entry(const std::string& name) const;
 
   /// Reads all entries against their checksums. Errors: SC6021; SC6024 where there are more than
-  /// kMostEntries, or more comes out of them than may_unpack().
+  /// kMostEntries, or more comes out of them than may_decompress().
   Status check() const;
 
   /// All of an entry that is known to be short.

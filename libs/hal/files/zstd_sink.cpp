@@ -17,7 +17,7 @@ class ZstdSink final : public ByteSink {
   explicit ZstdSink(std::unique_ptr<ByteSink> out)
       : out_(std::move(out)),
         stream_(ZSTD_createCCtx(), ZSTD_freeCCtx),
-        packed_(ZSTD_CStreamOutSize(), '\0') {
+        compressed_(ZSTD_CStreamOutSize(), '\0') {
     ZSTD_CCtx_setParameter(stream_.get(), ZSTD_c_compressionLevel, kLevel);
     ZSTD_CCtx_setParameter(stream_.get(), ZSTD_c_checksumFlag, 1);
   }
@@ -33,16 +33,13 @@ class ZstdSink final : public ByteSink {
   Status pump(std::string_view bytes, ZSTD_EndDirective directive) {
     ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
     for (bool done = false; !done;) {
-      ZSTD_outBuffer out{packed_.data(), packed_.size(), 0};
+      ZSTD_outBuffer out{compressed_.data(), compressed_.size(), 0};
       const std::size_t left = ZSTD_compressStream2(stream_.get(), &out, &in, directive);
       if (ZSTD_isError(left))
         return tl::make_unexpected(
-            Diagnostic{Code::SC6012,
-                       {},
-                       std::string("compressing failed: ") + ZSTD_getErrorName(left),
-                       {},
-                       {}});
-      if (auto written = out_->write({packed_.data(), out.pos}); !written) return written;
+            Diagnostic{.code = Code::SC6012,
+                       .message = std::string("compressing failed: ") + ZSTD_getErrorName(left)});
+      if (auto written = out_->write({compressed_.data(), out.pos}); !written) return written;
       done = directive == ZSTD_e_end ? left == 0 : in.pos == in.size;
     }
     return {};
@@ -50,7 +47,7 @@ class ZstdSink final : public ByteSink {
 
   std::unique_ptr<ByteSink> out_;
   std::unique_ptr<ZSTD_CCtx, std::size_t (*)(ZSTD_CCtx*)> stream_;
-  std::string packed_;
+  std::string compressed_;
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bytes on their way to another sink, compressed by Zstandard.
+// A sink that compresses bytes with Zstandard and passes them to another sink.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace softcnc::hal {
 
-/// One frame with a checksum, written by one thread: the same bytes in, the same bytes out.
+/// Makes such a sink: one frame with a checksum, the same output for the same input.
 std::unique_ptr<ByteSink> zstd_sink(std::unique_ptr<ByteSink> out);
 
 }  // namespace softcnc::hal

@@ -9,9 +9,9 @@
 #include <tuple>
 
 #include "hal/files/text_file.hpp"
+#include "hal/machine/machine_confinement.hpp"
 #include "hal/machine/machine_keys.hpp"
 #include "hal/machine/machine_loader.hpp"
-#include "hal/machine/machine_reach.hpp"
 #include "hal/machine/machine_value.hpp"
 
 namespace softcnc::hal {
@@ -20,7 +20,7 @@ namespace {
 /// In bytes: hundreds of times what any machine needs, a thousand tools included.
 constexpr std::size_t kLongestMachine = std::size_t{1} << 20U;
 
-LoadedOrFaults load_text(const std::string* text, const std::string& name,
+LoadedOrErrors load_text(const std::string* text, const std::string& name,
                          std::span<const std::string> settings) {
   MachineLoader loader;
   if (text) loader.read(*text, name);
@@ -28,13 +28,13 @@ LoadedOrFaults load_text(const std::string* text, const std::string& name,
   return loader.finish();
 }
 
-LoadedOrFaults load_file(const std::string& file, std::span<const std::string> settings) {
+LoadedOrErrors load_file(const std::string& file, std::span<const std::string> settings) {
   if (file.empty()) return load_text(nullptr, {}, settings);
   const auto text = read_text(file, Code::SC7003);
   if (!text) return tl::make_unexpected(std::vector{text.error()});
   if (text->size() > kLongestMachine)
-    return tl::make_unexpected(
-        std::vector{Diagnostic{Code::SC7003, {}, "cannot be read: longer than 1 MiB", file, {}}});
+    return tl::make_unexpected(std::vector{Diagnostic{
+        .code = Code::SC7003, .message = "cannot be read: longer than 1 MiB", .file = file}});
   return load_text(&*text, file, settings);
 }
 
@@ -43,9 +43,10 @@ std::optional<Diagnostic> unlike_a_file(const std::string& file) {
   std::error_code error;
   const auto type = std::filesystem::status(file, error).type();
   if (type == std::filesystem::file_type::regular) return std::nullopt;
-  const std::string why = type == std::filesystem::file_type::not_found ? "it is a link to nothing"
-                                                                        : "it is no regular file";
-  return Diagnostic{Code::SC7003, {}, "cannot be read: " + why, file, {}};
+  const std::string why = type == std::filesystem::file_type::not_found
+                              ? "it is a link to nothing"
+                              : "it is not a regular file";
+  return Diagnostic{.code = Code::SC7003, .message = "cannot be read: " + why, .file = file};
 }
 
 Machine machine_of(LoadedMachine&& loaded) { return std::move(loaded.machine); }
@@ -82,18 +83,18 @@ std::vector<KeyRef> all_instances(const Machine& machine) {
 std::string origin_of(const LoadedMachine& loaded, const std::string& path) {
   const auto found = loaded.given.find(path);
   if (found == loaded.given.end()) return "default";
-  const Place& place = found->second;
+  const GivenAt& place = found->second;
   return place.file == kSettingFile ? place.file
                                     : place.file + ":" + std::to_string(place.pos.line);
 }
 
 }  // namespace
 
-MachineOrFaults load_machine(const std::string& file, std::span<const std::string> settings) {
+MachineOrErrors load_machine(const std::string& file, std::span<const std::string> settings) {
   return load_file(file, settings).map(machine_of);
 }
 
-MachineOrFaults parse_machine(const std::string& text, const std::string& name,
+MachineOrErrors parse_machine(const std::string& text, const std::string& name,
                               std::span<const std::string> settings) {
   return load_text(&text, name, settings).map(machine_of);
 }
@@ -101,12 +102,12 @@ MachineOrFaults parse_machine(const std::string& text, const std::string& name,
 tl::expected<FoundMachine, std::vector<Diagnostic>> find_machine(
     const MachineSource& source, std::span<const std::string> settings) {
   if (source.confined)
-    if (auto fault = unlike_a_file(source.file))
-      return tl::make_unexpected(std::vector{*std::move(fault)});
+    if (auto error = unlike_a_file(source.file))
+      return tl::make_unexpected(std::vector{*std::move(error)});
   auto loaded = load_file(source.file, settings);
   if (!loaded) return tl::make_unexpected(std::move(loaded.error()));
   FoundMachine found;
-  if (source.confined) found.passed_over = confine(*loaded);
+  if (source.confined) found.ignored = confine(*loaded);
   found.default_file = writes_default_file(*loaded);
   found.machine = std::move(loaded->machine);
   return found;

@@ -12,18 +12,18 @@
 
 namespace softcnc::hal {
 
-/// A machine, or all that is wrong with its file, line by line, and then with the settings.
-using MachineOrFaults = tl::expected<Machine, std::vector<Diagnostic>>;
+/// A machine, or all errors of its file, line by line, and then of the settings.
+using MachineOrErrors = tl::expected<Machine, std::vector<Diagnostic>>;
 
-/// The machine of a TOML file with `settings` ("KEY=VALUE": a TOML value, else a string) on top.
-/// An empty name means the built-in machine. A file that names any [axis.*] has exactly those axes;
-/// a key that is absent keeps its default, but the limit along the path, which then is none.
-/// Errors: the SC70xx codes, with line and column; those of settings in a file called "--set". None
-/// is told that follows from another; of a file that is no TOML the first alone.
-MachineOrFaults load_machine(const std::string& file, std::span<const std::string> settings);
+/// Loads the machine of a TOML file with `settings` ("KEY=VALUE": a TOML value, else a string) on
+/// top. An empty name means the built-in machine. A file that names any [axis.*] has exactly those
+/// axes; a key that is absent keeps its default, except the limit along the path, which then is
+/// none. Errors: the SC70xx codes, with line and column; those of settings in a file called
+/// "--set". None is reported that follows from another; of a file that is not TOML only the first.
+MachineOrErrors load_machine(const std::string& file, std::span<const std::string> settings);
 
 /// The same for a text that is already in memory; `name` stands for the file in diagnostics.
-MachineOrFaults parse_machine(const std::string& text, const std::string& name,
+MachineOrErrors parse_machine(const std::string& text, const std::string& name,
                               std::span<const std::string> settings);
 
 /// Where the machine of a program comes from.
@@ -35,8 +35,8 @@ struct MachineSource {
 /// The machine of a program, and what was done to it.
 struct FoundMachine {
   Machine machine;
-  std::vector<Diagnostic> passed_over;  // SC7021: what the file asks for and may not
-  bool default_file = false;  // the backend writes a file under a name that nobody has given
+  std::vector<Diagnostic> ignored;  // SC7021: keys of the file that are ignored
+  bool default_file = false;        // the backend writes a file under a name that nobody has given
 };
 
 /// As load_machine(), but a confined machine must be in a regular file (SC7003). It keeps its

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of machine keys: name with unit, meaning, scale into house units, place in Machine.
+// The table of machine keys: name with unit, meaning, scale into internal units, place in Machine.
 #pragma once
 
 #include <optional>
@@ -14,37 +14,37 @@
 namespace softcnc::hal {
 
 /// The values a key takes, in the unit of its name; `or_0` takes 0 beside them.
-struct Range {
+struct ValueRange {
   double low, high;
   bool or_0 = false;
 };
 
-struct Number {
+struct NumberKey {
   double& (*place)(Machine&, int index);
-  double (*to_house)(double);  // from the unit of the name
+  double (*to_internal)(double);  // from the unit of the name
   double (*to_file)(double);
-  Range range;
+  ValueRange range;
 };
 
-struct Whole {
+struct WholeKey {
   int& (*place)(Machine&, int index);
-  Range range;
+  ValueRange range;
 };
 
-struct Choice {
+struct ChoiceKey {
   std::span<const std::string_view> words;
   int (*get)(const Machine&);  // index into words
   void (*set)(Machine&, int);
 };
 
-struct Text {
+struct TextKey {
   std::string& (*place)(Machine&, int index);
 };
 
 /// A point in the unit of the name: a number for each axis, or none.
-struct Point {
+struct PointKey {
   std::vector<double>& (*place)(Machine&, int index);
-  Range range;
+  ValueRange range;
 };
 
 /// A row of the table. A '*' in the name stands for an axis letter or a tool number, which is then
@@ -53,7 +53,7 @@ struct MachineKey {
   std::string_view name;
   std::string_view unit;
   std::string_view meaning;
-  std::variant<Number, Whole, Choice, Text, Point> value;
+  std::variant<NumberKey, WholeKey, ChoiceKey, TextKey, PointKey> value;
 };
 
 std::span<const MachineKey> machine_keys() noexcept;

@@ -67,10 +67,10 @@ Setting split(std::string_view setting) {
 /// Whether a value may be the empty text.
 bool takes_text(std::string_view key) {
   const auto ref = find_key(key);
-  return ref && std::holds_alternative<Text>(ref->key->value);
+  return ref && std::holds_alternative<TextKey>(ref->key->value);
 }
 
-Place place_in(const std::string& setting, std::string_view part) {
+GivenAt place_in(const std::string& setting, std::string_view part) {
   const int column = static_cast<int>(part.data() - setting.data()) + 1;
   return {
       std::string(kSettingFile), {1, column, std::max(1, static_cast<int>(part.size()))}, setting};
@@ -78,18 +78,22 @@ Place place_in(const std::string& setting, std::string_view part) {
 
 }  // namespace
 
-void MachineLoader::fail(Code code, const Place& place, std::string message) {
-  errors_.push_back({code, place.pos, std::move(message), place.file, place.line});
+void MachineLoader::fail(Code code, const GivenAt& place, std::string message) {
+  errors_.push_back({.code = code,
+                     .pos = place.pos,
+                     .message = std::move(message),
+                     .file = place.file,
+                     .source_line = place.line});
 }
 
-/// Values that do not go together: told once a place, and not where one of them has been refused.
+/// Reports values that do not go together, once per place, and not where one has been refused.
 void MachineLoader::clash(Code code, Keys keys, std::string message) {
   const auto is_refused = [this](const std::string& key) { return refused_.contains(key); };
   if (std::any_of(keys.begin(), keys.end(), is_refused)) return;
-  const Place& place = place_of(keys);
-  const auto is_this = [&](const Diagnostic& told) {
-    return told.code == code && told.file == place.file && told.source_line == place.line &&
-           told.pos.line == place.pos.line && told.pos.column == place.pos.column;
+  const GivenAt& place = place_of(keys);
+  const auto is_this = [&](const Diagnostic& known) {
+    return known.code == code && known.file == place.file && known.source_line == place.line &&
+           known.pos.line == place.pos.line && known.pos.column == place.pos.column;
   };
   if (std::none_of(errors_.begin(), errors_.end(), is_this)) fail(code, place, std::move(message));
 }
@@ -99,7 +103,7 @@ void MachineLoader::read(std::string_view text, const std::string& name) {
   if (!stem.empty()) loaded_.machine.name = stem;
   const TextLines lines(text);
   const auto place = [&](const SourcePos& pos) {
-    return Place{name, pos, std::string(lines[pos.line])};
+    return GivenAt{name, pos, std::string(lines[pos.line])};
   };
   const auto entries = read_toml(text);
   if (!entries) {
@@ -110,20 +114,20 @@ void MachineLoader::read(std::string_view text, const std::string& name) {
   if (const TomlEntry* of_state = find_state(*entries)) {
     is_doubtful_ = true;
     return fail(Code::SC7020, place(of_state->key_pos),
-                "'" + of_state->path + "' stands in state files: this is none of a machine");
+                "'" + of_state->path + "' belongs in a state file: this is not a machine file");
   }
   take_all(*entries, lines, name);
   if (std::any_of(entries->begin(), entries->end(), names_axis)) keep_named_axes(*entries);
 }
 
-/// What stands in a table that is refused is not told as well. Tables come before what is in them.
+/// The contents of a table that is refused are not reported as well. Tables come before them.
 void MachineLoader::take_all(const std::vector<TomlEntry>& entries, const TextLines& lines,
                              const std::string& name) {
   std::string_view refused_table;
   for (const TomlEntry& entry : entries) {
     if (!refused_table.empty() && is_within(entry.path, refused_table)) continue;
     const std::size_t before = errors_.size();
-    if (before >= kMostFaults) return;
+    if (before >= kMostErrors) return;
     take(entry, lines, name);
     if (entry.table && errors_.size() > before) refused_table = entry.path;
   }
@@ -131,12 +135,12 @@ void MachineLoader::take_all(const std::vector<TomlEntry>& entries, const TextLi
 
 void MachineLoader::take(const TomlEntry& entry, const TextLines& lines, const std::string& name) {
   const auto at = [&](const SourcePos& pos) {
-    return Place{name, pos, std::string(lines[pos.line])};
+    return GivenAt{name, pos, std::string(lines[pos.line])};
   };
   if (is_section(entry.path)) {
     if (entry.table) return;
     is_doubtful_ = true;
-    fail(Code::SC7004, at(entry.value_pos), entry.path + " is a table of keys");
+    fail(Code::SC7004, at(entry.value_pos), entry.path + " must be a table");
   } else if (const auto ref = find_key(entry.path)) {
     take(*ref, entry.value, at(entry.value_pos));
   } else {
@@ -146,7 +150,7 @@ void MachineLoader::take(const TomlEntry& entry, const TextLines& lines, const s
   }
 }
 
-void MachineLoader::take(const KeyRef& ref, const FileValue& value, Place place) {
+void MachineLoader::take(const KeyRef& ref, const FileValue& value, GivenAt place) {
   const auto stored = assign(ref, value, loaded_.machine);
   if (!stored) {
     fail(stored.error().code, place, stored.error().message);
@@ -189,7 +193,7 @@ bool MachineLoader::has_axis_of(const KeyRef& ref) const {
          loaded_.machine.axes[static_cast<std::size_t>(ref.index)].present;
 }
 
-LoadedOrFaults MachineLoader::finish() {
+LoadedOrErrors MachineLoader::finish() {
   if (!is_doubtful_) {
     check_periods();
     for (int axis = 0; axis < kAxes; ++axis) check_travel(axis);
@@ -212,7 +216,7 @@ void MachineLoader::check_periods() {
   if (ratio > 0.5 && std::abs(ratio - std::round(ratio)) < kRoundOff * ratio) return;
   clash(Code::SC7010, {"control.period_ms", "control.servo_period_ms"},
         "control.period_ms = " + number_text(ms_from_s(control.period)) +
-            " is no multiple of control.servo_period_ms = " +
+            " is not a multiple of control.servo_period_ms = " +
             number_text(ms_from_s(control.servo_period)));
 }
 
@@ -226,7 +230,7 @@ void MachineLoader::check_travel(int index) {
 }
 
 /// Where the first of several keys was given that was given at all.
-const Place& MachineLoader::place_of(Keys keys) const {
+const GivenAt& MachineLoader::place_of(Keys keys) const {
   const auto given = [this](const std::string& key) { return loaded_.given.contains(key); };
   return loaded_.given.find(*std::find_if(keys.begin(), keys.end(), given))->second;
 }

@@ -19,7 +19,7 @@ namespace softcnc::hal {
 inline constexpr std::string_view kSettingFile = "--set";
 
 /// Where a value was given.
-struct Place {
+struct GivenAt {
   std::string file;
   SourcePos pos;
   std::string line;
@@ -27,26 +27,26 @@ struct Place {
 
 struct LoadedMachine {
   Machine machine;
-  std::map<std::string, Place, std::less<>> given;  // by full name of the key
+  std::map<std::string, GivenAt, std::less<>> given;  // by full name of the key
 };
 
-using LoadedOrFaults = tl::expected<LoadedMachine, std::vector<Diagnostic>>;
+using LoadedOrErrors = tl::expected<LoadedMachine, std::vector<Diagnostic>>;
 
-/// Collects what a file and then settings say, and all that is wrong with it, up to kMostFaults,
-/// except what follows from something wrong.
+/// Collects what a file and then settings say, and their errors, up to kMostErrors, except errors
+/// that follow from others.
 class MachineLoader {
  public:
   void read(std::string_view text, const std::string& name);
   void set(const std::string& setting);  // "KEY=VALUE"
 
   /// Fills in what was left out and checks values against one another. Call once.
-  LoadedOrFaults finish();
+  LoadedOrErrors finish();
 
  private:
   void take_all(const std::vector<TomlEntry>& entries, const TextLines& lines,
                 const std::string& name);
   void take(const TomlEntry& entry, const TextLines& lines, const std::string& name);
-  void take(const KeyRef& ref, const FileValue& value, Place place);
+  void take(const KeyRef& ref, const FileValue& value, GivenAt place);
   void keep_named_axes(const std::vector<TomlEntry>& entries);
   void check_periods();
   void check_travel(int index);
@@ -59,8 +59,8 @@ class MachineLoader {
 
   bool has_axis_of(const KeyRef& ref) const;
   using Keys = std::initializer_list<std::string>;
-  const Place& place_of(Keys keys) const;
-  void fail(Code code, const Place& place, std::string message);
+  const GivenAt& place_of(Keys keys) const;
+  void fail(Code code, const GivenAt& place, std::string message);
   void clash(Code code, Keys keys, std::string message);
 
   LoadedMachine loaded_;

@@ -159,9 +159,9 @@ void MachineLoader::check_pin(const std::string& key, int pin, bool (*fits)(int)
   const std::string text = name + " = " + std::to_string(pin);
   if (!fits(pin))
     return clash(Code::SC7071, {name, "control.backend"},
-                 text + (fits == is_input_pin    ? " is no input: 10, 11, 12, 13, 15"
-                         : fits == is_output_pin ? " is no output: 1 to 9, 14, 16, 17"
-                                                 : " is no data pin: 2 to 9"));
+                 text + (fits == is_input_pin    ? " is not an input: 10, 11, 12, 13, 15"
+                         : fits == is_output_pin ? " is not an output: 1 to 9, 14, 16, 17"
+                                                 : " is not a data pin: 2 to 9"));
   const auto [used, is_new] = used_pins_.try_emplace(std::abs(pin), name);
   if (!is_new)
     clash(Code::SC7071, {name, used->second, "control.backend"},

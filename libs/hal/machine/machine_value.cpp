@@ -12,7 +12,7 @@ namespace softcnc::hal {
 namespace {
 
 Status failure(Code code, std::string message) {
-  return tl::make_unexpected(Diagnostic{code, {}, std::move(message), {}, {}});
+  return tl::make_unexpected(Diagnostic{.code = code, .message = std::move(message)});
 }
 
 std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
@@ -20,9 +20,9 @@ std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"
 struct TypeName {
   std::string_view operator()(double) const { return "a number"; }
   std::string_view operator()(std::int64_t) const { return "a number"; }
-  std::string_view operator()(const std::string&) const { return "a text"; }
+  std::string_view operator()(const std::string&) const { return "a string"; }
   std::string_view operator()(const std::vector<double>&) const { return "an array"; }
-  std::string_view operator()(const OtherValue& other) const { return other.type; }
+  std::string_view operator()(const OtherTomlValue& other) const { return other.type; }
 };
 
 Status wrong_type(const KeyRef& ref, std::string_view wanted, const FileValue& value) {
@@ -30,12 +30,12 @@ Status wrong_type(const KeyRef& ref, std::string_view wanted, const FileValue& v
                                    std::string(std::visit(TypeName{}, value)));
 }
 
-std::string range_text(const Range& range) {
+std::string range_text(const ValueRange& range) {
   return (range.or_0 ? "0, or at least " : "at least ") + number_text(range.low) + " and at most " +
          number_text(range.high);
 }
 
-Status check(const KeyRef& ref, double value, const Range& range) {
+Status check(const KeyRef& ref, double value, const ValueRange& range) {
   const bool within = value >= range.low && value <= range.high;  // false for NaN
   if (within || (range.or_0 && value == 0)) return {};
   return failure(Code::SC7005,
@@ -48,7 +48,7 @@ std::string list(std::span<const std::string_view> words) {
   return text;
 }
 
-Status store(const Number& number, const KeyRef& ref, const FileValue& value, Machine& machine) {
+Status store(const NumberKey& number, const KeyRef& ref, const FileValue& value, Machine& machine) {
   double file_value = 0;
   if (const auto* real = std::get_if<double>(&value))
     file_value = *real;
@@ -57,38 +57,38 @@ Status store(const Number& number, const KeyRef& ref, const FileValue& value, Ma
   else
     return wrong_type(ref, "a number", value);
   if (auto checked = check(ref, file_value, number.range); !checked) return checked;
-  number.place(machine, ref.index) = number.to_house(file_value + 0.0);
+  number.place(machine, ref.index) = number.to_internal(file_value + 0.0);
   return {};
 }
 
-Status store(const Whole& whole, const KeyRef& ref, const FileValue& value, Machine& machine) {
+Status store(const WholeKey& whole, const KeyRef& ref, const FileValue& value, Machine& machine) {
   const auto* given = std::get_if<std::int64_t>(&value);
-  if (!given) return wrong_type(ref, "a whole number", value);
+  if (!given) return wrong_type(ref, "an integer", value);
   auto checked = check(ref, static_cast<double>(*given), whole.range);
   if (checked) whole.place(machine, ref.index) = static_cast<int>(*given);
   return checked;
 }
 
-Status store(const Choice& choice, const KeyRef& ref, const FileValue& value, Machine& machine) {
+Status store(const ChoiceKey& choice, const KeyRef& ref, const FileValue& value, Machine& machine) {
   const auto* word = std::get_if<std::string>(&value);
   if (!word) return wrong_type(ref, "one of " + list(choice.words), value);
   const auto found = std::find(choice.words.begin(), choice.words.end(), *word);
   if (found == choice.words.end())
-    return failure(Code::SC7006, path_of(ref) + " does not know " + quoted(*word) + "; it knows " +
-                                     list(choice.words) +
+    return failure(Code::SC7006, path_of(ref) + " must be one of " + list(choice.words) + ", not " +
+                                     quoted(*word) +
                                      did_you_mean(nearest_name(*word, choice.words)));
   choice.set(machine, static_cast<int>(found - choice.words.begin()));
   return {};
 }
 
-Status store(const Text& text, const KeyRef& ref, const FileValue& value, Machine& machine) {
+Status store(const TextKey& text, const KeyRef& ref, const FileValue& value, Machine& machine) {
   const auto* given = std::get_if<std::string>(&value);
-  if (!given) return wrong_type(ref, "a text", value);
+  if (!given) return wrong_type(ref, "a string", value);
   text.place(machine, ref.index) = *given;
   return {};
 }
 
-Status store(const Point& point, const KeyRef& ref, const FileValue& value, Machine& machine) {
+Status store(const PointKey& point, const KeyRef& ref, const FileValue& value, Machine& machine) {
   const auto* given = std::get_if<std::vector<double>>(&value);
   if (!given || (!given->empty() && given->size() != kAxes))
     return wrong_type(ref, "an array of three numbers, or of none", value);
@@ -114,11 +114,13 @@ std::string toml_string(std::string_view text) {
 }
 
 struct Allowed {
-  std::string operator()(const Number& number) const { return range_text(number.range); }
-  std::string operator()(const Whole& whole) const { return "whole, " + range_text(whole.range); }
-  std::string operator()(const Choice& choice) const { return list(choice.words); }
-  std::string operator()(const Text&) const { return "a text"; }
-  std::string operator()(const Point& point) const {
+  std::string operator()(const NumberKey& number) const { return range_text(number.range); }
+  std::string operator()(const WholeKey& whole) const {
+    return "integer, " + range_text(whole.range);
+  }
+  std::string operator()(const ChoiceKey& choice) const { return list(choice.words); }
+  std::string operator()(const TextKey&) const { return "a string"; }
+  std::string operator()(const PointKey& point) const {
     return "three numbers, each " + range_text(point.range) + ", or none";
   }
 };
@@ -127,19 +129,19 @@ struct Spell {
   const KeyRef& ref;
   Machine& machine;
 
-  std::string operator()(const Number& number) const {
-    return scaled_text(number.place(machine, ref.index), number.to_house, number.to_file);
+  std::string operator()(const NumberKey& number) const {
+    return scaled_text(number.place(machine, ref.index), number.to_internal, number.to_file);
   }
-  std::string operator()(const Whole& whole) const {
+  std::string operator()(const WholeKey& whole) const {
     return std::to_string(whole.place(machine, ref.index));
   }
-  std::string operator()(const Choice& choice) const {
+  std::string operator()(const ChoiceKey& choice) const {
     return toml_string(choice.words[static_cast<std::size_t>(choice.get(machine))]);
   }
-  std::string operator()(const Text& text) const {
+  std::string operator()(const TextKey& text) const {
     return toml_string(text.place(machine, ref.index));
   }
-  std::string operator()(const Point& point) const {
+  std::string operator()(const PointKey& point) const {
     std::string text;
     for (const double number : point.place(machine, ref.index))
       text += (text.empty() ? "" : ", ") + number_text(number);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A value on its way between the text of a machine file and its place in the Machine.
+// Values between the text of a machine file and the Machine.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +13,21 @@
 namespace softcnc::hal {
 
 /// A value that no key takes, by the name of its type: "a date", "a table".
-struct OtherValue {
+struct OtherTomlValue {
   std::string_view type;
 };
-using FileValue = std::variant<double, std::int64_t, std::string, std::vector<double>, OtherValue>;
+using FileValue =
+    std::variant<double, std::int64_t, std::string, std::vector<double>, OtherTomlValue>;
 
 /// After so many errors nothing more is reported of a machine or state file: each of them keeps its
 /// line, and a hostile file may have millions.
-inline constexpr std::size_t kMostFaults = 1000;
+inline constexpr std::size_t kMostErrors = 1000;
 
-/// Checks `value` against type and range of the key and stores it in house units.
+/// Checks `value` against type and range of the key and stores it in internal units.
 /// Errors: SC7004, SC7005, SC7006, SC7009; their place is left to the caller.
 Status assign(const KeyRef& ref, const FileValue& value, Machine& machine);
 
-/// What the key takes, in words: "greater than 0 and at most 1000".
+/// Returns what the key takes, in words: "greater than 0 and at most 1000".
 std::string allowed_text(const MachineKey& key);
 
 /// The value as a machine file spells it; assign() of what that reads as stores the same bits. The

@@ -26,9 +26,9 @@ constexpr std::array<std::string_view, 2> kNoYes{"no", "yes"};
 constexpr double same(double value) noexcept { return value; }
 
 /// Where a number of the file has its place in a state.
-struct Slot {
+struct StateSlot {
   double* place;
-  double (*to_house)(double) = same;
+  double (*to_internal)(double) = same;
   double limit = kFarthest;  // either way, in the unit of the file
 };
 
@@ -46,36 +46,36 @@ std::optional<int> number_of(std::string_view word) {
   return whole && number > 0 ? std::optional(number) : std::nullopt;
 }
 
-std::optional<Slot> axis_slot(AxisVector& vector, std::string_view key) {
+std::optional<StateSlot> axis_slot(AxisVector& vector, std::string_view key) {
   for (int axis = 0; axis < kAxes; ++axis)
-    if (key == axis_name(axis) + "_mm") return Slot{&vector[axis]};
+    if (key == axis_name(axis) + "_mm") return StateSlot{&vector[axis]};
   return std::nullopt;
 }
 
-std::optional<Slot> work_slot(WorkOffset& work, std::string_view key) {
-  if (key == "rotation_deg") return Slot{&work.rotation, rad_from_deg, kMostTurned};
+std::optional<StateSlot> work_slot(WorkOffset& work, std::string_view key) {
+  if (key == "rotation_deg") return StateSlot{&work.rotation, rad_from_deg, kMostTurned};
   return axis_slot(work.origin, key);
 }
 
-std::optional<Slot> tool_slot(MachineState& state, int number, std::string_view key) {
+std::optional<StateSlot> tool_slot(MachineState& state, int number, std::string_view key) {
   ToolOffset& tool = state.tools[number];
-  if (key == "radius_mm") return Slot{&tool.radius};
-  if (key == "length_wear_mm") return Slot{&tool.length_wear};
-  if (key == "radius_wear_mm") return Slot{&tool.radius_wear};
+  if (key == "radius_mm") return StateSlot{&tool.radius};
+  if (key == "length_wear_mm") return StateSlot{&tool.length_wear};
+  if (key == "radius_wear_mm") return StateSlot{&tool.radius_wear};
   return axis_slot(tool.length, key);
 }
 
-std::optional<Slot> parameter_slot(MachineState& state, std::string_view key) {
+std::optional<StateSlot> parameter_slot(MachineState& state, std::string_view key) {
   const auto number = number_of(key);
   if (!number || *number < kFirstParameter || *number > kLastParameter) return std::nullopt;
-  return Slot{&state.parameters[*number], same, std::numeric_limits<double>::max()};
+  return StateSlot{&state.parameters[*number], same, std::numeric_limits<double>::max()};
 }
 
 std::string_view without(std::string_view text, std::string_view prefix) {
   return text.starts_with(prefix) ? text.substr(prefix.size()) : std::string_view();
 }
 
-std::optional<Slot> find_slot(MachineState& state, std::string_view path) {
+std::optional<StateSlot> find_slot(MachineState& state, std::string_view path) {
   const auto dot = std::min(path.rfind('.'), path.size());
   const std::string_view table = path.substr(0, dot),
                          key = path.substr(std::min(dot + 1, path.size()));
@@ -108,14 +108,14 @@ std::string list(std::span<const std::string_view> words) {
   return text;
 }
 
-/// Collects what a file says, and all that is wrong with it, up to kMostFaults. In a file of
+/// Collects what a file says, and all that is wrong with it, up to kMostErrors. In a file of
 /// another schema, or of none, nothing else is wrong: it is another file.
 class StateReader {
  public:
   StateReader(std::string_view text, std::string name)
       : text_(text), lines_(text), name_(std::move(name)) {}
 
-  StateOrFaults read();
+  StateOrErrors read();
 
  private:
   void read_schema(const std::vector<TomlEntry>& entries);
@@ -135,10 +135,14 @@ class StateReader {
 };
 
 void StateReader::fail(Code code, const SourcePos& pos, std::string message) {
-  errors_.push_back({code, pos, std::move(message), name_, std::string(lines_[pos.line])});
+  errors_.push_back({.code = code,
+                     .pos = pos,
+                     .message = std::move(message),
+                     .file = name_,
+                     .source_line = std::string(lines_[pos.line])});
 }
 
-StateOrFaults StateReader::read() {
+StateOrErrors StateReader::read() {
   const auto entries = read_toml(text_);
   if (!entries) {
     const Diagnostic& broken = entries.error();
@@ -148,7 +152,7 @@ StateOrFaults StateReader::read() {
   read_schema(*entries);
   if (errors_.empty())
     for (const TomlEntry& entry : *entries)
-      if (errors_.size() < kMostFaults && !is_within_refused(entry.path)) take(entry);
+      if (errors_.size() < kMostErrors && !is_within_refused(entry.path)) take(entry);
   if (errors_.empty()) return std::move(state_);
   std::stable_sort(errors_.begin(), errors_.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return std::tie(a.pos.line, a.pos.column) < std::tie(b.pos.line, b.pos.column);
@@ -156,8 +160,8 @@ StateOrFaults StateReader::read() {
   return tl::make_unexpected(std::move(errors_));
 }
 
-/// What stands in a table that has been refused is not told as well. Tables come before what they
-/// contain.
+/// The contents of a table that has been refused are not reported as well. Tables come before what
+/// they contain.
 bool StateReader::is_within_refused(std::string_view path) const {
   return !refused_.empty() && without(path, refused_).starts_with('.');
 }
@@ -175,7 +179,7 @@ void StateReader::take_value(const TomlEntry& entry) {
   } else if (entry.path == "g92_in_force") {
     state_.shift_on = word(entry, kNoYes).value_or(0) == 1;
   } else if (is_table(entry.path)) {
-    if (!entry.table) fail(Code::SC7004, entry.value_pos, entry.path + " is a table of keys");
+    if (!entry.table) fail(Code::SC7004, entry.value_pos, entry.path + " must be a table");
   } else {
     take_number(entry);
   }
@@ -185,7 +189,7 @@ void StateReader::read_schema(const std::vector<TomlEntry>& entries) {
   const auto entry = std::find_if(entries.begin(), entries.end(),
                                   [](const TomlEntry& one) { return one.path == "schema"; });
   if (entry == entries.end())
-    return fail(Code::SC7016, {}, "is no state file of softcnc: it names no schema");
+    return fail(Code::SC7016, {}, "is not a state file of softcnc: it names no schema");
   const double schema = as_number(entry->value).value_or(0);
   if (schema == kStateSchema) return;
   fail(Code::SC7016, entry->value_pos,
@@ -202,7 +206,7 @@ void StateReader::take_number(const TomlEntry& entry) {
     return fail(Code::SC7005, entry.value_pos,
                 entry.path + " must be from " + number_text(-slot->limit) + " to " +
                     number_text(slot->limit) + ", not " + number_text(*value));
-  *slot->place = slot->to_house(*value + 0.0);
+  *slot->place = slot->to_internal(*value + 0.0);
 }
 
 std::optional<int> StateReader::word(const TomlEntry& entry,
@@ -244,13 +248,13 @@ std::string tool_text(int number, const ToolOffset& tool) {
 
 }  // namespace
 
-StateOrFaults load_state(const std::string& file) {
+StateOrErrors load_state(const std::string& file) {
   const auto text = read_text(file, Code::SC7014);
   if (!text) return tl::make_unexpected(std::vector{text.error()});
   return parse_state(*text, file);
 }
 
-StateOrFaults parse_state(const std::string& text, const std::string& name) {
+StateOrErrors parse_state(const std::string& text, const std::string& name) {
   return StateReader(text, name).read();
 }
 

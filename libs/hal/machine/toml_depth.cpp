@@ -38,7 +38,7 @@ class DepthScan {
 Status DepthScan::run() {
   for (; i_ < text_.size(); ++i_) {
     take(text_[i_]);
-    if (levels_ + dots_ > kDeepestToml) return too_deep();
+    if (levels_ + dots_ > kMaxTomlDepth) return too_deep();
   }
   return {};
 }
@@ -113,24 +113,21 @@ void DepthScan::take_long_string(char quote) {
 
 Status DepthScan::too_deep() const {
   const int column = static_cast<int>(i_ - line_begin_) + 1;
-  return tl::make_unexpected(
-      Diagnostic{Code::SC7022,
-                 {line_, column, 1},
-                 "nested too deeply: more than " + std::to_string(kDeepestToml) + " levels",
-                 {},
-                 {}});
+  return tl::make_unexpected(Diagnostic{
+      .code = Code::SC7022,
+      .pos = {line_, column, 1},
+      .message = "nested too deeply: more than " + std::to_string(kMaxTomlDepth) + " levels"});
 }
 
 Status check_lines(std::string_view text) {
   for (int line = 1; !text.empty(); ++line) {
     const std::size_t length = std::min(text.find('\n'), text.size());
     if (length > kLongestTomlLine)
-      return tl::make_unexpected(
-          Diagnostic{Code::SC7002,
-                     {line, 1, 1},
-                     "not TOML: a line longer than " + std::to_string(kLongestTomlLine) + " bytes",
-                     {},
-                     {}});
+      return tl::make_unexpected(Diagnostic{
+          .code = Code::SC7002,
+          .pos = {line, 1, 1},
+          .message =
+              "not TOML: a line longer than " + std::to_string(kLongestTomlLine) + " bytes"});
     text.remove_prefix(std::min(length + 1, text.size()));
   }
   return {};

@@ -20,10 +20,10 @@ int byte_column(std::string_view line, unsigned column) {
   return static_cast<int>(at) + 1;
 }
 
-/// Places in a text as bytes.
-class Places {
+/// Positions in a text, in bytes.
+class BytePositions {
  public:
-  explicit Places(std::string_view text) : lines_(text) {}
+  explicit BytePositions(std::string_view text) : lines_(text) {}
 
   SourcePos of(const toml::source_region& region) const;
 
@@ -33,11 +33,11 @@ class Places {
   TextLines lines_;
 };
 
-int Places::column(unsigned line, unsigned column) const {
+int BytePositions::column(unsigned line, unsigned column) const {
   return byte_column(lines_[static_cast<int>(line)], column);
 }
 
-SourcePos Places::of(const toml::source_region& region) const {
+SourcePos BytePositions::of(const toml::source_region& region) const {
   const int first = column(region.begin.line, region.begin.column);
   const bool one_line = region.end.line == region.begin.line;
   const int end = one_line ? column(region.end.line, region.end.column) : first + 1;
@@ -49,7 +49,7 @@ FileValue value_of(const toml::array& array) {
   std::vector<double> numbers;
   for (const auto& element : array) {
     const auto number = element.value<double>();
-    if (!number || !element.is_number()) return OtherValue{"an array"};
+    if (!number || !element.is_number()) return OtherTomlValue{"an array"};
     numbers.push_back(*number);
   }
   return numbers;
@@ -64,17 +64,17 @@ FileValue value_of(const toml::node& node) {
     case toml::node_type::string:
       return node.as_string()->get();
     case toml::node_type::boolean:
-      return OtherValue{"true or false"};
+      return OtherTomlValue{"true or false"};
     case toml::node_type::array:
       return value_of(*node.as_array());
     case toml::node_type::table:
-      return OtherValue{"a table"};
+      return OtherTomlValue{"a table"};
     default:
-      return OtherValue{"a date or time"};
+      return OtherTomlValue{"a date or time"};
   }
 }
 
-void flatten(const Places& places, const toml::table& table, const std::string& path,
+void flatten(const BytePositions& places, const toml::table& table, const std::string& path,
              std::vector<TomlEntry>& entries) {
   for (const auto& [key, node] : table) {
     const std::string name = path + std::string(key.str());
@@ -98,16 +98,17 @@ std::string key_of(std::string_view says, std::string_view text, const SourcePos
   return quote == says.npos ? key_at(text, pos) : std::string(says.substr(quote));
 }
 
-/// toml++ tells a key given twice only in words: "... cannot redefine existing integer 'blu_um'",
+/// toml++ reports a key given twice only in words: "... cannot redefine existing integer 'blu_um'",
 /// or "... existing integer as dotted key-value pair".
 Diagnostic diagnostic_of(std::string_view text, const toml::parse_error& error) {
   constexpr std::string_view kPrefix = "Error while parsing ";
   std::string_view says = error.description();
-  const SourcePos pos = Places(text).of(error.source());
+  const SourcePos pos = BytePositions(text).of(error.source());
   if (says.find("cannot redefine") != says.npos)
-    return {Code::SC7012, pos, key_of(says, text, pos) + " is given twice", {}, {}};
+    return {
+        .code = Code::SC7012, .pos = pos, .message = key_of(says, text, pos) + " is given twice"};
   if (says.starts_with(kPrefix)) says.remove_prefix(kPrefix.size());
-  return {Code::SC7002, pos, "not TOML: " + std::string(says), {}, {}};
+  return {.code = Code::SC7002, .pos = pos, .message = "not TOML: " + std::string(says)};
 }
 
 }  // namespace
@@ -117,7 +118,7 @@ Result<std::vector<TomlEntry>> read_toml(std::string_view text) {
     return tl::make_unexpected(std::move(flat.error()));
   try {
     std::vector<TomlEntry> entries;
-    flatten(Places(text), toml::parse(text), "", entries);
+    flatten(BytePositions(text), toml::parse(text), "", entries);
     return entries;
   } catch (const toml::parse_error& error) {
     return tl::make_unexpected(diagnostic_of(text, error));

@@ -16,19 +16,19 @@ namespace softcnc::hal {
 struct TomlEntry {
   std::string path;  // "axis.x.blu_um"
   bool table = false;
-  FileValue value;    // of a table: OtherValue
+  FileValue value;    // of a table: OtherTomlValue
   SourcePos key_pos;  // in bytes
   SourcePos value_pos;
 };
 
 /// Every table and value of `text`. Errors: SC7002 (no TOML), SC7012 (a key given twice), SC7022
-/// (nested deeper than kDeepestToml).
+/// (nested deeper than kMaxTomlDepth).
 Result<std::vector<TomlEntry>> read_toml(std::string_view text);
 
 /// One value as TOML spells it; what is no TOML value is taken as a string.
 FileValue read_toml_value(const std::string& text);
 
-/// The lines of a text, found once: whoever asks for many of them does not search from its
+/// The lines of a text, found once, so that reading many of them does not search from its
 /// beginning each time.
 class TextLines {
  public:

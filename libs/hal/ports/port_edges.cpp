@@ -13,7 +13,7 @@ PortEdges::PortEdges(const Machine& machine, std::unique_ptr<PortPlayer> player)
       word_(pins_.enabled()),
       player_(std::move(player)) {}
 
-Alarm PortEdges::take(std::span<const Edge> edges, std::int64_t until) noexcept {
+Alarm PortEdges::take(std::span<const SignalEdge> edges, std::int64_t until) noexcept {
   waiting_.insert(waiting_.end(), edges.begin(), edges.end());
   words_.clear();
   while (tick_ * base_ < until) play_tick();
@@ -32,8 +32,9 @@ Status PortEdges::finish() {
 
 /// Edges stand in the order of time.
 void PortEdges::play_tick() noexcept {
-  const auto later = std::find_if(waiting_.begin(), waiting_.end(),
-                                  [this](const Edge& edge) { return edge.time > tick_ * base_; });
+  const auto later = std::find_if(waiting_.begin(), waiting_.end(), [this](const SignalEdge& edge) {
+    return edge.time > tick_ * base_;
+  });
   for (auto edge = waiting_.begin(); edge != later; ++edge)
     pins_.set(word_, edge->axis, edge->wire, edge->high);
   waiting_.erase(waiting_.begin(), later);

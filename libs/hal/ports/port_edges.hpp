@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From edges to words for a port, one each base period.
+// From signal edges to words for a port, one each base period.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@ class PortEdges final : public EdgeSink {
  public:
   PortEdges(const Machine& machine, std::unique_ptr<PortPlayer> player);
 
-  Alarm take(std::span<const Edge> edges, std::int64_t until) noexcept override;
+  Alarm take(std::span<const SignalEdge> edges, std::int64_t until) noexcept override;
   void rest() noexcept override { player_->rest(); }
   Status finish() override;
 
@@ -29,7 +29,7 @@ class PortEdges final : public EdgeSink {
   std::int64_t hold_;      // ns: from the last step to the rest
   std::int64_t tick_ = 0;  // the next one
   PortWord word_;
-  std::vector<Edge> waiting_;
+  std::vector<SignalEdge> waiting_;
   std::vector<PortWord> words_;
   std::unique_ptr<PortPlayer> player_;
 };

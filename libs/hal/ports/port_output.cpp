@@ -30,22 +30,23 @@ void PortOutput::rest() noexcept {
 }
 
 Diagnostic PortOutput::diagnostic(Alarm alarm) const {
-  const auto told = [this](Code code, const char* text) {
-    return Diagnostic{code, {}, std::string(text) + "; the drives are disabled", device_, {}};
+  const auto disabled = [this](Code code, const char* text) {
+    return Diagnostic{
+        .code = code, .message = std::string(text) + "; the drives are disabled", .file = device_};
   };
   switch (alarm) {
     case Alarm::emergency_stop:
-      return told(Code::SC5031, "emergency stop: the input of backend.parport.estop_pin is on");
+      return disabled(Code::SC5031, "emergency stop: the input of backend.parport.estop_pin is on");
     case Alarm::limit_switch:
-      return told(Code::SC5032,
-                  "an axis is on a limit switch: the input of "
-                  "backend.parport.limit_pin is on");
+      return disabled(Code::SC5032,
+                      "an axis is on a limit switch: the input of "
+                      "backend.parport.limit_pin is on");
     case Alarm::driver_fault:
-      return told(Code::SC5033,
-                  "a drive reports a fault: the input of backend.parport.fault_pin "
-                  "is on");
+      return disabled(Code::SC5033,
+                      "a drive reports a fault: the input of backend.parport.fault_pin "
+                      "is on");
     case Alarm::overrun:
-      return told(Code::SC5030, "the port was not written to for a whole period");
+      return disabled(Code::SC5030, "the port was not written to for a whole period");
     default:
       return registers_->failure();
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A parallel port with a machine on it: what changes is written, what comes in is understood.
+// A parallel port with a machine: writes the registers that change, interprets the inputs.
 #pragma once
 
 #include <memory>
@@ -22,13 +22,13 @@ class PortOutput {
   /// Writes the registers that change. Alarm::port, or none. Realtime.
   Alarm write(const PortWord& word) noexcept;
 
-  /// What the inputs say, if any are used. Realtime.
+  /// Reads the inputs, if any are used. Realtime.
   Alarm look() noexcept;
 
-  /// Steps low, drives disabled, whatever has been written before. For signal handlers, too.
+  /// Sets steps low and disables the drives, whatever was written before. Safe in signal handlers.
   void rest() noexcept;
 
-  /// An alarm in words.
+  /// Describes an alarm.
   Diagnostic diagnostic(Alarm alarm) const;
 
  private:

@@ -10,14 +10,14 @@ namespace {
 
 enum class Register : std::uint8_t { data, control, status };
 
-struct PinRow {
+struct PinEntry {
   int pin;
   Register where;
   std::uint8_t bit;
   bool inverted;  // by the port itself
 };
 
-constexpr PinRow kPins[] = {
+constexpr PinEntry kPins[] = {
     {1, Register::control, 0x01, true},  {2, Register::data, 0x01, false},
     {3, Register::data, 0x02, false},    {4, Register::data, 0x04, false},
     {5, Register::data, 0x08, false},    {6, Register::data, 0x10, false},
@@ -29,20 +29,20 @@ constexpr PinRow kPins[] = {
     {17, Register::control, 0x08, true},
 };
 
-const PinRow* row_of(int pin) noexcept {
-  const auto* row = std::find_if(std::begin(kPins), std::end(kPins),
-                                 [&](const PinRow& r) { return r.pin == std::abs(pin); });
-  return row == std::end(kPins) ? nullptr : row;
+const PinEntry* entry_of(int pin) noexcept {
+  const auto* entry = std::find_if(std::begin(kPins), std::end(kPins),
+                                   [&](const PinEntry& r) { return r.pin == std::abs(pin); });
+  return entry == std::end(kPins) ? nullptr : entry;
 }
 
 bool is_of(int pin, Register where) noexcept {
-  const PinRow* row = row_of(pin);
-  return row && row->where == where;
+  const PinEntry* entry = entry_of(pin);
+  return entry && entry->where == where;
 }
 
 /// Levels of a bit with its inversions.
-std::uint8_t level_of_high(const PinRow& row, int pin) noexcept {
-  return row.inverted == (pin < 0) ? row.bit : std::uint8_t{0};
+std::uint8_t level_of_high(const PinEntry& entry, int pin) noexcept {
+  return entry.inverted == (pin < 0) ? entry.bit : std::uint8_t{0};
 }
 
 constexpr std::uint8_t with(std::uint8_t bits, std::uint8_t bit, std::uint8_t level) noexcept {
@@ -56,16 +56,16 @@ bool is_output_pin(int pin) { return is_data_pin(pin) || is_of(pin, Register::co
 bool is_input_pin(int pin) { return is_of(pin, Register::status); }
 
 PortPins::Line PortPins::line_of(int pin) {
-  const PinRow* row = row_of(pin);
-  if (!row) return {};
-  const std::uint8_t high = level_of_high(*row, pin);
-  if (row->where == Register::data) return {{row->bit, 0}, {high, 0}};
-  return {{0, row->bit}, {0, high}};
+  const PinEntry* entry = entry_of(pin);
+  if (!entry) return {};
+  const std::uint8_t high = level_of_high(*entry, pin);
+  if (entry->where == Register::data) return {{entry->bit, 0}, {high, 0}};
+  return {{0, entry->bit}, {0, high}};
 }
 
 PortPins::Input PortPins::input_of(int pin) {
-  const PinRow* row = row_of(pin);
-  return row ? Input{row->bit, level_of_high(*row, pin)} : Input{};
+  const PinEntry* entry = entry_of(pin);
+  return entry ? Input{entry->bit, level_of_high(*entry, pin)} : Input{};
 }
 
 PortPins::PortPins(const Machine& machine) {

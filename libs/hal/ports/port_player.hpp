@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who writes words to a port, one each base period.
+// The writer of words to a port, one each base period.
 #pragma once
 
 #include <span>
@@ -14,11 +14,11 @@ class PortPlayer {
  public:
   virtual ~PortPlayer() = default;
 
-  /// Takes the words of further base periods; may wait until there is room. What has been wrong so
-  /// far: Alarm::port, overrun, emergency_stop, limit_switch or driver_fault.
+  /// Takes the words of further base periods; may wait until the queue has room. Returns what has
+  /// gone wrong so far: Alarm::port, overrun, emergency_stop, limit_switch or driver_fault.
   virtual Alarm play(std::span<const PortWord> words) noexcept = 0;
 
-  /// The words so far end at rest, and more may be long in coming.
+  /// Marks that the words so far end at rest, and that more may take long.
   virtual void rest() noexcept = 0;
 
   /// Returns when all has been played and the port is at rest. Errors: SC6074, SC5030 to SC5033.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The registers of a PC's parallel port (82C55 style), whatever is behind them.
+// The registers of a PC's parallel port (82C55 style), real or simulated.
 #pragma once
 
 #include <cstdint>

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/backends/stepdir.hpp"
 #include "motion/core/units.hpp"
 
 namespace softcnc::hal {

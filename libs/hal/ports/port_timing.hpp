@@ -2,7 +2,7 @@
 // A driver's timing in the base periods of a port that is written to by a program.
 #pragma once
 
-#include "hal/signals/step_edges.hpp"
+#include "hal/signals/step_timing.hpp"
 #include "motion/model/machine.hpp"
 
 namespace softcnc::hal {

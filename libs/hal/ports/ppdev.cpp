@@ -25,11 +25,13 @@ Diagnostic port_refusal(const std::string& device, const char* call, int error) 
   const bool busy = error == EBUSY || error == EAGAIN || (claim && error == ENXIO);
   const std::string reason = std::string(" (") + call + ": " + std::strerror(error) + ')';
   if (busy)
-    return {Code::SC6073, {}, "another driver or program uses this port" + reason, device, {}};
-  const char* what = error == EACCES || error == EPERM ? "you may not use this port"
-                     : error == ENOTTY                 ? "this is no parallel port"
+    return {.code = Code::SC6073,
+            .message = "another driver or program uses this port" + reason,
+            .file = device};
+  const char* what = error == EACCES || error == EPERM ? "no permission to use this port"
+                     : error == ENOTTY                 ? "this is not a parallel port"
                                                        : "there is no such port";
-  return {Code::SC6072, {}, what + reason, device, {}};
+  return {.code = Code::SC6072, .message = what + reason, .file = device};
 }
 
 Ppdev::Ppdev(std::string device, int descriptor)
@@ -63,7 +65,7 @@ std::optional<std::uint8_t> Ppdev::read_status() noexcept {
   return call(PPRSTATUS, &bits) ? std::optional(bits) : std::nullopt;
 }
 
-/// The first error is what is told; a port that has failed may still take what puts it at rest.
+/// The first error is reported; a port that has failed may still take what puts it at rest.
 bool Ppdev::call(unsigned long request, void* argument) noexcept {
   while (::ioctl(descriptor_, request, argument) < 0) {
     if (errno == EINTR) continue;
@@ -74,7 +76,9 @@ bool Ppdev::call(unsigned long request, void* argument) noexcept {
 }
 
 Diagnostic Ppdev::failure() const {
-  return {Code::SC6074, {}, std::string("the port fails: ") + std::strerror(error_), device_, {}};
+  return {.code = Code::SC6074,
+          .message = std::string("the port fails: ") + std::strerror(error_),
+          .file = device_};
 }
 
 }  // namespace softcnc::hal

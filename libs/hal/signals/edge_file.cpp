@@ -12,7 +12,7 @@ constexpr unsigned kMore = 0x80;
 /// How VCD calls a line: one printable character.
 constexpr char vcd_name(unsigned line) noexcept { return static_cast<char>('!' + line / 2); }
 
-class Vcd final : public EdgeFormat {
+class VcdFormat final : public EdgeFormat {
  public:
   std::string head() const override {
     std::string text = "$timescale 1 ns $end\n$scope module softcnc $end\n";
@@ -24,7 +24,7 @@ class Vcd final : public EdgeFormat {
     return text + "$upscope $end\n$enddefinitions $end\n#0\n$dumpvars\n" + zeros + "$end\n";
   }
 
-  void append(const Edge& edge, std::string& bytes) override {
+  void append(const SignalEdge& edge, std::string& bytes) override {
     if (edge.time != time_) bytes += '#' + std::to_string(edge.time) + '\n';
     time_ = edge.time;
     bytes += edge.high ? '1' : '0';
@@ -36,11 +36,11 @@ class Vcd final : public EdgeFormat {
   std::int64_t time_ = 0;
 };
 
-class Binary final : public EdgeFormat {
+class BinaryFormat final : public EdgeFormat {
  public:
   std::string head() const override { return std::string(kBinaryHead); }
 
-  void append(const Edge& edge, std::string& bytes) override {
+  void append(const SignalEdge& edge, std::string& bytes) override {
     auto since = static_cast<std::uint64_t>(edge.time - time_);
     time_ = edge.time;
     for (; since >= kMore; since >>= 7U) bytes += static_cast<char>((since & 0x7FU) | kMore);
@@ -53,8 +53,8 @@ class Binary final : public EdgeFormat {
 };
 
 std::unique_ptr<EdgeFormat> format_of(std::string_view file) {
-  if (file.ends_with(".vcd")) return std::make_unique<Vcd>();
-  if (file.ends_with(".edges")) return std::make_unique<Binary>();
+  if (file.ends_with(".vcd")) return std::make_unique<VcdFormat>();
+  if (file.ends_with(".edges")) return std::make_unique<BinaryFormat>();
   return nullptr;
 }
 
@@ -66,20 +66,20 @@ EdgeWriter::EdgeWriter(std::unique_ptr<EdgeFormat> format, std::unique_ptr<ByteS
 Result<EdgeWriter> EdgeWriter::open(const std::string& file) {
   auto format = format_of(file);
   if (!format)
-    return tl::make_unexpected(
-        Diagnostic{Code::SC6050, {}, "a list of edges ends in .vcd or .edges", file, {}});
+    return tl::make_unexpected(Diagnostic{
+        .code = Code::SC6050, .message = "a list of edges ends in .vcd or .edges", .file = file});
   auto out = OutputFile::open(file);
   if (!out) return tl::make_unexpected(std::move(out.error()));
   return EdgeWriter(std::move(format), std::move(*out));
 }
 
 EdgeWriter EdgeWriter::vcd(std::unique_ptr<ByteSink> out) {
-  return {std::make_unique<Vcd>(), std::move(out)};
+  return {std::make_unique<VcdFormat>(), std::move(out)};
 }
 
-Alarm EdgeWriter::take(std::span<const Edge> edges, std::int64_t /*until*/) noexcept {
+Alarm EdgeWriter::take(std::span<const SignalEdge> edges, std::int64_t /*until*/) noexcept {
   if (!ok()) return Alarm::port;
-  for (const Edge& edge : edges) format_->append(edge, bytes_);
+  for (const SignalEdge& edge : edges) format_->append(edge, bytes_);
   if (bytes_.size() >= kHandOn) hand_on();
   return ok() ? Alarm::none : Alarm::port;
 }

@@ -17,7 +17,7 @@ class EdgeFormat {
   virtual ~EdgeFormat() = default;
   virtual std::string head() const = 0;
   /// Takes edges in order of time.
-  virtual void append(const Edge& edge, std::string& bytes) = 0;
+  virtual void append(const SignalEdge& edge, std::string& bytes) = 0;
 };
 
 /// ".vcd": a Value Change Dump (IEEE 1364) with a scale of 1 ns, for GTKWave and PulseView.
@@ -32,7 +32,7 @@ class EdgeWriter final : public EdgeSink {
   static EdgeWriter vcd(std::unique_ptr<ByteSink> out);
 
   /// After an error, Alarm::port, edges are dropped.
-  Alarm take(std::span<const Edge> edges, std::int64_t until) noexcept override;
+  Alarm take(std::span<const SignalEdge> edges, std::int64_t until) noexcept override;
 
   /// Without it no file is left. Errors: SC6012, SC6013.
   Status finish() override;

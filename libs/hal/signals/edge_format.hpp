@@ -14,10 +14,10 @@ namespace softcnc::hal {
 inline constexpr std::string_view kBinaryHead = "edges 1\n";
 
 /// The number of a line: 4 axis + 2 for its direction.
-constexpr unsigned line_of(const Edge& edge) noexcept {
+constexpr unsigned line_of(const SignalEdge& edge) noexcept {
   return 4U * edge.axis + (edge.wire == Wire::direction ? 2U : 0U);
 }
-constexpr Edge edge_of(unsigned line, std::int64_t time, bool high) noexcept {
+constexpr SignalEdge edge_of(unsigned line, std::int64_t time, bool high) noexcept {
   return {time, static_cast<std::uint8_t>(line / 4), line & 2U ? Wire::direction : Wire::step,
           high};
 }

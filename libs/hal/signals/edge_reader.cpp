@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kForm = "edges ";
 
 Status failure(std::string why) {
-  return tl::make_unexpected(Diagnostic{Code::SC6091, {}, std::move(why), {}, {}});
+  return tl::make_unexpected(Diagnostic{.code = Code::SC6091, .message = std::move(why)});
 }
 
 class BinaryReader final : public EdgeParser {
@@ -99,8 +99,8 @@ Status EdgeReader::finish() {
   return form_->finish();
 }
 
-std::optional<std::vector<Edge>> read_edges(std::string_view bytes) {
-  std::vector<Edge> edges;
+std::optional<std::vector<SignalEdge>> read_edges(std::string_view bytes) {
+  std::vector<SignalEdge> edges;
   EdgeReader reader([&](const ReadEdge& read) {
     if (!read.begins || read.edge.high) edges.push_back(read.edge);
   });

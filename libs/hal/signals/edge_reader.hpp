@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lists of edges out of files, whoever wrote them: VCD, or the compact binary form.
+// Lists of signal edges from files: VCD, or the compact binary form.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ namespace softcnc::hal {
 
 /// An edge with its place in the file.
 struct ReadEdge {
-  Edge edge;
+  SignalEdge edge;
   SourcePos pos;          // of VCD
   std::string_view line;  // its text; while the edge is visited
   bool begins = false;    // no edge, but the level at which a line begins
@@ -33,7 +33,7 @@ class EdgeParser {
   virtual Status finish() = 0;
 };
 
-/// "edges 1\n" and what EdgeWriter writes behind it; anything else is taken for VCD.
+/// Reads "edges 1\n" and what EdgeWriter writes after it; anything else is read as VCD.
 class EdgeReader final : public EdgeParser {
  public:
   explicit EdgeReader(VisitEdge visit) : visit_(std::move(visit)) {}
@@ -49,7 +49,7 @@ class EdgeReader final : public EdgeParser {
   std::unique_ptr<EdgeParser> form_;
 };
 
-/// The edges of a file, by its text; nothing if it is no list of edges.
-std::optional<std::vector<Edge>> read_edges(std::string_view bytes);
+/// Returns the edges of a file from its bytes; nothing if it is not a list of edges.
+std::optional<std::vector<SignalEdge>> read_edges(std::string_view bytes);
 
 }  // namespace softcnc::hal

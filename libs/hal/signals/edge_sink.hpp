@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where edges of step and direction lines go: a file, or a port.
+// The destination of the edges of step and direction lines: a file, or a port.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ class EdgeSink {
  public:
   virtual ~EdgeSink() = default;
 
-  /// All edges before `until`, ns, that have not been taken yet, in order of time. What is wrong,
-  /// if anything is; then finish() tells it in words. Realtime.
-  virtual Alarm take(std::span<const Edge> edges, std::int64_t until) noexcept = 0;
+  /// All edges before `until`, ns, that have not been taken yet, in order of time. Returns what is
+  /// wrong, if anything is; then finish() describes it. Realtime.
+  virtual Alarm take(std::span<const SignalEdge> edges, std::int64_t until) noexcept = 0;
 
-  /// The machine stands, and more may be long in coming.
+  /// Called where the machine is at rest and more edges may take long.
   virtual void rest() noexcept {}
 
   /// Call once after the last edge.

@@ -20,17 +20,17 @@ class FinePulses {
   FinePulses(double blu, double position) noexcept
       : blu_(blu), counts_of_(blu), position_(position), counts_(counts_of_(position)) {}
 
-  /// Visits the pulses on the way to `position`, mm, as visit(part of the way's time, direction).
+  /// Visits the pulses up to `position`, mm, as visit(part of the time of the move, direction).
   /// Realtime.
   template <typename Visit>
   void move(double position, Visit&& visit) noexcept {
     const std::int64_t counts = counts_of_(position);
     const int direction = counts < counts_ ? -1 : 1;
-    const double way = (position - position_) / blu_;  // BLU
+    const double distance = (position - position_) / blu_;  // BLU
     const double from = position_ / blu_;
     for (; counts_ != counts; counts_ += direction) {
       const double beyond = static_cast<double>(counts_) + 0.5 * direction - from;
-      visit(way * direction > 0 ? std::clamp(beyond / way, 0.0, 1.0) : 1.0, direction);
+      visit(distance * direction > 0 ? std::clamp(beyond / distance, 0.0, 1.0) : 1.0, direction);
     }
     position_ = position;
   }

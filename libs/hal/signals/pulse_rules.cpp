@@ -23,31 +23,30 @@ std::string text(const BrokenRule& broken) {
     case PulseRule::change:
       return begin + "the line is " + (broken.edge.high ? "high" : "low") + " already";
     case PulseRule::order:
-      return begin + "comes before the edge ahead of it, at " + std::to_string(broken.least) +
-             " ns";
+      return begin + "comes before the previous edge, at " + std::to_string(broken.least) + " ns";
     case PulseRule::end:
       return begin + "the step that begins here has no end";
     default:
       return begin + std::string(name(broken.rule)) + " " + std::to_string(broken.is) +
-             " ns, at least " + std::to_string(broken.least) + " ns is asked for";
+             " ns, at least " + std::to_string(broken.least) + " ns is required";
   }
 }
 
-void PulseRules::read(std::span<const Edge> edges) {
-  for (const Edge& edge : edges) read(edge);
+void PulseRules::read(std::span<const SignalEdge> edges) {
+  for (const SignalEdge& edge : edges) read(edge);
 }
 
-void PulseRules::begin(const Edge& level) noexcept {
+void PulseRules::begin(const SignalEdge& level) noexcept {
   lines_[level.axis].level[static_cast<std::size_t>(level.wire)] = level.high;
 }
 
-void PulseRules::read(const Edge& edge) {
+void PulseRules::read(const SignalEdge& edge) {
   ++edges_;
-  if (edge.time < time_) tell({edge, PulseRule::order, edge.time, time_});
+  if (edge.time < time_) report({edge, PulseRule::order, edge.time, time_});
   time_ = edge.time;
   Line& line = lines_[edge.axis];
   bool& level = line.level[static_cast<std::size_t>(edge.wire)];
-  if (level == edge.high) return tell({edge, PulseRule::change, 0, 0});
+  if (level == edge.high) return report({edge, PulseRule::change, 0, 0});
   level = edge.high;
   if (edge.wire == Wire::step)
     read_step(edge, line);
@@ -55,7 +54,7 @@ void PulseRules::read(const Edge& edge) {
     read_direction(edge, line);
 }
 
-void PulseRules::read_step(const Edge& edge, Line& line) {
+void PulseRules::read_step(const SignalEdge& edge, Line& line) {
   if (!edge.high) {
     measure(PulseRule::length, edge, line.rise);
     line.fall = edge.time;
@@ -69,9 +68,9 @@ void PulseRules::read_step(const Edge& edge, Line& line) {
   counts_[edge.axis] += line.level[static_cast<std::size_t>(Wire::direction)] ? -1 : 1;
 }
 
-void PulseRules::read_direction(const Edge& edge, Line& line) {
+void PulseRules::read_direction(const SignalEdge& edge, Line& line) {
   if (line.level[static_cast<std::size_t>(Wire::step)])
-    tell({edge, PulseRule::direction_in_step, 0, 0});
+    report({edge, PulseRule::direction_in_step, 0, 0});
   else
     measure(PulseRule::hold, edge, line.fall);
   line.turn = edge.time;
@@ -81,25 +80,25 @@ void PulseRules::finish() {
   for (std::size_t axis = 0; axis < lines_.size(); ++axis) {
     const Line& line = lines_[axis];
     if (!line.level[static_cast<std::size_t>(Wire::step)]) continue;
-    const Edge edge{line.rise.value_or(0), static_cast<std::uint8_t>(axis), Wire::step, true};
-    tell({edge, PulseRule::end, 0, 0});
+    const SignalEdge edge{line.rise.value_or(0), static_cast<std::uint8_t>(axis), Wire::step, true};
+    report({edge, PulseRule::end, 0, 0});
   }
 }
 
-void PulseRules::measure(PulseRule rule, const Edge& edge,
+void PulseRules::measure(PulseRule rule, const SignalEdge& edge,
                          const std::optional<std::int64_t>& since) {
   if (!since || edge.time < *since) return;
   const std::int64_t time = edge.time - *since;
   auto& shortest = figures_[edge.axis].shortest[static_cast<std::size_t>(rule)];
   shortest = std::min(shortest.value_or(time), time);
   if (const std::int64_t asked = least(rule, timing_); time < asked)
-    tell({edge, rule, time, asked});
+    report({edge, rule, time, asked});
 }
 
-void PulseRules::tell(const BrokenRule& broken) {
+void PulseRules::report(const BrokenRule& broken) {
   ++figures_[broken.edge.axis].broken;
   if (!first_broken_) first_broken_ = text(broken);
-  if (tell_) tell_(broken);
+  if (report_) report_(broken);
 }
 
 std::int64_t PulseRules::steps() const noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The validator of pulse rules: reads any list of edges and knows nothing of how it was made.
+// The validator of pulse rules: reads any list of signal edges, however it was made.
 #pragma once
 
 #include <array>
@@ -32,22 +32,22 @@ inline constexpr std::array<std::string_view, 9> kPulseRuleNames{
 constexpr std::string_view name(PulseRule rule) noexcept {
   return kPulseRuleNames[static_cast<std::size_t>(rule)];
 }
-/// So many ask for a least time, the first of them.
+/// The number of rules that require a least time; they come first.
 inline constexpr std::size_t kTimedRules = 5;
 
-/// ns: what a rule that asks for a least time asks for.
+/// Returns the least time, ns, that a rule requires.
 std::int64_t least(PulseRule rule, const StepTiming& timing) noexcept;
 
 struct BrokenRule {
-  Edge edge;
+  SignalEdge edge;
   PulseRule rule;
   std::int64_t is, least;  // ns
 };
 
-/// In words, with axis and time.
+/// Describes it, with axis and time.
 std::string text(const BrokenRule& broken);
 
-/// Judges edges as a driver would: by what it sees on its lines, all of which begin low.
+/// Checks edges as a driver would see them on its lines, all of which begin low.
 class PulseRules {
  public:
   /// What is measured on the lines of an axis.
@@ -55,16 +55,16 @@ class PulseRules {
     std::int64_t steps = 0, broken = 0;
     std::array<std::optional<std::int64_t>, kTimedRules> shortest;  // ns, by rule
   };
-  using Tell = std::function<void(const BrokenRule&)>;
+  using Report = std::function<void(const BrokenRule&)>;
 
-  /// Every broken rule is told.
-  explicit PulseRules(const StepTiming& timing, Tell tell = {})
-      : timing_(timing), tell_(std::move(tell)) {}
+  /// Every broken rule is reported.
+  explicit PulseRules(const StepTiming& timing, Report report = {})
+      : timing_(timing), report_(std::move(report)) {}
 
-  void read(std::span<const Edge> edges);
-  void read(const Edge& edge);
+  void read(std::span<const SignalEdge> edges);
+  void read(const SignalEdge& edge);
   /// A line does not begin low.
-  void begin(const Edge& level) noexcept;
+  void begin(const SignalEdge& level) noexcept;
   /// No more edges come: steps have ended. Call once, last, if at all.
   void finish();
 
@@ -88,13 +88,13 @@ class PulseRules {
     std::optional<std::int64_t> rise, fall, turn;
   };
 
-  void read_step(const Edge& edge, Line& line);
-  void read_direction(const Edge& edge, Line& line);
-  void measure(PulseRule rule, const Edge& edge, const std::optional<std::int64_t>& since);
-  void tell(const BrokenRule& broken);
+  void read_step(const SignalEdge& edge, Line& line);
+  void read_direction(const SignalEdge& edge, Line& line);
+  void measure(PulseRule rule, const SignalEdge& edge, const std::optional<std::int64_t>& since);
+  void report(const BrokenRule& broken);
 
   StepTiming timing_;
-  Tell tell_;
+  Report report_;
   std::array<Line, kAxes> lines_{};
   std::array<Figures, kAxes> figures_{};
   std::int64_t time_ = 0, edges_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command pulses of an axis, whichever way they are made.
+// The command pulses of an axis, from either source.
 #pragma once
 
 #include <algorithm>

@@ -9,7 +9,7 @@ namespace softcnc::hal {
 namespace {
 
 /// At one instant a step ends before its direction turns, and that before the next one begins.
-int rank(const Edge& edge) noexcept {
+int rank(const SignalEdge& edge) noexcept {
   if (edge.wire == Wire::direction) return 1;
   return edge.high ? 2 : 0;
 }
@@ -40,18 +40,20 @@ std::int64_t StepEdges::turn(int axis, Line& line, std::int64_t time) {
   return line.turn + timing_.setup;
 }
 
-std::span<const Edge> StepEdges::release(std::int64_t until) {
-  const auto order = [](const Edge& edge) { return std::tuple(edge.time, edge.axis, rank(edge)); };
-  const auto later = [&](const Edge& edge) { return edge.time >= until; };
+std::span<const SignalEdge> StepEdges::release(std::int64_t until) {
+  const auto order = [](const SignalEdge& edge) {
+    return std::tuple(edge.time, edge.axis, rank(edge));
+  };
+  const auto later = [&](const SignalEdge& edge) { return edge.time >= until; };
   out_.clear();
   std::remove_copy_if(waiting_.begin(), waiting_.end(), std::back_inserter(out_), later);
-  std::erase_if(waiting_, [&](const Edge& edge) { return !later(edge); });
+  std::erase_if(waiting_, [&](const SignalEdge& edge) { return !later(edge); });
   std::sort(out_.begin(), out_.end(),
-            [&](const Edge& a, const Edge& b) { return order(a) < order(b); });
+            [&](const SignalEdge& a, const SignalEdge& b) { return order(a) < order(b); });
   released_ = std::max(released_, until);
   return out_;
 }
 
-std::span<const Edge> StepEdges::release_all() { return release(end_ + 1); }
+std::span<const SignalEdge> StepEdges::release_all() { return release(end_ + 1); }
 
 }  // namespace softcnc::hal

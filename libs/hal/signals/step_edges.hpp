@@ -7,31 +7,22 @@
 #include <span>
 #include <vector>
 
+#include "hal/signals/step_timing.hpp"
 #include "motion/pulses/pulse.hpp"
 
 namespace softcnc::hal {
 
-/// What a driver asks of its lines, ns. A step is a rising edge of the step line; the direction
-/// line is high for steps in negative direction.
-struct StepTiming {
-  std::int64_t length = 0;    // the step line stays high
-  std::int64_t space = 0;     // and low
-  std::int64_t interval = 0;  // from rising edge to rising edge: one over the largest rate, or more
-  std::int64_t setup = 0;     // from an edge of the direction line to a step
-  std::int64_t hold = 0;      // from the end of a step to an edge of the direction line
-};
-
 enum class Wire : std::uint8_t { step, direction };
 
-struct Edge {
+struct SignalEdge {
   std::int64_t time = 0;  // ns
   std::uint8_t axis = 0;
   Wire wire = Wire::step;
   bool high = false;
-  bool operator==(const Edge&) const = default;
+  bool operator==(const SignalEdge&) const = default;
 };
 
-/// Puts pulses on wires. A pulse that comes too early for the driver waits, and so do those behind
+/// Puts pulses on wires. A pulse that comes too early for the driver waits, and so do those after
 /// it: none is lost, and none comes before its time.
 class StepEdges {
  public:
@@ -43,9 +34,9 @@ class StepEdges {
 
   /// Hands out the edges before `until` in order of time, and forgets them. Valid until the next
   /// call.
-  std::span<const Edge> release(std::int64_t until);
+  std::span<const SignalEdge> release(std::int64_t until);
   /// All that are left.
-  std::span<const Edge> release_all();
+  std::span<const SignalEdge> release_all();
 
   /// When the last edge comes, ns.
   std::int64_t end() const noexcept { return end_; }
@@ -62,7 +53,7 @@ class StepEdges {
   StepTiming timing_;
   std::array<Line, kAxes> lines_{};
   std::int64_t released_ = 0, end_ = 0;
-  std::vector<Edge> waiting_, out_;
+  std::vector<SignalEdge> waiting_, out_;
 };
 
 }  // namespace softcnc::hal

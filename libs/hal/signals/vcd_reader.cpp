@@ -64,8 +64,10 @@ Status VcdReader::read(std::string_view bytes) {
 }
 
 Status VcdReader::too_long() const {
-  return tl::make_unexpected(Diagnostic{
-      Code::SC6092, {line_number_, 1, 1}, "a line longer than 1 MiB", {}, std::string(line())});
+  return tl::make_unexpected(Diagnostic{.code = Code::SC6092,
+                                        .pos = {line_number_, 1, 1},
+                                        .message = "a line longer than 1 MiB",
+                                        .source_line = std::string(line())});
 }
 
 void VcdReader::pass_blanks() {
@@ -98,7 +100,10 @@ SourcePos VcdReader::place(Token token) const {
 }
 
 Status VcdReader::failure(Token token, const std::string& why) const {
-  return tl::make_unexpected(Diagnostic{Code::SC6091, place(token), why, {}, std::string(line())});
+  return tl::make_unexpected(Diagnostic{.code = Code::SC6091,
+                                        .pos = place(token),
+                                        .message = why,
+                                        .source_line = std::string(line())});
 }
 
 Status VcdReader::take(Token token) {
@@ -115,7 +120,7 @@ Status VcdReader::take_keyword(Token token) {
     if (!defined_) return failure(token, quoted(token) + " among the definitions");
     dumping_ = true;
   } else if (token == "$end") {
-    if (!std::exchange(dumping_, false)) return failure(token, "an $end of nothing");
+    if (!std::exchange(dumping_, false)) return failure(token, "an $end without a beginning");
   } else {
     within_ = token;
     words_.clear();
@@ -180,7 +185,7 @@ Status VcdReader::take_time(Token token) {
   const auto units = whole(token.substr(1));
   std::int64_t ns = 0;
   if (!units || __builtin_mul_overflow(*units, unit_, &ns))
-    return failure(token, quoted(token) + " is no time");
+    return failure(token, quoted(token) + " is not a time");
   time_ = per_ns_ == 1 ? ns : ns / per_ns_ + (ns % per_ns_ >= per_ns_ / 2 ? 1 : 0);
   return {};
 }
@@ -189,7 +194,7 @@ Status VcdReader::take_level(Token token) {
   constexpr std::string_view kLevels = "01xXzZ", kVectors = "bBrRsS";
   const bool is_vector = kVectors.find(token[0]) != kVectors.npos;
   if (token.size() == 1 || (!is_vector && kLevels.find(token[0]) == kLevels.npos))
-    return failure(token, quoted(token) + " is no value of a variable");
+    return failure(token, quoted(token) + " is not a value of a variable");
   if (is_vector) vector_ = token;
   return is_vector ? Status() : set(token.substr(1), token[0], token);
 }
@@ -211,7 +216,7 @@ Status VcdReader::set(std::string_view variable, char value, Token token) {
   return {};
 }
 
-/// A dump repeats levels, and the first one tells how lines begin.
+/// A dump repeats levels, and the first one shows how lines begin.
 void VcdReader::set(unsigned line, bool high, Token token) {
   const auto before = std::exchange(level_[line], high);
   if (dumping_ && before == high) return;

@@ -54,7 +54,7 @@ class VcdReader final : public EdgeParser {
 
   std::string within_;                  // the keyword whose words are being read; empty: none
   std::vector<std::string> words_;      // these
-  bool defined_ = false;                // behind $enddefinitions
+  bool defined_ = false;                // after $enddefinitions
   bool dumping_ = false;                // within $dumpvars and its kin
   std::string vector_;                  // a value that stands ahead of its variable; empty: none
   std::int64_t unit_ = 0, per_ns_ = 1;  // of time: ns, or a part of one; 0: not known yet

@@ -54,11 +54,9 @@ Result<std::unique_ptr<TraceWriter>> TraceWriter::open(const std::string& file,
   if (!format && no_regular_file(file)) format = &kFormats[0];
   if (!format)
     return tl::make_unexpected(
-        Diagnostic{Code::SC6014,
-                   {},
-                   "no trace format has this suffix; known are " + trace_suffixes(),
-                   file,
-                   {}});
+        Diagnostic{.code = Code::SC6014,
+                   .message = "no trace format has this suffix; known are " + trace_suffixes(),
+                   .file = file});
   auto opened = OutputFile::open(file, std::move(patience));
   if (!opened) return tl::make_unexpected(std::move(opened.error()));
   std::unique_ptr<ByteSink> sink = std::move(*opened);

@@ -27,7 +27,7 @@ struct TraceHeader {
 class TraceWriter {
  public:
   /// Known suffixes are those of trace_suffixes(); "-" and what is no regular file and has none of
-  /// them take CSV. `patience` is that with who reads a pipe. Errors: SC6011, SC6014.
+  /// them take CSV. `patience` limits the wait for the reader of a pipe. Errors: SC6011, SC6014.
   static Result<std::unique_ptr<TraceWriter>> open(const std::string& file,
                                                    const TraceHeader& header,
                                                    const Machine& machine,
@@ -36,17 +36,17 @@ class TraceWriter {
   virtual ~TraceWriter() = default;
 
   /// Takes as many values as there are backend columns, and the pulses of the setpoint. After an
-  /// error rows are dropped and finish() tells it.
+  /// error rows are dropped, and finish() returns it.
   virtual void row(const Setpoint& setpoint, std::span<const double> backend_values) noexcept = 0;
 
-  /// The machine stands, and the next row may be long in coming: before the program waits for a
-  /// person.
+  /// Called where the machine is at rest and the next row may take long: before the program waits
+  /// for a person.
   virtual void rest() noexcept {}
 
-  /// Hands on what there is, for a reader that waits, where the format allows it.
+  /// Writes what there is, for a reader that waits, where the format allows it.
   virtual void flush() noexcept = 0;
 
-  /// A program's hash that the header could not tell, behind the last row.
+  /// Adds, after the last row, a program's hash that the header did not know.
   virtual void add_program_hash(const std::string& hash) = 0;
 
   /// False once writing has failed: a caller may stop early.

@@ -25,11 +25,11 @@ std::size_t longest_limit() {
   return longest;
 }
 
-/// An array that grows at its end. Its head, which tells its length, comes last: heads of arrays of
+/// An array that grows at its end. Its head, which holds its length, comes last: heads of arrays of
 /// one dimension are all of one size.
-class Column {
+class NpzColumn {
  public:
-  Column(std::string column_name, std::string type, std::size_t size)
+  NpzColumn(std::string column_name, std::string type, std::size_t size)
       : name_(std::move(column_name)), type_(std::move(type)), size_(size) {
     const std::string head = head_of(0);
     bytes_.reserve(head.size() + std::size_t{kRows} * size);
@@ -42,7 +42,7 @@ class Column {
     bytes_.insert(bytes_.end(), from, from + sizeof value);
   }
 
-  /// As characters of four bytes, and zeros behind them.
+  /// Adds text as characters of four bytes, padded with zeros.
   void add_text(std::string_view text) {
     const std::size_t end = bytes_.size() + size_;
     for (const char c : text) add(static_cast<char32_t>(c));
@@ -59,7 +59,7 @@ class Column {
     const std::string head = head_of(rows);
     assert(head.size() == head_of(0).size());
     if (Status put = file_.put(0, std::as_bytes(std::span(head))); !put) return put;
-    zip.add_descriptor(name_ + ".npy", file_.descriptor(), Packing::store);
+    zip.add_descriptor(name_ + ".npy", file_.descriptor(), Compression::store);
     return {};
   }
 
@@ -86,13 +86,13 @@ class NpzTrace final : public TraceWriter {
  private:
   void add_column(const std::string& column_name);
   void hand_on();
-  Status pack(const TemporaryFile& file);
+  Status write_archive(const TemporaryFile& file);
 
   std::unique_ptr<ByteSink> out_;
   TraceHeader header_;
   TraceTime time_;
   std::vector<int> axes_;
-  std::vector<Column> columns_;
+  std::vector<NpzColumn> columns_;
   std::vector<bool> whole_;  // of the backend's columns: counts
   std::int64_t rows_ = 0;
   Status status_;
@@ -145,14 +145,14 @@ void NpzTrace::row(const Setpoint& setpoint, std::span<const double> backend_val
 }
 
 void NpzTrace::hand_on() {
-  for (Column& column : columns_)
+  for (NpzColumn& column : columns_)
     if (ok()) status_ = column.hand_on();
 }
 
-Status NpzTrace::pack(const TemporaryFile& file) {
+Status NpzTrace::write_archive(const TemporaryFile& file) {
   ZipWriter zip(file.descriptor());
   zip.set_comment(trace_comment(header_));
-  for (Column& column : columns_)
+  for (NpzColumn& column : columns_)
     if (Status added = column.add_to(zip, rows_); !added) return added;
   return zip.finish();
 }
@@ -160,13 +160,11 @@ Status NpzTrace::pack(const TemporaryFile& file) {
 Status NpzTrace::finish() {
   if (ok()) hand_on();
   if (!ok()) return status_;
-  auto packed = TemporaryFile::make();
-  if (!packed) return tl::make_unexpected(std::move(packed.error()));
-  if (Status done = pack(*packed); !done) return done;
+  auto archive = TemporaryFile::make();
+  if (!archive) return tl::make_unexpected(std::move(archive.error()));
+  if (Status done = write_archive(*archive); !done) return done;
   columns_.clear();
-  const Status copied =
-      packed->for_each_piece([this](std::string_view piece) { return out_->write(piece); });
-  return copied ? out_->finish() : copied;
+  return archive->copy_to(*out_);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ class PositionTrace final : public TraceWriter {
   std::vector<int> axes_;
   AxisVector last_ = AxisVector::Zero();  // mm
   std::int64_t time_ = -1,
-               told_ = -1;  // ns: of the last row, and of the last one that stands there
+               written_ = -1;  // ns: of the last row, and of the last one that stands there
   std::string text_;
   Status status_;
 };
@@ -102,11 +102,11 @@ void PositionTrace::instant(std::int64_t ns) noexcept {
   text_ += '#';
   text_.append(digits, std::to_chars(digits, digits + kNumberLength, ns).ptr);
   text_ += '\n';
-  told_ = ns;
+  written_ = ns;
 }
 
 void PositionTrace::value(int axis, double position) noexcept {
-  if (told_ != time_) instant(time_);
+  if (written_ != time_) instant(time_);
   char number[kNumberLength];
   text_ += 'r';
   text_.append(number, write_number(number, position));
@@ -122,7 +122,7 @@ void PositionTrace::flush() noexcept {
 
 /// A viewer sees the time at rest, too.
 Status PositionTrace::finish() {
-  if (told_ != time_) instant(time_);
+  if (written_ != time_) instant(time_);
   flush();
   if (ok()) status_ = out_->finish();
   return status_;

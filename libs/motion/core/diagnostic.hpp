@@ -58,10 +58,10 @@ struct CallPlace {
 
 struct Diagnostic {
   Code code;
-  SourcePos pos;
-  std::string message;
-  std::string file;                   // as the user named it; empty until someone knows
-  std::string source_line;            // the text of line pos.line; empty if unknown
+  SourcePos pos = {};
+  std::string message = {};
+  std::string file = {};              // as the user named it; empty until someone knows
+  std::string source_line = {};       // the text of line pos.line; empty if unknown
   std::vector<CallPlace> calls = {};  // that led there, the last one first
   std::uint32_t subject = 0;          // if any: a place is told once of each, whatever the message
 

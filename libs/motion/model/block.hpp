@@ -52,7 +52,7 @@ struct Action {
 
 struct Block {
   std::variant<Move, Dwell, Action> what;
-  SourcePos source;
+  SourcePos source = {};
   int number = 0;  // 1-based, in the order of the program as it runs
 };
 

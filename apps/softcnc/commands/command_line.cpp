@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// The command line by CLI11: parsing, and what is wrong with it.
+#include "commands/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <span>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "commands/option_table.hpp"
+#include "messages/standard_output.hpp"
+#include "motion/core/spelling.hpp"
+#include "process/standard_error.hpp"
+#include "settings/file_clash.hpp"
+
+namespace softcnc::app {
+namespace {
+
+constexpr int kWrongUsage = 2;
+
+/// Returns whether the last event leaves the machine at rest.
+bool ends_in_hold(const Options& options) {
+  ipo::FeedControl control;
+  for (const FeedEvent& event : options.events) control = after(event, control);
+  return control.halts();
+}
+
+int refuse(const std::string& reason) {
+  write_to_stderr(reason + "\nRun with --help for more information.\n");
+  return kWrongUsage;
+}
+
+/// Returns whether a word names a part program rather than a command.
+bool looks_like_file(const std::string& word) {
+  std::error_code ignored;
+  return word == "-" || word.find_first_of("./") != word.npos ||
+         std::filesystem::exists(word, ignored);
+}
+
+/// Returns the first word that is not an option; empty where there is none.
+std::string first_of(std::span<const char* const> words) {
+  const auto is_word = [](std::string_view word) { return word == "-" || !word.starts_with('-'); };
+  const auto first = std::find_if(words.begin(), words.end(), is_word);
+  return first == words.end() ? std::string() : *first;
+}
+
+/// Refuses a command line without a command.
+int refuse_command(std::span<const char* const> words) {
+  const std::string word = first_of(words);
+  std::vector<std::string_view> names;
+  for (const CommandEntry& command : command_table()) names.push_back(command.name);
+  const std::string list = "; the commands are " + fmt::format("{}", fmt::join(names, ", "));
+  if (word.empty())
+    return refuse((words.empty() ? "a command" : std::string(words[0]) + ": a command") +
+                  " is missing" + list);
+  if (looks_like_file(word))
+    return refuse(fmt::format("'{0}' is not a command; 'softcnc run {0}' runs it{1}", word, list));
+  return refuse("'" + word + "' is not a command" + did_you_mean(nearest_name(word, names)) + list);
+}
+
+/// Returns the long option of a command that is most like `name`, as a question.
+std::string option_like(const CLI::App& command, const std::string& name) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& word : option->get_lnames()) known.push_back("--" + word);
+  if (!name.starts_with("--")) return {};
+  return did_you_mean(
+      nearest_name(name, std::vector<std::string_view>(known.begin(), known.end())));
+}
+
+/// Returns the first word that looks like an option of the command but is not one; empty where
+/// there is none.
+std::string unknown_option(const CLI::App& command, std::span<const char* const> words) {
+  bool is_value = false;
+  for (std::string word : words) {
+    const bool looks = word.size() > 1 && word.starts_with('-') && word != "--";
+    if (std::exchange(is_value, false) || !looks) continue;
+    const std::string name = word.substr(0, word.starts_with("--") ? word.find('=') : 2);
+    const CLI::Option* option = command.get_option_no_throw(name);
+    if (!option) return name;
+    is_value = name == word && option->get_items_expected_min() > 0;
+  }
+  return {};
+}
+
+/// Help and version are data. An unknown option is named first, whatever else is wrong.
+int report_parse_error(const CLI::App& app, const CLI::ParseError& error,
+                       std::span<const char* const> words) {
+  std::ostringstream out;
+  if (error.get_exit_code() == 0) {
+    app.exit(error, out, out);
+    StandardOutput output;
+    output.write(out.str());
+    return output.finish();
+  }
+  for (const CLI::App* command : app.get_subcommands())
+    if (const auto name = unknown_option(*command, words.subspan(1)); !name.empty())
+      return refuse(name + ": no such option of '" + command->get_name() + "'" +
+                    option_like(*command, name));
+  if (app.get_subcommands().empty()) return refuse_command(words.subspan(1));
+  app.exit(error, out, std::cerr);
+  return kWrongUsage;
+}
+
+/// Returns what is wrong where options exclude each other; empty where nothing is.
+std::string conflict(const Options& options) {
+  if (options.command == CommandName::codes) return {};
+  if (ends_in_hold(options))
+    return "--at: the last event holds the program for ever; a later SECONDS:resume, or an "
+           "override above 0, must follow";
+  if (options.progress == ProgressMode::json && options.diagnostics != DiagnosticsFormat::text)
+    return "--progress json and --diagnostics both use standard error";
+  const auto& files = options.files;
+  if (options.watch && std::find(files.begin(), files.end(), "-") != files.end())
+    return "--watch cannot watch standard input";
+  return file_clash(options);
+}
+
+}  // namespace
+
+std::variant<Options, int> parse_command_line(int argc, const char* const* argv) {
+  CLI::App app("softcnc runs part programs (G-code) on a simulated mill.", "softcnc");
+  app.set_version_flag("--version", "softcnc " SOFTCNC_VERSION);
+  app.set_help_flag("-h,--help", "Show this help");
+  app.failure_message(CLI::FailureMessage::simple);
+  app.require_subcommand(1);
+  app.footer(
+      "'softcnc COMMAND --help' lists the options of a command, 'softcnc codes' the codes of part\n"
+      "programs; 'softcnc codes G41' explains one of them.");
+  Options options;
+  for (const CommandEntry& command : command_table())
+    add_options(*app.add_subcommand(command.name, command.help), command.id, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return report_parse_error(app, error, std::span(argv, static_cast<std::size_t>(argc)));
+  }
+  for (const CommandEntry& command : command_table())
+    if (app.got_subcommand(command.name)) options.command = command.id;
+  if (const std::string clash = conflict(options); !clash.empty()) return refuse(clash);
+  const bool silent = options.quiet || options.diagnostics != DiagnosticsFormat::text;
+  if (silent && options.progress == ProgressMode::automatic) options.progress = ProgressMode::none;
+  return options;
+}
+
+}  // namespace softcnc::app

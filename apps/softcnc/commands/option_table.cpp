@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: MIT
+#include "commands/option_table.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "commands/commands.hpp"
+#include "hal/trace/trace.hpp"
+#include "motion/core/spelling.hpp"
+#include "motion/core/units.hpp"
+#include "motion/model/machine.hpp"
+
+namespace softcnc::app {
+namespace {
+
+constexpr int kMostLines = 1'000'000;                // of --worst
+constexpr double kLargestOverride = 200;             // percent
+constexpr double kShortest = 0.001, kLongest = 1e6;  // s, of a measurement
+
+constexpr CommandEntry kCommands[] = {
+    {CommandName::run, "run", "Check a part program, then run it on the machine"},
+    {CommandName::check, "check", "Check part programs without motion"},
+    {CommandName::blocks, "blocks", "Print the blocks of a part program, one JSON object per line"},
+    {CommandName::record, "record", "Run a part program and record what replay needs"},
+    {CommandName::replay, "replay", "Run recordings again and compare row by row"},
+    {CommandName::surface, "surface",
+     "Compute the surface that a part program machines, with its Rmax"},
+    {CommandName::machine, "machine", "Print the machine, with the origin of each value"},
+    {CommandName::latency, "latency", "Measure scheduling latency and the feed it permits"},
+    {CommandName::pulses, "pulses", "Check step and direction pulses against the drivers' timing"},
+    {CommandName::codes, "codes", "Explain the codes of part programs and of diagnostics"},
+};
+
+/// A set of commands.
+class Commands {
+ public:
+  constexpr Commands(std::initializer_list<CommandName> commands) {
+    for (const CommandName command : commands) bits_ |= bit(command);
+  }
+  constexpr bool contains(CommandName command) const { return (bits_ & bit(command)) != 0; }
+
+ private:
+  static constexpr unsigned bit(CommandName command) {
+    return 1U << static_cast<unsigned>(command);
+  }
+  unsigned bits_ = 0;
+};
+
+/// An option of some commands. One that means something else in another command has two entries.
+struct OptionEntry {
+  Commands commands;
+  const char* names;  // as CLI11 takes them
+  const char* value;  // what the help calls its value
+  const char* help;
+  void (*add)(CLI::App& app, const OptionEntry& entry, Options& options);
+};
+
+/// Accepts the names that an option knows; of any other the nearest of them is suggested.
+CLI::Validator one_of(const std::vector<std::string>& names) {
+  return CLI::Validator(
+      [names](const std::string& word) {
+        if (std::find(names.begin(), names.end(), word) != names.end()) return std::string();
+        const std::vector<std::string_view> known(names.begin(), names.end());
+        return fmt::format("'{}' is not one of {}{}", word, fmt::join(names, ", "),
+                           did_you_mean(nearest_name(word, known)));
+      },
+      "");
+}
+
+/// CLI::Range would accept "nan".
+CLI::Validator between(double least, double most) {
+  const CLI::Range range(least, most);
+  return CLI::Validator(
+      [range](std::string& text) {
+        double value = 0;
+        if (CLI::detail::lexical_cast(text, value) && std::isnan(value))
+          return text + " is not a number";
+        return range(text);
+      },
+      "");
+}
+
+template <auto Member>
+void flag(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_flag(entry.names, options.*Member, entry.help);
+}
+
+template <auto Member>
+void text(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.*Member, entry.help)->type_name(entry.value);
+}
+
+template <auto Member>
+void required_text(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.*Member, entry.help)->required()->type_name(entry.value);
+}
+
+/// A word out of a list, which set(options, index) stores.
+void choice(CLI::App& app, const OptionEntry& entry, Options& options,
+            const std::vector<std::string>& words, void (*set)(Options&, std::size_t)) {
+  app.add_option_function<std::string>(
+         entry.names,
+         [&options, words, set](const std::string& word) {
+           const auto found = std::find(words.begin(), words.end(), word);
+           set(options, static_cast<std::size_t>(found - words.begin()));
+         },
+         entry.help)
+      ->check(one_of(words))
+      ->type_name(CLI::detail::join(words, "|"));
+}
+
+void one_file(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.files, entry.help)->required()->type_name("")->expected(1);
+}
+
+void files(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.files, entry.help)->required()->type_name("");
+}
+
+void words(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.files, entry.help)->type_name("");
+}
+
+void machine_file(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option_function<std::string>(
+         entry.names,
+         [&options](const std::string& file) {
+           if (file.empty()) throw CLI::ValidationError("--machine", "names no file");
+           options.names_machine = true;
+           options.machine_file = file == "builtin" ? std::string() : file;
+         },
+         entry.help)
+      ->type_name(entry.value);
+}
+
+void settings(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.settings, entry.help)
+      ->type_name(entry.value)
+      ->allow_extra_args(false);
+}
+
+void backend(CLI::App& app, const OptionEntry& entry, Options& options) {
+  choice(app, entry, options, {kBackendNames.begin(), kBackendNames.end()},
+         [](Options& to, std::size_t index) {
+           to.settings.push_back("control.backend=" + std::string(kBackendNames[index]));
+         });
+}
+
+void dialect(CLI::App& app, const OptionEntry& entry, Options& options) {
+  choice(app, entry, options, {"fanuc", "linuxcnc"}, [](Options& to, std::size_t index) {
+    to.dialect = index == 0 ? ipr::Dialect::fanuc : ipr::Dialect::linuxcnc;
+  });
+}
+
+void format(CLI::App& app, const OptionEntry& entry, Options& options) {
+  choice(app, entry, options, {"auto", "gcode", "commands"}, [](Options& to, std::size_t index) {
+    constexpr ipr::Format kFormats[] = {ipr::Format::automatic, ipr::Format::gcode,
+                                        ipr::Format::commands};
+    to.format = kFormats[index];
+  });
+}
+
+void progress(CLI::App& app, const OptionEntry& entry, Options& options) {
+  choice(app, entry, options, {"auto", "none", "json"},
+         [](Options& to, std::size_t index) { to.progress = static_cast<ProgressMode>(index); });
+}
+
+void diagnostics(CLI::App& app, const OptionEntry& entry, Options& options) {
+  choice(app, entry, options, {"text", "json", "sarif"}, [](Options& to, std::size_t index) {
+    to.diagnostics = static_cast<DiagnosticsFormat>(index);
+  });
+}
+
+void feed_override(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option_function<double>(
+         entry.names,
+         [&options](double percent) {
+           if (!(percent > 0 && percent <= kLargestOverride))
+             throw CLI::ValidationError("--feed-override",
+                                        "takes a percentage above 0 and at most 200");
+           options.feed_override = percent / 100;
+         },
+         entry.help)
+      ->type_name(entry.value);
+}
+
+void events(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option_function<std::vector<std::string>>(
+         entry.names,
+         [&options](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) {
+             const auto event = parse_event(text);
+             if (!event)
+               throw CLI::ValidationError(
+                   "--at",
+                   "takes SECONDS:override=PERCENT (0 to 200), SECONDS:hold or "
+                   "SECONDS:resume, not '" +
+                       text + "'");
+             options.events.push_back(*event);
+           }
+           sort_events(options.events);
+         },
+         entry.help)
+      ->type_name(entry.value)
+      ->allow_extra_args(false);
+}
+
+void worst(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.worst, entry.help)
+      ->check(CLI::Range(1, kMostLines).description(""))
+      ->type_name(entry.value);
+}
+
+void trace(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.trace, entry.help + (" (" + hal::trace_suffixes() + ")"))
+      ->type_name(entry.value);
+}
+
+void seconds(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.seconds, entry.help)
+      ->check(between(kShortest, kLongest))
+      ->type_name(entry.value);
+}
+
+void period(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option_function<double>(
+         entry.names, [&options](double us) { options.period = s_from_ms(us / 1000); }, entry.help)
+      ->check(between(1, 1e6))
+      ->type_name(entry.value);
+}
+
+/// Comes after --quiet in the table, which it excludes.
+void verbose(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_flag(entry.names, options.verbose, entry.help)->excludes(app.get_option("--quiet"));
+}
+
+using enum CommandName;
+constexpr Commands kRuns{run, record};
+constexpr Commands kPlans{run, check, record, surface};
+constexpr Commands kPrograms{run, check, blocks, record, surface};
+constexpr Commands kMachines{run, check, blocks, record, replay, surface, machine, latency, pulses};
+
+constexpr OptionEntry kOptions[] = {
+    {{run, record, blocks, surface}, "PART", "", "Part program; - is standard input", one_file},
+    {{check}, "PART", "", "Part programs; - is standard input", files},
+    {{replay}, "FILE.rec", "", "Recordings", files},
+    {{pulses},
+     "FILE",
+     "",
+     "List of edges: .vcd or .edges, also with .zst; - is standard input",
+     one_file},
+    {{codes},
+     "CODE",
+     "",
+     "G02, SC2103, or the beginning of a code: SC21 (default: all codes of part programs)",
+     words},
+
+    {kMachines, "--machine", "FILE.toml",
+     "Machine file, or 'builtin' for the built-in mill (default: PART.toml beside PART, else the "
+     "built-in mill)",
+     machine_file},
+    {kMachines, "--set", "KEY=VALUE",
+     "Set one value of the machine, for example axis.x.acceleration_mm_s2=500 (repeatable)",
+     settings},
+    {{run},
+     "--state",
+     "FILE.toml",
+     "State file (work offsets, tool table, parameters), read before the run and written after it",
+     text<&Options::state>},
+    {{check, blocks, record, surface},
+     "--state",
+     "FILE.toml",
+     "State file (work offsets, tool table, parameters) to begin with",
+     text<&Options::state>},
+    {{run, record, machine}, "--backend", "", "Where setpoints are sent", backend},
+    {{pulses}, "--backend", "", "With parport, the drivers' times are whole base periods", backend},
+
+    {kPlans, "--feed-override", "PERCENT", "Scale the programmed feed (default 100)",
+     feed_override},
+    {kRuns, "--at", "SECONDS:WHAT",
+     "Change the feed override, hold or resume during the run, for example 1.5:override=50 or "
+     "2:hold (repeatable)",
+     events},
+    {kPrograms, "--block-skip", "", "Skip lines that begin with '/'", flag<&Options::block_skip>},
+    {kPrograms, "--optional-stop", "", "Stop at M01", flag<&Options::optional_stop>},
+    {kPrograms, "--dialect", "", "The dialect that counts where controls differ (default linuxcnc)",
+     dialect},
+    {kPrograms, "--format", "",
+     "Format of the program: G-code, the commands of paper 003 (l, pcw, s ...), or whichever the "
+     "first line is in (auto)",
+     format},
+    {kRuns, "--single-block", "", "Stop after every block, and wait for Enter before the next",
+     flag<&Options::single_block>},
+
+    {{run},
+     "--dry-run",
+     "",
+     "Without backend and pre-flight; the trace goes to stdout as CSV",
+     flag<&Options::dry_run>},
+    {kRuns, "--realtime", "", "Run in real time and report missed periods",
+     flag<&Options::realtime>},
+    {{check},
+     "--watch",
+     "",
+     "Check again whenever a file changes, until Ctrl-C",
+     flag<&Options::watch>},
+    {{surface},
+     "--actual",
+     "",
+     "Cut with the tool where the simulated mill is, not where it is commanded to be",
+     flag<&Options::actual>},
+    {{latency}, "--seconds", "SECONDS", "How long to measure (default 10)", seconds},
+    {{latency},
+     "--period-us",
+     "MICROSECONDS",
+     "Period of the loop (default: control.servo_period_ms)",
+     period},
+
+    {{run}, "--trace", "FILE", "Write one row per period", trace},
+    {{record},
+     "-o,--output",
+     "FILE.rec",
+     "The recording to write",
+     required_text<&Options::output>},
+    {{surface},
+     "-o,--output",
+     "FILE",
+     "The surface to write: numpy arrays (.npz) or a picture (.png)",
+     required_text<&Options::output>},
+    {kRuns, "--report", "FILE.json", "Write the figures of the run as JSON",
+     text<&Options::report>},
+    {{surface},
+     "--report",
+     "FILE.json",
+     "Write the figures of the surface as JSON",
+     text<&Options::report>},
+    {{latency, pulses},
+     "--report",
+     "FILE.json",
+     "Write the figures as JSON",
+     text<&Options::report>},
+    {{run, check},
+     "--worst",
+     "N",
+     "Name the N lines that lose most time against their feed, with the limit",
+     worst},
+
+    {kMachines, "--diagnostics", "", "Diagnostics format: text, or one JSON or SARIF document",
+     diagnostics},
+    {{run, record, replay, surface},
+     "--progress",
+     "",
+     "Progress on stderr: a bar on a terminal (auto), nothing, or JSON lines",
+     progress},
+    {kMachines, "-q,--quiet", "", "Print nothing but diagnostics", flag<&Options::quiet>},
+    {kRuns, "-v,--verbose", "", "Print the cost of pre-flight, planning and verification", verbose},
+    {{check}, "-v,--verbose", "", "Print time and length of each program to stderr", verbose},
+    {{surface}, "-v,--verbose", "", "Print the cost of planning and cutting", verbose},
+    {{machine}, "-v,--verbose", "", "Print the meaning of each value", verbose},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> command_table() noexcept { return kCommands; }
+
+void add_options(CLI::App& app, CommandName command, Options& options) {
+  for (const OptionEntry& entry : kOptions)
+    if (entry.commands.contains(command)) entry.add(app, entry, options);
+  if (command == CommandName::codes)
+    app.footer([] {
+      return "The codes of part programs, the words they take, what they do:\n" + list_of_codes();
+    });
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "job/open_player.hpp"
+
+#include <utility>
+
+#include "hal/ports/ppdev.hpp"
+#include "messages/messages.hpp"
+#include "process/signal_cleanup.hpp"
+
+namespace softcnc::app {
+
+Result<std::unique_ptr<hal::PortPlayer>> open_player(const Machine& machine) {
+  auto port = hal::Ppdev::open(machine.parallel_port.device);
+  if (!port) return tl::make_unexpected(std::move(port.error()));
+  return open_player(machine, std::move(*port))
+      .map([](auto&& player) -> std::unique_ptr<hal::PortPlayer> { return std::move(player); });
+}
+
+Result<std::unique_ptr<RealtimePlayer>> open_player(const Machine& machine,
+                                                    std::unique_ptr<hal::PortRegisters> registers) {
+  return RealtimePlayer::open(
+      machine, std::move(registers),
+      {.holds_port = clean_up_port_on_signal,
+       .report = [](const Diagnostic& diagnostic) { Messages().show(diagnostic); }});
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "job/run_job.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "job/corner_cost.hpp"
+#include "job/open_player.hpp"
+#include "job/preflight.hpp"
+#include "job/run_diagnostics.hpp"
+#include "job/terminal.hpp"
+#include "messages/messages.hpp"
+#include "messages/repeated_errors.hpp"
+#include "rows/trace_rows.hpp"
+#include "session/simulate.hpp"
+#include "session/verification.hpp"
+#include "settings/file_clash.hpp"
+
+namespace softcnc::app {
+namespace {
+
+/// What the backend of a machine writes, if anything.
+WrittenFile backend_output(const Machine& machine) {
+  const bool is_edges = machine.control.backend == BackendKind::stepdir;
+  return {is_edges ? "edges" : "rows", backend_file(machine).second};
+}
+
+/// Whether a machine outside softcnc may be moved.
+bool is_real(BackendKind backend) {
+  return backend == BackendKind::parport || backend == BackendKind::hal_stream;
+}
+
+bool on_terminal(const std::string& trace) { return trace == "-" && ::isatty(STDOUT_FILENO) != 0; }
+
+bool may_ask(const Options& options) {
+  return !options.dry_run && options.files.front() != "-" && ::isatty(STDIN_FILENO) != 0 &&
+         ::isatty(STDERR_FILENO) != 0;
+}
+
+/// The run itself, after the pre-flight.
+class JobRunner {
+ public:
+  JobRunner(Job& job, const Options& options, Messages& messages, Terminal& terminal)
+      : job_(job), options_(options), messages_(messages), terminal_(terminal) {}
+
+  JobResult move(const TraceTarget& trace, double total);
+
+ private:
+  JobResult refused(const Diagnostic& diagnostic) const;
+  void note_missing_fifo();
+  Diagnostics::Sink sink();
+  void run(hal::Backend& backend, TraceRows& rows);
+  bool in_real_time() const;
+  hal::Patience patience() const;
+  void judge(Diagnostics& diagnostics);
+  void judge_punctuality();
+  bool is_dropped(const std::string& file) const;
+  void close(TraceRows& rows, const std::string& trace);
+  void close(hal::Backend& backend);
+  void settle(const Status& finished, WrittenFile file);
+  void failed_to_write(const Diagnostic& diagnostic);
+
+  Job& job_;
+  const Options& options_;
+  Messages& messages_;
+  Terminal& terminal_;
+  JobResult result_;
+};
+
+JobResult JobRunner::refused(const Diagnostic& diagnostic) const {
+  JobResult result;
+  result.status = messages_.fail(diagnostic);
+  return result;
+}
+
+/// Rows for later may go into a file; rows for a program that reads along would be lost in it.
+void JobRunner::note_missing_fifo() {
+  const Machine& machine = job_.machine;
+  const std::string& file = machine.hal_stream.file;
+  const bool sends = !options_.dry_run && machine.control.backend == BackendKind::hal_stream;
+  std::error_code ignored;
+  if (!sends || file.empty() || file == "-" || std::filesystem::exists(file, ignored)) return;
+  messages_.show({.code = Code::SC6076,
+                  .message = "does not exist: the rows go to a new file, and no program reads them",
+                  .file = file});
+}
+
+JobResult JobRunner::move(const TraceTarget& trace, double total) {
+  note_missing_fifo();
+  auto backend = hal::open_backend(options_.dry_run ? without_backend(job_.machine) : job_.machine,
+                                   open_player);
+  if (!backend) return refused(backend.error());
+  auto rows = trace.compressed
+                  ? compressed_trace(*trace.compressed, job_.program, job_.machine, **backend)
+                  : open_trace(trace.file, job_.program, job_.machine, **backend, patience());
+  if (!rows) return refused(rows.error());
+  if (!options_.dry_run) terminal_.begin_motion(is_real(job_.machine.control.backend));
+  terminal_.begin(options_.dry_run ? "planning" : "running", total);
+  result_.moved = true;
+  run(**backend, *rows);
+  close(**backend);
+  close(*rows, trace.file);
+  return std::move(result_);
+}
+
+/// After a pre-flight only errors are news.
+Diagnostics::Sink JobRunner::sink() {
+  return [this, show = messages_.sink(job_.program)](const Diagnostic& diagnostic) {
+    if (options_.dry_run || diagnostic.severity() == Severity::error) show(diagnostic);
+  };
+}
+
+void JobRunner::run(hal::Backend& backend, TraceRows& rows) {
+  ShownOnce shown(job_.program, sink());
+  Diagnostics diagnostics(shown.sink());
+  diagnostics.set_file(job_.program.name());
+  ipr::Reader reader = job_.program.reader();
+  std::optional<RealtimeCycle> realtime;
+  if (in_real_time()) realtime.emplace(backend, job_.machine.control.period, &rows);
+  result_.outcome = simulate(reader, job_.program.descriptor(), job_.machine, job_.options, backend,
+                             diagnostics, &rows, &terminal_, realtime ? &*realtime : nullptr);
+  terminal_.end();
+  shown.finish();
+  if (realtime) result_.punctuality = realtime->punctuality();
+  result_.following_error = backend.following_error_max();
+  result_.settled = backend.settle();
+  judge(diagnostics);
+  if (realtime) judge_punctuality();
+}
+
+/// A parallel port keeps a clock of its own.
+bool JobRunner::in_real_time() const {
+  return options_.realtime &&
+         (options_.dry_run || job_.machine.control.backend != BackendKind::parport);
+}
+
+/// A machine that moves by the clock waits for nobody: half a second is planned ahead.
+hal::Patience JobRunner::patience() const {
+  constexpr int kOfTheClock = 200;  // ms
+  const bool waits = !in_real_time() && !is_real(job_.machine.control.backend);
+  return {terminal_.stop(), waits ? -1 : kOfTheClock};
+}
+
+void JobRunner::judge(Diagnostics& diagnostics) {
+  const Outcome& outcome = result_.outcome;
+  if (is_of_axis(outcome.feedback.alarm)) diagnostics.report(alarm_diagnostic(outcome));
+  const bool at_rest = outcome.end == Outcome::End::done || outcome.end == Outcome::End::stopped;
+  if (at_rest && diagnostics.errors() == 0)
+    report_excess(outcome.measured, outcome.deviation, job_.machine, diagnostics);
+  if (options_.dry_run && outcome.end == Outcome::End::done && diagnostics.errors() == 0)
+    report_corner_cost(job_.program, job_.machine, job_.options, result_.outcome, &terminal_,
+                       diagnostics);
+  result_.status = diagnostics.status();
+  if (outcome.end == Outcome::End::alarm)
+    result_.ending = Ending::alarm;
+  else if (diagnostics.errors() > 0 || outcome.end == Outcome::End::broken_off)
+    result_.ending = Ending::error;
+  else if (outcome.end == Outcome::End::stopped)
+    result_.ending = Ending::stopped;
+  else
+    result_.ending = Ending::done;
+  if (outcome.end == Outcome::End::stopped)
+    result_.status = worse_status(result_.status, kSignalled + terminal_.signal());
+}
+
+/// Without the rights nothing was promised.
+void JobRunner::judge_punctuality() {
+  const Punctuality& punctuality = *result_.punctuality;
+  const RealtimeRights& rights = punctuality.rights;
+  if (!rights.all())
+    messages_.show({.code = Code::SC6075, .message = "no real-time rights: " + rights.refusal});
+  if (punctuality.overruns() == 0) return;
+  const Diagnostic missed = missed_periods(punctuality, job_.program.name());
+  messages_.show(missed);
+  result_.status = worse_status(result_.status, exit_status(missed));
+}
+
+/// After an error in program or output a file is not whole, and what it would replace stays. What
+/// has gone down a pipe has gone.
+bool JobRunner::is_dropped(const std::string& file) const {
+  return result_.ending == Ending::error && hal::is_replaced(file);
+}
+
+void JobRunner::close(TraceRows& rows, const std::string& trace) {
+  if (is_dropped(trace) && rows.ok()) return;  // otherwise its error is still to be shown
+  if (result_.outcome.end == Outcome::End::done) rows.add_hash_of(job_.program);
+  settle(rows.finish(), {"trace", trace});
+}
+
+void JobRunner::close(hal::Backend& backend) {
+  WrittenFile output = backend_output(options_.dry_run ? Machine() : job_.machine);
+  if (!is_dropped(output.file)) settle(backend.finish(), std::move(output));
+  result_.tally = backend.tally();
+}
+
+void JobRunner::settle(const Status& finished, WrittenFile file) {
+  if (!finished) return failed_to_write(finished.error());
+  if (!file.file.empty() && file.file != "-") result_.written.push_back(std::move(file));
+}
+
+void JobRunner::failed_to_write(const Diagnostic& diagnostic) {
+  result_.ending = Ending::error;
+  result_.status = worse_status(result_.status, messages_.fail(diagnostic));
+}
+
+void explain(std::string_view what, const Outcome& outcome) {
+  spdlog::debug(
+      "{}: {} nodes planned in {} passes; CPU {:.3f} s planning, {:.3f} s cycle, {:.3f} s "
+      "verification, {:.3f} s output",
+      what, outcome.planner.nodes, outcome.planner.passes, outcome.cpu.planning, outcome.cpu.cycle,
+      outcome.cpu.verification, outcome.cpu.output);
+}
+
+/// The pre-flight; `expected` becomes its outcome.
+JobResult check_first(Job& job, Messages& messages, Terminal& terminal, Outcome& expected) {
+  terminal.begin("checking", 0);
+  Preflight checked = preflight(job.program, job.machine, job.options, messages, &terminal);
+  terminal.end();
+  explain("pre-flight", checked.outcome);
+  JobResult result;
+  result.status = checked.status;
+  if (checked.outcome.end == Outcome::End::stopped) {
+    result.status = worse_status(checked.status, kSignalled + terminal.signal());
+    if (checked.status == 0) result.ending = Ending::stopped;
+  }
+  expected = std::move(checked.outcome);
+  return result;
+}
+
+}  // namespace
+
+JobResult run_job(Job& job, const Options& options, const TraceTarget& trace) {
+  Terminal terminal(options.progress, on_terminal(trace.file), job.machine.control.period);
+  Messages messages([&terminal] { terminal.end(); });
+  job.options.interpreter.stop = terminal.stop();
+  Outcome expected;
+  JobResult result;
+  if (!options.dry_run) result = check_first(job, messages, terminal, expected);
+  if (result.status == 0) {
+    if (may_ask(options)) terminal.wait_at_stops();
+    result = JobRunner(job, options, messages, terminal).move(trace, expected.time);
+    if (!options.dry_run) result.outcome.time_sheet.corner_cost = expected.time_sheet.corner_cost;
+    if (result.moved) explain("run", result.outcome);
+  }
+  result.diagnostics.assign(messages.kept().begin(), messages.kept().end());
+  return result;
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Whether a text with errors is a program for another kind of control.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace softcnc::app {
+
+/// Sees the lines of a program one by one. Several marks of one control count, each once; or one
+/// that no other has.
+class ForeignLanguage {
+ public:
+  void see(std::string_view line, int number);
+
+  bool found() const noexcept;
+  /// The control the program is made for, with an article; and the first line that shows it.
+  std::string_view control() const noexcept;
+  int line() const noexcept;
+  const std::string& text() const noexcept;
+
+ private:
+  static constexpr std::size_t kControls = 4, kMostMarks = 64;
+  struct Evidence {
+    int weight = 0;
+    int line = 0;  // the first
+    std::string text;
+  };
+  std::size_t best() const noexcept;
+
+  std::array<Evidence, kControls> evidence_;
+  std::array<bool, kMostMarks> seen_{};
+};
+
+}  // namespace softcnc::app

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "messages/messages.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <utility>
+
+#include "hal/files/leftovers.hpp"
+#include "process/standard_error.hpp"
+
+namespace softcnc::app {
+namespace {
+
+constexpr int kNotWritten = 5, kDefect = 70;  // exit status
+
+/// The text of a line of a called file, as it has been run; empty if it cannot be read.
+std::string line_of(const Diagnostic& diagnostic, ipr::CalledTexts& called) {
+  const auto& kept = called.find(diagnostic.file);
+  auto reader = ipr::Reader::open(kept && *kept ? (*kept)->name() : diagnostic.file);
+  std::string text;
+  while (reader && reader->line() < diagnostic.pos.line) {
+    const auto line = reader->next();
+    if (!line) return {};
+    text = *line;
+  }
+  return text;
+}
+
+/// The severity in colour.
+std::string coloured(const Diagnostic& diagnostic) {
+  std::string text = render(diagnostic);
+  const std::string plain = fmt::format("{}:", name(diagnostic.severity()));
+  const auto at = text.find(plain);
+  if (at == std::string::npos) return text;
+  constexpr std::string_view kBold[] = {"\033[1;36m", "\033[1;35m", "\033[1;31m"};
+  const std::string_view on = kBold[static_cast<std::size_t>(diagnostic.severity())];
+  return text.replace(at, plain.size(), fmt::format("{}{}\033[0m", on, plain));
+}
+
+/// Standard error as one document; null where diagnostics are text.
+struct StderrDocument {
+  std::unique_ptr<DiagnosticDocument> document;
+  bool written = true;
+};
+
+/// Of this process.
+StderrDocument& on_stderr() {
+  static StderrDocument document;
+  return document;
+}
+
+}  // namespace
+
+bool colourful(int descriptor) {
+  const char* no_colour = std::getenv("NO_COLOR");
+  return ::isatty(descriptor) != 0 && (no_colour == nullptr || *no_colour == '\0');
+}
+
+Messages::Messages(const std::function<void()>& clear)
+    : Messages(
+          [clear](std::string_view text) {
+            clear();
+            write_to_stderr(text);
+          },
+          colourful(STDERR_FILENO)) {
+  document_ = on_stderr().document.get();
+}
+
+void Messages::show(const Diagnostic& diagnostic) {
+  ++counts_[static_cast<std::size_t>(diagnostic.severity())];
+  if (document_)
+    document_->add(diagnostic);
+  else
+    write_(colour_ ? coloured(diagnostic) : render(diagnostic));
+  if (kept_.size() < kKept) kept_.push_back(diagnostic);
+}
+
+Diagnostics::Sink Messages::sink(Program& program) {
+  return [this, &program](const Diagnostic& diagnostic) {
+    Diagnostic full = diagnostic;
+    if (full.source_line.empty() && full.pos.line > 0)
+      full.source_line =
+          full.pos.file == 0 ? program.line(full.pos.line) : line_of(full, program.called());
+    show(full);
+  };
+}
+
+int Messages::fail(Diagnostic diagnostic) {
+  if (diagnostic.code == Code::SC6013) return kSignalled + SIGPIPE;
+  if (diagnostic.file == "-") diagnostic.file = "<stdout>";
+  show(diagnostic);
+  return exit_status(diagnostic);
+}
+
+Diagnostic Messages::show_but_last(std::vector<Diagnostic> errors) {
+  Diagnostic last = std::move(errors.back());
+  errors.pop_back();
+  for (const Diagnostic& error : errors) show(error);
+  return last;
+}
+
+int Messages::fail(std::vector<Diagnostic> errors) {
+  return fail(show_but_last(std::move(errors)));
+}
+
+int failed(const Diagnostic& diagnostic) { return Messages().fail(diagnostic); }
+int failed(const std::vector<Diagnostic>& errors) { return Messages().fail(errors); }
+
+void clear_leftovers(const std::string& file) {
+  Messages messages;
+  for (const Diagnostic& note : hal::remove_leftovers(file)) messages.show(note);
+}
+
+void begin_document(DiagnosticsFormat format) {
+  on_stderr().document = make_document(format, [](std::string_view text) {
+    on_stderr().written = on_stderr().written && write_to_stderr(text);
+  });
+}
+
+int end_document(int status) {
+  const auto document = std::move(on_stderr().document);
+  if (!document) return status;
+  document->finish(status);
+  return on_stderr().written || status == kDefect ? status : kNotWritten;
+}
+
+}  // namespace softcnc::app

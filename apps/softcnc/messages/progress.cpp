@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "messages/progress.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "messages/duration_text.hpp"
+#include "process/standard_error.hpp"
+
+namespace softcnc::app {
+namespace {
+
+constexpr auto kBetweenDrawings = std::chrono::milliseconds(100);
+constexpr std::size_t kLargestBar = 40;
+
+std::size_t screen_width() {
+  winsize size{};
+  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+std::string bar(double part, std::size_t width) {
+  const auto full = static_cast<std::size_t>(part * static_cast<double>(width));
+  std::string text(full, '=');
+  if (full < width) text += '>';
+  text.resize(width, ' ');
+  return '[' + text + ']';
+}
+
+}  // namespace
+
+Progress::Progress(ProgressMode mode, bool data_on_terminal)
+    : bar_(mode == ProgressMode::automatic && ::isatty(STDERR_FILENO) != 0 && !data_on_terminal),
+      json_(mode == ProgressMode::json) {}
+
+Progress::~Progress() {
+  clear();
+  if (json_ && !label_.empty()) write_json(true);
+}
+
+void Progress::begin(std::string label, double total) {
+  time_ = 0;
+  line_ = 0;
+  label_ = std::move(label);
+  total_ = total;
+  next_ = Clock::now() + kBetweenDrawings;
+}
+
+void Progress::update(double time, int line) {
+  time_ = time;
+  line_ = line;
+  if ((!bar_ && !json_) || Clock::now() < next_) return;
+  next_ = Clock::now() + kBetweenDrawings;
+  if (bar_) draw(time, line);
+  if (json_) write_json(false);
+}
+
+void Progress::draw(double time, int line) {
+  std::string text = fmt::format("  line {}", line);
+  if (total_ > 0) {
+    const double part = std::clamp(time / total_, 0.0, 1.0);
+    text = fmt::format(" {:3.0f} %{}  {} left", std::floor(100 * part), text,
+                       duration_text(std::max(total_ - time, 0.0)));
+    const std::size_t width =
+        screen_width() - std::min(screen_width(), label_.size() + text.size() + 5);
+    if (width > 4) text = bar(part, std::min(width, kLargestBar)) + text;
+  } else {
+    text = fmt::format("{}  {} so far", text, duration_text(time));
+  }
+  display_on_stderr(fmt::format("\r{} {}\033[K", label_, text));
+  drawn_ = true;
+}
+
+void Progress::write_json(bool done) const {
+  nlohmann::ordered_json row{{"doing", label_}, {"time_s", time_}, {"line", line_}};
+  if (total_ > 0) {
+    row["total_s"] = total_;
+    row["percent"] = std::clamp(100 * time_ / total_, 0.0, 100.0);
+  }
+  if (done) row["done"] = true;
+  display_on_stderr(row.dump() + '\n');
+}
+
+void Progress::clear() {
+  if (!std::exchange(drawn_, false)) return;
+  display_on_stderr("\r\033[K");
+}
+
+}  // namespace softcnc::app

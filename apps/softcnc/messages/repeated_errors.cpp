@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "messages/repeated_errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "messages/foreign_language.hpp"
+
+namespace softcnc::app {
+namespace {
+
+constexpr std::size_t kMostCauses = 1000;  // those after them are shown line by line
+constexpr int kLinesOfHead = 300;          // in which a language is looked for
+
+/// Codes of which errors with the same text have the same cause.
+bool has_one_cause(Code code) {
+  constexpr std::array kCodes{Code::SC1020, Code::SC1050, Code::SC2001, Code::SC2008};
+  return std::find(kCodes.begin(), kCodes.end(), code) != kCodes.end();
+}
+
+/// E of an extruder, on every line of a program for a 3-D printer.
+bool is_unused_word(const Diagnostic& diagnostic) {
+  return diagnostic.code == Code::SC2004 && diagnostic.message.starts_with("E ");
+}
+
+}  // namespace
+
+bool RepeatedErrors::takes(Diagnostic& diagnostic) {
+  if (foreign_) return true;
+  if (diagnostic.severity() != Severity::error) return false;
+  if (is_foreign(diagnostic)) return false;
+  if (!has_one_cause(diagnostic.code) && !is_unused_word(diagnostic)) return false;
+  const auto same = [&](const Cause& cause) {
+    return cause.first.code == diagnostic.code && cause.first.message == diagnostic.message &&
+           cause.first.file == diagnostic.file;
+  };
+  const auto known = std::find_if(causes_.begin(), causes_.end(), same);
+  if (known == causes_.end()) {
+    if (causes_.size() < kMostCauses) causes_.push_back({diagnostic, 0, diagnostic.pos.line});
+    return false;
+  }
+  if (std::exchange(known->last_line, diagnostic.pos.line) != diagnostic.pos.line) ++known->lines;
+  return true;
+}
+
+/// Looks once, at the first error of the program itself.
+bool RepeatedErrors::is_foreign(Diagnostic& error) {
+  const bool may_be = !looked_ && program_ != nullptr && error.pos.file == 0 &&
+                      error.pos.line > 0 && exit_status(error) == 1;
+  if (!may_be || program_->streamed()) return false;
+  looked_ = true;
+  ForeignLanguage language;
+  std::string line = program_->line(1);
+  for (int number = 1; number <= kLinesOfHead; line = program_->line(++number))
+    language.see(line, number);
+  if (!language.found()) return false;
+  foreign_ = true;
+  error.code = Code::SC2383;
+  error.pos = {language.line(), 1,
+               static_cast<int>(std::max(language.text().size(), std::size_t{1}))};
+  error.message = fmt::format(
+      "the program is made for {}; softcnc reads G-code as LinuxCNC and "
+      "FANUC's controls do",
+      language.control());
+  error.source_line = language.text();
+  error.calls.clear();
+  return true;
+}
+
+void RepeatedErrors::forget(const Diagnostic& first) {
+  const auto same = [&](const Cause& cause) {
+    return cause.first.code == first.code && cause.first.pos.line == first.pos.line &&
+           cause.first.message == first.message;
+  };
+  causes_.erase(std::remove_if(causes_.begin(), causes_.end(), same), causes_.end());
+}
+
+std::vector<Diagnostic> RepeatedErrors::notes() const {
+  std::vector<Diagnostic> all;
+  if (foreign_) return all;
+  for (const Cause& cause : causes_) {
+    if (cause.lines == 0) continue;
+    Diagnostic note = cause.first;
+    note.code = Code::SC6005;
+    note.message =
+        fmt::format("{}, here and on {} more line{}, the last of them {}", cause.first.message,
+                    cause.lines, cause.lines == 1 ? "" : "s", cause.last_line);
+    all.push_back(std::move(note));
+  }
+  return all;
+}
+
+Diagnostics::Sink ShownOnce::sink() {
+  return [this](const Diagnostic& diagnostic) {
+    Diagnostic own = diagnostic;
+    if (!errors_.takes(own)) show_(own);
+  };
+}
+
+void ShownOnce::finish() {
+  for (const Diagnostic& note : errors_.notes()) show_(note);
+}
+
+}  // namespace softcnc::app

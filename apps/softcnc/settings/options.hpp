@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What the command line asks for, as plain data.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ipr/commands/format.hpp"
+#include "ipr/expressions/dialect.hpp"
+#include "messages/diagnostic_document.hpp"
+#include "messages/progress.hpp"
+#include "session/feed_script.hpp"
+
+namespace softcnc::app {
+
+enum class CommandName : std::uint8_t {
+  run,
+  check,
+  blocks,
+  record,
+  replay,
+  surface,
+  machine,
+  latency,
+  pulses,
+  codes
+};
+
+struct Options {
+  CommandName command = CommandName::run;
+  std::vector<std::string> files;  // PART, FILE.rec or a list of edges; "-": standard input
+
+  std::string machine_file;           // of --machine; empty: the built-in machine
+  bool names_machine = false;         // --machine is there; else a file beside PART counts
+  std::vector<std::string> settings;  // KEY=VALUE, on top of it
+  std::string state;                  // file; empty: none
+
+  double feed_override = 1;       // of the programmed feed
+  std::vector<FeedEvent> events;  // in the order of time
+  bool block_skip = false, optional_stop = false, single_block = false;
+  ipr::Dialect dialect = ipr::Dialect::linuxcnc;
+  ipr::Format format = ipr::Format::automatic;
+
+  int worst = 0;  // run, check: so many lines that lose most time are named
+
+  bool dry_run = false, watch = false;
+  bool realtime = false;      // run, record: as fast as the clock goes
+  std::string trace, report;  // files; empty: none
+  std::string output;         // of record and surface
+  bool actual = false;        // surface: cut by where the simulated mill is
+
+  double seconds = 10, period = 0;  // latency: how long, s; of the loop, s; 0: the servo period
+
+  DiagnosticsFormat diagnostics = DiagnosticsFormat::text;
+  ProgressMode progress = ProgressMode::automatic;
+  bool quiet = false, verbose = false;
+};
+
+}  // namespace softcnc::app

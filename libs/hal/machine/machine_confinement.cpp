@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "hal/machine/machine_confinement.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace softcnc::hal {
+namespace {
+
+/// A key by which a backend reaches outside, and what a machine does without it.
+struct OutsideKey {
+  BackendKind backend;
+  std::string_view key;
+  std::string& (*value)(Machine&);
+  std::string_view without;
+};
+
+constexpr OutsideKey kOutsideKeys[] = {
+    {BackendKind::stepdir, "backend.stepdir.file",
+     [](Machine& machine) -> std::string& { return machine.step_port.file; },
+     "no edges are written"},
+    {BackendKind::parport, "backend.parport.device",
+     [](Machine& machine) -> std::string& { return machine.parallel_port.device; },
+     "no port is opened"},
+    {BackendKind::hal_stream, "backend.hal-stream.file",
+     [](Machine& machine) -> std::string& { return machine.hal_stream.file; }, "no rows are sent"},
+};
+
+constexpr std::string_view kBackendKey = "control.backend";
+
+/// Where the file of the machine gives a value; null where a setting or nobody does.
+const GivenAt* place_in_file(const LoadedMachine& loaded, std::string_view key) {
+  const auto found = loaded.given.find(key);
+  return found == loaded.given.end() || found->second.file == kSettingFile ? nullptr
+                                                                           : &found->second;
+}
+
+bool is_set(const LoadedMachine& loaded, std::string_view key) {
+  return loaded.given.contains(key) && !place_in_file(loaded, key);
+}
+
+Diagnostic ignored(const OutsideKey& opening, std::string_view key, const GivenAt& place) {
+  return {.code = Code::SC7021,
+          .pos = place.pos,
+          .message = std::string(key) +
+                     " is ignored unless --machine names the file: " + std::string(opening.without),
+          .file = place.file,
+          .source_line = place.line};
+}
+
+}  // namespace
+
+std::vector<Diagnostic> confine(LoadedMachine& loaded) {
+  std::vector<Diagnostic> changes;
+  for (const OutsideKey& opening : kOutsideKeys) {
+    if (is_set(loaded, opening.key)) continue;
+    const GivenAt* named = place_in_file(loaded, opening.key);
+    const GivenAt* chosen = place_in_file(loaded, kBackendKey);
+    std::string& value = opening.value(loaded.machine);
+    const bool would_reach =
+        loaded.machine.control.backend == opening.backend && !value.empty() && (named || chosen);
+    if (would_reach)
+      changes.push_back(
+          ignored(opening, named ? opening.key : kBackendKey, named ? *named : *chosen));
+    if (named || chosen) value.clear();
+    if (named) loaded.given.erase(loaded.given.find(opening.key));
+  }
+  return changes;
+}
+
+bool writes_default_file(const LoadedMachine& loaded) {
+  Machine machine = loaded.machine;
+  for (const OutsideKey& opening : kOutsideKeys)
+    if (opening.backend == machine.control.backend && opening.backend != BackendKind::parport)
+      return !loaded.given.contains(opening.key) && !opening.value(machine).empty();
+  return false;
+}
+
+}  // namespace softcnc::hal
