@@ -17,9 +17,10 @@ std::vector<Block> chords(bool corners = true) {
   std::vector<Block> blocks;
   for (int i = 1; i <= kChords; ++i) {
     const auto n = static_cast<std::size_t>(i);
-    blocks.push_back({Move{Line(points[n - 1], points[n]), false, 250, Join::follow, 0.005, 0.005},
-                      {i, 1, 1},
-                      i});
+    blocks.push_back(
+        {Move{Line(points[n - 1], points[n]), false, 250, PathMode::follow, 0.005, 0.005},
+         {i, 1, 1},
+         i});
   }
   return blocks;
 }

@@ -99,8 +99,8 @@ class ToolTrack {
   double begins_at_ = -1;  // s
   ToolRow last_;
   std::vector<Stretch> stretches_;
-  LongList<Place> places_;
-  LongList<EdgePass> passes_;
+  DiskBackedVector<Place> places_;
+  DiskBackedVector<EdgePass> passes_;
   std::optional<Place> place_;  // the last one, not yet among places_
   bool place_rests_ = false;    // where the one before is
 

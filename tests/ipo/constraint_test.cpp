@@ -16,7 +16,7 @@ PathPoint on_circle(double radius) {
   return point;
 }
 
-Move cutting(double feed) { return {Line({0, 0, 0}, {1, 0, 0}), false, feed, Join::follow}; }
+Move cutting(double feed) { return {Line({0, 0, 0}, {1, 0, 0}), false, feed, PathMode::follow}; }
 
 }  // namespace
 

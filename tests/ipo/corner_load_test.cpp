@@ -156,7 +156,7 @@ TEST_CASE("a circle chopped into chords is run exactly as fast as the circle", "
   const ArcSpec spec{{radius, 0, 0}, {radius, 0, 0}, {0, 0, 0}, Plane::xy, true, 1};
   const auto chopped = run(machine, polyline(points, feed));
   const auto smooth =
-      run(machine, number_blocks({Move{Arc::make(spec).value(), false, feed, Join::follow}}));
+      run(machine, number_blocks({Move{Arc::make(spec).value(), false, feed, PathMode::follow}}));
   CHECK(exceeded(machine, chopped) == "");
   CHECK(chopped.time < 1.05 * smooth.time);
 }
@@ -174,7 +174,7 @@ TEST_CASE("a joint that may only be passed slowly takes no longer than a stop, w
     const std::vector<AxisVector> points{{0, 0, 0}, {10, 0, 0}, {20, 0.095, 0}};
     auto blocks = polyline(points, feed);
     const auto passed = run(machine, blocks);
-    for (Block& block : blocks) std::get<Move>(block.what).join = Join::stop;
+    for (Block& block : blocks) std::get<Move>(block.what).path_mode = PathMode::stop;
     const double stopped = run(machine, blocks).time;
     CHECK(exceeded(machine, passed) == "");
     CHECK(passed.time < stopped + 4 * period);

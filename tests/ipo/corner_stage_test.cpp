@@ -40,7 +40,7 @@ Machine mighty(double jerk = 0) {
 }
 
 Move within(Path path, double p, double q, double feed = 100) {
-  return {std::move(path), false, feed, Join::follow, p, q};
+  return {std::move(path), false, feed, PathMode::follow, p, q};
 }
 
 std::vector<Block> polyline(const std::vector<AxisVector>& points, double p, double q,
@@ -380,7 +380,7 @@ TEST_CASE("what must be exact is exact", "[corner_stage]") {
   CHECK_FALSE(corner_is_met({first_rapid, rapid}));
   CHECK(corner_is_met({within(east, 0.1, 0), within(Line({10, 0, 0}, {0, 0.1, 0}), 0.1, 0)}));
   Move stop = within(north, 0, 0);
-  stop.join = Join::stop;
+  stop.path_mode = PathMode::stop;
   CHECK(corner_is_met({within(east, 0.1, 0), stop}));
 }
 
@@ -468,7 +468,7 @@ TEST_CASE("a spiral of 200 sides with stops takes the least time from rest to re
     stops += side >= 12 ? side / 100 + 0.12 : 0.02 + std::sqrt(0.02 * 0.02 + 4 * side / 1000);
   }
   auto exact = polyline(points, 0, 0);
-  for (Block& block : exact) std::get<Move>(block.what).join = Join::stop;
+  for (Block& block : exact) std::get<Move>(block.what).path_mode = PathMode::stop;
   const auto result = test::run(machine, exact);
   CHECK(test::exceeded(machine, result) == "");
   CHECK(result.time >= stops * (1 - 1e-5));
@@ -489,7 +489,7 @@ TEST_CASE("a spiral of 200 sides: stops at G61.1, rounded corners at G64 P0.05",
     stops += side < ramp ? 2 * std::sqrt(side / 1000) : side / 100 + 100.0 / 1000;
   }
   auto exact = polyline(points, 0, 0);
-  for (Block& block : exact) std::get<Move>(block.what).join = Join::stop;
+  for (Block& block : exact) std::get<Move>(block.what).path_mode = PathMode::stop;
   const auto slow = test::run(machine, exact);
   CHECK(test::exceeded(machine, slow) == "");
   // Beside the closed form, at most one period of waiting at a corner.

@@ -52,15 +52,16 @@ std::vector<Block> mixed() {
   const auto arc = [](const AxisVector& from, const AxisVector& to, const AxisVector& centre) {
     return Arc::make({from, to, centre, Plane::xy, true, 0}).value();
   };
-  return number_blocks({Move{Line({0, 0, 0}, {10, 0, 0}), false, 50, Join::follow},
-                        Move{arc({10, 0, 0}, {10, 20, 0}, {10, 10, 0}), false, 50, Join::follow},
-                        Move{Line({10, 20, 0}, {0, 20, 0}), false, 50, Join::follow},
-                        Move{Line({0, 20, 0}, {0, 0, 3}), true, 0, Join::follow}, Dwell{0.0123},
-                        Move{Line({0, 0, 3}, {0, 0, 0}), true, 0, Join::follow}});
+  return number_blocks(
+      {Move{Line({0, 0, 0}, {10, 0, 0}), false, 50, PathMode::follow},
+       Move{arc({10, 0, 0}, {10, 20, 0}, {10, 10, 0}), false, 50, PathMode::follow},
+       Move{Line({10, 20, 0}, {0, 20, 0}), false, 50, PathMode::follow},
+       Move{Line({0, 20, 0}, {0, 0, 3}), true, 0, PathMode::follow}, Dwell{0.0123},
+       Move{Line({0, 0, 3}, {0, 0, 0}), true, 0, PathMode::follow}});
 }
 
 std::vector<Block> butterfly(double feed) {
-  return number_blocks({Move{curve("butterfly"), false, feed, Join::follow}});
+  return number_blocks({Move{curve("butterfly"), false, feed, PathMode::follow}});
 }
 
 Machine fine_machine(double period_ms, double servo_period_ms, double jerk) {

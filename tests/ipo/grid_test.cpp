@@ -12,7 +12,7 @@ namespace {
 
 std::vector<Interval> grid_of(const Machine& machine, const Path& path, double feed) {
   std::vector<Interval> grid;
-  make_grid({path, false, feed, Join::follow}, Constraints(machine, 1), grid, [](double) {});
+  make_grid({path, false, feed, PathMode::follow}, Constraints(machine, 1), grid, [](double) {});
   return grid;
 }
 

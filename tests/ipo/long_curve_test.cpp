@@ -22,7 +22,7 @@ Nurbs wave(int points) {
   return Nurbs::make(natural_spline(through).value()).value();
 }
 
-Move along(Nurbs curve) { return {Path(std::move(curve)), false, 60, Join::stop}; }
+Move along(Nurbs curve) { return {Path(std::move(curve)), false, 60, PathMode::stop}; }
 
 std::vector<Block> between_lines(const Nurbs& curve) {
   const AxisVector end = curve.position(curve.length());
@@ -66,7 +66,7 @@ TEST_CASE("the stretches of a long curve are all of it, end to end", "[ipo][long
                 .norm() < 1e-9);
     sum += length(move.path);
     CHECK(std::abs(sum - begin) < 1e-8);
-    CHECK((move.join == Join::stop) == (begin >= length(whole)));
+    CHECK((move.path_mode == PathMode::stop) == (begin >= length(whole)));
     reached = end(move.path);
     direction = at(move.path, length(move.path), Side::before).dq;
     ++count;

@@ -13,7 +13,7 @@ namespace {
 
 /// A move at constant speed (mm/s), as nobody has planned it.
 TimedBlock at_speed(Path path, double v) {
-  TimedBlock timed{{Move{std::move(path), false, v, Join::follow}, {1, 1, 1}, 1}, {}};
+  TimedBlock timed{{Move{std::move(path), false, v, PathMode::follow}, {1, 1, 1}, 1}, {}};
   timed.profile.add_piece(0, length(timed.move()->path), v, v, Limit::feed);
   return timed;
 }

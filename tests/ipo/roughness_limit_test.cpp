@@ -29,7 +29,7 @@ Machine machine_with(RoughnessModel model, double acceleration, double jerk = 0)
 }
 
 Move surface_move(Path path, double feed = kFeed) {
-  Move move{std::move(path), false, feed, Join::follow};
+  Move move{std::move(path), false, feed, PathMode::follow};
   move.surface = paper_surface();
   return move;
 }

@@ -33,11 +33,11 @@ class TemporaryPlace {
 
 TEST_CASE("a long list holds what was added, in memory or not", "[hal][long_list]") {
   const auto most = GENERATE(std::size_t{1}, std::size_t{7}, std::size_t{1000}, std::size_t{5000});
-  LongList<std::size_t> list(most);
+  DiskBackedVector<std::size_t> list(most);
   for (std::size_t i = 0; i < 2345; ++i) list.push_back(i * i);
   CHECK(list.size() == 2345);
   REQUIRE(list.finish());
-  const LongList<std::size_t> moved = std::move(list);
+  const DiskBackedVector<std::size_t> moved = std::move(list);
   const auto values = moved.values();
   REQUIRE(values.size() == 2345);
   for (int times = 0; times < 2; ++times) {
@@ -48,14 +48,14 @@ TEST_CASE("a long list holds what was added, in memory or not", "[hal][long_list
 }
 
 TEST_CASE("an empty list is finished too", "[hal][long_list]") {
-  LongList<int> list;
+  DiskBackedVector<int> list;
   REQUIRE(list.finish());
   CHECK(list.values().empty());
 }
 
 TEST_CASE("a list without room says so: SC6003", "[hal][long_list]") {
   const TemporaryPlace nowhere("/nowhere");
-  LongList<int> list(4);
+  DiskBackedVector<int> list(4);
   for (int i = 0; i < 4; ++i) list.push_back(i);
   CHECK(list.kept());
   for (int i = 0; i < 20; ++i) list.push_back(i);

@@ -17,7 +17,7 @@ std::vector<Block> numbered(const std::vector<Move>& moves) {
 }
 
 Move rounded(const Path& path, double p, double q = 0) {
-  Move move{path, false, 10, Join::follow};
+  Move move{path, false, 10, PathMode::follow};
   move.corner_tolerance = p;
   move.chord_tolerance = q;
   return move;
@@ -36,7 +36,7 @@ ProgrammedPath driven(const std::vector<Block>& blocks, const std::vector<Row>& 
     Setpoint setpoint;
     setpoint.block = row.block;
     setpoint.position = row.position;
-    path.row(setpoint);
+    path.sample(setpoint);
   }
   if (to_end) path.finish();
   return path;
@@ -87,7 +87,7 @@ TEST_CASE("the way from a dwell, and into one, passes corners as any other", "[p
 
 TEST_CASE("a corner at which the path stops may not be cut", "[programmed]") {
   auto blocks = square_corner(0.5);
-  std::get<Move>(blocks[0].what).join = Join::stop;
+  std::get<Move>(blocks[0].what).path_mode = PathMode::stop;
   CHECK(driven(blocks, kCutCorner).largest() == 0);  // no row is off, and no joint is rounded
   std::vector<Row> rows = kCutCorner;
   rows.insert(rows.begin() + 2, {2, {9.9, 0.1, 0}});

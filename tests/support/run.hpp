@@ -27,7 +27,8 @@ struct Run {
 };
 
 /// What a row takes of the speed that the roughness of its path allows where it is.
-inline double roughness_used(const Machine& machine, const Setpoint& row, const Stretch& stretch) {
+inline double roughness_used(const Machine& machine, const Setpoint& row,
+                             const PathStretch& stretch) {
   if (stretch.surface == nullptr || !(stretch.surface->tooth_rate() > 0)) return 0;
   const double s = std::clamp(row.s - stretch.s_start, 0.0, length(*stretch.path));
   double cap = 0;  // where derivatives jump, the row is on either side
@@ -52,7 +53,7 @@ inline std::vector<Block> polyline(const std::vector<AxisVector>& points, double
                                    bool rapid = false) {
   std::vector<std::variant<Move, Dwell, Action>> moves;
   for (std::size_t i = 1; i < points.size(); ++i)
-    moves.emplace_back(Move{Line(points[i - 1], points[i]), rapid, feed, Join::follow});
+    moves.emplace_back(Move{Line(points[i - 1], points[i]), rapid, feed, PathMode::follow});
   return number_blocks(std::move(moves));
 }
 
@@ -117,14 +118,14 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
     const auto setpoint = interpolator.step();
     if (!setpoint) break;
     if (visit) visit(*setpoint);
-    std::vector<Stretch> stretches;
+    std::vector<PathStretch> stretches;
     queue.for_each_recent([&](const ipo::TimedBlock& timed) {
       if (const Move* move = timed.move())
         stretches.push_back(
             {&move->path, timed.s_start, move->surface ? &*move->surface : nullptr});
     });
-    verifier.row(*setpoint, stretches);
-    programmed.row(*setpoint);
+    verifier.sample(*setpoint, stretches);
+    programmed.sample(*setpoint);
     if (!stretches.empty())
       result.roughness_used =
           std::max(result.roughness_used, roughness_used(machine, *setpoint, stretches.back()));

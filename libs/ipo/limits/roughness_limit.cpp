@@ -48,8 +48,8 @@ class RoughnessLimit final : public Constraint {
   static bool is_evenly_hollow(const PathPoint& left, const PathPoint& right,
                                const Surface& surface) noexcept {
     const double slope = surface.slope_across;
-    const double before = hollow_bend(left.dq, left.ddq, slope);
-    const double after = hollow_bend(right.dq, right.ddq, slope);
+    const double before = hollow_curvature(left.dq, left.ddq, slope);
+    const double after = hollow_curvature(right.dq, right.ddq, slope);
     const double gentler = 1 / surface.tool_radius + std::min(before, after);
     return std::abs(after - before) <= kBendChange * gentler;
   }

@@ -28,7 +28,7 @@ Piece next_stretch(const Piece& curve, double& begin) {
   const double end = end_of_stretch(whole.path, begin);
   Move part = make_move(section(whole.path, begin, end), manner_of(whole));
   const bool is_last = end >= length(whole.path);
-  part.join = is_last ? whole.join : Join::follow;
+  part.path_mode = is_last ? whole.path_mode : PathMode::follow;
   part.unknown_axes = whole.unknown_axes;
   part.exact = whole.exact;
   begin = end;

@@ -40,7 +40,7 @@ inline Manner manner_of(const Move& move) {
 }
 
 inline Move make_move(Path path, const Manner& manner) {
-  return {std::move(path),         manner.rapid,           manner.feed,          Join::follow,
+  return {std::move(path),         manner.rapid,           manner.feed,          PathMode::follow,
           manner.corner_tolerance, manner.chord_tolerance, manner.feed_override, 0,
           manner.surface};
 }

@@ -16,7 +16,7 @@ using RestBefore = std::optional<Limit>;
 /// The one that a move, or a block that is none (null), asks for where it ends.
 inline RestBefore rest_after(const Move* move) noexcept {
   if (move == nullptr) return Limit::stop;
-  return move->join == Join::stop ? RestBefore(Limit::corner) : std::nullopt;
+  return move->path_mode == PathMode::stop ? RestBefore(Limit::corner) : std::nullopt;
 }
 
 /// Whether what holds back is how fast the speed may change.

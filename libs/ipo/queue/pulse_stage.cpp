@@ -35,7 +35,7 @@ std::optional<Diagnostic> PulseStage::prepare(Block& block) const {
   int axis = 0;
   (box.max - box.min).maxCoeff(&axis);
   if (clocks > 0) move->feed *= length(move->path) * clocks_per_blu(method) / (clocks * blu_[axis]);
-  move->join = Join::stop;
+  move->path_mode = PathMode::stop;
   move->corner_tolerance = 0;
   move->chord_tolerance = 0;
   return std::nullopt;

@@ -23,7 +23,8 @@ constexpr int kSamples = 16;           // of a curve that rounds one
 constexpr double kInnerCorner = 0.01;  // rad: of a NURBS, which is there cut in two
 
 bool is_rounded(const Move& move) {
-  return move.join == Join::follow && (move.corner_tolerance > 0 || move.chord_tolerance > 0);
+  return move.path_mode == PathMode::follow &&
+         (move.corner_tolerance > 0 || move.chord_tolerance > 0);
 }
 
 double feed_of(const Manner& manner) { return manner.rapid ? kUnlimited : manner.feed; }

@@ -42,13 +42,13 @@ class OverflowFile {
 
 /// Grows, is finished, and is then read.
 template <typename T>
-class LongList {
+class DiskBackedVector {
   static_assert(std::is_trivially_destructible_v<T> && std::is_standard_layout_v<T>,
                 "bytes in a file own nothing");
 
  public:
   /// `most`: values that are kept in memory.
-  explicit LongList(std::size_t most = (std::size_t{1} << 24) / sizeof(T)) : most_(most) {}
+  explicit DiskBackedVector(std::size_t most = (std::size_t{1} << 24) / sizeof(T)) : most_(most) {}
 
   /// Errors: SC6003, on which nothing more is kept.
   void push_back(const T& value) {

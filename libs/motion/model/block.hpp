@@ -13,7 +13,7 @@
 namespace softcnc {
 
 /// How a move goes over into the next one.
-enum class Join : std::uint8_t {
+enum class PathMode : std::uint8_t {
   follow,  // G61, G64 without tolerance: the path exactly, rest only where the tangent turns
   stop,    // G61.1, and FANUC's G61: rest at the end of the block
 };
@@ -22,7 +22,7 @@ struct Move {
   Path path;
   bool rapid = false;  // G00: only axis limits bind
   double feed = 0;     // mm/s along the path, as programmed; unused for rapids
-  Join join = Join::follow;
+  PathMode path_mode = PathMode::follow;
   double corner_tolerance = 0;    // mm: how far the next joint may be rounded (G64 P)
   double chord_tolerance = 0;     // mm: how far joined chords may stray (G64 Q)
   bool feed_override = true;      // false: the feed is as programmed, whatever the override (M49)

@@ -10,7 +10,7 @@
 namespace softcnc {
 
 /// A path and where it starts along the program, mm.
-struct Stretch {
+struct PathStretch {
   const Path* path;
   double s_start;
   const Surface* surface = nullptr;  // that it is to leave
@@ -18,6 +18,6 @@ struct Stretch {
 
 /// The one on which the path is at s, mm along the program, in stretches that follow one another;
 /// at a joint the later one. There must be one.
-const Stretch& stretch_at(std::span<const Stretch> stretches, double s) noexcept;
+const PathStretch& stretch_at(std::span<const PathStretch> stretches, double s) noexcept;
 
 }  // namespace softcnc

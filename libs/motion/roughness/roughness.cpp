@@ -81,7 +81,7 @@ double largest_edge_feed(const Surface& surface, const Flattened& flat) noexcept
 /// Of a way that passes a point, 1/mm, where the model asks for it.
 double hollow_at(RoughnessModel model, const Surface& surface, const PathPoint& point) noexcept {
   return model == RoughnessModel::guaranteed
-             ? hollow_bend(point.dq, point.ddq, surface.slope_across)
+             ? hollow_curvature(point.dq, point.ddq, surface.slope_across)
              : 0;
 }
 
@@ -117,7 +117,7 @@ double feed_at_tip(const Surface& surface, double sine) noexcept {
   return std::sqrt(square(surface.tool_radius * sine) + half_chord_squared(surface));
 }
 
-double hollow_bend(const AxisVector& tangent, const AxisVector& bend, double slope) noexcept {
+double hollow_curvature(const AxisVector& tangent, const AxisVector& bend, double slope) noexcept {
   const AxisVector up = AxisVector(0, 0, 1) - tangent[2] * tangent;
   const double level = up.norm();
   if (!(level > 0)) return 0;

@@ -20,7 +20,8 @@ inline double inclination_sine(const AxisVector& tangent) noexcept { return std:
 /// 1/mm: how much the surface bends upwards along a way, as through a valley; 0 where it does not.
 /// By the unit tangent and second derivative of the way. Where the surface slopes across the feed
 /// by up to `slope`, rad, bends to the side count as far as they may lie in it.
-double hollow_bend(const AxisVector& tangent, const AxisVector& bend, double slope = 0) noexcept;
+double hollow_curvature(const AxisVector& tangent, const AxisVector& bend,
+                        double slope = 0) noexcept;
 
 /// (1): both radii of curvature count, that across the feed as the surface has it, and that along
 /// it; infinite: flat, and negative: hollow.

@@ -16,9 +16,9 @@ struct Surface {
   double pick_feed = 0;    // mm, between neighbouring passes
   double rmax = 0;         // mm: the largest height of the roughness
   int teeth = 0;
-  double spindle = 0;      // 1/s, revolutions of the spindle as the move begins
-  double bend_across = 0;  // 1/mm, of the surface square to the feed: above 0 on a hill, below 0 in
-                           // a hollow, above -1 / tool_radius
+  double spindle = 0;               // 1/s, revolutions of the spindle as the move begins
+  double transverse_curvature = 0;  // 1/mm, of the surface square to the feed: above 0 on a hill,
+                                    // below 0 in a hollow, above -1 / tool_radius
   double slope_across = 0;  // rad, the largest, of the surface square to the feed as seen from
                             // above; 0: it is level there, and passes are in phase
 
@@ -27,7 +27,7 @@ struct Surface {
 
   /// What passes leave between them, as part of that on a flat surface: 1 - r/(rho_p + r) of paper
   /// 004, equation 1.
-  double cusp_part() const noexcept { return 1 / (1 + tool_radius * bend_across); }
+  double cusp_part() const noexcept { return 1 / (1 + tool_radius * transverse_curvature); }
 
   /// mm, from pass to pass along the surface, where it slopes most; the pick-feed is that from
   /// above.

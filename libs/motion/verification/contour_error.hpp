@@ -29,23 +29,23 @@ class Contour {
 
   /// The path of the next `rows` rows, one or more, begins at s, mm along the program. What was
   /// added beyond s for rows before was what they saw ahead, and does not count for these.
-  void begin(std::size_t rows, double s);
+  void begin(std::size_t samples, double s);
   /// Its next portion; the last one should reach kAhead beyond the last row.
   void add(const Portion& portion, double s_start, const PathOrigin& origin);
 
   /// Whether the path of the next row has been added.
-  bool expects_row() const noexcept { return rows_left_ > 0 || !batches_.empty(); }
+  bool expects_sample() const noexcept { return samples_left_ > 0 || !batches_.empty(); }
 
   /// The next row, with the positions of the tool in its period, mm: evenly spaced, the last one
   /// that of the row itself. Returns the contour error there, mm. No exception: what the row needs
   /// has been added.
-  double row(const Setpoint& setpoint, std::span<const AxisVector> actual) noexcept;
+  double sample(const Setpoint& setpoint, std::span<const AxisVector> actual) noexcept;
 
   ContourReport report() const;
 
  private:
   struct Batch {
-    std::size_t rows;
+    std::size_t samples;
     double s_start;  // mm
     std::vector<CubicPiece> pieces;
   };
@@ -58,13 +58,13 @@ class Contour {
   double measure(const AxisVector& point, const Instant& now) noexcept;
 
   double period_;
-  std::deque<Batch> batches_;  // that no row has come for
-  std::size_t rows_left_ = 0;  // of the batch whose path is in pieces_
+  std::deque<Batch> batches_;     // that no row has come for
+  std::size_t samples_left_ = 0;  // of the batch whose path is in pieces_
   PathPieces pieces_;
   std::vector<CubicPiece> newest_;  // of the batch added last
   SharpestTurn turns_;              // of what was added before it
   double foot_ = 0;                 // mm along the program: the last nearest point
-  double row_s_ = 0;                // mm: the commanded point of the last row
+  double sample_s_ = 0;             // mm: the commanded point of the last row
   ContourReport report_;
 };
 

@@ -30,7 +30,7 @@ struct ContourReport {
   ContourFigures cutting, rapids;
   /// How far the tool may be behind its command, mm, so that it is about kGoal off the path in the
   /// sharpest bend, and at the sharpest corner; 0: there is none.
-  double bend_lag = 0, corner_lag = 0;
+  double curve_lag = 0, corner_lag = 0;
 };
 
 }  // namespace softcnc

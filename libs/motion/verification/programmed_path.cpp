@@ -15,7 +15,8 @@ constexpr double kReach = 4;
 constexpr double kRounding = 1e-9;  // mm
 
 bool may_be_rounded(const Move& move) {
-  return move.join == Join::follow && (move.corner_tolerance > 0 || move.chord_tolerance > 0);
+  return move.path_mode == PathMode::follow &&
+         (move.corner_tolerance > 0 || move.chord_tolerance > 0);
 }
 
 }  // namespace
@@ -35,14 +36,14 @@ void ProgrammedPath::add(const Block& block) {
   allowed_ = allowed;
 }
 
-void ProgrammedPath::row(const Setpoint& setpoint) noexcept {
-  const AxisVector before = std::exchange(row_, setpoint.position);
-  const bool is_first = !std::exchange(has_row_, true);
+void ProgrammedPath::sample(const Setpoint& setpoint) noexcept {
+  const AxisVector before = std::exchange(sample_, setpoint.position);
+  const bool is_first = !std::exchange(has_sample_, true);
   if (stretches_.empty() || is_first) return;
   find(setpoint.block);
   if (setpoint.block < stretches_[here_].number) return;
   if (setpoint.block == stretches_[here_].number)
-    measure_row(setpoint.position);
+    measure_sample(setpoint.position);
   else
     guess_ = length(stretches_[here_].path);  // behind it
   near_joints(before, setpoint.position);
@@ -50,7 +51,7 @@ void ProgrammedPath::row(const Setpoint& setpoint) noexcept {
 }
 
 void ProgrammedPath::finish() noexcept {
-  for (const Stretch& stretch : stretches_) count_joint(stretch);
+  for (const PathStretch& stretch : stretches_) count_joint(stretch);
   stretches_.clear();
 }
 
@@ -62,7 +63,7 @@ void ProgrammedPath::find(int number) noexcept {
 }
 
 /// Newton's method may go astray, so what it finds counts only where it raises neither record.
-void ProgrammedPath::measure_row(const AxisVector& point) noexcept {
+void ProgrammedPath::measure_sample(const AxisVector& point) noexcept {
   const Deviation found = deviation(point, Search::near_guess);
   count(is_record(found) ? deviation(point, Search::whole) : found);
 }
@@ -70,30 +71,30 @@ void ProgrammedPath::measure_row(const AxisVector& point) noexcept {
 /// The search goes on in both directions while the path could still come back so near.
 ProgrammedPath::Deviation ProgrammedPath::deviation(const AxisVector& point,
                                                     Search search) noexcept {
-  const Stretch& here = stretches_[here_];
+  const PathStretch& here = stretches_[here_];
   guess_ = nearest_on(here, point, guess_, search);
   double allowed = here.allowed;
   double least = (position(here.path, guess_) - point).norm();
-  const auto try_stretch = [&](const Stretch& stretch, double guess) {
+  const auto try_stretch = [&](const PathStretch& stretch, double guess) {
     const double s = nearest_on(stretch, point, guess, search);
     least = std::min(least, (position(stretch.path, s) - point).norm());
     allowed = std::max(allowed, stretch.allowed);
   };
   const double at = here.s_start + guess_;
   for (std::size_t i = here_; i > 0 && stretches_[i].follows; --i) {
-    const Stretch& before = stretches_[i - 1];
+    const PathStretch& before = stretches_[i - 1];
     if (at - before.s_end > kReach * least + kRounding) break;
     try_stretch(before, length(before.path));
   }
   for (std::size_t i = here_ + 1; i < stretches_.size() && stretches_[i].follows; ++i) {
-    const Stretch& after = stretches_[i];
+    const PathStretch& after = stretches_[i];
     if (after.s_start - at > kReach * least + kRounding) break;
     try_stretch(after, 0);
   }
   return {least, allowed};
 }
 
-double ProgrammedPath::nearest_on(const Stretch& stretch, const AxisVector& point, double guess,
+double ProgrammedPath::nearest_on(const PathStretch& stretch, const AxisVector& point, double guess,
                                   Search search) noexcept {
   const Portion all{&stretch.path, 0, length(stretch.path)};
   return search == Search::whole ? nearest(all, point) : nearest(all, point, guess);
@@ -103,10 +104,10 @@ double ProgrammedPath::nearest_on(const Stretch& stretch, const AxisVector& poin
 void ProgrammedPath::near_joints(const AxisVector& from, const AxisVector& to) noexcept {
   const double way = (to - from).norm();
   const double at = stretches_[here_].s_start + guess_;
-  const auto reach = [&](const Stretch& stretch) {
+  const auto reach = [&](const PathStretch& stretch) {
     return way + kReach * std::min(stretch.joint_off, stretch.allowed_before) + kRounding;
   };
-  const auto look = [&](Stretch& stretch) {
+  const auto look = [&](PathStretch& stretch) {
     if (stretch.follows)
       stretch.joint_off =
           std::min(stretch.joint_off, distance_to_segment(start(stretch.path), from, to));
@@ -123,8 +124,8 @@ void ProgrammedPath::near_joints(const AxisVector& from, const AxisVector& to) n
 
 /// What no row comes near any more.
 void ProgrammedPath::forget() noexcept {
-  const auto is_behind = [&](const Stretch& stretch) {
-    const Stretch& here = stretches_[here_];
+  const auto is_behind = [&](const PathStretch& stretch) {
+    const PathStretch& here = stretches_[here_];
     return here.s_start - stretch.s_end >
            kReach * std::max(stretch.allowed_before, stretch.allowed);
   };
@@ -135,7 +136,7 @@ void ProgrammedPath::forget() noexcept {
   }
 }
 
-void ProgrammedPath::count_joint(const Stretch& stretch) noexcept {
+void ProgrammedPath::count_joint(const PathStretch& stretch) noexcept {
   if (std::isfinite(stretch.joint_off)) count({stretch.joint_off, stretch.allowed_before});
 }
 

@@ -18,7 +18,7 @@ class ProgrammedPath {
   void add(const Block& block);
 
   /// The next row of the motion along the blocks that have been added.
-  void row(const Setpoint& setpoint) noexcept;
+  void sample(const Setpoint& setpoint) noexcept;
 
   /// After the last row of a program that has run to its end.
   void finish() noexcept;
@@ -35,7 +35,7 @@ class ProgrammedPath {
   const Deviation& worst() const noexcept { return worst_; }
 
  private:
-  struct Stretch {
+  struct PathStretch {
     int number;  // of the block
     Path path;
     double s_start, s_end;  // mm of the programmed path
@@ -46,25 +46,25 @@ class ProgrammedPath {
   };
 
   void find(int number) noexcept;
-  void measure_row(const AxisVector& point) noexcept;
+  void measure_sample(const AxisVector& point) noexcept;
   enum class Search { near_guess, whole };
   Deviation deviation(const AxisVector& point, Search search) noexcept;
-  static double nearest_on(const Stretch& stretch, const AxisVector& point, double guess,
+  static double nearest_on(const PathStretch& stretch, const AxisVector& point, double guess,
                            Search search) noexcept;
   void near_joints(const AxisVector& from, const AxisVector& to) noexcept;
   void forget() noexcept;
   bool is_record(const Deviation& found) const noexcept;
   void count(const Deviation& deviation) noexcept;
-  void count_joint(const Stretch& stretch) noexcept;
+  void count_joint(const PathStretch& stretch) noexcept;
 
-  std::deque<Stretch> stretches_;
+  std::deque<PathStretch> stretches_;
   std::size_t here_ = 0;  // that of the last row
   double guess_ = 0;      // mm from its start: what was nearest to that row
   double s_ = 0;          // mm programmed so far
   double allowed_ = 0;    // where that ends
   bool follows_ = false;  // what comes next goes on from the last stretch
-  bool has_row_ = false;
-  AxisVector row_ = AxisVector::Zero();
+  bool has_sample_ = false;
+  AxisVector sample_ = AxisVector::Zero();
   double largest_ = 0;
   Deviation worst_{0, std::numeric_limits<double>::infinity()};
 };

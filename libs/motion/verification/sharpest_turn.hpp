@@ -27,7 +27,7 @@ class SharpestTurn {
 
   /// The lag, mm, at which the sharpest bend leaves this contour error, mm; 0: there is no bend, or
   /// none sharp enough for lags up to kLongest.
-  double bend_lag(double error) const noexcept;
+  double curve_lag(double error) const noexcept;
   /// The same of the sharpest corner; 0: there is none.
   double corner_lag(double error) const noexcept;
 

@@ -28,7 +28,7 @@ struct Measured {
   double feed_fluctuation = 0;  // |arc length / planned advance - 1|, advances over 1 um: largest
   double feed_fluctuation_rms = 0;   // and root of the mean square
   double rmax = 0, rmax_target = 0;  // mm: of the row that leaves most as part of its target
-  std::int64_t rows = 0;
+  std::int64_t samples = 0;
 };
 
 class Verifier {
@@ -37,7 +37,7 @@ class Verifier {
 
   /// Takes the next row. `stretches` are the paths from the one of the row before to the one of
   /// this row, in order; blocks without a path are left out.
-  void row(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
+  void sample(const Setpoint& setpoint, std::span<const PathStretch> stretches) noexcept;
 
   /// Takes a row without measuring it, or those between it and the last one. Where three that
   /// follow one another are taken so, the differences of the next row are right again.
@@ -48,18 +48,18 @@ class Verifier {
 
   const Measured& measured() const noexcept { return measured_; }
   /// Rmax that the last row leaves, mm; 0 where no roughness is asked for.
-  double row_rmax() const noexcept { return row_rmax_; }
+  double sample_rmax() const noexcept { return sample_rmax_; }
 
  private:
   template <typename Visit>
   void for_each_instant(const Setpoint& setpoint, Visit&& visit) noexcept;
   void push(const FinePoint& point) noexcept;
   void differences() noexcept;
-  void geometry(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
+  void geometry(const Setpoint& setpoint, std::span<const PathStretch> stretches) noexcept;
 
-  void closeness(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
+  void closeness(const Setpoint& setpoint, std::span<const PathStretch> stretches) noexcept;
   void fluctuation(double travelled, double advance) noexcept;
-  void roughness(const Setpoint& setpoint, const Stretch& here) noexcept;
+  void roughness(const Setpoint& setpoint, const PathStretch& here) noexcept;
 
   bool by_pulses_;
   double period_;             // s: between differences
@@ -67,7 +67,7 @@ class Verifier {
   StaircaseError staircase_;  // of a method by pulses
   RoughnessModel model_;
   bool limits_normal_;
-  double row_rmax_ = 0;
+  double sample_rmax_ = 0;
   std::array<AxisVector, 4> last_;  // positions, newest first
   std::array<double, 3> last_s_{};  // mm along the path, newest first
   Setpoint before_;
