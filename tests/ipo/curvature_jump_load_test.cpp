@@ -40,7 +40,7 @@ TEST_CASE("what is left of the jerk around a jump covers it in every row", "[ipo
 }
 
 TEST_CASE("a jump takes of the jerk towards its own side", "[ipo][jerk]") {
-  JumpLoad load;
+  CurvatureJumpLoad load;
   load.add({1, -2, 0});
   load.add({3, 4, 0});
   CHECK(load.above == AxisVector(4, 4, 0));

@@ -25,7 +25,7 @@ TEST_CASE("derivatives between two nodes are as good as linear", "[grid]") {
   const auto grid = grid_of(machine, path, 100);
   // No machine is faster at an interval than this, since it is as slow as the caps around ask for.
   std::vector<double> q;
-  for (const Interval& interval : grid) q.push_back(interval.left_cap.q);
+  for (const Interval& interval : grid) q.push_back(interval.left_limit.q);
   const auto gain = [&](std::size_t i) { return 2 * limits.norm() * grid[i].length(); };
   for (std::size_t i = 1; i < q.size(); ++i) q[i] = std::min(q[i], q[i - 1] + gain(i - 1));
   for (std::size_t i = q.size() - 1; i-- > 0;) q[i] = std::min(q[i], q[i + 1] + gain(i));
@@ -57,7 +57,7 @@ TEST_CASE("a swing to and fro about the middle of a span is not overlooked", "[g
   for (const Interval& interval : grid_of(machine, path, 100)) {
     const PathPoint exact = at(path, interval.s0 + 0.5 * interval.length());
     const AxisVector off = exact.ddq - 0.5 * (interval.left.ddq + interval.right.ddq);
-    const double slower = std::min({interval.left_cap.q, interval.right_cap.q, q});
+    const double slower = std::min({interval.left_limit.q, interval.right_limit.q, q});
     CHECK((off * slower).norm() < 2 * kGridTolerance * acceleration);
   }
 }

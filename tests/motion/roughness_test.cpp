@@ -186,7 +186,7 @@ TEST_CASE("no simulated edges leave more than the table says, nor much less",
         const int teeth = integer(1, kSimulatedTeeth);
         const double feed = real(0.1, 1) * (integer(0, 3) == 0 ? 4 : 1), tip = real(0, 3);
         const double simulated = EdgeSurface(feed, tip, teeth).rmax();
-        const double table = edge_height(Passes::in_phase, teeth, feed, tip);
+        const double table = edge_height(PassPhase::in_phase, teeth, feed, tip);
         RC_ASSERT(simulated <= table * 1.001);
         if (feed > 0.6) return;   // beyond, heights need not grow, and those of the table do
         double most = simulated;  // at any lower feed
@@ -203,7 +203,7 @@ TEST_CASE("beyond the table a bound holds", "[roughness][property]") {
         const int teeth = integer(1, 8);
         const double feed = real(0.2, 1) * (teeth > kSimulatedTeeth ? 1 : 20), tip = real(0, 12);
         RC_ASSERT(EdgeSurface(feed, tip, teeth).rmax() <=
-                  edge_height(Passes::in_phase, teeth, feed, tip) * 1.01);
+                  edge_height(PassPhase::in_phase, teeth, feed, tip) * 1.01);
       },
       30);
 }
@@ -216,7 +216,7 @@ TEST_CASE(
         const int teeth = integer(1, kSimulatedTeeth + 2);
         const double feed = real(0.1, 1) * (integer(0, 3) == 0 ? 4 : 1), tip = real(0, 3);
         RC_ASSERT(EdgeSurface(feed, tip, teeth, random_passes()).rmax() <=
-                  edge_height(Passes::at_any_phase, teeth, feed, tip) * 1.001);
+                  edge_height(PassPhase::at_any_phase, teeth, feed, tip) * 1.001);
       },
       200);
 }
@@ -231,7 +231,7 @@ TEST_CASE("at any phase the table says hardly more than edges may leave", "[roug
           most = std::max(
               most, EdgeSurface(feed, tip, teeth, Strewn{0.08 * i, {0, phase, 0, phase}}).rmax());
       CAPTURE(teeth, tip);
-      CHECK(edge_height(Passes::at_any_phase, teeth, feed, tip) < 1 + 1.15 * (most - 1));
+      CHECK(edge_height(PassPhase::at_any_phase, teeth, feed, tip) < 1 + 1.15 * (most - 1));
     }
 }
 

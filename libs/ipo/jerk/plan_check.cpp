@@ -9,20 +9,21 @@
 namespace softcnc::ipo {
 namespace {
 
-/// Rows are promised to a little more.
-constexpr double kJerkAllowed = 1.0045, kAccelerationAllowed = 1.0007, kCapAllowed = 1.0004;
-constexpr double kPassingAllowed = 1.0012;  // of a place: its constraints keep more free
-constexpr double kFirmAllowed = 1 + 1e-7;   // rounding of a cap that holds everywhere
-constexpr int kInstants = 4;                // beside the first, or one a row up to
-constexpr int kMostInstants = 16;           // so many
-constexpr Used kTooMuch{kUnlimited, 0};     // no motion ahead
+/// The constraints allow a little more.
+constexpr double kJerkAllowed = 1.0045, kAccelerationAllowed = 1.0007, kVelocityAllowed = 1.0004;
+constexpr double kPassingAllowed =
+    1.0012;  // of the limit at a place: its constraints keep more free
+constexpr double kStrictAllowed = 1 + 1e-7;  // rounding of a strict velocity limit
+constexpr int kInstants = 4;                 // beside the first, or one per sample, up to
+constexpr int kMostInstants = 16;            // this many
+constexpr Used kTooMuch{kUnlimited, 0};      // the motion does not go forward
 
 double most(const AxisVector& values, const AxisVector& limits) noexcept {
   return values.cwiseAbs().cwiseQuotient(limits).maxCoeff();
 }
 
-double used_rows(const PlanSpan& span, const Inside& inside, const PathPoint& x, const Instant& at,
-                 const JumpLoad& load) noexcept {
+double used_constraints(const PlanSpan& span, const Inside& inside, const PathPoint& x,
+                        const Instant& at, const CurvatureJumpLoad& load) noexcept {
   const double q = at.v * at.v;
   const AxisVector jerk = x.dddq * (q * at.v) + x.ddq * (3 * at.v * at.a) + x.dq * at.j;
   const AxisVector acceleration = x.ddq * q + x.dq * at.a;
@@ -35,14 +36,14 @@ double used_rows(const PlanSpan& span, const Inside& inside, const PathPoint& x,
                   pushed / (kAccelerationAllowed * span.share * inside.share));
 }
 
-/// One a row. The duration of a plan that went wrong may not be a number.
+/// Returns one instant per sample. The duration of a plan that went wrong may not be a number.
 int instants_on(const Ramp& ramp, double period) noexcept {
-  const double rows = ramp.duration / period;
-  return static_cast<int>(std::fmin(std::fmax(rows, kInstants), kMostInstants));
+  const double samples = ramp.duration / period;
+  return static_cast<int>(std::fmin(std::fmax(samples, kInstants), kMostInstants));
 }
 
-/// Of a ramp that begins at `t` s of its plan.
-Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap, double t,
+/// Evaluates a ramp that begins at `t` s of its plan.
+Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double max_q, double t,
              PassedJumps& jumps) {
   const Quintic motion = quintic(ramp);
   const int instants = instants_on(ramp, span.constraints.fine_period());
@@ -58,21 +59,22 @@ Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap, 
         interval.straight()
             ? interval.left
             : softcnc::at(*interval.path, at.s, k < instants ? Side::after : Side::before);
-    used.rows =
-        std::max(used.rows, used_rows(span, span.chain.inside[i], point, at, jumps.at(t + passed)));
+    used.constraints =
+        std::max(used.constraints,
+                 used_constraints(span, span.chain.inside[i], point, at, jumps.at(t + passed)));
     const double q = at.v * at.v;
-    used.cap =
-        std::max({used.cap, q / (kCapAllowed * cap), q / (kPassingAllowed * interval.cap_at(at.s)),
-                  q / (kFirmAllowed * interval.most_at(at.s))});
+    used.velocity = std::max({used.velocity, q / (kVelocityAllowed * max_q),
+                              q / (kPassingAllowed * interval.limit_at(at.s)),
+                              q / (kStrictAllowed * interval.strict_q_at(at.s))});
   }
   return used;
 }
 
 }  // namespace
 
-Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap) {
+Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double max_q) {
   PassedJumps none;
-  return used_by(span, i, ramp, cap, 0, none);
+  return used_by(span, i, ramp, max_q, 0, none);
 }
 
 std::vector<Used> used_by(const PlanSpan& span, const std::vector<PlanNode>& nodes,
@@ -82,7 +84,7 @@ std::vector<Used> used_by(const PlanSpan& span, const std::vector<PlanNode>& nod
   all.reserve(ramps.size());
   double t = 0;
   for (std::size_t p = 0; p < ramps.size(); ++p) {
-    all.push_back(used_by(span, nodes[p].interval, ramps[p], problem.cap_between(p), t, jumps));
+    all.push_back(used_by(span, nodes[p].interval, ramps[p], problem.limit_between(p), t, jumps));
     t += ramps[p].duration;
   }
   return all;

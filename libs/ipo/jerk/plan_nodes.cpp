@@ -11,8 +11,8 @@ namespace softcnc::ipo {
 namespace {
 
 constexpr double kTurn = 0.06;          // rad between two nodes
-constexpr double kCapChange = 0.04;     // of a roughness, between two nodes
-constexpr double kGrading = 0.15;       // how fast that spacing may change along the way
+constexpr double kLimitChange = 0.04;   // of a roughness limit, between two nodes
+constexpr double kGrading = 0.15;       // how fast that spacing may change along the path
 constexpr double kShortestTime = 0.35;  // periods: what turns faster is not resolved
 constexpr double kFeltJump = 0.05;      // of the axis jerk
 constexpr double kSame = 1e-9;          // relative: derivatives that do not jump
@@ -27,34 +27,39 @@ bool is_joint(const PlanSpan& span, std::size_t node) noexcept {
          !same(before.right.ddq, after.left.ddq) || !same(before.right.dddq, after.left.dddq);
 }
 
-/// mm: so far beside a joint at which x'' jumps the jump is felt most, and a node is to be; 0 where
-/// it hardly counts.
+/// Returns how far, mm, beside a joint at which x'' jumps that matters most, so that a node is to
+/// be there; 0 where it hardly counts.
 double jump_step(const PlanSpan& span, std::size_t joint) noexcept {
   const Node& node = span.chain.nodes[joint];
-  if (!node.passes_bend()) return 0;
+  if (!node.passes_curvature_jump()) return 0;
   const double period = span.constraints.fine_period();
   const double used =
-      node.bend.cwiseAbs().cwiseQuotient(span.constraints.jerk_limits()).maxCoeff() * node.cap.q;
-  return used > kFeltJump * period ? (kJumpFlat + kJumpNearer) * period * std::sqrt(node.cap.q) : 0;
+      node.curvature_jump.cwiseAbs().cwiseQuotient(span.constraints.jerk_limits()).maxCoeff() *
+      node.velocity_limit.q;
+  return used > kFeltJump * period
+             ? (kJumpFlat + kJumpNearer) * period * std::sqrt(node.velocity_limit.q)
+             : 0;
 }
 
-/// The cap of a roughness has steep flanks where the way is level.
-double cap_spacing(const Interval& in) noexcept {
-  const Cap &left = in.left_cap, &right = in.right_cap;
+/// Returns the spacing that the steep flanks of a roughness limit require where the path is level.
+double limit_spacing(const Interval& in) noexcept {
+  const VelocityLimit &left = in.left_limit, &right = in.right_limit;
   const double change = std::abs(right.q - left.q);
   if (left.limit != Limit::roughness && right.limit != Limit::roughness) return kUnlimited;
-  return change > 0 ? kCapChange * std::min(left.q, right.q) * in.length() / change : kUnlimited;
+  return change > 0 ? kLimitChange * std::min(left.q, right.q) * in.length() / change : kUnlimited;
 }
 
-/// The spacing that the bends of the path and its caps ask for, at the nodes of the chain.
-class BendSpacing {
+/// The spacing that the curvature of the path and its velocity limits require, at the nodes of the
+/// chain.
+class CurvatureSpacing {
  public:
-  explicit BendSpacing(const PlanSpan& span) : span_(span), h_(span.last - span.first + 1, 0.0) {
+  explicit CurvatureSpacing(const PlanSpan& span)
+      : span_(span), h_(span.last - span.first + 1, 0.0) {
     std::fill(h_.begin(), h_.end(), kUnlimited);
     for (std::size_t i = span.first; i < span.last; ++i) {
       const Interval& in = span.interval(i);
       const double h =
-          std::min(kTurn / std::max(in.left.ddq.norm(), in.right.ddq.norm()), cap_spacing(in));
+          std::min(kTurn / std::max(in.left.ddq.norm(), in.right.ddq.norm()), limit_spacing(in));
       at(i) = std::min(at(i), h);
       at(i + 1) = std::min(at(i + 1), h);
     }
@@ -82,7 +87,7 @@ class NodePlacement {
   NodePlacement(const PlanSpan& span, const SpeedGuess& guess, double from)
       : span_(span),
         guess_(guess),
-        bends_(span),
+        curvature_spacing_(span),
         shortest_(kShortestTime * span.constraints.fine_period()),
         nodes_{{span.first, from, false}},
         interval_(span.first),
@@ -114,7 +119,8 @@ class NodePlacement {
 
  private:
   double spacing(std::size_t i, double s) const noexcept {
-    return std::min(guess_.spacing(s), std::max(bends_(i, s), shortest_ * guess_.speed(s)));
+    return std::min(guess_.spacing(s),
+                    std::max(curvature_spacing_(i, s), shortest_ * guess_.speed(s)));
   }
 
   void fill_to(std::size_t joint, double end) {
@@ -140,7 +146,7 @@ class NodePlacement {
 
   const PlanSpan& span_;
   const SpeedGuess& guess_;
-  const BendSpacing bends_;
+  const CurvatureSpacing curvature_spacing_;
   const double shortest_;
   std::vector<PlanNode> nodes_;
   std::size_t interval_;  // of the chain, where the last node lies

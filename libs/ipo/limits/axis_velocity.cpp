@@ -38,7 +38,7 @@ class AxisVelocity final : public Constraint {
     return move.rapid ? Limit::rapid : Limit::axis_velocity;
   }
 
-  double cap(const PathPoint& point, const Move& move) const noexcept override {
+  double velocity_limit(const PathPoint& point, const Move& move) const noexcept override {
     double v = kUnlimited;
     for (int i = 0; i < kAxes; ++i)
       if (point.dq[i] != 0) v = std::min(v, velocity_[i] / std::abs(point.dq[i]));

@@ -19,7 +19,7 @@ class ChordError final : public Constraint {
   Limit limit(const Move&) const noexcept override { return Limit::chord; }
   bool holds_over_steps() const noexcept override { return true; }
 
-  double cap(const PathPoint& point, const Move&) const noexcept override {
+  double velocity_limit(const PathPoint& point, const Move&) const noexcept override {
     const double v = chord_step(point.ddq.norm(), tolerance_) / period_;
     return v * v;
   }

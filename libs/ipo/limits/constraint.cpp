@@ -23,19 +23,19 @@ Constraints::Constraints(const Machine& machine, double feed_override)
     : period_(machine.control.period),
       fine_period_(softcnc::fine_period(machine.control)),
       chord_tolerance_(machine.control.chord_tolerance) {
-  caps_.push_back(make_feed_limit(machine, feed_override));
-  caps_.push_back(make_axis_velocity(machine));
+  velocity_limits_.push_back(make_feed_limit(machine, feed_override));
+  velocity_limits_.push_back(make_axis_velocity(machine));
   // The three-point method of paper 000 limits the chord error itself, at run time; pulses follow
   // the path between the rows.
   const Method method = machine.control.interpolation;
   if (is_by_pulses(method))
-    caps_.push_back(make_pulse_rate(machine));
+    velocity_limits_.push_back(make_pulse_rate(machine));
   else if (method != Method::curvature3p)
-    caps_.push_back(make_chord_error(machine));
-  caps_.push_back(make_roughness_limit(machine));
-  if (machine.limits.normal > 0) caps_.push_back(make_normal_acceleration(machine));
+    velocity_limits_.push_back(make_chord_error(machine));
+  velocity_limits_.push_back(make_roughness_limit(machine));
+  if (machine.limits.normal > 0) velocity_limits_.push_back(make_normal_acceleration(machine));
   if (machine.limits.tangential > 0) tangential_ = machine.limits.tangential;
-  sort_caps();
+  sort_limits();
   for (int i = 0; i < kAxes; ++i) {
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
     acceleration_[i] = axis.present ? axis.acceleration : kUnlimited;
@@ -43,7 +43,8 @@ Constraints::Constraints(const Machine& machine, double feed_override)
   }
   const bool by_paper =  // which knows acceleration alone
       is_by_pulses(method) && machine.control.pulse_clock == PulseClock::paper;
-  bend_ = machine.limits.normal > 0 ? acceleration_.cwiseMin(machine.limits.normal) : acceleration_;
+  centripetal_ =
+      machine.limits.normal > 0 ? acceleration_.cwiseMin(machine.limits.normal) : acceleration_;
   jerk_ = jerk_.cwiseMin(2 * acceleration_ / fine_period_);
   if (by_paper || !ipo::limits_jerk(machine)) jerk_.setConstant(kUnlimited);
 }
@@ -56,15 +57,15 @@ bool limits_jerk(const Machine& machine) noexcept {
 }
 
 void Constraints::set_feed_override(const Machine& machine, double feed_override) {
-  caps_.front() = make_feed_limit(machine, feed_override);
-  sort_caps();
+  velocity_limits_.front() = make_feed_limit(machine, feed_override);
+  sort_limits();
 }
 
-void Constraints::sort_caps() {
-  for (auto* list : {&step_caps_, &point_caps_, &firm_caps_}) list->clear();
-  for (const auto& constraint : caps_) {
-    (constraint->holds_over_steps() ? step_caps_ : point_caps_).push_back(constraint.get());
-    if (constraint->holds_everywhere()) firm_caps_.push_back(constraint.get());
+void Constraints::sort_limits() {
+  for (auto* list : {&step_limits_, &point_limits_, &strict_limits_}) list->clear();
+  for (const auto& constraint : velocity_limits_) {
+    (constraint->holds_over_steps() ? step_limits_ : point_limits_).push_back(constraint.get());
+    if (constraint->holds_everywhere()) strict_limits_.push_back(constraint.get());
   }
 }
 

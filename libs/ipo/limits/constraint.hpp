@@ -43,7 +43,7 @@ class Constraint {
   virtual Limit limit(const Move& move) const noexcept = 0;
 
   /// Upper bound on q = v^2 at this point, mm^2/s^2.
-  virtual double cap(const PathPoint&, const Move&) const noexcept { return kUnlimited; }
+  virtual double velocity_limit(const PathPoint&, const Move&) const noexcept { return kUnlimited; }
 
   /// True if the cap holds for every period's step that touches the point: the step, not only the
   /// point, then keeps it.
@@ -74,16 +74,18 @@ class Constraints {
   /// Counts for what is asked from now on.
   void set_feed_override(const Machine& machine, double feed_override);
   /// The one of `caps` that the feed override multiplies.
-  const Constraint& feed() const noexcept { return *caps_.front(); }
+  const Constraint& feed() const noexcept { return *velocity_limits_.front(); }
 
-  const std::vector<std::unique_ptr<Constraint>>& caps() const noexcept { return caps_; }
+  const std::vector<std::unique_ptr<Constraint>>& velocity_limits() const noexcept {
+    return velocity_limits_;
+  }
 
   /// Those that hold over steps, and those that hold at points alone.
-  const std::vector<const Constraint*>& step_caps() const noexcept { return step_caps_; }
-  const std::vector<const Constraint*>& point_caps() const noexcept { return point_caps_; }
+  const std::vector<const Constraint*>& step_limits() const noexcept { return step_limits_; }
+  const std::vector<const Constraint*>& point_limits() const noexcept { return point_limits_; }
 
   /// Those that hold everywhere.
-  const std::vector<const Constraint*>& firm_caps() const noexcept { return firm_caps_; }
+  const std::vector<const Constraint*>& strict_limits() const noexcept { return strict_limits_; }
 
   /// No q is larger than what all axes together can turn: n . x'' q <= sum |n| A.
   double centripetal_q(const PathPoint& point) const noexcept;
@@ -106,7 +108,7 @@ class Constraints {
   /// Of the speed along the path, mm/s^2.
   double tangential_limit() const noexcept { return tangential_; }
   /// What x'' q may be on an axis, mm/s^2.
-  const AxisVector& bend_limits() const noexcept { return bend_; }
+  const AxisVector& centripetal_limits() const noexcept { return centripetal_; }
   /// What to call an acceleration limit that binds, where the path acceleration is u and `share` of
   /// the limits may be used.
   Limit binding_acceleration(double u, double share) const noexcept;
@@ -120,11 +122,11 @@ class Constraints {
   double chord_tolerance() const noexcept { return chord_tolerance_; }
 
  private:
-  void sort_caps();
+  void sort_limits();
 
-  std::vector<std::unique_ptr<Constraint>> caps_;
-  std::vector<const Constraint*> step_caps_, point_caps_, firm_caps_;
-  AxisVector acceleration_, jerk_, bend_;
+  std::vector<std::unique_ptr<Constraint>> velocity_limits_;
+  std::vector<const Constraint*> step_limits_, point_limits_, strict_limits_;
+  AxisVector acceleration_, jerk_, centripetal_;
   double tangential_ = kUnlimited;
   double period_, fine_period_, chord_tolerance_;
 };

@@ -15,7 +15,7 @@ class FeedLimit final : public Constraint {
     return override_of(move) < 1 ? Limit::override_ : Limit::feed;
   }
 
-  double cap(const PathPoint&, const Move& move) const noexcept override {
+  double velocity_limit(const PathPoint&, const Move& move) const noexcept override {
     if (move.rapid) return kUnlimited;
     const double v = std::min(move.feed * override_of(move), machine_feed_);
     return v * v;

@@ -15,7 +15,7 @@ class NormalAcceleration final : public Constraint {
 
   Limit limit(const Move&) const noexcept override { return Limit::normal; }
 
-  double cap(const PathPoint& point, const Move&) const noexcept override {
+  double velocity_limit(const PathPoint& point, const Move&) const noexcept override {
     const double curvature = point.ddq.norm();
     return curvature > 0 ? limit_ / curvature : kUnlimited;
   }

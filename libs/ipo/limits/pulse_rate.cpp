@@ -20,7 +20,7 @@ class PulseRate final : public Constraint {
 
   Limit limit(const Move&) const noexcept override { return Limit::pulse_rate; }
 
-  double cap(const PathPoint& point, const Move&) const noexcept override {
+  double velocity_limit(const PathPoint& point, const Move&) const noexcept override {
     double v = rate_ / clocks(point.dq.cwiseAbs().cwiseQuotient(blu_));
     if (!point.ddq.isZero(0)) v *= 1 - kCurveMargin;
     return v * v;

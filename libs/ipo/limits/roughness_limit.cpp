@@ -12,7 +12,7 @@ namespace {
 constexpr double kNear = 0.04, kFar = 0.2;
 
 /// How much more the marks of a valley may grow from node to node.
-constexpr double kBendChange = 0.1;
+constexpr double kCurvatureChange = 0.1;
 
 class RoughnessLimit final : public Constraint {
  public:
@@ -22,7 +22,7 @@ class RoughnessLimit final : public Constraint {
 
   bool holds_everywhere() const noexcept override { return true; }
 
-  double cap(const PathPoint& point, const Move& move) const noexcept override {
+  double velocity_limit(const PathPoint& point, const Move& move) const noexcept override {
     if (!limits(move)) return kUnlimited;
     const Surface& surface = *move.surface;
     const double v = surface.tooth_rate() * largest_feed_per_tooth(model_, surface, point);
@@ -51,7 +51,7 @@ class RoughnessLimit final : public Constraint {
     const double before = hollow_curvature(left.dq, left.ddq, slope);
     const double after = hollow_curvature(right.dq, right.ddq, slope);
     const double gentler = 1 / surface.tool_radius + std::min(before, after);
-    return std::abs(after - before) <= kBendChange * gentler;
+    return std::abs(after - before) <= kCurvatureChange * gentler;
   }
 
   RoughnessModel model_;

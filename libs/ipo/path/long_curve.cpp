@@ -8,7 +8,8 @@
 namespace softcnc::ipo {
 namespace {
 
-/// Of a path from `begin` on: at the end of a span, or of the path where little would be left.
+/// Returns where a part that starts at `begin` ends: at the end of a span, or of the path where
+/// little would be left.
 double end_of_stretch(const Path& path, double begin) {
   const auto joints = breaks(path);
   const auto next = std::upper_bound(joints.begin(), joints.end(), begin);
@@ -26,7 +27,7 @@ bool is_long_curve(const Piece& piece) noexcept {
 Piece next_stretch(const Piece& curve, double& begin) {
   const Move& whole = std::get<Move>(curve.block.what);
   const double end = end_of_stretch(whole.path, begin);
-  Move part = make_move(section(whole.path, begin, end), manner_of(whole));
+  Move part = make_move(section(whole.path, begin, end), attributes_of(whole));
   const bool is_last = end >= length(whole.path);
   part.path_mode = is_last ? whole.path_mode : PathMode::follow;
   part.unknown_axes = whole.unknown_axes;

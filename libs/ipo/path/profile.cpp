@@ -64,7 +64,7 @@ Profile Profile::first(std::size_t count) const {
   return part;
 }
 
-Profile Profile::behind(std::size_t count) const {
+Profile Profile::after(std::size_t count) const {
   Profile rest;
   for (std::size_t i = count; i < pieces_.size(); ++i) rest.add(pieces_[i]);
   return rest;
@@ -123,7 +123,7 @@ double Profile::time_at(double s) const noexcept {
   const Quintic& curve = after->curve;
   if (curve.c3 != 0 || curve.c4 != 0 || curve.c5 != 0) return after->t0 + time_to(*after, s);
   const double ds = std::max(s - curve.s0, 0.0);
-  // Root of ds = v0 tau + a tau^2 / 2 that does not cancel.
+  // The root of ds = v0 tau + a tau^2 / 2 in the form that does not cancel.
   const double root = std::sqrt(std::max(curve.v0 * curve.v0 + 2 * curve.a0 * ds, 0.0));
   const double sum = curve.v0 + root;
   return after->t0 + (sum > 0 ? std::min(2 * ds / sum, after->duration) : 0.0);

@@ -4,14 +4,16 @@
 #include <algorithm>
 
 #include "ipo/jerk/plan_problem.hpp"
+#include "ipo/planner/make_window.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
 constexpr double kResolution = 1e-3;  // mm
-constexpr double kRounding = 1e-6;    // of a way
+constexpr double kRounding = 1e-6;    // of a distance
 
-/// Fills the window with the moves of all blocks; its front is `s` mm inside the first not passed.
+/// Fills the window with the moves of all blocks; its front is `s` mm inside the first one not
+/// passed.
 void append_moves(Window& window, const BlocksAround& around, double s) {
   std::size_t passed = 0;
   RestBefore rest;
@@ -62,7 +64,7 @@ double longest_stop(const State& now, const Constraints& constraints,
                     const Directions& directions) noexcept {
   const double a = std::max(now.a, 0.0), j = directions.least(constraints.jerk_limits());
   const double v = now.v + 0.5 * a * a / j;
-  return (way_to_fastest({now.v, now.a}, j) + stopping_distance(v, constraints, directions)) *
+  return (distance_to_fastest({now.v, now.a}, j) + stopping_distance(v, constraints, directions)) *
          (1 + kRounding);
 }
 

@@ -9,7 +9,7 @@
 namespace softcnc::ipo {
 namespace {
 
-/// Clocks for each BLU along an axis: SAM drops one of every three there.
+/// Returns the clocks for each BLU along an axis: SAM drops one of every three there.
 double clocks_per_blu(PulseMethod method) noexcept {
   return method == PulseMethod::sam ? 1.5 : 1.0;
 }

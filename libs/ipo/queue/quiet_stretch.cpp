@@ -9,12 +9,12 @@
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kPart = 0.25;     // of a limit: more may rise above it between the instants
+constexpr double kPart = 0.25;     // of a limit: values may be higher between the instants
 constexpr double kDrawn = 0.1;     // of the chord tolerance
-constexpr double kFewPeriods = 8;  // a shorter piece is not worth the look
+constexpr double kFewPeriods = 8;  // a shorter piece is not worth examining
 constexpr int kInstants = 4;       // beside the first
 
-/// What the rows of a piece ask of the machine.
+/// What the samples of a piece require of the machine.
 class PieceLook {
  public:
   PieceLook(const Path& path, const Machine& machine)
@@ -35,7 +35,7 @@ class PieceLook {
     return true;
   }
 
-  /// s between two rows that still draw the piece.
+  /// Returns the time, s, between two samples that still draw the piece.
   double step() const noexcept {
     return fastest_ > 0
                ? chord_step(curvature_, kDrawn * machine_.control.chord_tolerance) / fastest_
@@ -43,8 +43,8 @@ class PieceLook {
   }
 
  private:
-  /// A third difference is no more than two second ones, a second one no more than the second
-  /// derivative anywhere within its periods.
+  /// A third difference is at most two second ones, and a second one at most the second derivative
+  /// anywhere within its periods.
   bool keeps(const PathPoint& point, const Instant& now) noexcept {
     const double q = now.v * now.v;
     const AxisVector acceleration =
@@ -65,7 +65,7 @@ class PieceLook {
            kappa * step * step / 8 <= kPart * machine_.control.chord_tolerance;
   }
 
-  /// A jump of the direction is felt as an acceleration within one period.
+  /// A jump of the direction appears as an acceleration within one period.
   bool jumps(const AxisVector& direction, double v) const noexcept {
     if (last_direction_.isZero()) return false;
     const AxisVector felt = (direction - last_direction_).cwiseAbs() * (v / fine_period_);
@@ -81,7 +81,7 @@ class PieceLook {
 
   const Path& path_;
   const Machine& machine_;
-  double period_, fine_period_;  // s: between rows, between differences
+  double period_, fine_period_;  // s: between samples, between differences
   double curvature_ = 0, fastest_ = 0;
   AxisVector last_direction_ = AxisVector::Zero();
 };

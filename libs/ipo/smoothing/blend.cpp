@@ -2,15 +2,16 @@
 //
 // The curve is a Bezier curve of degree 5. At an end with position p, tangent t and curvature
 // vector k, a cut d away from the joint along the path, its first control points are p, p + 0.4 d t
-// and p + 0.8 d t + 5/4 (0.4 d)^2 k: by that its curvature there is k. Along a straight line these
+// and p + 0.8 d t + 5/4 (0.4 d)^2 k, which makes its curvature there k. Along a straight line these
 // points are evenly spaced, so that the curve begins as if nothing were ahead.
 //
 // Between two lines at an angle its middle is 3/16 d |t1 - t0| from the joint. In general each of
-// its points has a place of its own on the paths: that which comes as early in the cut, moved along
-// the tangent to be nearer. What lies between the two is an upper bound both of the curve from the
-// paths and of the paths from the curve, since the places move over all of the cut, but for what
-// lies around the joint: that is no further from the middle than the joint is. The bound is
-// sampled, what it may rise to between samples added by its second differences, and d found by it.
+// its points is compared with a point of the paths: the one at the same part of the cut, moved
+// along the tangent to be nearer. The distance between the two is an upper bound of the distance of
+// the curve from the paths and of the paths from the curve, since the points cover all of the cut,
+// except for what lies around the joint: that is no further from the middle than the joint is. The
+// bound is sampled, what it may rise to between samples is added from its second differences, and d
+// is found with it.
 #include "ipo/smoothing/blend.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kReach = 0.4;            // of d: first control point
+constexpr double kFirstControl = 0.4;     // of d: first control point
 constexpr double kShortest = 1e-5;        // mm
 constexpr double kMostTurn = 0.6;         // rad: of a path within d
 constexpr int kTurnSamples = 8;           // where it is looked for
@@ -36,7 +37,7 @@ struct Cut {
 };
 
 std::array<AxisVector, 3> end_points(const PathPoint& end, double d, double direction) {
-  const double reach = kReach * d;
+  const double reach = kFirstControl * d;
   const AxisVector along = direction * reach * end.dq;
   return {end.q, end.q + along, end.q + 2 * along + 1.25 * reach * reach * end.ddq};
 }
@@ -51,7 +52,7 @@ class Fit {
     return {a[0], a[1], a[2], b[2], b[1], b[0]};
   }
 
-  /// mm, at most.
+  /// Returns an upper bound of the deviation, mm.
   double deviation(const Cut& cut) const {
     const auto points = control(cut);
     const double corner = (bezier(points, 0.5) - position(joint_.before, length_)).norm();
@@ -59,7 +60,8 @@ class Fit {
                      highest({&joint_.after, 0, cut.after}, points, 0.5)});
   }
 
-  /// The paths turn little within the cut, and have no more knots there than samples can see.
+  /// Whether the paths turn little within the cut, and have no more knots there than the samples
+  /// can see.
   bool is_tame(const Cut& cut) const {
     return is_tame(Portion{&joint_.before, length_ - cut.before, length_}) &&
            is_tame(Portion{&joint_.after, 0, cut.after});
@@ -92,7 +94,7 @@ class Fit {
     return points[0];
   }
 
-  /// Of the half of the curve that begins at t0, from its places in the portion.
+  /// Returns the bound for the half of the curve that begins at t0, from its points in the portion.
   static double highest(const Portion& portion, const std::array<AxisVector, 6>& points,
                         double t0) {
     std::array<AxisVector, kSamples + 1> off;
@@ -100,15 +102,15 @@ class Fit {
       const double part = static_cast<double>(i) / kSamples;
       off[i] = from_place(portion, bezier(points, t0 + 0.5 * part), part);
     }
-    std::array<double, kSamples + 1> bend{};
+    std::array<double, kSamples + 1> second{};
     for (std::size_t i = 1; i < kSamples; ++i)
-      bend[i] = (off[i - 1] - 2 * off[i] + off[i + 1]).norm();
-    bend.front() = bend[1];
-    bend.back() = bend[kSamples - 1];
+      second[i] = (off[i - 1] - 2 * off[i] + off[i + 1]).norm();
+    second.front() = second[1];
+    second.back() = second[kSamples - 1];
     double largest = 0;
     for (std::size_t i = 0; i < kSamples; ++i)
       largest = std::max(largest, std::max(off[i].norm(), off[i + 1].norm()) +
-                                      kRise * std::max(bend[i], bend[i + 1]));
+                                      kRise * std::max(second[i], second[i + 1]));
     return largest;
   }
 
@@ -123,18 +125,18 @@ class Fit {
   double length_;
 };
 
-/// Both cuts as long as each other.
+/// Cuts both paths by the same length.
 Cut even(double d) { return {d, d}; }
 
-/// The longest cut whose deviation is within the tolerance, by regula falsi on its logarithm: the
-/// deviation grows like d at a corner, and like d squared where only the curvature jumps.
-struct Found {
+/// Finds the longest cut whose deviation is within the tolerance, by regula falsi on its logarithm:
+/// the deviation grows like d at a corner, and like d squared where only the curvature jumps.
+struct LongestCut {
   double cut, deviation;
 };
-std::optional<Found> longest_cut(const Fit& fit, double most, double tolerance) {
+std::optional<LongestCut> longest_cut(const Fit& fit, double most, double tolerance) {
   double d = most;
   while (!fit.is_tame(even(d)) && d > kShortest) d *= 0.5;
-  Found good{0, 0};
+  LongestCut good{0, 0};
   double bad = d;
   for (int i = 0; i < kRounds && d > kShortest; ++i) {
     const double off = fit.deviation(even(d));
@@ -161,7 +163,7 @@ NurbsSpec bezier_spec(const std::array<AxisVector, 6>& control, double width) {
 
 }  // namespace
 
-Jump jump(const Path& before, const Path& after) noexcept {
+JointJump joint_jump(const Path& before, const Path& after) noexcept {
   const PathPoint a = at(before, length(before), Side::before);
   const PathPoint b = at(after, 0, Side::after);
   return {(b.dq - a.dq).norm(), (b.ddq - a.ddq).norm()};

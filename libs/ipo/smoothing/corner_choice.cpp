@@ -7,8 +7,8 @@
 namespace softcnc::ipo {
 namespace {
 
-// Measured on corners between long lines: parts of length over speed that the passage takes, and
-// the periods that rows of a short curve cost beside.
+// Measured on corners between long lines: the parts of length over speed that the passage takes,
+// and the periods that the samples of a short curve cost in addition.
 constexpr double kByAcceleration = 0.6, kByJerk = 0.4;
 constexpr double kPeriods = 2;
 
@@ -31,7 +31,7 @@ CornerChoice::CornerChoice(const Machine& machine)
   }
 }
 
-/// mm/s: beside the corner.
+/// Returns the highest speed beside the corner, mm/s.
 double CornerChoice::fastest(const RoundedCorner& corner) const noexcept {
   return std::min({corner.feed, corner.feed < kUnlimited ? feed_ : kUnlimited,
                    along(velocity_, corner.tangent)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A list that takes little memory however long it is: the most of it stands in a file.
+// A vector that takes little memory however long it is: most of it is in a temporary file.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace softcnc {
 
-/// A temporary file without a name that grows, and is then read like memory.
+/// A temporary file without a name that grows, and is then mapped into memory.
 class OverflowFile {
  public:
   OverflowFile() = default;
@@ -23,15 +23,15 @@ class OverflowFile {
 
   /// Errors: SC6003.
   Status add(std::span<const std::byte> bytes);
-  /// Over what has been added at `place`. Errors: SC6003.
+  /// Overwrites what has been added at `place`. Errors: SC6003.
   Status put(std::size_t place, std::span<const std::byte> bytes);
-  /// Nothing may be added behind it. Errors: SC6003.
+  /// Maps the file; nothing may be added afterwards. Errors: SC6003.
   Status map();
 
   bool is_open() const noexcept { return descriptor_ >= 0; }
   int descriptor() const noexcept { return descriptor_; }
   std::span<const std::byte> bytes() const noexcept { return {data_, mapped_}; }
-  /// Gives back what has been read of it: it can be read again.
+  /// Releases the memory of what has been read; it can be read again.
   void release() const noexcept;
 
  private:
@@ -40,24 +40,25 @@ class OverflowFile {
   const std::byte* data_ = nullptr;
 };
 
-/// Grows, is finished, and is then read.
+/// A vector that grows, is finished, and is then read.
 template <typename T>
 class DiskBackedVector {
   static_assert(std::is_trivially_destructible_v<T> && std::is_standard_layout_v<T>,
                 "bytes in a file own nothing");
 
  public:
-  /// `most`: values that are kept in memory.
+  /// `most` is the number of values that are kept in memory.
   explicit DiskBackedVector(std::size_t most = (std::size_t{1} << 24) / sizeof(T)) : most_(most) {}
 
-  /// Errors: SC6003, on which nothing more is kept.
+  /// Errors: SC6003, after which nothing more is kept.
   void push_back(const T& value) {
     if (last_.size() >= most_) overflow();
     last_.push_back(value);
   }
   std::size_t size() const noexcept { return stored_ + last_.size(); }
 
-  /// Call once; from then on values() are there. Errors: SC6003, of this or an earlier call.
+  /// Ends the growth; must be called once before values(). Errors: SC6003, of this or an earlier
+  /// call.
   Status finish() {
     if (stored_ == 0) return failure_;
     overflow();
@@ -65,7 +66,7 @@ class DiskBackedVector {
     return failure_;
   }
 
-  /// Whether all is kept.
+  /// Whether everything has been kept.
   const Status& kept() const noexcept { return failure_; }
 
   std::span<const T> values() const noexcept {

@@ -39,7 +39,7 @@ void SharpestTurn::add(const CubicPiece& piece) {
   was_rapid_ = piece.origin.rapid;
 }
 
-/// How much of a joint belongs to a bend.
+/// Returns how much of a joint counts as a curve.
 double SharpestTurn::joint(double angle) noexcept {
   if (angle < kCorner) return angle;
   corner_ = std::max(corner_, std::sin(angle));

@@ -36,7 +36,7 @@ void StaircaseError::period(const Setpoint& before, const Setpoint& now,
   }
 }
 
-/// At a joint the place may be nearer to the path before it or after it.
+/// At a joint the position may be nearer to the path before it or after it.
 void StaircaseError::add(const AxisVector& place, double s,
                          std::span<const PathStretch> stretches) noexcept {
   const PathStretch* here = &stretch_at(stretches, s);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines that turn by less than a corner: what rows feel of them, and how fast they are run exactly.
-#include "ipo/path/corner_load.hpp"
+#include "ipo/path/tangent_jump_load.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -59,8 +59,9 @@ Lines random_lines(std::mt19937& random, int count, double longest, double turn,
 }
 
 /// What the kinks around corner `n` of the lines ask for.
-ipo::KinkLoad load_around(const Lines& lines, std::size_t n, double acceleration, double cut) {
-  ipo::KinkLoad load(AxisVector::Constant(acceleration), cut, kPeriod);
+ipo::TangentJumpLoad load_around(const Lines& lines, std::size_t n, double acceleration,
+                                 double cut) {
+  ipo::TangentJumpLoad load(AxisVector::Constant(acceleration), cut, kPeriod);
   for (std::size_t i = 1; i + 1 < lines.points.size(); ++i) {
     const AxisVector jump = lines.direction(i) - lines.direction(i - 1);
     load.add(std::abs(lines.ways[i] - lines.ways[n]), jump.cwiseAbs(), jump.norm());
@@ -105,7 +106,7 @@ TEST_CASE("second differences of rows at one speed are no larger than what kinks
 }
 
 TEST_CASE("one kink shows as its jump of velocity over one period", "[ipo][kink]") {
-  ipo::KinkLoad load(AxisVector::Constant(1e3), 1, kPeriod);
+  ipo::TangentJumpLoad load(AxisVector::Constant(1e3), 1, kPeriod);
   load.add(0, {0, 0.005, 0}, 0.005);
   CHECK(load.at(100)[1] == Approx(0.005 * 100 / kPeriod).epsilon(1e-12));
   CHECK(load.fastest(1e4) == Approx(1e3 * kPeriod / 0.005).epsilon(1e-8));
@@ -114,7 +115,7 @@ TEST_CASE("one kink shows as its jump of velocity over one period", "[ipo][kink]
 
 TEST_CASE("kinks close together show as the circle they lie on", "[ipo][kink]") {
   constexpr double kRadius = 20, kChord = 1e-3;
-  ipo::KinkLoad load(AxisVector::Constant(1e3), 1, kPeriod);
+  ipo::TangentJumpLoad load(AxisVector::Constant(1e3), 1, kPeriod);
   for (int i = -400; i <= 400; ++i)
     load.add(kChord * std::abs(i), {kChord / kRadius, 0, 0}, kChord / kRadius);
   CHECK(load.at(100)[0] == Approx(100 * 100 / kRadius).epsilon(1e-3));

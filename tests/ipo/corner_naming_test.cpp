@@ -103,12 +103,12 @@ TEST_CASE("rows at a rest say stop, and those of its ramps corner", "[ipo][rest-
   int corners = 0;
   for (const Setpoint& row : result.rows) {
     constexpr double kRamp = 50.0 * 50 / 2000, kRounding = 1e-6;  // mm
-    const double way = std::abs(row.s - 40);
+    const double distance = std::abs(row.s - 40);
     if (row.limit == Limit::corner) {
       ++corners;
-      CHECK(way < kRamp + kRounding);
+      CHECK(distance < kRamp + kRounding);
     } else if (row.v > 0) {
-      CHECK(way > kRamp - kRounding);
+      CHECK(distance > kRamp - kRounding);
     }
   }
   CHECK(corners > 90);
