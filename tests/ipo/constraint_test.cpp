@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/constraints.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
+
+#include "ipo/limits/chord_error.hpp"
 
 using namespace softcnc;
 using namespace softcnc::ipo;

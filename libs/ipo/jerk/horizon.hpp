@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/machine_limits.hpp"
 
 namespace softcnc::ipo {
 

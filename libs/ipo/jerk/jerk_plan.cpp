@@ -232,7 +232,7 @@ class JerkPlan {
 
 /// Less than a^2 / 2J of speed is left before the acceleration is zero.
 bool stands_still(const PlanSpan& span, const Motion& motion) noexcept {
-  const double jerk = along(span.constraints.jerk_limits(), span.interval(span.first).left.dq);
+  const double jerk = along(span.constraints.limits().jerk, span.interval(span.first).left.dq);
   return motion.a < 0 && motion.v < kHopeless * motion.a * motion.a / (2 * jerk);
 }
 
@@ -255,7 +255,7 @@ std::vector<Ramp> creep(const PlanSpan& span) {
   const double v = kCreep * std::sqrt(q);
   const Directions directions = interval.directions();
   const double a = kCreep * constraints.least_u(directions);
-  const double j = kCreep * directions.least(constraints.jerk_limits());
+  const double j = kCreep * directions.least(constraints.limits().jerk);
   const double d = std::max({15.0 / 8 * h / v, std::sqrt(5.7735 * h / a), std::cbrt(60 * h / j)});
   Ramp ramp{interval.s0, interval.s1, d, 0, 0, 0, 0, Limit::jerk};
   for (int i = 0; i < kMostSlower && !used_by(span, span.first, ramp, q).keeps(); ++i)

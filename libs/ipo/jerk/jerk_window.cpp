@@ -75,7 +75,8 @@ void JerkWindow::split_long_intervals(bool ended) {
         kLongest * stopping_distance(speed(bound), constraints_, interval.directions());
     const int parts =
         static_cast<int>(std::min(std::ceil(interval.length() / longest), kMostParts));
-    if (parts > 1) derived_to_ = std::min(derived_to_, chain_.felt_from(i, constraints_.period()));
+    if (parts > 1)
+      derived_to_ = std::min(derived_to_, chain_.felt_from(i, constraints_.limits().period));
     for (int k = 1; k < parts; ++k, ++i)
       chain_.split(i, interval.s0 + interval.length() * k / parts);
     split_to_ = chain_.nodes[i + 1].s;
@@ -339,7 +340,7 @@ std::optional<std::size_t> JerkWindow::rest_early(double resolution) {
   derive_all();
   const double all = first_rest() - chain_.nodes[front_].s;
   const PathPoint& here = chain_.intervals[front_].left;
-  const double a = constraints_.tangential_u(here);
+  const double a = constraints_.largest_u(here);
   const double shortest = std::max(resolution, kShortestStop * motion_.v * motion_.v / (2 * a));
   const auto tries_to = [shortest](double distance) {
     return static_cast<int>(
@@ -359,7 +360,7 @@ std::optional<std::size_t> JerkWindow::rest_early(double resolution) {
     return plan.has_value();
   };
   const int guess = tries_to(straight_stop(motion_, constraints_.straight_u(here.dq),
-                                           along(constraints_.jerk_limits(), here.dq)));
+                                           along(constraints_.limits().jerk, here.dq)));
   if (!bisect(guess, tries_to(all), stops_at)) return std::nullopt;
   return planned_.size();
 }

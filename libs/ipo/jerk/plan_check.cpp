@@ -18,22 +18,20 @@ constexpr int kInstants = 4;                 // beside the first, or one per sam
 constexpr int kMostInstants = 16;            // this many
 constexpr Used kTooMuch{kUnlimited, 0};      // the motion does not go forward
 
-double most(const AxisVector& values, const AxisVector& limits) noexcept {
-  return values.cwiseAbs().cwiseQuotient(limits).maxCoeff();
-}
-
 double used_constraints(const PlanSpan& span, const Inside& inside, const PathPoint& x,
                         const Instant& at, const CurvatureJumpLoad& load) noexcept {
   const double q = at.v * at.v;
-  const AxisVector jerk = x.dddq * (q * at.v) + x.ddq * (3 * at.v * at.a) + x.dq * at.j;
-  const AxisVector acceleration = x.ddq * q + x.dq * at.a;
-  const Constraints& limits = span.constraints;
-  const double pushed = std::max(most(acceleration, limits.acceleration_limits()),
-                                 std::abs(at.a) / limits.tangential_limit());
-  const AxisVector most_jerk = limits.jerk_limits().cwiseProduct(inside.jerk_share);
-  const AxisVector used = (jerk + load.above).cwiseMax(load.below - jerk);
-  return std::max(most(used, most_jerk) / (kJerkAllowed * span.share),
-                  pushed / (kAccelerationAllowed * span.share * inside.share));
+  double acceleration = 0, jerk = 0;
+  for (const Inequality& limit : span.constraints.accelerations(x))
+    acceleration = std::max(acceleration, std::abs(limit.ddx * q + limit.dx * at.a) / limit.bound);
+  for (const Inequality& limit : span.constraints.jerks(x)) {
+    const int axis = limit.axis;
+    const double own = limit.dddx * (q * at.v) + limit.ddx * (3 * at.v * at.a) + limit.dx * at.j;
+    const double used = std::max(own + load.above[axis], load.below[axis] - own);
+    jerk = std::max(jerk, std::abs(used) / (limit.bound * inside.jerk_share[axis]));
+  }
+  return std::max(jerk / (kJerkAllowed * span.share),
+                  acceleration / (kAccelerationAllowed * span.share * inside.share));
 }
 
 /// Returns one instant per sample. The duration of a plan that went wrong may not be a number.
@@ -46,7 +44,7 @@ int instants_on(const Ramp& ramp, double period) noexcept {
 Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double max_q, double t,
              PassedJumps& jumps) {
   const Quintic motion = quintic(ramp);
-  const int instants = instants_on(ramp, span.constraints.fine_period());
+  const int instants = instants_on(ramp, span.constraints.limits().fine_period);
   Used used;
   for (int k = 0; k <= instants; ++k) {
     const double passed = ramp.duration * k / instants;

@@ -8,7 +8,7 @@ namespace softcnc::ipo {
 namespace {
 
 double felt_time(const PlanSpan& span) noexcept {
-  return kJumpPeriods * span.constraints.fine_period();
+  return kJumpPeriods * span.constraints.limits().fine_period;
 }
 
 /// Returns a distance, mm: nothing that passes the joint is further away while the jump matters.
@@ -21,7 +21,7 @@ double farthest(const PlanSpan& span, const CurvatureJump& jump) noexcept {
 double fewest_periods(const PlanSpan& span, const CurvatureJump& jump, double distance) noexcept {
   const double v = jump.fastest;
   return 2 * distance / (v + std::sqrt(v * v + 2 * jump.most_u * distance)) /
-         span.constraints.fine_period();
+         span.constraints.limits().fine_period;
 }
 
 CurvatureJump jump_at(const PlanSpan& span, std::size_t n) noexcept {
@@ -63,7 +63,7 @@ std::vector<CurvatureJumpLoad> curvature_jump_loads(const PlanSpan& span,
       const double periods = fewest_periods(span, jump, std::abs(node->s - jump.s));
       const double weight = jump_weight(std::max(periods - kJumpNearer, 0.0));
       loads[static_cast<std::size_t>(node - nodes.begin())].add(
-          jump.ddq * (weight / span.constraints.fine_period()));
+          jump.ddq * (weight / span.constraints.limits().fine_period));
     }
   }
   return loads;
@@ -71,7 +71,7 @@ std::vector<CurvatureJumpLoad> curvature_jump_loads(const PlanSpan& span,
 
 PassedJumps::PassedJumps(const PlanSpan& span, const std::vector<CurvatureJump>& jumps,
                          double start_s, const SpeedSquare& start, const std::vector<Ramp>& ramps)
-    : period_(span.constraints.fine_period()) {
+    : period_(span.constraints.limits().fine_period) {
   passed_.reserve(jumps.size());
   double t = 0;
   std::size_t p = 0;

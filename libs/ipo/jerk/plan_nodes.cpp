@@ -32,9 +32,9 @@ bool is_joint(const PlanSpan& span, std::size_t node) noexcept {
 double jump_step(const PlanSpan& span, std::size_t joint) noexcept {
   const Node& node = span.chain.nodes[joint];
   if (!node.passes_curvature_jump()) return 0;
-  const double period = span.constraints.fine_period();
+  const double period = span.constraints.limits().fine_period;
   const double used =
-      node.curvature_jump.cwiseAbs().cwiseQuotient(span.constraints.jerk_limits()).maxCoeff() *
+      node.curvature_jump.cwiseAbs().cwiseQuotient(span.constraints.limits().jerk).maxCoeff() *
       node.velocity_limit.q;
   return used > kFeltJump * period
              ? (kJumpFlat + kJumpNearer) * period * std::sqrt(node.velocity_limit.q)
@@ -88,7 +88,7 @@ class NodePlacement {
       : span_(span),
         guess_(guess),
         curvature_spacing_(span),
-        shortest_(kShortestTime * span.constraints.fine_period()),
+        shortest_(kShortestTime * span.constraints.limits().fine_period),
         nodes_{{span.first, from, false}},
         interval_(span.first),
         begin_(from) {}

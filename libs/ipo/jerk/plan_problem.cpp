@@ -183,25 +183,30 @@ void PlanProblem::add_constraints(std::size_t p, const PathPoint& point, const I
                         (kAccelerationPart + first * (kFirstAccelerationPart - kAccelerationPart));
   const double j_part =
       span_.share * shares_[p].jerk * (kJerkPart + first * (kFirstJerkPart - kJerkPart));
-  const auto bound_acceleration = [&](double x1, double x2, double most) {
-    if (most == kUnlimited || is_first || is_last) return;
-    problem_.add_constraint({{x2, 0.5 * x1, 0.25 * right * x1}, a_part * most, false});
-    if (x2 != 0) problem_.add_constraint({{x2, 0.5 * x1, -0.25 * left * x1}, a_part * most, false});
+  const auto bound_acceleration = [&](const Inequality& limit) {
+    if (is_first || is_last) return;
+    const double dx = limit.dx, ddx = limit.ddx, most = a_part * limit.bound;
+    problem_.add_constraint({{ddx, 0.5 * dx, 0.25 * right * dx}, most, false});
+    if (ddx != 0) problem_.add_constraint({{ddx, 0.5 * dx, -0.25 * left * dx}, most, false});
   };
-  bound_acceleration(1, 0, span_.constraints.tangential_limit());
-  const AxisVector& jerk = span_.constraints.jerk_limits();
-  for (int i = 0; i < kAxes; ++i) {
-    const double x1 = point.dq[i], x2 = point.ddq[i], x3 = point.dddq[i];
-    if (x1 == 0 && x2 == 0 && x3 == 0) continue;
-    bound_acceleration(x1, x2, span_.constraints.acceleration_limits()[i]);
-    const double part = j_part * inside.jerk_share[i] * span_.jerk_part;
-    const double j = part * jerk[i];
-    if (j < kUnlimited)
-      problem_.add_constraint({{x3, 1.5 * x2, 0.5 * x1},
-                               j,
-                               true,
-                               part * loads_[p].above[i],
-                               part * loads_[p].below[i]});
+  const auto bound_jerk = [&](const Inequality& limit) {
+    const double part = j_part * inside.jerk_share[limit.axis] * span_.jerk_part;
+    problem_.add_constraint({{limit.dddx, 1.5 * limit.ddx, 0.5 * limit.dx},
+                             part * limit.bound,
+                             true,
+                             part * loads_[p].above[limit.axis],
+                             part * loads_[p].below[limit.axis]});
+  };
+  const auto is_at = [](int axis, const Inequality& limit) {
+    return limit.axis == axis && (limit.dx != 0 || limit.ddx != 0 || limit.dddx != 0);
+  };
+  const Inequalities accelerations = span_.constraints.accelerations(point);
+  const Inequalities jerks = span_.constraints.jerks(point);
+  for (int axis = Inequality::kPath; axis < kAxes; ++axis) {
+    for (const Inequality& limit : accelerations)
+      if (is_at(axis, limit)) bound_acceleration(limit);
+    for (const Inequality& limit : jerks)
+      if (is_at(axis, limit)) bound_jerk(limit);
   }
 }
 
@@ -239,7 +244,7 @@ double distance_to_fastest(const Motion& motion, double j) noexcept {
 double stopping_distance(double v, const Constraints& constraints,
                          const Directions& directions) noexcept {
   const double a = constraints.least_u(directions);
-  const double j = directions.least(constraints.jerk_limits());
+  const double j = directions.least(constraints.limits().jerk);
   return std::max(0.5 * v * (v / a + a / j), v * std::sqrt(v / j));
 }
 

@@ -24,7 +24,7 @@ struct PlanSpan {
   bool replans = false;  // begins where no plan was made to be continued
   double jerk_part = 1;  // of the axis jerks: what the plan aims at
 
-  AxisVector jerk_limits() const noexcept { return jerk_part * constraints.jerk_limits(); }
+  AxisVector jerk_limits() const noexcept { return jerk_part * constraints.limits().jerk; }
   double s(std::size_t node) const noexcept { return chain.nodes[node].s; }
   const Interval& interval(std::size_t i) const noexcept { return chain.intervals[i]; }
 

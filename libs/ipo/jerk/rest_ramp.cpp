@@ -41,8 +41,9 @@ RestRamp rest_ramp(const PlanSpan& span, std::size_t i, Side of_rest) noexcept {
   ramp.jerk = kJerkPart * std::min(span.share, 1.0) *
               std::min(inside.share, inside.jerk_share.minCoeff()) * limit;
   const double rise = acceleration / limit;
-  const double time = std::max(
-      kTimePart * rise, std::min(kPeriodPart * span.constraints.fine_period(), kMostPart * rise));
+  const double time =
+      std::max(kTimePart * rise,
+               std::min(kPeriodPart * span.constraints.limits().fine_period, kMostPart * rise));
   ramp.duration = std::min({time, std::cbrt(6 * kLengthPart * interval.length() / ramp.jerk),
                             std::sqrt(2 * kSpeedPart * std::sqrt(q) / ramp.jerk)});
   for (int k = 0; k < kMostShorter && !keeps(span, i, ramp, starts); ++k) ramp.duration *= kShorter;

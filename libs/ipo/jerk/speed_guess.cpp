@@ -28,8 +28,8 @@ double jerk_limited_q(const PathPoint& point, const AxisVector& jerk) noexcept {
 
 bool hardly_felt(const PathPoint& point, double v, const Constraints& constraints) noexcept {
   const AxisVector a = point.ddq.cwiseAbs() * (v * v), j = point.dddq.cwiseAbs() * (v * v * v);
-  return (a.array() <= kHardly * constraints.acceleration_limits().array()).all() &&
-         (j.array() <= kHardly * constraints.jerk_limits().array()).all();
+  return (a.array() <= kHardly * constraints.limits().acceleration.array()).all() &&
+         (j.array() <= kHardly * constraints.limits().jerk.array()).all();
 }
 
 /// Whether an axis moves along the path at all.
@@ -46,9 +46,9 @@ std::array<bool, kAxes> moving_axes(const PlanSpan& span) noexcept {
 /// Returns the shortest time, s, in which an axis that moves builds up its acceleration; one that
 /// can do so within a period is followed from sample to sample, or every n-th sample.
 double shortest_phase(const PlanSpan& span, double samples) noexcept {
-  const double period = span.constraints.fine_period();
+  const double period = span.constraints.limits().fine_period;
   const AxisVector times =
-      span.constraints.acceleration_limits().cwiseQuotient(span.constraints.jerk_limits());
+      span.constraints.limits().acceleration.cwiseQuotient(span.constraints.limits().jerk);
   const auto moving = moving_axes(span);
   double shortest = kUnlimited;
   for (int i = 0; i < kAxes; ++i)
@@ -62,7 +62,7 @@ double shortest_phase(const PlanSpan& span, double samples) noexcept {
 
 SpeedGuess::SpeedGuess(const PlanSpan& span, const PlacedMotion& start, const PlacedMotion& end)
     : from_(start.s), to_(end.s) {
-  shortest_ = kShortestTime * span.constraints.fine_period();
+  shortest_ = kShortestTime * span.constraints.limits().fine_period;
   std::vector<Cell> cells;
   for (std::size_t i = span.first; i < span.last; ++i) cells.push_back(cell(span, i));
   std::vector<Cell> mirrored(cells.rbegin(), cells.rend());

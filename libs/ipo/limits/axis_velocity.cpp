@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/constraints.hpp"
 
 namespace softcnc::ipo {
 namespace {

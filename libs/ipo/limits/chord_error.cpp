@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The chord error of paper 000: how long a period's step may be where the path curves.
+// The chord error of paper 000: how long a period's step may be where the path is curved.
+#include "ipo/limits/chord_error.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/constraints.hpp"
 
 namespace softcnc::ipo {
 namespace {
@@ -37,7 +39,12 @@ double chord_step(double kappa, double tolerance) noexcept {
 }
 
 std::unique_ptr<Constraint> make_chord_error(const Machine& machine) {
-  return std::make_unique<ChordError>(machine.control.chord_tolerance, machine.control.period);
+  const Control& control = machine.control;
+  // The three-point method of paper 000 limits the chord error itself, at run time; pulses follow
+  // the path between the samples.
+  if (is_by_pulses(control.interpolation) || control.interpolation == Method::curvature3p)
+    return nullptr;
+  return std::make_unique<ChordError>(control.chord_tolerance, control.period);
 }
 
 }  // namespace softcnc::ipo

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The programmed feed, with its override, and the machine's own bound on cutting moves.
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/constraints.hpp"
 
 namespace softcnc::ipo {
 namespace {

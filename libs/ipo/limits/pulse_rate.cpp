@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reference pulses: the clocks of a staircase come no faster than pulses may.
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/constraints.hpp"
 #include "motion/model/step_rate.hpp"
 
 namespace softcnc::ipo {
@@ -45,6 +45,7 @@ class PulseRate final : public Constraint {
 }  // namespace
 
 std::unique_ptr<Constraint> make_pulse_rate(const Machine& machine) {
+  if (!is_by_pulses(machine.control.interpolation)) return nullptr;
   return std::make_unique<PulseRate>(machine);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The roughness that a program asks for: feed per tooth x teeth x speed of the spindle (paper 004),
 // in planes of any kind, since the tool stands upright.
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/constraints.hpp"
 #include "motion/roughness/roughness.hpp"
 
 namespace softcnc::ipo {
@@ -20,7 +20,7 @@ class RoughnessLimit final : public Constraint {
 
   Limit limit(const Move&) const noexcept override { return Limit::roughness; }
 
-  bool holds_everywhere() const noexcept override { return true; }
+  bool is_strict() const noexcept override { return true; }
 
   double velocity_limit(const PathPoint& point, const Move& move) const noexcept override {
     if (!limits(move)) return kUnlimited;

@@ -22,12 +22,13 @@ IntervalConstraints::IntervalConstraints(const Interval& interval, const Constra
     return;
   }
   const double free = share * (1.0 - kCurveMargin);
-  if (constraints.tangential_limit() < kUnlimited) add(0, 1, constraints.tangential_limit() * free);
-  for (int i = 0; i < kAxes; ++i) {
-    const double bound = constraints.acceleration_limits()[i];
-    if (bound == kUnlimited) continue;
-    add(left.ddq[i], left.dq[i], bound * free);
-    add(right.ddq[i], right.dq[i] + 2 * length_ * right.ddq[i], bound * free);
+  const Inequalities at_left = constraints.accelerations(left);
+  const Inequalities at_right = constraints.accelerations(right);
+  for (std::size_t k = 0; k < at_left.size(); ++k) {
+    const Inequality &begin = at_left[k], &end = at_right[k];
+    add(begin.ddx, begin.dx, begin.bound * free);
+    if (begin.axis != Inequality::kPath)
+      add(end.ddx, end.dx + 2 * length_ * end.ddx, end.bound * free);
   }
 }
 
@@ -38,7 +39,7 @@ void IntervalConstraints::leave_to(const TangentJumpUse& jumps, const Interval& 
   if (jumps.part.isZero(0)) return;
   for (int i = 0; i < kAxes; ++i) {
     if (jumps.part[i] == 0 || interval.left.dq[i] == 0) continue;
-    const double all = share * constraints.acceleration_limits()[i] / std::abs(interval.left.dq[i]);
+    const double all = share * constraints.limits().acceleration[i] / std::abs(interval.left.dq[i]);
     const double slope = all * jumps.per_speed[i];
     falling_[falling_count_++] = {all - slope * jumps.gained, slope, all * (1 - jumps.part[i])};
   }

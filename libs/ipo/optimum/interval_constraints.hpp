@@ -50,7 +50,7 @@ class IntervalConstraints {
                 const Constraints& constraints, double share) noexcept;
   Edges edges(double q, const LinearBound& upper) const noexcept;
 
-  std::array<LinearBound, 2 * kAxes + 1> upper_;
+  std::array<LinearBound, 2 * Inequalities::kMost> upper_;
   std::size_t count_ = 0;
   double q_bound_ = kUnlimited;
   double length_, stopping_;  // u = stopping q leads to rest at the right end

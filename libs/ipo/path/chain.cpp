@@ -32,12 +32,12 @@ Halves cut(const Interval& interval, double s) {
 
 /// Returns how far, mm, the speed matters at which a tangent jump that stands alone may be passed.
 double step_over(const AxisVector& tangent_jump, const Constraints& constraints) {
-  const double period = constraints.fine_period();
+  const double period = constraints.limits().fine_period;
   const double by_acceleration =
-      period / tangent_jump.cwiseQuotient(constraints.acceleration_limits()).maxCoeff() * period;
+      period / tangent_jump.cwiseQuotient(constraints.limits().acceleration).maxCoeff() * period;
   if (!constraints.limits_jerk()) return kStraightTangentJumpShare * by_acceleration;
   const double by_jerk =
-      period * period / tangent_jump.cwiseQuotient(constraints.jerk_limits()).maxCoeff() * period;
+      period * period / tangent_jump.cwiseQuotient(constraints.limits().jerk).maxCoeff() * period;
   return std::min(kTangentJumpShare * by_acceleration,
                   kJerkSteps * kTangentJumpJerkShare * by_jerk);
 }
@@ -78,8 +78,9 @@ void Chain::append(const Move& move, const Constraints& constraints, RestBefore 
   if (nodes.empty()) nodes.emplace_back();
   const double whole = length(move.path);
   // What lies further ahead of the joint is not limited by it.
-  double felt =
-      intervals.empty() ? 0 : std::sqrt(intervals.back().right_limit.q) * constraints.period();
+  double felt = intervals.empty()
+                    ? 0
+                    : std::sqrt(intervals.back().right_limit.q) * constraints.limits().period;
   make_grid(move, constraints, grid_, [&](double s) {
     const double begin = grid_.front().s0;
     if (s < whole && s - begin < felt) return;
@@ -104,9 +105,9 @@ void Chain::split_at_cruise(const Constraints& constraints) {
   if (nodes[first].own.q > 0) return;
   const Interval& line = intervals[first];
   const double end = intervals.back().s1;
-  const double period_distance = std::sqrt(line.left_limit.q) * constraints.period();
+  const double period_distance = std::sqrt(line.left_limit.q) * constraints.limits().period;
   const double ramp = distance_to_cruise(line_limits(line, line.left_limit, constraints));
-  const double felt_from = ipo::felt_from(line, end, constraints.period());
+  const double felt_from = ipo::felt_from(line, end, constraints.limits().period);
   const double cruise_at = felt_from - ramp - period_distance;
   if (cruise_at <= ramp + kWorthwhile * period_distance) return;
   for (std::size_t i = first; i < intervals.size(); ++i) intervals[i].cruise_at = cruise_at;
@@ -136,7 +137,7 @@ void Chain::reserve_for(double more) {
 /// Adds the first of `ahead`; the others are those that are known to follow it.
 void Chain::add(std::span<const Interval> ahead, const Constraints& constraints, RestBefore rest) {
   const Interval& interval = ahead.front();
-  const double period = constraints.period();
+  const double period = constraints.limits().period;
   double step = kUnlimited;
   if (!intervals.empty()) {
     Interval& before = intervals.back();
@@ -151,7 +152,7 @@ void Chain::add(std::span<const Interval> ahead, const Constraints& constraints,
       joint.tangent_jump = jump.cwiseAbs();
       if (turn > kTangentTolerance) rest = rest.value_or(Limit::corner);
       const double tangent_jump_step =
-          std::min({4 * kTurnShare * constraints.chord_tolerance() / turn,
+          std::min({4 * kTurnShare * constraints.limits().chord_tolerance / turn,
                     std::sqrt(std::max(before.right_limit.q, interval.left_limit.q)) * period,
                     step_over(joint.tangent_jump, constraints)});
       back = std::min(back, tangent_jump_step);
@@ -186,10 +187,10 @@ double Chain::note_curvature_jump(const Interval& before, const Interval& interv
       kSameCurvature * (interval.left.ddq.norm() + before.right.ddq.norm()))
     return kUnlimited;
   nodes.back().curvature_jump = jump;
-  const double period = constraints.fine_period();
+  const double period = constraints.limits().fine_period;
   const double fastest = std::max(before.right_limit.q, interval.left_limit.q);
   const double passed =
-      period / jump.cwiseAbs().cwiseQuotient(constraints.jerk_limits()).maxCoeff();
+      period / jump.cwiseAbs().cwiseQuotient(constraints.limits().jerk).maxCoeff();
   return 0.5 * kJerkSteps * period * std::sqrt(std::min(fastest, passed));
 }
 

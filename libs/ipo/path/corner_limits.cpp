@@ -23,8 +23,8 @@ class CornerLimits {
       : chain_(chain),
         constraints_(constraints),
         times_(times),
-        period_(constraints.period()),
-        fine_period_(constraints.fine_period()) {}
+        period_(constraints.limits().period),
+        fine_period_(constraints.limits().fine_period) {}
 
   void apply(std::size_t first) {
     for (std::size_t n = std::max<std::size_t>(first, 1); n + 1 < chain_.nodes.size(); ++n)
@@ -82,7 +82,7 @@ class CornerLimits {
 
   /// What the polyline through the samples may cut off a corner, mm.
   double cut_allowed(std::size_t n) const {
-    return constraints_.chord_tolerance() * (1 - kMargin) *
+    return constraints_.limits().chord_tolerance * (1 - kMargin) *
            (shares_its_step(chain_, n, period_) ? kTurnShare : 1.0);
   }
 
@@ -113,7 +113,7 @@ class CornerLimits {
 
   void pass_tangent_jump(std::size_t n) {
     const double planned = std::sqrt(chain_.own_limit(n).q);
-    TangentJumpLoad load(kStraightTangentJumpShare * constraints_.acceleration_limits(), kUnlimited,
+    TangentJumpLoad load(kStraightTangentJumpShare * constraints_.limits().acceleration, kUnlimited,
                          fine_period_);
     add_tangent_jumps(n, fine_period_, planned, load);
     TangentJumpLoad cuts(AxisVector::Constant(kUnlimited), cut_allowed(n), period_);
@@ -121,7 +121,7 @@ class CornerLimits {
     const double by_load = load.fastest(planned), by_cut = cuts.fastest(planned);
     slow_down(n, planned, {{by_load * by_load, Limit::corner}, 1}, by_cut);
     const double v = std::min(by_load, by_cut);
-    const AxisVector used = load.at(v).cwiseQuotient(constraints_.acceleration_limits());
+    const AxisVector used = load.at(v).cwiseQuotient(constraints_.limits().acceleration);
     const double time = kTangentJumpPeriods * fine_period_;
     const double gained = time * constraints_.most_u(chain_.directions_around(n, time));
     chain_.for_intervals_in_step(n, time, [&](std::size_t i) {
@@ -201,7 +201,7 @@ class CornerLimits {
   double farthest(std::size_t n, double v, double time) const {
     constexpr double kCurved = 2;  // what curvature adds to the jerk along the path, and more
     const Directions around = chain_.directions_around(n, time);
-    const double jerk = kCurved * around.most(constraints_.jerk_limits());
+    const double jerk = kCurved * around.most(constraints_.limits().jerk);
     const double acceleration =
         std::min(constraints_.most_u(around), std::sqrt(2 * jerk * v) + jerk * time / 3);
     return (v + 0.5 * acceleration * time) * time;
@@ -234,7 +234,7 @@ class CornerLimits {
       if (node.passes_tangent_jump()) tangent_jump += node.tangent_jump;
     });
     load.acceleration = (tangent_jump * v / fine_period_)
-                            .cwiseQuotient(constraints_.acceleration_limits())
+                            .cwiseQuotient(constraints_.limits().acceleration)
                             .maxCoeff();
     if (!constraints_.limits_jerk()) return load;
     AxisVector tangent_jumps = AxisVector::Zero();
@@ -245,7 +245,7 @@ class CornerLimits {
       load.joints += node.passes_tangent_jump() || node.passes_curvature_jump() ? 1 : 0;
       load.tangent_jump = load.tangent_jump || node.passes_tangent_jump();
     });
-    const AxisVector& jerk = constraints_.jerk_limits();
+    const AxisVector& jerk = constraints_.limits().jerk;
     load.tangent_jump_jerk =
         (tangent_jumps * v / (fine_period_ * fine_period_)).cwiseQuotient(jerk);
     const AxisVector curvature_jump_jerk =

@@ -57,7 +57,7 @@ Look look_at(const PathPoint& point, const Move& move, const Constraints& constr
     if (const double q = constraint->velocity_limit(point, move); q < look.asked.q)
       look.asked = {q, constraint->limit(move)};
   look.limit = look.asked;
-  look.limit.lower_to({constraints.centripetal_q(point), Limit::acceleration});
+  look.limit.lower_to({constraints.largest_q(point), Limit::acceleration});
   return look;
 }
 
@@ -118,7 +118,8 @@ bool is_rough(const Move& move) { return move.surface && move.surface->tooth_rat
 
 /// Returns a length, mm, below which a third difference over samples sees almost no jerk.
 double unfelt(const Constraints& constraints, const Directions& directions) {
-  return kUnfelt * directions.least(constraints.jerk_limits()) * std::pow(constraints.period(), 3);
+  return kUnfelt * directions.least(constraints.limits().jerk) *
+         std::pow(constraints.limits().period, 3);
 }
 
 /// Splits intervals until the constraints are nearly linear on each.
@@ -132,7 +133,7 @@ class Refiner {
         evenly_(!is_rough(move) && !constraints.limits_jerk()) {
     Directions directions;
     directions.add(move.path);
-    acceleration_ = directions.most(constraints.acceleration_limits());
+    acceleration_ = directions.most(constraints.limits().acceleration);
     gain_ = 2 * constraints.most_u(directions);
     shortest_ = std::min(kShortest, std::max(kLeastShortest, unfelt(constraints, directions)));
     highest_q_ = look(0, Side::after).asked.q;
@@ -278,11 +279,12 @@ class Refiner {
   /// to the highest speed spans four intervals or more, unless it takes only a few periods.
   bool follows_ramps(const Subinterval& whole) const {
     const double to_end = std::min(whole.s0 - start_, end_ - whole.s1);
-    if (whole.length() <= std::max(to_end, 0.25 * std::sqrt(highest_q_) * constraints_.period()))
+    if (whole.length() <=
+        std::max(to_end, 0.25 * std::sqrt(highest_q_) * constraints_.limits().period))
       return true;
     Directions directions;
     directions.add(whole.left.point, whole.right.point, whole.length());
-    const double ramp = highest_q_ / (2 * directions.least(constraints_.acceleration_limits()));
+    const double ramp = highest_q_ / (2 * directions.least(constraints_.limits().acceleration));
     return whole.length() <= 0.25 * ramp;
   }
 
@@ -291,7 +293,7 @@ class Refiner {
     const auto [lower, upper] =
         std::minmax({whole.left.of_step.q, mid.of_step.q, whole.right.of_step.q});
     if (lower >= whole.left.limit.q) return true;
-    const double step = std::sqrt(lower) * constraints_.period();
+    const double step = std::sqrt(lower) * constraints_.limits().period;
     return upper <= lower * (1 + kEvenSteps) || whole.length() <= step / kStepParts;
   }
 
@@ -348,7 +350,7 @@ class Refiner {
   /// Returns what the middle may require beyond the mean of the ends where q falls as x'' grows:
   /// the mean of their products is not the product of their means.
   double off_braking(const Subinterval& whole, const Look& middle) const {
-    const double fall = 2 * constraints_.tangential_u(middle.point) * whole.length();
+    const double fall = 2 * constraints_.largest_u(middle.point) * whole.length();
     const AxisVector rise = (whole.right.point.ddq - whole.left.point.ddq).cwiseAbs();
     return 0.25 * fall * rise.cwiseQuotient(constraints_.centripetal_limits()).maxCoeff();
   }
@@ -361,7 +363,7 @@ class Refiner {
     const AxisVector& a = constraints_.centripetal_limits();
     const AxisVector curvature = mid.ddq - half * (left.ddq + right.ddq);
     const AxisVector turn = mid.dq - half * (left.dq + right.dq);
-    const double u = constraints_.tangential_u(mid);
+    const double u = constraints_.largest_u(mid);
     double most = 0;
     for (int i = 0; i < kAxes; ++i)
       if (curvature[i] != 0 || turn[i] != 0)
@@ -388,10 +390,10 @@ class Refiner {
 /// limits this requires that the line begins at rest: Chain::append().
 std::vector<double> line_nodes(const Interval& whole, const Constraints& constraints) {
   const double top = whole.left_limit.q;
-  const double period_distance = std::sqrt(top) * constraints.period();
-  const double felt = felt_from(whole, whole.s1, constraints.period());
+  const double period_distance = std::sqrt(top) * constraints.limits().period;
+  const double felt = felt_from(whole, whole.s1, constraints.limits().period);
   if (constraints.limits_jerk() || felt <= kWorthwhile * period_distance) return {};
-  const double braking = top / (2 * constraints.tangential_u(whole.left)) + period_distance;
+  const double braking = top / (2 * constraints.largest_u(whole.left)) + period_distance;
   return {std::max(felt - braking, 0.5 * felt), felt};
 }
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/constraints.hpp"
 #include "motion/model/block.hpp"
 
 namespace softcnc::ipo {

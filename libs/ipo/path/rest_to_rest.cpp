@@ -93,7 +93,7 @@ Ramp cruise(double s0, double s1, double v, Limit limit) {
 LineLimits line_limits(const Interval& line, const VelocityLimit& bound,
                        const Constraints& constraints) {
   return {std::sqrt(bound.q) * (1 - kRounding), constraints.straight_u(line.left.dq),
-          along(constraints.jerk_limits(), line.left.dq)};
+          along(constraints.limits().jerk, line.left.dq)};
 }
 
 std::vector<Ramp> rest_to_rest(double s0, double s1, const LineLimits& limits, Limit cruising) {

@@ -17,7 +17,7 @@ namespace {
 class VelocityLimitDerivation {
  public:
   VelocityLimitDerivation(Chain& chain, const Constraints& constraints)
-      : chain_(chain), constraints_(constraints), period_(constraints.period()) {}
+      : chain_(chain), constraints_(constraints), period_(constraints.limits().period) {}
 
   void run(std::size_t first) {
     reset(first);

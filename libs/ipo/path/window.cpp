@@ -50,7 +50,7 @@ void Window::skip(std::size_t moves, double s) {
 }
 
 std::size_t Window::last_final_limit() const noexcept {
-  return std::max(front_, chain_.felt_from(chain_.nodes.size() - 1, constraints_.period()));
+  return std::max(front_, chain_.felt_from(chain_.nodes.size() - 1, constraints_.limits().period));
 }
 
 std::span<const Interval> Window::last_move() const noexcept {
@@ -96,7 +96,7 @@ bool Window::drop_front() {
 
 Window::Turn Window::front_turn() const noexcept {
   if (!chain_.nodes[front_].turns()) return {false, false, {}};
-  const double period = constraints_.period();
+  const double period = constraints_.limits().period;
   return {true, shares_its_step(chain_, front_, period), chain_.directions_around(front_, period)};
 }
 
@@ -104,7 +104,7 @@ Window::Turn Window::front_turn() const noexcept {
 /// is almost nothing, it is looked for again when twice as much has been passed.
 void Window::forget() {
   std::size_t keep = front_;
-  for (int i = 0; i < 3; ++i) keep = chain_.felt_from(keep, constraints_.period());
+  for (int i = 0; i < 3; ++i) keep = chain_.felt_from(keep, constraints_.limits().period);
   chain_.drop_front(keep);
   front_ -= keep;
   derived_to_ -= std::min(derived_to_, keep);

@@ -190,18 +190,19 @@ bool Planner::settle() {
 void Planner::rest_at_turn(Profile& profile) {
   const Window::Turn turn = window_->front_turn();
   if (!turn.turns) return;
-  const double period = constraints_.period();
+  const double period = constraints_.limits().period;
   const double t = t_ + profile.duration();
   const double sample_before = sample_at(t, period);
   const double nearest = std::min(t - sample_before, sample_before + period - t);
   const double cut = 0.5 * constraints_.most_u(turn.directions) * nearest * nearest;
-  const double allowed = constraints_.chord_tolerance() * (turn.shares_its_step ? kTurnShare : 1);
+  const double allowed =
+      constraints_.limits().chord_tolerance * (turn.shares_its_step ? kTurnShare : 1);
   if (cut > allowed || last_rest_ > sample_before) profile.add_rest(sample_before + period - t);
   last_rest_ = t;
 }
 
 void Planner::rest_until_sample(Profile& profile) {
-  const double period = constraints_.period();
+  const double period = constraints_.limits().period;
   const double t = t_ + profile.duration();
   profile.add_rest(sample_at(t, period) + period - t);
   last_rest_ = t;

@@ -62,7 +62,7 @@ StopPlan plan_stop(const Constraints& constraints, const BlocksAround& around, c
 
 double longest_stop(const State& now, const Constraints& constraints,
                     const Directions& directions) noexcept {
-  const double a = std::max(now.a, 0.0), j = directions.least(constraints.jerk_limits());
+  const double a = std::max(now.a, 0.0), j = directions.least(constraints.limits().jerk);
   const double v = now.v + 0.5 * a * a / j;
   return (distance_to_fastest({now.v, now.a}, j) + stopping_distance(v, constraints, directions)) *
          (1 + kRounding);

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/constraints.hpp"
 #include "ipo/path/window.hpp"
 #include "ipo/queue/block_queue.hpp"
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/chord_error.hpp"
+#include "ipo/limits/machine_limits.hpp"
 
 namespace softcnc::ipo {
 namespace {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ipo/limits/chord_error.hpp"
+
 namespace softcnc::ipo {
 namespace {
 

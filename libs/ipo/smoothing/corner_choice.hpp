@@ -8,7 +8,7 @@
 // feed.
 #pragma once
 
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/machine_limits.hpp"
 #include "motion/model/machine.hpp"
 
 namespace softcnc::ipo {

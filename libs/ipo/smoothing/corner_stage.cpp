@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/machine_limits.hpp"
 #include "motion/geometry/section.hpp"
 
 namespace softcnc::ipo {
