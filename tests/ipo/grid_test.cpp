@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "ipo/tuning.hpp"
 #include "support/curves.hpp"
 
 using namespace softcnc;
@@ -20,7 +21,7 @@ std::vector<Interval> grid_of(const Machine& machine, const Path& path, double f
 
 TEST_CASE("derivatives between two nodes are as good as linear", "[grid]") {
   const Machine machine;
-  const AxisVector limits = Constraints(machine, 1).acceleration_limits();
+  const AxisVector limits = Constraints(machine, 1).limits().acceleration;
   const Path path = test::curve("butterfly");
   const auto grid = grid_of(machine, path, 100);
   // No machine is faster at an interval than this, since it is as slow as the caps around ask for.
@@ -39,7 +40,7 @@ TEST_CASE("derivatives between two nodes are as good as linear", "[grid]") {
       worst = std::max(worst, off.cwiseAbs().cwiseQuotient(limits).maxCoeff());
     }
   }
-  CHECK(worst < 2 * kGridTolerance);  // checked by the grid at the middle, here between
+  CHECK(worst < 2 * tuning::grid::kTolerance);  // checked by the grid at the middle, here between
   CHECK(worst > 0);
 }
 
@@ -58,7 +59,7 @@ TEST_CASE("a swing to and fro about the middle of a span is not overlooked", "[g
     const PathPoint exact = at(path, interval.s0 + 0.5 * interval.length());
     const AxisVector off = exact.ddq - 0.5 * (interval.left.ddq + interval.right.ddq);
     const double slower = std::min({interval.left_limit.q, interval.right_limit.q, q});
-    CHECK((off * slower).norm() < 2 * kGridTolerance * acceleration);
+    CHECK((off * slower).norm() < 2 * tuning::grid::kTolerance * acceleration);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "ipo/tuning.hpp"
 #include "motion/geometry/spline.hpp"
 #include "support/run.hpp"
 #include "support/sanitized.hpp"
@@ -54,7 +55,7 @@ TEST_CASE("the stretches of a long curve are all of it, end to end", "[ipo][long
   while (begin < length(whole)) {
     const ipo::Piece part = ipo::next_stretch(curve, begin);
     const Move& move = std::get<Move>(part.block.what);
-    CHECK(breaks(move.path).size() <= 2 * ipo::kSpansOfStretch);
+    CHECK(breaks(move.path).size() <= 2 * ipo::tuning::path::kSpansOfPart);
     CHECK(start(move.path) == reached);
     CHECK((at(move.path, 0).dq - direction).norm() < 1e-9);
     CHECK(part.block.source.line == 7);

@@ -178,8 +178,8 @@ TEST_CASE("the most points a spline may have are one curve", "[motion][spline]")
 }
 
 TEST_CASE("fewer than two points are no spline", "[motion][spline][code]") {
-  CHECK(refusal({}) == "2350: a spline through 0 points");
-  CHECK(refusal({{1, 2, 3}}) == "2350: a spline through 1 point");
+  CHECK(refusal({}) == "2350: a spline through 0 points; it needs at least two");
+  CHECK(refusal({{1, 2, 3}}) == "2350: a spline through 1 point; it needs at least two");
 }
 
 TEST_CASE("two points in a row that are one are refused by number", "[motion][spline][code]") {

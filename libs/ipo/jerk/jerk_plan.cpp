@@ -10,19 +10,10 @@
 #include "ipo/jerk/plan_problem.hpp"
 #include "ipo/jerk/rest_ramp.hpp"
 #include "ipo/jerk/speed_guess.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-constexpr int kMostRounds = 6;
-constexpr double kTightest = 0.8;  // in one round
-constexpr double kTighten = 1.2;   // of the excess
-constexpr double kHopeless = 1.1;
-constexpr double kCreep = 1.0 / 3;       // of each limit
-constexpr std::size_t kAroundLimit = 8;  // nodes
-constexpr int kMostSlower = 30;          // doublings of the duration
-constexpr double kKept = 0.7;            // of the path that the last plan had left
-constexpr int kSetUp = 10;  // iterations: the cost of setting up and checking a problem
 
 class JerkPlan {
  public:
@@ -46,7 +37,7 @@ class JerkPlan {
     const SpeedGuess guess(span_, {from, start}, {to, motion(end_ramp_)});
     const auto given = to_begin_with(from, to);
     nodes_ = place_nodes(span_, guess, from, to, cut_, given);
-    if (nodes_.size() > kMostNodes) return std::nullopt;
+    if (nodes_.size() > tuning::nodes::kMost) return std::nullopt;
     work_left_ = bound_.part * (bound_.left + bound_.per_second * about_to_last(guess));
     shares_.assign(nodes_.size(), {});
     for (const PlanNode& node : nodes_) begin_at_.push_back(std::pow(guess.speed(node.s), 2));
@@ -55,7 +46,7 @@ class JerkPlan {
       begin_at_[k + 1] = given[k].q;
     }
     const PlanEnds ends{{start.v * start.v, 2 * start.a, 0}, end_ramp_.square(-1), !from_rest_};
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < tuning::plan::kMostRounds; ++round) {
       const int most = iterations_left();
       if (most <= 0) return std::nullopt;
       const PlanProblem problem(span_, nodes_, ends, shares_);
@@ -85,11 +76,12 @@ class JerkPlan {
 
   int iterations_left() const noexcept {
     const double iterations = work_left_ / static_cast<double>(nodes_.size());
-    return static_cast<int>(std::min(iterations, 1e6)) - kSetUp;
+    return static_cast<int>(std::min(iterations, 1e6)) - tuning::plan::kSetUp;
   }
 
   void count(int iterations) noexcept {
-    const std::size_t work = nodes_.size() * static_cast<std::size_t>(iterations + kSetUp);
+    const std::size_t work =
+        nodes_.size() * static_cast<std::size_t>(iterations + tuning::plan::kSetUp);
     effort_.nodes += nodes_.size();
     effort_.iterations += static_cast<std::size_t>(iterations);
     effort_.work += work;
@@ -103,7 +95,8 @@ class JerkPlan {
   /// Returns the nodes of the last plan, except for the part of its tail that is about to end.
   std::span<const ProvenNode> to_begin_with(double from, double to) const noexcept {
     if (from_rest_ || last_.empty()) return {};
-    const double end = std::min({from + kKept * (last_.back().s - from), to, span_.s(cut_)});
+    const double end =
+        std::min({from + tuning::plan::kKept * (last_.back().s - from), to, span_.s(cut_)});
     const auto first = std::partition_point(
         last_.begin(), last_.end(), [from](const ProvenNode& node) { return node.s <= from; });
     const auto stop = std::partition_point(first, last_.end(),
@@ -130,8 +123,10 @@ class JerkPlan {
       for (std::size_t k = p > 0 ? p - 1 : 0; k <= p + 1 && k + 1 < nodes_.size(); ++k)
         marked[k] = true;
       for (const std::size_t k : {p, p + 1}) {
-        shares_[k].jerk *= std::clamp(1 - kTighten * (used[p].constraints - 1), kTightest, 1.0);
-        shares_[k].velocity *= std::clamp(1 - kTighten * (used[p].velocity - 1), kTightest, 1.0);
+        shares_[k].jerk *= std::clamp(1 - tuning::plan::kTighten * (used[p].constraints - 1),
+                                      tuning::plan::kTightest, 1.0);
+        shares_[k].velocity *= std::clamp(1 - tuning::plan::kTighten * (used[p].velocity - 1),
+                                          tuning::plan::kTightest, 1.0);
       }
     }
     hold_velocities(used);
@@ -155,8 +150,8 @@ class JerkPlan {
   void hold_velocities(const std::vector<Used>& used) {
     for (std::size_t p = 0; p + 1 < nodes_.size(); ++p) {
       if (!(used[p].velocity > 1)) continue;
-      const std::size_t end = std::min(p + kAroundLimit + 2, nodes_.size());
-      for (std::size_t k = p - std::min(p, kAroundLimit); k < end; ++k)
+      const std::size_t end = std::min(p + tuning::plan::kAroundLimit + 2, nodes_.size());
+      for (std::size_t k = p - std::min(p, tuning::plan::kAroundLimit); k < end; ++k)
         shares_[k].holds_velocity = true;
     }
   }
@@ -233,7 +228,7 @@ class JerkPlan {
 /// Less than a^2 / 2J of speed is left before the acceleration is zero.
 bool stands_still(const PlanSpan& span, const Motion& motion) noexcept {
   const double jerk = along(span.constraints.limits().jerk, span.interval(span.first).left.dq);
-  return motion.a < 0 && motion.v < kHopeless * motion.a * motion.a / (2 * jerk);
+  return motion.a < 0 && motion.v < tuning::plan::kHopeless * motion.a * motion.a / (2 * jerk);
 }
 
 std::optional<Plan> plan_to_rest(const PlanSpan& span, std::size_t cut, const Motion& start,
@@ -252,13 +247,13 @@ std::vector<Ramp> creep(const PlanSpan& span) {
   for (const std::size_t n : {span.first, span.first + 1})
     if (span.chain.nodes[n].velocity_limit.q > 0)
       q = std::min(q, span.chain.nodes[n].velocity_limit.q);
-  const double v = kCreep * std::sqrt(q);
+  const double v = tuning::plan::kCreep * std::sqrt(q);
   const Directions directions = interval.directions();
-  const double a = kCreep * constraints.least_u(directions);
-  const double j = kCreep * directions.least(constraints.limits().jerk);
+  const double a = tuning::plan::kCreep * constraints.least_u(directions);
+  const double j = tuning::plan::kCreep * directions.least(constraints.limits().jerk);
   const double d = std::max({15.0 / 8 * h / v, std::sqrt(5.7735 * h / a), std::cbrt(60 * h / j)});
   Ramp ramp{interval.s0, interval.s1, d, 0, 0, 0, 0, Limit::jerk};
-  for (int i = 0; i < kMostSlower && !used_by(span, span.first, ramp, q).keeps(); ++i)
+  for (int i = 0; i < tuning::plan::kMostSlower && !used_by(span, span.first, ramp, q).keeps(); ++i)
     ramp.duration *= 2;
   return {ramp};
 }

@@ -9,31 +9,16 @@
 
 #include "ipo/path/rest_to_rest.hpp"
 #include "ipo/solver/bisection.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kLeft = 1.5;         // stopping distances of a plan that are planned again
-constexpr std::size_t kSteady = 256;  // intervals at one speed that one plan may cover
-constexpr double kLongest = 0.25;     // stopping distance: longest interval
-constexpr double kMostParts = 32;     // of an interval
-constexpr double kFurther = 1.12;     // from one stop that is tried to the next
-constexpr double kLittleMore = 1.5;   // times the stopping distance
-constexpr double kSameSpeed = 1.002;  // squared
-constexpr double kSlowingPart =
-    0.04;  // of the stopping distance: resolution of the shortest distance
-constexpr double kResolution = 1e-3;   // mm: of where the machine has slowed down
-constexpr Horizon kSlowed{2, 0};       // of a plan that shows whether the machine can slow down
-constexpr double kNodePart = 0.1;      // of an interval: a stop nearer to its end is moved there
-constexpr double kShortestStop = 0.8;  // of v^2 / 2A with all axes together
+/// Of a plan that shows whether the machine can slow down.
+constexpr Horizon kSlowed{tuning::horizon::kSlowedStops, 0};
 
-constexpr std::array kSofter{0.4, 0.16};  // parts of the jerk
-constexpr double kRounding = 1e-6;        // of a speed
-
-/// The work that the plans of a program may take (PlanEffort::work), some 0.4 us each: far more
-/// than is needed where plans are found, since the fall-backs beyond the bound are slow.
-constexpr double kOnePlan = 0.7;  // of what is left: shorter ones can still be tried
-constexpr double kWorkAtOnce = 4e6, kWorkPerSecond = 4e6;
+/// Parts of the jerk.
+constexpr std::array kSofter{tuning::horizon::kSofter, tuning::horizon::kSoftest};
 
 double speed(const VelocityLimit& bound) noexcept { return std::sqrt(bound.q); }
 
@@ -71,10 +56,10 @@ void JerkWindow::split_long_intervals(bool ended) {
     const Interval interval = chain_.intervals[i];
     const VelocityLimit& bound =
         interval.left_limit.q > interval.right_limit.q ? interval.left_limit : interval.right_limit;
-    const double longest =
-        kLongest * stopping_distance(speed(bound), constraints_, interval.directions());
-    const int parts =
-        static_cast<int>(std::min(std::ceil(interval.length() / longest), kMostParts));
+    const double longest = tuning::horizon::kLongest *
+                           stopping_distance(speed(bound), constraints_, interval.directions());
+    const int parts = static_cast<int>(
+        std::min(std::ceil(interval.length() / longest), tuning::horizon::kMostParts));
     if (parts > 1)
       derived_to_ = std::min(derived_to_, chain_.felt_from(i, constraints_.limits().period));
     for (int k = 1; k < parts; ++k, ++i)
@@ -99,10 +84,13 @@ std::optional<JerkWindow::PlanExtent> JerkWindow::look_ahead(
     top = std::max({top, speed(nodes[n].velocity_limit), speed(chain_.inside[n].velocity_limit)});
     const double distance = stopping_distance(top, constraints_, directions);
     const bool steady = nodes[n + 1].velocity_limit.q == nodes[n].velocity_limit.q;
-    const bool more = ahead < horizon.time * top || (horizon.time > 0 && n < front_ + kSteady);
+    const bool more =
+        ahead < horizon.time * top || (horizon.time > 0 && n < front_ + tuning::horizon::kSteady);
     if (ahead < horizon.stops * distance || (steady && more)) continue;
     std::size_t taken = n + 1;
-    while (taken > front_ + 1 && nodes[n + 1].s - nodes[taken].s < kLeft * distance) --taken;
+    while (taken > front_ + 1 &&
+           nodes[n + 1].s - nodes[taken].s < tuning::horizon::kLeft * distance)
+      --taken;
     return PlanExtent{n + 1, taken};
   }
   if (!ended) return std::nullopt;
@@ -202,7 +190,7 @@ bool JerkWindow::keeps_velocity_limits(const std::vector<Ramp>& ramps, double fa
   double fastest = 0;
   for (const Ramp& ramp : ramps) fastest = std::max({fastest, ramp.v0, ramp.v1});
   const auto keeps = [&](const VelocityLimit& bound, double s) {
-    const double most = speed(bound) * (1 + kRounding);
+    const double most = speed(bound) * (1 + tuning::horizon::kRounding);
     return fastest <= most || speed_at(ramps, s) <= most;
   };
   for (std::size_t i = first; i < last; ++i) {
@@ -243,7 +231,8 @@ std::optional<Plan> JerkWindow::plan_within_bound(std::size_t end, std::size_t t
   const std::size_t before = effort_.work;
   WorkBound bound;
   if (horizon_.stops < kUnlimited)
-    bound = {kWorkAtOnce + kWorkPerSecond * run_ - work_, kWorkPerSecond, kOnePlan};
+    bound = {tuning::horizon::kWorkAtOnce + tuning::horizon::kWorkPerSecond * run_ - work_,
+             tuning::horizon::kWorkPerSecond, tuning::horizon::kOnePlan};
   auto plan = this->plan(end, taken, jerk_part, bound);
   work_ += static_cast<double>(effort_.work - before);
   return plan;
@@ -320,11 +309,12 @@ std::size_t JerkWindow::slow_down(bool ended) {
   };
   slows_ = false;
   const bool too_fast =
-      motion_.v * motion_.v > chain_.intervals[front_].slower_limit.q * kSameSpeed;
+      motion_.v * motion_.v > chain_.intervals[front_].slower_limit.q * tuning::horizon::kSameSpeed;
   if (!too_fast && plan_from(0, horizon_)) return planned_.size();
   double no = 0, yes = stop_;
-  lost_ = !plan_from(yes, kSlowed) && !plan_from(yes *= kLittleMore, kSlowed);
-  while (!lost_ && yes - no > std::max(kSlowingPart * stop_, kResolution)) {
+  lost_ = !plan_from(yes, kSlowed) && !plan_from(yes *= tuning::horizon::kLittleMore, kSlowed);
+  while (!lost_ &&
+         yes - no > std::max(tuning::horizon::kSlowingPart * stop_, tuning::horizon::kResolution)) {
     const double middle = 0.5 * (no + yes);
     (plan_from(middle, kSlowed) ? yes : no) = middle;
   }
@@ -341,16 +331,17 @@ std::optional<std::size_t> JerkWindow::rest_early(double resolution) {
   const double all = first_rest() - chain_.nodes[front_].s;
   const PathPoint& here = chain_.intervals[front_].left;
   const double a = constraints_.largest_u(here);
-  const double shortest = std::max(resolution, kShortestStop * motion_.v * motion_.v / (2 * a));
+  const double shortest =
+      std::max(resolution, tuning::horizon::kShortestStop * motion_.v * motion_.v / (2 * a));
   const auto tries_to = [shortest](double distance) {
-    return static_cast<int>(
-        std::ceil(std::max(std::log(distance / shortest) / std::log(kFurther), 0.0)));
+    return static_cast<int>(std::ceil(
+        std::max(std::log(distance / shortest) / std::log(tuning::horizon::kFurther), 0.0)));
   };
   const Chain appended = chain_;
   const auto stops_at = [&](int k) {
-    const double distance = std::min(shortest * std::pow(kFurther, k), all);
+    const double distance = std::min(shortest * std::pow(tuning::horizon::kFurther, k), all);
     Chain chain = std::exchange(chain_, appended);
-    const std::size_t end = node_at(chain_.nodes[front_].s + distance, kNodePart);
+    const std::size_t end = node_at(chain_.nodes[front_].s + distance, tuning::horizon::kNodePart);
     derive_all();
     auto plan = this->plan(end, end);
     if (plan)

@@ -5,18 +5,12 @@
 #include <cmath>
 
 #include "ipo/path/profile.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
-/// The constraints allow a little more.
-constexpr double kJerkAllowed = 1.0045, kAccelerationAllowed = 1.0007, kVelocityAllowed = 1.0004;
-constexpr double kPassingAllowed =
-    1.0012;  // of the limit at a place: its constraints keep more free
-constexpr double kStrictAllowed = 1 + 1e-7;  // rounding of a strict velocity limit
-constexpr int kInstants = 4;                 // beside the first, or one per sample, up to
-constexpr int kMostInstants = 16;            // this many
-constexpr Used kTooMuch{kUnlimited, 0};      // the motion does not go forward
+constexpr Used kTooMuch{kUnlimited, 0};  // the motion does not go forward
 
 double used_constraints(const PlanSpan& span, const Inside& inside, const PathPoint& x,
                         const Instant& at, const CurvatureJumpLoad& load) noexcept {
@@ -30,14 +24,15 @@ double used_constraints(const PlanSpan& span, const Inside& inside, const PathPo
     const double used = std::max(own + load.above[axis], load.below[axis] - own);
     jerk = std::max(jerk, std::abs(used) / (limit.bound * inside.jerk_share[axis]));
   }
-  return std::max(jerk / (kJerkAllowed * span.share),
-                  acceleration / (kAccelerationAllowed * span.share * inside.share));
+  return std::max(jerk / (tuning::check::kJerk * span.share),
+                  acceleration / (tuning::check::kAcceleration * span.share * inside.share));
 }
 
 /// Returns one instant per sample. The duration of a plan that went wrong may not be a number.
 int instants_on(const Ramp& ramp, double period) noexcept {
   const double samples = ramp.duration / period;
-  return static_cast<int>(std::fmin(std::fmax(samples, kInstants), kMostInstants));
+  return static_cast<int>(
+      std::fmin(std::fmax(samples, tuning::check::kInstants), tuning::check::kMostInstants));
 }
 
 /// Evaluates a ramp that begins at `t` s of its plan.
@@ -49,7 +44,8 @@ Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double max_q
   for (int k = 0; k <= instants; ++k) {
     const double passed = ramp.duration * k / instants;
     const Instant at = motion.at(passed);
-    if (!(at.v > -kStandstill && at.s > ramp.s0 - kStandstill && at.s < ramp.s1 + kStandstill))
+    if (!(at.v > -tuning::path::kStandstill && at.s > ramp.s0 - tuning::path::kStandstill &&
+          at.s < ramp.s1 + tuning::path::kStandstill))
       return kTooMuch;
     while (i + 1 < span.last && k < instants && span.interval(i).s1 <= at.s) ++i;
     const Interval& interval = span.interval(i);
@@ -61,9 +57,9 @@ Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double max_q
         std::max(used.constraints,
                  used_constraints(span, span.chain.inside[i], point, at, jumps.at(t + passed)));
     const double q = at.v * at.v;
-    used.velocity = std::max({used.velocity, q / (kVelocityAllowed * max_q),
-                              q / (kPassingAllowed * interval.limit_at(at.s)),
-                              q / (kStrictAllowed * interval.strict_q_at(at.s))});
+    used.velocity = std::max({used.velocity, q / (tuning::check::kVelocity * max_q),
+                              q / (tuning::check::kPassing * interval.limit_at(at.s)),
+                              q / (tuning::check::kStrict * interval.strict_q_at(at.s))});
   }
   return used;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/jerk/plan_jumps.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,7 @@ namespace softcnc::ipo {
 namespace {
 
 double felt_time(const PlanSpan& span) noexcept {
-  return kJumpPeriods * span.constraints.limits().fine_period;
+  return tuning::joints::kJumpPeriods * span.constraints.limits().fine_period;
 }
 
 /// Returns a distance, mm: nothing that passes the joint is further away while the jump matters.
@@ -61,7 +62,7 @@ std::vector<CurvatureJumpLoad> curvature_jump_loads(const PlanSpan& span,
         nodes.begin(), nodes.end(), [&](const PlanNode& node) { return node.s < jump.s - most; });
     for (auto node = first; node != nodes.end() && node->s <= jump.s + most; ++node) {
       const double periods = fewest_periods(span, jump, std::abs(node->s - jump.s));
-      const double weight = jump_weight(std::max(periods - kJumpNearer, 0.0));
+      const double weight = jump_weight(std::max(periods - tuning::joints::kJumpNearer, 0.0));
       loads[static_cast<std::size_t>(node - nodes.begin())].add(
           jump.ddq * (weight / span.constraints.limits().fine_period));
     }
@@ -91,7 +92,7 @@ PassedJumps::PassedJumps(const PlanSpan& span, const std::vector<CurvatureJump>&
 }
 
 CurvatureJumpLoad PassedJumps::at(double t) noexcept {
-  const double felt = kJumpPeriods * period_;
+  const double felt = tuning::joints::kJumpPeriods * period_;
   while (first_ < passed_.size() && passed_[first_].t < t - felt) ++first_;
   CurvatureJumpLoad load;
   for (std::size_t k = first_; k < passed_.size() && passed_[k].t < t + felt; ++k)

@@ -6,19 +6,13 @@
 #include <utility>
 
 #include "ipo/path/curvature_jump_load.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kTurn = 0.06;          // rad between two nodes
-constexpr double kLimitChange = 0.04;   // of a roughness limit, between two nodes
-constexpr double kGrading = 0.15;       // how fast that spacing may change along the path
-constexpr double kShortestTime = 0.35;  // periods: what turns faster is not resolved
-constexpr double kFeltJump = 0.05;      // of the axis jerk
-constexpr double kSame = 1e-9;          // relative: derivatives that do not jump
-
 bool same(const AxisVector& a, const AxisVector& b) noexcept {
-  return (a - b).norm() <= kSame * (a.norm() + b.norm());
+  return (a - b).norm() <= tuning::nodes::kSame * (a.norm() + b.norm());
 }
 
 bool is_joint(const PlanSpan& span, std::size_t node) noexcept {
@@ -36,8 +30,9 @@ double jump_step(const PlanSpan& span, std::size_t joint) noexcept {
   const double used =
       node.curvature_jump.cwiseAbs().cwiseQuotient(span.constraints.limits().jerk).maxCoeff() *
       node.velocity_limit.q;
-  return used > kFeltJump * period
-             ? (kJumpFlat + kJumpNearer) * period * std::sqrt(node.velocity_limit.q)
+  return used > tuning::nodes::kFeltJump * period
+             ? (tuning::joints::kJumpFlat + tuning::joints::kJumpNearer) * period *
+                   std::sqrt(node.velocity_limit.q)
              : 0;
 }
 
@@ -46,7 +41,8 @@ double limit_spacing(const Interval& in) noexcept {
   const VelocityLimit &left = in.left_limit, &right = in.right_limit;
   const double change = std::abs(right.q - left.q);
   if (left.limit != Limit::roughness && right.limit != Limit::roughness) return kUnlimited;
-  return change > 0 ? kLimitChange * std::min(left.q, right.q) * in.length() / change : kUnlimited;
+  return change > 0 ? tuning::nodes::kLimitChange * std::min(left.q, right.q) * in.length() / change
+                    : kUnlimited;
 }
 
 /// The spacing that the curvature of the path and its velocity limits require, at the nodes of the
@@ -59,19 +55,21 @@ class CurvatureSpacing {
     for (std::size_t i = span.first; i < span.last; ++i) {
       const Interval& in = span.interval(i);
       const double h =
-          std::min(kTurn / std::max(in.left.ddq.norm(), in.right.ddq.norm()), limit_spacing(in));
+          std::min(tuning::nodes::kTurn / std::max(in.left.ddq.norm(), in.right.ddq.norm()),
+                   limit_spacing(in));
       at(i) = std::min(at(i), h);
       at(i + 1) = std::min(at(i + 1), h);
     }
     for (std::size_t i = span.first; i < span.last; ++i)
-      at(i + 1) = std::min(at(i + 1), at(i) + kGrading * span.interval(i).length());
+      at(i + 1) = std::min(at(i + 1), at(i) + tuning::nodes::kGrading * span.interval(i).length());
     for (std::size_t i = span.last; i-- > span.first;)
-      at(i) = std::min(at(i), at(i + 1) + kGrading * span.interval(i).length());
+      at(i) = std::min(at(i), at(i + 1) + tuning::nodes::kGrading * span.interval(i).length());
   }
 
   double operator()(std::size_t i, double s) const noexcept {
     const double left = h_[i - span_.first], right = h_[i + 1 - span_.first];
-    return std::min(left + kGrading * (s - span_.s(i)), right + kGrading * (span_.s(i + 1) - s));
+    return std::min(left + tuning::nodes::kGrading * (s - span_.s(i)),
+                    right + tuning::nodes::kGrading * (span_.s(i + 1) - s));
   }
 
  private:
@@ -88,7 +86,7 @@ class NodePlacement {
       : span_(span),
         guess_(guess),
         curvature_spacing_(span),
-        shortest_(kShortestTime * span.constraints.limits().fine_period),
+        shortest_(tuning::nodes::kShortestTime * span.constraints.limits().fine_period),
         nodes_{{span.first, from, false}},
         interval_(span.first),
         begin_(from) {}
@@ -125,7 +123,7 @@ class NodePlacement {
 
   void fill_to(std::size_t joint, double end) {
     double s = nodes_.back().s;
-    while (nodes_.size() <= kMostNodes) {
+    while (nodes_.size() <= tuning::nodes::kMost) {
       const double h = spacing(interval_, s);
       const double left = end - s;
       if (left <= 1.25 * h) break;

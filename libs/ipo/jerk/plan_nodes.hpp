@@ -24,9 +24,6 @@ struct NodeShare {
   bool holds_velocity = false;  // bounds the speed itself, beside its spline coefficient
 };
 
-/// A plan that needs more cannot be found in bounded memory; normally none exists.
-inline constexpr std::size_t kMostNodes = 100'000;
-
 /// A node at which a plan has kept all limits, and its speed there.
 struct ProvenNode {
   double s = 0;  // mm of the chain
@@ -37,7 +34,7 @@ struct ProvenNode {
 
 /// Places nodes from `from` to `to`, mm of the chain, both nodes themselves; so are the chain's
 /// node `cut` and every node of the chain at which a derivative of the path jumps or a move ends.
-/// Gives up at more than kMostNodes. The nodes begin with those that are given.
+/// Gives up at more than tuning::nodes::kMost. The nodes begin with those that are given.
 std::vector<PlanNode> place_nodes(const PlanSpan& span, const SpeedGuess& guess, double from,
                                   double to, std::size_t cut, std::span<const ProvenNode> given);
 

@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/jerk/plan_problem.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace softcnc::ipo {
 namespace {
-
-/// The parts of the limits that constraints may use; what lies between the nodes may take a little
-/// more. A plan that continues another one may use more at first, so that it finds a continuation.
-constexpr double kJerkPart = 0.995, kFirstJerkPart = 0.999;
-constexpr double kAccelerationPart = 0.998, kFirstAccelerationPart = 0.9995;
-constexpr double kVelocityPart = 0.9993, kFirstVelocityPart = 1;
-constexpr double kReplannedVelocityPart = 1.0003;  // first, of a plan that continues no other one
-constexpr double kStrictVelocityPart = 0.996,
-                 kFirstStrictVelocityPart = 0.9999;  // of strict limits
-constexpr double kSame = 1e-9;                       // relative: derivatives that do not jump
-constexpr double kBinds = 0.99;                      // of a limit: it is what limits the speed
 
 std::vector<double> places(const std::vector<PlanNode>& nodes) {
   std::vector<double> s;
@@ -27,7 +17,7 @@ std::vector<double> places(const std::vector<PlanNode>& nodes) {
 
 bool same(const PathPoint& a, const PathPoint& b) noexcept {
   const auto near = [](const AxisVector& x, const AxisVector& y) {
-    return (x - y).norm() <= kSame * (x.norm() + y.norm());
+    return (x - y).norm() <= tuning::plan::kSame * (x.norm() + y.norm());
   };
   return near(a.dq, b.dq) && near(a.ddq, b.ddq) && near(a.dddq, b.dddq);
 }
@@ -63,10 +53,10 @@ void PlanProblem::add_node(std::size_t p) {
   const bool is_last = p + 1 == nodes_.size();
   VelocityLimit most = velocity_limit(p);
   const bool strict = most.limit == Limit::roughness;
-  const double usual = strict ? kStrictVelocityPart : kVelocityPart;
-  const double first = strict          ? kFirstStrictVelocityPart
-                       : span_.replans ? kReplannedVelocityPart
-                                       : kFirstVelocityPart;
+  const double usual = strict ? tuning::plan::kStrictVelocityPart : tuning::plan::kVelocityPart;
+  const double first = strict          ? tuning::plan::kFirstStrictVelocityPart
+                       : span_.replans ? tuning::plan::kReplannedVelocityPart
+                                       : tuning::plan::kFirstVelocityPart;
   const double part = usual + first_part(p) * (first - usual);
   // Both ends are given.
   problem_.add_node(p == 0    ? 2 * ends_.start.q
@@ -179,10 +169,13 @@ void PlanProblem::add_constraints(std::size_t p, const PathPoint& point, const I
   const double first = first_part(p);
   const double right = is_last ? 0 : nodes_[p + 1].s - nodes_[p].s;
   const double left = is_first ? 0 : nodes_[p].s - nodes_[p - 1].s;
-  const double a_part = span_.share * inside.share *
-                        (kAccelerationPart + first * (kFirstAccelerationPart - kAccelerationPart));
+  const double a_part =
+      span_.share * inside.share *
+      (tuning::plan::kAccelerationPart +
+       first * (tuning::plan::kFirstAccelerationPart - tuning::plan::kAccelerationPart));
   const double j_part =
-      span_.share * shares_[p].jerk * (kJerkPart + first * (kFirstJerkPart - kJerkPart));
+      span_.share * shares_[p].jerk *
+      (tuning::plan::kJerkPart + first * (tuning::plan::kFirstJerkPart - tuning::plan::kJerkPart));
   const auto bound_acceleration = [&](const Inequality& limit) {
     if (is_first || is_last) return;
     const double dx = limit.dx, ddx = limit.ddx, most = a_part * limit.bound;
@@ -226,7 +219,7 @@ double PlanProblem::limit_between(std::size_t p) const noexcept {
 
 Limit PlanProblem::limit(std::size_t p, const SpeedSquare& at) const noexcept {
   const bool inner = p > 0 && p + 1 < nodes_.size();
-  if (inner && at.q >= kBinds * problem_.velocity_limit(p)) return limits_[p].limit;
+  if (inner && at.q >= tuning::plan::kBinds * problem_.velocity_limit(p)) return limits_[p].limit;
   double jerk = 0, acceleration = 0;
   for (std::size_t r = problem_.first_constraint(p); r < problem_.first_constraint(p + 1); ++r) {
     const SpeedConstraint& constraint = problem_.constraints()[r];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/jerk/speed_guess.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,16 +8,6 @@
 
 namespace softcnc::ipo {
 namespace {
-
-constexpr double kNodesPerPhase = 12;
-constexpr double kMany = 2000;  // of a long plan; more would only follow axes without jerk limits
-constexpr double kShortestTime = 0.5;  // periods
-constexpr double kLeastTime = 1e-3;    // of it, however fast the speed grows
-constexpr double kGrowth = 0.1;        // of the speed from node to node
-constexpr double kAccelerationPart = 0.8;
-constexpr double kGrading = 0.15;  // of the distance since the speed became constant
-constexpr double kSlowest = 1e-3;  // of the speed at the start
-constexpr double kHardly = 0.1;    // of the acceleration and the jerk of an axis, at a steady speed
 
 /// Returns the largest q that the jerk allows at this point of a curve at constant speed.
 double jerk_limited_q(const PathPoint& point, const AxisVector& jerk) noexcept {
@@ -28,8 +19,8 @@ double jerk_limited_q(const PathPoint& point, const AxisVector& jerk) noexcept {
 
 bool hardly_felt(const PathPoint& point, double v, const Constraints& constraints) noexcept {
   const AxisVector a = point.ddq.cwiseAbs() * (v * v), j = point.dddq.cwiseAbs() * (v * v * v);
-  return (a.array() <= kHardly * constraints.limits().acceleration.array()).all() &&
-         (j.array() <= kHardly * constraints.limits().jerk.array()).all();
+  return (a.array() <= tuning::guess::kHardly * constraints.limits().acceleration.array()).all() &&
+         (j.array() <= tuning::guess::kHardly * constraints.limits().jerk.array()).all();
 }
 
 /// Whether an axis moves along the path at all.
@@ -53,8 +44,9 @@ double shortest_phase(const PlanSpan& span, double samples) noexcept {
   double shortest = kUnlimited;
   for (int i = 0; i < kAxes; ++i)
     if (moving[static_cast<std::size_t>(i)] && times[i] > 0)
-      shortest = std::min(shortest, times[i] < period ? kNodesPerPhase * samples * period
-                                                      : times[i] / span.jerk_part);
+      shortest =
+          std::min(shortest, times[i] < period ? tuning::guess::kNodesPerPhase * samples * period
+                                               : times[i] / span.jerk_part);
   return shortest;
 }
 
@@ -62,7 +54,7 @@ double shortest_phase(const PlanSpan& span, double samples) noexcept {
 
 SpeedGuess::SpeedGuess(const PlanSpan& span, const PlacedMotion& start, const PlacedMotion& end)
     : from_(start.s), to_(end.s) {
-  shortest_ = kShortestTime * span.constraints.limits().fine_period;
+  shortest_ = tuning::guess::kShortestTime * span.constraints.limits().fine_period;
   std::vector<Cell> cells;
   for (std::size_t i = span.first; i < span.last; ++i) cells.push_back(cell(span, i));
   std::vector<Cell> mirrored(cells.rbegin(), cells.rend());
@@ -73,7 +65,8 @@ SpeedGuess::SpeedGuess(const PlanSpan& span, const PlacedMotion& start, const Pl
     back_ = walk(mirrored, span.s(span.last) - to_, end.motion, to_ - from_);
     return static_cast<double>(std::max(ahead_.size(), back_.size()));
   };
-  if (const double samples = walk_both(1); samples > kMany) walk_both(samples / kMany);
+  if (const double samples = walk_both(1); samples > tuning::guess::kMany)
+    walk_both(samples / tuning::guess::kMany);
 }
 
 SpeedGuess::Cell SpeedGuess::cell(const PlanSpan& span, std::size_t i) const noexcept {
@@ -84,15 +77,16 @@ SpeedGuess::Cell SpeedGuess::cell(const PlanSpan& span, std::size_t i) const noe
   const AxisVector jerk = span.jerk_limits();
   const bool straight = interval.straight();
   const Directions directions = interval.directions();
-  Cell cell{interval.length(),
-            bound(span.chain.nodes[i], interval.left_limit),
-            bound(span.chain.nodes[i + 1], interval.right_limit),
-            std::sqrt(span.chain.inside[i].velocity_limit.q),
-            kAccelerationPart * (straight ? span.constraints.straight_u(interval.left.dq)
-                                          : span.constraints.least_u(directions)),
-            straight ? along(jerk, interval.left.dq) : directions.least(jerk),
-            straight,
-            kUnlimited};
+  Cell cell{
+      interval.length(),
+      bound(span.chain.nodes[i], interval.left_limit),
+      bound(span.chain.nodes[i + 1], interval.right_limit),
+      std::sqrt(span.chain.inside[i].velocity_limit.q),
+      tuning::guess::kAccelerationPart * (straight ? span.constraints.straight_u(interval.left.dq)
+                                                   : span.constraints.least_u(directions)),
+      straight ? along(jerk, interval.left.dq) : directions.least(jerk),
+      straight,
+      kUnlimited};
   if (straight) {
     cell.steady_v = cell.inside_v;
     return cell;
@@ -109,21 +103,22 @@ SpeedGuess::Cell SpeedGuess::cell(const PlanSpan& span, std::size_t i) const noe
 /// Returns the longest time to the next node: a part of the phases of a motion, and of the time in
 /// which its speed doubles.
 double SpeedGuess::time_step(const Motion& at, double j) const noexcept {
-  const double phase = std::min(phase_, std::sqrt(at.v / j)) / kNodesPerPhase;
-  return std::max(std::min(std::max(phase, shortest_), kGrowth * at.v / std::abs(at.a)),
-                  kLeastTime * shortest_);
+  const double phase = std::min(phase_, std::sqrt(at.v / j)) / tuning::guess::kNodesPerPhase;
+  return std::max(
+      std::min(std::max(phase, shortest_), tuning::guess::kGrowth * at.v / std::abs(at.a)),
+      tuning::guess::kLeastTime * shortest_);
 }
 
 std::vector<SpeedGuess::Sample> SpeedGuess::walk(const std::vector<Cell>& cells, double skip,
                                                  Motion at, double distance) const {
   std::vector<Sample> samples;
-  const double slowest = kSlowest * at.v;
+  const double slowest = tuning::guess::kSlowest * at.v;
   double s = 0, begin = -skip, steady_from = kUnlimited;
   for (const Cell& cell : cells) {
     const double end = std::min(begin + cell.length, distance);
     while (s < end) {
       const bool cruises = at.v >= cell.steady_v;
-      const double steady = cruises ? kGrading * std::max(s - steady_from, 0.0) : 0;
+      const double steady = cruises ? tuning::guess::kGrading * std::max(s - steady_from, 0.0) : 0;
       double dt = time_step(at, cell.j) + steady / at.v;
       samples.push_back({s, at.v, at.v * dt});
       const auto free_v = [&] { return at.v + dt * (at.a + 0.5 * dt * cell.j); };

@@ -6,17 +6,15 @@
 #include <cmath>
 
 #include "ipo/limits/constraints.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
-/// Kept free for the change of curvature between two nodes of the grid.
-constexpr double kMargin = 1e-3;
-
 class ChordError final : public Constraint {
  public:
   ChordError(double tolerance, double period)
-      : tolerance_(tolerance * (1 - kMargin)), period_(period) {}
+      : tolerance_(tolerance * (1 - tuning::limits::kChordMargin)), period_(period) {}
 
   Limit limit(const Move&) const noexcept override { return Limit::chord; }
   bool holds_over_steps() const noexcept override { return true; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The programmed feed, with its override, and the machine's own bound on cutting moves.
+// The programmed feed, with its override, and the machine's own limit on cutting moves.
 #include "ipo/limits/constraints.hpp"
 
 namespace softcnc::ipo {

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How hard whatever is carried along may be pressed aside: v^2 / rho.
+// The acceleration across the path, v^2 / rho, that whatever is carried along may be exposed to.
 #include "ipo/limits/constraints.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-/// Kept free of the limit: what the middles of the grid's intervals, the swings of a bend between
-/// them and the nodes of a plan may add to it.
-constexpr double kMargin = 1.5e-3;
 
 class NormalAcceleration final : public Constraint {
  public:
@@ -17,7 +14,7 @@ class NormalAcceleration final : public Constraint {
 
   double velocity_limit(const PathPoint& point, const Move&) const noexcept override {
     const double curvature = point.ddq.norm();
-    return curvature > 0 ? limit_ * (1 - kMargin) / curvature : kUnlimited;
+    return curvature > 0 ? limit_ * (1 - tuning::limits::kNormalMargin) / curvature : kUnlimited;
   }
 
   AxisVector centripetal_limits() const noexcept override { return AxisVector::Constant(limit_); }

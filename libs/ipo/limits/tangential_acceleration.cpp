@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How fast the speed along the path may change: |u| <= A.
 #include "ipo/limits/constraints.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-constexpr double kBinds = 0.99;  // of the limit: it is what limits the motion
 
 class TangentialAcceleration final : public Constraint {
  public:
@@ -22,7 +21,7 @@ class TangentialAcceleration final : public Constraint {
   double least_u(const Directions&) const noexcept override { return limit_; }
   double most_u(const Directions&) const noexcept override { return limit_; }
   std::optional<Limit> binding(double u, double share) const noexcept override {
-    if (!(std::abs(u) >= kBinds * share * limit_)) return std::nullopt;
+    if (!(std::abs(u) >= tuning::limits::kTangentialBinds * share * limit_)) return std::nullopt;
     return Limit::tangential;
   }
 

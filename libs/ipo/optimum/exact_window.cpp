@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/optimum/exact_window.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace softcnc::ipo {
 namespace {
-
-constexpr double kRounding = 1e-9;    // of q
-constexpr double kResolution = 1e-3;  // mm: of where the machine has slowed down
 
 Limit name_of(const SpeedPiece& piece, const Constraints& constraints, double share) {
   if (piece.limit != Limit::acceleration) return piece.limit;
@@ -66,13 +64,13 @@ void ExactWindow::slow_down(bool ended) {
     const std::size_t last = ended ? chain_.nodes.size() - 1 : last_final_limit();
     if (last <= front_) return false;
     backward_pass(last);
-    return chain_.nodes[front_].controllable_q >= q_ * (1 - kRounding);
+    return chain_.nodes[front_].controllable_q >= q_ * (1 - tuning::optimum::kRounding);
   };
   slows_ = false;
   if (keeps(0)) return;
   double no = 0, yes = first_rest() - chain_.nodes[front_].s;
   lost_ = !keeps(yes);
-  while (!lost_ && yes - no > kResolution) {
+  while (!lost_ && yes - no > tuning::optimum::kResolution) {
     const double middle = 0.5 * (no + yes);
     (keeps(middle) ? yes : no) = middle;
   }
@@ -83,7 +81,7 @@ std::optional<std::size_t> ExactWindow::rest_early(double resolution) {
   settle(true);
   // A machine that can stop at a node can also stop at any later one.
   std::size_t no = 0, yes = size();
-  const double q = q_ * (1 - kRounding);
+  const double q = q_ * (1 - tuning::optimum::kRounding);
   const auto halve_to = [&](std::size_t middle) {
     (reachable_from_rest(middle) >= q ? yes : no) = middle;
   };
@@ -118,7 +116,7 @@ bool ExactWindow::run_front(Profile& profile, std::optional<Limit> as) {
   // Only a machine at the end of the controllable set is known to go on braking.
   const Node& end = chain_.nodes[front_ + 1];
   const bool along_controllable =
-      end.brakes_to_corner && q_ >= end.controllable_q * (1 - kRounding);
+      end.brakes_to_corner && q_ >= end.controllable_q * (1 - tuning::optimum::kRounding);
   for (const SpeedPiece& piece : pieces_) {
     const Limit limit = corner_naming_.name(name_of(piece, constraints_, share), piece.q0, piece.q1,
                                             along_controllable);

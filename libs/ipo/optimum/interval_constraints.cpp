@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/optimum/interval_constraints.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace softcnc::ipo {
-namespace {
-
-/// Kept free of the acceleration limits on curves: what the grid tolerance may add to them.
-constexpr double kCurveMargin = 5e-4;
-
-}  // namespace
 
 IntervalConstraints::IntervalConstraints(const Interval& interval, const Constraints& constraints,
                                          double share, const TangentJumpUse& jumps) noexcept
@@ -21,7 +16,7 @@ IntervalConstraints::IntervalConstraints(const Interval& interval, const Constra
     leave_to(jumps, interval, constraints, share);
     return;
   }
-  const double free = share * (1.0 - kCurveMargin);
+  const double free = share * (1.0 - tuning::optimum::kCurveMargin);
   const Inequalities at_left = constraints.accelerations(left);
   const Inequalities at_right = constraints.accelerations(right);
   for (std::size_t k = 0; k < at_left.size(); ++k) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/optimum/schedule.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,15 +8,15 @@
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kRelative = 1e-12;  // rounding of q
-
-bool at_limit(double q, const VelocityLimit& bound) { return q >= bound.q * (1 - kRelative); }
+bool at_limit(double q, const VelocityLimit& bound) {
+  return q >= bound.q * (1 - tuning::optimum::kRelative);
+}
 
 /// A part over which the end of the controllable set is a straight line.
 struct ControllableLine {
   double s0, s1;
   double q0, q1;
-  Limit limit;  // of who runs along it
+  Limit limit;  // of a machine that follows it
 };
 
 void append(std::vector<SpeedPiece>& out, const SpeedPiece& piece) {
@@ -33,7 +34,7 @@ double follow(const ControllableLine& line, double q, double u, std::vector<Spee
   }
   const double slope = (line.q1 - line.q0) / h;
   double meet = line.s0;
-  if (q < line.q0 * (1 - kRelative))
+  if (q < line.q0 * (1 - tuning::optimum::kRelative))
     meet = std::clamp(line.s0 + (line.q0 - q) / (2 * u - slope), line.s0, line.s1);
   const double q_meet = meet == line.s0 ? q : line.q0 + slope * (meet - line.s0);
   append(out, {line.s0, meet, q, q_meet, Limit::acceleration});
@@ -107,7 +108,7 @@ double forward_step(const Interval& interval, const IntervalConstraints& constra
   const double u_along_controllable =
       q == controllable.left_q ? u : constraints.largest_u(controllable.left_q);
   const double ahead = controllable.left_q + 2 * u_along_controllable * h;
-  if (ahead >= controllable.right_q * (1 - kRelative))
+  if (ahead >= controllable.right_q * (1 - tuning::optimum::kRelative))
     return follow({interval.s0, interval.s1, controllable.left_q, controllable.right_q,
                    limit_along_controllable(controllable)},
                   q, u, out);

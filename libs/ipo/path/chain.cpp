@@ -5,13 +5,10 @@
 #include <cmath>
 
 #include "ipo/path/rest_to_rest.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-/// Tangents closer than this (rad) count as one: rounding of the geometry.
-constexpr double kSameTangent = 1e-9;
-constexpr double kSameCurvature = 1e-9;  // relative
 
 struct Halves {
   Interval left, right;
@@ -35,11 +32,12 @@ double step_over(const AxisVector& tangent_jump, const Constraints& constraints)
   const double period = constraints.limits().fine_period;
   const double by_acceleration =
       period / tangent_jump.cwiseQuotient(constraints.limits().acceleration).maxCoeff() * period;
-  if (!constraints.limits_jerk()) return kStraightTangentJumpShare * by_acceleration;
+  if (!constraints.limits_jerk())
+    return tuning::joints::kStraightTangentJumpShare * by_acceleration;
   const double by_jerk =
       period * period / tangent_jump.cwiseQuotient(constraints.limits().jerk).maxCoeff() * period;
-  return std::min(kTangentJumpShare * by_acceleration,
-                  kJerkSteps * kTangentJumpJerkShare * by_jerk);
+  return std::min(tuning::joints::kTangentJumpShare * by_acceleration,
+                  tuning::joints::kJerkSteps * tuning::joints::kTangentJumpJerkShare * by_jerk);
 }
 
 double middle(const Interval& interval) { return 0.5 * (interval.s0 + interval.s1); }
@@ -109,7 +107,7 @@ void Chain::split_at_cruise(const Constraints& constraints) {
   const double ramp = distance_to_cruise(line_limits(line, line.left_limit, constraints));
   const double felt_from = ipo::felt_from(line, end, constraints.limits().period);
   const double cruise_at = felt_from - ramp - period_distance;
-  if (cruise_at <= ramp + kWorthwhile * period_distance) return;
+  if (cruise_at <= ramp + tuning::grid::kWorthwhile * period_distance) return;
   for (std::size_t i = first; i < intervals.size(); ++i) intervals[i].cruise_at = cruise_at;
   split_move_at(cruise_at);
   split_move_at(felt_from);
@@ -125,8 +123,8 @@ void Chain::split_move_at(double s) {
 /// Reserves memory once for the number of intervals that come if the rest of the move resembles its
 /// first part; a long curve has thousands.
 void Chain::reserve_for(double more) {
-  constexpr double kMost = 1e4;
-  const std::size_t needed = intervals.size() + static_cast<std::size_t>(std::min(kMost, more)) + 1;
+  const std::size_t needed =
+      intervals.size() + static_cast<std::size_t>(std::min(tuning::chain::kMostReserved, more)) + 1;
   if (needed <= intervals.capacity()) return;
   const std::size_t capacity = std::max(needed, 2 * intervals.capacity());
   intervals.reserve(capacity);
@@ -146,13 +144,13 @@ void Chain::add(std::span<const Interval> ahead, const Constraints& constraints,
     step = note_curvature_jump(before, interval, constraints);
     double back = std::min(step, step_asked(interval.step_limit, before.right_limit, period));
     step = std::min(step, step_asked(before.step_limit, interval.left_limit, period));
-    if (turn > kSameTangent) {
+    if (turn > tuning::chain::kSameTangent) {
       Node& joint = nodes.back();
       joint.turn = turn;
       joint.tangent_jump = jump.cwiseAbs();
-      if (turn > kTangentTolerance) rest = rest.value_or(Limit::corner);
+      if (turn > tuning::chain::kTangentTolerance) rest = rest.value_or(Limit::corner);
       const double tangent_jump_step =
-          std::min({4 * kTurnShare * constraints.limits().chord_tolerance / turn,
+          std::min({4 * tuning::joints::kTurnShare * constraints.limits().chord_tolerance / turn,
                     std::sqrt(std::max(before.right_limit.q, interval.left_limit.q)) * period,
                     step_over(joint.tangent_jump, constraints)});
       back = std::min(back, tangent_jump_step);
@@ -184,14 +182,14 @@ double Chain::note_curvature_jump(const Interval& before, const Interval& interv
   if (!constraints.limits_jerk()) return kUnlimited;
   const AxisVector jump = interval.left.ddq - before.right.ddq;
   if (jump.cwiseAbs().maxCoeff() <=
-      kSameCurvature * (interval.left.ddq.norm() + before.right.ddq.norm()))
+      tuning::chain::kSameCurvature * (interval.left.ddq.norm() + before.right.ddq.norm()))
     return kUnlimited;
   nodes.back().curvature_jump = jump;
   const double period = constraints.limits().fine_period;
   const double fastest = std::max(before.right_limit.q, interval.left_limit.q);
   const double passed =
       period / jump.cwiseAbs().cwiseQuotient(constraints.limits().jerk).maxCoeff();
-  return 0.5 * kJerkSteps * period * std::sqrt(std::min(fastest, passed));
+  return 0.5 * tuning::joints::kJerkSteps * period * std::sqrt(std::min(fastest, passed));
 }
 
 void Chain::push(const Interval& interval) {
@@ -231,7 +229,8 @@ VelocityLimit Chain::own_limit(std::size_t node) const noexcept {
 
 std::size_t Chain::felt_from(std::size_t node, double period) const noexcept {
   double time = 0;
-  while (node > 0 && time < kFeltPeriods * period) time += intervals[--node].shortest_time();
+  while (node > 0 && time < tuning::grid::kFeltPeriods * period)
+    time += intervals[--node].shortest_time();
   return node;
 }
 

@@ -12,11 +12,6 @@
 
 namespace softcnc::ipo {
 
-/// A joint whose tangent direction jumps by more than this angle (rad) is a corner, and the machine
-/// rests there. Below it the path counts as tangent except for the rounding of the program, and the
-/// machine passes with a bounded jump of velocity.
-inline constexpr double kTangentTolerance = 0.01;
-
 /// Returns the derivatives inside an interval, interpolated linearly; `s` is in mm of its move.
 PathPoint point_inside(const Interval& interval, double s) noexcept;
 
@@ -107,19 +102,6 @@ struct Chain {
 /// touch it, and what joints require of the speed, the acceleration and the jerk around them. Nodes
 /// left of `first` already have their limits.
 void derive_velocity_limits(Chain& chain, const Constraints& constraints, std::size_t first = 0);
-
-/// The largest part of an axis acceleration that jumps of velocity may use within one period.
-inline constexpr double kTangentJumpShare = 0.25;
-/// The same between straight lines only, where what they leave is known at every speed.
-inline constexpr double kStraightTangentJumpShare = 0.9;
-/// The number of steps that a third difference spans.
-inline constexpr double kJerkSteps = 3;
-/// The largest part of an axis jerk that jumps of velocity may use within three steps.
-inline constexpr double kTangentJumpJerkShare = 0.7;
-
-/// The part of the chord tolerance that curves leave to corners and tangent jumps within the same
-/// step.
-inline constexpr double kTurnShare = 0.5;
 
 /// Whether a single step can touch the node together with a curve or with another corner at which
 /// the machine stops.

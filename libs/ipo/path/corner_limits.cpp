@@ -6,16 +6,10 @@
 
 #include "ipo/path/curvature_jump_load.hpp"
 #include "ipo/path/tangent_jump_load.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-/// A tangent jump matters to others this many periods away: in the samples that lie up to one
-/// period nearer to it, which extend one period further.
-constexpr double kTangentJumpPeriods = 2;
-constexpr int kMostSteps = 60;  // towards the speed of a joint
-/// Kept free of the chord tolerance at tangent jumps.
-constexpr double kMargin = 1e-3;
 
 class CornerLimits {
  public:
@@ -69,7 +63,7 @@ class CornerLimits {
     const double planned = std::sqrt(chain_.own_limit(n).q);
     double v = planned;
     Load load = joint_load(n, v);
-    for (int i = 0; i < kMostSteps && load.exceeds(); ++i) {
+    for (int i = 0; i < tuning::joints::kMostSteps && load.exceeds(); ++i) {
       v *= std::clamp(load.ratio() * (1 - 1e-6), 0.5, 1 - 1e-6);
       load = joint_load(n, v);
     }
@@ -82,8 +76,8 @@ class CornerLimits {
 
   /// What the polyline through the samples may cut off a corner, mm.
   double cut_allowed(std::size_t n) const {
-    return constraints_.limits().chord_tolerance * (1 - kMargin) *
-           (shares_its_step(chain_, n, period_) ? kTurnShare : 1.0);
+    return constraints_.limits().chord_tolerance * (1 - tuning::joints::kMargin) *
+           (shares_its_step(chain_, n, period_) ? tuning::joints::kTurnShare : 1.0);
   }
 
   /// Returns the largest v at which the polyline does not cut off more, where tangent jumps within
@@ -91,7 +85,7 @@ class CornerLimits {
   double fastest_by_cut(std::size_t n, double planned) const {
     const double allowed = cut_allowed(n);
     double v = planned;
-    for (int i = 0; i < kMostSteps; ++i) {
+    for (int i = 0; i < tuning::joints::kMostSteps; ++i) {
       double turn = 0;
       for_nodes_within(n, period_, v, [&](const Node& node) {
         if (node.passes_tangent_jump()) turn += node.turn;
@@ -105,16 +99,17 @@ class CornerLimits {
 
   bool straight_around(std::size_t n) const {
     bool straight = true;
-    chain_.for_intervals_in_step(n, kTangentJumpPeriods * fine_period_, [&](std::size_t i) {
-      return straight = straight && chain_.intervals[i].straight();
-    });
+    chain_.for_intervals_in_step(
+        n, tuning::joints::kTangentJumpPeriods * fine_period_,
+        [&](std::size_t i) { return straight = straight && chain_.intervals[i].straight(); });
     return straight;
   }
 
   void pass_tangent_jump(std::size_t n) {
     const double planned = std::sqrt(chain_.own_limit(n).q);
-    TangentJumpLoad load(kStraightTangentJumpShare * constraints_.limits().acceleration, kUnlimited,
-                         fine_period_);
+    TangentJumpLoad load(
+        tuning::joints::kStraightTangentJumpShare * constraints_.limits().acceleration, kUnlimited,
+        fine_period_);
     add_tangent_jumps(n, fine_period_, planned, load);
     TangentJumpLoad cuts(AxisVector::Constant(kUnlimited), cut_allowed(n), period_);
     add_tangent_jumps(n, period_, planned, cuts);
@@ -122,7 +117,7 @@ class CornerLimits {
     slow_down(n, planned, {{by_load * by_load, Limit::corner}, 1}, by_cut);
     const double v = std::min(by_load, by_cut);
     const AxisVector used = load.at(v).cwiseQuotient(constraints_.limits().acceleration);
-    const double time = kTangentJumpPeriods * fine_period_;
+    const double time = tuning::joints::kTangentJumpPeriods * fine_period_;
     const double gained = time * constraints_.most_u(chain_.directions_around(n, time));
     chain_.for_intervals_in_step(n, time, [&](std::size_t i) {
       chain_.inside[i].tangent_jumps.add(used, v, gained);
@@ -164,16 +159,19 @@ class CornerLimits {
     int joints = 0;                                     // that share the jerk
     bool tangent_jump = false;                          // at one of them
 
-    bool exceeds() const { return acceleration > kTangentJumpShare || jerk > 1; }
+    bool exceeds() const { return acceleration > tuning::joints::kTangentJumpShare || jerk > 1; }
     /// The factor by which the speed is to be lower: a jump of acceleration goes with its square.
     double ratio() const {
       const double jump = 1 / jerk;
-      return std::min(kTangentJumpShare / acceleration, tangent_jump ? jump : std::sqrt(jump));
+      return std::min(tuning::joints::kTangentJumpShare / acceleration,
+                      tangent_jump ? jump : std::sqrt(jump));
     }
-    bool jerk_binds() const { return jerk > acceleration / kTangentJumpShare; }
+    bool jerk_binds() const { return jerk > acceleration / tuning::joints::kTangentJumpShare; }
     /// How far, in steps, from the joint its speed is not to be exceeded: a jump of acceleration
     /// that stands alone depends only on the speed at the joint itself.
-    double steps() const { return jerk == 0 ? 1 : joints == 1 && !tangent_jump ? 0 : kJerkSteps; }
+    double steps() const {
+      return jerk == 0 ? 1 : joints == 1 && !tangent_jump ? 0 : tuning::joints::kJerkSteps;
+    }
   };
 
   /// What a third difference sees of a joint passed at speed v lies where the machine can be within
@@ -184,7 +182,7 @@ class CornerLimits {
       return true;
     });
     if (load.jerk == 0) return;
-    const double time = kJerkSteps * fine_period_;
+    const double time = tuning::joints::kJerkSteps * fine_period_;
     const double range = farthest(n, v, time);
     chain_.for_intervals_in_step(n, time, [&](std::size_t i) {
       const double distance = std::abs(chain_.nodes[n].s - chain_.nodes[i < n ? i + 1 : i].s);
@@ -199,9 +197,8 @@ class CornerLimits {
   /// Returns a distance, mm, that no machine that passes joint n at speed v exceeds within `time`.
   /// Its acceleration is at most what it can have gained from rest: a^2 <= 2 j v.
   double farthest(std::size_t n, double v, double time) const {
-    constexpr double kCurved = 2;  // what curvature adds to the jerk along the path, and more
     const Directions around = chain_.directions_around(n, time);
-    const double jerk = kCurved * around.most(constraints_.limits().jerk);
+    const double jerk = tuning::joints::kCurved * around.most(constraints_.limits().jerk);
     const double acceleration =
         std::min(constraints_.most_u(around), std::sqrt(2 * jerk * v) + jerk * time / 3);
     return (v + 0.5 * acceleration * time) * time;
@@ -239,7 +236,7 @@ class CornerLimits {
     if (!constraints_.limits_jerk()) return load;
     AxisVector tangent_jumps = AxisVector::Zero();
     CurvatureJumpLoad curvature_jumps;
-    for_nodes_within(n, kJerkSteps * fine_period_, v, [&](const Node& node) {
+    for_nodes_within(n, tuning::joints::kJerkSteps * fine_period_, v, [&](const Node& node) {
       if (node.passes_tangent_jump()) tangent_jumps += node.tangent_jump;
       if (node.passes_curvature_jump()) curvature_jumps.add(node.curvature_jump);
       load.joints += node.passes_tangent_jump() || node.passes_curvature_jump() ? 1 : 0;
@@ -251,7 +248,9 @@ class CornerLimits {
     const AxisVector curvature_jump_jerk =
         (curvature_jumps.above.cwiseMax(curvature_jumps.below) * v * v / fine_period_)
             .cwiseQuotient(jerk);
-    load.jerk = (load.tangent_jump_jerk / kTangentJumpJerkShare + curvature_jump_jerk).maxCoeff();
+    load.jerk =
+        (load.tangent_jump_jerk / tuning::joints::kTangentJumpJerkShare + curvature_jump_jerk)
+            .maxCoeff();
     return load;
   }
 

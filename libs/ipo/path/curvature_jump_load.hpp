@@ -4,12 +4,10 @@
 
 #include <algorithm>
 
+#include "ipo/tuning.hpp"
 #include "motion/core/axes.hpp"
 
 namespace softcnc::ipo {
-
-/// The weight w is 0 beyond kJumpPeriods periods and highest up to kJumpFlat.
-inline constexpr double kJumpPeriods = 2, kJumpFlat = 0.5;
 
 /// An acceleration that jumps by b appears in a third difference as b B(t) / T, t periods from the
 /// middle of its samples, where B is the quadratic B-spline over three periods, at most 3/4. The
@@ -17,13 +15,11 @@ inline constexpr double kJumpPeriods = 2, kJumpFlat = 0.5;
 /// plus b w(t) / T keeps it, provided that the average of w by B is nowhere below B; w is a
 /// trapezoid.
 inline double jump_weight(double periods) noexcept {
-  constexpr double kHighest = 0.7942;  // 3/4 of 18/17: B leaves 17/18 of it in the middle
-  return kHighest * std::clamp((kJumpPeriods - periods) / (kJumpPeriods - kJumpFlat), 0.0, 1.0);
+  return tuning::joints::kJumpWeight *
+         std::clamp((tuning::joints::kJumpPeriods - periods) /
+                        (tuning::joints::kJumpPeriods - tuning::joints::kJumpFlat),
+                    0.0, 1.0);
 }
-
-/// A plan takes joints to be this many periods nearer, so that its nodes need not lie at the very
-/// corners of w.
-inline constexpr double kJumpNearer = 0.1;
 
 /// What jumps add to the jerk of each axis, towards + and towards -; both are positive.
 struct CurvatureJumpLoad {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/path/grid.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,24 +8,6 @@
 
 namespace softcnc::ipo {
 namespace {
-
-constexpr int kMaxDepth = 40;
-constexpr int kMostParts = 16;         // at a time, of what is longer than
-constexpr double kSplitEvenly = 1e-4;  // mm
-constexpr double kStepParts = 8;
-constexpr double kSagParts = 3;  // times the tolerance: what a longer x' adds to velocities
-constexpr double kHalfParts =
-    4;                        // a curve is this many times nearer to its chord over half the length
-constexpr double kSwing = 2;  // times the tolerance: what the curvature may do between looks
-constexpr double kBrakingParts = 2;       // times the tolerance: what braking adds;
-                                          // with kAccelerationShare it stays within 0.1 %
-constexpr double kEvenSteps = 0.01;       // of their q
-constexpr double kShortest = 1e-7;        // mm; shorter than any machine resolves
-constexpr double kLeastShortest = 1e-10;  // mm: the rounding of places and lengths is far below it
-constexpr double kUnfelt = 0.01;          // of the jerk: what a sample may see of a part left out
-constexpr int kLooks = 16;                // at a strict velocity limit, between two nodes
-constexpr double kUnseen = 1.2;           // of how far the limit sags, and
-constexpr double kUnseenPart = 2e-4;      // of q: a limit may have corners between the looks
 
 /// Returns how often a move is halved at least: a part between two stops has a node where it moves,
 /// and no interval of an arc turns so far that its ends and its middle look like a straight line.
@@ -76,7 +59,7 @@ VelocityLimit lowest_step_limit(const Look& left, const Look& mid, const Look& r
   lowest.lower_to(left.of_step);
   lowest.lower_to(right.of_step);
   const double highest = std::max({left.of_step.q, mid.of_step.q, right.of_step.q});
-  if (highest > lowest.q * (1 + kEvenSteps)) return lowest;
+  if (highest > lowest.q * (1 + tuning::grid::kEvenSteps)) return lowest;
   const double rise = right.of_step.q - left.of_step.q;
   const double second = left.of_step.q - 2 * mid.of_step.q + right.of_step.q;
   if (std::abs(rise) < 2 * second) lowest.q = mid.of_step.q - rise * rise / (8 * second);
@@ -101,12 +84,13 @@ void keep_everywhere(Interval& interval, const Move& move, const Constraints& co
   interval.left_strict_q = left.q;
   interval.right_strict_q = right.q;
   double sag = 0;
-  for (int i = 1; i < kLooks && !interval.straight(); ++i) {
-    const double s = interval.s0 + interval.length() * i / kLooks;
+  for (int i = 1; i < tuning::grid::kLooks && !interval.straight(); ++i) {
+    const double s = interval.s0 + interval.length() * i / tuning::grid::kLooks;
     const VelocityLimit bound = strict_limit(at(move.path, s), move, constraints);
     sag = std::max(sag, interval.strict_q_at(s) - bound.q);
   }
-  if (!interval.straight()) sag = kUnseen * sag + kUnseenPart * std::min(left.q, right.q);
+  if (!interval.straight())
+    sag = tuning::grid::kUnseen * sag + tuning::grid::kUnseenPart * std::min(left.q, right.q);
   interval.left_strict_q = std::max(left.q - sag, 0.5 * left.q);
   interval.right_strict_q = std::max(right.q - sag, 0.5 * right.q);
   interval.left_limit.lower_to({interval.left_strict_q, left.limit});
@@ -118,7 +102,7 @@ bool is_rough(const Move& move) { return move.surface && move.surface->tooth_rat
 
 /// Returns a length, mm, below which a third difference over samples sees almost no jerk.
 double unfelt(const Constraints& constraints, const Directions& directions) {
-  return kUnfelt * directions.least(constraints.limits().jerk) *
+  return tuning::grid::kUnfelt * directions.least(constraints.limits().jerk) *
          std::pow(constraints.limits().period, 3);
 }
 
@@ -135,7 +119,8 @@ class Refiner {
     directions.add(move.path);
     acceleration_ = directions.most(constraints.limits().acceleration);
     gain_ = 2 * constraints.most_u(directions);
-    shortest_ = std::min(kShortest, std::max(kLeastShortest, unfelt(constraints, directions)));
+    shortest_ = std::min(tuning::grid::kShortest,
+                         std::max(tuning::grid::kLeastShortest, unfelt(constraints, directions)));
     highest_q_ = look(0, Side::after).asked.q;
   }
 
@@ -172,22 +157,24 @@ class Refiner {
     const Subinterval first{whole.s0, middle, whole.left, mid, whole.q0, q};
     const Subinterval second{middle, whole.s1, mid, whole.right, q, whole.q1};
     const double off = off_middle(whole, mid);
-    const bool linear =
-        off <= kHalfParts * kGridTolerance && limits_are_linear(whole, mid, reached);
+    const bool linear = off <= tuning::grid::kHalfParts * tuning::grid::kTolerance &&
+                        limits_are_linear(whole, mid, reached);
     const bool fine = depth >= least_depth_ && follows_ramps(whole) && follows_steps(whole, mid) &&
-                      linear && off <= kGridTolerance && limits_hold_outside(whole, mid, 1);
-    const bool shortest =
-        depth >= kMaxDepth || (depth >= least_depth_ && whole.length() < 2 * shortest_);
+                      linear && off <= tuning::grid::kTolerance &&
+                      limits_hold_outside(whole, mid, 1);
+    const bool shortest = depth >= tuning::grid::kMaxDepth ||
+                          (depth >= least_depth_ && whole.length() < 2 * shortest_);
     const VelocityLimit of_steps = lowest_step_limit(whole.left, mid, whole.right);
-    if (fine && curves_evenly(whole, kGridTolerance)) return keep(whole, of_steps, true);
-    if (linear && limits_hold_outside(whole, mid, 1 / kHalfParts) &&
+    if (fine && curves_evenly(whole, tuning::grid::kTolerance)) return keep(whole, of_steps, true);
+    if (linear && limits_hold_outside(whole, mid, 1 / tuning::grid::kHalfParts) &&
         halves_do(first, second, whole, depth)) {
       keep(first, {}, true);
       keep(second, {}, true);
       return;
     }
     if (fine || shortest) return keep(whole, of_steps, fine);
-    if (const int parts = parts_by(off); parts > 2 && whole.length() > kSplitEvenly && evenly_)
+    if (const int parts = parts_by(off);
+        parts > 2 && whole.length() > tuning::grid::kSplitEvenly && evenly_)
       return split_evenly(whole, parts, depth);
     split(first, depth + 1);
     split(second, depth + 1);
@@ -196,8 +183,9 @@ class Refiner {
   /// As many as leave each part so near that its halves suffice: the deviation of a middle goes
   /// with the square of the length.
   static int parts_by(double off) {
-    return static_cast<int>(
-        std::ceil(std::min(double(kMostParts), std::sqrt(off / (kHalfParts * kGridTolerance)))));
+    return static_cast<int>(std::ceil(
+        std::min(double(tuning::grid::kMostParts),
+                 std::sqrt(off / (tuning::grid::kHalfParts * tuning::grid::kTolerance)))));
   }
 
   void split_evenly(const Subinterval& whole, int parts, int depth) {
@@ -226,7 +214,8 @@ class Refiner {
   bool halves_do(const Subinterval& first, const Subinterval& second, const Subinterval& whole,
                  int depth) const {
     return depth + 1 >= least_depth_ && !is_rough(move_) && follows_ramps(first) &&
-           follows_ramps(second) && curves_evenly(whole, kHalfParts * kGridTolerance) &&
+           follows_ramps(second) &&
+           curves_evenly(whole, tuning::grid::kHalfParts * tuning::grid::kTolerance) &&
            steps_are_free(whole, first.right);
   }
 
@@ -239,21 +228,22 @@ class Refiner {
         std::max({left.point.ddq.norm(), mid.point.ddq.norm(), right.point.ddq.norm()});
     PathPoint sharper = mid.point;
     sharper.ddq.setZero();
-    sharper.ddq[0] = sharpest + (1 + kSwing * kHalfParts) * kGridTolerance * acceleration_ / top;
+    sharper.ddq[0] = sharpest + (1 + tuning::grid::kSwing * tuning::grid::kHalfParts) *
+                                    tuning::grid::kTolerance * acceleration_ / top;
     return step_limit(sharper, move_, constraints_).q >= top;
   }
 
   /// Whether the curvature goes from end to end as its slopes there indicate, so that it does not
   /// swing in a way that the middle does not show.
   bool curves_evenly(const Subinterval& whole, double tolerance) const {
-    constexpr double kHermite = 4.0 / 27;  // the most that a slope at an end adds inside
     const PathPoint &left = whole.left.point, &right = whole.right.point;
     const double h = whole.length(), q = whole.mean_q();
     const AxisVector rise = right.ddq - left.ddq;
     const AxisVector off = (h * left.dddq - rise).cwiseAbs() + (h * right.dddq - rise).cwiseAbs();
     const AxisVector& a = constraints_.centripetal_limits();
     for (int i = 0; i < kAxes; ++i)
-      if (!(kHermite * off[i] * q <= kSwing * tolerance * a[i])) return false;
+      if (!(tuning::grid::kHermite * off[i] * q <= tuning::grid::kSwing * tolerance * a[i]))
+        return false;
     return true;
   }
 
@@ -294,20 +284,22 @@ class Refiner {
         std::minmax({whole.left.of_step.q, mid.of_step.q, whole.right.of_step.q});
     if (lower >= whole.left.limit.q) return true;
     const double step = std::sqrt(lower) * constraints_.limits().period;
-    return upper <= lower * (1 + kEvenSteps) || whole.length() <= step / kStepParts;
+    return upper <= lower * (1 + tuning::grid::kEvenSteps) ||
+           whole.length() <= step / tuning::grid::kStepParts;
   }
 
   /// The velocity limits in the middle are hardly below the mean of the ends, as far as that can be
   /// reached, nor below the lines to it.
   bool limits_are_linear(const Subinterval& whole, const Look& middle, double reached) const {
     const double mean = std::min(0.5 * (whole.left.limit.q + whole.right.limit.q), reached);
-    if (mean > middle.asked.q * (1 + kGridTolerance)) return false;
+    if (mean > middle.asked.q * (1 + tuning::grid::kTolerance)) return false;
     const Passing left{whole.left.point, whole.left.limit.q};
     const Passing mid{middle.point, std::max(middle.limit.q, mean)};
     const Passing right{whole.right.point, whole.right.limit.q};
     for (const auto& constraint : constraints_.velocity_limits())
       if (!constraint->is_even(left.point, right.point, move_) ||
-          !holds_between(*constraint, left, mid, right, AxisVector::Zero(), kGridTolerance))
+          !holds_between(*constraint, left, mid, right, AxisVector::Zero(),
+                         tuning::grid::kTolerance))
         return false;
     return true;
   }
@@ -328,7 +320,7 @@ class Refiner {
     return std::all_of(constraints_.velocity_limits().begin(), constraints_.velocity_limits().end(),
                        [&](const auto& constraint) {
                          return holds_between(*constraint, left, mid, right, sag,
-                                              kSagParts * kGridTolerance);
+                                              tuning::grid::kSagParts * tuning::grid::kTolerance);
                        });
   }
 
@@ -344,7 +336,7 @@ class Refiner {
     const double least = off <= std::abs(longer)
                              ? off
                              : std::min(off, std::abs(longer) + off_mean(whole, middle, longer));
-    return std::max(least, (least + off_braking(whole, middle)) / kBrakingParts);
+    return std::max(least, (least + off_braking(whole, middle)) / tuning::grid::kBrakingParts);
   }
 
   /// Returns what the middle may require beyond the mean of the ends where q falls as x'' grows:
@@ -379,8 +371,8 @@ class Refiner {
   double acceleration_ = 0;  // of all axes together
   double gain_ = 0;          // of q by mm of path, at most
   double highest_q_ = 0;
-  double shortest_ = kShortest;  // mm
-  double start_ = 0, end_ = 0;   // of the part
+  double shortest_ = tuning::grid::kShortest;  // mm
+  double start_ = 0, end_ = 0;                 // of the part
   double q_after_ = kUnlimited;  // the highest that can be reached where what is kept so far ends
 };
 
@@ -392,7 +384,7 @@ std::vector<double> line_nodes(const Interval& whole, const Constraints& constra
   const double top = whole.left_limit.q;
   const double period_distance = std::sqrt(top) * constraints.limits().period;
   const double felt = felt_from(whole, whole.s1, constraints.limits().period);
-  if (constraints.limits_jerk() || felt <= kWorthwhile * period_distance) return {};
+  if (constraints.limits_jerk() || felt <= tuning::grid::kWorthwhile * period_distance) return {};
   const double braking = top / (2 * constraints.largest_u(whole.left)) + period_distance;
   return {std::max(felt - braking, 0.5 * felt), felt};
 }
@@ -417,7 +409,9 @@ void lay_line(const Move& move, double to, const Constraints& constraints,
 
 double felt_from(const Interval& line, double end, double period) noexcept {
   const double period_distance = std::sqrt(line.left_limit.q) * period;
-  return period_distance < kShortest ? 0 : end - (kFeltPeriods + 1) * period_distance;
+  return period_distance < tuning::grid::kShortest
+             ? 0
+             : end - (tuning::grid::kFeltPeriods + 1) * period_distance;
 }
 
 void make_grid(const Move& move, const Constraints& constraints, std::vector<Interval>& grid,

@@ -12,11 +12,6 @@
 
 namespace softcnc::ipo {
 
-/// Nothing has any influence more than this many periods away: a joint slows down what lies within
-/// three steps of it, on behalf of all that lies within three of it; and one more step for what
-/// shares a step.
-inline constexpr double kFeltPeriods = 8;
-
 /// A velocity limit: an upper bound on q = v^2 (mm^2/s^2) and the name of what imposes it.
 struct VelocityLimit {
   double q = kUnlimited;
@@ -67,9 +62,6 @@ struct Interval {
   bool straight() const noexcept { return left.ddq.isZero(0) && right.ddq.isZero(0); }
 };
 
-/// How long, in periods, the beginning of a line must last to be settled before what follows it.
-inline constexpr double kWorthwhile = 32;
-
 /// Returns the place on a line that ends at `end`, mm of its move, from which on what follows it
 /// matters; 0 where the line is too slow for that to be resolved.
 double felt_from(const Interval& line, double end, double period) noexcept;
@@ -77,11 +69,9 @@ double felt_from(const Interval& line, double end, double period) noexcept;
 /// Appends the intervals of a move to `grid` and calls take(s) whenever they extend to a break of
 /// the path, or to its end, at s mm; take() may remove what is there. Between two nodes the
 /// velocity limits, and the accelerations that x' and x'' cause, exceed their linear interpolation
-/// by less than kGridTolerance of the limits. Every break of the path is a node. Strict velocity
-/// limits are nowhere exceeded at all.
+/// by less than tuning::grid::kTolerance of the limits. Every break of the path is a node. Strict
+/// velocity limits are nowhere exceeded at all.
 void make_grid(const Move& move, const Constraints& constraints, std::vector<Interval>& grid,
                const std::function<void(double s)>& take);
-
-inline constexpr double kGridTolerance = 4e-4;
 
 }  // namespace softcnc::ipo

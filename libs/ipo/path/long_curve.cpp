@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ipo/tuning.hpp"
 #include "motion/geometry/section.hpp"
 
 namespace softcnc::ipo {
@@ -14,14 +15,15 @@ double end_of_stretch(const Path& path, double begin) {
   const auto joints = breaks(path);
   const auto next = std::upper_bound(joints.begin(), joints.end(), begin);
   const auto left = static_cast<std::size_t>(joints.end() - next);
-  return left > 2 * kSpansOfStretch ? next[kSpansOfStretch - 1] : length(path);
+  return left > 2 * tuning::path::kSpansOfPart ? next[tuning::path::kSpansOfPart - 1]
+                                               : length(path);
 }
 
 }  // namespace
 
 bool is_long_curve(const Piece& piece) noexcept {
   const Move* move = std::get_if<Move>(&piece.block.what);
-  return move && piece.marks.empty() && breaks(move->path).size() > kMostSpansAtOnce;
+  return move && piece.marks.empty() && breaks(move->path).size() > tuning::path::kMostSpansAtOnce;
 }
 
 Piece next_stretch(const Piece& curve, double& begin) {

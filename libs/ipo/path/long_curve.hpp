@@ -8,12 +8,6 @@
 
 namespace softcnc::ipo {
 
-/// A curve of more spans is planned in parts. A plan needs some 40 kB for each span of a curve with
-/// curvature all along; that is needed for few parts at a time.
-inline constexpr std::size_t kMostSpansAtOnce = 512;
-/// The spans of one part.
-inline constexpr std::size_t kSpansOfStretch = 128;
-
 /// Whether a piece is such a curve, and of one block alone.
 bool is_long_curve(const Piece& piece) noexcept;
 

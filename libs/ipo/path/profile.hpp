@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ipo/path/ramp.hpp"
+#include "ipo/tuning.hpp"
 #include "motion/model/setpoint.hpp"
 
 namespace softcnc::ipo {
@@ -18,8 +19,6 @@ struct State {
   double a = 0;  // mm/s^2
   Limit limit = Limit::stop;
 };
-
-inline constexpr double kStandstill = 1e-9;  // mm/s: slower is rounding
 
 /// s(t) of one block in polynomial pieces, from t = 0 (s and t within the block).
 class Profile {
@@ -80,7 +79,7 @@ class Profile {
     /// Whether the machine moves in it.
     bool moves() const noexcept { return s1 > s0; }
     /// Whether the machine moves in it and comes to rest.
-    bool ends_at_rest() const noexcept { return moves() && v1 <= kStandstill; }
+    bool ends_at_rest() const noexcept { return moves() && v1 <= tuning::path::kStandstill; }
   };
   /// Passes each of its pieces that has a duration, as far as it lies before `until`, s, to
   /// sink(span).

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/path/rest_to_rest.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,12 +8,6 @@
 
 namespace softcnc::ipo {
 namespace {
-
-/// s: a shorter phase is left out, so that no phase is lost in the rounding of its ends. The limits
-/// are exceeded by their jerk times this at most.
-constexpr double kShortest = 1e-7;
-constexpr int kHalvings = 50;
-constexpr double kRounding = 1e-6;  // of a speed
 
 /// The speed and acceleration that are reached, mm/s and mm/s^2, and how long each is held, s.
 struct Peak {
@@ -29,7 +24,7 @@ Peak without_cruising(double distance, const LineLimits& most) {
     const double v =
         2 * most.a * distance / (knee + std::sqrt(knee * knee + 4 * most.a * distance));
     const double hold = (v - knee) / most.a;
-    if (hold > kShortest) return {v, most.a, hold, 0};
+    if (hold > tuning::path::kShortestPhase) return {v, most.a, hold, 0};
   }
   const double v = std::cbrt(0.25 * distance * distance * most.j);
   return {v, std::sqrt(v * most.j), 0, 0};
@@ -38,7 +33,7 @@ Peak without_cruising(double distance, const LineLimits& most) {
 Peak cruising_peak(const LineLimits& most) {
   const double knee = most.a * most.a / most.j;
   Peak peak{most.v, std::min(most.a, std::sqrt(most.v * most.j)), 0, 0};
-  if (most.v > knee + most.a * kShortest)
+  if (most.v > knee + most.a * tuning::path::kShortestPhase)
     peak.hold = (most.v - knee) / most.a;
   else if (most.v > knee)
     peak.v = knee;
@@ -48,7 +43,7 @@ Peak cruising_peak(const LineLimits& most) {
 Peak peak_of(double distance, const LineLimits& most) {
   Peak peak = cruising_peak(most);
   peak.cruise = (distance - distance_of(peak.v, peak.a, most.j)) / peak.v;
-  return peak.cruise > kShortest ? peak : without_cruising(distance, most);
+  return peak.cruise > tuning::path::kShortestPhase ? peak : without_cruising(distance, most);
 }
 
 using Rise = std::array<Ramp, 3>;
@@ -92,8 +87,8 @@ Ramp cruise(double s0, double s1, double v, Limit limit) {
 
 LineLimits line_limits(const Interval& line, const VelocityLimit& bound,
                        const Constraints& constraints) {
-  return {std::sqrt(bound.q) * (1 - kRounding), constraints.straight_u(line.left.dq),
-          along(constraints.limits().jerk, line.left.dq)};
+  return {std::sqrt(bound.q) * (1 - tuning::path::kSpeedRounding),
+          constraints.straight_u(line.left.dq), along(constraints.limits().jerk, line.left.dq)};
 }
 
 std::vector<Ramp> rest_to_rest(double s0, double s1, const LineLimits& limits, Limit cruising) {
@@ -135,7 +130,7 @@ double speed_at(const std::vector<Ramp>& ramps, double s) noexcept {
       std::find_if(ramps.begin(), ramps.end() - 1, [=](const Ramp& ramp) { return s <= ramp.s1; });
   const Quintic motion = quintic(*at);
   double early = 0, late = at->duration;
-  for (int i = 0; i < kHalvings; ++i) {
+  for (int i = 0; i < tuning::path::kSpeedHalvings; ++i) {
     const double middle = 0.5 * (early + late);
     (motion.s(middle) < s ? early : late) = middle;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/path/tangent_jump_load.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,13 +41,11 @@ TangentJumpLoad::Use TangentJumpLoad::use(double v) const {
 
 /// Newton's method from above: what the jumps use is convex in v.
 double TangentJumpLoad::fastest(double planned) const {
-  constexpr int kMostSteps = 60;
-  constexpr double kBeyond = 1e-9;  // relative, so that the last step ends below
   double v = planned;
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < tuning::joints::kMostNewtonSteps; ++i) {
     const Use most = use(v);
     if (most.part <= 1) return v;
-    v = (v - (most.part - 1) / most.slope) * (1 - kBeyond);
+    v = (v - (most.part - 1) / most.slope) * (1 - tuning::joints::kBeyond);
   }
   return v / std::max(use(v).part, 1.0);
 }

@@ -6,20 +6,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ipo/tuning.hpp"
 #include "motion/geometry/extent.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-constexpr double kTolerance = 1e-6;  // mm
 
 /// Returns by how much the box lies below (negative) or above the travel of an axis, mm; 0: within.
 /// What the move starts outside counts as within.
 double excess(const Extent& box, const Axis& axis, const AxisVector& start, int i) {
   const double below = box.min[i] - std::min(axis.min, start[i]);
   const double above = box.max[i] - std::max(axis.max, start[i]);
-  if (below < -kTolerance && -below >= above) return box.min[i] - axis.min;
-  return above > kTolerance ? box.max[i] - axis.max : 0;
+  if (below < -tuning::path::kTravelTolerance && -below >= above) return box.min[i] - axis.min;
+  return above > tuning::path::kTravelTolerance ? box.max[i] - axis.max : 0;
 }
 
 /// Formats a length with enough decimals to show two digits of the excess, without trailing zeros.

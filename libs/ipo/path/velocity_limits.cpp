@@ -10,6 +10,7 @@
 #include "ipo/path/chain.hpp"
 #include "ipo/path/corner_limits.hpp"
 #include "ipo/path/step_limit_dilation.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
@@ -75,7 +76,7 @@ class VelocityLimitDerivation {
     for (std::size_t n = first; n < chain_.nodes.size(); ++n)
       if (chain_.nodes[n].turns())
         chain_.for_intervals_in_step(n, period_, [this](std::size_t i) {
-          step_share_[i] = kTurnShare;
+          step_share_[i] = tuning::joints::kTurnShare;
           return true;
         });
   }

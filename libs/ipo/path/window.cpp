@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/path/window.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 
 namespace softcnc::ipo {
-namespace {
-
-constexpr double kNodePart = 1e-6;  // of an interval: nodes nearer to its end count as its end
-
-}  // namespace
 
 void Window::append(const Move& move, RestBefore rest) {
   // What is appended changes these limits, and more after it changes none before them.
@@ -82,7 +78,7 @@ void Window::slow_from(const Chain& appended, double distance) {
   chain_ = appended;
   slowing_distance_ = distance;
   const std::size_t from =
-      distance > 0 ? node_at(chain_.nodes[front_].s + distance, kNodePart) : front_;
+      distance > 0 ? node_at(chain_.nodes[front_].s + distance, tuning::chain::kNodePart) : front_;
   chain_.slower_from = chain_.nodes[from].s;
   derive_all();
 }
@@ -108,7 +104,7 @@ void Window::forget() {
   chain_.drop_front(keep);
   front_ -= keep;
   derived_to_ -= std::min(derived_to_, keep);
-  forget_at_ = std::max(kFewPassed, 2 * front_);
+  forget_at_ = std::max(tuning::chain::kFewPassed, 2 * front_);
 }
 
 }  // namespace softcnc::ipo

@@ -8,6 +8,7 @@
 
 #include "ipo/path/chain.hpp"
 #include "ipo/path/profile.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 
@@ -132,8 +133,7 @@ class Window {
  private:
   void forget();
 
-  static constexpr std::size_t kFewPassed = 1024;  // intervals
-  std::size_t forget_at_ = kFewPassed;             // intervals left of the front
+  std::size_t forget_at_ = tuning::chain::kFewPassed;  // intervals left of the front
 };
 
 }  // namespace softcnc::ipo

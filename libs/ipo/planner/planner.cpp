@@ -7,11 +7,10 @@
 #include "ipo/path/long_curve.hpp"
 #include "ipo/path/travel.hpp"
 #include "ipo/planner/make_window.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-constexpr std::size_t kFewIntervals = 128;
 
 /// Returns the time of the sample at `t`, or of the last one before it.
 double sample_at(double t, double period) { return std::floor(t / period) * period; }
@@ -171,7 +170,8 @@ void Planner::report_no_speed(Profile& profile) {
 /// Where nothing more was found, it is worth planning again only when the window has grown.
 bool Planner::settle() {
   const bool ended = finished_ && (ahead_.empty() || to_rest_);
-  if (!ended && !hurried_ && window_->size() < std::max(kFewIntervals, 2 * last_size_))
+  if (!ended && !hurried_ &&
+      window_->size() < std::max(tuning::planner::kFewIntervals, 2 * last_size_))
     return false;
   settled_ = window_->settle(ended);
   if (window_->lost()) return stop_first();
@@ -195,8 +195,8 @@ void Planner::rest_at_turn(Profile& profile) {
   const double sample_before = sample_at(t, period);
   const double nearest = std::min(t - sample_before, sample_before + period - t);
   const double cut = 0.5 * constraints_.most_u(turn.directions) * nearest * nearest;
-  const double allowed =
-      constraints_.limits().chord_tolerance * (turn.shares_its_step ? kTurnShare : 1);
+  const double allowed = constraints_.limits().chord_tolerance *
+                         (turn.shares_its_step ? tuning::joints::kTurnShare : 1);
   if (cut > allowed || last_rest_ > sample_before) profile.add_rest(sample_before + period - t);
   last_rest_ = t;
 }

@@ -6,6 +6,7 @@
 
 #include "ipo/planner/make_window.hpp"
 #include "ipo/planner/planner.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
@@ -23,7 +24,8 @@ bool at_end(const TimedBlock& timed, double s) {
 
 /// A motion that has just begun, or has nearly ended, counts as at rest.
 State without_rounding(State now, const TimedBlock& present) {
-  if (now.v < kStandstill && (now.a >= 0 || at_end(present, now.s))) now.v = now.a = 0;
+  if (now.v < tuning::path::kStandstill && (now.a >= 0 || at_end(present, now.s)))
+    now.v = now.a = 0;
   return now;
 }
 
@@ -155,8 +157,8 @@ double Planner::distance_to_rest(double s) const {
 /// front is `s` mm inside the first pending one.
 void Planner::lay_out(const std::deque<TimedBlock>& passed, double s) {
   counts_.effort += window_->effort();
-  window_ =
-      make_window(constraints_, constraints_.limits_jerk() ? 1 : kAccelerationShare, horizon_);
+  window_ = make_window(
+      constraints_, constraints_.limits_jerk() ? 1 : tuning::planner::kAccelerationShare, horizon_);
   settled_ = last_size_ = 0;
   std::size_t moves_passed = 0;
   RestBefore rest;

@@ -32,9 +32,4 @@ StopPlan plan_stop(const Constraints& constraints, const BlocksAround& around, c
 double longest_stop(const State& now, const Constraints& constraints,
                     const Directions& directions) noexcept;
 
-/// The share of the accelerations that a plan may use which continues another one: the first plan
-/// leaves nothing unused, so what interpolating and rounding may cost is added here, well within
-/// the 0.1 % by which limits may be exceeded.
-inline constexpr double kAccelerationShare = 1 + 5e-4;
-
 }  // namespace softcnc::ipo

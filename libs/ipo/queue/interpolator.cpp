@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/queue/interpolator.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 
 namespace softcnc::ipo {
 namespace {
-
-/// Instants that differ by less than this part of a period are one: rounding of sums of durations.
-constexpr double kSameInstant = 1e-9;
 
 const Nurbs* nurbs_of(const TimedBlock& timed) noexcept {
   const Move* move = timed.move();
@@ -33,7 +31,7 @@ std::optional<Setpoint> Interpolator::step() noexcept {
 }
 
 double Interpolator::needs_until() const noexcept {
-  const double same = 2 * kSameInstant * control_.period;
+  const double same = 2 * tuning::queue::kSameInstant * control_.period;
   if (follows_time(control_.interpolation) || queue_.empty())
     return static_cast<double>(periods_) * control_.period + same;
   return queue_.front().t_start + t_ + control_.period + same;
@@ -136,7 +134,7 @@ std::span<const FinePoint> Interpolator::fine(const Setpoint& next) noexcept {
 }
 
 void Interpolator::go_to(double t) noexcept {
-  const double same = kSameInstant * control_.period;
+  const double same = tuning::queue::kSameInstant * control_.period;
   while (!queue_.empty() && t >= queue_.front().t_end() - same) {
     const Profile& profile = queue_.front().profile;
     walk_pulses(t, profile.at(profile.duration(), hint_).s);
@@ -165,7 +163,7 @@ void Interpolator::walk_pulses(double t, double s) noexcept {
 /// method does. Every block ends in its end point; what is left of the period belongs to the next
 /// block.
 void Interpolator::follow_method(double left) noexcept {
-  const double same = kSameInstant * control_.period;
+  const double same = tuning::queue::kSameInstant * control_.period;
   while (!queue_.empty()) {
     const Profile& profile = queue_.front().profile;
     const double s = state().s;

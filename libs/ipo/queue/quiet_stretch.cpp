@@ -6,14 +6,10 @@
 
 #include "ipo/limits/chord_error.hpp"
 #include "ipo/limits/machine_limits.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-constexpr double kPart = 0.25;     // of a limit: values may be higher between the instants
-constexpr double kDrawn = 0.1;     // of the chord tolerance
-constexpr double kFewPeriods = 8;  // a shorter piece is not worth examining
-constexpr int kInstants = 4;       // beside the first
 
 /// What the samples of a piece require of the machine.
 class PieceLook {
@@ -26,21 +22,23 @@ class PieceLook {
 
   bool is_quiet(const Quintic& motion, double duration) {
     curvature_ = fastest_ = 0;
-    for (int k = 0; k <= kInstants; ++k) {
-      const Instant now = motion.at(duration * k / kInstants);
+    for (int k = 0; k <= tuning::queue::kQuietInstants; ++k) {
+      const Instant now = motion.at(duration * k / tuning::queue::kQuietInstants);
       const double s = std::clamp(now.s, 0.0, length(path_));
-      const PathPoint point = at(path_, s, k < kInstants ? Side::after : Side::before);
+      const PathPoint point =
+          at(path_, s, k < tuning::queue::kQuietInstants ? Side::after : Side::before);
       if (!keeps(point, now) || (k == 0 && jumps(point.dq, now.v))) return false;
-      if (k == kInstants) last_direction_ = point.dq;
+      if (k == tuning::queue::kQuietInstants) last_direction_ = point.dq;
     }
     return true;
   }
 
   /// Returns the time, s, between two samples that still draw the piece.
   double step() const noexcept {
-    return fastest_ > 0
-               ? chord_step(curvature_, kDrawn * machine_.control.chord_tolerance) / fastest_
-               : kUnlimited;
+    return fastest_ > 0 ? chord_step(curvature_, tuning::queue::kQuietDrawn *
+                                                     machine_.control.chord_tolerance) /
+                              fastest_
+                        : kUnlimited;
   }
 
  private:
@@ -53,17 +51,20 @@ class PieceLook {
     for (int i = 0; i < kAxes; ++i) {
       const Axis& axis = machine_.axes[static_cast<std::size_t>(i)];
       if (!axis.present) continue;
-      if (std::abs(point.dq[i]) * now.v > kPart * axis.velocity) return false;
-      if (acceleration[i] > kPart * axis.acceleration) return false;
-      if (axis.jerk > 0 && 2 * acceleration[i] > kPart * axis.jerk * fine_period_) return false;
+      if (std::abs(point.dq[i]) * now.v > tuning::queue::kQuietPart * axis.velocity) return false;
+      if (acceleration[i] > tuning::queue::kQuietPart * axis.acceleration) return false;
+      if (axis.jerk > 0 &&
+          2 * acceleration[i] > tuning::queue::kQuietPart * axis.jerk * fine_period_)
+        return false;
     }
     const double kappa = point.ddq.norm(), step = now.v * period_;
     curvature_ = std::max(curvature_, kappa);
     fastest_ = std::max(fastest_, now.v);
     const PathLimits& along = machine_.limits;
-    return !(along.tangential > 0 && std::abs(now.a) > kPart * along.tangential) &&
-           !(along.normal > 0 && kappa * q > kPart * along.normal) &&
-           kappa * step * step / 8 <= kPart * machine_.control.chord_tolerance;
+    return !(along.tangential > 0 &&
+             std::abs(now.a) > tuning::queue::kQuietPart * along.tangential) &&
+           !(along.normal > 0 && kappa * q > tuning::queue::kQuietPart * along.normal) &&
+           kappa * step * step / 8 <= tuning::queue::kQuietPart * machine_.control.chord_tolerance;
   }
 
   /// A jump of the direction appears as an acceleration within one period.
@@ -75,7 +76,7 @@ class PieceLook {
       const double most = axis.jerk > 0
                               ? std::min(axis.acceleration, 0.5 * axis.jerk * fine_period_)
                               : axis.acceleration;
-      if (axis.present && felt[i] > kPart * most) return true;
+      if (axis.present && felt[i] > tuning::queue::kQuietPart * most) return true;
     }
     return false;
   }
@@ -95,8 +96,8 @@ QuietStretch quiet_from(const TimedBlock& timed, double t, const Machine& machin
   PieceLook look(move->path, machine);
   QuietStretch stretch{t, true, kUnlimited};
   timed.profile.for_each_from(t, [&](const Quintic& motion, double begin, double duration) {
-    const bool quiet =
-        duration >= kFewPeriods * machine.control.period && look.is_quiet(motion, duration);
+    const bool quiet = duration >= tuning::queue::kQuietPeriods * machine.control.period &&
+                       look.is_quiet(motion, duration);
     if (!quiet && stretch.until > t) return false;
     stretch.until = begin + duration;
     stretch.quiet = quiet;

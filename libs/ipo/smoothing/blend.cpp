@@ -18,26 +18,18 @@
 #include <array>
 #include <cmath>
 
+#include "ipo/tuning.hpp"
 #include "motion/geometry/deviation.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-constexpr double kFirstControl = 0.4;     // of d: first control point
-constexpr double kShortest = 1e-5;        // mm
-constexpr double kMostTurn = 0.6;         // rad: of a path within d
-constexpr int kTurnSamples = 8;           // where it is looked for
-constexpr std::size_t kSamples = 16;      // of the curve, on either side of its middle
-constexpr double kRise = 1.5 / 8;         // of a second difference: 1/8 for a parabola
-constexpr std::ptrdiff_t kMostKnots = 4;  // of a NURBS, within d: samples see what is between
-constexpr int kRounds = 12;
 
 struct Cut {
   double before, after;
 };
 
 std::array<AxisVector, 3> end_points(const PathPoint& end, double d, double direction) {
-  const double reach = kFirstControl * d;
+  const double reach = tuning::blend::kFirstControl * d;
   const AxisVector along = direction * reach * end.dq;
   return {end.q, end.q + along, end.q + 2 * along + 1.25 * reach * reach * end.ddq};
 }
@@ -71,13 +63,14 @@ class Fit {
   static bool is_tame(const Portion& portion) {
     if (std::holds_alternative<Line>(*portion.path)) return true;
     if (const Nurbs* nurbs = std::get_if<Nurbs>(portion.path);
-        nurbs && knots_within(*nurbs, portion.s0, portion.s1) > kMostKnots)
+        nurbs && knots_within(*nurbs, portion.s0, portion.s1) > tuning::blend::kMostKnots)
       return false;
-    const double step = (portion.s1 - portion.s0) / kTurnSamples;
+    const double step = (portion.s1 - portion.s0) / tuning::blend::kTurnSamples;
     const PathPoint first = at(*portion.path, portion.s0);
-    if (first.ddq.norm() * step > kMostTurn) return false;
-    for (int i = 1; i <= kTurnSamples; ++i)
-      if ((at(*portion.path, portion.s0 + i * step, Side::before).dq - first.dq).norm() > kMostTurn)
+    if (first.ddq.norm() * step > tuning::blend::kMostTurn) return false;
+    for (int i = 1; i <= tuning::blend::kTurnSamples; ++i)
+      if ((at(*portion.path, portion.s0 + i * step, Side::before).dq - first.dq).norm() >
+          tuning::blend::kMostTurn)
         return false;
     return true;
   }
@@ -97,20 +90,20 @@ class Fit {
   /// Returns the bound for the half of the curve that begins at t0, from its points in the portion.
   static double highest(const Portion& portion, const std::array<AxisVector, 6>& points,
                         double t0) {
-    std::array<AxisVector, kSamples + 1> off;
-    for (std::size_t i = 0; i <= kSamples; ++i) {
-      const double part = static_cast<double>(i) / kSamples;
+    std::array<AxisVector, tuning::blend::kSamples + 1> off;
+    for (std::size_t i = 0; i <= tuning::blend::kSamples; ++i) {
+      const double part = static_cast<double>(i) / tuning::blend::kSamples;
       off[i] = from_place(portion, bezier(points, t0 + 0.5 * part), part);
     }
-    std::array<double, kSamples + 1> second{};
-    for (std::size_t i = 1; i < kSamples; ++i)
+    std::array<double, tuning::blend::kSamples + 1> second{};
+    for (std::size_t i = 1; i < tuning::blend::kSamples; ++i)
       second[i] = (off[i - 1] - 2 * off[i] + off[i + 1]).norm();
     second.front() = second[1];
-    second.back() = second[kSamples - 1];
+    second.back() = second[tuning::blend::kSamples - 1];
     double largest = 0;
-    for (std::size_t i = 0; i < kSamples; ++i)
+    for (std::size_t i = 0; i < tuning::blend::kSamples; ++i)
       largest = std::max(largest, std::max(off[i].norm(), off[i + 1].norm()) +
-                                      kRise * std::max(second[i], second[i + 1]));
+                                      tuning::blend::kRise * std::max(second[i], second[i + 1]));
     return largest;
   }
 
@@ -135,10 +128,10 @@ struct LongestCut {
 };
 std::optional<LongestCut> longest_cut(const Fit& fit, double most, double tolerance) {
   double d = most;
-  while (!fit.is_tame(even(d)) && d > kShortest) d *= 0.5;
+  while (!fit.is_tame(even(d)) && d > tuning::blend::kShortest) d *= 0.5;
   LongestCut good{0, 0};
   double bad = d;
-  for (int i = 0; i < kRounds && d > kShortest; ++i) {
+  for (int i = 0; i < tuning::blend::kRounds && d > tuning::blend::kShortest; ++i) {
     const double off = fit.deviation(even(d));
     if (off <= tolerance) {
       good = {d, off};
@@ -150,7 +143,7 @@ std::optional<LongestCut> longest_cut(const Fit& fit, double most, double tolera
       d = good.cut > 0 ? 0.5 * (good.cut + bad) : d * std::max(ratio, 0.02);
     }
   }
-  if (good.cut <= kShortest) return std::nullopt;
+  if (good.cut <= tuning::blend::kShortest) return std::nullopt;
   return good;
 }
 
@@ -173,7 +166,7 @@ std::optional<Blend> make_blend(const Joint& joint) {
   const double most = std::min(joint.most_before, joint.most_after);
   const PathPoint a = at(joint.before, length(joint.before), Side::before);
   const PathPoint b = at(joint.after, 0, Side::after);
-  if (a.dq.dot(b.dq) < kTurnsBack || !(joint.tolerance > 0)) return std::nullopt;
+  if (a.dq.dot(b.dq) < tuning::blend::kTurnsBack || !(joint.tolerance > 0)) return std::nullopt;
   const Fit fit(joint);
   const auto found = longest_cut(fit, most, joint.tolerance);
   if (!found) return std::nullopt;

@@ -34,8 +34,4 @@ JointJump joint_jump(const Path& before, const Path& after) noexcept;
 /// where no such curve is longer than rounding, or where the path turns back.
 std::optional<Blend> make_blend(const Joint& joint);
 
-/// The cosine between two directions below which the path counts as turning back, and the machine
-/// stops: a curve around such a tip is hardly faster, and so small that planning it takes long.
-inline constexpr double kTurnsBack = -0.87;
-
 }  // namespace softcnc::ipo

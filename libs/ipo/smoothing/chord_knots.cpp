@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/smoothing/chord_knots.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,7 @@ ChordKnots::ChordKnots(Lines lines, std::size_t first, double spacing) {
 
 void ChordKnots::lay(Lines lines, double spacing, bool near) {
   knots_.push_back(knots_.back() + spacing);
-  const bool first = bases_.size() < 2;  // the bend before it is not known
+  const bool first = bases_.size() < 2;  // the curvature before it is not known
   add_basis(lines, bases_.back().edge, first || (near && last_is_near_));
   last_is_near_ = near;
   for (; settled_ < bases_.size(); ++settled_)
@@ -37,7 +38,7 @@ void ChordKnots::lay(Lines lines, double spacing, bool near) {
 void ChordKnots::add_basis(Lines lines, std::size_t edge, bool near) {
   const double* knot = knots_.data() + knots_.size() - 3;
   const double mean = (knot[0] + knot[1] + knot[2]) / 3;
-  while (edge + 2 < lines.size() && lines[edge + 1].t <= mean + kSamePlace) ++edge;
+  while (edge + 2 < lines.size() && lines[edge + 1].t <= mean + tuning::knots::kSamePlace) ++edge;
   const AxisVector middle = lines[edge].at(mean);
   bases_.push_back({mean, edge, middle, middle, near});
 }
@@ -67,9 +68,8 @@ void ChordKnots::cut_back(std::size_t bases) {
 }
 
 std::size_t ChordKnots::forget_bases(std::size_t basis) {
-  constexpr std::size_t kShaping = 4, kMany = 16;
-  if (basis < kShaping + kMany) return 0;
-  const std::size_t count = basis - kShaping;
+  if (basis < tuning::knots::kKeptBases + tuning::knots::kForgottenBases) return 0;
+  const std::size_t count = basis - tuning::knots::kKeptBases;
   settled_ -= count;
   bases_.erase(bases_.begin(), bases_.begin() + static_cast<std::ptrdiff_t>(count));
   knots_.erase(knots_.begin(), knots_.begin() + static_cast<std::ptrdiff_t>(count));

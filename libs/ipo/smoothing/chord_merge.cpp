@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/smoothing/chord_merge.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +8,6 @@
 
 namespace softcnc::ipo {
 namespace {
-
-constexpr double kPart = 1.0 / 16;      // of the tolerance, for chords
-constexpr std::size_t kMostLines = 64;  // in one chord
-constexpr double kMargin = 1 - 1e-9;
 
 /// Returns the distance of a point from the line through `from` along the unit vector `direction`.
 double aside(const AxisVector& point, const AxisVector& from, const AxisVector& direction) {
@@ -46,12 +43,12 @@ std::vector<Mark> cut_back(Chord& chord, double length) {
 double merge_tolerance(const MoveAttributes& attributes) noexcept {
   const double p = attributes.corner_tolerance, q = attributes.chord_tolerance;
   const double whole = std::max(p, q);
-  return kMargin * std::max(std::min(q, kPart * whole), whole - p);
+  return tuning::chords::kMargin * std::max(std::min(q, tuning::chords::kPart * whole), whole - p);
 }
 
 double corner_tolerance(const MoveAttributes& attributes, double deviation) noexcept {
   const double p = attributes.corner_tolerance;
-  return kMargin * std::min(p, std::max(p, attributes.chord_tolerance) - deviation);
+  return tuning::chords::kMargin * std::min(p, std::max(p, attributes.chord_tolerance) - deviation);
 }
 
 bool ChordMerge::add(const Line& line, const MoveAttributes& attributes, const Mark& mark) {
@@ -70,7 +67,7 @@ bool ChordMerge::add(const Line& line, const MoveAttributes& attributes, const M
 /// of the other.
 bool ChordMerge::fits(const AxisVector& to) const noexcept {
   const double tolerance = merge_tolerance(attributes_);
-  if (points_.size() >= kMostLines || !(tolerance > 0)) return false;
+  if (points_.size() >= tuning::chords::kMostLines || !(tolerance > 0)) return false;
   const AxisVector direction = (to - from_).normalized();
   double before = 0;
   for (const AxisVector& point : points_) {

@@ -5,22 +5,11 @@
 #include <utility>
 
 #include "ipo/limits/machine_limits.hpp"
+#include "ipo/tuning.hpp"
 #include "motion/geometry/section.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-/// The part of a line or an arc for the corner at either end; what the first does not use is left
-/// to the second, except for a small rest.
-constexpr double kHalf = 0.5;
-constexpr double kRest = 1.0 / 64;
-
-constexpr double kTurn = 1e-9;       // rad: the tangent turns
-constexpr double kSmallTurn = 2e-4;  // rad: too small to slow down a machine without a jerk limit
-constexpr double kCurvatureJump = 1e-6;  // 1/mm: the curvature jumps
-constexpr double kRests = 0.01;          // rad: a smaller corner can be passed exactly
-constexpr int kSamples = 16;             // of a curve that rounds one
-constexpr double kInnerCorner = 0.01;    // rad: of a NURBS, which is there cut in two
 
 bool is_rounded(const Move& move) {
   return move.path_mode == PathMode::follow &&
@@ -37,7 +26,8 @@ Mark mark_of(const Block& block) { return {0, block.source, block.number}; }
 std::vector<double> inner_corners(const Path& path) {
   std::vector<double> corners;
   for (const double s : breaks(path))
-    if ((at(path, s, Side::after).dq - at(path, s, Side::before).dq).norm() > kInnerCorner)
+    if ((at(path, s, Side::after).dq - at(path, s, Side::before).dq).norm() >
+        tuning::corners::kInnerCorner)
       corners.push_back(s);
   return corners;
 }
@@ -123,7 +113,8 @@ double CornerStage::leave_chord(const Path& after, const Side& next) {
   Chord chord = chord_.take();
   if (held_) begin_with_held(chord);
   const Line line(chord.from, chord.to);
-  const double left = (polyline_.empty() ? 1 - kRest : kHalf) * line.length();
+  const double left =
+      (polyline_.empty() ? 1 - tuning::corners::kRest : tuning::corners::kHalf) * line.length();
   const double tolerance = std::min(corner_tolerance(chord.attributes, chord.deviation),
                                     corner_tolerance(next.attributes, 0));
   const double feed = std::min(feed_of(chord.attributes), feed_of(next.attributes));
@@ -150,9 +141,9 @@ void CornerStage::begin_with_held(Chord& chord) {
 std::optional<Blend> CornerStage::leave_held(const Path& after, double tolerance, double feed) {
   const double length = softcnc::length(held_->path());
   const double own = corner_tolerance(attributes_of(held_->move()), 0);
-  auto blend =
-      blend_into(held_->path(), (1 - kRest) * (length - held_->begin), std::min(own, tolerance),
-                 after, std::min(feed_of(attributes_of(held_->move())), feed));
+  auto blend = blend_into(held_->path(), (1 - tuning::corners::kRest) * (length - held_->begin),
+                          std::min(own, tolerance), after,
+                          std::min(feed_of(attributes_of(held_->move())), feed));
   emit_held(length - (blend ? blend->before : 0));
   return blend;
 }
@@ -176,12 +167,14 @@ void CornerStage::flush() {
 std::optional<Blend> CornerStage::blend_into(const Path& before, double left, double tolerance,
                                              const Path& after, double feed) const {
   const JointJump jump = ipo::joint_jump(before, after);
-  const bool needed = has_jerk_limit_ ? jump.tangent > kTurn || jump.curvature > kCurvatureJump
-                                      : jump.tangent > kSmallTurn;
+  const bool needed = has_jerk_limit_ ? jump.tangent > tuning::corners::kTurn ||
+                                            jump.curvature > tuning::corners::kCurvatureJump
+                                      : jump.tangent > tuning::corners::kSmallTurn;
   if (!needed) return std::nullopt;
-  auto blend = make_blend({before, after, left, kHalf * length(after), tolerance});
+  auto blend = make_blend({before, after, left, tuning::corners::kHalf * length(after), tolerance});
   if (blend && !within_travel(blend->curve)) return std::nullopt;
-  if (blend && jump.tangent > kRests && !is_sooner(blend->curve, feed)) return std::nullopt;
+  if (blend && jump.tangent > tuning::corners::kRests && !is_sooner(blend->curve, feed))
+    return std::nullopt;
   return blend;
 }
 
@@ -189,8 +182,8 @@ std::optional<Blend> CornerStage::blend_into(const Path& before, double left, do
 bool CornerStage::is_sooner(const Nurbs& curve, double feed) const {
   RoundedCorner corner{curve.length(), curve.at(0).dq, {}, AxisVector::Zero(), feed};
   corner.ddq.setZero();
-  for (int k = 0; k <= kSamples; ++k) {
-    const PathPoint point = curve.at(curve.length() * k / kSamples);
+  for (int k = 0; k <= tuning::corners::kSamples; ++k) {
+    const PathPoint point = curve.at(curve.length() * k / tuning::corners::kSamples);
     if (point.ddq.norm() > corner.ddq.norm()) corner.ddq = point.ddq;
     corner.dddq = corner.dddq.cwiseMax(point.dddq.cwiseAbs());
   }

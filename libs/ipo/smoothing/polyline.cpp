@@ -7,22 +7,9 @@
 #include <limits>
 
 #include "ipo/smoothing/blend.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
-namespace {
-
-constexpr double kLongest = 10;          // mm: a wider basis function has no benefit
-constexpr std::size_t kMost = 24;        // vertices on either side that a basis function may cover
-constexpr double kStraight = 1e-9;       // rad: no turn
-constexpr double kRests = 0.01;          // rad: a smaller one can be passed exactly
-constexpr std::size_t kForgotten = 256;  // vertices at a time
-constexpr int kNewtonSteps = 40;
-constexpr double kLookAgain = 1.5;      // times as much of the lines must be known as last time
-constexpr double kEnough = 1e-6;        // of the tolerance
-constexpr double kEnoughOfMany = 0.03;  // where more turns than kFew
-constexpr int kFew = 4;
-
-}  // namespace
 
 void Polyline::add(const Chord& chord) {
   if (!empty() && goes_through_corner(chord)) end();
@@ -43,8 +30,8 @@ bool Polyline::goes_through_corner(const Chord& next) const {
   const AxisVector step = next.to - next.from;
   const AxisVector tangent_jump = step.normalized() - before.direction;
   const double turn = tangent_jump.norm();
-  if (step.dot(before.direction) < kTurnsBack * step.norm()) return true;
-  if (turn < kRests) return false;
+  if (step.dot(before.direction) < tuning::blend::kTurnsBack * step.norm()) return true;
+  if (turn < tuning::polyline::kRests) return false;
   const double tolerance = std::min(corner_tolerance(next.attributes, next.deviation),
                                     corner_tolerance(before.attributes, before.deviation));
   const double width = 6 * tolerance / turn;
@@ -86,7 +73,7 @@ void Polyline::append(const Chord& chord) {
     const LineVertex& before = vertices_[vertices_.size() - 2];
     from.tangent_jump = from.direction - before.direction;
     from.turn = from.tangent_jump.norm();
-    if (from.turn < kStraight) from.turn = 0;
+    if (from.turn < tuning::polyline::kStraight) from.turn = 0;
     from.tolerance =
         std::min(from.tolerance, corner_tolerance(before.attributes, before.deviation));
   }
@@ -112,32 +99,36 @@ bool Polyline::find_width_limit(std::size_t i) {
   LineVertex& vertex = vertices_[i];
   if (i + 1 == vertices_.size()) return true;  // the end: 0
   const double known = vertices_.back().t - vertex.t;
-  if (!ended_ && known < look_again_ && i + kMost >= vertices_.size()) return false;
+  if (!ended_ && known < look_again_ && i + tuning::polyline::kMost >= vertices_.size())
+    return false;
   double longest = longest_width_limit(i);
   if (vertex.turn > 0) longest = std::min(longest, 6 * vertex.tolerance / vertex.turn);
   // The sum is convex in w: one step of Newton's method leads above the root, from where it stays
   // above and comes as near as required.
   const double before = vertices_[i - 1].width_limit;
   double w = before > 0 ? std::min(longest, before) : longest;
-  for (int step = 0; step < kNewtonSteps && w > 0; ++step) {
+  for (int step = 0; step < tuning::polyline::kNewtonSteps && w > 0; ++step) {
     const Sum sum = sum_of_roundings(i, w);
     const double over = sum.value - vertex.tolerance;
-    const double enough = (sum.turns > kFew ? kEnoughOfMany : kEnough) * vertex.tolerance;
+    const double enough = (sum.turns > tuning::polyline::kFew ? tuning::polyline::kEnoughOfMany
+                                                              : tuning::polyline::kEnough) *
+                          vertex.tolerance;
     if (over <= 0 && (step > 0 || w == longest || over >= -2 * enough)) break;
     const double root = w - (over + enough) / sum.slope;
     w = sum.slope > 0 ? std::min(root, longest) : longest;
   }
   vertex.width_limit = std::max(w, 0.0);
   if (ended_ || vertex.width_limit <= known) return true;
-  look_again_ = std::min(vertex.width_limit, kLookAgain * known);
+  look_again_ = std::min(vertex.width_limit, tuning::polyline::kLookAgain * known);
   return false;
 }
 
 double Polyline::longest_width_limit(std::size_t i) const {
-  double longest = kLongest;
-  if (i >= kMost) longest = std::min(longest, vertices_[i].t - vertices_[i - kMost].t);
-  if (i + kMost < vertices_.size())
-    longest = std::min(longest, vertices_[i + kMost].t - vertices_[i].t);
+  double longest = tuning::polyline::kLongest;
+  if (i >= tuning::polyline::kMost)
+    longest = std::min(longest, vertices_[i].t - vertices_[i - tuning::polyline::kMost].t);
+  if (i + tuning::polyline::kMost < vertices_.size())
+    longest = std::min(longest, vertices_[i + tuning::polyline::kMost].t - vertices_[i].t);
   return longest;
 }
 
@@ -180,9 +171,11 @@ bool Polyline::find_width(std::size_t i) {
 
 /// Drops what has been passed and no longer matters, many at a time.
 void Polyline::forget() {
-  if (smoothed_ < kForgotten + 4 * kMost) return;
+  if (smoothed_ < tuning::polyline::kForgotten + 4 * tuning::polyline::kMost) return;
   std::size_t after = 0;
-  while (after + 4 * kMost < smoothed_ && vertices_[after + 1].t <= segments_.reached()) ++after;
+  while (after + 4 * tuning::polyline::kMost < smoothed_ &&
+         vertices_[after + 1].t <= segments_.reached())
+    ++after;
   vertices_.erase(vertices_.begin(), vertices_.begin() + static_cast<std::ptrdiff_t>(after));
   for (std::size_t* index : {&width_limits_, &widths_, &densities_, &smoothed_}) *index -= after;
   if (!knots_) return;

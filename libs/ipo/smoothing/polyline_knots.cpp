@@ -4,47 +4,22 @@
 #include <cmath>
 
 #include "ipo/smoothing/polyline.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
-namespace {
-
-constexpr double kNear = 0.5;        // of a width: knots that need no proof of being near enough
-constexpr double kGrowth = 1.25;     // from one spacing to the next
-constexpr double kAhead = 4;         // spacings: turns within them may use near knots
-constexpr double kWideAhead = 2;     // and other knots
-constexpr double kContinuation = 6;  // near spacings: more than what shapes the spans between
-
-/// Knots closer together than this part of a spacing are avoided by reducing the spacing in steps
-/// of the second part.
-constexpr double kCrowded = 1.0 / 32;
-constexpr double kLess = 1.0 / 256;
-constexpr int kTries = 48;
-constexpr int kLastTries = 4;  // for the spacing of the last knots
-
-/// The limits of a spacing: its turn, rad, its part of the tolerance, and its number of lines.
-constexpr double kTurn = 0.3;
-constexpr double kShare = 0.3;
-constexpr std::size_t kLines = 16;
-
-constexpr std::size_t kAwaited = 8;  // lines
-
-constexpr std::size_t kFixed = 5;    // basis functions at a time
-constexpr std::size_t kFree = 12;    // basis functions at most that are not fixed
-constexpr std::size_t kShaping = 3;  // preceding basis functions that shape the next span
-constexpr double kNarrower = 0.6;
-constexpr int kRetreats = 5;
-
-}  // namespace
 
 /// The turns that have their width together are those of a circle, w^2 / 12 P. On it the spline is
 /// off by h^4 / 14.4 rho^3.
 double Polyline::spacing_of_knots(std::size_t i) const {
-  const LineVertex &v = vertices_[i], &before = vertices_[i - std::min(i, kLines)];
+  const LineVertex &v = vertices_[i], &before = vertices_[i - std::min(i, tuning::knots::kLines)];
   const double radius = v.width * v.width / (12 * v.tolerance);
-  const double off = std::sqrt(std::sqrt(14.4 * kShare * v.tolerance * radius) * radius);
+  const double off =
+      std::sqrt(std::sqrt(14.4 * tuning::knots::kShare * v.tolerance * radius) * radius);
   const double lines = static_cast<double>(v.programmed - before.programmed);
-  const double most = (v.t - before.t) * std::min(1.0, static_cast<double>(kLines) / lines);
-  return std::max(std::min({kTurn * radius, off, most}), kNear * v.width);
+  const double most =
+      (v.t - before.t) * std::min(1.0, static_cast<double>(tuning::knots::kLines) / lines);
+  return std::max(std::min({tuning::knots::kTurn * radius, off, most}),
+                  tuning::knots::kNear * v.width);
 }
 
 /// Returns how far after `from` the next knot may lie without proof, at most `most`: no further
@@ -53,10 +28,10 @@ std::optional<Polyline::Spacing> Polyline::spacing(std::size_t near, double from
                                                    double most) const {
   std::size_t j = near;
   while (j > 0 && vertices_[j - 1].t > back) --j;
-  for (; j < vertices_.size() && vertices_[j].t < from + kAhead * most; ++j) {
+  for (; j < vertices_.size() && vertices_[j].t < from + tuning::knots::kAhead * most; ++j) {
     if (j >= densities_) return std::nullopt;
     if (!vertices_[j].dense) return Spacing{most, j - 1};
-    most = std::min(most, kNear * vertices_[j].width);
+    most = std::min(most, tuning::knots::kNear * vertices_[j].width);
   }
   if (j == vertices_.size()) return std::nullopt;
   return Spacing{most, {}};
@@ -64,9 +39,9 @@ std::optional<Polyline::Spacing> Polyline::spacing(std::size_t near, double from
 
 /// Returns the spacing as given, or a little less, for the next knot after `from`.
 double Polyline::uncrowded_spacing(double from, double spacing) const {
-  for (int k = 0; k < kTries; ++k) {
-    const double less = spacing * (1 - k * kLess);
-    if (!is_close_to_knots(from + less, kCrowded * spacing)) return less;
+  for (int k = 0; k < tuning::polyline::kTries; ++k) {
+    const double less = spacing * (1 - k * tuning::polyline::kLess);
+    if (!is_close_to_knots(from + less, tuning::polyline::kCrowded * spacing)) return less;
   }
   return spacing;
 }
@@ -75,7 +50,7 @@ double Polyline::uncrowded_spacing(double from, double spacing) const {
 /// width is not known.
 bool Polyline::begin_knots() {
   const LineVertex& first = vertices_[smoothed_];
-  const auto ahead = spacing(smoothed_, first.t, first.t, kNear * first.width);
+  const auto ahead = spacing(smoothed_, first.t, first.t, tuning::knots::kNear * first.width);
   if (!ahead) return false;
   if (ahead->stop) {
     smooth_vertex();
@@ -104,12 +79,12 @@ bool Polyline::extend_knots() {
 }
 
 bool Polyline::await_lines() {
-  knots_->awaited = densities_ + kAwaited;
+  knots_->awaited = densities_ + tuning::knots::kAwaited;
   return false;
 }
 
 bool Polyline::is_complete(const KnotVector& knots) const {
-  return knots.stop && knots.chords.mean() >= vertices_[*knots.stop].t - kSamePlace;
+  return knots.stop && knots.chords.mean() >= vertices_[*knots.stop].t - tuning::knots::kSamePlace;
 }
 
 /// Lays the next knot. Returns false while its position is not known.
@@ -126,7 +101,8 @@ bool Polyline::lay(KnotVector& knots, bool wide) const {
     chords.lay(vertices_, *far, false);
     return true;
   }
-  const auto ahead = spacing(chords.edge(chords.bases() - 1) + 1, from, chords.mean(), kGrowth * h);
+  const auto ahead =
+      spacing(chords.edge(chords.bases() - 1) + 1, from, chords.mean(), tuning::knots::kGrowth * h);
   if (!ahead) return false;
   knots.stop = ahead->stop;
   const double spacing = knots.stop ? last_spacing(knots, std::min(h, ahead->most))
@@ -142,9 +118,9 @@ std::optional<double> Polyline::wide_spacing(const KnotVector& knots) const {
   const ChordKnots& chords = knots.chords;
   const double from = chords.last(), back = chords.mean();
   const std::size_t bases = chords.bases();
-  if (bases < kShaping || chords.knot(bases - 1) < knots.free_from) return 0;
-  if (knots.retreats >= kRetreats) return 0;
-  double most = kGrowth * chords.spacing(), widest = 0;
+  if (bases < tuning::knots::kShaping || chords.knot(bases - 1) < knots.free_from) return 0;
+  if (knots.retreats >= tuning::knots::kRetreats) return 0;
+  double most = tuning::knots::kGrowth * chords.spacing(), widest = 0;
   if (from < knots.most_until) most = std::min(most, knots.most);
   if (!(most > 0)) return 0;
   std::size_t j = chords.edge(bases - 1) + 1;
@@ -153,10 +129,10 @@ std::optional<double> Polyline::wide_spacing(const KnotVector& knots) const {
     if (j >= densities_) return std::nullopt;
     const LineVertex& v = vertices_[j];
     if (!v.dense) return 0;
-    widest = std::max(widest, kNear * v.width);
-    if (v.t < from + kWideAhead * most)
+    widest = std::max(widest, tuning::knots::kNear * v.width);
+    if (v.t < from + tuning::knots::kWideAhead * most)
       most = std::min(most, v.spacing);
-    else if (v.t - v.width_limit >= from + most + kContinuation * widest)
+    else if (v.t - v.width_limit >= from + most + tuning::knots::kContinuation * widest)
       return most;
   }
 }
@@ -166,11 +142,11 @@ std::optional<double> Polyline::wide_spacing(const KnotVector& knots) const {
 double Polyline::last_spacing(const KnotVector& knots, double most) const {
   const LineVertex& stop = vertices_[*knots.stop];
   const double rest = stop.t - knots.chords.last();
-  if (!(rest > kSamePlace)) return knots.chords.spacing();
-  const double fewest = std::ceil(rest / most - kSamePlace);
-  for (int more = 0; more < kLastTries; ++more) {
+  if (!(rest > tuning::knots::kSamePlace)) return knots.chords.spacing();
+  const double fewest = std::ceil(rest / most - tuning::knots::kSamePlace);
+  for (int more = 0; more < tuning::knots::kLastTries; ++more) {
     const double spacing = rest / (fewest + more);
-    const double end = stop.t + spacing, least = kCrowded * spacing;
+    const double end = stop.t + spacing, least = tuning::polyline::kCrowded * spacing;
     bool close = false;
     for (std::size_t j = *knots.stop + 1; j < vertices_.size() && vertices_[j].t < end + least; ++j)
       close = close || is_close(vertices_[j].t, end, least);
@@ -189,7 +165,7 @@ bool Polyline::look(KnotVector& knots) const {
 }
 
 bool Polyline::shapes_near(const KnotVector& knots, std::size_t bases) {
-  for (std::size_t i = bases - std::min(bases, kShaping); i < bases; ++i)
+  for (std::size_t i = bases - std::min(bases, tuning::knots::kShaping); i < bases; ++i)
     if (!knots.chords.is_near(i)) return false;
   return true;
 }
@@ -201,12 +177,13 @@ bool Polyline::fix() {
   const std::size_t bases = std::min(knots.looked + 1, knots.chords.bases());
   if (bases <= knots.fixed) return true;
   if (!shapes_near(knots, bases)) {
-    if (bases < knots.fixed + kFixed || bases == knots.tried) return true;
+    if (bases < knots.fixed + tuning::knots::kFixed || bases == knots.tried) return true;
     const auto on = goes_on_near(bases);
     if (!on) return false;
     knots.tried = bases;
     if (!*on) {
-      if (knots.chords.bases() > knots.fixed + kFree) knots.retreats = kRetreats, retreat();
+      if (knots.chords.bases() > knots.fixed + tuning::knots::kFree)
+        knots.retreats = tuning::knots::kRetreats, retreat();
       return true;
     }
   }
@@ -216,7 +193,7 @@ bool Polyline::fix() {
   return true;
 }
 
-/// Whether near knots can continue from so many basis functions on. Returns nothing while that is
+/// Whether near knots can continue from that many basis functions on. Returns nothing while that is
 /// not known.
 std::optional<bool> Polyline::goes_on_near(std::size_t bases) const {
   KnotVector on = *knots_;
@@ -241,7 +218,7 @@ void Polyline::retreat() {
   knots.stop.reset();
   knots.tried = 0;
   ++knots.retreats;
-  knots.most = kNarrower * width;
+  knots.most = tuning::knots::kNarrower * width;
   knots.most_until = std::max(end, knots.chords.last()) + width;
 }
 
@@ -273,7 +250,7 @@ void Polyline::end_knots() {
   const ChordKnots& chords = knots.chords;
   const std::size_t last = chords.bases() - 1, edge = chords.edge(last);
   if (knots.fixed <= last) {
-    knots.retreats = kRetreats;
+    knots.retreats = tuning::knots::kRetreats;
     retreat();
     return;
   }

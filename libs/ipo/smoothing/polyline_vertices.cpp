@@ -4,22 +4,9 @@
 #include <cmath>
 
 #include "ipo/smoothing/polyline.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
-namespace {
-
-/// Knots closer together than this part of a basis function are avoided by reducing its width in
-/// steps of the second part.
-constexpr double kCrowded = 1.0 / 32;
-constexpr double kLess = 1.0 / 256;
-constexpr int kTries = 48;
-constexpr std::size_t kLastBends = 72;  // whose knots may be close
-
-/// The lengths, in widths, of one line and of four lines together that count as dense.
-constexpr double kShort = 1.0;
-constexpr double kDense = 3.2;
-
-}  // namespace
 
 void Polyline::smooth() {
   find_density();
@@ -55,7 +42,8 @@ bool Polyline::is_dense(std::size_t i) const {
   const auto within = [&](std::size_t from, std::size_t to, double widths) {
     return vertices_[to].t - vertices_[from].t <= widths * vertices_[i].width;
   };
-  if (!within(i - 1, i, kShort) || !within(i, i + 1, kShort) || !within(i - 2, i + 2, kDense))
+  if (!within(i - 1, i, tuning::polyline::kShort) || !within(i, i + 1, tuning::polyline::kShort) ||
+      !within(i - 2, i + 2, tuning::polyline::kDense))
     return false;
   for (std::size_t k = i - 2; k <= i; ++k)
     if (!(vertices_[k].attributes == vertices_[k + 1].attributes)) return false;
@@ -73,14 +61,15 @@ void Polyline::smooth_vertex() {
 /// Returns the width as given, or a little less.
 double Polyline::uncrowded(double t, double width) const {
   double narrower = width;
-  for (int k = 1; k <= kTries && crowds(t, narrower); ++k) narrower = width * (1 - k * kLess);
+  for (int k = 1; k <= tuning::polyline::kTries && crowds(t, narrower); ++k)
+    narrower = width * (1 - k * tuning::polyline::kLess);
   return narrower;
 }
 
 /// Whether a knot of this basis function would lie close beside another knot; on it, or well away
 /// from it, is fine.
 bool Polyline::crowds(double t, double width) const {
-  const double least = kCrowded * width;
+  const double least = tuning::polyline::kCrowded * width;
   for (std::size_t j = smoothed_; j < vertices_.size() && vertices_[j].t < t + width + least; ++j)
     if (is_close(vertices_[j].t, t - width, least) || is_close(vertices_[j].t, t + width, least))
       return true;
@@ -90,7 +79,8 @@ bool Polyline::crowds(double t, double width) const {
 /// Whether t lies close to a knot of the last vertices.
 bool Polyline::is_close_to_knots(double t, double least) const {
   const std::vector<SmoothedVertex>& smoothed = segments_.vertices();
-  const std::size_t first = smoothed.size() - std::min(smoothed.size(), kLastBends);
+  const std::size_t first =
+      smoothed.size() - std::min(smoothed.size(), tuning::polyline::kLastVertices);
   for (std::size_t j = smoothed.size(); j-- > first && smoothed[j].furthest > t - least;) {
     const Turn& turn = smoothed[j].turn;
     for (const double knot : {turn.begin, turn.peak, turn.end})

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/smoothing/rounding.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <array>
@@ -58,9 +59,10 @@ std::vector<double> knots_between(std::span<const Turn> turns, double t0, double
   std::vector<double> knots{t0};
   for (const Turn& turn : turns)
     for (const double t : {turn.begin, turn.peak, turn.end})
-      if (t > t0 + kSamePlace && t < t1 - kSamePlace) knots.push_back(t);
+      if (t > t0 + tuning::knots::kSamePlace && t < t1 - tuning::knots::kSamePlace)
+        knots.push_back(t);
   std::sort(knots.begin(), knots.end());
-  const auto same = [](double a, double b) { return b - a < kSamePlace; };
+  const auto same = [](double a, double b) { return b - a < tuning::knots::kSamePlace; };
   knots.erase(std::unique(knots.begin(), knots.end(), same), knots.end());
   knots.push_back(t1);
   return knots;

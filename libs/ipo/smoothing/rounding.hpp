@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "ipo/tuning.hpp"
 #include "motion/geometry/nurbs.hpp"
 
 namespace softcnc::ipo {
@@ -45,13 +46,10 @@ struct PolylineEdge {
 NurbsSpec rounded(std::span<const PolylineEdge> edges, std::span<const Turn> turns, double t0,
                   double t1);
 
-/// Parameters that differ by less than this are one, mm.
-inline constexpr double kSamePlace = 1e-9;
-
 /// Whether two parameters are near each other, and not the same.
 inline bool is_close(double a, double b, double least) noexcept {
   const double off = a < b ? b - a : a - b;
-  return off < least && off > kSamePlace;
+  return off < least && off > tuning::knots::kSamePlace;
 }
 
 }  // namespace softcnc::ipo

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/smoothing/smoothed_segments.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +9,6 @@
 namespace softcnc::ipo {
 namespace {
 
-constexpr std::size_t kMostInPiece = 16;  // vertices
-constexpr std::size_t kMostLines = 192;   // that were programmed, and those of one vertex
-constexpr std::size_t kKept = 80;         // vertices that have been passed
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 bool has_basis(const Turn& turn) { return turn.end > turn.begin; }
@@ -44,11 +42,11 @@ void SmoothedSegments::end() {
 }
 
 void SmoothedSegments::emit(double until) {
-  while (t_ < until - kSamePlace) {
+  while (t_ < until - tuning::knots::kSamePlace) {
     pass();
     if (edge_ + 1 >= vertices_.size()) break;
     const double basis = next_basis();
-    const bool straight = basis > t_ + kSamePlace;
+    const bool straight = basis > t_ + tuning::knots::kSamePlace;
     const double t1 = straight ? std::min(basis, vertices_[edge_ + 1].turn.t) : end_of_curve();
     if (t1 > until) break;
     straight ? emit_line(t1) : emit_curve(t1);
@@ -68,7 +66,8 @@ double SmoothedSegments::next_basis() const {
   double next = kNever;
   for (std::size_t i = passed_; i < vertices_.size(); ++i) {
     const Turn& turn = vertices_[i].turn;
-    if (has_basis(turn) && turn.end > t_ + kSamePlace) next = std::min(next, turn.begin);
+    if (has_basis(turn) && turn.end > t_ + tuning::knots::kSamePlace)
+      next = std::min(next, turn.begin);
     if (next <= t_) break;  // there is a basis function here
   }
   return next;
@@ -77,18 +76,20 @@ double SmoothedSegments::next_basis() const {
 /// Returns where no basis function follows at once, or the attributes change, or there is enough
 /// for one piece.
 double SmoothedSegments::end_of_curve() const {
-  double end = t_ + kSamePlace;
+  double end = t_ + tuning::knots::kSamePlace;
   for (std::size_t i = passed_; i < vertices_.size(); ++i) {
     const Turn& turn = vertices_[i].turn;
     if (has_basis(turn) && turn.begin < end && turn.end > end) end = turn.end;
   }
   std::size_t taken = 0;
   for (std::size_t i = edge_ + 1; i < vertices_.size() && vertices_[i].turn.t < end; ++i) {
-    const bool many = marks_.size() > kMostLines && marks_[kMostLines].t < vertices_[i].turn.t;
-    const bool enough = !is_last(i) && (++taken >= kMostInPiece || many);
+    const bool many = marks_.size() > tuning::knots::kMostLines &&
+                      marks_[tuning::knots::kMostLines].t < vertices_[i].turn.t;
+    const bool enough = !is_last(i) && (++taken >= tuning::knots::kMostInPiece || many);
     const bool changes = !is_last(i) && !(vertices_[i].attributes == vertices_[i - 1].attributes);
     if (is_last(i) || changes) return vertices_[i].turn.t;
-    if (enough && vertices_[i].turn.peak > t_ + kSamePlace) return vertices_[i].turn.peak;
+    if (enough && vertices_[i].turn.peak > t_ + tuning::knots::kSamePlace)
+      return vertices_[i].turn.peak;
   }
   return end;
 }
@@ -118,7 +119,7 @@ void SmoothedSegments::emit_curve(double t1) {
   NurbsSpec spec = rounded(edges_, turns_, t_, t1);
   spec.control.front() = point_;
   if (const SmoothedVertex& last = vertices_.back();
-      ended_ && std::abs(t1 - last.turn.t) < kSamePlace)
+      ended_ && std::abs(t1 - last.turn.t) < tuning::knots::kSamePlace)
     spec.control.back() = last.point;
   const AxisVector to = spec.control.back();
   if (auto curve = Nurbs::make(std::move(spec))) {
@@ -134,7 +135,7 @@ void SmoothedSegments::emit_curve(double t1) {
 void SmoothedSegments::emit_corners(const AxisVector& to, double t1, double deviation) {
   std::vector<PlacedPoint> corners;
   for (const PlacedPoint& vertex : programmed_)
-    if (vertex.t > t_ + kSamePlace && vertex.t < t1) corners.push_back(vertex);
+    if (vertex.t > t_ + tuning::knots::kSamePlace && vertex.t < t1) corners.push_back(vertex);
   for (const PlacedPoint& corner : corners)
     if (corner.point != point_) emit_piece(Line(point_, corner.point), corner.t, deviation);
   if (to != point_) emit_piece(Line(point_, to), t1, deviation);
@@ -155,13 +156,13 @@ double SmoothedSegments::deviation(const Nurbs& curve, double t1) const {
 }
 
 void SmoothedSegments::emit_piece(Path path, double t1, double deviation) {
-  while (marks_.size() > 1 && marks_[1].t <= t_ + kSamePlace) marks_.pop_front();
+  while (marks_.size() > 1 && marks_[1].t <= t_ + tuning::knots::kSamePlace) marks_.pop_front();
   while (programmed_.size() > 1 && programmed_[1].t <= t1) programmed_.pop_front();
   const Mark begins = marks_.front().mark;
   const Nurbs* nurbs = std::get_if<Nurbs>(&path);
   std::vector<Mark> later;
-  later.reserve(std::min(marks_.size(), kMostLines));
-  for (std::size_t i = 1; i < marks_.size() && marks_[i].t < t1 - kSamePlace; ++i) {
+  later.reserve(std::min(marks_.size(), tuning::knots::kMostLines));
+  for (std::size_t i = 1; i < marks_.size() && marks_[i].t < t1 - tuning::knots::kSamePlace; ++i) {
     later.push_back(marks_[i].mark);
     later.back().s = nurbs ? nurbs->arc_length(marks_[i].t - t_) : marks_[i].t - t_;
   }
@@ -174,22 +175,24 @@ void SmoothedSegments::emit_piece(Path path, double t1, double deviation) {
 /// Returns the line on which the path is just after t >= t_.
 std::size_t SmoothedSegments::edge_at(double t) const {
   std::size_t i = edge_;
-  while (i + 1 < vertices_.size() && !is_last(i + 1) && vertices_[i + 1].turn.t <= t + kSamePlace)
+  while (i + 1 < vertices_.size() && !is_last(i + 1) &&
+         vertices_[i + 1].turn.t <= t + tuning::knots::kSamePlace)
     ++i;
   return i;
 }
 
 const SmoothedVertex* SmoothedSegments::vertex_at(double t) const {
-  for (std::size_t i = edge_; i < vertices_.size() && vertices_[i].turn.t < t + kSamePlace; ++i)
-    if (std::abs(vertices_[i].turn.t - t) < kSamePlace) return &vertices_[i];
+  for (std::size_t i = edge_;
+       i < vertices_.size() && vertices_[i].turn.t < t + tuning::knots::kSamePlace; ++i)
+    if (std::abs(vertices_[i].turn.t - t) < tuning::knots::kSamePlace) return &vertices_[i];
   return nullptr;
 }
 
 /// Drops what has been passed and no longer matters, many at a time.
 void SmoothedSegments::forget() {
   const std::size_t after = std::min(edge_, passed_);
-  if (after < 2 * kKept) return;
-  const std::size_t forgotten = after - kKept;
+  if (after < 2 * tuning::knots::kKept) return;
+  const std::size_t forgotten = after - tuning::knots::kKept;
   vertices_.erase(vertices_.begin(), vertices_.begin() + static_cast<std::ptrdiff_t>(forgotten));
   edge_ -= forgotten;
   passed_ -= forgotten;

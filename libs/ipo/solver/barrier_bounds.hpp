@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "ipo/solver/speed_spline.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 
@@ -66,8 +67,6 @@ struct BarrierBound {
   }
 };
 
-inline constexpr double kToBoundary = 0.99;  // of the distance to the nearest bound
-
 /// Raises a maximum to a ratio; the division is seldom needed.
 inline void raise(double& most, double numerator, double denominator) noexcept {
   if (numerator > most * denominator) most = numerator / denominator;
@@ -104,7 +103,8 @@ class StepLength {
 
  private:
   static double within(const Both& loss) noexcept {
-    return largest(loss) > kToBoundary ? kToBoundary / largest(loss) : 1.0;
+    return largest(loss) > tuning::solver::kToBoundary ? tuning::solver::kToBoundary / largest(loss)
+                                                       : 1.0;
   }
 
   double positive_ = 1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/solver/interior_point.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,25 +8,6 @@
 #include <utility>
 
 namespace softcnc::ipo {
-namespace {
-
-constexpr int kMostIterations = 150;
-constexpr int kFewIterations = 45;             // a good guess needs no more
-constexpr double kTimeTolerance = 1e-4;        // of the time
-constexpr double kConstraintTolerance = 1e-7;  // of each bound
-constexpr double kGradientTolerance = 1e-3;    // of the gradient of the time
-constexpr double kTangentTolerance = 1e-2;     // constraints hold well enough to move the tangents
-constexpr int kStubborn = 5;                   // iterations after which tangents move in any case
-// The complementarity that a step aims for, as a part of the gap: with more, whole curves take up
-// to twice as many steps.
-constexpr double kLeastCentred = 1e-3, kMostCentred = 0.1;
-constexpr double kHopelessGap = 1e6;       // of the time: multipliers grow where no solution exists
-constexpr double kFirstGap = 100;          // of the time: how far from the bounds to start
-constexpr double kFirstSlack = 0.1;        // of each bound
-constexpr double kFirstSpeed = 0.25;       // of the guess, in q
-constexpr double kAccelerationPart = 0.7;  // the guess leaves the rest to the curve
-
-}  // namespace
 
 InteriorPoint::InteriorPoint(SpeedProblem problem)
     : problem_(std::move(problem)),
@@ -65,8 +47,8 @@ std::vector<double> InteriorPoint::guess() const {
       if (constraint.factor.q != 0)
         q[i] = std::min(q[i], constraint.over_root ? std::cbrt(alone * alone) : alone);
       if (!constraint.over_root && constraint.factor.dq != 0)
-        slope[i] = std::min(slope[i],
-                            kAccelerationPart * constraint.bound / std::abs(constraint.factor.dq));
+        slope[i] = std::min(slope[i], tuning::solver::kAccelerationPart * constraint.bound /
+                                          std::abs(constraint.factor.dq));
     }
   }
   q.front() = std::min(q.front(), problem_.start().q);
@@ -93,7 +75,7 @@ void InteriorPoint::for_each_measured_bound(Act act) {
 
 void InteriorPoint::begin(const std::vector<double>& guess) {
   for (std::size_t k = 0; k < coefficients_.size(); ++k)
-    coefficients_[k] = kFirstSpeed * guess[std::clamp<std::size_t>(k, 1, n_) - 1];
+    coefficients_[k] = tuning::solver::kFirstSpeed * guess[std::clamp<std::size_t>(k, 1, n_) - 1];
   const auto first = problem_.spline().first_coefficients(problem_.start().q, problem_.start().dq);
   const auto last = problem_.spline().last_coefficients(problem_.end().q, problem_.end().dq);
   std::copy(first.begin(), first.end(), coefficients_.begin());
@@ -103,11 +85,12 @@ void InteriorPoint::begin(const std::vector<double>& guess) {
   limits_.back() = 2 * coefficients_[n_];
   move_tangents(guess);
   evaluate();
-  const double aim =
-      kFirstGap * time_ / static_cast<double>(limit_bounds_.size() + 2 * constraints_.size());
+  const double aim = tuning::solver::kFirstGap * time_ /
+                     static_cast<double>(limit_bounds_.size() + 2 * constraints_.size());
   for_each_measured_bound(
       [aim]<typename Value>(BarrierBound<Value>& bound, const Value& g, double scale) {
-        bound.slack = kFirstSlack * larger(magnitude(g), BarrierBound<Value>::uniform(scale));
+        bound.slack =
+            tuning::solver::kFirstSlack * larger(magnitude(g), BarrierBound<Value>::uniform(scale));
         bound.multiplier = aim / bound.slack;
       });
 }
@@ -137,8 +120,10 @@ void InteriorPoint::evaluate() {
 
 bool InteriorPoint::is_solved() {
   measure();
-  if (gap_ > kTimeTolerance * time_ || violation_ > kConstraintTolerance) return false;
-  return gradient_left() <= kGradientTolerance;
+  if (gap_ > tuning::solver::kTimeTolerance * time_ ||
+      violation_ > tuning::solver::kConstraintTolerance)
+    return false;
+  return gradient_left() <= tuning::solver::kGradientTolerance;
 }
 
 /// Computes the gap and the violation.
@@ -189,27 +174,31 @@ SpeedSolution InteriorPoint::run(const std::vector<double>& begin_at, int most) 
   int iteration = 0;
   for (; iteration < most && !is_solved(); ++iteration) {
     if (is_hopeless()) break;
-    const bool kept = violation_ < kTangentTolerance;
+    const bool kept = violation_ < tuning::solver::kTangentTolerance;
     const double aim = gap_ / bounds;
     assemble();
     const double part = find_step(0, 0).gap_after(gap_) / gap_;
-    const double sigma = std::clamp(part * part * part, kLeastCentred, kMostCentred);
+    const double sigma =
+        std::clamp(part * part * part, tuning::solver::kLeastCentred, tuning::solver::kMostCentred);
     take(find_step(sigma * aim, 1));
-    if (!kept && iteration % kStubborn != kStubborn - 1) continue;
+    if (!kept && iteration % tuning::solver::kStubborn != tuning::solver::kStubborn - 1) continue;
     move_tangents(speeds());
   }
   return {coefficients_, iteration, iteration < most && !is_hopeless()};
 }
 
 bool InteriorPoint::is_hopeless() const noexcept {
-  return !std::isfinite(time_) || gap_ > kHopelessGap * time_;
+  return !std::isfinite(time_) || gap_ > tuning::solver::kHopelessGap * time_;
 }
 
 /// Starts from the guess, or, should that lead nowhere, from the optimum without jerk limits.
 SpeedSolution fastest_speeds(const SpeedProblem& problem, const std::vector<double>& begin_at,
                              int most) {
-  SpeedSolution solution = InteriorPoint(problem).run(begin_at, std::min(kFewIterations, most));
-  const auto left = [&] { return std::min(kMostIterations, most - solution.iterations); };
+  SpeedSolution solution =
+      InteriorPoint(problem).run(begin_at, std::min(tuning::solver::kFewIterations, most));
+  const auto left = [&] {
+    return std::min(tuning::solver::kMostIterations, most - solution.iterations);
+  };
   if (solution.converged || left() <= 0) return solution;
   InteriorPoint without_jerk(problem.without_root_constraints());
   solution.iterations += without_jerk.run({}, left()).iterations;

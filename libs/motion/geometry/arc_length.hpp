@@ -56,7 +56,7 @@ class ArcLengthMap {
     double width;                            // in t
     ChebyshevIntegral<kTerms> s_from_first;  // mm, by t
     ChebyshevSeries<kTerms> t_from_first;    // by s
-    std::size_t s_terms, t_terms;            // of these, so many matter
+    std::size_t s_terms, t_terms;            // how many of these matter
   };
 
   std::vector<double> starts_{0.0};  // of the cells, strictly ascending, and the length

@@ -12,12 +12,13 @@ using SplinePoints = std::span<const AxisVector>;
 
 Status check_points(SplinePoints points) {
   if (points.size() < 2)
-    return tl::unexpected(Diagnostic{
-        Code::SC2350,
-        {},
-        fmt::format("a spline through {} point{}", points.size(), points.empty() ? "s" : ""),
-        {},
-        {}});
+    return tl::unexpected(
+        Diagnostic{Code::SC2350,
+                   {},
+                   fmt::format("a spline through {} point{}; it needs at least two", points.size(),
+                               points.empty() ? "s" : ""),
+                   {},
+                   {}});
   for (std::size_t i = 1; i < points.size(); ++i)
     if ((points[i] - points[i - 1]).norm() < kSplineSamePoint)
       return tl::unexpected(

@@ -115,7 +115,7 @@ std::size_t ArcPulses::run(std::span<Step> out) noexcept {
   if (inward_.left == 0) return run_alone(outward_, out);
   if (outward_.left == 0) return run_alone(inward_, out);
   if (method_ == PulseMethod::dda) return run_registers(out);
-  // No axis can pass its end within so many clocks.
+  // No axis can pass its end within that many clocks.
   const auto safe = static_cast<std::size_t>(std::min(inward_.left, outward_.left));
   out = out.first(std::min(out.size(), safe));
   if (method_ == PulseMethod::sam) return run_stairs(out);
@@ -161,7 +161,7 @@ std::size_t ArcPulses::run_search(std::span<Step> out) noexcept {
   return out.size();
 }
 
-/// M_SAM and M_DSM within an octant: one axis leads, the other one joins where it must.
+/// M_SAM and M_DSM within an octant: one axis leads, the other one moves where it must.
 std::size_t ArcPulses::run_octant(std::span<Step> out) noexcept {
   const std::int64_t ahead = -travelled(inward_) - travelled(outward_);
   const bool outward = ahead > 0;

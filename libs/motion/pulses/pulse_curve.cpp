@@ -186,7 +186,8 @@ std::optional<Step> CurvePulses::move_of_leading(const T& trace) noexcept {
   return std::nullopt;
 }
 
-/// The move by which the leading axis reaches its next place, together with the axes that join it.
+/// The move by which the leading axis reaches its next place, together with the axes that move with
+/// it.
 template <PulseMethod method>
 Step CurvePulses::move_to(const Grip& next) noexcept {
   if constexpr (method == PulseMethod::dsm)
