@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a period costs at the edge of the house: the simulated mill, and a row of its trace.
+// What a period costs at the machine: the simulated mill, and a row of its trace.
 #include <benchmark/benchmark.h>
 
 #include <array>

@@ -81,7 +81,7 @@ TEST_CASE("a ramp to a corner goes over as many lines as it takes", "[ipo][rest-
     const double once = ramp(jerk);
     const auto fine = run(machine_with(jerk), test::polyline(points, 50));
     INFO("jerk " << jerk);
-    const double tolerance = jerk > 0 ? 0.06 : 1e-6;  // the cap binds a little before its end
+    const double tolerance = jerk > 0 ? 0.06 : 1e-6;  // the limit binds a little before its end
     CHECK(time_of(fine, Limit::corner) == Approx(2 * once).epsilon(tolerance));
     CHECK(ramps(fine) == Approx(2 * once).epsilon(tolerance));
   }

@@ -130,7 +130,7 @@ TEST_CASE("lines in every direction, long and short, stay within P of the progra
         const auto blocks = polyline(points, p, test::integer(0, 2) * 0.5 * p);
         const auto pieces = rounded(mighty(), blocks);
         RC_ASSERT(test::apart(blocks, pieces) <= p * (1 + 1e-6));
-        // The bend is rounding, where lines of a few um meet.
+        // The curvature is rounding, where lines of a few um meet.
         check_goes_on(blocks, pieces, {0, 1e-7, 1e-3});
       },
       40);
@@ -148,7 +148,7 @@ TEST_CASE("chopped curves, fine and coarse, stay within P of the program",
         double angle = real(0, 6), curvature = 1 / radius;
         for (int i = 0; i < 60; ++i) {
           if (test::integer(0, 15) == 0)
-            curvature = real(-1, 1) / radius;                   // straight, or the other way
+            curvature = real(-1, 1) / radius;  // straight, or in the other direction
           if (test::integer(0, 25) == 0) angle += real(-1, 1);  // a corner
           const double length = chord * (1 + even * real(-0.9, 3));
           angle += 0.5 * curvature * length;
@@ -297,8 +297,8 @@ TEST_CASE("chopped curves are as smooth as the curves were", "[corner_stage]") {
       if (s > 2 && s < 98) largest = std::max(largest, at(path, length(path) * i / 100).ddq.norm());
     s += length(path);
   }
-  // From arc to arc the bend jumps by two, and swings over by a twelfth of that (chord_mesh.hpp);
-  // chords of 0.1 mm alone turn by ten times the bend at their ends.
+  // From arc to arc the curvature jumps by two, and overshoots by a twelfth of that
+  // (chord_knots.hpp); chords of 0.1 mm alone turn by ten times the curvature at their ends.
   CHECK(largest * radius < 1 + 2.0 / 12);
 }
 

@@ -26,8 +26,8 @@ std::vector<AxisVector> fine_rows(const Machine& machine, const std::vector<Bloc
   return rows;
 }
 
-/// Largest part of an axis limit that differences of rows `period` s apart use, rest being before
-/// and after them: of the acceleration, or of the jerk.
+/// Largest part of an axis limit that differences of samples `period` s apart use, rest being
+/// before and after them: of the acceleration, or of the jerk.
 double used(const Machine& machine, const std::vector<AxisVector>& rows, int order) {
   const double period = machine.control.servo_period;
   const auto row = [&](std::ptrdiff_t i) {
@@ -146,7 +146,7 @@ TEST_CASE("fine rows lie on the path, and every last one is the setpoint", "[ipo
 }
 
 TEST_CASE("fine rows are the rows of a plan with their period", "[ipo][fine]") {
-  // On a line the period has no say in the plan but for its end.
+  // On a line the period has no effect on the plan except at its end.
   const auto blocks = polyline({{0, 0, 0}, {30, 10, 0}}, 60);
   const auto fine = fine_rows(fine_machine(8, 1, 50'000), blocks);
   const auto rows = run(fine_machine(1, 1, 50'000), blocks).rows;

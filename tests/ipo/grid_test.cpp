@@ -24,7 +24,8 @@ TEST_CASE("derivatives between two nodes are as good as linear", "[grid]") {
   const AxisVector limits = Constraints(machine, 1).limits().acceleration;
   const Path path = test::curve("butterfly");
   const auto grid = grid_of(machine, path, 100);
-  // No machine is faster at an interval than this, since it is as slow as the caps around ask for.
+  // No machine is faster at an interval than this, since it is as slow as the limits around it
+  // require.
   std::vector<double> q;
   for (const Interval& interval : grid) q.push_back(interval.left_limit.q);
   const auto gain = [&](std::size_t i) { return 2 * limits.norm() * grid[i].length(); };
@@ -46,7 +47,7 @@ TEST_CASE("derivatives between two nodes are as good as linear", "[grid]") {
 
 TEST_CASE("a swing to and fro about the middle of a span is not overlooked", "[grid]") {
   const Machine machine;
-  // One span, point symmetric: halfway between its ends its bend is that of a straight line.
+  // One span, point symmetric: halfway between its ends its curvature is that of a straight line.
   NurbsSpec spec{5, {}, {}, {}};
   spec.knots = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};
   spec.control = {{0, 0, 0}, {1, 0, 0}, {2, 0.4, 0}, {3, -0.4, 0}, {4, 0, 0}, {5, 0, 0}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Jerk-limited plans from outside: limits in every row, times against closed forms and against the
-// independent optimum.
+// Jerk-limited plans from outside: limits in every sample, times against closed forms and against
+// the independent optimum.
 #include "ipo/jerk/jerk_window.hpp"
 
 #include <algorithm>
@@ -204,7 +204,8 @@ TEST_CASE("where line and arc meet askew of the axes, jump and jerk share the th
 
 TEST_CASE("in its last moment on a tight arc an axis may not use more jerk than it has",
           "[ipo][jerk]") {
-  // At rest the arc points along x but for 0.04; its bend asks y for more than its direction does.
+  // At rest the arc points along x except for 0.04; its curvature requires more of y than its
+  // direction does.
   Machine machine = machine_with(250, 1000, 12000);
   machine.axes[0].jerk = 0;
   machine.axes[1].jerk = 3700;

@@ -153,7 +153,8 @@ TEST_CASE("circles and helices of many turns stay inside every limit", "[planner
       const Machine machine = machine_with(1000);
       const auto result = run(machine, one(*path, 250));
       CHECK(exceeded(machine, result) == "");
-      // Two axes together allow v^2/r of sqrt(2) times what one does; the rise adds to the way.
+      // Two axes together allow v^2/r of sqrt(2) times what one does; the rise adds to the
+      // distance.
       const double fastest = std::sqrt(std::sqrt(2.0) * 1000 * path->radius());
       CHECK(result.time > path->length() / (fastest * (1 + rise)));
     }
@@ -297,7 +298,8 @@ TEST_CASE("a move beyond the travel of an axis is reported with its block's plac
   REQUIRE(between.diagnostics.size() == 1);
   CHECK(between.diagnostics[0].message ==
         "Y reaches 15 mm, 3 mm beyond its travel from -12 to 12 mm");
-  // No false alarm: the same arc the other way stays inside, however far its circle reaches.
+  // No false alarm: the same arc in the other direction stays inside, however far its circle
+  // reaches.
   CHECK(run(machine, one(arc({10, 5, 0}, {-10, 5, 0}, {0, 5, 0}, false), 100)).diagnostics.empty());
 }
 
@@ -379,7 +381,7 @@ TEST_CASE("moves far shorter than any machine resolves take no time to speak of"
   const Machine machine = machine_with(1000);
   for (const double size : {1e-6, 1e-7, 1e-8}) {
     const auto tiny = one(arc({0, 0, 0}, {size, 0, 0}, {size / 2, 0, 0}, false), 100);
-    CHECK(run(machine, tiny).time < 5e-3);  // a row at each of its turns
+    CHECK(run(machine, tiny).time < 5e-3);  // a sample at each of its turns
     CHECK(run(machine, polyline({{0, 0, 0}, {size, 0, 0}}, 100)).time < 1e-3);
   }
 }
@@ -537,7 +539,7 @@ TEST_CASE("a stop at any moment ends at rest on the path, within the limits", "[
 TEST_CASE("a stop on a line takes v^2 / 2a", "[planner][stop]") {
   const Machine machine = machine_with(1000);
   const auto stopped = run(machine, polyline({{0, 0, 0}, {500, 0, 0}}, 100), 999);
-  // At row 999 the machine runs at 100 mm/s; it could stand 5 mm later.
+  // At sample 999 the machine runs at 100 mm/s; it could stand 5 mm later.
   const double distance = stopped.rows.back().s - stopped.rows[999].s;
   CHECK(distance > 4.99);
   CHECK(distance < 5.11);

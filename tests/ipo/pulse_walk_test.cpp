@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Interpolation by reference pulses, from blocks to rows with their pulses.
+// Interpolation by reference pulses, from blocks to samples with their pulses.
 #include "ipo/queue/pulse_walk.hpp"
 
 #include <catch2/catch.hpp>
@@ -36,7 +36,7 @@ struct Pulse {
   Step step;
 };
 
-/// Runs blocks and keeps every pulse; the rows must be where the pulses have led.
+/// Runs blocks and keeps every pulse; the samples must be where the pulses have led.
 struct Pulsed {
   std::vector<Pulse> pulses;
   GridPoint at{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Override and hold while a program runs: when they take effect, what the rows say, and that they
-// never break a limit or leave the path.
+// Override and hold while a program runs: when they take effect, what the samples say, and that
+// they never break a limit or leave the path.
 //
 // SOFTCNC_PROGRAMS sets how many random programs are tried: scripts/random_programs.
 #include <catch2/catch.hpp>
@@ -210,7 +210,7 @@ TEST_CASE("an event takes no plan of the way that it takes back", "[ipo][jerk][r
 TEST_CASE("a hold where the machine brakes anyway is no fall-back, nor is its release",
           "[ipo][replan]") {
   const bool jerk = GENERATE(false, true);
-  const int released = GENERATE(2, 500);  // rows later
+  const int released = GENERATE(2, 500);  // samples later
   const Machine machine = machine_with(jerk);
   const auto blocks =
       number_blocks({Move{Line({0, 0, 0}, {20, 0, 0}), false, 100, PathMode::stop},

@@ -40,7 +40,8 @@ TEST_CASE("a corner begins and ends straight, on its lines", "[rounding]") {
   CHECK(begin.ddq.norm() < 1e-10);
   CHECK((end.q - AxisVector(10, 0.6, 0)).norm() < 1e-12);
   CHECK(end.ddq.norm() < 1e-10);
-  // The second derivative by the parameter is the hat: its peak is the kink over w.
+  // The second derivative by the parameter is the basis function: its peak is the tangent jump over
+  // w.
   CHECK((curve.derivatives(0.6)[2] - AxisVector(-1, 1, 0) / 0.6).norm() < 1e-10);
 }
 

@@ -18,8 +18,8 @@ struct Spread {
   std::vector<double> nodes, inside;  // q
 };
 
-/// A chain of intervals between 1 um and 1 mm, whose caps go up and down, some by leaps; of no even
-/// numbers, lest a step end exactly at a node, where rounding decides.
+/// A chain of intervals between 1 um and 1 mm, whose limits go up and down, some by leaps; of no
+/// even numbers, lest a step end exactly at a node, where rounding decides.
 Chain random_chain(int count) {
   Chain chain;
   chain.nodes.emplace_back();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lines that turn by less than a corner: what rows feel of them, and how fast they are run exactly.
+// Lines that turn by less than a corner: what samples see of them, and how fast they are run
+// exactly.
 #include "ipo/path/tangent_jump_load.hpp"
 
 #include <catch2/catch.hpp>
@@ -20,7 +21,7 @@ namespace {
 
 constexpr double kPeriod = 1e-3;
 
-/// A polyline in the plane with its way from the first point to each.
+/// A polyline in the plane with its length from the first point to each.
 struct Lines {
   std::vector<AxisVector> points;
   std::vector<double> ways{0};
@@ -39,8 +40,8 @@ struct Lines {
   }
 };
 
-/// Lines of 1/30 to 1 times `longest`, each of which turns by up to `turn` rad either way, or to
-/// the left alone.
+/// Lines of 1/30 to 1 times `longest`, each of which turns by up to `turn` rad in either direction,
+/// or to the left alone.
 Lines random_lines(std::mt19937& random, int count, double longest, double turn, bool left) {
   const auto uniform = [&](double a, double b) {
     return a + (b - a) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
@@ -58,7 +59,7 @@ Lines random_lines(std::mt19937& random, int count, double longest, double turn,
   return lines;
 }
 
-/// What the kinks around corner `n` of the lines ask for.
+/// What the tangent jumps around corner `n` of the lines require.
 ipo::TangentJumpLoad load_around(const Lines& lines, std::size_t n, double acceleration,
                                  double cut) {
   ipo::TangentJumpLoad load(AxisVector::Constant(acceleration), cut, kPeriod);

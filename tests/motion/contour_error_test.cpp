@@ -57,7 +57,7 @@ class Loop {
   double part_;
 };
 
-/// Runs along the program at constant speed, and hands every row's error to `see`.
+/// Runs along the program at constant speed, and hands every sample's error to `see`.
 ContourReport run(
     const Program& program, double speed, double kv,
     const std::function<void(const Setpoint&, const AxisVector&, double)>& see =
@@ -146,7 +146,7 @@ TEST_CASE("the largest error may be between two rows", "[motion][contour]") {
 TEST_CASE("a corner that is run through without a stop is cut as the loop's response says",
           "[motion][contour]") {
   // In the corner's frame the loop is off by L exp(-s/L) along the old side and has gone
-  // s - L (1 - exp(-s/L)) along the new one, with L = v / kv and s the path behind the corner.
+  // s - L (1 - exp(-s/L)) along the new one, with L = v / kv and s the path after the corner.
   const double v = 20, kv = 40, lag = v / kv;
   const Program corner{{line({-20, 0, 0}, {0, 0, 0}), line({0, 0, 0}, {0, 20, 0})}};
   double expected = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every way in which a specification is not a curve, and how it is told.
+// Every reason why a specification is not a curve, and how it is reported.
 #include "motion/geometry/nurbs_spec.hpp"
 
 #include <catch2/catch.hpp>

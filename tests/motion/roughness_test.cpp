@@ -19,7 +19,7 @@ namespace {
 /// The tool and the pick-feed of the paper, and its target: what 10 degrees leave.
 const Surface kPaper{5, 0.5, 0.01066888, 2};
 
-/// Of a surface that bends square to the feed.
+/// Of a surface that is curved square to the feed.
 Surface across(double radius) {
   Surface surface = kPaper;
   surface.transverse_curvature = 1 / radius;
@@ -276,7 +276,7 @@ TEST_CASE("a valley bends upwards, a hill does not", "[motion][roughness]") {
   CHECK(hollow_curvature(steep, 0.1 * AxisVector(-std::sqrt(0.5), 0, std::sqrt(0.5))) ==
         Approx(0.1));
   CHECK(hollow_curvature({0, 0, 1}, {0.1, 0, 0}) == 0);
-  // On a surface that slopes across, a way that bends to the side may bend up it.
+  // On a surface that slopes across, a path that curves to the side may curve up it.
   CHECK(hollow_curvature(level, {0, 0.1, 0}, 0.5) == Approx(0.1 * std::sin(0.5)));
   CHECK(hollow_curvature(level, {0, -0.06, 0.08}, 0.2) ==
         Approx(0.08 * std::cos(0.2) + 0.06 * std::sin(0.2)));

@@ -143,7 +143,7 @@ TEST_CASE("two points give the straight line between them", "[motion][spline]") 
 }
 
 TEST_CASE("points of a circle are followed to the fourth order", "[motion][spline]") {
-  // Far from the ends, where naturalness bends the curve away. Halving the step: 16 times closer.
+  // Far from the ends, where naturalness turns the curve away. Halving the step: 16 times closer.
   const auto error = [](int pieces) {
     Points points;
     for (int i = 0; i <= pieces; ++i) {

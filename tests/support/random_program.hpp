@@ -64,7 +64,7 @@ inline std::vector<Block> random_program(std::mt19937& random, int count) {
   return number_blocks(std::move(moves));
 }
 
-/// Overrides from 0 to 200 % and holds, each a few rows after the one before; released at last.
+/// Overrides from 0 to 200 % and holds, each a few samples after the one before; released at last.
 inline Controls random_controls(std::mt19937& random, int count) {
   Controls controls;
   int row = 0;

@@ -72,7 +72,7 @@ class Cloud {
   std::vector<Point> points_;
 };
 
-/// The largest distance of one from the other, both ways, mm.
+/// The largest distance of one from the other, in both directions, mm.
 inline double apart(const std::vector<Block>& blocks, const std::vector<ipo::Piece>& pieces) {
   Cloud programmed, run;
   for (const Block& block : blocks) programmed.add(path_of(block));
@@ -104,8 +104,8 @@ inline double from_polyline(const std::vector<AxisVector>& points,
   return largest;
 }
 
-/// The largest jumps between and within pieces, but for turns of more than `most` (rad), at which
-/// the machine rests.
+/// The largest jumps between and within pieces, except for turns of more than `most` (rad), at
+/// which the machine rests.
 struct Jumps {
   double gap = 0, turn = 0, curvature = 0;  // mm; rad; part of the curvature and 1/mm
   int rests = 0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// How much of the path one plan with jerk limits covers.
 #pragma once
 
 #include "ipo/limits/machine_limits.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The step that keeps a chord within its tolerance.
 #pragma once
 
 namespace softcnc::ipo {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 
 #include "motion/core/axes.hpp"
@@ -23,7 +24,10 @@ struct Inequality {
 /// The inequalities at one point, in the order of the constraints.
 class Inequalities {
  public:
-  void add(const Inequality& inequality) noexcept { all_[count_++] = inequality; }
+  void add(const Inequality& inequality) noexcept {
+    assert(count_ < kMost);
+    all_[count_++] = inequality;
+  }
 
   std::size_t size() const noexcept { return count_; }
   const Inequality& operator[](std::size_t i) const noexcept { return all_[i]; }

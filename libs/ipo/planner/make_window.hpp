@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The kind of window for a machine.
 #pragma once
 
 #include <memory>
