@@ -27,7 +27,7 @@ std::string butterflies(int times) {
   return text;
 }
 
-/// Ends a run when there are enough rows.
+/// Ends a run when there are enough samples.
 class Enough final : public RowSink {
  public:
   bool row(const Setpoint&, std::span<const double>) override { return ++rows_ < kSetpoints; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What passes next to each other leave at any phase, either way, and with the tool axis anywhere
-// beside them: the most that edges turning on a ball can leave at an inclination along the feed.
+// What passes next to each other leave at any phase, in either direction, and with the tool axis
+// anywhere beside them: the most that edges turning on a ball can leave at an inclination along the
+// feed.
 //
 // An edge passes a point, seen from the axis `w` along the feed and `y` beside it, when the turn
 // w / feed + teeth / 2 pi atan2(y, w) is whole, except for the phase. So a pass has cut all of a

@@ -13,7 +13,7 @@ namespace {
 
 using softcnc::kSimulatedFeeds;
 using softcnc::kSimulatedTips;
-using softcnc::Passes;
+using softcnc::PassPhase;
 using softcnc::simulated_tip;
 
 constexpr std::size_t kFeeds = kSimulatedFeeds.size();
@@ -41,7 +41,7 @@ struct Between {
 /// Nodes and some places between them.
 class FineTable {
  public:
-  FineTable(Passes passes, int teeth) {
+  FineTable(PassPhase passes, int teeth) {
     for (std::size_t t = 0; t < kTips; ++t) simulate(passes, teeth, t);
     for (std::size_t t = 0; t < static_cast<std::size_t>(kSimulatedTips); ++t)
       for (std::size_t f = 0; f <= kFeeds; ++f) node(t, f) = fine_[kParts * t][kParts * f];
@@ -80,12 +80,12 @@ class FineTable {
     return at.of(node(at.low), node(at.high));
   }
 
-  static double rmax(Passes passes, double feed, double tip, int teeth) {
-    return passes == Passes::in_phase ? softcnc::test::EdgeSurface(feed, tip, teeth).rmax()
-                                      : softcnc::LoosePasses(feed, tip, teeth).rmax();
+  static double rmax(PassPhase passes, double feed, double tip, int teeth) {
+    return passes == PassPhase::in_phase ? softcnc::test::EdgeSurface(feed, tip, teeth).rmax()
+                                         : softcnc::LoosePasses(feed, tip, teeth).rmax();
   }
 
-  void simulate(Passes passes, int teeth, std::size_t t) {
+  void simulate(PassPhase passes, int teeth, std::size_t t) {
     fine_[t][0] = 1;
     for (std::size_t f = 1; f <= kParts * kFeeds; ++f) {
       const double height = rmax(passes, feed(f), tip(t), teeth);
@@ -125,8 +125,8 @@ class FineTable {
 
 int main() {
   std::puts("// SPDX-License-Identifier: MIT\n// Made by scripts/roughness_table: do not edit.");
-  for (const Passes passes : {Passes::in_phase, Passes::at_any_phase}) {
-    std::printf("{{  // %s\n", passes == Passes::in_phase ? "in phase" : "at any phase");
+  for (const PassPhase passes : {PassPhase::in_phase, PassPhase::at_any_phase}) {
+    std::printf("{{  // %s\n", passes == PassPhase::in_phase ? "in phase" : "at any phase");
     for (int teeth = 1; teeth <= softcnc::kSimulatedTeeth; ++teeth) {
       std::printf("{{  // teeth: %d\n", teeth);
       FineTable(passes, teeth).print();

@@ -12,7 +12,7 @@ TEST_CASE("the first of many is found from any guess, and nothing is tried twice
       for (int guess = -1; guess <= last + 1; ++guess) {
         CAPTURE(last, first, guess);
         std::set<int> tried;
-        const auto found = ipo::first_holding(guess, last, [&](int k) {
+        const auto found = ipo::bisect(guess, last, [&](int k) {
           REQUIRE((k >= 0 && k <= last));
           REQUIRE(tried.insert(k).second);
           return k >= first;
@@ -28,9 +28,9 @@ TEST_CASE("a good guess takes two tries, and a bad one of a thousand a few dozen
     ++tries;
     return k >= 500;
   };
-  CHECK(ipo::first_holding(500, 1000, holds) == 500);
+  CHECK(ipo::bisect(500, 1000, holds) == 500);
   CHECK(tries == 2);
   tries = 0;
-  CHECK(ipo::first_holding(0, 1000, holds) == 500);
+  CHECK(ipo::bisect(0, 1000, holds) == 500);
   CHECK(tries <= 40);
 }

@@ -81,10 +81,10 @@ TEST_CASE("a tangent joint of line and arc gets a curve of gradual change of cur
   check_ends(*found, line, bow);
   double largest = 0, before = 0, steepest = 0;
   for (int i = 0; i <= 100; ++i) {
-    const double bend = found->curve.at(found->curve.length() * i / 100).ddq.norm();
-    largest = std::max(largest, bend);
-    steepest = std::max(steepest, bend - before);
-    before = bend;
+    const double curvature = found->curve.at(found->curve.length() * i / 100).ddq.norm();
+    largest = std::max(largest, curvature);
+    steepest = std::max(steepest, curvature - before);
+    before = curvature;
   }
   // The cubic on [-1, 1] from 0 to 1 with the area and the moment of the step at 0 is
   // 1/2 + 9/8 x - 5/8 x^3. Its peak is at x^2 = 3/5, its steepest slope 9/8 at 0. The rest is of

@@ -9,10 +9,10 @@ using namespace softcnc::ipo;
 
 namespace {
 
-Manner within(double p, double q) { return {false, 100, p, q}; }
+MoveAttributes within(double p, double q) { return {false, 100, p, q}; }
 
 /// How many lines of this polyline become one chord.
-std::size_t merged(const std::vector<AxisVector>& points, const Manner& manner) {
+std::size_t merged(const std::vector<AxisVector>& points, const MoveAttributes& manner) {
   ChordMerge merge;
   std::size_t n = 0;
   while (n + 1 < points.size() && merge.add(Line(points[n], points[n + 1]), manner, {})) ++n;
@@ -54,7 +54,7 @@ TEST_CASE("all that chords and corners deviate stays within the larger of P and 
 
 TEST_CASE("a chord knows its lines and how far they lie from it", "[chord_merge]") {
   ChordMerge merge;
-  const Manner manner = within(1.6, 1.6);
+  const MoveAttributes manner = within(1.6, 1.6);
   CHECK(merge.add(Line({0, 0, 0}, {1, 0.03, 0}), manner, {0, {7}, 3}));
   CHECK(merge.add(Line({1, 0.03, 0}, {2, -0.05, 0}), manner, {0, {8}, 4}));
   CHECK(merge.add(Line({2, -0.05, 0}, {4, 0, 0}), manner, {0, {9}, 5}));
@@ -71,15 +71,15 @@ TEST_CASE("a chord knows its lines and how far they lie from it", "[chord_merge]
 }
 
 TEST_CASE("lines that go back, or differ in how they are run, are not joined", "[chord_merge]") {
-  const Manner manner = within(5, 5);
+  const MoveAttributes manner = within(5, 5);
   CHECK(merged({{0, 0, 0}, {1, 0, 0}, {0.9, 0, 0}}, manner) == 1);
   CHECK(merged({{0, 0, 0}, {1, 0, 0}, {1, 0.1, 0}, {0.95, 0.2, 0}, {3, 0.2, 0}}, manner) == 2);
   ChordMerge merge;
   CHECK(merge.add(Line({0, 0, 0}, {1, 0, 0}), manner, {}));
-  Manner faster = manner;
+  MoveAttributes faster = manner;
   faster.feed = 101;
   CHECK_FALSE(merge.add(Line({1, 0, 0}, {2, 0, 0}), faster, {}));
-  Manner surface = manner;
+  MoveAttributes surface = manner;
   surface.surface = Surface{5, 0.5, 0.001, 2};
   CHECK_FALSE(merge.add(Line({1, 0, 0}, {2, 0, 0}), surface, {}));
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/constraints.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
+
+#include "ipo/limits/chord_error.hpp"
 
 using namespace softcnc;
 using namespace softcnc::ipo;
@@ -16,7 +18,7 @@ PathPoint on_circle(double radius) {
   return point;
 }
 
-Move cutting(double feed) { return {Line({0, 0, 0}, {1, 0, 0}), false, feed, Join::follow}; }
+Move cutting(double feed) { return {Line({0, 0, 0}, {1, 0, 0}), false, feed, PathMode::follow}; }
 
 }  // namespace
 
@@ -48,7 +50,7 @@ TEST_CASE("feed is capped by the program, its override and the machine", "[const
   machine.limits.feed = 250;
   const PathPoint point = on_circle(10);
   const auto cap = [&](double feed, double override_) {
-    return std::sqrt(make_feed_limit(machine, override_)->cap(point, cutting(feed)));
+    return std::sqrt(make_feed_limit(machine, override_)->velocity_limit(point, cutting(feed)));
   };
   CHECK(cap(100, 1) == Approx(100));
   CHECK(cap(100, 0.5) == Approx(50));
@@ -56,12 +58,12 @@ TEST_CASE("feed is capped by the program, its override and the machine", "[const
   CHECK(cap(200, 2) == Approx(250));  // an override never lifts a limit of the machine
   Move rapid = cutting(1);
   rapid.rapid = true;
-  CHECK(make_feed_limit(machine, 0.5)->cap(point, rapid) == kUnlimited);
+  CHECK(make_feed_limit(machine, 0.5)->velocity_limit(point, rapid) == kUnlimited);
   CHECK(make_feed_limit(machine, 1)->limit(cutting(1)) == Limit::feed);
   CHECK(make_feed_limit(machine, 0.5)->limit(cutting(1)) == Limit::override_);
   Move fixed = cutting(100);
   fixed.feed_override = false;
-  CHECK(std::sqrt(make_feed_limit(machine, 0.5)->cap(point, fixed)) == Approx(100));
+  CHECK(std::sqrt(make_feed_limit(machine, 0.5)->velocity_limit(point, fixed)) == Approx(100));
   CHECK(make_feed_limit(machine, 0.5)->limit(fixed) == Limit::feed);
   CHECK(make_feed_limit(machine, 0.5)->limit(rapid) == Limit::rapid);
 }
@@ -72,7 +74,7 @@ TEST_CASE("the path may be faster than an axis by its direction", "[constraint]"
   machine.axes[1].velocity = 30;
   PathPoint point;
   point.dq = {0.8, 0.6, 0};
-  CHECK(std::sqrt(make_axis_velocity(machine)->cap(point, cutting(1))) == Approx(50));
+  CHECK(std::sqrt(make_axis_velocity(machine)->velocity_limit(point, cutting(1))) == Approx(50));
 }
 
 TEST_CASE("a bend is passed at the speed that its radius and the normal limit allow",
@@ -80,10 +82,10 @@ TEST_CASE("a bend is passed at the speed that its radius and the normal limit al
   Machine machine;
   machine.limits.normal = 250;
   const auto normal = make_normal_acceleration(machine);
-  CHECK(std::sqrt(normal->cap(on_circle(10), cutting(100))) == Approx(50).epsilon(1e-3));
+  CHECK(std::sqrt(normal->velocity_limit(on_circle(10), cutting(100))) == Approx(50).epsilon(1e-3));
   PathPoint straight = on_circle(10);
   straight.ddq.setZero();
-  CHECK(normal->cap(straight, cutting(100)) == kUnlimited);
+  CHECK(normal->velocity_limit(straight, cutting(100)) == kUnlimited);
   CHECK(normal->limit(cutting(100)) == Limit::normal);
 }
 
@@ -116,7 +118,7 @@ TEST_CASE("an axis may be too fast between two points where it is not", "[constr
 
 TEST_CASE("the three-point method is left to limit the chord error itself", "[constraint]") {
   Machine machine;
-  CHECK(Constraints(machine, 1).caps().size() == 4);
+  CHECK(Constraints(machine, 1).velocity_limits().size() == 4);
   machine.control.interpolation = Method::curvature3p;
-  CHECK(Constraints(machine, 1).caps().size() == 3);
+  CHECK(Constraints(machine, 1).velocity_limits().size() == 3);
 }

@@ -40,7 +40,7 @@ Machine mighty(double jerk = 0) {
 }
 
 Move within(Path path, double p, double q, double feed = 100) {
-  return {std::move(path), false, feed, Join::follow, p, q};
+  return {std::move(path), false, feed, PathMode::follow, p, q};
 }
 
 std::vector<Block> polyline(const std::vector<AxisVector>& points, double p, double q,
@@ -91,7 +91,7 @@ void check_goes_on(const std::vector<Block>& blocks, const std::vector<Piece>& p
   const auto jumps = test::jumps(pieces);
   RC_ASSERT(jumps.gap <= most.gap);
   RC_ASSERT(jumps.turn <= most.turn);
-  RC_ASSERT(jumps.bend <= most.bend);
+  RC_ASSERT(jumps.curvature <= most.curvature);
   RC_ASSERT(test::in_order(pieces));
   check_ends(blocks, pieces);
 }
@@ -130,7 +130,7 @@ TEST_CASE("lines in every direction, long and short, stay within P of the progra
         const auto blocks = polyline(points, p, test::integer(0, 2) * 0.5 * p);
         const auto pieces = rounded(mighty(), blocks);
         RC_ASSERT(test::apart(blocks, pieces) <= p * (1 + 1e-6));
-        // The bend is rounding, where lines of a few um meet.
+        // The curvature is rounding, where lines of a few um meet.
         check_goes_on(blocks, pieces, {0, 1e-7, 1e-3});
       },
       40);
@@ -145,15 +145,16 @@ TEST_CASE("chopped curves, fine and coarse, stay within P of the program",
         const double chord = std::sqrt(8 * radius * p * random_size(-3, 0.3));
         const double even = random_size(-3, 0), noise = p * random_size(-4, -1);
         std::vector<AxisVector> points{AxisVector::Zero()};
-        double angle = real(0, 6), bend = 1 / radius;
+        double angle = real(0, 6), curvature = 1 / radius;
         for (int i = 0; i < 60; ++i) {
-          if (test::integer(0, 15) == 0) bend = real(-1, 1) / radius;  // straight, or the other way
-          if (test::integer(0, 25) == 0) angle += real(-1, 1);         // a corner
+          if (test::integer(0, 15) == 0)
+            curvature = real(-1, 1) / radius;  // straight, or in the other direction
+          if (test::integer(0, 25) == 0) angle += real(-1, 1);  // a corner
           const double length = chord * (1 + even * real(-0.9, 3));
-          angle += 0.5 * bend * length;
-          const AxisVector way(std::cos(angle), std::sin(angle), 0.1);
-          angle += 0.5 * bend * length;
-          points.push_back(points.back() + length * way + random_step(noise));
+          angle += 0.5 * curvature * length;
+          const AxisVector direction(std::cos(angle), std::sin(angle), 0.1);
+          angle += 0.5 * curvature * length;
+          points.push_back(points.back() + length * direction + random_step(noise));
         }
         auto blocks = polyline(points, p, test::integer(0, 2) * 0.5 * p);
         if (test::integer(0, 1) == 0) std::get<Move>(blocks[30].what).feed = 90;
@@ -174,19 +175,20 @@ TEST_CASE("long chopped curves stay within P of the program, and become few span
         const double chord = std::sqrt(8 * radius * p) * random_size(-1.3, -0.3);
         const double even = random_size(-3, -0.5), noise = p * random_size(-4, -1.3);
         std::vector<AxisVector> points{AxisVector::Zero()};
-        double angle = 0, bend = 1 / radius, bend_rate = 0;
+        double angle = 0, curvature = 1 / radius, curvature_rate = 0;
         for (int i = 0; i < 300; ++i) {
           const int event = test::integer(0, 60);
-          if (event == 0) bend = real(-1, 1) / radius, bend_rate = 0;  // an arc, or nearly straight
-          if (event == 1) bend_rate = real(-0.2, 0.2) / (radius * radius);
-          if (event == 2) bend = bend_rate = 0;
+          if (event == 0)
+            curvature = real(-1, 1) / radius, curvature_rate = 0;  // an arc, or nearly straight
+          if (event == 1) curvature_rate = real(-0.2, 0.2) / (radius * radius);
+          if (event == 2) curvature = curvature_rate = 0;
           if (event == 3) angle += real(-1, 1);
           const double length = chord * (1 + even * real(-0.9, 3));
-          bend = std::clamp(bend + bend_rate * length, -1 / radius, 1 / radius);
-          angle += 0.5 * bend * length;
-          const AxisVector way(std::cos(angle), std::sin(angle), 0);
-          angle += 0.5 * bend * length;
-          points.push_back(points.back() + length * way + random_step(noise));
+          curvature = std::clamp(curvature + curvature_rate * length, -1 / radius, 1 / radius);
+          angle += 0.5 * curvature * length;
+          const AxisVector direction(std::cos(angle), std::sin(angle), 0);
+          angle += 0.5 * curvature * length;
+          points.push_back(points.back() + length * direction + random_step(noise));
         }
         auto blocks = polyline(points, p, test::integer(0, 2) * 0.5 * p);
         if (test::integer(0, 2) == 0) std::get<Move>(blocks[150].what).feed = 90;
@@ -286,7 +288,7 @@ TEST_CASE("chopped curves are as smooth as the curves were", "[corner_stage]") {
   CHECK(test::apart(blocks, pieces) <= 0.005);
   const auto jumps = test::jumps(pieces);
   CHECK(jumps.turn < 1e-9);
-  CHECK(jumps.bend < 1e-6);
+  CHECK(jumps.curvature < 1e-6);
   CHECK(test::in_order(pieces));
   double largest = 0, s = 0;
   for (const Piece& piece : pieces) {
@@ -295,8 +297,8 @@ TEST_CASE("chopped curves are as smooth as the curves were", "[corner_stage]") {
       if (s > 2 && s < 98) largest = std::max(largest, at(path, length(path) * i / 100).ddq.norm());
     s += length(path);
   }
-  // From arc to arc the bend jumps by two, and swings over by a twelfth of that (chord_mesh.hpp);
-  // chords of 0.1 mm alone turn by ten times the bend at their ends.
+  // From arc to arc the curvature jumps by two, and overshoots by a twelfth of that
+  // (chord_knots.hpp); chords of 0.1 mm alone turn by ten times the curvature at their ends.
   CHECK(largest * radius < 1 + 2.0 / 12);
 }
 
@@ -380,7 +382,7 @@ TEST_CASE("what must be exact is exact", "[corner_stage]") {
   CHECK_FALSE(corner_is_met({first_rapid, rapid}));
   CHECK(corner_is_met({within(east, 0.1, 0), within(Line({10, 0, 0}, {0, 0.1, 0}), 0.1, 0)}));
   Move stop = within(north, 0, 0);
-  stop.join = Join::stop;
+  stop.path_mode = PathMode::stop;
   CHECK(corner_is_met({within(east, 0.1, 0), stop}));
 }
 
@@ -468,7 +470,7 @@ TEST_CASE("a spiral of 200 sides with stops takes the least time from rest to re
     stops += side >= 12 ? side / 100 + 0.12 : 0.02 + std::sqrt(0.02 * 0.02 + 4 * side / 1000);
   }
   auto exact = polyline(points, 0, 0);
-  for (Block& block : exact) std::get<Move>(block.what).join = Join::stop;
+  for (Block& block : exact) std::get<Move>(block.what).path_mode = PathMode::stop;
   const auto result = test::run(machine, exact);
   CHECK(test::exceeded(machine, result) == "");
   CHECK(result.time >= stops * (1 - 1e-5));
@@ -489,7 +491,7 @@ TEST_CASE("a spiral of 200 sides: stops at G61.1, rounded corners at G64 P0.05",
     stops += side < ramp ? 2 * std::sqrt(side / 1000) : side / 100 + 100.0 / 1000;
   }
   auto exact = polyline(points, 0, 0);
-  for (Block& block : exact) std::get<Move>(block.what).join = Join::stop;
+  for (Block& block : exact) std::get<Move>(block.what).path_mode = PathMode::stop;
   const auto slow = test::run(machine, exact);
   CHECK(test::exceeded(machine, slow) == "");
   // Beside the closed form, at most one period of waiting at a corner.
@@ -504,20 +506,20 @@ TEST_CASE("a spiral of 200 sides: stops at G61.1, rounded corners at G64 P0.05",
 TEST_CASE("bends are forgotten as the path goes on, also between straight lines",
           "[corner_stage]") {
   std::deque<ipo::Piece> out;
-  ipo::BendPieces pieces(out);
+  ipo::SmoothedSegments pieces(out);
   const auto corner = [](int i) { return AxisVector(10 * i, i % 2 == 0 ? 0 : 5, 0); };
   pieces.begin(corner(0));
   std::size_t most = 0;
   double t = 0;
   for (int i = 0; i < 2000; ++i) {
     const AxisVector ahead = (corner(i + 1) - corner(i)).normalized();
-    const AxisVector kink =
+    const AxisVector jump =
         i == 0 ? AxisVector(0, 0, 0) : AxisVector(ahead - (corner(i) - corner(i - 1)).normalized());
-    pieces.add_vertex(t, corner(i), 0);
+    pieces.add_programmed(t, corner(i), 0);
     pieces.add_mark(t, {0, {i + 1, 1, 1}, i + 1});
-    pieces.add({ipo::spread_evenly(t, kink, i == 0 ? 0 : 0.1), corner(i), ahead, 0, {}});
+    pieces.add({ipo::spread_evenly(t, jump, i == 0 ? 0 : 0.1), corner(i), ahead, 0, {}});
     pieces.emit(t - 0.2);  // before the hat
-    most = std::max(most, pieces.bends().size());
+    most = std::max(most, pieces.vertices().size());
     t += (corner(i + 1) - corner(i)).norm();
   }
   CHECK(out.size() > 3900);  // a line and a curve each

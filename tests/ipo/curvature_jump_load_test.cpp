@@ -16,7 +16,7 @@ double third_difference_weight(double t) {
   return u < 0.5 ? 0.75 - u * u : u < 1.5 ? 0.5 * (1.5 - u) * (1.5 - u) : 0;
 }
 
-/// Of w, seen by the rows whose middle is `d` periods from the joint; by the midpoint rule.
+/// Of w, seen by the samples whose middle is `d` periods from the joint; by the midpoint rule.
 double average_weight(double d) {
   constexpr int kParts = 30000;
   constexpr double h = 3.0 / kParts;
@@ -40,7 +40,7 @@ TEST_CASE("what is left of the jerk around a jump covers it in every row", "[ipo
 }
 
 TEST_CASE("a jump takes of the jerk towards its own side", "[ipo][jerk]") {
-  JumpLoad load;
+  CurvatureJumpLoad load;
   load.add({1, -2, 0});
   load.add({3, 4, 0});
   CHECK(load.above == AxisVector(4, 4, 0));

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "ipo/tuning.hpp"
 #include "support/curves.hpp"
 
 using namespace softcnc;
@@ -12,7 +13,7 @@ namespace {
 
 std::vector<Interval> grid_of(const Machine& machine, const Path& path, double feed) {
   std::vector<Interval> grid;
-  make_grid({path, false, feed, Join::follow}, Constraints(machine, 1), grid, [](double) {});
+  make_grid({path, false, feed, PathMode::follow}, Constraints(machine, 1), grid, [](double) {});
   return grid;
 }
 
@@ -20,12 +21,13 @@ std::vector<Interval> grid_of(const Machine& machine, const Path& path, double f
 
 TEST_CASE("derivatives between two nodes are as good as linear", "[grid]") {
   const Machine machine;
-  const AxisVector limits = Constraints(machine, 1).acceleration_limits();
+  const AxisVector limits = Constraints(machine, 1).limits().acceleration;
   const Path path = test::curve("butterfly");
   const auto grid = grid_of(machine, path, 100);
-  // No machine is faster at an interval than this, since it is as slow as the caps around ask for.
+  // No machine is faster at an interval than this, since it is as slow as the limits around it
+  // require.
   std::vector<double> q;
-  for (const Interval& interval : grid) q.push_back(interval.left_cap.q);
+  for (const Interval& interval : grid) q.push_back(interval.left_limit.q);
   const auto gain = [&](std::size_t i) { return 2 * limits.norm() * grid[i].length(); };
   for (std::size_t i = 1; i < q.size(); ++i) q[i] = std::min(q[i], q[i - 1] + gain(i - 1));
   for (std::size_t i = q.size() - 1; i-- > 0;) q[i] = std::min(q[i], q[i + 1] + gain(i));
@@ -39,13 +41,13 @@ TEST_CASE("derivatives between two nodes are as good as linear", "[grid]") {
       worst = std::max(worst, off.cwiseAbs().cwiseQuotient(limits).maxCoeff());
     }
   }
-  CHECK(worst < 2 * kGridTolerance);  // checked by the grid at the middle, here between
+  CHECK(worst < 2 * tuning::grid::kTolerance);  // checked by the grid at the middle, here between
   CHECK(worst > 0);
 }
 
 TEST_CASE("a swing to and fro about the middle of a span is not overlooked", "[grid]") {
   const Machine machine;
-  // One span, point symmetric: halfway between its ends its bend is that of a straight line.
+  // One span, point symmetric: halfway between its ends its curvature is that of a straight line.
   NurbsSpec spec{5, {}, {}, {}};
   spec.knots = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};
   spec.control = {{0, 0, 0}, {1, 0, 0}, {2, 0.4, 0}, {3, -0.4, 0}, {4, 0, 0}, {5, 0, 0}};
@@ -57,8 +59,8 @@ TEST_CASE("a swing to and fro about the middle of a span is not overlooked", "[g
   for (const Interval& interval : grid_of(machine, path, 100)) {
     const PathPoint exact = at(path, interval.s0 + 0.5 * interval.length());
     const AxisVector off = exact.ddq - 0.5 * (interval.left.ddq + interval.right.ddq);
-    const double slower = std::min({interval.left_cap.q, interval.right_cap.q, q});
-    CHECK((off * slower).norm() < 2 * kGridTolerance * acceleration);
+    const double slower = std::min({interval.left_limit.q, interval.right_limit.q, q});
+    CHECK((off * slower).norm() < 2 * tuning::grid::kTolerance * acceleration);
   }
 }
 

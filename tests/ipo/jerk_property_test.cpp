@@ -104,7 +104,7 @@ TEST_CASE("a stop at any moment of a jerk-limited program ends at rest on the pa
 
 TEST_CASE("a stop that needs all of the way to a corner ends there, not behind it",
           "[ipo][jerk][stop]") {
-  // Rounding may put the sum of front and way a trace behind the corner.
+  // Rounding may put the sum of front and distance a trace beyond the corner.
   std::mt19937 random(633717988);
   const Machine machine = random_machine(random);
   const auto blocks = random_program(random, 1 + static_cast<int>(random() % 4));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Jerk-limited plans from outside: limits in every row, times against closed forms and against the
-// independent optimum.
+// Jerk-limited plans from outside: limits in every sample, times against closed forms and against
+// the independent optimum.
 #include "ipo/jerk/jerk_window.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ Machine machine_with(double velocity, double acceleration, double jerk) {
 }
 
 std::vector<Block> one(Path path, double feed) {
-  return number_blocks({Move{std::move(path), false, feed, Join::follow}});
+  return number_blocks({Move{std::move(path), false, feed, PathMode::follow}});
 }
 
 }  // namespace
@@ -172,10 +172,10 @@ TEST_CASE("corners rest, and joints of line and arc jump in acceleration no more
   const auto square = run(machine, polyline({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}, 100));
   CHECK(exceeded(machine, square) == "");
   const Arc arc = Arc::make({{50, 0, 0}, {60, 10, 0}, {50, 10, 0}, Plane::xy, true, 0}).value();
-  const auto joined =
-      run(machine, number_blocks({Move{Line({0, 0, 0}, {50, 0, 0}), false, 100, Join::follow},
-                                  Move{arc, false, 100, Join::follow},
-                                  Move{Line({60, 10, 0}, {60, 60, 0}), false, 100, Join::follow}}));
+  const auto joined = run(
+      machine, number_blocks({Move{Line({0, 0, 0}, {50, 0, 0}), false, 100, PathMode::follow},
+                              Move{arc, false, 100, PathMode::follow},
+                              Move{Line({60, 10, 0}, {60, 60, 0}), false, 100, PathMode::follow}}));
   CHECK(exceeded(machine, joined) == "");
   CHECK(joined.rows.back().position == AxisVector(60, 60, 0));
 }
@@ -193,9 +193,9 @@ TEST_CASE("where line and arc meet askew of the axes, jump and jerk share the th
   const AxisVector first = turned(0, 0), second = turned(8, 0), third = turned(8, 6);
   const Arc arc = Arc::make({second, third, turned(8, 3), Plane::xy, true, 0}).value();
   const auto result =
-      run(machine, number_blocks({Move{Line(first, second), false, 250, Join::follow},
-                                  Move{arc, false, 250, Join::follow},
-                                  Move{Line(third, turned(0, 6)), false, 250, Join::follow}}));
+      run(machine, number_blocks({Move{Line(first, second), false, 250, PathMode::follow},
+                                  Move{arc, false, 250, PathMode::follow},
+                                  Move{Line(third, turned(0, 6)), false, 250, PathMode::follow}}));
   CHECK(exceeded(machine, result) == "");
   CHECK(result.counts.effort.fallbacks == 0);
   CHECK(result.counts.effort.iterations < 60);
@@ -204,7 +204,8 @@ TEST_CASE("where line and arc meet askew of the axes, jump and jerk share the th
 
 TEST_CASE("in its last moment on a tight arc an axis may not use more jerk than it has",
           "[ipo][jerk]") {
-  // At rest the arc points along x but for 0.04; its bend asks y for more than its direction does.
+  // At rest the arc points along x except for 0.04; its curvature requires more of y than its
+  // direction does.
   Machine machine = machine_with(250, 1000, 12000);
   machine.axes[0].jerk = 0;
   machine.axes[1].jerk = 3700;

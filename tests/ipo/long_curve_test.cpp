@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "ipo/tuning.hpp"
 #include "motion/geometry/spline.hpp"
 #include "support/run.hpp"
 #include "support/sanitized.hpp"
@@ -22,7 +23,7 @@ Nurbs wave(int points) {
   return Nurbs::make(natural_spline(through).value()).value();
 }
 
-Move along(Nurbs curve) { return {Path(std::move(curve)), false, 60, Join::stop}; }
+Move along(Nurbs curve) { return {Path(std::move(curve)), false, 60, PathMode::stop}; }
 
 std::vector<Block> between_lines(const Nurbs& curve) {
   const AxisVector end = curve.position(curve.length());
@@ -54,7 +55,7 @@ TEST_CASE("the stretches of a long curve are all of it, end to end", "[ipo][long
   while (begin < length(whole)) {
     const ipo::Piece part = ipo::next_stretch(curve, begin);
     const Move& move = std::get<Move>(part.block.what);
-    CHECK(breaks(move.path).size() <= 2 * ipo::kSpansOfStretch);
+    CHECK(breaks(move.path).size() <= 2 * ipo::tuning::path::kSpansOfPart);
     CHECK(start(move.path) == reached);
     CHECK((at(move.path, 0).dq - direction).norm() < 1e-9);
     CHECK(part.block.source.line == 7);
@@ -66,7 +67,7 @@ TEST_CASE("the stretches of a long curve are all of it, end to end", "[ipo][long
                 .norm() < 1e-9);
     sum += length(move.path);
     CHECK(std::abs(sum - begin) < 1e-8);
-    CHECK((move.join == Join::stop) == (begin >= length(whole)));
+    CHECK((move.path_mode == PathMode::stop) == (begin >= length(whole)));
     reached = end(move.path);
     direction = at(move.path, length(move.path), Side::before).dq;
     ++count;

@@ -33,7 +33,7 @@ Machine machine_with(double acceleration, double period = 1e-3, double tolerance
 }
 
 std::vector<Block> one(Path path, double feed) {
-  return number_blocks({Move{std::move(path), false, feed, Join::follow}});
+  return number_blocks({Move{std::move(path), false, feed, PathMode::follow}});
 }
 
 Arc arc(const AxisVector& from, const AxisVector& to, const AxisVector& center, bool ccw) {
@@ -100,7 +100,7 @@ TEST_CASE("a circle is run at the speed of its normal limit, ramps within the ta
     machine.limits.tangential = 200;
     machine.limits.normal = 160;
     const auto circle = Arc::make({{10, 0, 0}, {10, 0, 0}, {0, 0, 0}, Plane::xy, true, 2}).value();
-    const auto result = run(machine, number_blocks({Move{circle, false, 100, Join::follow}}));
+    const auto result = run(machine, number_blocks({Move{circle, false, 100, PathMode::follow}}));
     // v = sqrt(160 * 10) = 40; L / v + v / a.
     const double closed = length(circle) / 40 + 40.0 / 200;
     CHECK(result.time == Approx(closed + (jerk > 0 ? 0.002 : 0)).epsilon(1.5e-3));
@@ -153,7 +153,8 @@ TEST_CASE("circles and helices of many turns stay inside every limit", "[planner
       const Machine machine = machine_with(1000);
       const auto result = run(machine, one(*path, 250));
       CHECK(exceeded(machine, result) == "");
-      // Two axes together allow v^2/r of sqrt(2) times what one does; the rise adds to the way.
+      // Two axes together allow v^2/r of sqrt(2) times what one does; the rise adds to the
+      // distance.
       const double fastest = std::sqrt(std::sqrt(2.0) * 1000 * path->radius());
       CHECK(result.time > path->length() / (fastest * (1 + rise)));
     }
@@ -225,7 +226,7 @@ TEST_CASE("the machine rests where the tangent turns, and only there", "[planner
 TEST_CASE("an exact stop rests at the end of its block", "[planner]") {
   const Machine machine = machine_with(1000);
   auto blocks = polyline({{0, 0, 0}, {50, 0, 0}, {100, 0, 0}}, 100);
-  std::get<Move>(blocks[0].what).join = Join::stop;
+  std::get<Move>(blocks[0].what).path_mode = PathMode::stop;
   CHECK(run(machine, blocks).time == Approx(2 * (0.5 + 0.1)).epsilon(1e-12));
 }
 
@@ -244,9 +245,9 @@ TEST_CASE("a tangent that is off by rounding does not stop the machine", "[plann
   const Machine machine = machine_with(1000);
   // A line into an arc whose center was rounded: the tangent turns by 1 mrad.
   const auto blocks = number_blocks(
-      {Move{Line({0, 0, 0}, {50, 0, 0}), false, 100, Join::follow},
-       Move{arc({50, 0, 0}, {60, 10, 0}, {50, 10, 0}, true), false, 100, Join::follow},
-       Move{Line({60, 10, 0}, {60.05, 60, 0}), false, 100, Join::follow}});
+      {Move{Line({0, 0, 0}, {50, 0, 0}), false, 100, PathMode::follow},
+       Move{arc({50, 0, 0}, {60, 10, 0}, {50, 10, 0}, true), false, 100, PathMode::follow},
+       Move{Line({60, 10, 0}, {60.05, 60, 0}), false, 100, PathMode::follow}});
   const auto result = run(machine, blocks);
   CHECK(exceeded(machine, result) == "");
   double slowest = 1e9;
@@ -257,8 +258,8 @@ TEST_CASE("a tangent that is off by rounding does not stop the machine", "[plann
 
 TEST_CASE("dwell is rest, actions happen at rest and take no time", "[planner]") {
   const Machine machine = machine_with(1000);
-  const Move first{Line({0, 0, 0}, {50, 0, 0}), false, 100, Join::follow};
-  const Move second{Line({50, 0, 0}, {100, 0, 0}), false, 100, Join::follow};
+  const Move first{Line({0, 0, 0}, {50, 0, 0}), false, 100, PathMode::follow};
+  const Move second{Line({50, 0, 0}, {100, 0, 0}), false, 100, PathMode::follow};
   const auto result =
       run(machine, number_blocks({first, Dwell{0.25}, second, Action{Action::Kind::end, 30, 0}}));
   CHECK(result.time == Approx(2 * 0.6 + 0.25).epsilon(1e-12));
@@ -297,7 +298,8 @@ TEST_CASE("a move beyond the travel of an axis is reported with its block's plac
   REQUIRE(between.diagnostics.size() == 1);
   CHECK(between.diagnostics[0].message ==
         "Y reaches 15 mm, 3 mm beyond its travel from -12 to 12 mm");
-  // No false alarm: the same arc the other way stays inside, however far its circle reaches.
+  // No false alarm: the same arc in the other direction stays inside, however far its circle
+  // reaches.
   CHECK(run(machine, one(arc({10, 5, 0}, {-10, 5, 0}, {0, 5, 0}, false), 100)).diagnostics.empty());
 }
 
@@ -351,11 +353,11 @@ TEST_CASE("axes of very unequal acceleration are planned without a standstill", 
   const AxisVector a(-2.001312053, -3.120116379, 0),
       b = a + AxisVector(-0.505348540, -3.279220161, 0);
   const auto result = run(
-      machine, number_blocks({Move{Line({0, 0, 0}, a), false, 150, Join::follow},
+      machine, number_blocks({Move{Line({0, 0, 0}, a), false, 150, PathMode::follow},
                               Move{arc(a, b, a + AxisVector(3.444477562, -2.209364531, 0), true),
-                                   false, 150, Join::follow},
+                                   false, 150, PathMode::follow},
                               Move{Line(b, b + AxisVector(0.969108962, -3.577877020, 0)), false,
-                                   150, Join::follow}}));
+                                   150, PathMode::follow}}));
   CHECK(exceeded(machine, result) == "");
   CHECK(result.diagnostics.empty());
   for (const Setpoint& row : result.rows)
@@ -379,7 +381,7 @@ TEST_CASE("moves far shorter than any machine resolves take no time to speak of"
   const Machine machine = machine_with(1000);
   for (const double size : {1e-6, 1e-7, 1e-8}) {
     const auto tiny = one(arc({0, 0, 0}, {size, 0, 0}, {size / 2, 0, 0}, false), 100);
-    CHECK(run(machine, tiny).time < 5e-3);  // a row at each of its turns
+    CHECK(run(machine, tiny).time < 5e-3);  // a sample at each of its turns
     CHECK(run(machine, polyline({{0, 0, 0}, {size, 0, 0}}, 100)).time < 1e-3);
   }
 }
@@ -439,10 +441,10 @@ TEST_CASE("the plan does not depend on how the blocks arrive", "[planner][proper
 TEST_CASE("a block that leaves in parts is the block that leaves as a whole", "[planner]") {
   Machine machine = machine_with(1000);
   machine.axes[0].jerk = machine.axes[1].jerk = GENERATE(0.0, 50'000.0);
-  const auto blocks =
-      number_blocks({Move{Line({0, 0, 0}, {40, 0, 0}), false, 50, Join::follow},
-                     Move{arc({40, 0, 0}, {40, 0, 0}, {40, 30, 0}, true), false, 50, Join::follow},
-                     Move{Line({40, 0, 0}, {40, 80, 0}), false, 50, Join::follow}});
+  const auto blocks = number_blocks(
+      {Move{Line({0, 0, 0}, {40, 0, 0}), false, 50, PathMode::follow},
+       Move{arc({40, 0, 0}, {40, 0, 0}, {40, 30, 0}, true), false, 50, PathMode::follow},
+       Move{Line({40, 0, 0}, {40, 80, 0}), false, 50, PathMode::follow}});
   Diagnostics diagnostics;
   ipo::Planner wholes(machine, 1, diagnostics), parts(machine, 1, diagnostics);
   for (const Block& block : blocks) wholes.push(block);
@@ -499,13 +501,13 @@ TEST_CASE("however long a program, the planner holds a few of its blocks", "[pla
   };
   const auto stops = [](int i) {
     const AxisVector from(i % 2 == 0 ? 0 : 10, 0, 0), to(i % 2 == 0 ? 10 : 0, 0, 0);
-    return Move{Line(from, to), false, 50, Join::follow};
+    return Move{Line(from, to), false, 50, PathMode::follow};
   };
   const auto chords = [](int i) {
     const auto at = [](int k) {
       return AxisVector(5 * std::cos(0.02 * k), 5 * std::sin(0.02 * k), 0);
     };
-    return Move{Line(at(i), at(i + 1)), false, 50, Join::follow, 0.005, 0.005};
+    return Move{Line(at(i), at(i + 1)), false, 50, PathMode::follow, 0.005, 0.005};
   };
   for (const double jerk : {0.0, 50'000.0}) {
     for (Axis& axis : machine.axes) axis.jerk = jerk;
@@ -537,7 +539,7 @@ TEST_CASE("a stop at any moment ends at rest on the path, within the limits", "[
 TEST_CASE("a stop on a line takes v^2 / 2a", "[planner][stop]") {
   const Machine machine = machine_with(1000);
   const auto stopped = run(machine, polyline({{0, 0, 0}, {500, 0, 0}}, 100), 999);
-  // At row 999 the machine runs at 100 mm/s; it could stand 5 mm later.
+  // At sample 999 the machine runs at 100 mm/s; it could stand 5 mm later.
   const double distance = stopped.rows.back().s - stopped.rows[999].s;
   CHECK(distance > 4.99);
   CHECK(distance < 5.11);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Interpolation by reference pulses, from blocks to rows with their pulses.
+// Interpolation by reference pulses, from blocks to samples with their pulses.
 #include "ipo/queue/pulse_walk.hpp"
 
 #include <catch2/catch.hpp>
@@ -36,7 +36,7 @@ struct Pulse {
   Step step;
 };
 
-/// Runs blocks and keeps every pulse; the rows must be where the pulses have led.
+/// Runs blocks and keeps every pulse; the samples must be where the pulses have led.
 struct Pulsed {
   std::vector<Pulse> pulses;
   GridPoint at{};
@@ -97,10 +97,10 @@ double shortest(const std::vector<Pulse>& pulses, int axis) {
 
 std::vector<Block> shapes() {
   return test::number_blocks(
-      {Move{Line({0, 0, 0}, {7.5, 2.5, 0}), false, 60, Join::follow},
+      {Move{Line({0, 0, 0}, {7.5, 2.5, 0}), false, 60, PathMode::follow},
        Move{Arc::make({{7.5, 2.5, 0}, {2.5, 7.5, 0}, {2.5, 2.5, 0}, Plane::xy, true}).value(),
-            false, 50, Join::follow},
-       Dwell{0.05}, Move{Line({2.5, 7.5, 0}, {0, 0, -3.3325}), true, 0, Join::follow}});
+            false, 50, PathMode::follow},
+       Dwell{0.05}, Move{Line({2.5, 7.5, 0}, {0, 0, -3.3325}), true, 0, PathMode::follow}});
 }
 
 }  // namespace
@@ -128,9 +128,9 @@ TEST_CASE("the pulses of a run are those of the staircases of its moves", "[ipo]
 TEST_CASE("the leading axis' pulses come at the pace of the profile", "[ipo][pulse]") {
   // At a constant 60 mm/s on a slope of 3:4 the long axis makes 19200 pulses each second.
   const Method method = GENERATE(from_range(kMethods));
-  const auto result =
-      pulse_run(mill(method),
-                test::number_blocks({Move{Line({0, 0, 0}, {40, 30, 0}), false, 60, Join::follow}}));
+  const auto result = pulse_run(
+      mill(method),
+      test::number_blocks({Move{Line({0, 0, 0}, {40, 30, 0}), false, 60, PathMode::follow}}));
   double last = -1;
   int steady = 0;
   for (const Pulse& pulse : result.pulses) {
@@ -150,7 +150,8 @@ TEST_CASE("a row is never further from the planned place than a staircase may be
   const Path path = GENERATE(Path(Line({0, 0, 0}, {20, 7, 3})), Path(circle_from({5, 0, 0})),
                              Path(test::curve("butterfly")));
   Machine machine = mill(method);
-  const auto run = test::run(machine, test::number_blocks({Move{path, false, 30, Join::follow}}));
+  const auto run =
+      test::run(machine, test::number_blocks({Move{path, false, 30, PathMode::follow}}));
   CHECK(run.measured.path_deviation < 2 * 0.0025);
   CHECK(run.measured.path_deviation > 0.1 * 0.0025);
 }
@@ -161,8 +162,9 @@ TEST_CASE("clocks are no closer than pulses may come, and say so", "[ipo][pulse]
   machine.step_port.max_rate = 20e3;  // 50 mm/s along an axis
   for (Axis& axis : machine.axes) axis.velocity = 50;
   const auto result = pulse_run(
-      machine, test::number_blocks({Move{Line({0, 0, 0}, {30, 15, 0}), false, 200, Join::follow},
-                                    Move{circle_from({30, 15, 0}), false, 200, Join::follow}}));
+      machine,
+      test::number_blocks({Move{Line({0, 0, 0}, {30, 15, 0}), false, 200, PathMode::follow},
+                           Move{circle_from({30, 15, 0}), false, 200, PathMode::follow}}));
   for (const int axis : {0, 1}) CHECK(shortest(result.pulses, axis) > 1e-5);
   const auto limits = [&](Limit limit) {
     return std::count_if(result.run.rows.begin(), result.run.rows.end(),
@@ -208,9 +210,9 @@ TEST_CASE("under the paper's clock the feed is that of its figures", "[ipo][puls
   const Method method = GENERATE(Method::sam, Method::m_sam, Method::dsm, Method::m_dsm);
   const double slope = GENERATE(0.0, 1 / 3.0, 0.5, 1.0);
   const double way = 30;
-  const auto result = pulse_run(
-      mill(method, PulseClock::paper),
-      test::number_blocks({Move{Line({0, 0, 0}, {way, way * slope, 0}), false, 50, Join::follow}}));
+  const auto result = pulse_run(mill(method, PulseClock::paper),
+                                test::number_blocks({Move{Line({0, 0, 0}, {way, way * slope, 0}),
+                                                          false, 50, PathMode::follow}}));
   double fastest = 0;
   for (const Setpoint& row : result.run.rows) fastest = std::max(fastest, row.v);
   CHECK(fastest == Approx(50 * std::sqrt(1 + slope * slope) / (1 + slope / 3)).epsilon(1e-3));

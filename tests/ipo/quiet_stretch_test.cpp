@@ -13,7 +13,7 @@ namespace {
 
 /// A move at constant speed (mm/s), as nobody has planned it.
 TimedBlock at_speed(Path path, double v) {
-  TimedBlock timed{{Move{std::move(path), false, v, Join::follow}, {1, 1, 1}, 1}, {}};
+  TimedBlock timed{{Move{std::move(path), false, v, PathMode::follow}, {1, 1, 1}, 1}, {}};
   timed.profile.add_piece(0, length(timed.move()->path), v, v, Limit::feed);
   return timed;
 }
@@ -22,7 +22,7 @@ Path circle(double radius) {
   return Arc::make({{radius, 0, 0}, {radius, 0, 0}, {0, 0, 0}, Plane::xy, true, 0}).value();
 }
 
-/// The largest part of a limit that differences of rows use, `t` s of the profile the first one.
+/// The largest part of a limit that differences of samples use, `t` s of the profile the first one.
 double used(const TimedBlock& timed, double t, double until, const Machine& machine) {
   const double period = machine.control.period;
   std::array<AxisVector, 4> last;

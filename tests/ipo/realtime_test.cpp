@@ -14,9 +14,9 @@ TEST_CASE("a period of interpolation allocates nothing", "[interpolator][realtim
       GENERATE(Method::arc_length, Method::taylor1, Method::taylor2, Method::curvature3p);
   Diagnostics diagnostics;
   ipo::Planner planner(machine, 1, diagnostics);
-  for (const Block& block :
-       test::number_blocks({Move{test::curve("butterfly"), false, 100, Join::follow}, Dwell{0.1},
-                            Move{Line({54.492, 52.139, 0}, {0, 0, 0}), true, 0, Join::follow}}))
+  for (const Block& block : test::number_blocks(
+           {Move{test::curve("butterfly"), false, 100, PathMode::follow}, Dwell{0.1},
+            Move{Line({54.492, 52.139, 0}, {0, 0, 0}), true, 0, PathMode::follow}}))
     planner.push(block);
   planner.finish();
   ipo::BlockQueue queue(1);

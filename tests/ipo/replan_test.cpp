@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Override and hold while a program runs: when they take effect, what the rows say, and that they
-// never break a limit or leave the path.
+// Override and hold while a program runs: when they take effect, what the samples say, and that
+// they never break a limit or leave the path.
 //
 // SOFTCNC_PROGRAMS sets how many random programs are tried: scripts/random_programs.
 #include <catch2/catch.hpp>
@@ -129,7 +129,7 @@ TEST_CASE("an override changes neither rapids nor what is programmed without it"
 TEST_CASE("a dwell that is held lasts as long in all", "[ipo][replan]") {
   const Machine machine = machine_with(false);
   const auto blocks =
-      number_blocks({Dwell{0.5}, Move{Line({0, 0, 0}, {10, 0, 0}), false, 100, Join::follow}});
+      number_blocks({Dwell{0.5}, Move{Line({0, 0, 0}, {10, 0, 0}), false, 100, PathMode::follow}});
   const auto plain = run(machine, blocks);
   const auto held = run(machine, blocks, Controls{{200, kHold}, {300, kGo}});
   CHECK(held.rows.size() == plain.rows.size() + 100);
@@ -182,12 +182,12 @@ TEST_CASE("a hold that is taken back while it brakes takes no plan of countless 
   }
   const auto arc = [](const AxisVector& from, const AxisVector& to, const AxisVector& center) {
     return Move{Arc::make({from, to, center, Plane::xy, true, 0}).value(), false, 15.137,
-                Join::follow};
+                PathMode::follow};
   };
   const AxisVector middle(4.09946, 1.75021, 0), end(10.42366, 8.35402, 0);
   const auto blocks = number_blocks({arc({0, 0, 0}, {0, 0, 0}, {0.00272, 0, 0}),
                                      arc({0, 0, 0}, middle, {0, 5.67610, 0}),
-                                     Move{Line(middle, end), false, 15.137, Join::follow}});
+                                     Move{Line(middle, end), false, 15.137, PathMode::follow}});
   const auto result = run(machine, blocks, Controls{{98, kHold}, {129, kGo}});
   CHECK(exceeded(machine, result) == "");
   CHECK(result.rows.back().position == end);
@@ -197,7 +197,7 @@ TEST_CASE("a hold that is taken back while it brakes takes no plan of countless 
 TEST_CASE("an event takes no plan of the way that it takes back", "[ipo][jerk][replan]") {
   const Machine machine = machine_with(true);
   const Arc arc = Arc::make({{0, 0, 0}, {0, 0, 0}, {20, 0, 0}, Plane::xy, true, 3}).value();
-  const auto blocks = number_blocks({Move{arc, false, 5, Join::follow}});
+  const auto blocks = number_blocks({Move{arc, false, 5, PathMode::follow}});
   const auto plain = run(machine, blocks);
   Controls controls;
   for (int i = 1; i <= 10; ++i) controls[1000 * i] = override_of(i % 2 == 0 ? 1 : 0.9);
@@ -210,10 +210,11 @@ TEST_CASE("an event takes no plan of the way that it takes back", "[ipo][jerk][r
 TEST_CASE("a hold where the machine brakes anyway is no fall-back, nor is its release",
           "[ipo][replan]") {
   const bool jerk = GENERATE(false, true);
-  const int released = GENERATE(2, 500);  // rows later
+  const int released = GENERATE(2, 500);  // samples later
   const Machine machine = machine_with(jerk);
-  const auto blocks = number_blocks({Move{Line({0, 0, 0}, {20, 0, 0}), false, 100, Join::stop},
-                                     Move{Line({20, 0, 0}, {40, 0, 0}), false, 100, Join::follow}});
+  const auto blocks =
+      number_blocks({Move{Line({0, 0, 0}, {20, 0, 0}), false, 100, PathMode::stop},
+                     Move{Line({20, 0, 0}, {40, 0, 0}), false, 100, PathMode::follow}});
   const auto plain = run(machine, blocks);
   int stop = 10;
   while (plain.rows[static_cast<std::size_t>(stop)].s < 20) ++stop;
@@ -240,7 +241,7 @@ TEST_CASE("a hold soon after the start of a long line rests soon", "[ipo][jerk][
 TEST_CASE("a stop is found in few tries", "[ipo][jerk][replan]") {
   const Machine machine = machine_with(true);
   const Arc arc = Arc::make({{0, 0, 0}, {0, 0, 0}, {10, 0, 0}, Plane::xy, true, 3}).value();
-  const auto blocks = number_blocks({Move{arc, false, 80, Join::follow}});
+  const auto blocks = number_blocks({Move{arc, false, 80, PathMode::follow}});
   const auto plain = run(machine, blocks);
   for (const int row : {60, 300, 1000}) {
     CAPTURE(row);
@@ -255,8 +256,9 @@ TEST_CASE("a speed that is rounding is none", "[ipo][jerk][replan]") {
   const Arc arc = Arc::make({{0, 0, 0}, {20, 0, 0}, {10, 0, 0}, Plane::xy, true, 0}).value();
   Diagnostics diagnostics;
   ipo::Planner planner(machine, 1, diagnostics);
-  for (Block& block : number_blocks({Move{Line({-2e-7, 0, 0}, {0, 0, 0}), false, 100, Join::follow},
-                                     Move{arc, false, 100, Join::follow}}))
+  for (Block& block :
+       number_blocks({Move{Line({-2e-7, 0, 0}, {0, 0, 0}), false, 100, PathMode::follow},
+                      Move{arc, false, 100, PathMode::follow}}))
     planner.push(std::move(block));
   planner.finish();
   ipo::BlockQueue queue(10 * machine.control.period);
@@ -270,8 +272,9 @@ TEST_CASE("a speed that is rounding is none", "[ipo][jerk][replan]") {
 
 TEST_CASE("an event at the end of a move leaves it where it ends", "[ipo][jerk][replan]") {
   const Machine machine = machine_with(true);
-  const auto blocks = number_blocks({Move{Line({0, 0, 0}, {20, 0, 0}), false, 100, Join::stop},
-                                     Move{Line({20, 0, 0}, {40, 0, 0}), false, 100, Join::follow}});
+  const auto blocks =
+      number_blocks({Move{Line({0, 0, 0}, {20, 0, 0}), false, 100, PathMode::stop},
+                     Move{Line({20, 0, 0}, {40, 0, 0}), false, 100, PathMode::follow}});
   for (int row = 318; row <= 323; ++row) {  // it takes 0.32 s
     CAPTURE(row);
     const auto result = run(machine, blocks, Controls{{row, override_of(0.5)}});

@@ -74,7 +74,7 @@ TEST_CASE("from rest to rest: the beginning and the end alone, joined where it c
   test::holds(
       [] {
         const LineLimits most = random_limits();
-        const double s0 = test::real(0, 100), ramp = way_to_cruise(most);
+        const double s0 = test::real(0, 100), ramp = distance_to_cruise(most);
         const double way = (2 + test::real(0.1, 3)) * ramp;
         const double between = s0 + test::real(1, way / ramp - 1) * ramp;
         RC_PRE(between - s0 >= ramp && s0 + way - between >= ramp);

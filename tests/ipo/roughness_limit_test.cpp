@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The feed that keeps a roughness: in every row below the cap, and near it where it binds.
+// The feed that keeps a roughness: in every sample below the limit, and near it where it binds.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -29,7 +29,7 @@ Machine machine_with(RoughnessModel model, double acceleration, double jerk = 0)
 }
 
 Move surface_move(Path path, double feed = kFeed) {
-  Move move{std::move(path), false, feed, Join::follow};
+  Move move{std::move(path), false, feed, PathMode::follow};
   move.surface = paper_surface();
   return move;
 }
@@ -96,7 +96,7 @@ TEST_CASE("over a cylinder the feed keeps the roughness in every row", "[ipo][ro
 
 TEST_CASE("in a valley the guaranteed feed is lower than on level ground", "[ipo][roughness]") {
   // Through the bottom of a circle of radius 10 the surface, 15 from its axis, is half as long
-  // again as the way of the tip.
+  // again as the path of the tip.
   const Path valley = Arc::make({{-6, 0, 2}, {6, 0, 2}, {0, 0, 10}, Plane::zx, false, 0}).value();
   const auto fastest = [&](RoughnessModel model, const Path& path) {
     const Machine machine = machine_with(model, 50000);
@@ -121,7 +121,7 @@ TEST_CASE("the roughness costs no more time than its cap asks for", "[ipo][rough
     const Machine machine = machine_with(RoughnessModel::paper, acceleration, jerk);
     const Path path = over_cylinder();
     const auto result = run(machine, number_blocks({surface_move(path)}));
-    // Half of both ramps, and every stretch at its cap.
+    // Half of both ramps, and every stretch at its limit.
     double ideal = jerk > 0 ? 2 * std::sqrt(kFeed / jerk) : kFeed / acceleration;
     constexpr int kSteps = 100000;
     const double ds = length(path) / kSteps;

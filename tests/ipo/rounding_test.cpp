@@ -15,7 +15,8 @@ namespace {
 
 /// A corner of 90 degrees at t = 10, spread over 2 w.
 NurbsSpec corner(double width) {
-  const std::array edges{Edge{0, {0, 0, 0}, {1, 0, 0}}, Edge{10, {10, 0, 0}, {0, 1, 0}}};
+  const std::array edges{PolylineEdge{0, {0, 0, 0}, {1, 0, 0}},
+                         PolylineEdge{10, {10, 0, 0}, {0, 1, 0}}};
   const std::array turns{spread_evenly(10, {-1, 1, 0}, width)};
   return rounded(edges, turns, 10 - width, 10 + width);
 }
@@ -39,26 +40,28 @@ TEST_CASE("a corner begins and ends straight, on its lines", "[rounding]") {
   CHECK(begin.ddq.norm() < 1e-10);
   CHECK((end.q - AxisVector(10, 0.6, 0)).norm() < 1e-12);
   CHECK(end.ddq.norm() < 1e-10);
-  // The second derivative by the parameter is the hat: its peak is the kink over w.
+  // The second derivative by the parameter is the basis function: its peak is the tangent jump over
+  // w.
   CHECK((curve.derivatives(0.6)[2] - AxisVector(-1, 1, 0) / 0.6).norm() < 1e-10);
 }
 
 TEST_CASE("several turns are spread as the sum of what each is", "[rounding]") {
-  const std::array edges{Edge{0, {0, 0, 0}, {1, 0, 0}}, Edge{1, {1, 0, 0}, {0.8, 0.6, 0}},
-                         Edge{2, {1.8, 0.6, 0}, {0, 1, 0}}};
+  const std::array edges{PolylineEdge{0, {0, 0, 0}, {1, 0, 0}},
+                         PolylineEdge{1, {1, 0, 0}, {0.8, 0.6, 0}},
+                         PolylineEdge{2, {1.8, 0.6, 0}, {0, 1, 0}}};
   const std::array turns{spread_evenly(1, {-0.2, 0.6, 0}, 0.9),
                          spread_evenly(2, {-0.8, 0.4, 0}, 0.7)};
   const Nurbs curve = Nurbs::make(rounded(edges, turns, 0.1, 2.7)).value();
   for (int i = 0; i <= 260; ++i) {
     const double t = 0.1 + 0.01 * i;
-    const Edge& edge = edges[t < 1 ? 0 : t < 2 ? 1 : 2];
+    const PolylineEdge& edge = edges[t < 1 ? 0 : t < 2 ? 1 : 2];
     AxisVector point = edge.point + (t - edge.t) * edge.direction;
     AxisVector second = AxisVector::Zero();
     for (const Turn& turn : turns) {
       const double width = turn.end - turn.t;
-      point += rounding(t - turn.t, width) * turn.kink;
+      point += rounding(t - turn.t, width) * turn.tangent_jump;
       const double hat = std::max(0.0, 1 - std::abs(t - turn.t) / width) / width;
-      second += hat * turn.kink;
+      second += hat * turn.tangent_jump;
     }
     CHECK((curve.point(t - 0.1) - point).norm() < 1e-13);
     CHECK((curve.derivatives(t - 0.1)[2] - second).norm() < 1e-10);
@@ -67,8 +70,9 @@ TEST_CASE("several turns are spread as the sum of what each is", "[rounding]") {
 
 TEST_CASE("hats that lean to one side are the second derivative too, about their mean",
           "[rounding]") {
-  const std::array edges{Edge{0, {0, 0, 0}, {1, 0, 0}}, Edge{2, {2, 0, 0}, {0.8, 0.6, 0}},
-                         Edge{3, {2.8, 0.6, 0}, {0, 1, 0}}};
+  const std::array edges{PolylineEdge{0, {0, 0, 0}, {1, 0, 0}},
+                         PolylineEdge{2, {2, 0, 0}, {0.8, 0.6, 0}},
+                         PolylineEdge{3, {2.8, 0.6, 0}, {0, 1, 0}}};
   const std::array turns{Turn{2, {-0.2, 0.6, 0}, 1, 1.8, 3.2},
                          Turn{3, {-0.8, 0.4, 0}, 2.5, 3, 3.5}};
   const Nurbs curve = Nurbs::make(rounded(edges, turns, 0.5, 4)).value();
@@ -86,7 +90,7 @@ TEST_CASE("hats that lean to one side are the second derivative too, about their
       const double up = (middle - turn.begin) / (turn.peak - turn.begin);
       const double down = (turn.end - middle) / (turn.end - turn.peak);
       const double height = 2 / (turn.end - turn.begin);
-      second += std::max(0.0, std::min(up, down)) * height * turn.kink;
+      second += std::max(0.0, std::min(up, down)) * height * turn.tangent_jump;
     }
     point += kStep * direction + 0.5 * kStep * kStep * second;
     direction += kStep * second;

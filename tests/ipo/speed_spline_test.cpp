@@ -15,7 +15,7 @@ double knot(int i) {
   return kNodes[static_cast<std::size_t>(std::clamp(i, 0, last))];
 }
 
-/// Coefficients of s^3: the blossom s1 s2 s3 at three knots in a row.
+/// Coefficients of s^3: the blossom s1 s2 s3 at three consecutive knots.
 std::vector<double> cube() {
   std::vector<double> coefficients;
   for (int k = -1; k <= static_cast<int>(kNodes.size()); ++k)

@@ -18,8 +18,8 @@ struct Spread {
   std::vector<double> nodes, inside;  // q
 };
 
-/// A chain of intervals between 1 um and 1 mm, whose caps go up and down, some by leaps; of no even
-/// numbers, lest a step end exactly at a node, where rounding decides.
+/// A chain of intervals between 1 um and 1 mm, whose limits go up and down, some by leaps; of no
+/// even numbers, lest a step end exactly at a node, where rounding decides.
 Chain random_chain(int count) {
   Chain chain;
   chain.nodes.emplace_back();
@@ -28,14 +28,14 @@ Chain random_chain(int count) {
     Interval interval;
     interval.s1 = std::pow(10, real(-3, 0));
     q = std::clamp(q * std::pow(10, real(-0.3, 0.3)), 1.0, 1e5);
-    interval.left_cap.q = interval.right_cap.q = q;
-    interval.step_cap.q = q * (integer(0, 3) == 0 ? real(0.1, 3) : 1);
+    interval.left_limit.q = interval.right_limit.q = q;
+    interval.step_limit.q = q * (integer(0, 3) == 0 ? real(0.1, 3) : 1);
     chain.intervals.push_back(interval);
     Node node;
     node.s = chain.nodes.back().s + interval.length();
     chain.nodes.push_back(node);
   }
-  for (Node& node : chain.nodes) node.cap.q = 1e5;
+  for (Node& node : chain.nodes) node.velocity_limit.q = 1e5;
   for (std::size_t i = 0; i < chain.intervals.size(); ++i) chain.inside.push_back({{1e5}});
   return chain;
 }
@@ -55,7 +55,7 @@ Spread one_by_one(const Chain& chain, const std::vector<bool>& asks) {
   const auto lower = [](double& q, double to) { q = std::min(q, to); };
   for (int i = 0; i < count; ++i) {
     if (!asks[static_cast<std::size_t>(i)]) continue;
-    const double q = chain.intervals[static_cast<std::size_t>(i)].step_cap.q;
+    const double q = chain.intervals[static_cast<std::size_t>(i)].step_limit.q;
     lower(spread.inside[static_cast<std::size_t>(i)], q);
     for (const int way : {-1, 1}) {
       const int from = way < 0 ? i : i + 1;
@@ -84,14 +84,14 @@ TEST_CASE("steps are asked of all they touch, as if every interval asked on its 
         std::vector<bool> asks;
         for (std::size_t i = 0; i < chain.intervals.size(); ++i) asks.push_back(integer(0, 4) > 0);
         const Spread expected = one_by_one(chain, asks);
-        StepSpread spread(chain, times_of(chain), kPeriod, 0);
+        StepLimitDilation spread(chain, times_of(chain), kPeriod, 0);
         for (std::size_t i = 0; i < asks.size(); ++i)
-          if (asks[i]) spread.ask(i, chain.intervals[i].step_cap);
+          if (asks[i]) spread.ask(i, chain.intervals[i].step_limit);
         spread.lower();
         for (std::size_t n = 0; n < chain.nodes.size(); ++n)
-          RC_ASSERT(chain.nodes[n].cap.q == expected.nodes[n]);
+          RC_ASSERT(chain.nodes[n].velocity_limit.q == expected.nodes[n]);
         for (std::size_t i = 0; i < chain.inside.size(); ++i)
-          RC_ASSERT(chain.inside[i].cap.q == expected.inside[i]);
+          RC_ASSERT(chain.inside[i].velocity_limit.q == expected.inside[i]);
       },
       300);
 }

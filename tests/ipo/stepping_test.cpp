@@ -23,8 +23,8 @@ test::Run butterfly(Method method, double feed, double period, double tolerance,
     axis.velocity = 1e6;
     axis.acceleration = acceleration;
   }
-  return test::run(
-      machine, test::number_blocks({Move{test::curve("butterfly"), false, feed, Join::follow}}));
+  return test::run(machine, test::number_blocks(
+                                {Move{test::curve("butterfly"), false, feed, PathMode::follow}}));
 }
 
 }  // namespace
@@ -81,9 +81,10 @@ TEST_CASE("a method starts on its curve with the row, whatever came before", "[s
     axis.acceleration = 1e9;
   }
   const auto result = test::run(
-      machine, test::number_blocks(
-                   {Move{Line({0, 0, 0}, {54.493, 52.139, 0}), true, 0, Join::follow}, Dwell{0.08},
-                    Move{test::curve("butterfly"), false, 2000.0 / 60, Join::follow}}));
+      machine,
+      test::number_blocks({Move{Line({0, 0, 0}, {54.493, 52.139, 0}), true, 0, PathMode::follow},
+                           Dwell{0.08},
+                           Move{test::curve("butterfly"), false, 2000.0 / 60, PathMode::follow}}));
   CHECK(result.measured.chord_error / 5e-5 < 8.5);
 }
 

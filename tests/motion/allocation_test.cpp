@@ -22,7 +22,7 @@ TEST_CASE("no curve allocates when it is evaluated", "[motion][allocation]") {
   paths.emplace_back(Arc::make({{1, 0, 0}, {0, 1, 3}, {0, 0, 0}}).value());
   paths.emplace_back(Arc::make({{1, 0, 0}, {0, 1.009, 3}, {0, 0, 0}}).value());
   paths.emplace_back(Nurbs::make(test::curve_spec("butterfly")).value());
-  // Stands still at its start: the longest way through at().
+  // Stands still at its start: the longest path through at().
   paths.emplace_back(
       Nurbs::make(
           {3, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 2, 3}}, {1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}})

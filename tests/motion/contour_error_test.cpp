@@ -57,7 +57,7 @@ class Loop {
   double part_;
 };
 
-/// Runs along the program at constant speed, and hands every row's error to `see`.
+/// Runs along the program at constant speed, and hands every sample's error to `see`.
 ContourReport run(
     const Program& program, double speed, double kv,
     const std::function<void(const Setpoint&, const AxisVector&, double)>& see =
@@ -80,7 +80,7 @@ ContourReport run(
     if (i == 0) actual.push_back(program.at(0));
     for (int k = kInstants - 1; i > 0 && k >= 0; --k)
       actual.push_back(loop.follow(program.at(place(static_cast<double>(i) - k / 4.0))));
-    see(setpoint, actual.back(), contour.row(setpoint, actual));
+    see(setpoint, actual.back(), contour.sample(setpoint, actual));
   }
   return contour.report();
 }
@@ -116,10 +116,10 @@ TEST_CASE("a tool that stands still beside the path is as far off as it stands",
   contour.add({&path, 0, 10}, 0, {3, false});
   Setpoint setpoint;
   const std::vector<AxisVector> start{{0, 0, 0}}, off{{1, 0.003, 0}, {2, 0.004, 0}};
-  CHECK(contour.row(setpoint, start) == 0);
+  CHECK(contour.sample(setpoint, start) == 0);
   setpoint.period = 1;
   setpoint.s = 2;
-  CHECK(contour.row(setpoint, off) == Approx(0.004));
+  CHECK(contour.sample(setpoint, off) == Approx(0.004));
   const ContourFigures& figures = contour.report().cutting;
   CHECK(figures.max == Approx(0.004));
   CHECK(figures.time == Approx(0.001));
@@ -134,10 +134,11 @@ TEST_CASE("the largest error may be between two rows", "[motion][contour]") {
   contour.begin(2, 0);
   contour.add({&path, 0, 10}, 0, {1, false});
   Setpoint setpoint;
-  contour.row(setpoint, std::vector<AxisVector>{{0, 0, 0}});
+  contour.sample(setpoint, std::vector<AxisVector>{{0, 0, 0}});
   setpoint.period = 1;
   setpoint.s = 1;
-  CHECK(contour.row(setpoint, std::vector<AxisVector>{{0.5, 0.2, 0}, {1, 0.1, 0}}) == Approx(0.1));
+  CHECK(contour.sample(setpoint, std::vector<AxisVector>{{0.5, 0.2, 0}, {1, 0.1, 0}}) ==
+        Approx(0.1));
   CHECK(contour.report().cutting.max == Approx(0.2));
   CHECK(contour.report().cutting.time == Approx(0.0005));
 }
@@ -145,7 +146,7 @@ TEST_CASE("the largest error may be between two rows", "[motion][contour]") {
 TEST_CASE("a corner that is run through without a stop is cut as the loop's response says",
           "[motion][contour]") {
   // In the corner's frame the loop is off by L exp(-s/L) along the old side and has gone
-  // s - L (1 - exp(-s/L)) along the new one, with L = v / kv and s the path behind the corner.
+  // s - L (1 - exp(-s/L)) along the new one, with L = v / kv and s the path after the corner.
   const double v = 20, kv = 40, lag = v / kv;
   const Program corner{{line({-20, 0, 0}, {0, 0, 0}), line({0, 0, 0}, {0, 20, 0})}};
   double expected = 0;
@@ -165,12 +166,12 @@ TEST_CASE("the neighbouring pass of a raster does not hide an error", "[motion][
   contour.begin(3, 0);
   raster.add_to(contour);
   Setpoint setpoint;
-  contour.row(setpoint, std::vector<AxisVector>{{0, 0, 0}});
+  contour.sample(setpoint, std::vector<AxisVector>{{0, 0, 0}});
   setpoint.period = 1;
   setpoint.s = 10;
-  CHECK(contour.row(setpoint, std::vector<AxisVector>{{9, 0.1, 0}}) == Approx(0.1));
+  CHECK(contour.sample(setpoint, std::vector<AxisVector>{{9, 0.1, 0}}) == Approx(0.1));
   setpoint.s = 12;
-  CHECK(contour.row(setpoint, std::vector<AxisVector>{{11, 0.1, 0}}) == Approx(0.1));
+  CHECK(contour.sample(setpoint, std::vector<AxisVector>{{11, 0.1, 0}}) == Approx(0.1));
 }
 
 TEST_CASE("the point that counts never moves backward", "[motion][contour]") {
@@ -179,11 +180,11 @@ TEST_CASE("the point that counts never moves backward", "[motion][contour]") {
   contour.begin(3, 0);
   contour.add({&path, 0, 10}, 0, {1, false});
   Setpoint setpoint;
-  contour.row(setpoint, std::vector<AxisVector>{{0, 0, 0}});
+  contour.sample(setpoint, std::vector<AxisVector>{{0, 0, 0}});
   setpoint.s = 5;
-  CHECK(contour.row(setpoint, std::vector<AxisVector>{{4, 0, 0}}) == Approx(0).margin(1e-9));
-  CHECK(contour.row(setpoint, std::vector<AxisVector>{{3.5, 0, 0}}) == Approx(0.5));
-  CHECK(contour.row(setpoint, std::vector<AxisVector>{{6.5, 0, 0}}) == Approx(0.5));
+  CHECK(contour.sample(setpoint, std::vector<AxisVector>{{4, 0, 0}}) == Approx(0).margin(1e-9));
+  CHECK(contour.sample(setpoint, std::vector<AxisVector>{{3.5, 0, 0}}) == Approx(0.5));
+  CHECK(contour.sample(setpoint, std::vector<AxisVector>{{6.5, 0, 0}}) == Approx(0.5));
 }
 
 TEST_CASE(
@@ -202,7 +203,7 @@ TEST_CASE(
     setpoint.s = 0.8 * i / (2 * kRows - 1);
     const double noise = i % 3 == 0 ? 1.25e-3 : -1.25e-3;
     const AxisVector actual = peck.at(std::clamp(setpoint.s + noise, 0.0, 0.8));
-    largest = std::max(largest, contour.row(setpoint, std::vector<AxisVector>{actual}));
+    largest = std::max(largest, contour.sample(setpoint, std::vector<AxisVector>{actual}));
   }
   CHECK(largest < 0.006);
 }
@@ -226,21 +227,21 @@ TEST_CASE("the path may come in batches, and what was ahead of one may change",
   contour.add({&first, 0, 6}, 0, {1, false});
   contour.begin(2, 5);  // turns off at 5 instead
   contour.add({&other, 0, 10}, 5, {2, false});
-  CHECK(contour.expects_row());
+  CHECK(contour.expects_sample());
   Setpoint setpoint;
   setpoint.s = 5;
-  CHECK(contour.row(setpoint, std::vector<AxisVector>{{5, 0, 0}}) == Approx(0).margin(1e-9));
+  CHECK(contour.sample(setpoint, std::vector<AxisVector>{{5, 0, 0}}) == Approx(0).margin(1e-9));
   setpoint.s = 7;
-  CHECK(contour.row(setpoint, std::vector<AxisVector>{{5.5, 0, 0}}) == Approx(0.5));
-  CHECK(contour.row(setpoint, std::vector<AxisVector>{{5, 2, 0}}) == Approx(0).margin(1e-9));
-  CHECK_FALSE(contour.expects_row());
+  CHECK(contour.sample(setpoint, std::vector<AxisVector>{{5.5, 0, 0}}) == Approx(0.5));
+  CHECK(contour.sample(setpoint, std::vector<AxisVector>{{5, 2, 0}}) == Approx(0).margin(1e-9));
+  CHECK_FALSE(contour.expects_sample());
 }
 
 TEST_CASE("before anything moves the tool is off by its distance from the command",
           "[motion][contour]") {
   Contour contour(kPeriod);
   contour.begin(1, 0);
-  CHECK(contour.row(Setpoint(), std::vector<AxisVector>{{0, 0.01, 0}}) == Approx(0.01));
+  CHECK(contour.sample(Setpoint(), std::vector<AxisVector>{{0, 0.01, 0}}) == Approx(0.01));
   CHECK(contour.report().cutting.instants == 0);
 }
 

@@ -101,7 +101,7 @@ TEST_CASE("a caret never leaves its line", "[diagnostic]") {
   d.pos = {1, 4, 100};
   d.message = "m";
   CHECK(render(d) == "part.nc:1:4: error: m [SC2103]\n    1 | G1 X\n      |    ^\n");
-  d.pos = {1, 5, 1};  // behind the last character: something is missing there
+  d.pos = {1, 5, 1};  // after the last character: something is missing there
   CHECK(render(d) == "part.nc:1:5: error: m [SC2103]\n    1 | G1 X\n      |     ^\n");
 }
 

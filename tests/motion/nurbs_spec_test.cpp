@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every way in which a specification is not a curve, and how it is told.
+// Every reason why a specification is not a curve, and how it is reported.
 #include "motion/geometry/nurbs_spec.hpp"
 
 #include <catch2/catch.hpp>
@@ -52,11 +52,11 @@ TEST_CASE("a specification in order passes", "[motion][nurbs]") {
 
 TEST_CASE("orders below 2 and above 10 are refused", "[motion][nurbs][code]") {
   CHECK(refusal([](auto& s) { s.degree = 0; }) ==
-        "softcnc: error: a NURBS of order 1: orders 2 to 10 can be run [SC3001]\n");
+        "softcnc: error: a NURBS of order 1; orders 2 to 10 are supported [SC3001]\n");
   CHECK(refusal([](auto& s) { s.degree = 10; }) ==
-        "softcnc: error: a NURBS of order 11: orders 2 to 10 can be run [SC3001]\n");
+        "softcnc: error: a NURBS of order 11; orders 2 to 10 are supported [SC3001]\n");
   CHECK(refusal([](auto& s) { s.degree = -1; }) ==
-        "softcnc: error: a NURBS of order 0: orders 2 to 10 can be run [SC3001]\n");
+        "softcnc: error: a NURBS of order 0; orders 2 to 10 are supported [SC3001]\n");
 }
 
 TEST_CASE("fewer points than the order are refused", "[motion][nurbs][code]") {
@@ -88,13 +88,17 @@ TEST_CASE("knots that would tear the curve are refused", "[motion][nurbs][code]"
                                        {3, 3, 0}, {4, 0, 0}, {5, 0, 0}};
   const std::vector<double> weights(6, 1.0);
   CHECK(refusal({2, points, weights, {0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}}) ==
-        "softcnc: error: knot 4 (0.5) stands 3 times: a curve of order 3 would be torn [SC3006]\n");
+        "softcnc: error: knot 4 (0.5) occurs 3 times: a curve of order 3 would be discontinuous "
+        "[SC3006]\n");
   CHECK(refusal({2, points, weights, {0, 0, 0, 0, 0.5, 0.7, 1, 1, 1}}) ==
-        "softcnc: error: knot 2 (0) stands 4 times: a curve of order 3 would be torn [SC3006]\n");
+        "softcnc: error: knot 2 (0) occurs 4 times: a curve of order 3 would be discontinuous "
+        "[SC3006]\n");
   CHECK(refusal({2, points, weights, {0, 0, 0, 0.5, 0.7, 1, 1, 1, 1}}) ==
-        "softcnc: error: knot 6 (1) stands 4 times: a curve of order 3 would be torn [SC3006]\n");
+        "softcnc: error: knot 6 (1) occurs 4 times: a curve of order 3 would be discontinuous "
+        "[SC3006]\n");
   CHECK(refusal({2, points, weights, {1, 1, 1, 1, 1, 1, 1, 1, 1}}) ==
-        "softcnc: error: knot 2 (1) stands 9 times: a curve of order 3 would be torn [SC3006]\n");
+        "softcnc: error: knot 2 (1) occurs 9 times: a curve of order 3 would be discontinuous "
+        "[SC3006]\n");
 }
 
 TEST_CASE("weights that are not positive or not there are refused", "[motion][nurbs][code]") {

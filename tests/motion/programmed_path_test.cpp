@@ -17,7 +17,7 @@ std::vector<Block> numbered(const std::vector<Move>& moves) {
 }
 
 Move rounded(const Path& path, double p, double q = 0) {
-  Move move{path, false, 10, Join::follow};
+  Move move{path, false, 10, PathMode::follow};
   move.corner_tolerance = p;
   move.chord_tolerance = q;
   return move;
@@ -36,7 +36,7 @@ ProgrammedPath driven(const std::vector<Block>& blocks, const std::vector<Row>& 
     Setpoint setpoint;
     setpoint.block = row.block;
     setpoint.position = row.position;
-    path.row(setpoint);
+    path.sample(setpoint);
   }
   if (to_end) path.finish();
   return path;
@@ -87,8 +87,8 @@ TEST_CASE("the way from a dwell, and into one, passes corners as any other", "[p
 
 TEST_CASE("a corner at which the path stops may not be cut", "[programmed]") {
   auto blocks = square_corner(0.5);
-  std::get<Move>(blocks[0].what).join = Join::stop;
-  CHECK(driven(blocks, kCutCorner).largest() == 0);  // no row is off, and no joint is rounded
+  std::get<Move>(blocks[0].what).path_mode = PathMode::stop;
+  CHECK(driven(blocks, kCutCorner).largest() == 0);  // no sample is off, and no joint is rounded
   std::vector<Row> rows = kCutCorner;
   rows.insert(rows.begin() + 2, {2, {9.9, 0.1, 0}});
   CHECK(driven(blocks, rows).largest() == Approx(0.1));
@@ -103,7 +103,7 @@ TEST_CASE("chords far shorter than what is allowed are searched on both sides", 
   for (int i = 0; i < 1000; ++i)
     chords.push_back(rounded(Line(on_circle(kChord * i), on_circle(kChord * (i + 1))), 0.05, 0.05));
   const auto blocks = numbered(chords);
-  std::vector<Row> rows;  // 0.02 mm inside, told three blocks late
+  std::vector<Row> rows;  // 0.02 mm inside, reported three blocks late
   for (int i = 3; i < 1000; i += 7) rows.push_back({i + 1, 0.998 * on_circle(kChord * (i - 3))});
   const ProgrammedPath path = driven(blocks, rows, false);
   // Joints are a sagitta more from the chords of seven lines: 0.07^2 / 80.

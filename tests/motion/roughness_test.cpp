@@ -19,10 +19,10 @@ namespace {
 /// The tool and the pick-feed of the paper, and its target: what 10 degrees leave.
 const Surface kPaper{5, 0.5, 0.01066888, 2};
 
-/// Of a surface that bends square to the feed.
+/// Of a surface that is curved square to the feed.
 Surface across(double radius) {
   Surface surface = kPaper;
-  surface.bend_across = 1 / radius;
+  surface.transverse_curvature = 1 / radius;
   return surface;
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("where a surface bends, simulated edges leave no more than the guarant
         if (integer(0, 1) == 1) s.slope_across = 1e-6;  // at any phase
         const bool is_across = integer(0, 1) == 1;
         const double bend = real(0, 1) * (is_across && integer(0, 1) == 1 ? -0.5 : 1);
-        if (is_across) s.bend_across = bend / s.tool_radius;
+        if (is_across) s.transverse_curvature = bend / s.tool_radius;
         const double hollow = is_across ? 0 : bend / s.tool_radius;
         const double sine = s.pick_feed / s.tool_radius * real(0, 2) * integer(0, 1);
         const double feed = largest_feed_per_tooth(RoughnessModel::guaranteed, s, sine, hollow);
@@ -186,7 +186,7 @@ TEST_CASE("no simulated edges leave more than the table says, nor much less",
         const int teeth = integer(1, kSimulatedTeeth);
         const double feed = real(0.1, 1) * (integer(0, 3) == 0 ? 4 : 1), tip = real(0, 3);
         const double simulated = EdgeSurface(feed, tip, teeth).rmax();
-        const double table = edge_height(Passes::in_phase, teeth, feed, tip);
+        const double table = edge_height(PassPhase::in_phase, teeth, feed, tip);
         RC_ASSERT(simulated <= table * 1.001);
         if (feed > 0.6) return;   // beyond, heights need not grow, and those of the table do
         double most = simulated;  // at any lower feed
@@ -203,7 +203,7 @@ TEST_CASE("beyond the table a bound holds", "[roughness][property]") {
         const int teeth = integer(1, 8);
         const double feed = real(0.2, 1) * (teeth > kSimulatedTeeth ? 1 : 20), tip = real(0, 12);
         RC_ASSERT(EdgeSurface(feed, tip, teeth).rmax() <=
-                  edge_height(Passes::in_phase, teeth, feed, tip) * 1.01);
+                  edge_height(PassPhase::in_phase, teeth, feed, tip) * 1.01);
       },
       30);
 }
@@ -216,7 +216,7 @@ TEST_CASE(
         const int teeth = integer(1, kSimulatedTeeth + 2);
         const double feed = real(0.1, 1) * (integer(0, 3) == 0 ? 4 : 1), tip = real(0, 3);
         RC_ASSERT(EdgeSurface(feed, tip, teeth, random_passes()).rmax() <=
-                  edge_height(Passes::at_any_phase, teeth, feed, tip) * 1.001);
+                  edge_height(PassPhase::at_any_phase, teeth, feed, tip) * 1.001);
       },
       200);
 }
@@ -231,7 +231,7 @@ TEST_CASE("at any phase the table says hardly more than edges may leave", "[roug
           most = std::max(
               most, EdgeSurface(feed, tip, teeth, Strewn{0.08 * i, {0, phase, 0, phase}}).rmax());
       CAPTURE(teeth, tip);
-      CHECK(edge_height(Passes::at_any_phase, teeth, feed, tip) < 1 + 1.15 * (most - 1));
+      CHECK(edge_height(PassPhase::at_any_phase, teeth, feed, tip) < 1 + 1.15 * (most - 1));
     }
 }
 
@@ -270,17 +270,18 @@ TEST_CASE("no target asks for teeth that rub", "[roughness]") {
 
 TEST_CASE("a valley bends upwards, a hill does not", "[motion][roughness]") {
   const AxisVector level(1, 0, 0), steep(std::sqrt(0.5), 0, std::sqrt(0.5));
-  CHECK(hollow_bend(level, {0, 0, 0.1}) == Approx(0.1));
-  CHECK(hollow_bend(level, {0, 0, -0.1}) == 0);
-  CHECK(hollow_bend(level, {0, 0.1, 0}) == 0);
-  CHECK(hollow_bend(steep, 0.1 * AxisVector(-std::sqrt(0.5), 0, std::sqrt(0.5))) == Approx(0.1));
-  CHECK(hollow_bend({0, 0, 1}, {0.1, 0, 0}) == 0);
-  // On a surface that slopes across, a way that bends to the side may bend up it.
-  CHECK(hollow_bend(level, {0, 0.1, 0}, 0.5) == Approx(0.1 * std::sin(0.5)));
-  CHECK(hollow_bend(level, {0, -0.06, 0.08}, 0.2) ==
+  CHECK(hollow_curvature(level, {0, 0, 0.1}) == Approx(0.1));
+  CHECK(hollow_curvature(level, {0, 0, -0.1}) == 0);
+  CHECK(hollow_curvature(level, {0, 0.1, 0}) == 0);
+  CHECK(hollow_curvature(steep, 0.1 * AxisVector(-std::sqrt(0.5), 0, std::sqrt(0.5))) ==
+        Approx(0.1));
+  CHECK(hollow_curvature({0, 0, 1}, {0.1, 0, 0}) == 0);
+  // On a surface that slopes across, a path that curves to the side may curve up it.
+  CHECK(hollow_curvature(level, {0, 0.1, 0}, 0.5) == Approx(0.1 * std::sin(0.5)));
+  CHECK(hollow_curvature(level, {0, -0.06, 0.08}, 0.2) ==
         Approx(0.08 * std::cos(0.2) + 0.06 * std::sin(0.2)));
-  CHECK(hollow_bend(level, {0, -0.06, 0.08}, 1.5) == Approx(0.1));
-  CHECK(hollow_bend(level, {0, 0.06, -0.08}, 0.2) == 0);
+  CHECK(hollow_curvature(level, {0, -0.06, 0.08}, 1.5) == Approx(0.1));
+  CHECK(hollow_curvature(level, {0, 0.06, -0.08}, 0.2) == 0);
 }
 
 TEST_CASE("in a valley the marks of the feed are as high as equation 1 says",

@@ -41,19 +41,19 @@ std::vector<Path> chords(double radius, int count) {
 
 TEST_CASE("a circle leaves v^2 / (2 R Kv^2)", "[motion][turn]") {
   for (const double radius : {0.5, 5.0, 50.0, 500.0})
-    CHECK(turns_of({circle(radius)}).bend_lag(kError) ==
+    CHECK(turns_of({circle(radius)}).curve_lag(kError) ==
           Approx(std::sqrt(2 * radius * kError)).epsilon(0.02));
   CHECK(turns_of({circle(50)}).corner_lag(kError) == 0);
 }
 
 TEST_CASE("a circle of short chords counts as the circle", "[motion][turn]") {
-  CHECK(turns_of(chords(50, 1000)).bend_lag(kError) == Approx(1).epsilon(0.2));
+  CHECK(turns_of(chords(50, 1000)).curve_lag(kError) == Approx(1).epsilon(0.2));
 }
 
 TEST_CASE("a corner leaves the lag times the sine of its angle over e", "[motion][turn]") {
   const SharpestTurn square = turns_of({line({0, 0, 0}, {9, 0, 0}), line({9, 0, 0}, {9, 9, 0})});
   CHECK(square.corner_lag(kError) == Approx(std::numbers::e * kError));
-  CHECK(square.bend_lag(kError) == 0);
+  CHECK(square.curve_lag(kError) == 0);
   const SharpestTurn blunt =
       turns_of({line({0, 0, 0}, {9, 0, 0}), line({9, 0, 0}, {9 + 9 * std::sqrt(3.0), 9, 0})});
   CHECK(blunt.corner_lag(kError) == Approx(2 * std::numbers::e * kError));
@@ -63,12 +63,12 @@ TEST_CASE("the sharpest of all turns counts", "[motion][turn]") {
   const SharpestTurn turns = turns_of({circle(50), line({50, 0, 0}, {50, 30, 0}),
                                        Arc::make({{50, 30, 0}, {48, 30, 0}, {49, 30, 0}}).value(),
                                        line({48, 30, 0}, {48, 0, 0})});
-  CHECK(turns.bend_lag(kError) == Approx(std::sqrt(2 * kError)).epsilon(0.02));
+  CHECK(turns.curve_lag(kError) == Approx(std::sqrt(2 * kError)).epsilon(0.02));
 }
 
 TEST_CASE("a straight path has no turns, and corners between rapids do not count",
           "[motion][turn]") {
-  CHECK(turns_of({line({0, 0, 0}, {9, 0, 0})}).bend_lag(kError) == 0);
+  CHECK(turns_of({line({0, 0, 0}, {9, 0, 0})}).curve_lag(kError) == 0);
   CHECK(
       turns_of({line({0, 0, 0}, {9, 0, 0}), line({9, 0, 0}, {9, 9, 0})}, true).corner_lag(kError) ==
       0);

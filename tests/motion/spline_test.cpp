@@ -143,7 +143,7 @@ TEST_CASE("two points give the straight line between them", "[motion][spline]") 
 }
 
 TEST_CASE("points of a circle are followed to the fourth order", "[motion][spline]") {
-  // Far from the ends, where naturalness bends the curve away. Halving the step: 16 times closer.
+  // Far from the ends, where naturalness turns the curve away. Halving the step: 16 times closer.
   const auto error = [](int pieces) {
     Points points;
     for (int i = 0; i <= pieces; ++i) {
@@ -178,8 +178,8 @@ TEST_CASE("the most points a spline may have are one curve", "[motion][spline]")
 }
 
 TEST_CASE("fewer than two points are no spline", "[motion][spline][code]") {
-  CHECK(refusal({}) == "2350: a spline through 0 points");
-  CHECK(refusal({{1, 2, 3}}) == "2350: a spline through 1 point");
+  CHECK(refusal({}) == "2350: a spline through 0 points; it needs at least two");
+  CHECK(refusal({{1, 2, 3}}) == "2350: a spline through 1 point; it needs at least two");
 }
 
 TEST_CASE("two points in a row that are one are refused by number", "[motion][spline][code]") {

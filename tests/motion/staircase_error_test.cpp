@@ -31,11 +31,11 @@ Measured quadrant(Method method, std::size_t clocks) {
   ArcPulses pulses(test::arc_about_origin(from, to, kRadius, std::acos(0.0)), pulse_method(method));
   const double r = kRadius * kBlu;
   const Path path = Arc::make({{r, 0, 0}, {0, r, 0}, {0, 0, 0}, Plane::xy, true, 0}).value();
-  const Stretch stretch{&path, 0};
+  const PathStretch stretch{&path, 0};
   Verifier verifier(mill(method));
   Setpoint row;
   row.position = {r, 0, 0};
-  verifier.row(row, {&stretch, 1});
+  verifier.sample(row, {&stretch, 1});
   std::vector<Step> steps(clocks);
   std::vector<TimedStep> timed;
   while (const std::size_t n = pulses.fill(steps)) {
@@ -47,7 +47,7 @@ Measured quadrant(Method method, std::size_t clocks) {
     ++row.period;
     row.pulses = timed;
     row.s = r * std::atan2(row.position[1], row.position[0]);
-    verifier.row(row, {&stretch, 1});
+    verifier.sample(row, {&stretch, 1});
   }
   verifier.finish();
   return verifier.measured();
@@ -80,7 +80,7 @@ TEST_CASE("the verifier measures the errors of Table 3 of paper 003", "[verify][
 TEST_CASE("a place beside a joint is as far from the path as from its nearer side",
           "[verify][pulse]") {
   const Path first = Line({0, 0, 0}, {1, 0, 0}), second = Line({1, 0, 0}, {1, 1, 0});
-  const std::vector<Stretch> stretches{{&first, 0}, {&second, 1}};
+  const std::vector<PathStretch> stretches{{&first, 0}, {&second, 1}};
   StaircaseError error(mill(Method::dsm));
   Setpoint before, now;
   before.position = {0.9975, 0.0025, 0};

@@ -18,7 +18,7 @@ using std::numbers::pi;
 using test::Walk;
 
 /// Distance from a curve of points that follow one another along it: Newton's method from where the
-/// last one was, and from a little before and behind.
+/// last one was, and from a little before and after.
 class Distance {
  public:
   Distance(const Path& path, double blu) : path_(path), blu_(blu) {}

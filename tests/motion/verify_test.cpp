@@ -30,11 +30,11 @@ Setpoint at_position(std::int64_t period, const AxisVector& position, double s, 
 /// Rows along a path at equal steps of arc length.
 Measured measure(const Path& path, int steps, double period = 1e-3) {
   Verifier verifier(machine_at(period));
-  const Stretch stretch{&path, 0};
+  const PathStretch stretch{&path, 0};
   const double step = length(path) / steps;
   for (int i = 0; i <= steps; ++i) {
     const double s = i == steps ? length(path) : i * step;
-    verifier.row(at_position(i, position(path, s), s, i > 0 ? step : 0), {&stretch, 1});
+    verifier.sample(at_position(i, position(path, s), s, i > 0 ? step : 0), {&stretch, 1});
   }
   verifier.finish();
   return verifier.measured();
@@ -51,14 +51,14 @@ TEST_CASE("accelerations along and across the path are measured where they are l
   Machine machine = machine_at(0.01);
   machine.limits.normal = 1;
   const Path path = circle(10);
-  const Stretch stretch{&path, 0};
+  const PathStretch stretch{&path, 0};
   Verifier verifier(machine);
   const std::vector<double> places{0, 0.1, 0.4, 0.6};  // 10, 30, 20 mm/s
   for (std::size_t i = 0; i < places.size(); ++i) {
     Setpoint row =
         at_position(static_cast<std::int64_t>(i), position(path, places[i]), places[i], 0);
     row.v = i == 2 ? 25 : 0;
-    verifier.row(row, {&stretch, 1});
+    verifier.sample(row, {&stretch, 1});
   }
   verifier.finish();
   CHECK(verifier.measured().tangential == Approx(2000));
@@ -75,8 +75,8 @@ TEST_CASE("limits are measured between the rows as well", "[verify]") {
   Setpoint second = at_position(1, {0.1, 0, 0}, 0.1, 0.1);
   second.fine = points;
   Verifier verifier(machine);
-  verifier.row(at_position(0, {0, 0, 0}, 0, 0), {});
-  verifier.row(second, {});
+  verifier.sample(at_position(0, {0, 0, 0}, 0, 0), {});
+  verifier.sample(second, {});
   verifier.finish();
   CHECK(verifier.measured().velocity[0] == Approx(middle[0] / 0.002));
   CHECK(verifier.measured().acceleration[0] == Approx(middle[0] / 0.002 / 0.002));
@@ -88,8 +88,8 @@ TEST_CASE("of a method by pulses the rows alone are measured", "[verify]") {
   machine.control.servo_period = 0.002;
   machine.control.interpolation = Method::sam;
   Verifier verifier(machine);
-  verifier.row(at_position(0, {0, 0, 0}, 0, 0), {});
-  verifier.row(at_position(1, {0.1, 0, 0}, 0.1, 0.1), {});
+  verifier.sample(at_position(0, {0, 0, 0}, 0, 0), {});
+  verifier.sample(at_position(1, {0.1, 0, 0}, 0.1, 0.1), {});
   verifier.finish();
   CHECK(verifier.measured().acceleration[0] == Approx(0.1 / 0.004 / 0.004));
 }
@@ -97,8 +97,8 @@ TEST_CASE("of a method by pulses the rows alone are measured", "[verify]") {
 TEST_CASE("differences of rows are padded with rest at both ends", "[verify]") {
   Verifier verifier(machine_at(0.01));
   // One step of 0.1 mm from rest to rest: v = 10, a = 1000, j = 2e5 (1, -2, 1 over T^3).
-  verifier.row(at_position(0, {0, 0, 0}, 0, 0), {});
-  verifier.row(at_position(1, {0.1, 0, -0.05}, 0.1, 0.1), {});
+  verifier.sample(at_position(0, {0, 0, 0}, 0, 0), {});
+  verifier.sample(at_position(1, {0.1, 0, -0.05}, 0.1, 0.1), {});
   verifier.finish();
   const Measured& m = verifier.measured();
   CHECK(m.velocity[0] == Approx(10));
@@ -106,7 +106,7 @@ TEST_CASE("differences of rows are padded with rest at both ends", "[verify]") {
   CHECK(m.jerk[0] == Approx(2e5));
   CHECK(m.acceleration[1] == 0);
   CHECK(m.acceleration[2] == Approx(500));
-  CHECK(m.rows == 2);
+  CHECK(m.samples == 2);
 }
 
 TEST_CASE("the chord error of a circle is its sagitta", "[verify]") {
@@ -119,31 +119,31 @@ TEST_CASE("the chord error of a circle is its sagitta", "[verify]") {
 
 TEST_CASE("a corner within a step is off the chord", "[verify]") {
   const Path first = Line({0, 0, 0}, {1, 0, 0}), second = Line({1, 0, 0}, {1, 1, 0});
-  const std::vector<Stretch> stretches{{&first, 0}, {&second, 1}};
+  const std::vector<PathStretch> stretches{{&first, 0}, {&second, 1}};
   Verifier verifier(machine_at(1e-3));
-  verifier.row(at_position(0, {0.9, 0, 0}, 0.9, 0), stretches);
-  verifier.row(at_position(1, {1, 0.1, 0}, 1.1, 0.2), stretches);
+  verifier.sample(at_position(0, {0.9, 0, 0}, 0.9, 0), stretches);
+  verifier.sample(at_position(1, {1, 0.1, 0}, 1.1, 0.2), stretches);
   CHECK(verifier.measured().chord_error == Approx(0.1 / std::sqrt(2.0)));
 }
 
 TEST_CASE("a row off its path is a deviation", "[verify]") {
   const Path path = Line({0, 0, 0}, {10, 0, 0});
-  const Stretch stretch{&path, 0};
+  const PathStretch stretch{&path, 0};
   Verifier verifier(machine_at(1e-3));
-  verifier.row(at_position(0, {0, 0, 0}, 0, 0), {&stretch, 1});
-  verifier.row(at_position(1, {1, 0.0025, 0}, 1, 1), {&stretch, 1});
+  verifier.sample(at_position(0, {0, 0, 0}, 0, 0), {&stretch, 1});
+  verifier.sample(at_position(1, {1, 0.0025, 0}, 1, 1), {&stretch, 1});
   CHECK(verifier.measured().path_deviation == Approx(0.0025));
 }
 
 TEST_CASE("a row lies on the path that is there, however far the paths of its block go on",
           "[verify]") {
   const Path first = Line({0, 0, 0}, {1, 0, 0}), second = Line({1, 0, 0}, {1, 9, 0});
-  const std::vector<Stretch> stretches{{&first, 0}, {&second, 1}};
+  const std::vector<PathStretch> stretches{{&first, 0}, {&second, 1}};
   Verifier verifier(machine_at(1e-3));
-  verifier.row(at_position(0, {0.2, 0, 0}, 0.2, 0), stretches);
-  verifier.row(at_position(1, {0.4, 0, 0}, 0.4, 0.2), stretches);
-  verifier.row(at_position(2, {1, 0, 0}, 1, 0.6), stretches);
-  verifier.row(at_position(3, {1, 0.5, 0}, 1.5, 0.5), stretches);
+  verifier.sample(at_position(0, {0.2, 0, 0}, 0.2, 0), stretches);
+  verifier.sample(at_position(1, {0.4, 0, 0}, 0.4, 0.2), stretches);
+  verifier.sample(at_position(2, {1, 0, 0}, 1, 0.6), stretches);
+  verifier.sample(at_position(3, {1, 0.5, 0}, 1.5, 0.5), stretches);
   CHECK(verifier.measured().path_deviation == 0);
   CHECK(&stretch_at(stretches, 0.4) == &stretches[0]);
   CHECK(&stretch_at(stretches, 1) == &stretches[1]);
@@ -151,12 +151,12 @@ TEST_CASE("a row lies on the path that is there, however far the paths of its bl
 
 TEST_CASE("feed fluctuates where the advance is not the planned one", "[verify]") {
   const Path path = test::curve("butterfly");
-  const Stretch stretch{&path, 0};
+  const PathStretch stretch{&path, 0};
   const auto fluctuation = [&](double travelled, double planned) {
     Verifier verifier(machine_at(1e-3));
-    verifier.row(at_position(0, position(path, 20), 20, 0), {&stretch, 1});
-    verifier.row(at_position(1, position(path, 20 + travelled), 20 + travelled, planned),
-                 {&stretch, 1});
+    verifier.sample(at_position(0, position(path, 20), 20, 0), {&stretch, 1});
+    verifier.sample(at_position(1, position(path, 20 + travelled), 20 + travelled, planned),
+                    {&stretch, 1});
     return verifier.measured().feed_fluctuation;
   };
   CHECK(fluctuation(0.1, 0.1) < 1e-9);
@@ -167,17 +167,18 @@ TEST_CASE("feed fluctuates where the advance is not the planned one", "[verify]"
 
 TEST_CASE("the fluctuation of the feed is known in the root of the mean square, too", "[verify]") {
   const Path path = Line({0, 0, 0}, {10, 0, 0});
-  const Stretch stretch{&path, 0};
+  const PathStretch stretch{&path, 0};
   Verifier verifier(machine_at(1e-3));
   double s = 0;
-  verifier.row(at_position(0, {0, 0, 0}, 0, 0), {&stretch, 1});
+  verifier.sample(at_position(0, {0, 0, 0}, 0, 0), {&stretch, 1});
   const std::vector<double> off{0.3, 0, -0.4, 0};
   for (std::size_t i = 0; i < off.size(); ++i) {
     s += 0.1 * (1 + off[i]);
-    verifier.row(at_position(static_cast<std::int64_t>(i) + 1, {s, 0, 0}, s, 0.1), {&stretch, 1});
+    verifier.sample(at_position(static_cast<std::int64_t>(i) + 1, {s, 0, 0}, s, 0.1),
+                    {&stretch, 1});
   }
   s += 0.0005;  // a period that advances less than 1 um does not count
-  verifier.row(at_position(5, {s, 0, 0}, s, 0.00025), {&stretch, 1});
+  verifier.sample(at_position(5, {s, 0, 0}, s, 0.00025), {&stretch, 1});
   CHECK(verifier.measured().feed_fluctuation == Approx(0.4));
   CHECK(verifier.measured().feed_fluctuation_rms == Approx(0.25));
 }
@@ -195,13 +196,13 @@ TEST_CASE("the row that comes nearest to its roughness is found", "[verify][roug
   machine.surfacing.model = RoughnessModel::paper;
   const Surface surface{5, 0.5, 0.02, 2, 100};
   const Path level = Line({0, 0, 0}, {10, 0, 0});
-  const Stretch asked{&level, 0, &surface}, plain{&level, 0};
+  const PathStretch asked{&level, 0, &surface}, plain{&level, 0};
   Verifier verifier(machine);
-  const auto row = [&](double s, double v, const Stretch& stretch) {
+  const auto row = [&](double s, double v, const PathStretch& stretch) {
     Setpoint setpoint = at_position(0, {s, 0, 0}, s, 0);
     setpoint.v = v;
-    verifier.row(setpoint, {&stretch, 1});
-    return verifier.row_rmax();
+    verifier.sample(setpoint, {&stretch, 1});
+    return verifier.sample_rmax();
   };
   row(0, 0, asked);
   CHECK(row(1, 65.3, asked) == Approx(0.010674).epsilon(1e-3));  // (6) at 0 degrees

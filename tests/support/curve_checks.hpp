@@ -33,7 +33,7 @@ void check_difference(const Lower& lower, const AxisVector& derivative, double h
   CHECK((fine - derivative).norm() < uncertain + noise);
 }
 
-/// All three derivatives by arc length, `sharp` being 1 / (the length over which the curve bends).
+/// All three derivatives by arc length, `sharp` being 1 / (the length over which the curve turns).
 template <Curve C>
 void check_differences(const C& curve, double s, double h, double sharp) {
   const PathPoint p = curve.at(s, Side::after);

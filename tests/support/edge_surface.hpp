@@ -24,7 +24,7 @@ struct Strewn {
 /// phase, if they are not strewn.
 class EdgeSurface {
  public:
-  /// `stretch`: on a surface that bends all lengths are those that make the ball lie over it as
+  /// `stretch`: on a curved surface all lengths are those that make the ball lie over it as
   /// over a flat one; seen from the axis those along the feed are longer than those across by this.
   EdgeSurface(double feed, double tip, int teeth, double stretch = 1)
       : feed_(feed), tip_(tip), share_(teeth / (2 * std::numbers::pi)), stretch_(stretch) {}
@@ -98,7 +98,7 @@ class EdgeSurface {
     return square > 0 ? std::sqrt(square) / stretch_ : 0;
   }
 
-  /// Which way a pass goes is which way its edges turn, but for its phase.
+  /// The direction of a pass is that of its edges, except for its phase.
   double cut_by_pass(double x, double dy, int pass) const {
     const auto number = static_cast<std::size_t>(pass);
     const double beside = (strewn_.backwards[number] ? -1 : 1) * (dy + strewn_.aside);

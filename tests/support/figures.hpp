@@ -25,7 +25,7 @@ struct Figure {
 inline std::vector<Block> blocks_of(const Figure& figure, double feed) {
   std::vector<std::variant<Move, Dwell, Action>> moves;
   for (const Path& path : figure.paths)
-    moves.emplace_back(Move{path, false, feed, Join::follow, figure.corner});
+    moves.emplace_back(Move{path, false, feed, PathMode::follow, figure.corner});
   return number_blocks(std::move(moves));
 }
 

@@ -20,7 +20,7 @@ struct Milling {
   double incline = 0;  // degrees, of the feed
   double tilt = 0;     // degrees, across the feed
   double spin = 600;   // rad/s
-  double lag = 0;      // of each pass behind the one before, feeds per tooth
+  double lag = 0;      // of each pass after the one before, feeds per tooth
   bool to_and_fro = false;
 };
 

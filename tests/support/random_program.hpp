@@ -22,7 +22,7 @@ inline std::vector<Block> random_program(std::mt19937& random, int count) {
   for (int i = 0; i < count; ++i) {
     const double size = std::pow(10.0, uniform(-2, 1.5));
     const double feed = std::pow(10.0, uniform(0.5, 2.4));
-    const Join join = random() % 8 == 0 ? Join::stop : Join::follow;
+    const PathMode join = random() % 8 == 0 ? PathMode::stop : PathMode::follow;
     const AxisVector to = here + size * AxisVector(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
     const auto kind = random() % 4;
     if (kind == 0) {
@@ -55,7 +55,7 @@ inline std::vector<Block> random_program(std::mt19937& random, int count) {
       for (int k = 0; k < 20; ++k) {
         const AxisVector next =
             here + 0.02 * size * AxisVector(std::cos(heading), std::sin(heading), 0);
-        moves.emplace_back(Move{Line(here, next), false, feed, Join::follow});
+        moves.emplace_back(Move{Line(here, next), false, feed, PathMode::follow});
         here = next;
         heading += uniform(0, 0.012);
       }
@@ -64,7 +64,7 @@ inline std::vector<Block> random_program(std::mt19937& random, int count) {
   return number_blocks(std::move(moves));
 }
 
-/// Overrides from 0 to 200 % and holds, each a few rows after the one before; released at last.
+/// Overrides from 0 to 200 % and holds, each a few samples after the one before; released at last.
 inline Controls random_controls(std::mt19937& random, int count) {
   Controls controls;
   int row = 0;

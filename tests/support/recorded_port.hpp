@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A parallel port that remembers what was written to it, and reads and fails as it is told.
+// A parallel port that remembers what was written to it, and reads and fails as it is set.
 #pragma once
 
 #include <atomic>

@@ -72,7 +72,7 @@ class Cloud {
   std::vector<Point> points_;
 };
 
-/// The largest distance of one from the other, both ways, mm.
+/// The largest distance of one from the other, in both directions, mm.
 inline double apart(const std::vector<Block>& blocks, const std::vector<ipo::Piece>& pieces) {
   Cloud programmed, run;
   for (const Block& block : blocks) programmed.add(path_of(block));
@@ -104,10 +104,10 @@ inline double from_polyline(const std::vector<AxisVector>& points,
   return largest;
 }
 
-/// The largest jumps between and within pieces, but for turns of more than `most` (rad), at which
-/// the machine rests.
+/// The largest jumps between and within pieces, except for turns of more than `most` (rad), at
+/// which the machine rests.
 struct Jumps {
-  double gap = 0, turn = 0, bend = 0;  // mm; rad; part of the curvature and 1/mm
+  double gap = 0, turn = 0, curvature = 0;  // mm; rad; part of the curvature and 1/mm
   int rests = 0;
 };
 inline Jumps jumps(const std::vector<ipo::Piece>& pieces, double most = 1.9) {
@@ -119,7 +119,7 @@ inline Jumps jumps(const std::vector<ipo::Piece>& pieces, double most = 1.9) {
       return;
     }
     jumps.turn = std::max(jumps.turn, (a.dq - b.dq).norm());
-    jumps.bend = std::max(jumps.bend, (a.ddq - b.ddq).norm() / (1 + a.ddq.norm()));
+    jumps.curvature = std::max(jumps.curvature, (a.ddq - b.ddq).norm() / (1 + a.ddq.norm()));
   };
   const Path* before = nullptr;
   for (const ipo::Piece& piece : pieces) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blocks in, rows out: planner, queue, interpolator and verifier as the product joins them.
+// Blocks in, samples out: planner, queue, interpolator and verifier as the product joins them.
 #pragma once
 
 #include <functional>
@@ -23,18 +23,19 @@ struct Run {
   std::vector<Diagnostic> diagnostics;
   ipo::PlannerCounts counts;
   ProgrammedPath::Deviation deviation;  // from the programmed path, against what G64 allows
-  double roughness_used = 0;  // largest part of the speed that a roughness allows at a row
+  double roughness_used = 0;  // largest part of the speed that a roughness allows at a sample
 };
 
-/// What a row takes of the speed that the roughness of its path allows where it is.
-inline double roughness_used(const Machine& machine, const Setpoint& row, const Stretch& stretch) {
+/// What a sample uses of the speed that the roughness of its path allows where it is.
+inline double roughness_used(const Machine& machine, const Setpoint& row,
+                             const PathStretch& stretch) {
   if (stretch.surface == nullptr || !(stretch.surface->tooth_rate() > 0)) return 0;
   const double s = std::clamp(row.s - stretch.s_start, 0.0, length(*stretch.path));
-  double cap = 0;  // where derivatives jump, the row is on either side
+  double most = 0;  // where derivatives jump, the sample is on either side
   for (const Side side : {Side::before, Side::after})
-    cap = std::max(cap, largest_feed_per_tooth(machine.surfacing.model, *stretch.surface,
-                                               at(*stretch.path, s, side)));
-  return row.v / (cap * stretch.surface->tooth_rate());
+    most = std::max(most, largest_feed_per_tooth(machine.surfacing.model, *stretch.surface,
+                                                 at(*stretch.path, s, side)));
+  return row.v / (most * stretch.surface->tooth_rate());
 }
 
 inline std::vector<Block> number_blocks(std::vector<std::variant<Move, Dwell, Action>> whats) {
@@ -52,18 +53,18 @@ inline std::vector<Block> polyline(const std::vector<AxisVector>& points, double
                                    bool rapid = false) {
   std::vector<std::variant<Move, Dwell, Action>> moves;
   for (std::size_t i = 1; i < points.size(); ++i)
-    moves.emplace_back(Move{Line(points[i - 1], points[i]), rapid, feed, Join::follow});
+    moves.emplace_back(Move{Line(points[i - 1], points[i]), rapid, feed, PathMode::follow});
   return number_blocks(std::move(moves));
 }
 
-/// What is asked of the feed, by the number of rows after which it is.
+/// What is requested of the feed, by the number of samples after which it is.
 using Controls = std::map<int, ipo::FeedControl>;
 
-/// A chunk of one block, behind which the next takes so long that all is told that can be.
+/// A chunk of one block, after which the next takes so long that all is planned that can be.
 inline constexpr std::size_t kSlowly = static_cast<std::size_t>(-1);
 
-/// `chunk`: blocks pushed before the planner is asked; 0: all of them. `visit` sees each row while
-/// its pulses stand.
+/// `chunk`: blocks pushed before the planner is asked; 0: all of them. `visit` sees each sample
+/// while its pulses stand.
 inline Run run(const Machine& machine, const std::vector<Block>& blocks, const Controls& controls,
                std::size_t chunk = 1, double feed_override = 1,
                const std::function<void(const Setpoint&)>& visit = {}) {
@@ -117,14 +118,14 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
     const auto setpoint = interpolator.step();
     if (!setpoint) break;
     if (visit) visit(*setpoint);
-    std::vector<Stretch> stretches;
+    std::vector<PathStretch> stretches;
     queue.for_each_recent([&](const ipo::TimedBlock& timed) {
       if (const Move* move = timed.move())
         stretches.push_back(
             {&move->path, timed.s_start, move->surface ? &*move->surface : nullptr});
     });
-    verifier.row(*setpoint, stretches);
-    programmed.row(*setpoint);
+    verifier.sample(*setpoint, stretches);
+    programmed.sample(*setpoint);
     if (!stretches.empty())
       result.roughness_used =
           std::max(result.roughness_used, roughness_used(machine, *setpoint, stretches.back()));
@@ -142,7 +143,7 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
   return result;
 }
 
-/// `stop_after`: the row after which a stop is asked for; -1: none.
+/// `stop_after`: the sample after which a stop is requested; -1: none.
 inline Run run(const Machine& machine, const std::vector<Block>& blocks, int stop_after = -1,
                std::size_t chunk = 1, double feed_override = 1) {
   Controls controls;
@@ -153,8 +154,8 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, int sto
 /// Third differences round more: how far they may exceed.
 inline constexpr double kJerkShare = 5e-3;
 
-/// Empty if every row keeps velocity, acceleration (both to `share`), the chord tolerance and the
-/// path; otherwise what is exceeded.
+/// Empty if every sample keeps velocity, acceleration (both to `share`), the chord tolerance and
+/// the path; otherwise what is exceeded.
 inline std::string exceeded(const Machine& machine, const Run& run, double share = 1e-3) {
   for (int i = 0; i < kAxes; ++i) {
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];

@@ -34,7 +34,7 @@ class Sphere {
   /// `radius` in mm; the slopes along and across the feed where it is looked at, in degrees.
   Sphere(Surface s, double radius, double along, double across)
       : s_(s), radius_(radius), centres_(std::abs(radius + s.tool_radius)) {
-    s_.bend_across = 1 / radius;
+    s_.transverse_curvature = 1 / radius;
     s_.rmax = 1.7 * least_rmax(s_);
     const double x = std::tan(radians(along)), y = std::tan(radians(across));
     middle_ = centres_ / std::sqrt(1 + x * x + y * y) * AxisVector(x, y, 0);

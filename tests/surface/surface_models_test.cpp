@@ -169,7 +169,7 @@ TEST_CASE("along ribs and fillets it keeps the target by R, and gives little of 
   for (const double radius : {8.0, 20.0, 100.0, -14.0, -20.0, -100.0})
     for (const double degrees : {0.0, 3.0, 12.0}) {
       Surface s = kPaper;
-      s.bend_across = 1 / radius;
+      s.transverse_curvature = 1 / radius;
       s.rmax = 2 * least_rmax(s);
       const double cut = rib_rmax_um(s, radius, guaranteed_feed(s, degrees), degrees);
       CAPTURE(radius, degrees, um_from_mm(s.rmax));

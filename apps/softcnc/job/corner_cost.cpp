@@ -27,7 +27,7 @@ struct PlannedTimes {
 void round_corners(Block& block, double tolerance) {
   Move* move = std::get_if<Move>(&block.what);
   if (move == nullptr || move->corner_tolerance > 0) return;
-  move->join = Join::follow;
+  move->path_mode = PathMode::follow;
   move->corner_tolerance = tolerance;
   move->chord_tolerance = std::max(move->chord_tolerance, tolerance);
 }

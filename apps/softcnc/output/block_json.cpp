@@ -111,7 +111,8 @@ void BlockJson::write(const Surface& surface) {
   value("\"pick_feed_mm\":", surface.pick_feed);
   value("\"rmax_um\":", as_written(um_from_mm(surface.rmax)));
   value("\"teeth\":", surface.teeth);
-  if (surface.bend_across != 0) value("\"radius_across_mm\":", as_written(1 / surface.bend_across));
+  if (surface.transverse_curvature != 0)
+    value("\"radius_across_mm\":", as_written(1 / surface.transverse_curvature));
   if (surface.slope_across != 0)
     value("\"slope_across_deg\":", as_written(deg_from_rad(surface.slope_across)));
   text_.back() = '}';

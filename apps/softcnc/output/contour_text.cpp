@@ -81,10 +81,10 @@ std::string feeds_text(const ContourReport& report, const Machine& machine, cons
     return lag > 0 && lag * loop.least < most;
   };
   std::vector<std::string> feeds;
-  if (matters(report.bend_lag))
+  if (matters(report.curve_lag))
     feeds.push_back(fmt::format("at {} in the sharpest curve (R {:.3g} mm)",
-                                feed_text(report.bend_lag * loop.least),
-                                report.bend_lag * report.bend_lag / (2 * ContourReport::kGoal)));
+                                feed_text(report.curve_lag * loop.least),
+                                report.curve_lag * report.curve_lag / (2 * ContourReport::kGoal)));
   if (matters(report.corner_lag))
     feeds.push_back(fmt::format("at {} at corners", feed_text(report.corner_lag * loop.least)));
   if (loop.least != loop.largest)

@@ -62,7 +62,7 @@ bool RealtimeCycle::collect() {
 /// A batch of rows gets its path when all of it has been planned.
 bool RealtimeCycle::can_write_next() const noexcept {
   if (back_.empty()) return false;
-  return !contour_ || !back_.front()->exchanged || contour_->expects_row();
+  return !contour_ || !back_.front()->exchanged || contour_->expects_sample();
 }
 
 void RealtimeCycle::write(Slot& slot) {

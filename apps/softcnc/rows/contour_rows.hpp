@@ -30,7 +30,8 @@ void add_path(std::span<const Setpoint> rows, double from, const ipo::BlockQueue
 inline void measure_contour(const Setpoint& setpoint, std::span<const AxisVector> actual,
                             Contour& contour, std::span<double> values) noexcept {
   constexpr double kPicometres = 1e6;  // in a um
-  values.back() = std::round(um_from_mm(contour.row(setpoint, actual)) * kPicometres) / kPicometres;
+  values.back() =
+      std::round(um_from_mm(contour.sample(setpoint, actual)) * kPicometres) / kPicometres;
 }
 
 }  // namespace softcnc::app

@@ -19,7 +19,7 @@ bool is_pause(const Block& block) {
 }
 
 void end_at_rest(Block& block) {
-  if (Move* move = std::get_if<Move>(&block.what)) move->join = Join::stop;
+  if (Move* move = std::get_if<Move>(&block.what)) move->path_mode = PathMode::stop;
 }
 
 ipr::InterpreterOptions showing(ipr::InterpreterOptions options, ipr::RefusedMoves& moves) {

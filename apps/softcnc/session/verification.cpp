@@ -79,11 +79,11 @@ void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& qu
     while (first < stretches_.size() && block_numbers_[first].last < block_before_) ++first;
     while (end < stretches_.size() && block_numbers_[end].first <= row.block) ++end;
     const std::span touched = std::span(stretches_).subspan(first, end - first);
-    verifier_.row(row, touched);
-    programmed_.row(row);
-    if (verifier_.row_rmax() > 0 && row.block <= block_numbers_[end - 1].last) {
+    verifier_.sample(row, touched);
+    programmed_.sample(row);
+    if (verifier_.sample_rmax() > 0 && row.block <= block_numbers_[end - 1].last) {
       const auto here = &stretch_at(touched, row.s) - stretches_.data();
-      surface_.add(*blocks_[static_cast<std::size_t>(here)], row, verifier_.row_rmax());
+      surface_.add(*blocks_[static_cast<std::size_t>(here)], row, verifier_.sample_rmax());
     }
     block_before_ = row.block;
   }
@@ -91,7 +91,7 @@ void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& qu
 
 void Verification::pass_over(const Setpoint& row) noexcept {
   verifier_.pass_over(row);
-  programmed_.row(row);
+  programmed_.sample(row);
   block_before_ = row.block;
 }
 

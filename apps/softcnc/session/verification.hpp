@@ -34,7 +34,7 @@ class Verification {
   ProgrammedPath programmed_;
   SurfaceNotes surface_;
   int block_before_ = 0;                        // number of the block of the row before
-  std::vector<Stretch> stretches_;              // of the blocks in the queue,
+  std::vector<PathStretch> stretches_;          // of the blocks in the queue,
   std::vector<const ipo::TimedBlock*> blocks_;  // those blocks,
   struct Numbers {
     int first, last;

@@ -10,19 +10,10 @@
 #include "ipo/jerk/plan_problem.hpp"
 #include "ipo/jerk/rest_ramp.hpp"
 #include "ipo/jerk/speed_guess.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-constexpr int kMostRounds = 6;
-constexpr double kTightest = 0.8;  // in one round
-constexpr double kTighten = 1.2;   // of what is used too much
-constexpr double kHopeless = 1.1;
-constexpr double kCreep = 1.0 / 3;     // of each limit
-constexpr std::size_t kAroundCap = 8;  // nodes
-constexpr int kMostSlower = 30;        // times twice as slow
-constexpr double kKept = 0.7;          // of the way that the last plan had left
-constexpr int kSetUp = 10;             // iterations: what a problem and its check take beside
 
 class JerkPlan {
  public:
@@ -41,12 +32,12 @@ class JerkPlan {
 
   std::optional<Plan> run() {
     const Motion start = from_rest_ ? motion(start_ramp_) : start_;
-    const double from = span_.s(span_.first) + start_ramp_.way();
-    const double to = span_.s(span_.last) - end_ramp_.way();
+    const double from = span_.s(span_.first) + start_ramp_.length();
+    const double to = span_.s(span_.last) - end_ramp_.length();
     const SpeedGuess guess(span_, {from, start}, {to, motion(end_ramp_)});
     const auto given = to_begin_with(from, to);
     nodes_ = place_nodes(span_, guess, from, to, cut_, given);
-    if (nodes_.size() > kMostNodes) return std::nullopt;
+    if (nodes_.size() > tuning::nodes::kMost) return std::nullopt;
     work_left_ = bound_.part * (bound_.left + bound_.per_second * about_to_last(guess));
     shares_.assign(nodes_.size(), {});
     for (const PlanNode& node : nodes_) begin_at_.push_back(std::pow(guess.speed(node.s), 2));
@@ -55,7 +46,7 @@ class JerkPlan {
       begin_at_[k + 1] = given[k].q;
     }
     const PlanEnds ends{{start.v * start.v, 2 * start.a, 0}, end_ramp_.square(-1), !from_rest_};
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < tuning::plan::kMostRounds; ++round) {
       const int most = iterations_left();
       if (most <= 0) return std::nullopt;
       const PlanProblem problem(span_, nodes_, ends, shares_);
@@ -85,11 +76,12 @@ class JerkPlan {
 
   int iterations_left() const noexcept {
     const double iterations = work_left_ / static_cast<double>(nodes_.size());
-    return static_cast<int>(std::min(iterations, 1e6)) - kSetUp;
+    return static_cast<int>(std::min(iterations, 1e6)) - tuning::plan::kSetUp;
   }
 
   void count(int iterations) noexcept {
-    const std::size_t work = nodes_.size() * static_cast<std::size_t>(iterations + kSetUp);
+    const std::size_t work =
+        nodes_.size() * static_cast<std::size_t>(iterations + tuning::plan::kSetUp);
     effort_.nodes += nodes_.size();
     effort_.iterations += static_cast<std::size_t>(iterations);
     effort_.work += work;
@@ -100,10 +92,11 @@ class JerkPlan {
     return {ramp.speed(), ramp.acceleration()};
   }
 
-  /// Those of the last plan, but for the part of its tail that is about to end.
+  /// Returns the nodes of the last plan, except for the part of its tail that is about to end.
   std::span<const ProvenNode> to_begin_with(double from, double to) const noexcept {
     if (from_rest_ || last_.empty()) return {};
-    const double end = std::min({from + kKept * (last_.back().s - from), to, span_.s(cut_)});
+    const double end =
+        std::min({from + tuning::plan::kKept * (last_.back().s - from), to, span_.s(cut_)});
     const auto first = std::partition_point(
         last_.begin(), last_.end(), [from](const ProvenNode& node) { return node.s <= from; });
     const auto stop = std::partition_point(first, last_.end(),
@@ -121,7 +114,8 @@ class JerkPlan {
     return proven;
   }
 
-  /// Where too much is used: more nodes, and less for their rows and caps.
+  /// Where a limit is exceeded: adds nodes, and reduces the share of their constraints and velocity
+  /// limits.
   void tighten(const std::vector<Used>& used) {
     std::vector<bool> marked(nodes_.size(), false);
     for (std::size_t p = 0; p + 1 < nodes_.size(); ++p) {
@@ -129,11 +123,13 @@ class JerkPlan {
       for (std::size_t k = p > 0 ? p - 1 : 0; k <= p + 1 && k + 1 < nodes_.size(); ++k)
         marked[k] = true;
       for (const std::size_t k : {p, p + 1}) {
-        shares_[k].jerk *= std::clamp(1 - kTighten * (used[p].rows - 1), kTightest, 1.0);
-        shares_[k].cap *= std::clamp(1 - kTighten * (used[p].cap - 1), kTightest, 1.0);
+        shares_[k].jerk *= std::clamp(1 - tuning::plan::kTighten * (used[p].constraints - 1),
+                                      tuning::plan::kTightest, 1.0);
+        shares_[k].velocity *= std::clamp(1 - tuning::plan::kTighten * (used[p].velocity - 1),
+                                          tuning::plan::kTightest, 1.0);
       }
     }
-    hold_caps(used);
+    hold_velocities(used);
     std::vector<NodeShare> shares;
     std::vector<double> begin_at;
     for (std::size_t p = 0; p < nodes_.size(); ++p) {
@@ -141,8 +137,8 @@ class JerkPlan {
       begin_at.push_back(begin_at_[p]);
       if (!marked[p] || p + 1 == nodes_.size()) continue;
       const NodeShare &a = shares_[p], &b = shares_[p + 1];
-      shares.push_back(
-          {std::min(a.jerk, b.jerk), std::min(a.cap, b.cap), a.holds_cap || b.holds_cap});
+      shares.push_back({std::min(a.jerk, b.jerk), std::min(a.velocity, b.velocity),
+                        a.holds_velocity || b.holds_velocity});
       begin_at.push_back(0.5 * (begin_at_[p] + begin_at_[p + 1]));
     }
     refine(span_, nodes_, marked);
@@ -150,16 +146,17 @@ class JerkPlan {
     begin_at_ = std::move(begin_at);
   }
 
-  /// Where the spline reaches above a cap, and around.
-  void hold_caps(const std::vector<Used>& used) {
+  /// Bounds the speed itself where the spline exceeds a velocity limit, and around.
+  void hold_velocities(const std::vector<Used>& used) {
     for (std::size_t p = 0; p + 1 < nodes_.size(); ++p) {
-      if (!(used[p].cap > 1)) continue;
-      const std::size_t end = std::min(p + kAroundCap + 2, nodes_.size());
-      for (std::size_t k = p - std::min(p, kAroundCap); k < end; ++k) shares_[k].holds_cap = true;
+      if (!(used[p].velocity > 1)) continue;
+      const std::size_t end = std::min(p + tuning::plan::kAroundLimit + 2, nodes_.size());
+      for (std::size_t k = p - std::min(p, tuning::plan::kAroundLimit); k < end; ++k)
+        shares_[k].holds_velocity = true;
     }
   }
 
-  /// The time of ds / sqrt(q) with q cubic, by Gauss's rule of four points.
+  /// Returns the time of ds / sqrt(q) with q cubic, by Gauss's rule of four points.
   static double duration(double h, const SpeedSquare& a, const SpeedSquare& b) noexcept {
     constexpr std::array<double, 4> kAt{0.0694318442029737, 0.3300094782075719, 0.6699905217924281,
                                         0.9305681557970263};
@@ -174,7 +171,7 @@ class JerkPlan {
     return h * sum;
   }
 
-  /// One from each node to the next.
+  /// Makes a ramp from each node to the next.
   std::vector<Ramp> make_ramps(const PlanProblem& problem, const SpeedSolution& solution) const {
     std::vector<Ramp> ramps;
     ramps.reserve(nodes_.size());
@@ -190,7 +187,7 @@ class JerkPlan {
     return ramps;
   }
 
-  /// mm of the move, of the ramp behind node p.
+  /// Returns where the ramp after node p starts, mm of the move.
   double start_of(std::size_t p) const noexcept {
     return span_.move_s(nodes_[p].interval, nodes_[p].s);
   }
@@ -199,7 +196,7 @@ class JerkPlan {
     return end.joint ? span_.interval(end.interval - 1).s1 : span_.move_s(end.interval, end.s);
   }
 
-  /// With the moments at rest.
+  /// Sorts the ramps by interval, with the ramps from and to rest.
   Ramps by_interval(const std::vector<Ramp>& ramps) const {
     Ramps sorted(span_.last - span_.first);
     if (from_rest_)
@@ -228,10 +225,10 @@ class JerkPlan {
 
 }  // namespace
 
-/// Less than a^2 / 2J of speed is gone before the acceleration is.
+/// Less than a^2 / 2J of speed is left before the acceleration is zero.
 bool stands_still(const PlanSpan& span, const Motion& motion) noexcept {
-  const double jerk = along(span.constraints.jerk_limits(), span.interval(span.first).left.dq);
-  return motion.a < 0 && motion.v < kHopeless * motion.a * motion.a / (2 * jerk);
+  const double jerk = along(span.constraints.limits().jerk, span.interval(span.first).left.dq);
+  return motion.a < 0 && motion.v < tuning::plan::kHopeless * motion.a * motion.a / (2 * jerk);
 }
 
 std::optional<Plan> plan_to_rest(const PlanSpan& span, std::size_t cut, const Motion& start,
@@ -246,16 +243,17 @@ std::vector<Ramp> creep(const PlanSpan& span) {
   const Interval& interval = span.interval(span.first);
   const Constraints& constraints = span.constraints;
   const double h = interval.length();
-  double q = span.chain.inside[span.first].cap.q;
+  double q = span.chain.inside[span.first].velocity_limit.q;
   for (const std::size_t n : {span.first, span.first + 1})
-    if (span.chain.nodes[n].cap.q > 0) q = std::min(q, span.chain.nodes[n].cap.q);
-  const double v = kCreep * std::sqrt(q);
+    if (span.chain.nodes[n].velocity_limit.q > 0)
+      q = std::min(q, span.chain.nodes[n].velocity_limit.q);
+  const double v = tuning::plan::kCreep * std::sqrt(q);
   const Directions directions = interval.directions();
-  const double a = kCreep * constraints.least_u(directions);
-  const double j = kCreep * directions.least(constraints.jerk_limits());
+  const double a = tuning::plan::kCreep * constraints.least_u(directions);
+  const double j = tuning::plan::kCreep * directions.least(constraints.limits().jerk);
   const double d = std::max({15.0 / 8 * h / v, std::sqrt(5.7735 * h / a), std::cbrt(60 * h / j)});
   Ramp ramp{interval.s0, interval.s1, d, 0, 0, 0, 0, Limit::jerk};
-  for (int i = 0; i < kMostSlower && !used_by(span, span.first, ramp, q).keeps(); ++i)
+  for (int i = 0; i < tuning::plan::kMostSlower && !used_by(span, span.first, ramp, q).keeps(); ++i)
     ramp.duration *= 2;
   return {ramp};
 }

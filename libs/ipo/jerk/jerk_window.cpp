@@ -9,32 +9,18 @@
 
 #include "ipo/path/rest_to_rest.hpp"
 #include "ipo/solver/bisection.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kLeft = 1.5;          // stopping distances of a plan that are planned anew
-constexpr std::size_t kSteady = 256;   // intervals at one speed that one plan may cover
-constexpr double kLongest = 0.25;      // stopping distance: longest interval
-constexpr double kMostParts = 32;      // of an interval
-constexpr double kFurther = 1.12;      // from one stop that is tried to the next
-constexpr double kLittleMore = 1.5;    // than the way of a stop
-constexpr double kSameSpeed = 1.002;   // squared
-constexpr double kSlowingPart = 0.04;  // of the way of a stop: so near the shortest way is found
-constexpr double kResolution = 1e-3;   // mm: of where the machine has slowed down
-constexpr Horizon kSlowed{2, 0};       // of a plan that tells whether the machine can slow down
-constexpr double kNodePart = 0.1;      // of an interval: a stop nearer to its end is there
-constexpr double kShortestStop = 0.8;  // of v^2 / 2A with all axes together
+/// Of a plan that shows whether the machine can slow down.
+constexpr Horizon kSlowed{tuning::horizon::kSlowedStops, 0};
 
-constexpr std::array kSofter{0.4, 0.16};  // parts of the jerk
-constexpr double kRounding = 1e-6;        // of a speed
+/// Parts of the jerk.
+constexpr std::array kSofter{tuning::horizon::kSofter, tuning::horizon::kSoftest};
 
-/// What the plans of a program may take (PlanEffort::work), some 0.4 us each: far more than is
-/// needed where plans are found, since the fall-backs that are left behind the bound are slow.
-constexpr double kOnePlan = 0.7;  // of what is left: shorter ones can still be tried
-constexpr double kWorkAtOnce = 4e6, kWorkPerSecond = 4e6;
-
-double speed(const Cap& cap) noexcept { return std::sqrt(cap.q); }
+double speed(const VelocityLimit& bound) noexcept { return std::sqrt(bound.q); }
 
 Limit name_of(const Ramp& ramp, const Constraints& constraints, double share) noexcept {
   if (ramp.limit != Limit::acceleration) return ramp.limit;
@@ -42,7 +28,7 @@ Limit name_of(const Ramp& ramp, const Constraints& constraints, double share) no
   return constraints.binding_acceleration(a, share);
 }
 
-/// The last of them brake to a rest that a corner forces.
+/// Names the corner as the limit of the last ramps, which brake to a rest that a corner forces.
 void name_braking(Ramps& ramps) noexcept {
   for (auto of_interval = ramps.rbegin(); of_interval != ramps.rend(); ++of_interval)
     for (auto ramp = of_interval->rbegin(); ramp != of_interval->rend(); ++ramp) {
@@ -51,8 +37,8 @@ void name_braking(Ramps& ramps) noexcept {
     }
 }
 
-/// The shortest way in which a motion along a straight line stops, mm: from the place where it is
-/// fastest it brakes with the jerk and the acceleration it may.
+/// Returns the shortest distance, mm, in which a motion along a straight line stops: from the place
+/// where it is fastest it brakes with the jerk and the acceleration that it may use.
 double straight_stop(const Motion& motion, double a, double j) noexcept {
   const double to_fastest = motion.a * (motion.v + motion.a * motion.a / (3 * j)) / j;
   const double v = motion.v + motion.a * motion.a / (2 * j);
@@ -61,59 +47,63 @@ double straight_stop(const Motion& motion, double a, double j) noexcept {
 
 }  // namespace
 
-/// Intervals so short that a plan may end between any two. The last one waits for what follows: its
-/// joint may ask for a split of its own.
+/// Splits intervals until they are so short that a plan may end between any two. The last one waits
+/// for what follows: its joint may require a split of its own.
 void JerkWindow::split_long_intervals(bool ended) {
   std::size_t i = front_;
   while (i < chain_.intervals.size() && chain_.nodes[i].s < split_to_) ++i;
   for (; i + (ended ? 0 : 1) < chain_.intervals.size(); ++i) {
     const Interval interval = chain_.intervals[i];
-    const Cap& cap =
-        interval.left_cap.q > interval.right_cap.q ? interval.left_cap : interval.right_cap;
-    const double longest =
-        kLongest * stopping_distance(speed(cap), constraints_, interval.directions());
-    const int parts =
-        static_cast<int>(std::min(std::ceil(interval.length() / longest), kMostParts));
-    if (parts > 1) derived_to_ = std::min(derived_to_, chain_.felt_from(i, constraints_.period()));
+    const VelocityLimit& bound =
+        interval.left_limit.q > interval.right_limit.q ? interval.left_limit : interval.right_limit;
+    const double longest = tuning::horizon::kLongest *
+                           stopping_distance(speed(bound), constraints_, interval.directions());
+    const int parts = static_cast<int>(
+        std::min(std::ceil(interval.length() / longest), tuning::horizon::kMostParts));
+    if (parts > 1)
+      derived_to_ = std::min(derived_to_, chain_.felt_from(i, constraints_.limits().period));
     for (int k = 1; k < parts; ++k, ++i)
       chain_.split(i, interval.s0 + interval.length() * k / parts);
     split_to_ = chain_.nodes[i + 1].s;
   }
 }
 
-/// The end of a plan: the first rest, or as many stopping distances away as it takes. `slowing`: mm
-/// ahead of the front in which the machine slows down first.
-std::optional<JerkWindow::Reach> JerkWindow::look_ahead(bool ended, double slowing,
-                                                        const Horizon& horizon) const noexcept {
+/// Returns the end of a plan: the first rest, or as many stopping distances away as it takes.
+/// `slowing`: mm ahead of the front in which the machine slows down first.
+std::optional<JerkWindow::PlanExtent> JerkWindow::look_ahead(
+    bool ended, double slowing, const Horizon& horizon) const noexcept {
   const auto& nodes = chain_.nodes;
-  const std::size_t last = ended ? nodes.size() - 1 : last_final_cap();
+  const std::size_t last = ended ? nodes.size() - 1 : last_final_limit();
   double top = slowing > 0 ? 0 : motion_.v;
   Directions directions;
   for (std::size_t n = front_; n < last; ++n) {
     directions.add(chain_.intervals[n].directions());
-    if (nodes[n + 1].cap.q == 0) return Reach{n + 1, n + 1};
-    const double way = nodes[n + 1].s - nodes[front_].s - slowing;
-    if (way <= 0) continue;
-    top = std::max({top, speed(nodes[n].cap), speed(chain_.inside[n].cap)});
+    if (nodes[n + 1].velocity_limit.q == 0) return PlanExtent{n + 1, n + 1};
+    const double ahead = nodes[n + 1].s - nodes[front_].s - slowing;
+    if (ahead <= 0) continue;
+    top = std::max({top, speed(nodes[n].velocity_limit), speed(chain_.inside[n].velocity_limit)});
     const double distance = stopping_distance(top, constraints_, directions);
-    const bool steady = nodes[n + 1].cap.q == nodes[n].cap.q;
-    const bool more = way < horizon.time * top || (horizon.time > 0 && n < front_ + kSteady);
-    if (way < horizon.stops * distance || (steady && more)) continue;
+    const bool steady = nodes[n + 1].velocity_limit.q == nodes[n].velocity_limit.q;
+    const bool more =
+        ahead < horizon.time * top || (horizon.time > 0 && n < front_ + tuning::horizon::kSteady);
+    if (ahead < horizon.stops * distance || (steady && more)) continue;
     std::size_t taken = n + 1;
-    while (taken > front_ + 1 && nodes[n + 1].s - nodes[taken].s < kLeft * distance) --taken;
-    return Reach{n + 1, taken};
+    while (taken > front_ + 1 &&
+           nodes[n + 1].s - nodes[taken].s < tuning::horizon::kLeft * distance)
+      --taken;
+    return PlanExtent{n + 1, taken};
   }
   if (!ended) return std::nullopt;
-  return Reach{last, last};
+  return PlanExtent{last, last};
 }
 
 /// The answer does not depend on how much is known of what follows.
 JerkWindow::Straight JerkWindow::straight_to_rest(bool ended) const noexcept {
   if (!may_run_closed() || (motion_.v > 0 && !cruises())) return {};
-  const std::size_t last = ended ? chain_.nodes.size() - 1 : last_final_cap();
+  const std::size_t last = ended ? chain_.nodes.size() - 1 : last_final_limit();
   for (std::size_t i = front_; i < last; ++i) {
     if (!is_free_line(i)) return {};
-    if (chain_.nodes[i + 1].cap.q == 0 || i + 2 == chain_.nodes.size()) return {i + 1};
+    if (chain_.nodes[i + 1].velocity_limit.q == 0 || i + 2 == chain_.nodes.size()) return {i + 1};
     if (chain_.intervals[i].ends_move) return {};
   }
   return {std::nullopt, true};
@@ -124,7 +114,7 @@ bool JerkWindow::may_run_closed() const noexcept {
   return !slows_ && share_ == 1 && motion_.a == 0;
 }
 
-/// Whether a joint leaves all of the axes to it.
+/// Whether joints leave all of the axis limits to the line.
 bool JerkWindow::is_free_line(std::size_t interval) const noexcept {
   const Inside& inside = chain_.inside[interval];
   return chain_.intervals[interval].straight() && inside.share >= 1 && !inside.feels_jump;
@@ -136,21 +126,22 @@ bool JerkWindow::cruises() const noexcept {
   return motion_.v > 0 && motion_.a == 0 && first.cruise_at > 0 && first.s0 == first.cruise_at;
 }
 
-/// A long line from rest, up to where it cruises: it does so whether it ends at rest or not. The
-/// way from there to a rest that is sure is kept for a fall-back.
+/// Runs a long line from rest up to where it cruises, which it does whether it ends at rest or not.
+/// A sure motion from there to a rest is kept as a fall-back.
 bool JerkWindow::begin_line() {
   const Interval& first = chain_.intervals[front_];
   const double cruise_at = first.cruise_at;
   if (motion_.v > 0 || !may_run_closed() || first.s0 >= cruise_at) return false;
-  const Cap most = chain_.left_cap(front_);
+  const VelocityLimit most = chain_.left_limit(front_);
   const LineLimits limits = line_limits(first, most, constraints_);
-  const double ramp = way_to_cruise(limits);
+  const double ramp = distance_to_cruise(limits);
   if (cruise_at - first.s0 < ramp) return false;
-  const std::size_t cruise = node_behind(front_, cruise_at);
-  const std::size_t rest = node_behind(cruise, cruise_at + ramp);
+  const std::size_t cruise = node_after(front_, cruise_at);
+  const std::size_t rest = node_after(cruise, cruise_at + ramp);
   const auto begin = rest_to_cruise(first.s0, cruise_at, limits, most.limit);
   const auto end = cruise_to_rest(cruise_at, chain_.intervals[rest - 1].s1, limits, most.limit);
-  if (!keeps_caps(begin, cruise_at, front_, cruise) || !keeps_caps(end, cruise_at, cruise, rest))
+  if (!keeps_velocity_limits(begin, cruise_at, front_, cruise) ||
+      !keeps_velocity_limits(end, cruise_at, cruise, rest))
     return false;
   Ramps ramps(rest - front_);
   ramps[cruise - front_ - 1] = begin;
@@ -160,53 +151,53 @@ bool JerkWindow::begin_line() {
   return true;
 }
 
-/// The first one at `s`, mm of the move in which `node` lies, or behind it.
-std::size_t JerkWindow::node_behind(std::size_t node, double s) const noexcept {
+/// Returns the first node at or after `s`, mm of the move in which `node` lies.
+std::size_t JerkWindow::node_after(std::size_t node, double s) const noexcept {
   while (chain_.intervals[node++].s1 < s) {
   }
   return node;
 }
 
-/// The highest that lines allow up to node `last`.
-Cap JerkWindow::highest_cap(std::size_t last) const noexcept {
-  Cap most{0, Limit::feed};
+/// Returns the highest velocity limit of the lines up to node `last`.
+VelocityLimit JerkWindow::highest_limit(std::size_t last) const noexcept {
+  VelocityLimit most{0, Limit::feed};
   for (std::size_t i = front_; i < last; ++i)
-    if (chain_.inside[i].cap.q > most.q) most = chain_.inside[i].cap;
+    if (chain_.inside[i].velocity_limit.q > most.q) most = chain_.inside[i].velocity_limit;
   return most;
 }
 
-/// False where the line is slower in places, and the motion would have to know it.
+/// Returns false where the line is slower in places, which this motion cannot take into account.
 bool JerkWindow::run_straight(std::size_t rest) {
-  const Cap most = highest_cap(rest);
+  const VelocityLimit most = highest_limit(rest);
   const Interval& first = chain_.intervals[front_];
   const double end = chain_.intervals[rest - 1].s1;
   const LineLimits limits = line_limits(first, most, constraints_);
   const double fastest_at = cruises() ? first.s0 : 0.5 * (first.s0 + end);
-  if (cruises() && end - first.s0 < way_to_cruise(limits)) return false;
+  if (cruises() && end - first.s0 < distance_to_cruise(limits)) return false;
   Ramps ramps(rest - front_);
   ramps.back() = cruises() ? cruise_to_rest(first.s0, end, limits, most.limit)
                            : rest_to_rest(first.s0, end, limits, most.limit);
   if (cruises() && ramps.back().front().v0 != motion_.v) return false;
-  if (!keeps_caps(ramps.back(), fastest_at, front_, rest)) return false;
+  if (!keeps_velocity_limits(ramps.back(), fastest_at, front_, rest)) return false;
   effort_.nodes += ramps.back().size();
   take({std::move(ramps), {}}, rest - front_);
   return true;
 }
 
-/// Of a motion along a line that is the faster the nearer it is to one place.
-bool JerkWindow::keeps_caps(const std::vector<Ramp>& ramps, double fastest_at, std::size_t first,
-                            std::size_t last) const noexcept {
+/// For a motion along a line that is the faster the nearer it is to one place.
+bool JerkWindow::keeps_velocity_limits(const std::vector<Ramp>& ramps, double fastest_at,
+                                       std::size_t first, std::size_t last) const noexcept {
   double fastest = 0;
   for (const Ramp& ramp : ramps) fastest = std::max({fastest, ramp.v0, ramp.v1});
-  const auto keeps = [&](const Cap& cap, double s) {
-    const double most = speed(cap) * (1 + kRounding);
+  const auto keeps = [&](const VelocityLimit& bound, double s) {
+    const double most = speed(bound) * (1 + tuning::horizon::kRounding);
     return fastest <= most || speed_at(ramps, s) <= most;
   };
   for (std::size_t i = first; i < last; ++i) {
     const Interval& interval = chain_.intervals[i];
     const double at = std::clamp(fastest_at, interval.s0, interval.s1);
-    if (!is_free_line(i) || !keeps(chain_.inside[i].cap, at)) return false;
-    if (i > front_ && !keeps(chain_.nodes[i].cap, interval.s0)) return false;
+    if (!is_free_line(i) || !keeps(chain_.inside[i].velocity_limit, at)) return false;
+    if (i > front_ && !keeps(chain_.nodes[i].velocity_limit, interval.s0)) return false;
   }
   return true;
 }
@@ -219,27 +210,29 @@ std::size_t JerkWindow::settle(bool ended) {
   const Straight straight = straight_to_rest(ended);
   if (straight.waits) return 0;
   if (straight.rest && run_straight(*straight.rest)) return planned_.size();
-  auto reach = look_ahead(ended, 0, horizon_);
-  if (!reach) return 0;
+  auto extent = look_ahead(ended, 0, horizon_);
+  if (!extent) return 0;
   if (slows_) return slow_down(ended);
-  auto plan = plan_within_bound(reach->end, reach->taken);
+  auto plan = plan_within_bound(extent->end, extent->taken);
   if (!plan) {
-    const auto farther = std::exchange(reach, look_ahead(ended, 0, {horizon_.stops, 0}));
-    if (reach->end < farther->end) plan = plan_within_bound(reach->end, reach->taken);
+    const auto farther = std::exchange(extent, look_ahead(ended, 0, {horizon_.stops, 0}));
+    if (extent->end < farther->end) plan = plan_within_bound(extent->end, extent->taken);
   }
-  if (!plan) plan = plan_softly(reach->end, reach->taken);
-  if (!plan) return fall_back(reach->end);
-  take(std::move(*plan), reach->taken - front_);
+  if (!plan) plan = plan_softly(extent->end, extent->taken);
+  if (!plan) return fall_back(extent->end);
+  take(std::move(*plan), extent->taken - front_);
   return planned_.size();
 }
 
-/// With no more work than the motion brings; a whole program in one plan may take all it needs.
+/// Plans with no more work than the motion contributes; a whole program in one plan may take all it
+/// needs.
 std::optional<Plan> JerkWindow::plan_within_bound(std::size_t end, std::size_t taken,
                                                   double jerk_part) {
   const std::size_t before = effort_.work;
   WorkBound bound;
   if (horizon_.stops < kUnlimited)
-    bound = {kWorkAtOnce + kWorkPerSecond * run_ - work_, kWorkPerSecond, kOnePlan};
+    bound = {tuning::horizon::kWorkAtOnce + tuning::horizon::kWorkPerSecond * run_ - work_,
+             tuning::horizon::kWorkPerSecond, tuning::horizon::kOnePlan};
   auto plan = this->plan(end, taken, jerk_part, bound);
   work_ += static_cast<double>(effort_.work - before);
   return plan;
@@ -252,8 +245,8 @@ std::optional<Plan> JerkWindow::plan(std::size_t end, std::size_t taken, double 
   return plan_to_rest(span, taken, motion_, last, bound, effort_);
 }
 
-/// With less jerk than may be: what changes more slowly needs fewer nodes, and is found where kinks
-/// lie closer than the phases of a motion.
+/// Plans with less jerk than allowed: what changes more slowly needs fewer nodes, and can be found
+/// where tangent jumps lie closer together than the phases of a motion.
 std::optional<Plan> JerkWindow::plan_softly(std::size_t end, std::size_t taken) {
   for (const double part : kSofter) {
     auto plan = plan_within_bound(end, taken, part);
@@ -273,8 +266,8 @@ void JerkWindow::take(Plan plan, std::size_t intervals) {
   proven_ = std::move(plan.nodes);
 }
 
-/// On the way to a rest the last plan leads there; half of it is taken before another one is tried.
-/// From rest, shorter and shorter ways are tried.
+/// Falls back on the last plan, which leads to rest; half of it is used before another plan is
+/// tried. From rest, shorter and shorter distances are tried.
 std::size_t JerkWindow::fall_back(std::size_t end) {
   ++effort_.fallbacks;
   if (motion_.v > 0) {
@@ -303,23 +296,25 @@ bool JerkWindow::ends_interval(std::size_t count) const noexcept {
   return !ramps.empty() && ramps.back().s1 == chain_.intervals[front_ + count - 1].s1;
 }
 
-/// As soon as it can, if it can within the way of a stop or a little more; found by halving. A plan
-/// that rests soon after tells whether it can.
+/// Slows down as soon as possible, if that is possible within the stopping distance or a little
+/// more; found by bisection. A plan that rests soon after shows whether it is possible.
 std::size_t JerkWindow::slow_down(bool ended) {
   const Chain appended = chain_;
-  const auto plan_from = [&](double way, const Horizon& horizon) {
-    slow_from(appended, way);
-    const auto reach = look_ahead(ended, slowing_way_, horizon);
-    auto plan = reach ? this->plan(reach->end, reach->taken) : std::nullopt;
-    if (plan) take(std::move(*plan), reach->taken - front_);
+  const auto plan_from = [&](double distance, const Horizon& horizon) {
+    slow_from(appended, distance);
+    const auto extent = look_ahead(ended, slowing_distance_, horizon);
+    auto plan = extent ? this->plan(extent->end, extent->taken) : std::nullopt;
+    if (plan) take(std::move(*plan), extent->taken - front_);
     return plan.has_value();
   };
   slows_ = false;
-  const bool too_fast = motion_.v * motion_.v > chain_.intervals[front_].slower_cap.q * kSameSpeed;
+  const bool too_fast =
+      motion_.v * motion_.v > chain_.intervals[front_].slower_limit.q * tuning::horizon::kSameSpeed;
   if (!too_fast && plan_from(0, horizon_)) return planned_.size();
   double no = 0, yes = stop_;
-  lost_ = !plan_from(yes, kSlowed) && !plan_from(yes *= kLittleMore, kSlowed);
-  while (!lost_ && yes - no > std::max(kSlowingPart * stop_, kResolution)) {
+  lost_ = !plan_from(yes, kSlowed) && !plan_from(yes *= tuning::horizon::kLittleMore, kSlowed);
+  while (!lost_ &&
+         yes - no > std::max(tuning::horizon::kSlowingPart * stop_, tuning::horizon::kResolution)) {
     const double middle = 0.5 * (no + yes);
     (plan_from(middle, kSlowed) ? yes : no) = middle;
   }
@@ -327,26 +322,27 @@ std::size_t JerkWindow::slow_down(bool ended) {
   return lost_ ? 0 : planned_.size();
 }
 
-/// Of stops that lie further and further on, each tried on the chain as it is appended.
+/// Tries stops that lie further and further ahead, each on the chain as it was appended.
 std::optional<std::size_t> JerkWindow::rest_early(double resolution) {
   if (size() == 0 || stands_still({chain_, constraints_, front_, front_ + 1, share_}, motion_))
     return std::nullopt;
   split_long_intervals(true);
-  derive_anew();
+  derive_all();
   const double all = first_rest() - chain_.nodes[front_].s;
   const PathPoint& here = chain_.intervals[front_].left;
-  const double a = constraints_.tangential_u(here);
-  const double shortest = std::max(resolution, kShortestStop * motion_.v * motion_.v / (2 * a));
-  const auto tries_to = [shortest](double way) {
-    return static_cast<int>(
-        std::ceil(std::max(std::log(way / shortest) / std::log(kFurther), 0.0)));
+  const double a = constraints_.largest_u(here);
+  const double shortest =
+      std::max(resolution, tuning::horizon::kShortestStop * motion_.v * motion_.v / (2 * a));
+  const auto tries_to = [shortest](double distance) {
+    return static_cast<int>(std::ceil(
+        std::max(std::log(distance / shortest) / std::log(tuning::horizon::kFurther), 0.0)));
   };
   const Chain appended = chain_;
   const auto stops_at = [&](int k) {
-    const double way = std::min(shortest * std::pow(kFurther, k), all);
+    const double distance = std::min(shortest * std::pow(tuning::horizon::kFurther, k), all);
     Chain chain = std::exchange(chain_, appended);
-    const std::size_t end = node_at(chain_.nodes[front_].s + way, kNodePart);
-    derive_anew();
+    const std::size_t end = node_at(chain_.nodes[front_].s + distance, tuning::horizon::kNodePart);
+    derive_all();
     auto plan = this->plan(end, end);
     if (plan)
       take(std::move(*plan), end - front_);
@@ -355,8 +351,8 @@ std::optional<std::size_t> JerkWindow::rest_early(double resolution) {
     return plan.has_value();
   };
   const int guess = tries_to(straight_stop(motion_, constraints_.straight_u(here.dq),
-                                           along(constraints_.jerk_limits(), here.dq)));
-  if (!first_holding(guess, tries_to(all), stops_at)) return std::nullopt;
+                                           along(constraints_.limits().jerk, here.dq)));
+  if (!bisect(guess, tries_to(all), stops_at)) return std::nullopt;
   return planned_.size();
 }
 
@@ -364,8 +360,8 @@ bool JerkWindow::run_front(Profile& profile, std::optional<Limit> as) {
   const double share = chain_.inside[front_].share * share_;
   begin_ramp(front_rests());
   for (Ramp ramp : planned_.front()) {
-    ramp.limit =
-        as.value_or(ramps_.name(name_of(ramp, constraints_, share), ramp.v0, ramp.v1, false));
+    ramp.limit = as.value_or(
+        corner_naming_.name(name_of(ramp, constraints_, share), ramp.v0, ramp.v1, false));
     profile.add_ramp(ramp);
     motion_ = {ramp.v1, ramp.a1};
     run_ += ramp.duration;

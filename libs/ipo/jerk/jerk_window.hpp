@@ -2,15 +2,16 @@
 // The window of a machine with jerk limits: near-optimal speeds, a few stopping distances at a
 // time.
 //
-// Each plan covers a few stopping distances and ends at rest; only what lies well before its end is
-// taken, since only the last stopping distance knows that the plan ends. Where a plan cannot be
-// found the rest of the one before leads to a standstill. What is planned depends on the path
-// alone, not on how it arrives.
+// Each plan covers a few stopping distances and ends at rest. Only what lies well before its end is
+// used, since only the last stopping distance is affected by that end. Where no plan can be found
+// the rest of the previous one leads to a standstill. The plan depends on the path alone, not on
+// how it arrives.
 #pragma once
 
 #include <deque>
 #include <vector>
 
+#include "ipo/jerk/horizon.hpp"
 #include "ipo/jerk/jerk_plan.hpp"
 #include "ipo/jerk/plan_problem.hpp"
 #include "ipo/path/window.hpp"
@@ -34,15 +35,15 @@ class JerkWindow final : public Window {
   PlanEffort effort() const noexcept override { return effort_; }
 
  private:
-  /// Where a plan ends, and how much of it is taken: nodes of the chain.
-  struct Reach {
+  /// Where a plan ends, and how much of it is used: nodes of the chain.
+  struct PlanExtent {
     std::size_t end, taken;
   };
-  std::optional<Reach> look_ahead(bool ended, double slowing,
-                                  const Horizon& horizon) const noexcept;
-  /// The way to a rest along a straight line of one move, from rest or where begin_line() has
-  /// ended: its end, a node of the chain; `waits`: what follows is still to tell whether there is
-  /// one.
+  std::optional<PlanExtent> look_ahead(bool ended, double slowing,
+                                       const Horizon& horizon) const noexcept;
+  /// A motion to rest along a straight line of one move, from rest or from where begin_line() has
+  /// ended. `rest` is its end, a node of the chain; `waits`: what follows has yet to show whether
+  /// there is one.
   struct Straight {
     std::optional<std::size_t> rest;
     bool waits = false;
@@ -51,12 +52,12 @@ class JerkWindow final : public Window {
   bool may_run_closed() const noexcept;
   bool is_free_line(std::size_t interval) const noexcept;
   bool cruises() const noexcept;
-  std::size_t node_behind(std::size_t node, double s) const noexcept;
+  std::size_t node_after(std::size_t node, double s) const noexcept;
   bool begin_line();
   bool run_straight(std::size_t rest);
-  Cap highest_cap(std::size_t last) const noexcept;
-  bool keeps_caps(const std::vector<Ramp>& ramps, double fastest_at, std::size_t first,
-                  std::size_t last) const noexcept;
+  VelocityLimit highest_limit(std::size_t last) const noexcept;
+  bool keeps_velocity_limits(const std::vector<Ramp>& ramps, double fastest_at, std::size_t first,
+                             std::size_t last) const noexcept;
   std::size_t slow_down(bool ended);
   std::optional<Plan> plan(std::size_t end, std::size_t taken, double jerk_part = 1,
                            const WorkBound& bound = {});
@@ -72,9 +73,9 @@ class JerkWindow final : public Window {
   std::deque<std::vector<Ramp>> tail_;     // of the last plan, to its rest
   std::vector<ProvenNode> proven_;         // of the last plan
   Motion motion_;                          // at the front
-  bool replans_ = false;                   // which no plan has foreseen
+  bool replans_ = false;                   // the front is one that no plan has foreseen
   double split_to_ = 0;                    // mm of the chain
-  double run_ = 0, work_ = 0;              // s that have been run, and what their plans have taken
+  double run_ = 0, work_ = 0;              // s that have been run, and the work of their plans
   PlanEffort effort_;
 };
 

@@ -5,52 +5,47 @@
 #include <cmath>
 
 #include "ipo/path/profile.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
-/// Rows are promised to a little more.
-constexpr double kJerkAllowed = 1.0045, kAccelerationAllowed = 1.0007, kCapAllowed = 1.0004;
-constexpr double kPassingAllowed = 1.0012;  // of a place: its constraints keep more free
-constexpr double kFirmAllowed = 1 + 1e-7;   // rounding of a cap that holds everywhere
-constexpr int kInstants = 4;                // beside the first, or one a row up to
-constexpr int kMostInstants = 16;           // so many
-constexpr Used kTooMuch{kUnlimited, 0};     // no motion ahead
+constexpr Used kTooMuch{kUnlimited, 0};  // the motion does not go forward
 
-double most(const AxisVector& values, const AxisVector& limits) noexcept {
-  return values.cwiseAbs().cwiseQuotient(limits).maxCoeff();
-}
-
-double used_rows(const PlanSpan& span, const Inside& inside, const PathPoint& x, const Instant& at,
-                 const JumpLoad& load) noexcept {
+double used_constraints(const PlanSpan& span, const Inside& inside, const PathPoint& x,
+                        const Instant& at, const CurvatureJumpLoad& load) noexcept {
   const double q = at.v * at.v;
-  const AxisVector jerk = x.dddq * (q * at.v) + x.ddq * (3 * at.v * at.a) + x.dq * at.j;
-  const AxisVector acceleration = x.ddq * q + x.dq * at.a;
-  const Constraints& limits = span.constraints;
-  const double pushed = std::max(most(acceleration, limits.acceleration_limits()),
-                                 std::abs(at.a) / limits.tangential_limit());
-  const AxisVector most_jerk = limits.jerk_limits().cwiseProduct(inside.jerk_share);
-  const AxisVector used = (jerk + load.above).cwiseMax(load.below - jerk);
-  return std::max(most(used, most_jerk) / (kJerkAllowed * span.share),
-                  pushed / (kAccelerationAllowed * span.share * inside.share));
+  double acceleration = 0, jerk = 0;
+  for (const Inequality& limit : span.constraints.accelerations(x))
+    acceleration = std::max(acceleration, std::abs(limit.ddx * q + limit.dx * at.a) / limit.bound);
+  for (const Inequality& limit : span.constraints.jerks(x)) {
+    const int axis = limit.axis;
+    const double own = limit.dddx * (q * at.v) + limit.ddx * (3 * at.v * at.a) + limit.dx * at.j;
+    const double used = std::max(own + load.above[axis], load.below[axis] - own);
+    jerk = std::max(jerk, std::abs(used) / (limit.bound * inside.jerk_share[axis]));
+  }
+  return std::max(jerk / (tuning::check::kJerk * span.share),
+                  acceleration / (tuning::check::kAcceleration * span.share * inside.share));
 }
 
-/// One a row. The duration of a plan that went wrong may not be a number.
+/// Returns one instant per sample. The duration of a plan that went wrong may not be a number.
 int instants_on(const Ramp& ramp, double period) noexcept {
-  const double rows = ramp.duration / period;
-  return static_cast<int>(std::fmin(std::fmax(rows, kInstants), kMostInstants));
+  const double samples = ramp.duration / period;
+  return static_cast<int>(
+      std::fmin(std::fmax(samples, tuning::check::kInstants), tuning::check::kMostInstants));
 }
 
-/// Of a ramp that begins at `t` s of its plan.
-Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap, double t,
+/// Evaluates a ramp that begins at `t` s of its plan.
+Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double max_q, double t,
              PassedJumps& jumps) {
   const Quintic motion = quintic(ramp);
-  const int instants = instants_on(ramp, span.constraints.fine_period());
+  const int instants = instants_on(ramp, span.constraints.limits().fine_period);
   Used used;
   for (int k = 0; k <= instants; ++k) {
     const double passed = ramp.duration * k / instants;
     const Instant at = motion.at(passed);
-    if (!(at.v > -kStandstill && at.s > ramp.s0 - kStandstill && at.s < ramp.s1 + kStandstill))
+    if (!(at.v > -tuning::path::kStandstill && at.s > ramp.s0 - tuning::path::kStandstill &&
+          at.s < ramp.s1 + tuning::path::kStandstill))
       return kTooMuch;
     while (i + 1 < span.last && k < instants && span.interval(i).s1 <= at.s) ++i;
     const Interval& interval = span.interval(i);
@@ -58,21 +53,22 @@ Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap, 
         interval.straight()
             ? interval.left
             : softcnc::at(*interval.path, at.s, k < instants ? Side::after : Side::before);
-    used.rows =
-        std::max(used.rows, used_rows(span, span.chain.inside[i], point, at, jumps.at(t + passed)));
+    used.constraints =
+        std::max(used.constraints,
+                 used_constraints(span, span.chain.inside[i], point, at, jumps.at(t + passed)));
     const double q = at.v * at.v;
-    used.cap =
-        std::max({used.cap, q / (kCapAllowed * cap), q / (kPassingAllowed * interval.cap_at(at.s)),
-                  q / (kFirmAllowed * interval.most_at(at.s))});
+    used.velocity = std::max({used.velocity, q / (tuning::check::kVelocity * max_q),
+                              q / (tuning::check::kPassing * interval.limit_at(at.s)),
+                              q / (tuning::check::kStrict * interval.strict_q_at(at.s))});
   }
   return used;
 }
 
 }  // namespace
 
-Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap) {
+Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double max_q) {
   PassedJumps none;
-  return used_by(span, i, ramp, cap, 0, none);
+  return used_by(span, i, ramp, max_q, 0, none);
 }
 
 std::vector<Used> used_by(const PlanSpan& span, const std::vector<PlanNode>& nodes,
@@ -82,7 +78,7 @@ std::vector<Used> used_by(const PlanSpan& span, const std::vector<PlanNode>& nod
   all.reserve(ramps.size());
   double t = 0;
   for (std::size_t p = 0; p < ramps.size(); ++p) {
-    all.push_back(used_by(span, nodes[p].interval, ramps[p], problem.cap_between(p), t, jumps));
+    all.push_back(used_by(span, nodes[p].interval, ramps[p], problem.limit_between(p), t, jumps));
     t += ramps[p].duration;
   }
   return all;

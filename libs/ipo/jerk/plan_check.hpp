@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the ramps of a plan ask of the axes, between its nodes too, where no row has looked.
+// What the ramps of a plan require of the axes, also between its nodes, where no constraint has
+// been evaluated.
 #pragma once
 
 #include <vector>
@@ -10,19 +11,19 @@
 
 namespace softcnc::ipo {
 
-/// What a ramp uses, in parts of what is allowed: of the axis accelerations and jerks, on the path
-/// itself, and of the cap.
+/// What a ramp uses, as parts of what is allowed: of the axis accelerations and jerks, on the path
+/// itself, and of the velocity limit.
 struct Used {
-  double rows = 0, cap = 0;
+  double constraints = 0, velocity = 0;
 
-  bool keeps() const noexcept { return rows <= 1 && cap <= 1; }
+  bool keeps() const noexcept { return constraints <= 1 && velocity <= 1; }
 };
 
-/// At a few instants of the motion as it will be driven; `i`: interval in which it begins. Joints
-/// around are not felt.
-Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double cap);
+/// Evaluates a ramp at a few instants of the motion as it will be run; `i` is the interval in which
+/// it begins. Jumps at joints around it do not count.
+Used used_by(const PlanSpan& span, std::size_t i, const Ramp& ramp, double max_q);
 
-/// By ramp, each from its node to the next.
+/// Evaluates all ramps, each from its node to the next.
 std::vector<Used> used_by(const PlanSpan& span, const std::vector<PlanNode>& nodes,
                           const PlanProblem& problem, const std::vector<Ramp>& ramps);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The jumps of x'' that a plan passes: what they take from the jerk at its nodes, and of the motion
-// that comes of it.
+// The jumps of x'' that a plan passes: what they take from the jerk at its nodes, and from the jerk
+// of the resulting motion.
 #pragma once
 
 #include <cstddef>
@@ -14,34 +14,35 @@
 
 namespace softcnc::ipo {
 
-/// At a joint of a plan, or just behind its start.
-struct BendJump {
-  double s = 0;                          // mm of the chain
-  double fastest = 0;                    // mm/s, there
-  double most_u = 0;                     // mm/s^2, along the path around it
-  AxisVector bend = AxisVector::Zero();  // of x'', 1/mm
-  std::optional<std::size_t> node;       // of the plan
+/// A curvature jump at a joint of a plan, or just before its start.
+struct CurvatureJump {
+  double s = 0;                         // mm of the chain
+  double fastest = 0;                   // mm/s, there
+  double most_u = 0;                    // mm/s^2, along the path around it
+  AxisVector ddq = AxisVector::Zero();  // jump of x'', 1/mm
+  std::optional<std::size_t> node;      // of the plan
 };
 
-/// Those that are felt somewhere in a plan over these nodes, in the order of the way.
-std::vector<BendJump> find_jumps(const PlanSpan& span, const std::vector<PlanNode>& nodes);
+/// Returns those that matter somewhere in a plan over these nodes, in the order of the path.
+std::vector<CurvatureJump> find_jumps(const PlanSpan& span, const std::vector<PlanNode>& nodes);
 
-/// By node, per q of the joint, 1/(mm s). A motion is taken to be as fast as it can be, and so to
-/// be near a joint longer than it is.
-std::vector<JumpLoad> jump_loads(const PlanSpan& span, const std::vector<PlanNode>& nodes,
-                                 const std::vector<BendJump>& jumps);
+/// Returns the load by node, per q of the joint, 1/(mm s). A motion is taken to be as fast as it
+/// can be, and so to be near a joint longer than it is.
+std::vector<CurvatureJumpLoad> curvature_jump_loads(const PlanSpan& span,
+                                                    const std::vector<PlanNode>& nodes,
+                                                    const std::vector<CurvatureJump>& jumps);
 
-/// The jumps of a motion, by its time.
+/// The curvature jumps of a motion, by its time.
 class PassedJumps {
  public:
-  /// None.
+  /// No jumps.
   PassedJumps() = default;
-  /// Of ramps from node to node, from a start with this speed.
-  PassedJumps(const PlanSpan& span, const std::vector<BendJump>& jumps, double start_s,
+  /// The jumps of ramps from node to node, from a start with this speed.
+  PassedJumps(const PlanSpan& span, const std::vector<CurvatureJump>& jumps, double start_s,
               const SpeedSquare& start, const std::vector<Ramp>& ramps);
 
-  /// mm/s^3; `t` s from the start, where the last one asked for was or later.
-  JumpLoad at(double t) noexcept;
+  /// Returns the load, mm/s^3, at `t` s from the start; `t` must not fall from call to call.
+  CurvatureJumpLoad at(double t) noexcept;
 
  private:
   struct Passed {

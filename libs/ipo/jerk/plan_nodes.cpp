@@ -6,19 +6,13 @@
 #include <utility>
 
 #include "ipo/path/curvature_jump_load.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kTurn = 0.06;          // rad between two nodes
-constexpr double kCapChange = 0.04;     // of a roughness, between two nodes
-constexpr double kGrading = 0.15;       // how fast that spacing may change along the way
-constexpr double kShortestTime = 0.35;  // periods: what turns faster is not resolved
-constexpr double kFeltJump = 0.05;      // of the axis jerk
-constexpr double kSame = 1e-9;          // relative: derivatives that do not jump
-
 bool same(const AxisVector& a, const AxisVector& b) noexcept {
-  return (a - b).norm() <= kSame * (a.norm() + b.norm());
+  return (a - b).norm() <= tuning::nodes::kSame * (a.norm() + b.norm());
 }
 
 bool is_joint(const PlanSpan& span, std::size_t node) noexcept {
@@ -27,46 +21,55 @@ bool is_joint(const PlanSpan& span, std::size_t node) noexcept {
          !same(before.right.ddq, after.left.ddq) || !same(before.right.dddq, after.left.dddq);
 }
 
-/// mm: so far beside a joint at which x'' jumps the jump is felt most, and a node is to be; 0 where
-/// it hardly counts.
+/// Returns how far, mm, beside a joint at which x'' jumps that matters most, so that a node is to
+/// be there; 0 where it hardly counts.
 double jump_step(const PlanSpan& span, std::size_t joint) noexcept {
   const Node& node = span.chain.nodes[joint];
-  if (!node.passes_bend()) return 0;
-  const double period = span.constraints.fine_period();
+  if (!node.passes_curvature_jump()) return 0;
+  const double period = span.constraints.limits().fine_period;
   const double used =
-      node.bend.cwiseAbs().cwiseQuotient(span.constraints.jerk_limits()).maxCoeff() * node.cap.q;
-  return used > kFeltJump * period ? (kJumpFlat + kJumpNearer) * period * std::sqrt(node.cap.q) : 0;
+      node.curvature_jump.cwiseAbs().cwiseQuotient(span.constraints.limits().jerk).maxCoeff() *
+      node.velocity_limit.q;
+  return used > tuning::nodes::kFeltJump * period
+             ? (tuning::joints::kJumpFlat + tuning::joints::kJumpNearer) * period *
+                   std::sqrt(node.velocity_limit.q)
+             : 0;
 }
 
-/// The cap of a roughness has steep flanks where the way is level.
-double cap_spacing(const Interval& in) noexcept {
-  const Cap &left = in.left_cap, &right = in.right_cap;
+/// Returns the spacing that the steep flanks of a roughness limit require where the path is level.
+double limit_spacing(const Interval& in) noexcept {
+  const VelocityLimit &left = in.left_limit, &right = in.right_limit;
   const double change = std::abs(right.q - left.q);
   if (left.limit != Limit::roughness && right.limit != Limit::roughness) return kUnlimited;
-  return change > 0 ? kCapChange * std::min(left.q, right.q) * in.length() / change : kUnlimited;
+  return change > 0 ? tuning::nodes::kLimitChange * std::min(left.q, right.q) * in.length() / change
+                    : kUnlimited;
 }
 
-/// The spacing that the bends of the path and its caps ask for, at the nodes of the chain.
-class BendSpacing {
+/// The spacing that the curvature of the path and its velocity limits require, at the nodes of the
+/// chain.
+class CurvatureSpacing {
  public:
-  explicit BendSpacing(const PlanSpan& span) : span_(span), h_(span.last - span.first + 1, 0.0) {
+  explicit CurvatureSpacing(const PlanSpan& span)
+      : span_(span), h_(span.last - span.first + 1, 0.0) {
     std::fill(h_.begin(), h_.end(), kUnlimited);
     for (std::size_t i = span.first; i < span.last; ++i) {
       const Interval& in = span.interval(i);
       const double h =
-          std::min(kTurn / std::max(in.left.ddq.norm(), in.right.ddq.norm()), cap_spacing(in));
+          std::min(tuning::nodes::kTurn / std::max(in.left.ddq.norm(), in.right.ddq.norm()),
+                   limit_spacing(in));
       at(i) = std::min(at(i), h);
       at(i + 1) = std::min(at(i + 1), h);
     }
     for (std::size_t i = span.first; i < span.last; ++i)
-      at(i + 1) = std::min(at(i + 1), at(i) + kGrading * span.interval(i).length());
+      at(i + 1) = std::min(at(i + 1), at(i) + tuning::nodes::kGrading * span.interval(i).length());
     for (std::size_t i = span.last; i-- > span.first;)
-      at(i) = std::min(at(i), at(i + 1) + kGrading * span.interval(i).length());
+      at(i) = std::min(at(i), at(i + 1) + tuning::nodes::kGrading * span.interval(i).length());
   }
 
   double operator()(std::size_t i, double s) const noexcept {
     const double left = h_[i - span_.first], right = h_[i + 1 - span_.first];
-    return std::min(left + kGrading * (s - span_.s(i)), right + kGrading * (span_.s(i + 1) - s));
+    return std::min(left + tuning::nodes::kGrading * (s - span_.s(i)),
+                    right + tuning::nodes::kGrading * (span_.s(i + 1) - s));
   }
 
  private:
@@ -82,8 +85,8 @@ class NodePlacement {
   NodePlacement(const PlanSpan& span, const SpeedGuess& guess, double from)
       : span_(span),
         guess_(guess),
-        bends_(span),
-        shortest_(kShortestTime * span.constraints.fine_period()),
+        curvature_spacing_(span),
+        shortest_(tuning::nodes::kShortestTime * span.constraints.limits().fine_period),
         nodes_{{span.first, from, false}},
         interval_(span.first),
         begin_(from) {}
@@ -114,12 +117,13 @@ class NodePlacement {
 
  private:
   double spacing(std::size_t i, double s) const noexcept {
-    return std::min(guess_.spacing(s), std::max(bends_(i, s), shortest_ * guess_.speed(s)));
+    return std::min(guess_.spacing(s),
+                    std::max(curvature_spacing_(i, s), shortest_ * guess_.speed(s)));
   }
 
   void fill_to(std::size_t joint, double end) {
     double s = nodes_.back().s;
-    while (nodes_.size() <= kMostNodes) {
+    while (nodes_.size() <= tuning::nodes::kMost) {
       const double h = spacing(interval_, s);
       const double left = end - s;
       if (left <= 1.25 * h) break;
@@ -140,7 +144,7 @@ class NodePlacement {
 
   const PlanSpan& span_;
   const SpeedGuess& guess_;
-  const BendSpacing bends_;
+  const CurvatureSpacing curvature_spacing_;
   const double shortest_;
   std::vector<PlanNode> nodes_;
   std::size_t interval_;  // of the chain, where the last node lies

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a plan has its nodes: fine where speeds or the direction of the path change fast, and at
-// every joint.
+// The nodes of a plan: dense where speeds or the direction of the path change fast, and at every
+// joint.
 #pragma once
 
 #include <span>
@@ -13,21 +13,18 @@ namespace softcnc::ipo {
 
 /// A node of the spline of a plan.
 struct PlanNode {
-  std::size_t interval;  // to its right; the last one has that to its left
+  std::size_t interval;  // to its right; for the last node, to its left
   double s;              // mm of the chain
   bool joint;            // what lies left of it belongs to the interval before
 };
 
-/// What a node may use: parts of the jerk and of the cap.
+/// What a node may use: parts of the jerk and of the velocity limit.
 struct NodeShare {
-  double jerk = 1, cap = 1;
-  bool holds_cap = false;  // the speed itself, beside the coefficient of its spline
+  double jerk = 1, velocity = 1;
+  bool holds_velocity = false;  // bounds the speed itself, beside its spline coefficient
 };
 
-/// A plan that needs more cannot be found in bounded memory; nor is there one, as a rule.
-inline constexpr std::size_t kMostNodes = 100'000;
-
-/// A node at which a plan has kept everything, and how fast it was there.
+/// A node at which a plan has kept all limits, and its speed there.
 struct ProvenNode {
   double s = 0;  // mm of the chain
   bool joint = false;
@@ -35,9 +32,9 @@ struct ProvenNode {
   double q = 0;
 };
 
-/// From `from` to `to`, mm of the chain, both nodes themselves; so are the chain's node `cut` and
-/// every node of the chain at which a derivative of the path jumps or a move ends. More than
-/// kMostNodes of them are not finished. They begin with those that are given.
+/// Places nodes from `from` to `to`, mm of the chain, both nodes themselves; so are the chain's
+/// node `cut` and every node of the chain at which a derivative of the path jumps or a move ends.
+/// Gives up at more than tuning::nodes::kMost. The nodes begin with those that are given.
 std::vector<PlanNode> place_nodes(const PlanSpan& span, const SpeedGuess& guess, double from,
                                   double to, std::size_t cut, std::span<const ProvenNode> given);
 

@@ -5,23 +5,15 @@
 #include <cmath>
 
 #include "ipo/jerk/plan_check.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kJerkPart = 0.97;   // of the jerk limit
-constexpr double kTimePart = 0.1;    // of the time A / J, or
-constexpr double kPeriodPart = 0.5;  // of a period, if that is longer, and
-constexpr double kMostPart = 0.5;    // of the time A / J, at most
-constexpr double kWayPart = 0.05;    // of the interval
-constexpr double kSpeedPart = 0.25;  // of the cap
-constexpr double kShorter = 0.7;     // the bend of the path counts less
-constexpr int kMostShorter = 20;
-
 bool keeps(const PlanSpan& span, std::size_t i, const RestRamp& ramp, bool starts) {
   const Interval& in = span.interval(i);
   const Ramp driven =
-      starts ? ramp.start(in.s0, in.s0 + ramp.way()) : ramp.end(in.s1 - ramp.way(), in.s1);
+      starts ? ramp.start(in.s0, in.s0 + ramp.length()) : ramp.end(in.s1 - ramp.length(), in.s1);
   return used_by(span, i, driven, kUnlimited).keeps();
 }
 
@@ -34,17 +26,22 @@ RestRamp rest_ramp(const PlanSpan& span, std::size_t i, Side of_rest) noexcept {
   const PathPoint& point = starts ? interval.left : interval.right;
   const double limit = along(span.jerk_limits(), point.dq);
   const double acceleration = span.constraints.straight_u(point.dq);
-  const Cap& other = span.chain.nodes[starts ? i + 1 : i].cap;
-  const double q = other.q > 0 ? std::min(other.q, inside.cap.q) : inside.cap.q;
+  const VelocityLimit& other = span.chain.nodes[starts ? i + 1 : i].velocity_limit;
+  const double q =
+      other.q > 0 ? std::min(other.q, inside.velocity_limit.q) : inside.velocity_limit.q;
   RestRamp ramp;
-  ramp.jerk = kJerkPart * std::min(span.share, 1.0) *
+  ramp.jerk = tuning::rest_ramp::kJerkPart * std::min(span.share, 1.0) *
               std::min(inside.share, inside.jerk_share.minCoeff()) * limit;
   const double rise = acceleration / limit;
-  const double time = std::max(
-      kTimePart * rise, std::min(kPeriodPart * span.constraints.fine_period(), kMostPart * rise));
-  ramp.duration = std::min({time, std::cbrt(6 * kWayPart * interval.length() / ramp.jerk),
-                            std::sqrt(2 * kSpeedPart * std::sqrt(q) / ramp.jerk)});
-  for (int k = 0; k < kMostShorter && !keeps(span, i, ramp, starts); ++k) ramp.duration *= kShorter;
+  const double time =
+      std::max(tuning::rest_ramp::kTimePart * rise,
+               std::min(tuning::rest_ramp::kPeriodPart * span.constraints.limits().fine_period,
+                        tuning::rest_ramp::kMostPart * rise));
+  ramp.duration =
+      std::min({time, std::cbrt(6 * tuning::rest_ramp::kLengthPart * interval.length() / ramp.jerk),
+                std::sqrt(2 * tuning::rest_ramp::kSpeedPart * std::sqrt(q) / ramp.jerk)});
+  for (int k = 0; k < tuning::rest_ramp::kMostShorter && !keeps(span, i, ramp, starts); ++k)
+    ramp.duration *= tuning::rest_ramp::kShorter;
   return ramp;
 }
 

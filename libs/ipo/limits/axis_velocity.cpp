@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/constraints.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-/// Kept free on curves, where the direction turns a little between two nodes of the grid.
-constexpr double kCurveMargin = 3e-4;
 
 double square(double x) { return x * x; }
 
 double longer(double x, double by) noexcept { return x + std::copysign(by, x); }
 
-/// The highest of x'^2 q on the way from one point to the other, where x' and q go along lines: at
-/// an end, or where what grows of the one is what shrinks of the other.
+/// Returns the highest x'^2 q between two points, where x' and q are linear: at an end, or where
+/// the growth of one balances the decrease of the other.
 double fastest_square(double x0, double q0, double x1, double q1) noexcept {
   const double most = std::max(square(x0) * q0, square(x1) * q1);
   const double dx = x1 - x0, dq = q1 - q0;
@@ -38,11 +36,11 @@ class AxisVelocity final : public Constraint {
     return move.rapid ? Limit::rapid : Limit::axis_velocity;
   }
 
-  double cap(const PathPoint& point, const Move& move) const noexcept override {
+  double velocity_limit(const PathPoint& point, const Move& move) const noexcept override {
     double v = kUnlimited;
     for (int i = 0; i < kAxes; ++i)
       if (point.dq[i] != 0) v = std::min(v, velocity_[i] / std::abs(point.dq[i]));
-    if (!std::holds_alternative<Line>(move.path)) v *= 1 - kCurveMargin;
+    if (!std::holds_alternative<Line>(move.path)) v *= 1 - tuning::limits::kAxisVelocityMargin;
     return v * v;
   }
 
@@ -51,7 +49,8 @@ class AxisVelocity final : public Constraint {
     const double q = std::max(from.q, to.q);
     for (int i = 0; i < kAxes; ++i) {
       const double x0 = longer(from.point.dq[i], sag[i]), x1 = longer(to.point.dq[i], sag[i]);
-      const double allowed = square(velocity_[i] * (1 - kCurveMargin)) * (1 + tolerance);
+      const double allowed =
+          square(velocity_[i] * (1 - tuning::limits::kAxisVelocityMargin)) * (1 + tolerance);
       if (std::max(square(x0), square(x1)) * q <= allowed) continue;
       if (fastest_square(x0, from.q, x1, to.q) > allowed) return false;
     }

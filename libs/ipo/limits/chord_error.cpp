@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The chord error of paper 000: how long a period's step may be where the path curves.
+// The chord error of paper 000: how long a period's step may be where the path is curved.
+#include "ipo/limits/chord_error.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/constraints.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
-/// Kept free for the change of curvature between two nodes of the grid.
-constexpr double kMargin = 1e-3;
-
 class ChordError final : public Constraint {
  public:
   ChordError(double tolerance, double period)
-      : tolerance_(tolerance * (1 - kMargin)), period_(period) {}
+      : tolerance_(tolerance * (1 - tuning::limits::kChordMargin)), period_(period) {}
 
   Limit limit(const Move&) const noexcept override { return Limit::chord; }
   bool holds_over_steps() const noexcept override { return true; }
 
-  double cap(const PathPoint& point, const Move&) const noexcept override {
+  double velocity_limit(const PathPoint& point, const Move&) const noexcept override {
     const double v = chord_step(point.ddq.norm(), tolerance_) / period_;
     return v * v;
   }
@@ -37,7 +37,12 @@ double chord_step(double kappa, double tolerance) noexcept {
 }
 
 std::unique_ptr<Constraint> make_chord_error(const Machine& machine) {
-  return std::make_unique<ChordError>(machine.control.chord_tolerance, machine.control.period);
+  const Control& control = machine.control;
+  // The three-point method of paper 000 limits the chord error itself, at run time; pulses follow
+  // the path between the samples.
+  if (is_by_pulses(control.interpolation) || control.interpolation == Method::curvature3p)
+    return nullptr;
+  return std::make_unique<ChordError>(control.chord_tolerance, control.period);
 }
 
 }  // namespace softcnc::ipo

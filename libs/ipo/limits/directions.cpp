@@ -9,7 +9,7 @@
 
 namespace softcnc::ipo {
 
-/// |x'| exceeds the line between its ends by no more than an eighth of the change of x'' by the
+/// |x'| exceeds the line between its ends by at most an eighth of the change of x'' times the
 /// length.
 void Directions::add(const PathPoint& left, const PathPoint& right, double length) noexcept {
   const AxisVector swing = length / 8 * (right.ddq - left.ddq).cwiseAbs();
@@ -31,7 +31,7 @@ double Directions::least(const AxisVector& limits) const noexcept {
   return least;
 }
 
-/// What has no limit is no axis of the machine, and moves by rounding at most.
+/// What has no limit is not an axis of the machine, and moves only by rounding.
 double Directions::most(const AxisVector& limits) const noexcept {
   double sum = 0, square = 0;
   for (int i = 0; i < kAxes; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The programmed feed, with its override, and the machine's own bound on cutting moves.
-#include "ipo/limits/constraint.hpp"
+// The programmed feed, with its override, and the machine's own limit on cutting moves.
+#include "ipo/limits/constraints.hpp"
 
 namespace softcnc::ipo {
 namespace {
@@ -15,7 +15,7 @@ class FeedLimit final : public Constraint {
     return override_of(move) < 1 ? Limit::override_ : Limit::feed;
   }
 
-  double cap(const PathPoint&, const Move& move) const noexcept override {
+  double velocity_limit(const PathPoint&, const Move& move) const noexcept override {
     if (move.rapid) return kUnlimited;
     const double v = std::min(move.feed * override_of(move), machine_feed_);
     return v * v;

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Reference pulses: the clocks of a staircase come no faster than pulses may.
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/constraints.hpp"
+#include "ipo/tuning.hpp"
 #include "motion/model/step_rate.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-/// Kept free on curves, where the direction turns a little between two nodes of the grid.
-constexpr double kCurveMargin = 3e-4;
 
 class PulseRate final : public Constraint {
  public:
@@ -20,14 +18,14 @@ class PulseRate final : public Constraint {
 
   Limit limit(const Move&) const noexcept override { return Limit::pulse_rate; }
 
-  double cap(const PathPoint& point, const Move&) const noexcept override {
+  double velocity_limit(const PathPoint& point, const Move&) const noexcept override {
     double v = rate_ / clocks(point.dq.cwiseAbs().cwiseQuotient(blu_));
-    if (!point.ddq.isZero(0)) v *= 1 - kCurveMargin;
+    if (!point.ddq.isZero(0)) v *= 1 - tuning::limits::kPulseRateMargin;
     return v * v;
   }
 
  private:
-  /// Clocks for each mm of path, where the axes make so many BLU of it.
+  /// Returns the clocks for each mm of path, given the BLU for each mm by axis.
   double clocks(const AxisVector& blu_per_mm) const noexcept {
     if (method_ == PulseMethod::dda) return blu_per_mm.norm();
     const double most = blu_per_mm.maxCoeff(), all = blu_per_mm.sum();
@@ -45,6 +43,7 @@ class PulseRate final : public Constraint {
 }  // namespace
 
 std::unique_ptr<Constraint> make_pulse_rate(const Machine& machine) {
+  if (!is_by_pulses(machine.control.interpolation)) return nullptr;
   return std::make_unique<PulseRate>(machine);
 }
 

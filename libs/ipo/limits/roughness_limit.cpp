@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The roughness that a program asks for: feed per tooth x teeth x speed of the spindle (paper 004),
-// in planes of any kind, since the tool stands upright.
-#include "ipo/limits/constraint.hpp"
+// The roughness that a program requests: feed per tooth x teeth x spindle speed (paper 004), in
+// planes of any kind, since the tool is upright.
+#include "ipo/limits/constraints.hpp"
+#include "ipo/tuning.hpp"
 #include "motion/roughness/roughness.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-/// How far the place of the tip may move from node to node, as part of the pick-feed and of how far
-/// away it is: the cap falls steeply where the tip cuts, and little happens to it far from there.
-constexpr double kNear = 0.04, kFar = 0.2;
-
-/// How much more the marks of a valley may grow from node to node.
-constexpr double kBendChange = 0.1;
 
 class RoughnessLimit final : public Constraint {
  public:
@@ -20,9 +14,9 @@ class RoughnessLimit final : public Constraint {
 
   Limit limit(const Move&) const noexcept override { return Limit::roughness; }
 
-  bool holds_everywhere() const noexcept override { return true; }
+  bool is_strict() const noexcept override { return true; }
 
-  double cap(const PathPoint& point, const Move& move) const noexcept override {
+  double velocity_limit(const PathPoint& point, const Move& move) const noexcept override {
     if (!limits(move)) return kUnlimited;
     const Surface& surface = *move.surface;
     const double v = surface.tooth_rate() * largest_feed_per_tooth(model_, surface, point);
@@ -37,7 +31,7 @@ class RoughnessLimit final : public Constraint {
     if (model_ == RoughnessModel::guaranteed && !is_evenly_hollow(left, right, *move.surface))
       return false;
     const double nearest = from * to > 0 ? std::min(std::abs(from), std::abs(to)) : 0;
-    return std::abs(to - from) <= kNear + kFar * nearest;
+    return std::abs(to - from) <= tuning::limits::kNearTip + tuning::limits::kFarFromTip * nearest;
   }
 
  private:
@@ -48,10 +42,10 @@ class RoughnessLimit final : public Constraint {
   static bool is_evenly_hollow(const PathPoint& left, const PathPoint& right,
                                const Surface& surface) noexcept {
     const double slope = surface.slope_across;
-    const double before = hollow_bend(left.dq, left.ddq, slope);
-    const double after = hollow_bend(right.dq, right.ddq, slope);
+    const double before = hollow_curvature(left.dq, left.ddq, slope);
+    const double after = hollow_curvature(right.dq, right.ddq, slope);
     const double gentler = 1 / surface.tool_radius + std::min(before, after);
-    return std::abs(after - before) <= kBendChange * gentler;
+    return std::abs(after - before) <= tuning::limits::kHollowChange * gentler;
   }
 
   RoughnessModel model_;

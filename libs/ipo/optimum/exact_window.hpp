@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The window of a machine without jerk limits: the exact optimum by two passes.
 //
-// Speeds are final as soon as they no longer depend on what follows: the backward pass is run once
+// Speeds are final as soon as they no longer depend on what follows. The backward pass is run once
 // from rest at the end of the window and once from the highest speed there; left of the node where
-// the two meet they agree bit by bit. Before it, what the forward pass makes of both is final where
-// that agrees: a machine that speeds up has not met either. So the plan is that of the whole
-// program, however the program arrives and wherever the window ends.
+// the two meet they agree bit by bit. Where they do not meet, what the forward pass makes of both
+// is final as far as it agrees: a machine that accelerates has met neither. So the plan is that of
+// the whole program, however the program arrives and wherever the window ends.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@
 
 namespace softcnc::ipo {
 
-class ReachWindow final : public Window {
+class ExactWindow final : public Window {
  public:
   using Window::Window;
 
@@ -29,15 +29,16 @@ class ReachWindow final : public Window {
   void slow_down(bool ended);
   std::size_t begin_alike(const std::vector<double>& other) noexcept;
   double reachable_from_rest(std::size_t end);
-  void back_from(std::size_t last);
+  void backward_pass(std::size_t last);
   bool brakes_to_corner(std::size_t node) const noexcept;
-  Reach reach(std::size_t interval) const noexcept;
-  const IntervalRows& rows(std::size_t interval) const noexcept;
+  ControllableInterval controllable(std::size_t interval) const noexcept;
+  const IntervalConstraints& interval_constraints(std::size_t interval) const noexcept;
 
   double q_ = 0;  // at the front node
   std::vector<SpeedPiece> pieces_, other_pieces_;
-  std::vector<IntervalRows> rows_;  // of what the last backward pass has seen,
-  std::size_t rows_run_ = 0;        // and how many of them lie behind the front
+  std::vector<IntervalConstraints>
+      interval_constraints_;            // of what the last backward pass has covered,
+  std::size_t passed_constraints_ = 0;  // and how many of them lie left of the front
 };
 
 }  // namespace softcnc::ipo

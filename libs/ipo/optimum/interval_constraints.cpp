@@ -1,50 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/optimum/interval_constraints.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace softcnc::ipo {
-namespace {
 
-/// Kept free of the acceleration limits on curves: what the grid's tolerance may add to them.
-constexpr double kCurveMargin = 5e-4;
-
-}  // namespace
-
-IntervalRows::IntervalRows(const Interval& interval, const Constraints& constraints, double share,
-                           const KinkUse& kinks) noexcept
+IntervalConstraints::IntervalConstraints(const Interval& interval, const Constraints& constraints,
+                                         double share, const TangentJumpUse& jumps) noexcept
     : length_(interval.length()), stopping_(-1 / (2 * length_)) {
   const PathPoint &left = interval.left, &right = interval.right;
   if (interval.straight()) {
     straight_u_ = share * constraints.straight_u(left.dq);
-    leave_to(kinks, interval, constraints, share);
+    leave_to(jumps, interval, constraints, share);
     return;
   }
-  const double free = share * (1.0 - kCurveMargin);
-  if (constraints.tangential_limit() < kUnlimited) add(0, 1, constraints.tangential_limit() * free);
-  for (int i = 0; i < kAxes; ++i) {
-    const double bound = constraints.acceleration_limits()[i];
-    if (bound == kUnlimited) continue;
-    add(left.ddq[i], left.dq[i], bound * free);
-    add(right.ddq[i], right.dq[i] + 2 * length_ * right.ddq[i], bound * free);
+  const double free = share * (1.0 - tuning::optimum::kCurveMargin);
+  const Inequalities at_left = constraints.accelerations(left);
+  const Inequalities at_right = constraints.accelerations(right);
+  for (std::size_t k = 0; k < at_left.size(); ++k) {
+    const Inequality &begin = at_left[k], &end = at_right[k];
+    add(begin.ddx, begin.dx, begin.bound * free);
+    if (begin.axis != Inequality::kPath)
+      add(end.ddx, end.dx + 2 * length_ * end.ddx, end.bound * free);
   }
 }
 
-/// A row that sees an instant here sees kinks within two periods of it, where the machine may be
-/// faster by what it gains in that time.
-void IntervalRows::leave_to(const KinkUse& kinks, const Interval& interval,
-                            const Constraints& constraints, double share) noexcept {
-  if (kinks.part.isZero(0)) return;
+/// A sample that sees an instant here sees tangent jumps within two periods of it, where the
+/// machine may be faster by what it gains in that time.
+void IntervalConstraints::leave_to(const TangentJumpUse& jumps, const Interval& interval,
+                                   const Constraints& constraints, double share) noexcept {
+  if (jumps.part.isZero(0)) return;
   for (int i = 0; i < kAxes; ++i) {
-    if (kinks.part[i] == 0 || interval.left.dq[i] == 0) continue;
-    const double all = share * constraints.acceleration_limits()[i] / std::abs(interval.left.dq[i]);
-    const double slope = all * kinks.per_speed[i];
-    falling_[falling_count_++] = {all - slope * kinks.gained, slope, all * (1 - kinks.part[i])};
+    if (jumps.part[i] == 0 || interval.left.dq[i] == 0) continue;
+    const double all = share * constraints.limits().acceleration[i] / std::abs(interval.left.dq[i]);
+    const double slope = all * jumps.per_speed[i];
+    falling_[falling_count_++] = {all - slope * jumps.gained, slope, all * (1 - jumps.part[i])};
   }
 }
 
-double IntervalRows::straight_u(double q) const noexcept {
+double IntervalConstraints::straight_u(double q) const noexcept {
   double u = straight_u_;
   for (std::size_t i = 0; i < falling_count_; ++i)
     u = std::min(
@@ -53,7 +49,7 @@ double IntervalRows::straight_u(double q) const noexcept {
 }
 
 /// v^2 = q + 2 length (at_rest - slope v).
-double IntervalRows::straight_rise(double q, double length) const noexcept {
+double IntervalConstraints::straight_rise(double q, double length) const noexcept {
   double rise = q + 2 * straight_u_ * length;
   for (std::size_t i = 0; i < falling_count_; ++i) {
     const auto& [at_rest, slope, least] = falling_[i];
@@ -64,9 +60,9 @@ double IntervalRows::straight_rise(double q, double length) const noexcept {
   return rise;
 }
 
-/// A strip |c0 q + c1 u| <= bound, solved for u.
-void IntervalRows::add(double c0, double c1, double bound) noexcept {
-  // Where the axis hardly answers to u, the strip bounds q alone.
+/// Adds a strip |c0 q + c1 u| <= bound, solved for u.
+void IntervalConstraints::add(double c0, double c1, double bound) noexcept {
+  // Where the axis hardly responds to u, the strip bounds q alone.
   if (std::abs(c1) < 1e-9 * std::max(1.0, std::abs(c0) * length_)) {
     if (c0 != 0) q_bound_ = std::min(q_bound_, bound / std::abs(c0));
     return;
@@ -74,8 +70,9 @@ void IntervalRows::add(double c0, double c1, double bound) noexcept {
   upper_[count_++] = {bound / std::abs(c1), -c0 / c1};
 }
 
-/// The tightest bounds on u at this q; q at the right end is never negative.
-IntervalRows::Edges IntervalRows::edges(double q, const Bound& upper) const noexcept {
+/// Returns the tightest bounds on u at this q; q at the right end is never negative.
+IntervalConstraints::Edges IntervalConstraints::edges(double q,
+                                                      const LinearBound& upper) const noexcept {
   Edges best{upper, {0, stopping_}, upper.at(q), stopping_ * q};
   for (std::size_t i = 0; i < count_; ++i) {
     const auto& [p, m] = upper_[i];
@@ -85,9 +82,9 @@ IntervalRows::Edges IntervalRows::edges(double q, const Bound& upper) const noex
   return best;
 }
 
-double IntervalRows::largest_q(double q_cap, double q_next) const noexcept {
-  const Bound arrive{q_next / (2 * length_), stopping_};
-  double q = std::min(q_cap, q_bound_);
+double IntervalConstraints::largest_q(double q_limit, double q_next) const noexcept {
+  const LinearBound arrive{q_next / (2 * length_), stopping_};
+  double q = std::min(q_limit, q_bound_);
   for (int i = 0; i < 64; ++i) {  // each turn drops at least one pair of edges for good
     const Edges best = edges(q, arrive);
     const double closing = best.lower.m - best.upper.m;
@@ -99,7 +96,7 @@ double IntervalRows::largest_q(double q_cap, double q_next) const noexcept {
   return q;
 }
 
-double IntervalRows::largest_u(double q) const noexcept {
+double IntervalConstraints::largest_u(double q) const noexcept {
   const Edges best = edges(q, {kUnlimited, 0});
   return std::max(best.highest, best.lowest);
 }

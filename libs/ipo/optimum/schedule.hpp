@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The fastest speeds over one interval under caps and axis accelerations.
+// The fastest speeds over one interval under velocity limits and axis accelerations.
 //
-// Unknown: q = v^2 at the nodes, linear between them, so the path acceleration u = q'/2 is constant
-// on each piece. The rows |x'' q + x' u| <= A hold at both ends of every interval. One pass
-// backward finds K, the largest q from which everything ahead can still be kept; one pass forward
-// takes it: the optimum of the grid in O(N) (time-optimal path parametrisation by reachability
-// analysis).
+// The unknown is q = v^2 at the nodes, linear between them, so the path acceleration u = q'/2 is
+// constant on each piece. The constraints |x'' q + x' u| <= A hold at both ends of every interval.
+// A backward pass finds the controllable set [0, k] of each node, where k is the largest q from
+// which everything ahead can still be kept; a forward pass takes k: the optimum of the grid in O(N)
+// (time-optimal path parametrisation by reachability analysis, TOPP-RA).
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@
 
 namespace softcnc::ipo {
 
-/// A stretch of constant path acceleration.
+/// A piece of constant path acceleration.
 struct SpeedPiece {
   double s0 = 0, s1 = 0;  // mm from the start of the move
   double q0 = 0, q1 = 0;  // v^2 at its ends, mm^2/s^2
@@ -24,20 +24,23 @@ struct SpeedPiece {
   bool operator==(const SpeedPiece&) const = default;
 };
 
-/// One interval as the two passes see it.
-struct Reach {
-  Cap left, right;     // caps of its nodes
-  Cap inside;          // of a straight interval between its nodes
-  double left_k = 0;   // K at its left node: reach_back's result
-  double right_k = 0;  // K at its right node
+/// One interval as the two passes see it: its velocity limits and the controllable sets of its
+/// nodes.
+struct ControllableInterval {
+  VelocityLimit left, right;  // limits of its nodes
+  VelocityLimit inside;       // of a straight interval between its nodes
+  double left_q = 0;          // end of the controllable set at its left node
+  double right_q = 0;         // and at its right node
 };
 
-/// K at the left node, given K at the right node.
-double reach_back(const Interval& interval, const IntervalRows& rows, const Reach& reach) noexcept;
+/// Returns the end of the controllable set at the left node, given the one at the right node.
+double backward_step(const Interval& interval, const IntervalConstraints& constraints,
+                     const ControllableInterval& controllable) noexcept;
 
-/// Runs the interval from q at its left node as fast as K allows, appends its pieces and returns q
-/// at the right node.
-double run_forward(const Interval& interval, const IntervalRows& rows, const Reach& reach, double q,
-                   std::vector<SpeedPiece>& out);
+/// Runs the interval from q at its left node as fast as the controllable sets allow, appends its
+/// pieces and returns q at the right node.
+double forward_step(const Interval& interval, const IntervalConstraints& constraints,
+                    const ControllableInterval& controllable, double q,
+                    std::vector<SpeedPiece>& out);
 
 }  // namespace softcnc::ipo

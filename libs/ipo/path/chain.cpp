@@ -5,13 +5,10 @@
 #include <cmath>
 
 #include "ipo/path/rest_to_rest.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-/// Tangents closer than this (rad) count as one: rounding of the geometry.
-constexpr double kSameTangent = 1e-9;
-constexpr double kSameBend = 1e-9;  // relative
 
 struct Halves {
   Interval left, right;
@@ -22,38 +19,42 @@ Halves cut(const Interval& interval, double s) {
   halves.left.s1 = halves.right.s0 = s;
   halves.left.right = halves.right.left = point_inside(interval, s);
   halves.left.ends_move = false;
-  Cap cap = interval.left_cap.q <= interval.right_cap.q ? interval.left_cap : interval.right_cap;
-  cap.q = interval.cap_at(s);
-  halves.left.right_cap = halves.right.left_cap = cap;
-  halves.left.right_most = halves.right.left_most = interval.most_at(s);
+  VelocityLimit bound =
+      interval.left_limit.q <= interval.right_limit.q ? interval.left_limit : interval.right_limit;
+  bound.q = interval.limit_at(s);
+  halves.left.right_limit = halves.right.left_limit = bound;
+  halves.left.right_strict_q = halves.right.left_strict_q = interval.strict_q_at(s);
   return halves;
 }
 
-/// How far the speed is felt at which a kink that stands alone may be passed, mm.
-double step_over(const AxisVector& kink, const Constraints& constraints) {
-  const double period = constraints.fine_period();
+/// Returns how far, mm, the speed matters at which a tangent jump that stands alone may be passed.
+double step_over(const AxisVector& tangent_jump, const Constraints& constraints) {
+  const double period = constraints.limits().fine_period;
   const double by_acceleration =
-      period / kink.cwiseQuotient(constraints.acceleration_limits()).maxCoeff() * period;
-  if (!constraints.limits_jerk()) return kStraightKinkShare * by_acceleration;
+      period / tangent_jump.cwiseQuotient(constraints.limits().acceleration).maxCoeff() * period;
+  if (!constraints.limits_jerk())
+    return tuning::joints::kStraightTangentJumpShare * by_acceleration;
   const double by_jerk =
-      period * period / kink.cwiseQuotient(constraints.jerk_limits()).maxCoeff() * period;
-  return std::min(kKinkShare * by_acceleration, kJerkSteps * kKinkJerkShare * by_jerk);
+      period * period / tangent_jump.cwiseQuotient(constraints.limits().jerk).maxCoeff() * period;
+  return std::min(tuning::joints::kTangentJumpShare * by_acceleration,
+                  tuning::joints::kJerkSteps * tuning::joints::kTangentJumpJerkShare * by_jerk);
 }
 
 double middle(const Interval& interval) { return 0.5 * (interval.s0 + interval.s1); }
 
-/// The step that an interval, or the joint before it, asks of a neighbour that could be faster.
-double step_asked(const Cap& asked, const Cap& neighbour, double period) {
+/// The step that an interval, or the joint before it, requires of a neighbour that could be faster.
+double step_asked(const VelocityLimit& asked, const VelocityLimit& neighbour, double period) {
   return asked.q < neighbour.q ? std::sqrt(asked.q) * period : kUnlimited;
 }
 
-/// The shortest step asked of a neighbour by all intervals from its joint on that it reaches.
+/// The shortest step that all intervals within its range, from its joint on, require of a
+/// neighbour.
 template <typename Iterator>
-double step_across(Iterator first, Iterator last, const Cap& neighbour, double period) {
+double step_across(Iterator first, Iterator last, const VelocityLimit& neighbour, double period) {
   const double longest = std::sqrt(neighbour.q) * period;
   double step = kUnlimited, distance = 0;
   for (; first != last && distance < longest; ++first) {
-    const double asked = step_asked(first->step_cap, neighbour, period);
+    const double asked = step_asked(first->step_limit, neighbour, period);
     if (asked > distance) step = std::min(step, asked);
     distance += first->length();
   }
@@ -74,13 +75,14 @@ PathPoint point_inside(const Interval& interval, double s) noexcept {
 void Chain::append(const Move& move, const Constraints& constraints, RestBefore rest) {
   if (nodes.empty()) nodes.emplace_back();
   const double whole = length(move.path);
-  // What lies further ahead of the joint is not asked by it.
-  double felt =
-      intervals.empty() ? 0 : std::sqrt(intervals.back().right_cap.q) * constraints.period();
+  // What lies further ahead of the joint is not limited by it.
+  double felt = intervals.empty()
+                    ? 0
+                    : std::sqrt(intervals.back().right_limit.q) * constraints.limits().period;
   make_grid(move, constraints, grid_, [&](double s) {
     const double begin = grid_.front().s0;
     if (s < whole && s - begin < felt) return;
-    make_room(static_cast<double>(grid_.size()) * (whole - begin) / (s - begin));
+    reserve_for(static_cast<double>(grid_.size()) * (whole - begin) / (s - begin));
     for (std::size_t i = 0; i < grid_.size(); ++i) {
       add(std::span<const Interval>(grid_).subspan(i), constraints, rest);
       rest.reset();
@@ -92,72 +94,72 @@ void Chain::append(const Move& move, const Constraints& constraints, RestBefore 
     split_at_cruise(constraints);
 }
 
-/// If the last move is a line from rest that is long enough. Behind the first node so made the
-/// machine can stand still before the second one, and behind that is what can be felt of what
-/// follows.
+/// Splits the last move if it is a line from rest that is long enough. After the first node so made
+/// the machine can still come to rest before the second one; what follows the line matters only
+/// after the second.
 void Chain::split_at_cruise(const Constraints& constraints) {
   std::size_t first = intervals.size() - 1;
   while (intervals[first].s0 > 0) --first;
   if (nodes[first].own.q > 0) return;
   const Interval& line = intervals[first];
   const double end = intervals.back().s1;
-  const double period_way = std::sqrt(line.left_cap.q) * constraints.period();
-  const double ramp = way_to_cruise(line_limits(line, line.left_cap, constraints));
-  const double felt_from = ipo::felt_from(line, end, constraints.period());
-  const double cruise_at = felt_from - ramp - period_way;
-  if (cruise_at <= ramp + kWorthwhile * period_way) return;
+  const double period_distance = std::sqrt(line.left_limit.q) * constraints.limits().period;
+  const double ramp = distance_to_cruise(line_limits(line, line.left_limit, constraints));
+  const double felt_from = ipo::felt_from(line, end, constraints.limits().period);
+  const double cruise_at = felt_from - ramp - period_distance;
+  if (cruise_at <= ramp + tuning::grid::kWorthwhile * period_distance) return;
   for (std::size_t i = first; i < intervals.size(); ++i) intervals[i].cruise_at = cruise_at;
   split_move_at(cruise_at);
   split_move_at(felt_from);
 }
 
-/// The last one.
+/// Splits the last move.
 void Chain::split_move_at(double s) {
   std::size_t i = intervals.size() - 1;
   while (intervals[i].s0 > s) --i;
   if (intervals[i].s0 < s) split(i, s);
 }
 
-/// At once, for so many intervals as come if all of the move is like its first stretch; a long
-/// curve has thousands.
-void Chain::make_room(double more) {
-  constexpr double kMost = 1e4;
-  const std::size_t needed = intervals.size() + static_cast<std::size_t>(std::min(kMost, more)) + 1;
+/// Reserves memory once for the number of intervals that come if the rest of the move resembles its
+/// first part; a long curve has thousands.
+void Chain::reserve_for(double more) {
+  const std::size_t needed =
+      intervals.size() + static_cast<std::size_t>(std::min(tuning::chain::kMostReserved, more)) + 1;
   if (needed <= intervals.capacity()) return;
-  const std::size_t room = std::max(needed, 2 * intervals.capacity());
-  intervals.reserve(room);
-  inside.reserve(room);
-  nodes.reserve(room + 1);
+  const std::size_t capacity = std::max(needed, 2 * intervals.capacity());
+  intervals.reserve(capacity);
+  inside.reserve(capacity);
+  nodes.reserve(capacity + 1);
 }
 
-/// Adds the first of `ahead`; behind it stand those that are known to follow.
+/// Adds the first of `ahead`; the others are those that are known to follow it.
 void Chain::add(std::span<const Interval> ahead, const Constraints& constraints, RestBefore rest) {
   const Interval& interval = ahead.front();
-  const double period = constraints.period();
+  const double period = constraints.limits().period;
   double step = kUnlimited;
   if (!intervals.empty()) {
     Interval& before = intervals.back();
     const AxisVector jump = interval.left.dq - before.right.dq;
     const double turn = jump.norm();
-    step = bend(before, interval, constraints);
-    double back = std::min(step, step_asked(interval.step_cap, before.right_cap, period));
-    step = std::min(step, step_asked(before.step_cap, interval.left_cap, period));
-    if (turn > kSameTangent) {
+    step = note_curvature_jump(before, interval, constraints);
+    double back = std::min(step, step_asked(interval.step_limit, before.right_limit, period));
+    step = std::min(step, step_asked(before.step_limit, interval.left_limit, period));
+    if (turn > tuning::chain::kSameTangent) {
       Node& joint = nodes.back();
       joint.turn = turn;
-      joint.kink = jump.cwiseAbs();
-      if (turn > kTangentTolerance) rest = rest.value_or(Limit::corner);
-      const double kink_step =
-          std::min({4 * kTurnShare * constraints.chord_tolerance() / turn,
-                    std::sqrt(std::max(before.right_cap.q, interval.left_cap.q)) * period,
-                    step_over(joint.kink, constraints)});
-      back = std::min(back, kink_step);
-      step = std::min(step, kink_step);
+      joint.tangent_jump = jump.cwiseAbs();
+      if (turn > tuning::chain::kTangentTolerance) rest = rest.value_or(Limit::corner);
+      const double tangent_jump_step =
+          std::min({4 * tuning::joints::kTurnShare * constraints.limits().chord_tolerance / turn,
+                    std::sqrt(std::max(before.right_limit.q, interval.left_limit.q)) * period,
+                    step_over(joint.tangent_jump, constraints)});
+      back = std::min(back, tangent_jump_step);
+      step = std::min(step, tangent_jump_step);
     }
     if (before.ends_move) {
-      back = std::min(back, step_across(ahead.begin(), ahead.end(), before.right_cap, period));
-      step = std::min(step,
-                      step_across(intervals.rbegin(), intervals.rend(), interval.left_cap, period));
+      back = std::min(back, step_across(ahead.begin(), ahead.end(), before.right_limit, period));
+      step = std::min(
+          step, step_across(intervals.rbegin(), intervals.rend(), interval.left_limit, period));
     }
     while (intervals.back().length() > back) split(intervals.size() - 1, middle(intervals.back()));
   }
@@ -174,26 +176,26 @@ void Chain::add(std::span<const Interval> ahead, const Constraints& constraints,
   for (; !later.empty(); later.pop_back()) push(later.back());
 }
 
-/// Notes how x'' jumps at the last node, and returns how far that is felt.
-double Chain::bend(const Interval& before, const Interval& interval,
-                   const Constraints& constraints) {
+/// Notes how x'' jumps at the last node, and returns how far, mm, that matters.
+double Chain::note_curvature_jump(const Interval& before, const Interval& interval,
+                                  const Constraints& constraints) {
   if (!constraints.limits_jerk()) return kUnlimited;
   const AxisVector jump = interval.left.ddq - before.right.ddq;
   if (jump.cwiseAbs().maxCoeff() <=
-      kSameBend * (interval.left.ddq.norm() + before.right.ddq.norm()))
+      tuning::chain::kSameCurvature * (interval.left.ddq.norm() + before.right.ddq.norm()))
     return kUnlimited;
-  nodes.back().bend = jump;
-  const double period = constraints.fine_period();
-  const double fastest = std::max(before.right_cap.q, interval.left_cap.q);
+  nodes.back().curvature_jump = jump;
+  const double period = constraints.limits().fine_period;
+  const double fastest = std::max(before.right_limit.q, interval.left_limit.q);
   const double passed =
-      period / jump.cwiseAbs().cwiseQuotient(constraints.jerk_limits()).maxCoeff();
-  return 0.5 * kJerkSteps * period * std::sqrt(std::min(fastest, passed));
+      period / jump.cwiseAbs().cwiseQuotient(constraints.limits().jerk).maxCoeff();
+  return 0.5 * tuning::joints::kJerkSteps * period * std::sqrt(std::min(fastest, passed));
 }
 
 void Chain::push(const Interval& interval) {
-  nodes.back().own.lower_to(interval.left_cap);
+  nodes.back().own.lower_to(interval.left_limit);
   Node end;
-  end.own = interval.right_cap;
+  end.own = interval.right_limit;
   end.s = nodes.back().s + interval.length();
   intervals.push_back(interval);
   nodes.push_back(end);
@@ -203,30 +205,32 @@ void Chain::split(std::size_t i, double s) {
   const auto n = static_cast<std::ptrdiff_t>(i);
   const Halves halves = cut(intervals[i], s);
   Node between;
-  between.own = halves.left.right_cap;
+  between.own = halves.left.right_limit;
   between.s = nodes[i].s + halves.left.length();
   intervals[i] = halves.left;
   intervals.insert(intervals.begin() + n + 1, halves.right);
   nodes.insert(nodes.begin() + n + 1, between);
 }
 
-Cap Chain::left_cap(std::size_t interval) const noexcept {
-  Cap cap = intervals[interval].left_cap;
-  if (nodes[interval].s >= slower_from) cap.lower_to(intervals[interval].slower_cap);
-  return cap;
+VelocityLimit Chain::left_limit(std::size_t interval) const noexcept {
+  VelocityLimit bound = intervals[interval].left_limit;
+  if (nodes[interval].s >= slower_from) bound.lower_to(intervals[interval].slower_limit);
+  return bound;
 }
 
-Cap Chain::own_cap(std::size_t node) const noexcept {
-  Cap cap = nodes[node].own;
+VelocityLimit Chain::own_limit(std::size_t node) const noexcept {
+  VelocityLimit bound = nodes[node].own;
   if (node < intervals.size() && nodes[node].s >= slower_from)
-    cap.lower_to(intervals[node].slower_cap);
-  if (node > 0 && nodes[node - 1].s >= slower_from) cap.lower_to(intervals[node - 1].slower_cap);
-  return cap;
+    bound.lower_to(intervals[node].slower_limit);
+  if (node > 0 && nodes[node - 1].s >= slower_from)
+    bound.lower_to(intervals[node - 1].slower_limit);
+  return bound;
 }
 
 std::size_t Chain::felt_from(std::size_t node, double period) const noexcept {
   double time = 0;
-  while (node > 0 && time < kFeltPeriods * period) time += intervals[--node].shortest_time();
+  while (node > 0 && time < tuning::grid::kFeltPeriods * period)
+    time += intervals[--node].shortest_time();
   return node;
 }
 

@@ -1,50 +1,45 @@
 // SPDX-License-Identifier: MIT
-// Moves laid end to end: intervals, and between them nodes with what is allowed there.
+// Moves end to end: intervals, and between them nodes with what is allowed there.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "ipo/path/corner_load.hpp"
+#include "ipo/path/corner_naming.hpp"
 #include "ipo/path/grid.hpp"
-#include "ipo/path/rest_ramps.hpp"
+#include "ipo/path/tangent_jump_load.hpp"
 
 namespace softcnc::ipo {
 
-/// The tangent turns where its direction jumps by more than this (rad), and the machine rests
-/// there; below it the path is tangent but for the rounding of the program, and the machine passes
-/// with a bounded jump of velocity.
-inline constexpr double kTangentTolerance = 0.01;
-
-/// Derivatives inside an interval, on which they are as good as linear; s in mm of its move.
+/// Returns the derivatives inside an interval, interpolated linearly; `s` is in mm of its move.
 PathPoint point_inside(const Interval& interval, double s) noexcept;
 
-/// A place between two intervals.
+/// A node between two intervals, and what is allowed there.
 struct Node {
-  Cap own;                               // of its two intervals and of the joint itself
-  double turn = 0;                       // rad; 0 where the path is tangent
-  AxisVector kink = AxisVector::Zero();  // |jump of x'| by axis
-  AxisVector bend = AxisVector::Zero();  // jump of x'' by axis
-  double s = 0;                          // mm from the first node ever
-  Cap cap;                               // own, and what neighbours ask for: derive_caps()
-  double k = 0;                          // the largest q from which all ahead can be kept
-  bool brakes_to_corner = false;         // who runs along K brakes from here to a forced rest
+  VelocityLimit own;                               // of its two intervals and of the joint
+  double turn = 0;                                 // rad; 0 where the path is tangent
+  AxisVector tangent_jump = AxisVector::Zero();    // |jump of x'| by axis
+  AxisVector curvature_jump = AxisVector::Zero();  // jump of x'' by axis
+  double s = 0;                                    // mm from the first node ever
+  VelocityLimit velocity_limit;   // own, and what neighbours require: derive_velocity_limits()
+  double controllable_q = 0;      // upper end of the controllable set [0, q]
+  bool brakes_to_corner = false;  // at controllable_q the machine brakes to a forced rest
 
   bool turns() const noexcept { return turn > 0; }
-  bool passes_kink() const noexcept { return turns() && own.q > 0; }
-  /// Whether a corner, or a stop at the end of every block, forces a rest.
+  bool passes_tangent_jump() const noexcept { return turns() && own.q > 0; }
+  /// Whether a corner, or an exact stop at the end of the block, forces a rest here.
   bool forces_rest() const noexcept { return own.q == 0 && own.limit == Limit::corner; }
-  bool passes_bend() const noexcept { return !bend.isZero(0) && own.q > 0; }
+  bool passes_curvature_jump() const noexcept { return !curvature_jump.isZero(0) && own.q > 0; }
 };
 
-/// What an interval is allowed between its nodes: derive_caps().
+/// What an interval is allowed between its nodes; derive_velocity_limits() finds it.
 struct Inside {
-  Cap cap;           // of a straight interval
-  double share = 1;  // of the axis accelerations that the curve itself may use
-  AxisVector jerk_share = AxisVector::Ones();  // what kinks leave of the axis jerks
-  bool feels_jump = false;                     // of a third difference, by some joint
-  KinkUse kinks = {};                          // of a straight interval without limits of jerk
+  VelocityLimit velocity_limit;  // of a straight interval
+  double share = 1;              // of the axis accelerations that the curve itself may use
+  AxisVector jerk_share = AxisVector::Ones();  // what tangent jumps leave of the axis jerks
+  bool feels_jump = false;                     // in a third difference, of some joint
+  TangentJumpUse tangent_jumps = {};           // of a straight interval without jerk limits
 };
 
 /// Interval i lies between nodes i and i + 1.
@@ -52,28 +47,30 @@ struct Chain {
   std::vector<Interval> intervals;
   std::vector<Inside> inside;
   std::vector<Node> nodes;
-  double slower_from = kUnlimited;  // mm: where the slower caps of intervals begin to count
+  double slower_from = kUnlimited;  // mm: where the slower limits of intervals take effect
 
-  /// Of two intervals and their joint, or slower where that counts.
-  Cap own_cap(std::size_t node) const noexcept;
-  Cap left_cap(std::size_t interval) const noexcept;
+  /// The velocity limit of two intervals and their joint, or the slower one where that takes
+  /// effect.
+  VelocityLimit own_limit(std::size_t node) const noexcept;
+  VelocityLimit left_limit(std::size_t interval) const noexcept;
 
-  /// Appends a move; `rest`: why the machine rests where it begins, if it does. Intervals are split
-  /// towards a joint until what is asked for across it need not slow long stretches.
+  /// Appends a move. `rest` says why the machine rests where it begins, if it does. Intervals are
+  /// split towards a joint until the velocity limit that it imposes across the joint does not slow
+  /// down long stretches.
   void append(const Move& move, const Constraints& constraints, RestBefore rest);
 
-  /// Splits interval i at `s` mm of its move. Caps are to be derived anew.
+  /// Splits interval i at `s` mm of its move. The velocity limits must be derived again afterwards.
   void split(std::size_t i, double s);
 
-  /// Forgets the first `count` intervals.
+  /// Drops the first `count` intervals.
   void drop_front(std::size_t count);
 
-  /// The last node at or before `node` behind which nothing that lies at it or ahead is felt.
+  /// Returns the last node at or before `node` after which nothing that lies at it or ahead of it
+  /// has any influence.
   std::size_t felt_from(std::size_t node, double period) const noexcept;
 
-  /// Calls visit(i) for the intervals left and right of a node that one step, however fast, can
-  /// touch together with it, nearest first on each side; on a side no further once visit returns
-  /// false.
+  /// Calls visit(i) for the intervals on either side of a node that a single step, however fast,
+  /// can touch together with it, nearest first. On each side it ends when visit returns false.
   template <typename Visit>
   void for_intervals_in_step(std::size_t node, double period, Visit&& visit) const {
     double time = 0;
@@ -84,41 +81,30 @@ struct Chain {
       time += intervals[i].shortest_time();
   }
 
-  /// Those of the intervals [first, last).
+  /// The directions of the intervals [first, last).
   Directions directions(std::size_t first, std::size_t last) const noexcept;
-  /// Those that a machine can take within `time` s of passing a node, before it or behind it.
+  /// The directions that the machine can take within `time` s before or after passing a node.
   Directions directions_around(std::size_t node, double time) const noexcept;
 
  private:
-  void make_room(double more);
+  void reserve_for(double more);
   void add(std::span<const Interval> ahead, const Constraints& constraints, RestBefore rest);
-  double bend(const Interval& before, const Interval& interval, const Constraints& constraints);
+  double note_curvature_jump(const Interval& before, const Interval& interval,
+                             const Constraints& constraints);
   void push(const Interval& interval);
   void split_at_cruise(const Constraints& constraints);
   void split_move_at(double s);
 
-  std::vector<Interval> grid_;  // of a part of the move that is appended; kept for its room
+  std::vector<Interval> grid_;  // of a part of the move being appended; kept for its capacity
 };
 
-/// Finds Node::cap and Inside: spreads what each interval asks of the steps that touch it, and what
-/// joints ask of the speed, the acceleration and the jerk around them.
-/// Left of node `first` they stand already.
-void derive_caps(Chain& chain, const Constraints& constraints, std::size_t first = 0);
+/// Finds Node::velocity_limit and Inside: spreads what each interval requires of the steps that
+/// touch it, and what joints require of the speed, the acceleration and the jerk around them. Nodes
+/// left of `first` already have their limits.
+void derive_velocity_limits(Chain& chain, const Constraints& constraints, std::size_t first = 0);
 
-/// Largest part of an axis acceleration that jumps of velocity may use within one period.
-inline constexpr double kKinkShare = 0.25;
-/// The same between straight lines alone, where what they leave is known at every speed.
-inline constexpr double kStraightKinkShare = 0.9;
-/// So many steps are felt in a third difference.
-inline constexpr double kJerkSteps = 3;
-/// Largest part of an axis jerk that jumps of velocity may use within three steps.
-inline constexpr double kKinkJerkShare = 0.7;
-
-/// Part of the chord tolerance that curves leave to corners and kinks within the same step.
-inline constexpr double kTurnShare = 0.5;
-
-/// Whether one step can touch the node together with a curve or with another stop where the path
-/// turns.
+/// Whether a single step can touch the node together with a curve or with another corner at which
+/// the machine stops.
 bool shares_its_step(const Chain& chain, std::size_t node, double period) noexcept;
 
 }  // namespace softcnc::ipo

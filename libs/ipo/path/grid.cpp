@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/path/grid.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,25 +9,8 @@
 namespace softcnc::ipo {
 namespace {
 
-constexpr int kMaxDepth = 40;
-constexpr int kMostParts = 16;         // at a time, of what is longer than
-constexpr double kSplitEvenly = 1e-4;  // mm
-constexpr double kStepParts = 8;
-constexpr double kSagParts = 3;   // times the tolerance, of what a longer x' adds to velocities
-constexpr double kHalfParts = 4;  // a curve is so many times nearer to its chord over half the way
-constexpr double kSwing = 2;      // times the tolerance: what a bend may do between looks
-constexpr double kBrakingParts = 2;  // times the tolerance, of what is asked for while braking:
-                                     // with kAccelerationShare it stays within the promise
-constexpr double kEvenSteps = 0.01;  // of their q
-constexpr double kShortest = 1e-7;   // mm; shorter than any machine resolves
-constexpr double kLeastShortest = 1e-10;  // mm: the rounding of places and lengths is far below it
-constexpr double kUnfelt = 0.01;          // of the jerk: what a row may feel of a way left out
-constexpr int kLooks = 16;                // at a cap that holds everywhere, between two nodes
-constexpr double kUnseen = 1.2;           // of how far it sags, and
-constexpr double kUnseenPart = 2e-4;      // of q: a cap may have kinks between the looks
-
-/// How often a move is halved at least: a stretch between two stops has a node where it runs, and
-/// no interval of an arc goes round so far that its ends and its middle look like a straight line.
+/// Returns how often a move is halved at least: a part between two stops has a node where it moves,
+/// and no interval of an arc turns so far that its ends and its middle look like a straight line.
 int least_depth(const Path& path) {
   int depth = 1;
   if (const auto* arc = std::get_if<Arc>(&path))
@@ -34,91 +18,95 @@ int least_depth(const Path& path) {
   return depth;
 }
 
-/// A point of a move, and what is asked of it.
+/// A point of a move, and its velocity limits.
 struct Look {
   PathPoint point;
-  Cap asked;    // of the point
-  Cap cap;      // of the point, and no higher than what the axes can turn there
-  Cap of_step;  // of every step that touches it
+  VelocityLimit asked;    // of the point
+  VelocityLimit limit;    // of the point, and at most what the axes can turn there
+  VelocityLimit of_step;  // of every step that touches it
 };
 
-/// The lowest cap for every step that touches the point.
-Cap step_cap(const PathPoint& point, const Move& move, const Constraints& constraints) {
-  Cap cap;
-  for (const Constraint* constraint : constraints.step_caps())
-    cap.lower_to({constraint->cap(point, move), constraint->limit(move)});
-  return cap;
+/// The lowest velocity limit for every step that touches the point.
+VelocityLimit step_limit(const PathPoint& point, const Move& move, const Constraints& constraints) {
+  VelocityLimit bound;
+  for (const Constraint* constraint : constraints.step_limits())
+    bound.lower_to({constraint->velocity_limit(point, move), constraint->limit(move)});
+  return bound;
 }
 
 Look look_at(const PathPoint& point, const Move& move, const Constraints& constraints) {
-  Look look{point, {}, {}, step_cap(point, move, constraints)};
-  for (const Constraint* constraint : constraints.point_caps())
-    if (const double q = constraint->cap(point, move); q < look.asked.q)
+  Look look{point, {}, {}, step_limit(point, move, constraints)};
+  for (const Constraint* constraint : constraints.point_limits())
+    if (const double q = constraint->velocity_limit(point, move); q < look.asked.q)
       look.asked = {q, constraint->limit(move)};
-  look.cap = look.asked;
-  look.cap.lower_to({constraints.centripetal_q(point), Limit::acceleration});
+  look.limit = look.asked;
+  look.limit.lower_to({constraints.largest_q(point), Limit::acceleration});
   return look;
 }
 
 Interval make_interval(double s0, double s1, const Look& left, const Look& right,
                        const Move& move) {
-  Interval interval{&move.path, s0,        s1,           left.point, right.point,
-                    left.cap,   right.cap, left.of_step, {},         false};
-  interval.step_cap.lower_to(right.of_step);
+  Interval interval{&move.path, s0,          s1,           left.point, right.point,
+                    left.limit, right.limit, left.of_step, {},         false};
+  interval.step_limit.lower_to(right.of_step);
   return interval;
 }
 
-/// That of three looks at even distances; where it hardly changes, the lowest of the parabola
-/// through them.
-Cap lowest_step_cap(const Look& left, const Look& mid, const Look& right) {
-  Cap lowest = mid.of_step;
+/// The lowest step limit of three looks at even distances; where it hardly changes, the minimum of
+/// the parabola through them.
+VelocityLimit lowest_step_limit(const Look& left, const Look& mid, const Look& right) {
+  VelocityLimit lowest = mid.of_step;
   lowest.lower_to(left.of_step);
   lowest.lower_to(right.of_step);
   const double highest = std::max({left.of_step.q, mid.of_step.q, right.of_step.q});
-  if (highest > lowest.q * (1 + kEvenSteps)) return lowest;
+  if (highest > lowest.q * (1 + tuning::grid::kEvenSteps)) return lowest;
   const double rise = right.of_step.q - left.of_step.q;
-  const double bend = left.of_step.q - 2 * mid.of_step.q + right.of_step.q;
-  if (std::abs(rise) < 2 * bend) lowest.q = mid.of_step.q - rise * rise / (8 * bend);
+  const double second = left.of_step.q - 2 * mid.of_step.q + right.of_step.q;
+  if (std::abs(rise) < 2 * second) lowest.q = mid.of_step.q - rise * rise / (8 * second);
   return lowest;
 }
 
-/// The lowest cap that holds everywhere.
-Cap firm_cap(const PathPoint& point, const Move& move, const Constraints& constraints) {
-  Cap cap;
-  for (const Constraint* constraint : constraints.firm_caps())
-    cap.lower_to({constraint->cap(point, move), constraint->limit(move)});
-  return cap;
+/// The lowest strict velocity limit.
+VelocityLimit strict_limit(const PathPoint& point, const Move& move,
+                           const Constraints& constraints) {
+  VelocityLimit bound;
+  for (const Constraint* constraint : constraints.strict_limits())
+    bound.lower_to({constraint->velocity_limit(point, move), constraint->limit(move)});
+  return bound;
 }
 
-/// Lowers the ends of an interval until the line between them lies nowhere above such a cap.
+/// Lowers the ends of an interval until the line between them lies nowhere above a strict velocity
+/// limit.
 void keep_everywhere(Interval& interval, const Move& move, const Constraints& constraints) {
-  const Cap left = firm_cap(interval.left, move, constraints);
+  const VelocityLimit left = strict_limit(interval.left, move, constraints);
   if (left.q == kUnlimited) return;
-  const Cap right = firm_cap(interval.right, move, constraints);
-  interval.left_most = left.q;
-  interval.right_most = right.q;
+  const VelocityLimit right = strict_limit(interval.right, move, constraints);
+  interval.left_strict_q = left.q;
+  interval.right_strict_q = right.q;
   double sag = 0;
-  for (int i = 1; i < kLooks && !interval.straight(); ++i) {
-    const double s = interval.s0 + interval.length() * i / kLooks;
-    const Cap cap = firm_cap(at(move.path, s), move, constraints);
-    sag = std::max(sag, interval.most_at(s) - cap.q);
+  for (int i = 1; i < tuning::grid::kLooks && !interval.straight(); ++i) {
+    const double s = interval.s0 + interval.length() * i / tuning::grid::kLooks;
+    const VelocityLimit bound = strict_limit(at(move.path, s), move, constraints);
+    sag = std::max(sag, interval.strict_q_at(s) - bound.q);
   }
-  if (!interval.straight()) sag = kUnseen * sag + kUnseenPart * std::min(left.q, right.q);
-  interval.left_most = std::max(left.q - sag, 0.5 * left.q);
-  interval.right_most = std::max(right.q - sag, 0.5 * right.q);
-  interval.left_cap.lower_to({interval.left_most, left.limit});
-  interval.right_cap.lower_to({interval.right_most, right.limit});
+  if (!interval.straight())
+    sag = tuning::grid::kUnseen * sag + tuning::grid::kUnseenPart * std::min(left.q, right.q);
+  interval.left_strict_q = std::max(left.q - sag, 0.5 * left.q);
+  interval.right_strict_q = std::max(right.q - sag, 0.5 * right.q);
+  interval.left_limit.lower_to({interval.left_strict_q, left.limit});
+  interval.right_limit.lower_to({interval.right_strict_q, right.limit});
 }
 
-/// Whether a roughness may bind, which changes steeply along the way.
+/// Whether a roughness limit may bind, which changes steeply along the path.
 bool is_rough(const Move& move) { return move.surface && move.surface->tooth_rate() > 0; }
 
-/// mm: a third difference over rows feels what is shorter as next to no jerk.
+/// Returns a length, mm, below which a third difference over samples sees almost no jerk.
 double unfelt(const Constraints& constraints, const Directions& directions) {
-  return kUnfelt * directions.least(constraints.jerk_limits()) * std::pow(constraints.period(), 3);
+  return tuning::grid::kUnfelt * directions.least(constraints.limits().jerk) *
+         std::pow(constraints.limits().period, 3);
 }
 
-/// Splits intervals until the constraints are as good as linear on each.
+/// Splits intervals until the constraints are nearly linear on each.
 class Refiner {
  public:
   Refiner(const Move& move, const Constraints& constraints, std::vector<Interval>& out)
@@ -129,25 +117,26 @@ class Refiner {
         evenly_(!is_rough(move) && !constraints.limits_jerk()) {
     Directions directions;
     directions.add(move.path);
-    acceleration_ = directions.most(constraints.acceleration_limits());
+    acceleration_ = directions.most(constraints.limits().acceleration);
     gain_ = 2 * constraints.most_u(directions);
-    shortest_ = std::min(kShortest, std::max(kLeastShortest, unfelt(constraints, directions)));
+    shortest_ = std::min(tuning::grid::kShortest,
+                         std::max(tuning::grid::kLeastShortest, unfelt(constraints, directions)));
     highest_q_ = look(0, Side::after).asked.q;
   }
 
-  /// A stretch between two breaks of the path.
+  /// Refines the part between two breaks of the path.
   void refine(double s0, double s1) {
     start_ = s0;
     end_ = s1;
     const Look left = look(s0, Side::after), right = look(s1, Side::before);
-    split({s0, s1, left, right, left.cap.q, right.cap.q}, 0);
+    split({s0, s1, left, right, left.limit.q, right.limit.q}, 0);
   }
 
  private:
-  struct Stretch {
+  struct Subinterval {
     double s0, s1;
     const Look &left, &right;
-    double q0, q1;  // the most that can be reached at its ends, by the caps looked at so far
+    double q0, q1;  // the highest that can be reached at its ends, by the limits looked at so far
     double length() const noexcept { return s1 - s0; }
     double mean_q() const noexcept { return 0.5 * (q0 + q1); }
   };
@@ -156,46 +145,50 @@ class Refiner {
     return look_at(at(move_.path, s, side), move_, constraints_);
   }
 
-  void split(Stretch whole, int depth) {
+  void split(Subinterval whole, int depth) {
     const double middle = 0.5 * (whole.s0 + whole.s1);
     const Look mid = look(middle, Side::after);
     const double gain = most_gain(0.5 * whole.length());
-    whole.q0 = std::min(whole.q0, q_behind_);
+    whole.q0 = std::min(whole.q0, q_after_);
     const double reached = std::min(whole.q0, whole.q1) + gain;
-    const double q = std::min({mid.cap.q, whole.q0 + gain, whole.q1 + gain});
+    const double q = std::min({mid.limit.q, whole.q0 + gain, whole.q1 + gain});
     whole.q0 = std::min(whole.q0, q + gain);
     whole.q1 = std::min(whole.q1, q + gain);
-    const Stretch first{whole.s0, middle, whole.left, mid, whole.q0, q};
-    const Stretch second{middle, whole.s1, mid, whole.right, q, whole.q1};
+    const Subinterval first{whole.s0, middle, whole.left, mid, whole.q0, q};
+    const Subinterval second{middle, whole.s1, mid, whole.right, q, whole.q1};
     const double off = off_middle(whole, mid);
-    const bool linear = off <= kHalfParts * kGridTolerance && caps_are_linear(whole, mid, reached);
+    const bool linear = off <= tuning::grid::kHalfParts * tuning::grid::kTolerance &&
+                        limits_are_linear(whole, mid, reached);
     const bool fine = depth >= least_depth_ && follows_ramps(whole) && follows_steps(whole, mid) &&
-                      linear && off <= kGridTolerance && caps_hold_outside(whole, mid, 1);
-    const bool shortest =
-        depth >= kMaxDepth || (depth >= least_depth_ && whole.length() < 2 * shortest_);
-    const Cap of_steps = lowest_step_cap(whole.left, mid, whole.right);
-    if (fine && bends_evenly(whole, kGridTolerance)) return keep(whole, of_steps, true);
-    if (linear && caps_hold_outside(whole, mid, 1 / kHalfParts) &&
+                      linear && off <= tuning::grid::kTolerance &&
+                      limits_hold_outside(whole, mid, 1);
+    const bool shortest = depth >= tuning::grid::kMaxDepth ||
+                          (depth >= least_depth_ && whole.length() < 2 * shortest_);
+    const VelocityLimit of_steps = lowest_step_limit(whole.left, mid, whole.right);
+    if (fine && curves_evenly(whole, tuning::grid::kTolerance)) return keep(whole, of_steps, true);
+    if (linear && limits_hold_outside(whole, mid, 1 / tuning::grid::kHalfParts) &&
         halves_do(first, second, whole, depth)) {
       keep(first, {}, true);
       keep(second, {}, true);
       return;
     }
     if (fine || shortest) return keep(whole, of_steps, fine);
-    if (const int parts = parts_by(off); parts > 2 && whole.length() > kSplitEvenly && evenly_)
+    if (const int parts = parts_by(off);
+        parts > 2 && whole.length() > tuning::grid::kSplitEvenly && evenly_)
       return split_evenly(whole, parts, depth);
     split(first, depth + 1);
     split(second, depth + 1);
   }
 
-  /// As many as leave each part so near that its halves do: what a middle is off goes by the square
-  /// of the length.
+  /// As many as leave each part so near that its halves suffice: the deviation of a middle goes
+  /// with the square of the length.
   static int parts_by(double off) {
-    return static_cast<int>(
-        std::ceil(std::min(double(kMostParts), std::sqrt(off / (kHalfParts * kGridTolerance)))));
+    return static_cast<int>(std::ceil(
+        std::min(double(tuning::grid::kMostParts),
+                 std::sqrt(off / (tuning::grid::kHalfParts * tuning::grid::kTolerance)))));
   }
 
-  void split_evenly(const Stretch& whole, int parts, int depth) {
+  void split_evenly(const Subinterval& whole, int parts, int depth) {
     const int halvings = parts < 4 ? 1 : 2;
     Look left = whole.left;
     double s0 = whole.s0, q0 = whole.q0;
@@ -203,7 +196,7 @@ class Refiner {
       const bool last = part == parts;
       const double s1 = last ? whole.s1 : whole.s0 + whole.length() * part / parts;
       const Look right = last ? whole.right : look(s1, Side::after);
-      const double q1 = std::min(right.cap.q, whole.q1 + most_gain(whole.s1 - s1));
+      const double q1 = std::min(right.limit.q, whole.q1 + most_gain(whole.s1 - s1));
       split({s0, s1, left, right, q0, q1}, depth + halvings);
       s0 = s1;
       q0 = q1;
@@ -211,94 +204,102 @@ class Refiner {
     }
   }
 
-  /// What q may gain over a way, mm: no acceleration is larger than what all axes have together.
-  double most_gain(double way) const noexcept { return is_rough(move_) ? kUnlimited : gain_ * way; }
+  /// Returns what q may gain over a distance, mm: no acceleration is larger than what all axes have
+  /// together.
+  double most_gain(double distance) const noexcept {
+    return is_rough(move_) ? kUnlimited : gain_ * distance;
+  }
 
-  /// Whether two halves are known well enough by what was looked at of the whole.
-  bool halves_do(const Stretch& first, const Stretch& second, const Stretch& whole,
+  /// Whether two halves are known well enough from the looks at the whole.
+  bool halves_do(const Subinterval& first, const Subinterval& second, const Subinterval& whole,
                  int depth) const {
     return depth + 1 >= least_depth_ && !is_rough(move_) && follows_ramps(first) &&
-           follows_ramps(second) && bends_evenly(whole, kHalfParts * kGridTolerance) &&
+           follows_ramps(second) &&
+           curves_evenly(whole, tuning::grid::kHalfParts * tuning::grid::kTolerance) &&
            steps_are_free(whole, first.right);
   }
 
-  /// Whether steps bind nowhere between three looks, where bends may be sharper by what
-  /// off_middle() and bends_evenly() let pass.
-  bool steps_are_free(const Stretch& whole, const Look& mid) const {
+  /// Whether no step limit binds between three looks, where curvature may be sharper by what
+  /// off_middle() and curves_evenly() let pass.
+  bool steps_are_free(const Subinterval& whole, const Look& mid) const {
     const Look &left = whole.left, &right = whole.right;
-    const double top = std::max({left.cap.q, mid.cap.q, right.cap.q});
+    const double top = std::max({left.limit.q, mid.limit.q, right.limit.q});
     const double sharpest =
         std::max({left.point.ddq.norm(), mid.point.ddq.norm(), right.point.ddq.norm()});
     PathPoint sharper = mid.point;
     sharper.ddq.setZero();
-    sharper.ddq[0] = sharpest + (1 + kSwing * kHalfParts) * kGridTolerance * acceleration_ / top;
-    return step_cap(sharper, move_, constraints_).q >= top;
+    sharper.ddq[0] = sharpest + (1 + tuning::grid::kSwing * tuning::grid::kHalfParts) *
+                                    tuning::grid::kTolerance * acceleration_ / top;
+    return step_limit(sharper, move_, constraints_).q >= top;
   }
 
-  /// Whether the bend goes from end to end as its slopes there say, so that there is no swing in it
-  /// which the middle does not show.
-  bool bends_evenly(const Stretch& whole, double tolerance) const {
-    constexpr double kHermite = 4.0 / 27;  // the most that a slope at an end adds inside
+  /// Whether the curvature goes from end to end as its slopes there indicate, so that it does not
+  /// swing in a way that the middle does not show.
+  bool curves_evenly(const Subinterval& whole, double tolerance) const {
     const PathPoint &left = whole.left.point, &right = whole.right.point;
     const double h = whole.length(), q = whole.mean_q();
     const AxisVector rise = right.ddq - left.ddq;
     const AxisVector off = (h * left.dddq - rise).cwiseAbs() + (h * right.dddq - rise).cwiseAbs();
-    const AxisVector& a = constraints_.bend_limits();
+    const AxisVector& a = constraints_.centripetal_limits();
     for (int i = 0; i < kAxes; ++i)
-      if (!(kHermite * off[i] * q <= kSwing * tolerance * a[i])) return false;
+      if (!(tuning::grid::kHermite * off[i] * q <= tuning::grid::kSwing * tolerance * a[i]))
+        return false;
     return true;
   }
 
-  void keep(const Stretch& whole, const Cap& of_steps, bool fine) {
+  void keep(const Subinterval& whole, const VelocityLimit& of_steps, bool fine) {
     out_.push_back(make_interval(whole.s0, whole.s1, whole.left, whole.right, move_));
-    out_.back().step_cap.lower_to(of_steps);  // bends may be sharpest inside
+    out_.back().step_limit.lower_to(of_steps);  // curvature may be largest inside
     if (!fine) straighten(out_.back());
     keep_everywhere(out_.back(), move_, constraints_);
-    q_behind_ = std::min(whole.right.cap.q, whole.q0 + most_gain(whole.length()));
+    q_after_ = std::min(whole.right.limit.q, whole.q0 + most_gain(whole.length()));
   }
 
-  /// A bend too sharp for any machine to resolve: as a straight stretch it leaves its turn to the
-  /// joint behind it.
+  /// A curve too sharp for any machine to resolve: as a straight interval it leaves its turn to the
+  /// joint after it.
   static void straighten(Interval& interval) {
     interval.right.dq = interval.left.dq;
     interval.left.ddq.setZero();
     interval.right.ddq.setZero();
-    interval.right_cap = interval.left_cap;
-    interval.step_cap = {};
+    interval.right_limit = interval.left_limit;
+    interval.step_limit = {};
   }
 
-  /// Ramps begin and end at the ends of a stretch, or where a cap changes. One from rest to the
-  /// highest speed spans four intervals or more, unless it takes but a few periods.
-  bool follows_ramps(const Stretch& whole) const {
+  /// Ramps begin and end at the ends of a part, or where a velocity limit changes. A ramp from rest
+  /// to the highest speed spans four intervals or more, unless it takes only a few periods.
+  bool follows_ramps(const Subinterval& whole) const {
     const double to_end = std::min(whole.s0 - start_, end_ - whole.s1);
-    if (whole.length() <= std::max(to_end, 0.25 * std::sqrt(highest_q_) * constraints_.period()))
+    if (whole.length() <=
+        std::max(to_end, 0.25 * std::sqrt(highest_q_) * constraints_.limits().period))
       return true;
     Directions directions;
     directions.add(whole.left.point, whole.right.point, whole.length());
-    const double ramp = highest_q_ / (2 * directions.least(constraints_.acceleration_limits()));
+    const double ramp = highest_q_ / (2 * directions.least(constraints_.limits().acceleration));
     return whole.length() <= 0.25 * ramp;
   }
 
-  /// Where steps are what binds, either they hardly change or an interval is a part of them.
-  bool follows_steps(const Stretch& whole, const Look& mid) const {
+  /// Where step limits bind, either they hardly change or an interval is a part of them.
+  bool follows_steps(const Subinterval& whole, const Look& mid) const {
     const auto [lower, upper] =
         std::minmax({whole.left.of_step.q, mid.of_step.q, whole.right.of_step.q});
-    if (lower >= whole.left.cap.q) return true;
-    const double step = std::sqrt(lower) * constraints_.period();
-    return upper <= lower * (1 + kEvenSteps) || whole.length() <= step / kStepParts;
+    if (lower >= whole.left.limit.q) return true;
+    const double step = std::sqrt(lower) * constraints_.limits().period;
+    return upper <= lower * (1 + tuning::grid::kEvenSteps) ||
+           whole.length() <= step / tuning::grid::kStepParts;
   }
 
-  /// The caps are hardly below the mean of the ends in the middle, as far as that can be reached,
-  /// nor below the lines to it.
-  bool caps_are_linear(const Stretch& whole, const Look& middle, double reached) const {
-    const double mean = std::min(0.5 * (whole.left.cap.q + whole.right.cap.q), reached);
-    if (mean > middle.asked.q * (1 + kGridTolerance)) return false;
-    const Passing left{whole.left.point, whole.left.cap.q};
-    const Passing mid{middle.point, std::max(middle.cap.q, mean)};
-    const Passing right{whole.right.point, whole.right.cap.q};
-    for (const auto& constraint : constraints_.caps())
+  /// The velocity limits in the middle are hardly below the mean of the ends, as far as that can be
+  /// reached, nor below the lines to it.
+  bool limits_are_linear(const Subinterval& whole, const Look& middle, double reached) const {
+    const double mean = std::min(0.5 * (whole.left.limit.q + whole.right.limit.q), reached);
+    if (mean > middle.asked.q * (1 + tuning::grid::kTolerance)) return false;
+    const Passing left{whole.left.point, whole.left.limit.q};
+    const Passing mid{middle.point, std::max(middle.limit.q, mean)};
+    const Passing right{whole.right.point, whole.right.limit.q};
+    for (const auto& constraint : constraints_.velocity_limits())
       if (!constraint->is_even(left.point, right.point, move_) ||
-          !holds_between(*constraint, left, mid, right, AxisVector::Zero(), kGridTolerance))
+          !holds_between(*constraint, left, mid, right, AxisVector::Zero(),
+                         tuning::grid::kTolerance))
         return false;
     return true;
   }
@@ -309,55 +310,56 @@ class Refiner {
            constraint.holds_between(mid, right, sag, tolerance);
   }
 
-  /// Whether the caps hold although x' swings out from the line between the ends, by what the
-  /// middle shows of it times `part`.
-  bool caps_hold_outside(const Stretch& whole, const Look& middle, double part) const {
+  /// Whether the velocity limits hold although x' swings out from the line between the ends, by
+  /// `part` times what the middle shows of it.
+  bool limits_hold_outside(const Subinterval& whole, const Look& middle, double part) const {
     const PathPoint &a = whole.left.point, &b = whole.right.point;
     const AxisVector sag = part * (middle.point.dq - 0.5 * (a.dq + b.dq)).cwiseAbs();
-    const Passing left{a, whole.left.cap.q}, right{b, whole.right.cap.q};
-    const Passing mid{middle.point, middle.cap.q};
-    return std::all_of(
-        constraints_.caps().begin(), constraints_.caps().end(), [&](const auto& constraint) {
-          return holds_between(*constraint, left, mid, right, sag, kSagParts * kGridTolerance);
-        });
+    const Passing left{a, whole.left.limit.q}, right{b, whole.right.limit.q};
+    const Passing mid{middle.point, middle.limit.q};
+    return std::all_of(constraints_.velocity_limits().begin(), constraints_.velocity_limits().end(),
+                       [&](const auto& constraint) {
+                         return holds_between(*constraint, left, mid, right, sag,
+                                              tuning::grid::kSagParts * tuning::grid::kTolerance);
+                       });
   }
 
-  /// What the middle asks for beyond the mean of the ends, as part of the limits. Where both x' and
-  /// x'' are longer there by the same part, as on a circle, whatever is asked is more by that part;
-  /// where jerk is limited, how x'' changes has to be right as well.
-  double off_middle(const Stretch& whole, const Look& middle) const {
-    const AxisVector bend = 0.5 * (whole.left.point.ddq + whole.right.point.ddq);
-    const double square = bend.squaredNorm();
-    const double longer = square > 0 ? bend.dot(middle.point.ddq) / square - 1 : 0;
+  /// Returns what the middle requires beyond the mean of the ends, as a part of the limits. Where
+  /// both x' and x'' are longer there by the same part, as on a circle, all requirements grow by
+  /// that part. Where jerk is limited, the change of x'' has to be right as well.
+  double off_middle(const Subinterval& whole, const Look& middle) const {
+    const AxisVector curvature = 0.5 * (whole.left.point.ddq + whole.right.point.ddq);
+    const double square = curvature.squaredNorm();
+    const double longer = square > 0 ? curvature.dot(middle.point.ddq) / square - 1 : 0;
     const double off = off_mean(whole, middle, 0);
     if (constraints_.limits_jerk()) return off;
     const double least = off <= std::abs(longer)
                              ? off
                              : std::min(off, std::abs(longer) + off_mean(whole, middle, longer));
-    return std::max(least, (least + off_braking(whole, middle)) / kBrakingParts);
+    return std::max(least, (least + off_braking(whole, middle)) / tuning::grid::kBrakingParts);
   }
 
-  /// What the middle may ask for beyond the mean of the ends where q falls as x'' grows: the mean
-  /// of their products is not the product of their means.
-  double off_braking(const Stretch& whole, const Look& middle) const {
-    const double fall = 2 * constraints_.tangential_u(middle.point) * whole.length();
+  /// Returns what the middle may require beyond the mean of the ends where q falls as x'' grows:
+  /// the mean of their products is not the product of their means.
+  double off_braking(const Subinterval& whole, const Look& middle) const {
+    const double fall = 2 * constraints_.largest_u(middle.point) * whole.length();
     const AxisVector rise = (whole.right.point.ddq - whole.left.point.ddq).cwiseAbs();
-    return 0.25 * fall * rise.cwiseQuotient(constraints_.bend_limits()).maxCoeff();
+    return 0.25 * fall * rise.cwiseQuotient(constraints_.centripetal_limits()).maxCoeff();
   }
 
-  /// Beyond the mean made longer.
-  double off_mean(const Stretch& whole, const Look& middle, double longer) const {
+  /// Returns what the middle requires beyond the mean, the mean lengthened by the part `longer`.
+  double off_mean(const Subinterval& whole, const Look& middle, double longer) const {
     const PathPoint &left = whole.left.point, &right = whole.right.point, &mid = middle.point;
     const double mean = whole.mean_q();
     const double half = 0.5 * (1 + longer);
-    const AxisVector& a = constraints_.bend_limits();
-    const AxisVector bend = mid.ddq - half * (left.ddq + right.ddq);
+    const AxisVector& a = constraints_.centripetal_limits();
+    const AxisVector curvature = mid.ddq - half * (left.ddq + right.ddq);
     const AxisVector turn = mid.dq - half * (left.dq + right.dq);
-    const double u = constraints_.tangential_u(mid);
+    const double u = constraints_.largest_u(mid);
     double most = 0;
     for (int i = 0; i < kAxes; ++i)
-      if (bend[i] != 0 || turn[i] != 0)
-        most = std::max(most, (std::abs(bend[i]) * mean + std::abs(turn[i]) * u) / a[i]);
+      if (curvature[i] != 0 || turn[i] != 0)
+        most = std::max(most, (std::abs(curvature[i]) * mean + std::abs(turn[i]) * u) / a[i]);
     return most;
   }
 
@@ -365,25 +367,25 @@ class Refiner {
   const Constraints& constraints_;
   std::vector<Interval>& out_;
   int least_depth_;
-  bool evenly_;              // split so; steep caps of roughness, and jerk, are halved towards
+  bool evenly_;              // split so; for steep roughness limits, and for jerk, it halves
   double acceleration_ = 0;  // of all axes together
-  double gain_ = 0;          // of q by mm of way, at most
+  double gain_ = 0;          // of q by mm of path, at most
   double highest_q_ = 0;
-  double shortest_ = kShortest;   // mm
-  double start_ = 0, end_ = 0;    // of the stretch
-  double q_behind_ = kUnlimited;  // the most that can be reached where what is kept so far ends
+  double shortest_ = tuning::grid::kShortest;  // mm
+  double start_ = 0, end_ = 0;                 // of the part
+  double q_after_ = kUnlimited;  // the highest that can be reached where what is kept so far ends
 };
 
-/// Inner nodes of a line so long that its beginning can be settled before what follows it is known:
-/// behind the last one is what can be felt of that, and behind the first one, or behind what can be
-/// reached from rest before it, the machine can slow down to rest. With limits of jerk that takes a
-/// rest to begin with: Chain::append().
+/// Returns the inner nodes of a line that is so long that its beginning can be settled before what
+/// follows it is known. What follows matters only after the last node; after the first one, or
+/// after what can be reached from rest before it, the machine can slow down to rest. With jerk
+/// limits this requires that the line begins at rest: Chain::append().
 std::vector<double> line_nodes(const Interval& whole, const Constraints& constraints) {
-  const double top = whole.left_cap.q;
-  const double period_way = std::sqrt(top) * constraints.period();
-  const double felt = felt_from(whole, whole.s1, constraints.period());
-  if (constraints.limits_jerk() || felt <= kWorthwhile * period_way) return {};
-  const double braking = top / (2 * constraints.tangential_u(whole.left)) + period_way;
+  const double top = whole.left_limit.q;
+  const double period_distance = std::sqrt(top) * constraints.limits().period;
+  const double felt = felt_from(whole, whole.s1, constraints.limits().period);
+  if (constraints.limits_jerk() || felt <= tuning::grid::kWorthwhile * period_distance) return {};
+  const double braking = top / (2 * constraints.largest_u(whole.left)) + period_distance;
   return {std::max(felt - braking, 0.5 * felt), felt};
 }
 
@@ -406,8 +408,10 @@ void lay_line(const Move& move, double to, const Constraints& constraints,
 }  // namespace
 
 double felt_from(const Interval& line, double end, double period) noexcept {
-  const double period_way = std::sqrt(line.left_cap.q) * period;
-  return period_way < kShortest ? 0 : end - (kFeltPeriods + 1) * period_way;
+  const double period_distance = std::sqrt(line.left_limit.q) * period;
+  return period_distance < tuning::grid::kShortest
+             ? 0
+             : end - (tuning::grid::kFeltPeriods + 1) * period_distance;
 }
 
 void make_grid(const Move& move, const Constraints& constraints, std::vector<Interval>& grid,

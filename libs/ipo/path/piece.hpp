@@ -10,7 +10,7 @@
 
 namespace softcnc::ipo {
 
-/// From here on the path is that of another block.
+/// From this place on the path belongs to another block.
 struct Mark {
   double s = 0;  // mm from the start of the piece
   SourcePos source;
@@ -20,29 +20,35 @@ struct Mark {
 struct Piece {
   Block block;              // as it begins
   std::vector<Mark> marks;  // ascending: where later blocks begin
-  double deviation = 0;     // mm: how far it may lie from the programmed path
+  double deviation = 0;     // mm: the largest distance from the programmed path
 };
 
-/// All of a move but its path: moves that share it can be run as one.
-struct Manner {
+/// All attributes of a move except its path: moves that share them can be run as one.
+struct MoveAttributes {
   bool rapid = false;
   double feed = 0;
   double corner_tolerance = 0, chord_tolerance = 0;
   bool feed_override = true;
   std::optional<Surface> surface{};
 
-  bool operator==(const Manner&) const = default;
+  bool operator==(const MoveAttributes&) const = default;
 };
 
-inline Manner manner_of(const Move& move) {
+inline MoveAttributes attributes_of(const Move& move) {
   return {move.rapid,           move.feed,          move.corner_tolerance,
           move.chord_tolerance, move.feed_override, move.surface};
 }
 
-inline Move make_move(Path path, const Manner& manner) {
-  return {std::move(path),         manner.rapid,           manner.feed,          Join::follow,
-          manner.corner_tolerance, manner.chord_tolerance, manner.feed_override, 0,
-          manner.surface};
+inline Move make_move(Path path, const MoveAttributes& attributes) {
+  return {std::move(path),
+          attributes.rapid,
+          attributes.feed,
+          PathMode::follow,
+          attributes.corner_tolerance,
+          attributes.chord_tolerance,
+          attributes.feed_override,
+          0,
+          attributes.surface};
 }
 
 }  // namespace softcnc::ipo

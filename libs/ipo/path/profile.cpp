@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/path/profile.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,6 @@ namespace softcnc::ipo {
 namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-constexpr int kHalvings = 60;
 
 }  // namespace
 
@@ -64,7 +64,7 @@ Profile Profile::first(std::size_t count) const {
   return part;
 }
 
-Profile Profile::behind(std::size_t count) const {
+Profile Profile::after(std::size_t count) const {
   Profile rest;
   for (std::size_t i = count; i < pieces_.size(); ++i) rest.add(pieces_[i]);
   return rest;
@@ -84,7 +84,7 @@ double Profile::end_speed() const noexcept {
   if (pieces_.empty()) return 0;
   const Piece& last = pieces_.back();
   const double v = last.curve.v(last.duration);
-  return v > kStandstill ? v : 0;
+  return v > tuning::path::kStandstill ? v : 0;
 }
 
 State Profile::at(double t, std::size_t& hint) const noexcept {
@@ -96,7 +96,7 @@ State Profile::at(double t, std::size_t& hint) const noexcept {
   const double s = ends ? piece.s1 : piece.curve.s(tau);
   const double v = std::max(piece.curve.v(tau), 0.0);
   return {std::clamp(s, piece.curve.s0, piece.s1), v, piece.curve.a(tau),
-          v > kStandstill || piece.duration == kEndless ? piece.limit : Limit::stop};
+          v > tuning::path::kStandstill || piece.duration == kEndless ? piece.limit : Limit::stop};
 }
 
 Profile::Span Profile::span(const Piece& piece, double until) noexcept {
@@ -109,7 +109,7 @@ Profile::Span Profile::span(const Piece& piece, double until) noexcept {
 /// s grows with t.
 double Profile::time_to(const Piece& piece, double s) noexcept {
   double early = 0, late = piece.duration;
-  for (int i = 0; i < kHalvings; ++i) {
+  for (int i = 0; i < tuning::path::kHalvings; ++i) {
     const double middle = 0.5 * (early + late);
     (piece.curve.s(middle) < s ? early : late) = middle;
   }
@@ -123,7 +123,7 @@ double Profile::time_at(double s) const noexcept {
   const Quintic& curve = after->curve;
   if (curve.c3 != 0 || curve.c4 != 0 || curve.c5 != 0) return after->t0 + time_to(*after, s);
   const double ds = std::max(s - curve.s0, 0.0);
-  // Root of ds = v0 tau + a tau^2 / 2 that does not cancel.
+  // The root of ds = v0 tau + a tau^2 / 2 in the form that does not cancel.
   const double root = std::sqrt(std::max(curve.v0 * curve.v0 + 2 * curve.a0 * ds, 0.0));
   const double sum = curve.v0 + root;
   return after->t0 + (sum > 0 ? std::min(2 * ds / sum, after->duration) : 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When a move is where: its speeds as a function of time.
+// Distance as a function of time within a block.
 #pragma once
 
 #include <algorithm>
@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "ipo/path/ramp.hpp"
+#include "ipo/tuning.hpp"
 #include "motion/model/setpoint.hpp"
 
 namespace softcnc::ipo {
 
-/// Where a move is at one instant, and what holds it back there.
+/// Where a move is at one instant, and what limits it there.
 struct State {
   double s = 0;  // mm from the start of the move
   double v = 0;  // mm/s
@@ -19,49 +20,47 @@ struct State {
   Limit limit = Limit::stop;
 };
 
-inline constexpr double kStandstill = 1e-9;  // mm/s: slower is rounding
-
 /// s(t) of one block in polynomial pieces, from t = 0 (s and t within the block).
 class Profile {
  public:
-  /// A piece of constant acceleration from (s0, v0) to (s1, v1). Pieces follow one another.
+  /// Adds a piece of constant acceleration from (s0, v0) to (s1, v1). Pieces follow one another.
   void add_piece(double s0, double s1, double v0, double v1, Limit limit);
-  /// A piece of degree five, which meets place, speed and acceleration at both ends.
+  /// Adds a piece of degree five that meets position, speed and acceleration at both ends.
   void add_ramp(const Ramp& ramp);
-  /// Rest at the present place (s = 0 if there is no piece yet).
+  /// Adds a rest at the present position (s = 0 if there is no piece yet).
   void add_rest(double duration);
-  /// Rest at s, for no time.
+  /// Adds a rest of no duration at s.
   void rest_at(double s);
-  /// Rest at the present place without an end, and what holds the machine there.
+  /// Adds a rest without an end at the present position, and names what holds the machine there.
   void add_hold(Limit limit);
-  /// Ends where the rest without an end begins, if there is one.
+  /// Ends the profile where the rest without an end begins, if there is one.
   void end_hold() noexcept;
 
-  /// What is left of it at t; t = 0 is there.
+  /// Returns what is left of it at t; t = 0 is there.
   Profile from(double t) const;
 
   std::size_t pieces() const noexcept { return pieces_.size(); }
-  /// Of its first `count` pieces, and of those behind them.
+  /// Returns its first `count` pieces, or those after them.
   Profile first(std::size_t count) const;
-  Profile behind(std::size_t count) const;
-  /// Goes on with those pieces as if they had been added one by one.
+  Profile after(std::size_t count) const;
+  /// Appends those pieces as if they had been added one by one.
   void append(const Profile& more);
 
   double duration() const noexcept { return duration_; }
-  /// mm/s, where it ends.
+  /// Returns the speed at its end, mm/s.
   double end_speed() const noexcept;
-  /// mm from the start of the move, likewise.
+  /// Returns the position at its end, mm from the start of the move.
   double end_place() const noexcept { return pieces_.empty() ? 0 : pieces_.back().s1; }
   bool empty() const noexcept { return pieces_.empty(); }
 
-  /// Realtime. `hint` carries the piece from call to call while t grows; start it at 0.
+  /// Realtime. `hint` carries the piece from call to call while t grows; it must start at 0.
   State at(double t, std::size_t& hint) const noexcept;
 
-  /// The first instant at which s is reached.
+  /// Returns the first instant at which s is reached.
   double time_at(double s) const noexcept;
 
-  /// Calls visit(motion, its start, its duration) for the piece at t and those behind it, as long
-  /// as that is true.
+  /// Calls visit(motion, its start, its duration) for the piece at t and those after it, as long as
+  /// that returns true.
   template <typename Visit>
   void for_each_from(double t, Visit&& visit) const {
     const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), t,
@@ -70,7 +69,7 @@ class Profile {
     while (piece != pieces_.end() && visit(piece->curve, piece->t0, piece->duration)) ++piece;
   }
 
-  /// A piece as others see it: from one instant and place to the next.
+  /// A piece as others see it: from one instant and position to the next.
   struct Span {
     double t0 = 0, t1 = 0;  // s
     double s0 = 0, s1 = 0;  // mm
@@ -79,10 +78,11 @@ class Profile {
 
     /// Whether the machine moves in it.
     bool moves() const noexcept { return s1 > s0; }
-    /// Whether it moves and comes to a rest.
-    bool ends_at_rest() const noexcept { return moves() && v1 <= kStandstill; }
+    /// Whether the machine moves in it and comes to rest.
+    bool ends_at_rest() const noexcept { return moves() && v1 <= tuning::path::kStandstill; }
   };
-  /// Hands each of its pieces that lasts, as far as it lies before `until`, s, to sink(span).
+  /// Passes each of its pieces that has a duration, as far as it lies before `until`, s, to
+  /// sink(span).
   template <typename Sink>
   void for_each_span(double until, Sink&& sink) const {
     for (const Piece& piece : pieces_) {
@@ -91,7 +91,7 @@ class Profile {
     }
   }
 
-  /// Adds the duration of its pieces to what each limit holds.
+  /// Calls sink(limit, duration) for each of its pieces.
   template <typename Sink>
   void for_each_piece(Sink&& sink) const {
     for (const Piece& piece : pieces_) sink(piece.limit, piece.duration);

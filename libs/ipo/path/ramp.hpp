@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A short stretch of a motion as a polynomial of time.
+// A short part of a motion as a polynomial of time.
 #pragma once
 
 #include "motion/model/setpoint.hpp"
 
 namespace softcnc::ipo {
 
-/// A stretch of one move, its speed and acceleration at both ends (mm, s).
+/// A part of one move, with its speed and acceleration at both ends (mm, s).
 struct Ramp {
   double s0 = 0, s1 = 0;
   double duration = 0;
@@ -15,7 +15,7 @@ struct Ramp {
   Limit limit = Limit::feed;
 };
 
-/// Place, speed, acceleration and jerk along the path: mm, mm/s, mm/s^2, mm/s^3.
+/// Position, speed, acceleration and jerk along the path: mm, mm/s, mm/s^2, mm/s^3.
 struct Instant {
   double s = 0, v = 0, a = 0, j = 0;
 };
@@ -35,13 +35,13 @@ struct Quintic {
   double j(double t) const noexcept { return 6 * c3 + t * (24 * c4 + t * 60 * c5); }
   Instant at(double t) const noexcept { return {s(t), v(t), a(t), j(t)}; }
 
-  /// The same motion, t = 0 being there.
+  /// Returns the same motion with t = 0 at t.
   Quintic from(double t) const noexcept {
     return {s(t), v(t), a(t), c3 + t * (4 * c4 + t * 10 * c5), c4 + 5 * t * c5, c5};
   }
 };
 
-/// Meets place, speed and acceleration at both ends of the ramp.
+/// Returns the polynomial that meets position, speed and acceleration at both ends of the ramp.
 Quintic quintic(const Ramp& ramp) noexcept;
 
 }  // namespace softcnc::ipo

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/path/rest_to_rest.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,46 +9,41 @@
 namespace softcnc::ipo {
 namespace {
 
-/// s: what would be shorter is left out, so that no stretch is lost in the rounding of its ends.
-/// The limits are exceeded by that long at their jerk at most.
-constexpr double kShortest = 1e-7;
-constexpr int kHalvings = 50;
-constexpr double kRounding = 1e-6;  // of a speed
-
-/// Speed and acceleration that are reached, mm/s and mm/s^2, and for how long either is held, s.
+/// The speed and acceleration that are reached, mm/s and mm/s^2, and how long each is held, s.
 struct Peak {
   double v, a, hold, cruise;
 };
 
-/// mm from rest to v and back, the acceleration reaching a.
-double way_of(double v, double a, double j) { return v * (v / a + a / j); }
+/// Returns the distance, mm, from rest to v and back to rest, where the acceleration reaches a.
+double distance_of(double v, double a, double j) { return v * (v / a + a / j); }
 
-/// The way is too short to cruise.
-Peak without_cruising(double way, const LineLimits& most) {
+/// For a distance that is too short to cruise.
+Peak without_cruising(double distance, const LineLimits& most) {
   const double knee = most.a * most.a / most.j;  // mm/s, reached without holding the acceleration
-  if (way > way_of(knee, most.a, most.j)) {
-    const double v = 2 * most.a * way / (knee + std::sqrt(knee * knee + 4 * most.a * way));
+  if (distance > distance_of(knee, most.a, most.j)) {
+    const double v =
+        2 * most.a * distance / (knee + std::sqrt(knee * knee + 4 * most.a * distance));
     const double hold = (v - knee) / most.a;
-    if (hold > kShortest) return {v, most.a, hold, 0};
+    if (hold > tuning::path::kShortestPhase) return {v, most.a, hold, 0};
   }
-  const double v = std::cbrt(0.25 * way * way * most.j);
+  const double v = std::cbrt(0.25 * distance * distance * most.j);
   return {v, std::sqrt(v * most.j), 0, 0};
 }
 
 Peak cruising_peak(const LineLimits& most) {
   const double knee = most.a * most.a / most.j;
   Peak peak{most.v, std::min(most.a, std::sqrt(most.v * most.j)), 0, 0};
-  if (most.v > knee + most.a * kShortest)
+  if (most.v > knee + most.a * tuning::path::kShortestPhase)
     peak.hold = (most.v - knee) / most.a;
   else if (most.v > knee)
     peak.v = knee;
   return peak;
 }
 
-Peak peak_of(double way, const LineLimits& most) {
+Peak peak_of(double distance, const LineLimits& most) {
   Peak peak = cruising_peak(most);
-  peak.cruise = (way - way_of(peak.v, peak.a, most.j)) / peak.v;
-  return peak.cruise > kShortest ? peak : without_cruising(way, most);
+  peak.cruise = (distance - distance_of(peak.v, peak.a, most.j)) / peak.v;
+  return peak.cruise > tuning::path::kShortestPhase ? peak : without_cruising(distance, most);
 }
 
 using Rise = std::array<Ramp, 3>;
@@ -89,14 +85,15 @@ Ramp cruise(double s0, double s1, double v, Limit limit) {
 
 }  // namespace
 
-LineLimits line_limits(const Interval& line, const Cap& cap, const Constraints& constraints) {
-  return {std::sqrt(cap.q) * (1 - kRounding), constraints.straight_u(line.left.dq),
-          along(constraints.jerk_limits(), line.left.dq)};
+LineLimits line_limits(const Interval& line, const VelocityLimit& bound,
+                       const Constraints& constraints) {
+  return {std::sqrt(bound.q) * (1 - tuning::path::kSpeedRounding),
+          constraints.straight_u(line.left.dq), along(constraints.limits().jerk, line.left.dq)};
 }
 
 std::vector<Ramp> rest_to_rest(double s0, double s1, const LineLimits& limits, Limit cruising) {
   const Peak peak = peak_of(s1 - s0, limits);
-  const double fast = peak.cruise > 0 ? way_to_cruise(limits) : 0.5 * (s1 - s0);
+  const double fast = peak.cruise > 0 ? distance_to_cruise(limits) : 0.5 * (s1 - s0);
   const Rise up = rise_to(peak, limits.j, fast);
   std::vector<Ramp> ramps;
   append_rise(ramps, up, s0);
@@ -105,14 +102,14 @@ std::vector<Ramp> rest_to_rest(double s0, double s1, const LineLimits& limits, L
   return ramps;
 }
 
-double way_to_cruise(const LineLimits& limits) {
+double distance_to_cruise(const LineLimits& limits) {
   const Peak peak = cruising_peak(limits);
-  return 0.5 * way_of(peak.v, peak.a, limits.j);
+  return 0.5 * distance_of(peak.v, peak.a, limits.j);
 }
 
 std::vector<Ramp> rest_to_cruise(double s0, double s1, const LineLimits& limits, Limit cruising) {
   const Peak peak = cruising_peak(limits);
-  const double fast = way_to_cruise(limits);
+  const double fast = distance_to_cruise(limits);
   std::vector<Ramp> ramps;
   append_rise(ramps, rise_to(peak, limits.j, fast), s0);
   append(ramps, cruise(s0 + fast, s1, peak.v, cruising));
@@ -121,7 +118,7 @@ std::vector<Ramp> rest_to_cruise(double s0, double s1, const LineLimits& limits,
 
 std::vector<Ramp> cruise_to_rest(double s0, double s1, const LineLimits& limits, Limit cruising) {
   const Peak peak = cruising_peak(limits);
-  const double fast = way_to_cruise(limits);
+  const double fast = distance_to_cruise(limits);
   std::vector<Ramp> ramps;
   append(ramps, cruise(s0, s1 - fast, peak.v, cruising));
   append_fall(ramps, rise_to(peak, limits.j, fast), s1);
@@ -133,7 +130,7 @@ double speed_at(const std::vector<Ramp>& ramps, double s) noexcept {
       std::find_if(ramps.begin(), ramps.end() - 1, [=](const Ramp& ramp) { return s <= ramp.s1; });
   const Quintic motion = quintic(*at);
   double early = 0, late = at->duration;
-  for (int i = 0; i < kHalvings; ++i) {
+  for (int i = 0; i < tuning::path::kSpeedHalvings; ++i) {
     const double middle = 0.5 * (early + late);
     (motion.s(middle) < s ? early : late) = middle;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What intervals ask of the steps that touch them, spread over all that such a step can touch.
+// Step limits, spread over all that a step can touch: a minimum filter with a window that depends
+// on the limits.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +10,25 @@
 
 namespace softcnc::ipo {
 
-class StepSpread {
+class StepLimitDilation {
  public:
-  /// `times`: the shortest of the intervals, s, by interval; those before interval `first` ask for
-  /// nothing any more, and their times count from where they are felt on.
-  StepSpread(Chain& chain, const std::vector<double>& times, double period, std::size_t first);
+  /// `times` are the shortest times of the intervals, s. Intervals before `first` require nothing
+  /// any more; their times count from where they matter.
+  StepLimitDilation(Chain& chain, const std::vector<double>& times, double period,
+                    std::size_t first);
 
-  /// No step that touches interval i may be longer than this speed allows. To be called with rising
-  /// i.
-  void ask(std::size_t i, const Cap& cap);
+  /// Requires that no step that touches interval i is longer than this limit allows. Must be called
+  /// with rising i.
+  void ask(std::size_t i, const VelocityLimit& bound);
 
-  /// Lowers the caps of nodes and intervals. What a neighbour that asks for no more lowers is left
-  /// to it, so that everything is lowered about once however many intervals a step touches.
+  /// Lowers the velocity limits of nodes and intervals. What a neighbour lowers that requires no
+  /// more is left to it, so that everything is lowered about once however many intervals a step
+  /// touches.
   void lower();
 
  private:
   struct Asked {
-    Cap cap;
+    VelocityLimit bound;
     std::size_t left = 0, right = 0;  // the last nodes that one step touches with the interval
   };
 
@@ -37,7 +40,7 @@ class StepSpread {
   double period_;
   std::size_t first_, last_asked_;
   std::vector<Asked> asked_;         // by interval
-  std::vector<std::int64_t> clock_;  // by node: so many parts of a period from the first one
+  std::vector<std::int64_t> clock_;  // by node: parts of a period since the first one
 };
 
 }  // namespace softcnc::ipo

@@ -6,23 +6,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ipo/tuning.hpp"
 #include "motion/geometry/extent.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kTolerance = 1e-6;  // mm
-
-/// By how much the box lies below (negative) or above the travel of an axis, mm; 0: within. What
-/// the move starts outside counts as within.
+/// Returns by how much the box lies below (negative) or above the travel of an axis, mm; 0: within.
+/// What the move starts outside counts as within.
 double excess(const Extent& box, const Axis& axis, const AxisVector& start, int i) {
   const double below = box.min[i] - std::min(axis.min, start[i]);
   const double above = box.max[i] - std::max(axis.max, start[i]);
-  if (below < -kTolerance && -below >= above) return box.min[i] - axis.min;
-  return above > kTolerance ? box.max[i] - axis.max : 0;
+  if (below < -tuning::path::kTravelTolerance && -below >= above) return box.min[i] - axis.min;
+  return above > tuning::path::kTravelTolerance ? box.max[i] - axis.max : 0;
 }
 
-/// So many decimals that two digits of the excess show; without zeros at the end.
+/// Formats a length with enough decimals to show two digits of the excess, without trailing zeros.
 std::string length_text(double mm, double excess_mm) {
   const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(excess_mm))), 3, 9);
   std::string text = fmt::format("{:.{}f}", mm, decimals);
@@ -31,7 +30,7 @@ std::string length_text(double mm, double excess_mm) {
   return text;
 }
 
-std::string reach_text(const Axis& axis, char letter, double excess) {
+std::string range_text(const Axis& axis, char letter, double excess) {
   const double size = std::abs(excess);
   const double reached = excess < 0 ? axis.min + excess : axis.max + excess;
   return fmt::format("{} reaches {} mm, {} mm beyond its travel from {:.6g} to {:.6g} mm", letter,
@@ -53,12 +52,12 @@ std::optional<Diagnostic> check_travel(const Move& move, const Machine& machine)
   if (within) return std::nullopt;
   const Extent box = extent(move.path);
   std::string text;
-  std::uint32_t beyond = 0;  // a bit of each axis
+  std::uint32_t beyond = 0;  // one bit for each axis
   for (int i = 0; i < kAxes; ++i) {
     const double by = excess_in(box, i);
     if (by == 0) continue;
     const auto axis = static_cast<std::size_t>(i);
-    text += (text.empty() ? "" : "; ") + reach_text(machine.axes[axis], kAxisLetters[axis], by);
+    text += (text.empty() ? "" : "; ") + range_text(machine.axes[axis], kAxisLetters[axis], by);
     beyond |= 1U << axis;
   }
   if (text.empty()) return std::nullopt;

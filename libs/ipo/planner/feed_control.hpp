@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person asks of the feed while a program runs.
+// What an operator requests of the feed while a program runs.
 #pragma once
 
 #include "motion/model/setpoint.hpp"
@@ -9,7 +9,7 @@ namespace softcnc::ipo {
 struct FeedControl {
   double feed_override = 1;  // of the programmed feed; 0 holds
   bool hold = false;         // rest on the path until it is false again
-  bool stop = false;         // the same for good: nothing follows
+  bool stop = false;         // rest on the path for good: nothing follows
 
   bool halts() const noexcept { return stop || hold || feed_override == 0; }
   Limit halted_by() const noexcept {

@@ -6,14 +6,14 @@
 
 #include "ipo/path/long_curve.hpp"
 #include "ipo/path/travel.hpp"
+#include "ipo/planner/make_window.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
-constexpr std::size_t kFewIntervals = 128;
-
-/// The time of the row at `t` or the last before it.
-double row_at(double t, double period) { return std::floor(t / period) * period; }
+/// Returns the time of the sample at `t`, or of the last one before it.
+double sample_at(double t, double period) { return std::floor(t / period) * period; }
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void Planner::finish() {
   finished_ = true;
 }
 
-/// What came before ends at rest.
+/// Skips a block: what came before it ends at rest.
 void Planner::leave_out(Diagnostic diagnostic, const SourcePos& place) {
   diagnostic.pos = place;
   diagnostics_.report(std::move(diagnostic));
@@ -62,14 +62,15 @@ void Planner::flush_corners() {
   while (auto piece = corners_.pop()) accept(std::move(*piece));
 }
 
-/// What comes after a long curve waits until the window has all of that.
+/// What comes after a long curve waits until all of the curve is in the window.
 void Planner::accept(Piece piece) {
   const bool waits = machine_.control.interpolation == Method::arc_length &&
                      (!ahead_.empty() || is_long_curve(piece));
   waits ? ahead_.push_back(std::move(piece)) : lay(std::move(piece));
 }
 
-/// The next piece of those that wait, or the next stretch of one; false: none does.
+/// Puts the next waiting piece, or the next part of one, into the window; returns false if none
+/// waits.
 bool Planner::lay_ahead() {
   if (ahead_.empty()) return false;
   Piece& next = ahead_.front();
@@ -90,10 +91,10 @@ void Planner::lay(Piece piece) {
   rest_ = rest_after(move);
 }
 
-/// A move is the same to the window whether it comes before an override or after it.
+/// The window treats a move alike whether it comes before an override or after it.
 void Planner::append(const Move& move, RestBefore rest) {
   if (slower_)
-    window_->append(move, rest, {slower_->cap({}, move), slower_->limit(move)});
+    window_->append(move, rest, {slower_->velocity_limit({}, move), slower_->limit(move)});
   else
     window_->append(move, rest);
   counts_.nodes += window_->last_move().size();
@@ -131,7 +132,7 @@ std::optional<TimedPart> Planner::pop_part_now() {
   return timed;
 }
 
-/// Of the first pending block, or of what has become ready.
+/// Finds more of the first pending block, or of what has become ready.
 Planner::Found Planner::find_next(bool parts) {
   if (pending_.empty() || feed_.halts()) return Found::nothing;
   if (pending_.front().move()) return run_move(parts);
@@ -140,7 +141,7 @@ Planner::Found Planner::find_next(bool parts) {
   return Found::all;
 }
 
-/// Runs what is settled of the first pending move; a part is what can be had without a further
+/// Runs what is settled of the first pending move; a part is what is available without a further
 /// plan.
 Planner::Found Planner::run_move(bool parts) {
   while (true) {
@@ -166,17 +167,17 @@ void Planner::report_no_speed(Profile& profile) {
   profile = profile.first(given_);
 }
 
-/// Where nothing more was found, passes over the window are worth their while only when it has
-/// grown.
+/// Where nothing more was found, it is worth planning again only when the window has grown.
 bool Planner::settle() {
   const bool ended = finished_ && (ahead_.empty() || to_rest_);
-  if (!ended && !hurried_ && window_->size() < std::max(kFewIntervals, 2 * last_size_))
+  if (!ended && !hurried_ &&
+      window_->size() < std::max(tuning::planner::kFewIntervals, 2 * last_size_))
     return false;
   settled_ = window_->settle(ended);
   if (window_->lost()) return stop_first();
-  if (settled_ > 0 && !way_out_.empty()) {
-    slow_until_ = begun_ + window_->slowing_way();
-    way_out_.clear();
+  if (settled_ > 0 && !stop_profiles_.empty()) {
+    slow_until_ = begun_ + window_->slowing_distance();
+    stop_profiles_.clear();
   }
   const bool go_on = settled_ > 0 && window_->settles_by_stretches();
   last_size_ = go_on ? 0 : window_->size() - settled_;
@@ -184,25 +185,26 @@ bool Planner::settle() {
   return settled_ > 0;
 }
 
-/// Where the direction turns at a stop between two rows, the polyline through the rows cuts the
-/// corner; if by too much, the machine waits for the next row.
+/// Where the direction turns at a stop between two samples, the polyline through the samples cuts
+/// the corner; if it cuts too much, the machine waits for the next sample.
 void Planner::rest_at_turn(Profile& profile) {
   const Window::Turn turn = window_->front_turn();
   if (!turn.turns) return;
-  const double period = constraints_.period();
+  const double period = constraints_.limits().period;
   const double t = t_ + profile.duration();
-  const double row_before = row_at(t, period);
-  const double nearest = std::min(t - row_before, row_before + period - t);
+  const double sample_before = sample_at(t, period);
+  const double nearest = std::min(t - sample_before, sample_before + period - t);
   const double cut = 0.5 * constraints_.most_u(turn.directions) * nearest * nearest;
-  const double allowed = constraints_.chord_tolerance() * (turn.shares_its_step ? kTurnShare : 1);
-  if (cut > allowed || last_rest_ > row_before) profile.add_rest(row_before + period - t);
+  const double allowed = constraints_.limits().chord_tolerance *
+                         (turn.shares_its_step ? tuning::joints::kTurnShare : 1);
+  if (cut > allowed || last_rest_ > sample_before) profile.add_rest(sample_before + period - t);
   last_rest_ = t;
 }
 
-void Planner::rest_until_row(Profile& profile) {
-  const double period = constraints_.period();
+void Planner::rest_until_sample(Profile& profile) {
+  const double period = constraints_.limits().period;
   const double t = t_ + profile.duration();
-  profile.add_rest(row_at(t, period) + period - t);
+  profile.add_rest(sample_at(t, period) + period - t);
   last_rest_ = t;
 }
 
@@ -224,7 +226,7 @@ TimedBlock Planner::take() {
   return timed;
 }
 
-/// A copy: the window needs the move where it is.
+/// Returns a copy: the window needs the move where it is.
 TimedBlock Planner::take_begin() {
   TimedBlock& whole = pending_.front();
   TimedBlock begin{whole.block, whole.profile, t_, s_, whole.marks, std::move(whole.pulses)};
@@ -235,7 +237,7 @@ TimedBlock Planner::take_begin() {
 
 Continuation Planner::take_more() {
   const Profile& profile = pending_.front().profile;
-  Continuation more{profile.behind(given_)};
+  Continuation more{profile.after(given_)};
   given_ = profile.pieces();
   return more;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blocks in, timed blocks out: as fast as the machine may follow them, and never outside a limit.
+// Blocks in, timed blocks out: as fast as the machine can follow them, and never beyond a limit.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "ipo/jerk/horizon.hpp"
 #include "ipo/path/window.hpp"
 #include "ipo/planner/feed_control.hpp"
 #include "ipo/planner/stop.hpp"
@@ -33,21 +34,21 @@ class Planner {
   Planner& operator=(const Planner&) = delete;
 
   /// A move that leaves the travel of an axis (SC4001), or that its pulses cannot make (SC7080), is
-  /// reported and left out: what came before it ends at rest.
+  /// reported and skipped: what came before it ends at rest.
   void push(Block block);
-  /// Nothing follows: the machine rests at the end of the last block.
+  /// Ends the program: the machine rests at the end of the last block.
   void finish();
 
-  /// The next block whose speeds no longer depend on blocks not yet pushed.
+  /// Returns the next block whose speeds no longer depend on blocks not yet pushed.
   std::optional<TimedBlock> pop();
-  /// The same as soon as a part of the block is settled; then its next part.
+  /// Returns the next block as soon as a part of it is settled; then its further parts.
   std::optional<TimedPart> pop_part();
-  /// The same where nothing more may be pushed for long: finds out what is settled by now.
+  /// Like pop_part(), where nothing more may be pushed for long: finds out what is settled by now.
   std::optional<TimedPart> pop_part_now();
 
-  /// Plans all anew from `state` inside the first block of `rest` not passed, at program
-  /// time `t`, for the feed that is asked for from then on. pop() goes on with that block; a block
-  /// in which the machine is held has no end. Returns what has been passed.
+  /// Plans everything again from `state` inside the first block of `rest` not passed, at program
+  /// time `t`, for the feed requested from then on. pop() continues with that block; a block in
+  /// which the machine is held has no end. Returns what has been passed.
   std::deque<TimedBlock> replan(PartlyPassed rest, const State& state, double t,
                                 const FeedControl& asked);
 
@@ -64,9 +65,9 @@ class Planner {
   void take_back(PartlyPassed& rest, double s, double t);
   void halt(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
   void go_on(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
-  std::vector<Profile> way_to_rest(PartlyPassed& rest, const State& now, double t, Limit as);
+  std::vector<Profile> profiles_to_rest(PartlyPassed& rest, const State& now, double t, Limit as);
   void plan_up_to_rest(PartlyPassed& rest);
-  double stopping_way(double s) const;
+  double distance_to_rest(double s) const;
   void lay_out(const std::deque<TimedBlock>& passed, double s);
   void append(const Move& move, RestBefore rest);
   bool stop_first();
@@ -76,7 +77,7 @@ class Planner {
   bool settle();
   void report_no_speed(Profile& profile);
   void rest_at_turn(Profile& profile);
-  void rest_until_row(Profile& profile);
+  void rest_until_sample(Profile& profile);
   TimedBlock take_ready();
   TimedBlock take();
   TimedBlock take_begin();
@@ -89,8 +90,9 @@ class Planner {
   PulseStage pulses_;
   CornerStage corners_;
   std::unique_ptr<Window> window_;
-  std::unique_ptr<Constraint> slower_;  // the feed that the moves of the window are to slow down to
-  std::deque<TimedBlock> ready_;        // timed; before the pending ones
+  std::unique_ptr<Constraint>
+      slower_;                    // the feed to which the moves of the window are to slow down
+  std::deque<TimedBlock> ready_;  // timed; before the pending ones
   std::deque<TimedBlock> pending_;
   std::deque<Piece> ahead_;  // after the pending ones: a long curve, and what has come since
   double laid_ = 0;          // mm of the first of them that are pending already
@@ -104,13 +106,13 @@ class Planner {
   bool finished_ = false;
   bool to_rest_ = false;  // at the end of what is pending, whatever follows
   FeedControl feed_;
-  double running_;                // feed override when the machine was last to go on
-  double ceiling_;                // the highest one after which it may still be faster
-  double begun_ = 0;              // mm of path where the last plan began,
-  double slow_until_ = 0;         // and where the machine is as slow as it asks
-  std::vector<Profile> way_out_;  // from there to rest, until slowing down is planned
-  bool rests_anyway_ = false;     // the way out is the one that the machine was on
-  bool hurried_ = false;          // settling is worth its while however little has come
+  double running_;                      // feed override with which the machine last continued
+  double ceiling_;                      // the highest one from which it may still be slowing down
+  double begun_ = 0;                    // mm of path where the last plan began,
+  double slow_until_ = 0;               // and where the machine is as slow as that plan requires
+  std::vector<Profile> stop_profiles_;  // from there to rest, until slowing down is planned
+  bool rests_anyway_ = false;           // the stop profiles are what the machine was running
+  bool hurried_ = false;                // settle however little has come
 };
 
 }  // namespace softcnc::ipo

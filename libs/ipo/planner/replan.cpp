@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Override, hold and stop: the planner begins again where the machine is.
+// Override, hold and stop: the planner starts again where the machine is.
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
+#include "ipo/planner/make_window.hpp"
 #include "ipo/planner/planner.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
@@ -20,9 +22,10 @@ bool at_end(const TimedBlock& timed, double s) {
   return !move || s >= length(move->path);
 }
 
-/// A motion that has just begun, or has as good as ended, is at rest.
+/// A motion that has just begun, or has nearly ended, counts as at rest.
 State without_rounding(State now, const TimedBlock& present) {
-  if (now.v < kStandstill && (now.a >= 0 || at_end(present, now.s))) now.v = now.a = 0;
+  if (now.v < tuning::path::kStandstill && (now.a >= 0 || at_end(present, now.s)))
+    now.v = now.a = 0;
   return now;
 }
 
@@ -41,7 +44,7 @@ std::deque<TimedBlock> Planner::replan(PartlyPassed rest, const State& state, do
   return std::move(rest.blocks);
 }
 
-/// All blocks that have come; the machine is at `s` mm of the present one.
+/// Takes back all blocks that have come; the machine is at `s` mm of the present one.
 void Planner::take_back(PartlyPassed& rest, double s, double t) {
   const TimedBlock& present = rest.blocks[rest.passed];
   t_ = t;
@@ -56,10 +59,10 @@ void Planner::take_back(PartlyPassed& rest, double s, double t) {
   for (TimedBlock& block : pending_) block.profile = {};
 }
 
-/// From where the machine is to a rest: a stop, or, should none be found, what is planned already,
-/// which is a fall-back unless the machine brakes there anyway.
-std::vector<Profile> Planner::way_to_rest(PartlyPassed& rest, const State& now, double t,
-                                          Limit as) {
+/// Returns profiles from where the machine is to a rest: a stop or, should none be found, what is
+/// planned already, which is a fall-back unless the machine brakes there anyway.
+std::vector<Profile> Planner::profiles_to_rest(PartlyPassed& rest, const State& now, double t,
+                                               Limit as) {
   BlocksAround around{{}, rest.passed};
   const auto add = [&around](const TimedBlock& timed) { around.blocks.push_back(&timed); };
   std::for_each(rest.blocks.begin(), rest.blocks.end(), add);
@@ -71,22 +74,22 @@ std::vector<Profile> Planner::way_to_rest(PartlyPassed& rest, const State& now, 
   if (!stop.profiles.empty()) return std::move(stop.profiles);
   plan_up_to_rest(rest);
   std::vector<Profile> going_on;
-  double way = -now.s;
+  double distance = -now.s;
   Directions directions;
   for (std::size_t i = rest.passed; i < rest.blocks.size(); ++i) {
     const TimedBlock& block = rest.blocks[i];
     going_on.push_back(going_on.empty() ? block.profile.from(t - block.t_start) : block.profile);
     going_on.back().end_hold();
-    way += going_on.back().end_place();
+    distance += going_on.back().end_place();
     if (const Move* move = block.move()) directions.add(move->path);
     if (going_on.back().end_speed() == 0) break;
   }
-  rests_anyway_ = way <= longest_stop(now, constraints_, directions);
+  rests_anyway_ = distance <= longest_stop(now, constraints_, directions);
   if (!rests_anyway_) ++counts_.effort.fallbacks;
   return going_on;
 }
 
-/// Adds to the blocks of the queue what comes behind them, up to where a plan is sure to rest.
+/// Adds to the blocks of the queue those that follow, up to where a plan surely rests.
 void Planner::plan_up_to_rest(PartlyPassed& rest) {
   const bool finished = std::exchange(finished_, true);
   to_rest_ = true;
@@ -103,57 +106,59 @@ void Planner::plan_up_to_rest(PartlyPassed& rest) {
   to_rest_ = false;
 }
 
-/// To a rest on the path; what lies behind it waits.
+/// Stops on the path; what lies after the stop waits.
 void Planner::halt(PartlyPassed& rest, const State& now, double t, const FeedControl& asked) {
   constraints_.set_feed_override(machine_, ceiling_);
-  const auto profiles = way_to_rest(rest, now, t, asked.halted_by());
+  const auto profiles = profiles_to_rest(rest, now, t, asked.halted_by());
   take_back(rest, now.s, t);
   for (const Profile& profile : profiles) {
     pending_.front().profile = profile;
     ready_.push_back(take());
   }
-  way_out_.clear();
+  stop_profiles_.clear();
   if (!asked.stop) ready_.back().profile.add_hold(asked.halted_by());
   slow_until_ = kUnlimited;
   feed_ = asked;
 }
 
-/// With the feed that is asked for, as soon as the machine is slow enough for it.
+/// Continues with the requested feed, as soon as the machine is slow enough for it.
 void Planner::go_on(PartlyPassed& rest, const State& now, double t, const FeedControl& asked) {
   const bool moves = now.v > 0;
   constraints_.set_feed_override(
       machine_, moves ? std::max(ceiling_, asked.feed_override) : asked.feed_override);
-  way_out_.clear();
+  stop_profiles_.clear();
   if (moves)
-    way_out_ = way_to_rest(rest, now, t, feed_.halts() ? feed_.halted_by() : Limit::override_);
+    stop_profiles_ =
+        profiles_to_rest(rest, now, t, feed_.halts() ? feed_.halted_by() : Limit::override_);
   feed_ = asked;
   take_back(rest, now.s, t);
   slower_ = moves ? make_feed_limit(machine_, asked.feed_override) : nullptr;
   lay_out(rest.blocks, now.s);
   window_->set_front(now.v, now.a);
-  if (moves) window_->slow_down(stopping_way(now.s));
+  if (moves) window_->slow_down(distance_to_rest(now.s));
   if (pending_.front().move()) pending_.front().profile.rest_at(now.s);
   if (pending_.front().move() && at_end(pending_.front(), now.s)) {
     ready_.push_back(take());
-    if (!way_out_.empty()) way_out_.erase(way_out_.begin());
+    if (!stop_profiles_.empty()) stop_profiles_.erase(stop_profiles_.begin());
   }
   running_ = asked.feed_override;
   slow_until_ = moves ? kUnlimited : 0;
 }
 
-/// mm from `s` in the first pending block to the end of the way out.
-double Planner::stopping_way(double s) const {
-  double way = -s;
-  for (std::size_t i = 0; i + 1 < way_out_.size(); ++i) way += length(pending_[i].move()->path);
-  return way + way_out_.back().end_place();
+/// Returns the distance, mm, from `s` in the first pending block to the end of the stop profiles.
+double Planner::distance_to_rest(double s) const {
+  double distance = -s;
+  for (std::size_t i = 0; i + 1 < stop_profiles_.size(); ++i)
+    distance += length(pending_[i].move()->path);
+  return distance + stop_profiles_.back().end_place();
 }
 
-/// A window of the moves of all pending blocks, and of what has been passed just before; its front
-/// is `s` mm inside the first pending one.
+/// Makes a window of the moves of all pending blocks, and of what has been passed just before; its
+/// front is `s` mm inside the first pending one.
 void Planner::lay_out(const std::deque<TimedBlock>& passed, double s) {
   counts_.effort += window_->effort();
-  window_ =
-      make_window(constraints_, constraints_.limits_jerk() ? 1 : kAccelerationShare, horizon_);
+  window_ = make_window(
+      constraints_, constraints_.limits_jerk() ? 1 : tuning::planner::kAccelerationShare, horizon_);
   settled_ = last_size_ = 0;
   std::size_t moves_passed = 0;
   RestBefore rest;
@@ -170,15 +175,15 @@ void Planner::lay_out(const std::deque<TimedBlock>& passed, double s) {
   window_->skip(moves_passed, s);
 }
 
-/// Where no way to slow down was found the machine rests first, until the next row: the path may
-/// turn there. False: there is nothing to run in the first pending block yet.
+/// Where no way to slow down was found the machine stops first, until the next sample: the path may
+/// have a corner there. Returns false if there is nothing to run in the first pending block yet.
 bool Planner::stop_first() {
   if (!rests_anyway_) ++counts_.effort.fallbacks;
   double s = 0;
-  std::vector<Profile> way_out = std::exchange(way_out_, {});
-  for (Profile& profile : way_out) {
+  std::vector<Profile> stop_profiles = std::exchange(stop_profiles_, {});
+  for (Profile& profile : stop_profiles) {
     s = profile.end_place();
-    if (&profile == &way_out.back()) rest_until_row(profile);
+    if (&profile == &stop_profiles.back()) rest_until_sample(profile);
     pending_.front().profile = std::move(profile);
     if (!at_end(pending_.front(), s)) break;
     ready_.push_back(take());

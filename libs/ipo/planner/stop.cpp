@@ -4,14 +4,14 @@
 #include <algorithm>
 
 #include "ipo/jerk/plan_problem.hpp"
+#include "ipo/planner/make_window.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kResolution = 1e-3;  // mm
-constexpr double kRounding = 1e-6;    // of a way
-
-/// Fills the window with the moves of all blocks; its front is `s` mm inside the first not passed.
+/// Fills the window with the moves of all blocks; its front is `s` mm inside the first one not
+/// passed.
 void append_moves(Window& window, const BlocksAround& around, double s) {
   std::size_t passed = 0;
   RestBefore rest;
@@ -35,13 +35,14 @@ std::size_t run_move(Window& window, std::size_t intervals, Profile& profile, Li
 
 StopPlan plan_stop(const Constraints& constraints, const BlocksAround& around, const State& now,
                    Limit as) {
-  const std::unique_ptr<Window> window = make_window(constraints, kAccelerationShare);
+  const std::unique_ptr<Window> window =
+      make_window(constraints, tuning::planner::kAccelerationShare);
   if (now.v > 0) append_moves(*window, around, now.s);
   window->set_front(now.v, now.a);
   StopPlan plan;
   std::size_t intervals = 0;
   if (window->size() > 0) {
-    const auto stop = window->rest_early(kResolution);
+    const auto stop = window->rest_early(tuning::planner::kStopResolution);
     plan.effort = window->effort();
     if (!stop) return plan;
     intervals = *stop;
@@ -60,10 +61,10 @@ StopPlan plan_stop(const Constraints& constraints, const BlocksAround& around, c
 
 double longest_stop(const State& now, const Constraints& constraints,
                     const Directions& directions) noexcept {
-  const double a = std::max(now.a, 0.0), j = directions.least(constraints.jerk_limits());
+  const double a = std::max(now.a, 0.0), j = directions.least(constraints.limits().jerk);
   const double v = now.v + 0.5 * a * a / j;
-  return (way_to_fastest({now.v, now.a}, j) + stopping_distance(v, constraints, directions)) *
-         (1 + kRounding);
+  return (distance_to_fastest({now.v, now.a}, j) + stopping_distance(v, constraints, directions)) *
+         (1 + tuning::planner::kStopRounding);
 }
 
 }  // namespace softcnc::ipo

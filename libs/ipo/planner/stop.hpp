@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The way to a standstill from anywhere on the path.
+// A stop from anywhere on the path.
 #pragma once
 
 #include <vector>
 
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/constraints.hpp"
 #include "ipo/path/window.hpp"
 #include "ipo/queue/block_queue.hpp"
 
@@ -15,24 +15,21 @@ struct StopPlan {
   PlanEffort effort;
 };
 
-/// The blocks around the machine, in order; the first `passed` lie behind it.
+/// The blocks around the machine, in order; the first `passed` have been passed.
 struct BlocksAround {
   std::vector<const TimedBlock*> blocks;
   std::size_t passed = 0;
 };
 
-/// The shortest stop on the path, under the same constraints, from the state `now` inside the first
-/// block not passed; the last profile ends at rest. `as`: what the profiles are to say holds the
-/// feed down. No profiles, should rounding leave no way to stop.
+/// Returns the shortest stop on the path, under the same constraints, from the state `now` inside
+/// the first block not passed; the last profile ends at rest. `as` is the limit that the profiles
+/// name. Returns no profiles should rounding leave no way to stop.
 StopPlan plan_stop(const Constraints& constraints, const BlocksAround& around, const State& now,
                    Limit as);
 
-/// No stop from this state need be longer than this on a straight line of these directions, mm.
+/// Returns a distance, mm, that a stop from this state need not exceed on a straight line of these
+/// directions.
 double longest_stop(const State& now, const Constraints& constraints,
                     const Directions& directions) noexcept;
-
-/// A plan leaves nothing of its accelerations unused where another one begins: what interpolating
-/// and rounding may cost is added here, well within the 0.1 % of the promise.
-inline constexpr double kAccelerationShare = 1 + 5e-4;
 
 }  // namespace softcnc::ipo

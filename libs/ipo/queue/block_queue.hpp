@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The door between planning and the cycle: timed blocks, in order.
+// The queue between planning and the cycle: timed blocks, in order.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace softcnc::ipo {
 
-/// A block, or what is run of several in one curve, with its place in time and along the path.
+/// A block, or several run as one curve, with its place in time and along the path.
 struct TimedBlock {
   Block block;
   Profile profile;
@@ -27,7 +27,8 @@ struct TimedBlock {
   double t_end() const noexcept { return t_start + profile.duration(); }
   const Move* move() const noexcept { return std::get_if<Move>(&block.what); }
 
-  /// Which block it is `s` mm from its start, and where that is written. Realtime.
+  /// Returns which block it is `s` mm from its start, and its position in the program text.
+  /// Realtime.
   Mark at(double s) const noexcept {
     const auto later = std::upper_bound(marks.begin(), marks.end(), s,
                                         [](double a, const Mark& mark) { return a < mark.s; });
@@ -36,33 +37,33 @@ struct TimedBlock {
   int last_number() const noexcept { return marks.empty() ? block.number : marks.back().number; }
 };
 
-/// More of the block before, of which only a part was timed.
+/// A further part of the block before it.
 struct Continuation {
   Profile profile;
 };
 
 using TimedPart = std::variant<TimedBlock, Continuation>;
 
-/// Blocks of which the first `passed` lie behind the machine.
+/// Blocks of which the first `passed` have been passed by the machine.
 struct PartlyPassed {
   std::deque<TimedBlock> blocks;
   std::size_t passed = 0;
 };
 
-/// The reader advances and frees nothing; the writer frees what the reader has left behind.
+/// The reader only advances and frees nothing; the writer frees what the reader has passed.
 class BlockQueue {
  public:
-  /// Blocks are remembered for `memory` s after they have been trimmed.
+  /// Blocks are remembered for `memory` s after trim() has removed them.
   explicit BlockQueue(double memory) : memory_(memory) {}
 
   void push(TimedBlock block);
   void push(const Continuation& more);  // of the block pushed last
   void push(TimedPart part);
   void trim();  // planning side
-  /// Takes out everything from the present block on, to be planned anew, and before it what can
-  /// still be felt. Planning side.
+  /// Takes out everything from the present block on, to be planned again, and before it what still
+  /// matters. Planning side.
   PartlyPassed take_rest();
-  /// The other way round: what follows begins at `t`; `passed` can still be felt. Planning side.
+  /// Restores the queue: what follows begins at `t`; `passed` still matters. Planning side.
   void begin_again(std::deque<TimedBlock> passed, double t);
 
   /// Realtime.
@@ -77,20 +78,21 @@ class BlockQueue {
     for (std::size_t i = 0; i < blocks_.size() && i <= current_; ++i) visit(blocks_[i]);
   }
 
-  /// The same, and then for what lies ahead.
+  /// Calls visit(block) for those and for what lies ahead.
   template <typename Visit>
   void for_each(Visit&& visit) const {
     for (const TimedBlock& block : blocks_) visit(block);
   }
 
-  /// The length of path, mm, up to which it is known; nothing where no move is in the queue.
+  /// Returns the length of path, mm, up to which it is known; nothing where no move is in the
+  /// queue.
   std::optional<double> s_end() const noexcept {
     for (auto block = blocks_.rbegin(); block != blocks_.rend(); ++block)
       if (block->move()) return block->s_start + length(block->move()->path);
     return std::nullopt;
   }
 
-  /// The instant up to which everything is timed, s.
+  /// Returns the instant, s, up to which everything is timed.
   double t_end() const noexcept { return t_end_; }
 
  private:

@@ -4,8 +4,8 @@
 namespace softcnc::ipo {
 namespace {
 
-/// What place, slope and bend at both ends weigh at x from 0 to 1: Hermite's polynomials of degree
-/// 5, whose first two derivatives are those of the ends as well.
+/// The weights of position, slope and second derivative at both ends at x from 0 to 1: Hermite
+/// polynomials of degree 5, whose first two derivatives are those of the ends as well.
 std::array<double, 6> weights(double x) noexcept {
   const double x2 = x * x, x3 = x2 * x, x4 = x3 * x, x5 = x4 * x;
   return {1 - 10 * x3 + 15 * x4 - 6 * x5,    x - 6 * x3 + 8 * x4 - 3 * x5,
@@ -41,8 +41,8 @@ void FineSpline::add(const Setpoint& setpoint, const FinePoint& expected,
   if (started_)
     for (std::size_t k = 0; k < out.size(); ++k) {
       const auto& w = weights_[k];
-      out[k] = w[0] * last_.place + w[1] * last_.slope + w[2] * last_.bend + w[3] * next.place +
-               w[4] * next.slope + w[5] * next.bend;
+      out[k] = w[0] * last_.place + w[1] * last_.slope + w[2] * last_.second + w[3] * next.place +
+               w[4] * next.slope + w[5] * next.second;
     }
   started_ = true;
   last_ = next;

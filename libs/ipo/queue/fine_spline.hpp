@@ -10,23 +10,23 @@
 
 namespace softcnc::ipo {
 
-/// A spline through setpoints as they come: polynomials of degree 5 from each to the next, with one
-/// velocity and one acceleration where they meet. Both are those of the parabola through the
-/// setpoint before, the setpoint, and where the next one is expected to be: it passes the setpoints
-/// wherever that is. At rest they are 0.
+/// A spline through setpoints as they arrive: polynomials of degree 5 from each to the next, with
+/// one velocity and one acceleration where they meet. Both are those of the parabola through the
+/// previous setpoint, the setpoint, and the expected position of the next one; the spline passes
+/// through the setpoints wherever the next one is. At rest both are 0.
 class FineSpline {
  public:
-  /// `parts`: fine points in a period.
+  /// `parts` is the number of fine points in a period.
   explicit FineSpline(std::size_t parts);
 
-  /// The next setpoint, and where the one after it is expected; `out` gets the fine points that
-  /// lead to it, as many as there are parts. Realtime.
+  /// Adds the next setpoint and the expected position of the one after it; `out` receives the fine
+  /// points that lead to the setpoint, as many as there are parts. Realtime.
   void add(const Setpoint& setpoint, const FinePoint& expected, std::span<FinePoint> out) noexcept;
 
  private:
-  /// Place, and what it changes by in a period and by how much that does.
+  /// A position with its first and second difference over a period.
   struct Knot {
-    FinePoint place, slope, bend;
+    FinePoint place, slope, second;
   };
   Knot knot(const Setpoint& setpoint, const FinePoint& expected) const noexcept;
 

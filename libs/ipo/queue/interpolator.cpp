@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/queue/interpolator.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 
 namespace softcnc::ipo {
 namespace {
-
-/// Instants closer than this part of a period are one: rounding of sums of durations.
-constexpr double kSameInstant = 1e-9;
 
 const Nurbs* nurbs_of(const TimedBlock& timed) noexcept {
   const Move* move = timed.move();
@@ -33,7 +31,7 @@ std::optional<Setpoint> Interpolator::step() noexcept {
 }
 
 double Interpolator::needs_until() const noexcept {
-  const double same = 2 * kSameInstant * control_.period;
+  const double same = 2 * tuning::queue::kSameInstant * control_.period;
   if (follows_time(control_.interpolation) || queue_.empty())
     return static_cast<double>(periods_) * control_.period + same;
   return queue_.front().t_start + t_ + control_.period + same;
@@ -62,7 +60,7 @@ void Interpolator::enter_block() noexcept {
     walk_.emplace(*nurbs, control_.interpolation, control_.chord_tolerance);
 }
 
-/// Remembers where the block ends, exactly, and goes on to the next one.
+/// Remembers where the block ends, exactly, and continues with the next one.
 void Interpolator::leave_block() noexcept {
   const TimedBlock& block = queue_.front();
   last_.s = block.s_start;
@@ -80,14 +78,14 @@ void Interpolator::leave_block() noexcept {
   enter_block();
 }
 
-/// Exact interpolation: the planned place at the instant of the setpoint. The instant is counted
-/// afresh each time, so that nothing adds up.
+/// Exact interpolation: the planned position at the instant of the setpoint. The instant is
+/// computed from the count of periods each time, so that no error accumulates.
 void Interpolator::follow_time() noexcept {
   if (control_.interpolation == Method::arc_length && periods_ > 0) look_between();
   go_to(static_cast<double>(periods_) * control_.period);
 }
 
-/// The plan between the last setpoint and the next one.
+/// Evaluates the plan between the last setpoint and the next one.
 void Interpolator::look_between() noexcept {
   const auto parts = static_cast<double>(fine_.size());
   const auto begin = static_cast<double>(periods_ - 1);
@@ -97,7 +95,7 @@ void Interpolator::look_between() noexcept {
   }
 }
 
-/// Where the plan is in the front block.
+/// Returns the position of the plan in the front block.
 FinePoint Interpolator::point() noexcept {
   if (queue_.empty()) return {last_.s, last_.position};
   const TimedBlock& block = queue_.front();
@@ -106,7 +104,8 @@ FinePoint Interpolator::point() noexcept {
   return {block.s_start + s, move ? position(move->path, s) : last_.position};
 }
 
-/// Where a method is expected in a period: as its block says, and from the end of that straight on.
+/// Returns where a method is expected in a period: as its block says, and straight on from the end
+/// of that.
 FinePoint Interpolator::ahead() const noexcept {
   const Move* move = queue_.empty() ? nullptr : queue_.front().move();
   if (!move) return {last_.s, last_.position};
@@ -125,7 +124,7 @@ FinePoint Interpolator::ahead() const noexcept {
   return {block.s_start + place.s + beyond, place.position + beyond * on};
 }
 
-/// The points of the period that leads to a setpoint: the plan's, or of a spline.
+/// Returns the fine points of the period that leads to a setpoint: of the plan, or of a spline.
 std::span<const FinePoint> Interpolator::fine(const Setpoint& next) noexcept {
   if (control_.interpolation != Method::arc_length && fine_.size() > 1)
     spline_.add(next, ahead(), fine_);
@@ -135,7 +134,7 @@ std::span<const FinePoint> Interpolator::fine(const Setpoint& next) noexcept {
 }
 
 void Interpolator::go_to(double t) noexcept {
-  const double same = kSameInstant * control_.period;
+  const double same = tuning::queue::kSameInstant * control_.period;
   while (!queue_.empty() && t >= queue_.front().t_end() - same) {
     const Profile& profile = queue_.front().profile;
     walk_pulses(t, profile.at(profile.duration(), hint_).s);
@@ -146,8 +145,8 @@ void Interpolator::go_to(double t) noexcept {
   walk_pulses(t, queue_.front().profile.at(t_, hint_).s);
 }
 
-/// The clocks up to `s` mm of the front block, in the period that ends at `t`. The first setpoint
-/// ends none.
+/// Collects the clocks up to `s` mm of the front block, in the period that ends at `t`. The first
+/// setpoint ends none.
 void Interpolator::walk_pulses(double t, double s) noexcept {
   PulseWalk* walk = queue_.pulses();
   if (!walk || periods_ == 0) return;
@@ -160,10 +159,11 @@ void Interpolator::walk_pulses(double t, double s) noexcept {
   }
 }
 
-/// A method of the literature: the planned advance from where the method stands, taken its way.
-/// Every block ends in its end point; what is left of the period belongs to the next block.
+/// A method of the literature: the planned advance from where the method stands, taken as the
+/// method does. Every block ends in its end point; what is left of the period belongs to the next
+/// block.
 void Interpolator::follow_method(double left) noexcept {
-  const double same = kSameInstant * control_.period;
+  const double same = tuning::queue::kSameInstant * control_.period;
   while (!queue_.empty()) {
     const Profile& profile = queue_.front().profile;
     const double s = state().s;
@@ -186,8 +186,8 @@ void Interpolator::follow_method(double left) noexcept {
   }
 }
 
-/// Where the machine is in the front block, mm. Under the paper's clock it keeps the plan's time
-/// but not its place.
+/// Returns where the machine is in the front block, mm. Under the paper's clock it keeps the time
+/// of the plan but not its position.
 double Interpolator::place(const State& now) noexcept {
   if (walk_) return walk_->s();
   const PulseWalk* pulses = queue_.pulses();

@@ -13,7 +13,7 @@
 
 namespace softcnc::ipo {
 
-/// How many fine points a period has: as its backend asks for them.
+/// Returns how many fine points a period has, as its backend requires.
 inline std::size_t fine_points(const Control& control) noexcept {
   const bool simulated = control.backend == BackendKind::sim;
   return static_cast<std::size_t>(
@@ -28,34 +28,34 @@ class Interpolator {
     if (is_by_pulses(control.interpolation)) pulses_.reserve(kPulses);
   }
 
-  /// Realtime. The next setpoint, nothing after the last, which rests at the end of the queue. The
-  /// queue must hold every block up to needs_until(), or all there are.
+  /// Realtime. Returns the next setpoint; nothing after the last one, which rests at the end of the
+  /// queue. The queue must hold every block up to needs_until(), or all there are.
   std::optional<Setpoint> step() noexcept;
 
-  /// The override of the programmed feed from the next setpoint on: what Setpoint::feed shows.
+  /// Sets the override of the programmed feed from the next setpoint on: what Setpoint::feed shows.
   void set_feed_override(double feed_override) noexcept { feed_override_ = feed_override; }
   double feed_override() const noexcept { return feed_override_; }
 
-  /// The planned time, s, that the next step may reach.
+  /// Returns the planned time, s, that the next step may reach.
   double needs_until() const noexcept;
 
-  /// Where the machine stands in the front block of the queue. Planning side.
+  /// Returns the state of the machine in the front block of the queue. Planning side.
   State state() const noexcept;
 
-  /// The present block, and where it has been reached, s of its profile. Planning side.
+  /// Returns the time in the present block, s of its profile. Planning side.
   double time_in_block() const noexcept { return t_; }
-  /// The next step is `periods` later than it would be: within the present block.
+  /// Delays the next step by `periods`, within the present block.
   void pass_over(std::int64_t periods) noexcept { periods_ += periods; }
 
-  /// Goes on where it is after the queue has been planned anew from state(): the front block is the
-  /// same one, and its profile starts there. Planning side.
+  /// Continues where it is after the queue has been planned again from state(): the front block is
+  /// the same one, and its profile starts there. Planning side.
   void replanned() noexcept;
 
-  /// The instant of the last setpoint, s.
+  /// Returns the instant of the last setpoint, s.
   double time() const noexcept { return static_cast<double>(periods_ - 1) * control_.period; }
 
  private:
-  static constexpr std::size_t kPulses = 4096;  // in a period without a further allocation
+  static constexpr std::size_t kPulses = 4096;  // per period without a further allocation
 
   void enter_block() noexcept;
   void leave_block() noexcept;
@@ -78,7 +78,7 @@ class Interpolator {
   std::optional<ParameterWalk> walk_;  // through its NURBS, by a method of the literature
   std::vector<TimedStep> pulses_;      // by a method of reference pulses: of the period
   std::vector<FinePoint> fine_;        // of the period
-  FineSpline spline_;                  // where they are not the plan itself
+  FineSpline spline_;                  // where the fine points are not the plan itself
   double feed_override_ = 1;
   double planned_ = 0;       // integral of the planned speed since the last setpoint, mm
   double planned_from_ = 0;  // program length at the last setpoint, mm

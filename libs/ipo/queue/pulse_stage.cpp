@@ -9,7 +9,7 @@
 namespace softcnc::ipo {
 namespace {
 
-/// Clocks for each BLU along an axis: SAM drops one of every three there.
+/// Returns the clocks for each BLU along an axis: SAM drops one of every three there.
 double clocks_per_blu(PulseMethod method) noexcept {
   return method == PulseMethod::sam ? 1.5 : 1.0;
 }
@@ -35,7 +35,7 @@ std::optional<Diagnostic> PulseStage::prepare(Block& block) const {
   int axis = 0;
   (box.max - box.min).maxCoeff(&axis);
   if (clocks > 0) move->feed *= length(move->path) * clocks_per_blu(method) / (clocks * blu_[axis]);
-  move->join = Join::stop;
+  move->path_mode = PathMode::stop;
   move->corner_tolerance = 0;
   move->chord_tolerance = 0;
   return std::nullopt;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What methods of reference pulses ask of the planning side, before and behind the speeds.
+// What methods of reference pulses require of the planning side, before and after the speeds are
+// planned.
 #pragma once
 
 #include <optional>
@@ -9,22 +10,22 @@
 
 namespace softcnc::ipo {
 
-/// Gives every move its staircase, so that the cycle need only walk it. Does nothing for other
-/// methods.
+/// Gives every move its staircase, so that the cycle only walks it. Does nothing for other methods.
 ///
 /// Under the paper's clock a move goes from rest to rest, and its clocks come at the rate of its
-/// feed per BLU, whatever way they lead: its speed along the path is what follows from their
+/// feed per BLU, in whatever direction they lead: its speed along the path follows from their
 /// number.
 class PulseStage {
  public:
   /// `machine` must outlive the stage.
   explicit PulseStage(const Machine& machine);
 
-  /// Makes of a move what the planner is to run. SC7080: the axes it moves have BLU of their own,
-  /// which the paper's clock does not know. The place of the diagnostic is left to the caller.
+  /// Changes a move into what the planner is to run. Returns SC7080 if the axes it moves have
+  /// different BLU, which the paper's clock cannot serve. The caller sets the position of the
+  /// diagnostic.
   std::optional<Diagnostic> prepare(Block& block) const;
 
-  /// Planning side: the staircase allocates.
+  /// Attaches the staircase. Planning side: it allocates.
   void attach(TimedBlock& timed);
 
  private:

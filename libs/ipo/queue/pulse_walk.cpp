@@ -12,12 +12,12 @@ namespace {
 
 int longest_axis(const GridPoint& from, const GridPoint& to) noexcept {
   int lead = 0;
-  const auto way = [&](int axis) {
+  const auto distance = [&](int axis) {
     const auto i = static_cast<std::size_t>(axis);
     return std::abs(to[i] - from[i]);
   };
   for (int axis = 1; axis < kAxes; ++axis)
-    if (way(axis) > way(lead)) lead = axis;
+    if (distance(axis) > distance(lead)) lead = axis;
   return lead;
 }
 
@@ -90,9 +90,9 @@ double PulseWalk::Even::place(Step step) noexcept {
   return here;
 }
 
-/// The leading axis is the one that is nearer to the center: the circle's place with its coordinate
-/// is meant, not the staircase's. Towards 45 degrees, where the other one takes over, it becomes
-/// the circle's place next to the staircase's, so that none is jumped.
+/// The leading axis is the one that is nearer to the centre: the position is that of the circle at
+/// its coordinate, not that of the staircase. Towards 45 degrees, where the other axis takes over,
+/// it becomes the position of the circle next to the staircase, so that no position is skipped.
 double PulseWalk::Circle::place(Step step) noexcept {
   const double along = step[axes.first], across = step[axes.second];
   const double x = arm[0] + 0.5 * along, y = arm[1] + 0.5 * across;
@@ -117,7 +117,7 @@ double PulseWalk::place(Step step) noexcept {
   return 0.5 * (before + curve.s);
 }
 
-/// A curve tells only where its last move is.
+/// A curve reports only where its last move is.
 bool PulseWalk::read() noexcept {
   const bool one = std::holds_alternative<OnCurve>(places_);
   next_ = 0;
@@ -125,7 +125,7 @@ bool PulseWalk::read() noexcept {
   return read_ > 0;
 }
 
-/// Rounding may have put the end of the move before onto another place of the grid.
+/// Rounding may have put the end of the previous move onto another grid point.
 bool PulseWalk::close_gap() noexcept {
   Step step;
   for (std::size_t i = 0; i < gap_.size(); ++i) {

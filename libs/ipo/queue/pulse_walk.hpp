@@ -13,10 +13,10 @@
 
 namespace softcnc::ipo {
 
-/// With PulseClock::profile a clock belongs where the path's leading axis is half way through it,
-/// so that the pulses of that axis come evenly and those of the others between or together with
-/// them; a clock without the leading axis belongs where that one stands. With PulseClock::paper the
-/// plan takes all clocks, those dropped too, as equal parts of the path.
+/// With PulseClock::profile a clock belongs where the path's leading axis is half-way through it,
+/// so that the pulses of that axis come evenly and those of the others between them or together
+/// with them; a clock without the leading axis belongs where that axis is. With PulseClock::paper
+/// the plan takes all clocks, including dropped ones, as equal parts of the path.
 class PulseWalk {
  public:
   struct Clock {
@@ -25,18 +25,18 @@ class PulseWalk {
     double s = 0;    // and leads to about here; neither is ever less than that of the clock before
   };
 
-  /// `blu` in mm, by axis. Steps from `from` to where the staircase begins, if any, come first.
+  /// `blu` is in mm, by axis. Steps from `from` to where the staircase begins, if any, come first.
   PulseWalk(Path path, const AxisVector& blu, PulseMethod method, PulseClock clock,
             const GridPoint& from);
   PulseWalk(const PulseWalk&) = delete;
   PulseWalk& operator=(const PulseWalk&) = delete;
 
-  /// The next clock in which an axis moves; nothing at the end. Realtime.
+  /// Returns the next clock in which an axis moves; null at the end. Realtime.
   const Clock* ahead() noexcept { return has_ahead_ ? &ahead_ : nullptr; }
-  /// Takes it. Realtime.
+  /// Passes that clock. Realtime.
   void pass() noexcept;
 
-  /// Where the clocks passed have led, mm. Realtime.
+  /// Returns where the clocks passed have led, mm. Realtime.
   AxisVector position() const noexcept;
   double s() const noexcept { return s_; }  // along the path, about
   const GridPoint& at() const noexcept { return at_; }
@@ -59,7 +59,7 @@ class PulseWalk {
   struct OnCurve {
     double s = 0;
   };
-  /// The paper's.
+  /// The clock of paper 003.
   struct Even {
     ClockDropper dropper;
     double part, s = 0;  // mm
@@ -88,7 +88,7 @@ class PulseWalk {
   bool has_ahead_ = true;
 };
 
-/// All clocks of a path as paper 003 has them, with those that are dropped.
+/// Returns the number of all clocks of a path as in paper 003, including those that are dropped.
 std::int64_t count_clocks(const Path& path, const AxisVector& blu, PulseMethod method);
 
 }  // namespace softcnc::ipo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the literature finds the next point on a NURBS within a period, kept for comparison with the
+// How the literature finds the next point on a NURBS within a period, kept for comparison with
 // interpolation by exact arc length.
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace softcnc::ipo {
 
-/// One NURBS block, walked by the parameter u instead of the arc length.
+/// One NURBS block, traversed by the parameter u instead of the arc length.
 class ParameterWalk {
  public:
-  /// Expects a method other than arc_length. `nurbs` must outlive the walk.
+  /// Requires a method other than arc_length. `nurbs` must outlive the walk.
   ParameterWalk(const Nurbs& nurbs, Method method, double chord_tolerance) noexcept;
 
   /// Realtime. Steps ahead by about `ds` mm and stops at the end of the curve:
@@ -22,14 +22,15 @@ class ParameterWalk {
   ///                du = ds / |P'| with P' of the point before         (000 section 3.2)
   void step(double ds) noexcept;
 
-  /// Whether the method goes all of `ds` where its step is not too long for the chord tolerance.
+  /// Whether the method covers all of `ds`, because its step is not too long for the chord
+  /// tolerance.
   bool takes(double ds) const noexcept;
 
-  /// The curve has moved in memory; the walk stays where it is.
+  /// Rebinds to the curve after it has moved in memory; the walk stays where it is.
   void rebind(const Nurbs& nurbs) noexcept { nurbs_ = &nurbs; }
 
   AxisVector position() const noexcept;
-  /// Arc length from the start of the curve to where the walk stands, mm.
+  /// Returns the arc length from the start of the curve to where the walk is, mm.
   double s() const noexcept;
 
  private:
@@ -46,7 +47,7 @@ class ParameterWalk {
   int points_ = 1;
 };
 
-/// Curvature of the circle through three points, 1/mm; 0 if they lie on a line.
+/// Returns the curvature of the circle through three points, 1/mm; 0 if they lie on a line.
 double three_point_curvature(const AxisVector& a, const AxisVector& b,
                              const AxisVector& c) noexcept;
 

@@ -2,41 +2,34 @@
 //
 // The curve is a Bezier curve of degree 5. At an end with position p, tangent t and curvature
 // vector k, a cut d away from the joint along the path, its first control points are p, p + 0.4 d t
-// and p + 0.8 d t + 5/4 (0.4 d)^2 k: by that its curvature there is k. Along a straight line these
+// and p + 0.8 d t + 5/4 (0.4 d)^2 k, which makes its curvature there k. Along a straight line these
 // points are evenly spaced, so that the curve begins as if nothing were ahead.
 //
 // Between two lines at an angle its middle is 3/16 d |t1 - t0| from the joint. In general each of
-// its points has a place of its own on the paths: that which comes as early in the cut, moved along
-// the tangent to be nearer. What lies between the two is an upper bound both of the curve from the
-// paths and of the paths from the curve, since the places move over all of the cut, but for what
-// lies around the joint: that is no further from the middle than the joint is. The bound is
-// sampled, what it may rise to between samples added by its second differences, and d found by it.
+// its points is compared with a point of the paths: the one at the same part of the cut, moved
+// along the tangent to be nearer. The distance between the two is an upper bound of the distance of
+// the curve from the paths and of the paths from the curve, since the points cover all of the cut,
+// except for what lies around the joint: that is no further from the middle than the joint is. The
+// bound is sampled, what it may rise to between samples is added from its second differences, and d
+// is found with it.
 #include "ipo/smoothing/blend.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "ipo/tuning.hpp"
 #include "motion/geometry/deviation.hpp"
 
 namespace softcnc::ipo {
 namespace {
-
-constexpr double kReach = 0.4;            // of d: first control point
-constexpr double kShortest = 1e-5;        // mm
-constexpr double kMostTurn = 0.6;         // rad: of a path within d
-constexpr int kTurnSamples = 8;           // where it is looked for
-constexpr std::size_t kSamples = 16;      // of the curve, on either side of its middle
-constexpr double kRise = 1.5 / 8;         // of a second difference: 1/8 for a parabola
-constexpr std::ptrdiff_t kMostKnots = 4;  // of a NURBS, within d: samples see what is between
-constexpr int kRounds = 12;
 
 struct Cut {
   double before, after;
 };
 
 std::array<AxisVector, 3> end_points(const PathPoint& end, double d, double direction) {
-  const double reach = kReach * d;
+  const double reach = tuning::blend::kFirstControl * d;
   const AxisVector along = direction * reach * end.dq;
   return {end.q, end.q + along, end.q + 2 * along + 1.25 * reach * reach * end.ddq};
 }
@@ -51,7 +44,7 @@ class Fit {
     return {a[0], a[1], a[2], b[2], b[1], b[0]};
   }
 
-  /// mm, at most.
+  /// Returns an upper bound of the deviation, mm.
   double deviation(const Cut& cut) const {
     const auto points = control(cut);
     const double corner = (bezier(points, 0.5) - position(joint_.before, length_)).norm();
@@ -59,7 +52,8 @@ class Fit {
                      highest({&joint_.after, 0, cut.after}, points, 0.5)});
   }
 
-  /// The paths turn little within the cut, and have no more knots there than samples can see.
+  /// Whether the paths turn little within the cut, and have no more knots there than the samples
+  /// can see.
   bool is_tame(const Cut& cut) const {
     return is_tame(Portion{&joint_.before, length_ - cut.before, length_}) &&
            is_tame(Portion{&joint_.after, 0, cut.after});
@@ -69,13 +63,14 @@ class Fit {
   static bool is_tame(const Portion& portion) {
     if (std::holds_alternative<Line>(*portion.path)) return true;
     if (const Nurbs* nurbs = std::get_if<Nurbs>(portion.path);
-        nurbs && knots_within(*nurbs, portion.s0, portion.s1) > kMostKnots)
+        nurbs && knots_within(*nurbs, portion.s0, portion.s1) > tuning::blend::kMostKnots)
       return false;
-    const double step = (portion.s1 - portion.s0) / kTurnSamples;
+    const double step = (portion.s1 - portion.s0) / tuning::blend::kTurnSamples;
     const PathPoint first = at(*portion.path, portion.s0);
-    if (first.ddq.norm() * step > kMostTurn) return false;
-    for (int i = 1; i <= kTurnSamples; ++i)
-      if ((at(*portion.path, portion.s0 + i * step, Side::before).dq - first.dq).norm() > kMostTurn)
+    if (first.ddq.norm() * step > tuning::blend::kMostTurn) return false;
+    for (int i = 1; i <= tuning::blend::kTurnSamples; ++i)
+      if ((at(*portion.path, portion.s0 + i * step, Side::before).dq - first.dq).norm() >
+          tuning::blend::kMostTurn)
         return false;
     return true;
   }
@@ -92,23 +87,23 @@ class Fit {
     return points[0];
   }
 
-  /// Of the half of the curve that begins at t0, from its places in the portion.
+  /// Returns the bound for the half of the curve that begins at t0, from its points in the portion.
   static double highest(const Portion& portion, const std::array<AxisVector, 6>& points,
                         double t0) {
-    std::array<AxisVector, kSamples + 1> off;
-    for (std::size_t i = 0; i <= kSamples; ++i) {
-      const double part = static_cast<double>(i) / kSamples;
+    std::array<AxisVector, tuning::blend::kSamples + 1> off;
+    for (std::size_t i = 0; i <= tuning::blend::kSamples; ++i) {
+      const double part = static_cast<double>(i) / tuning::blend::kSamples;
       off[i] = from_place(portion, bezier(points, t0 + 0.5 * part), part);
     }
-    std::array<double, kSamples + 1> bend{};
-    for (std::size_t i = 1; i < kSamples; ++i)
-      bend[i] = (off[i - 1] - 2 * off[i] + off[i + 1]).norm();
-    bend.front() = bend[1];
-    bend.back() = bend[kSamples - 1];
+    std::array<double, tuning::blend::kSamples + 1> second{};
+    for (std::size_t i = 1; i < tuning::blend::kSamples; ++i)
+      second[i] = (off[i - 1] - 2 * off[i] + off[i + 1]).norm();
+    second.front() = second[1];
+    second.back() = second[tuning::blend::kSamples - 1];
     double largest = 0;
-    for (std::size_t i = 0; i < kSamples; ++i)
+    for (std::size_t i = 0; i < tuning::blend::kSamples; ++i)
       largest = std::max(largest, std::max(off[i].norm(), off[i + 1].norm()) +
-                                      kRise * std::max(bend[i], bend[i + 1]));
+                                      tuning::blend::kRise * std::max(second[i], second[i + 1]));
     return largest;
   }
 
@@ -123,20 +118,20 @@ class Fit {
   double length_;
 };
 
-/// Both cuts as long as each other.
+/// Cuts both paths by the same length.
 Cut even(double d) { return {d, d}; }
 
-/// The longest cut whose deviation is within the tolerance, by regula falsi on its logarithm: the
-/// deviation grows like d at a corner, and like d squared where only the curvature jumps.
-struct Found {
+/// Finds the longest cut whose deviation is within the tolerance, by regula falsi on its logarithm:
+/// the deviation grows like d at a corner, and like d squared where only the curvature jumps.
+struct LongestCut {
   double cut, deviation;
 };
-std::optional<Found> longest_cut(const Fit& fit, double most, double tolerance) {
+std::optional<LongestCut> longest_cut(const Fit& fit, double most, double tolerance) {
   double d = most;
-  while (!fit.is_tame(even(d)) && d > kShortest) d *= 0.5;
-  Found good{0, 0};
+  while (!fit.is_tame(even(d)) && d > tuning::blend::kShortest) d *= 0.5;
+  LongestCut good{0, 0};
   double bad = d;
-  for (int i = 0; i < kRounds && d > kShortest; ++i) {
+  for (int i = 0; i < tuning::blend::kRounds && d > tuning::blend::kShortest; ++i) {
     const double off = fit.deviation(even(d));
     if (off <= tolerance) {
       good = {d, off};
@@ -148,7 +143,7 @@ std::optional<Found> longest_cut(const Fit& fit, double most, double tolerance) 
       d = good.cut > 0 ? 0.5 * (good.cut + bad) : d * std::max(ratio, 0.02);
     }
   }
-  if (good.cut <= kShortest) return std::nullopt;
+  if (good.cut <= tuning::blend::kShortest) return std::nullopt;
   return good;
 }
 
@@ -161,7 +156,7 @@ NurbsSpec bezier_spec(const std::array<AxisVector, 6>& control, double width) {
 
 }  // namespace
 
-Jump jump(const Path& before, const Path& after) noexcept {
+JointJump joint_jump(const Path& before, const Path& after) noexcept {
   const PathPoint a = at(before, length(before), Side::before);
   const PathPoint b = at(after, 0, Side::after);
   return {(b.dq - a.dq).norm(), (b.ddq - a.ddq).norm()};
@@ -171,7 +166,7 @@ std::optional<Blend> make_blend(const Joint& joint) {
   const double most = std::min(joint.most_before, joint.most_after);
   const PathPoint a = at(joint.before, length(joint.before), Side::before);
   const PathPoint b = at(joint.after, 0, Side::after);
-  if (a.dq.dot(b.dq) < kTurnsBack || !(joint.tolerance > 0)) return std::nullopt;
+  if (a.dq.dot(b.dq) < tuning::blend::kTurnsBack || !(joint.tolerance > 0)) return std::nullopt;
   const Fit fit(joint);
   const auto found = longest_cut(fit, most, joint.tolerance);
   if (!found) return std::nullopt;

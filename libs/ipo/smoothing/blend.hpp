@@ -8,7 +8,7 @@
 
 namespace softcnc::ipo {
 
-/// A joint and what may be used of the paths on either side of it, mm.
+/// A joint and how much of the paths on either side of it may be used, mm.
 struct Joint {
   const Path& before;
   const Path& after;
@@ -24,18 +24,14 @@ struct Blend {
 
 /// How the path changes at a joint: the jump of its tangent (rad, 2 sin of half the angle) and of
 /// its curvature (1/mm).
-struct Jump {
+struct JointJump {
   double tangent, curvature;
 };
-Jump jump(const Path& before, const Path& after) noexcept;
+JointJump joint_jump(const Path& before, const Path& after) noexcept;
 
-/// A polynomial of degree 5 that goes over from one path into the other with the position, tangent
-/// and curvature of each, as long as the tolerance and the paths allow. Nothing where no such curve
-/// is longer than rounding, or where the path turns back.
+/// Returns a polynomial of degree 5 that goes over from one path into the other with the position,
+/// tangent and curvature of each, as long as the tolerance and the paths allow. Returns nothing
+/// where no such curve is longer than rounding, or where the path turns back.
 std::optional<Blend> make_blend(const Joint& joint);
-
-/// The cosine between two directions below which the path counts as turning back, and the machine
-/// stops: a curve around such a tip is hardly faster, and so small that planning it takes long.
-inline constexpr double kTurnsBack = -0.87;
 
 }  // namespace softcnc::ipo

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/smoothing/chord_merge.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,23 +9,19 @@
 namespace softcnc::ipo {
 namespace {
 
-constexpr double kPart = 1.0 / 16;      // of the tolerance, for chords
-constexpr std::size_t kMostLines = 64;  // in one chord
-constexpr double kMargin = 1 - 1e-9;
-
-/// Distance of a point from the line through `from` along the unit vector `direction`.
+/// Returns the distance of a point from the line through `from` along the unit vector `direction`.
 double aside(const AxisVector& point, const AxisVector& from, const AxisVector& direction) {
   const AxisVector off = point - from;
   return (off - off.dot(direction) * direction).norm();
 }
 
-/// Moves the marks from s on into a list of their own, which begins with the one in force there.
+/// Moves the marks from s on into a list of their own, which begins with the one valid there.
 std::vector<Mark> split(std::vector<Mark>& marks, double s) {
-  const auto behind =
+  const auto after =
       std::find_if(marks.begin(), marks.end(), [s](const Mark& m) { return m.s > s; });
-  std::vector<Mark> rest{behind[-1]};
-  rest.insert(rest.end(), behind, marks.end());
-  marks.erase(behind, marks.end());
+  std::vector<Mark> rest{after[-1]};
+  rest.insert(rest.end(), after, marks.end());
+  marks.erase(after, marks.end());
   for (Mark& mark : rest) mark.s = std::max(mark.s - s, 0.0);
   return rest;
 }
@@ -43,22 +40,22 @@ std::vector<Mark> cut_back(Chord& chord, double length) {
   return split(chord.marks, line.length() - length);
 }
 
-double merge_tolerance(const Manner& manner) noexcept {
-  const double p = manner.corner_tolerance, q = manner.chord_tolerance;
+double merge_tolerance(const MoveAttributes& attributes) noexcept {
+  const double p = attributes.corner_tolerance, q = attributes.chord_tolerance;
   const double whole = std::max(p, q);
-  return kMargin * std::max(std::min(q, kPart * whole), whole - p);
+  return tuning::chords::kMargin * std::max(std::min(q, tuning::chords::kPart * whole), whole - p);
 }
 
-double corner_tolerance(const Manner& manner, double deviation) noexcept {
-  const double p = manner.corner_tolerance;
-  return kMargin * std::min(p, std::max(p, manner.chord_tolerance) - deviation);
+double corner_tolerance(const MoveAttributes& attributes, double deviation) noexcept {
+  const double p = attributes.corner_tolerance;
+  return tuning::chords::kMargin * std::min(p, std::max(p, attributes.chord_tolerance) - deviation);
 }
 
-bool ChordMerge::add(const Line& line, const Manner& manner, const Mark& mark) {
+bool ChordMerge::add(const Line& line, const MoveAttributes& attributes, const Mark& mark) {
   if (empty()) {
     from_ = line.from();
-    manner_ = manner;
-  } else if (!(manner == manner_) || !fits(line.to())) {
+    attributes_ = attributes;
+  } else if (!(attributes == attributes_) || !fits(line.to())) {
     return false;
   }
   points_.push_back(line.to());
@@ -66,11 +63,11 @@ bool ChordMerge::add(const Line& line, const Manner& manner, const Mark& mark) {
   return true;
 }
 
-/// The lines go forward along the chord and stay near it: then each is within the tolerance of the
-/// other.
+/// Whether the lines go forward along the chord and stay near it: then each is within the tolerance
+/// of the other.
 bool ChordMerge::fits(const AxisVector& to) const noexcept {
-  const double tolerance = merge_tolerance(manner_);
-  if (points_.size() >= kMostLines || !(tolerance > 0)) return false;
+  const double tolerance = merge_tolerance(attributes_);
+  if (points_.size() >= tuning::chords::kMostLines || !(tolerance > 0)) return false;
   const AxisVector direction = (to - from_).normalized();
   double before = 0;
   for (const AxisVector& point : points_) {
@@ -82,7 +79,7 @@ bool ChordMerge::fits(const AxisVector& to) const noexcept {
 }
 
 Chord ChordMerge::take() {
-  Chord chord{from_, points_.back(), manner_, 0, std::move(marks_)};
+  Chord chord{from_, points_.back(), attributes_, 0, std::move(marks_)};
   const AxisVector direction = (chord.to - from_).normalized();
   chord.marks.front().s = 0;
   for (std::size_t i = 1; i < chord.marks.size(); ++i) {

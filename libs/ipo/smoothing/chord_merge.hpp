@@ -11,39 +11,40 @@ namespace softcnc::ipo {
 /// A straight line that stands for one or more programmed lines.
 struct Chord {
   AxisVector from, to;
-  Manner manner;
+  MoveAttributes attributes;
   double deviation = 0;     // mm: of the programmed points from it
   std::vector<Mark> marks;  // of every programmed line, the first at s = 0
 };
 
-/// Cuts that much, mm, off a chord's beginning or end. What is returned are the marks of the part
-/// cut off, from its own start.
+/// Cuts `length` mm off the beginning or end of a chord. Returns the marks of the part cut off,
+/// measured from its own start.
 std::vector<Mark> cut_front(Chord& chord, double length);
 std::vector<Mark> cut_back(Chord& chord, double length);
 
-/// Chords may take up at most a part of the tolerance: all that corners do not need, and otherwise
-/// a sixteenth. A curve through few long chords bends unevenly; one through many follows the shape.
-double merge_tolerance(const Manner& manner) noexcept;
+/// Returns the tolerance for chords. They may take up at most a part of it: all that corners do not
+/// need, and otherwise a sixteenth. A curve through few long chords has uneven curvature; one
+/// through many follows the shape.
+double merge_tolerance(const MoveAttributes& attributes) noexcept;
 
-/// The tolerance, mm, that is left to a corner between chords that deviate by so much. All together
-/// stays within the larger of P and Q.
-double corner_tolerance(const Manner& manner, double deviation) noexcept;
+/// Returns the tolerance, mm, that is left to a corner between chords with such a deviation.
+/// Together they stay within the larger of P and Q.
+double corner_tolerance(const MoveAttributes& attributes, double deviation) noexcept;
 
 class ChordMerge {
  public:
   bool empty() const noexcept { return points_.empty(); }
 
-  /// Adds the line if the chord may stand for it too; otherwise false.
-  bool add(const Line& line, const Manner& manner, const Mark& mark);
+  /// Adds the line if the chord may stand for it, too; otherwise returns false.
+  bool add(const Line& line, const MoveAttributes& attributes, const Mark& mark);
 
-  /// The chord, which is then forgotten. If not empty().
+  /// Returns the chord and clears it. Must not be empty().
   Chord take();
 
  private:
   bool fits(const AxisVector& to) const noexcept;
 
   AxisVector from_;
-  Manner manner_;
+  MoveAttributes attributes_;
   std::vector<AxisVector> points_;  // ends of its lines
   std::vector<Mark> marks_;         // beginnings of its lines
 };

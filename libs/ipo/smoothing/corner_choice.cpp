@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ipo/limits/chord_error.hpp"
+#include "ipo/tuning.hpp"
+
 namespace softcnc::ipo {
 namespace {
-
-// Measured on corners between long lines: parts of length over speed that the passage takes, and
-// the periods that rows of a short curve cost beside.
-constexpr double kByAcceleration = 0.6, kByJerk = 0.4;
-constexpr double kPeriods = 2;
 
 double limit_or_none(double limit) noexcept { return limit > 0 ? limit : kUnlimited; }
 
@@ -31,7 +29,7 @@ CornerChoice::CornerChoice(const Machine& machine)
   }
 }
 
-/// mm/s: beside the corner.
+/// Returns the highest speed beside the corner, mm/s.
 double CornerChoice::fastest(const RoundedCorner& corner) const noexcept {
   return std::min({corner.feed, corner.feed < kUnlimited ? feed_ : kUnlimited,
                    along(velocity_, corner.tangent)});
@@ -44,13 +42,14 @@ bool CornerChoice::is_sooner(const RoundedCorner& corner) const noexcept {
   const double by_jerk = std::cbrt(along(jerk_, corner.dddq));
   const double by_chord = chord_step(kappa, chord_tolerance_) / period_;
   const double v = std::min({by_acceleration, by_jerk, by_chord, feed});
-  const double passing = corner.length * std::max({kByAcceleration / by_acceleration,
-                                                   kByJerk / by_jerk, 1 / by_chord, 1 / feed});
+  const double passing =
+      corner.length * std::max({tuning::corners::kByAcceleration / by_acceleration,
+                                tuning::corners::kByJerk / by_jerk, 1 / by_chord, 1 / feed});
   const double jerk = along(jerk_, corner.tangent);
   const double brake =
       std::min({along(acceleration_, corner.tangent), tangential_, std::sqrt(feed * jerk)});
   const double stopping = 2 * v / brake - v * v / (brake * feed) + corner.length / feed;
-  const double rows = jerk < kUnlimited ? 0 : kPeriods * period_ * (1 - v / feed);
+  const double rows = jerk < kUnlimited ? 0 : tuning::corners::kPeriods * period_ * (1 - v / feed);
   return passing + rows < stopping;
 }
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Whether a corner is passed sooner on a curve that rounds it, or by a rest in it.
+// Whether a corner is passed sooner on a curve that rounds it, or with a rest in it.
 //
-// A curve takes its length over the speed at its tightest place, or part of that: where the
-// accelerations or the jerk of the axes limit that speed, the ends of the curve are faster and some
-// of it is braking that a rest would ask for as well. What a rest takes from there on is the speed
-// over the deceleration, to standstill and back, less what the way of the curve takes at the feed.
+// A curve takes its length over the speed at its tightest place, or a part of that: where the
+// accelerations or the jerk of the axes limit that speed, the ends of the curve are faster, and
+// some of it is braking that a rest would require as well. A rest takes, in addition, the speed
+// over the deceleration, to standstill and back, less the time of the length of the curve at the
+// feed.
 #pragma once
 
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/machine_limits.hpp"
 #include "motion/model/machine.hpp"
 
 namespace softcnc::ipo {
@@ -25,7 +26,7 @@ class CornerChoice {
  public:
   explicit CornerChoice(const Machine& machine);
 
-  /// False where a rest in the corner is sooner behind it.
+  /// Returns false where a rest in the corner is sooner.
   bool is_sooner(const RoundedCorner& corner) const noexcept;
 
  private:

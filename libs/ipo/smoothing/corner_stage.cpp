@@ -4,37 +4,30 @@
 #include <algorithm>
 #include <utility>
 
-#include "ipo/limits/constraint.hpp"
+#include "ipo/limits/machine_limits.hpp"
+#include "ipo/tuning.hpp"
 #include "motion/geometry/section.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
-/// Of a line or an arc, for the corner at either end; what the first does not use is left to the
-/// second, but for a rest.
-constexpr double kHalf = 0.5;
-constexpr double kRest = 1.0 / 64;
-
-constexpr double kTurn = 1e-9;         // rad: the tangent turns
-constexpr double kSmallTurn = 2e-4;    // rad: too small to hold any machine up without a jerk limit
-constexpr double kBend = 1e-6;         // 1/mm: the curvature jumps
-constexpr double kRests = 0.01;        // rad: a smaller corner can be passed exactly
-constexpr int kSamples = 16;           // of a curve that rounds one
-constexpr double kInnerCorner = 0.01;  // rad: of a NURBS, which is there cut in two
-
 bool is_rounded(const Move& move) {
-  return move.join == Join::follow && (move.corner_tolerance > 0 || move.chord_tolerance > 0);
+  return move.path_mode == PathMode::follow &&
+         (move.corner_tolerance > 0 || move.chord_tolerance > 0);
 }
 
-double feed_of(const Manner& manner) { return manner.rapid ? kUnlimited : manner.feed; }
+double feed_of(const MoveAttributes& attributes) {
+  return attributes.rapid ? kUnlimited : attributes.feed;
+}
 
 Mark mark_of(const Block& block) { return {0, block.source, block.number}; }
 
-/// Inner places where the tangent of a path turns.
+/// Returns the inner positions where the tangent of a path jumps.
 std::vector<double> inner_corners(const Path& path) {
   std::vector<double> corners;
   for (const double s : breaks(path))
-    if ((at(path, s, Side::after).dq - at(path, s, Side::before).dq).norm() > kInnerCorner)
+    if ((at(path, s, Side::after).dq - at(path, s, Side::before).dq).norm() >
+        tuning::corners::kInnerCorner)
       corners.push_back(s);
   return corners;
 }
@@ -45,7 +38,7 @@ CornerStage::CornerStage(const Machine& machine)
     : machine_(machine), choice_(machine), has_jerk_limit_(limits_jerk(machine)) {}
 
 bool CornerStage::passes(const Block& block) const noexcept {
-  if (!chord_.empty() || !run_.empty() || held_ || !out_.empty()) return false;
+  if (!chord_.empty() || !polyline_.empty() || held_ || !out_.empty()) return false;
   const Move* move = std::get_if<Move>(&block.what);
   return !move || !is_rounded(*move);
 }
@@ -58,7 +51,7 @@ void CornerStage::push(Block&& block) {
     out_.push_back({std::move(block), {}, 0});
     return;
   }
-  last_ = manner_of(*move);
+  last_ = attributes_of(*move);
   std::holds_alternative<Line>(move->path) ? push_line(block) : push_curve(std::move(block));
 }
 
@@ -76,9 +69,9 @@ bool CornerStage::joins(const Move& move) const { return last_ && last_->rapid =
 void CornerStage::push_line(const Block& block) {
   const Move& move = std::get<Move>(block.what);
   const Line& line = std::get<Line>(move.path);
-  if (chord_.add(line, manner_of(move), mark_of(block))) return;
+  if (chord_.add(line, attributes_of(move), mark_of(block))) return;
   close_chord();
-  chord_.add(line, manner_of(move), mark_of(block));
+  chord_.add(line, attributes_of(move), mark_of(block));
 }
 
 /// A NURBS with corners inside is several curves.
@@ -97,16 +90,17 @@ void CornerStage::push_curve(Block block) {
   hold(std::move(block));
 }
 
-/// Goes over from what came before into a curve, whose own end waits for what comes next.
+/// Makes the transition from what came before into a curve, whose own end waits for what comes
+/// next.
 void CornerStage::hold(Block block) {
   const Move& move = std::get<Move>(block.what);
-  const Side next{manner_of(move), {mark_of(block)}};
+  const Side next{attributes_of(move), {mark_of(block)}};
   double begin = 0;
   if (!chord_.empty()) {
     begin = leave_chord(move.path, next);
   } else if (held_) {
     if (const auto blend =
-            leave_held(move.path, corner_tolerance(next.manner, 0), feed_of(next.manner))) {
+            leave_held(move.path, corner_tolerance(next.attributes, 0), feed_of(next.attributes))) {
       emit_blend(*blend, held_side(), next);
       begin = blend->after;
     }
@@ -114,41 +108,42 @@ void CornerStage::hold(Block block) {
   held_ = Held{std::move(block), begin};
 }
 
-/// Goes over from the chord into a curve; returns how much of it that takes, mm.
+/// Makes the transition from the chord into a curve; returns how much of the curve that takes, mm.
 double CornerStage::leave_chord(const Path& after, const Side& next) {
   Chord chord = chord_.take();
   if (held_) begin_with_held(chord);
   const Line line(chord.from, chord.to);
-  const double left = (run_.empty() ? 1 - kRest : kHalf) * line.length();
-  const double tolerance =
-      std::min(corner_tolerance(chord.manner, chord.deviation), corner_tolerance(next.manner, 0));
-  const double feed = std::min(feed_of(chord.manner), feed_of(next.manner));
+  const double left =
+      (polyline_.empty() ? 1 - tuning::corners::kRest : tuning::corners::kHalf) * line.length();
+  const double tolerance = std::min(corner_tolerance(chord.attributes, chord.deviation),
+                                    corner_tolerance(next.attributes, 0));
+  const double feed = std::min(feed_of(chord.attributes), feed_of(next.attributes));
   const auto blend = blend_into(line, left, tolerance, after, feed);
-  Side last{chord.manner, {}, chord.deviation};
+  Side last{chord.attributes, {}, chord.deviation};
   if (blend) last.marks = cut_back(chord, blend->before);
-  run_.add(chord);
-  run_.end();
+  polyline_.add(chord);
+  polyline_.end();
   if (blend) emit_blend(*blend, std::move(last), next);
   return blend ? blend->after : 0;
 }
 
-/// Goes over from the curve that is held into a chord.
+/// Makes the transition from the held curve into a chord.
 void CornerStage::begin_with_held(Chord& chord) {
   const Path line = Line(chord.from, chord.to);
-  if (const auto blend =
-          leave_held(line, corner_tolerance(chord.manner, chord.deviation), feed_of(chord.manner)))
+  if (const auto blend = leave_held(line, corner_tolerance(chord.attributes, chord.deviation),
+                                    feed_of(chord.attributes)))
     emit_blend(*blend, held_side(),
-               {chord.manner, cut_front(chord, blend->after), chord.deviation});
+               {chord.attributes, cut_front(chord, blend->after), chord.deviation});
   held_.reset();
 }
 
 /// Emits the curve up to where a blend into `after` begins, if there is one.
 std::optional<Blend> CornerStage::leave_held(const Path& after, double tolerance, double feed) {
   const double length = softcnc::length(held_->path());
-  const double own = corner_tolerance(manner_of(held_->move()), 0);
-  auto blend =
-      blend_into(held_->path(), (1 - kRest) * (length - held_->begin), std::min(own, tolerance),
-                 after, std::min(feed_of(manner_of(held_->move())), feed));
+  const double own = corner_tolerance(attributes_of(held_->move()), 0);
+  auto blend = blend_into(held_->path(), (1 - tuning::corners::kRest) * (length - held_->begin),
+                          std::min(own, tolerance), after,
+                          std::min(feed_of(attributes_of(held_->move())), feed));
   emit_held(length - (blend ? blend->before : 0));
   return blend;
 }
@@ -157,36 +152,38 @@ void CornerStage::close_chord() {
   if (chord_.empty()) return;
   Chord chord = chord_.take();
   if (held_) begin_with_held(chord);
-  run_.add(chord);
+  polyline_.add(chord);
 }
 
 void CornerStage::flush() {
   close_chord();
-  run_.end();
+  polyline_.end();
   if (held_) emit_held(length(held_->path()));
   held_.reset();
   last_.reset();
 }
 
-/// Without limits of jerk a jump of curvature costs nothing, and a curve that is exact is better.
+/// Without jerk limits a jump of curvature costs nothing, and the exact curve is better.
 std::optional<Blend> CornerStage::blend_into(const Path& before, double left, double tolerance,
                                              const Path& after, double feed) const {
-  const Jump jump = ipo::jump(before, after);
-  const bool needed =
-      has_jerk_limit_ ? jump.tangent > kTurn || jump.curvature > kBend : jump.tangent > kSmallTurn;
+  const JointJump jump = ipo::joint_jump(before, after);
+  const bool needed = has_jerk_limit_ ? jump.tangent > tuning::corners::kTurn ||
+                                            jump.curvature > tuning::corners::kCurvatureJump
+                                      : jump.tangent > tuning::corners::kSmallTurn;
   if (!needed) return std::nullopt;
-  auto blend = make_blend({before, after, left, kHalf * length(after), tolerance});
+  auto blend = make_blend({before, after, left, tuning::corners::kHalf * length(after), tolerance});
   if (blend && !within_travel(blend->curve)) return std::nullopt;
-  if (blend && jump.tangent > kRests && !is_sooner(blend->curve, feed)) return std::nullopt;
+  if (blend && jump.tangent > tuning::corners::kRests && !is_sooner(blend->curve, feed))
+    return std::nullopt;
   return blend;
 }
 
-/// Than a rest in the corner.
+/// Whether the curve is sooner than a rest in the corner.
 bool CornerStage::is_sooner(const Nurbs& curve, double feed) const {
   RoundedCorner corner{curve.length(), curve.at(0).dq, {}, AxisVector::Zero(), feed};
   corner.ddq.setZero();
-  for (int k = 0; k <= kSamples; ++k) {
-    const PathPoint point = curve.at(curve.length() * k / kSamples);
+  for (int k = 0; k <= tuning::corners::kSamples; ++k) {
+    const PathPoint point = curve.at(curve.length() * k / tuning::corners::kSamples);
     if (point.ddq.norm() > corner.ddq.norm()) corner.ddq = point.ddq;
     corner.dddq = corner.dddq.cwiseMax(point.dddq.cwiseAbs());
   }
@@ -210,10 +207,10 @@ void CornerStage::emit_held(double end) {
 }
 
 CornerStage::Side CornerStage::held_side() const {
-  return {manner_of(held_->move()), {mark_of(held_->block)}};
+  return {attributes_of(held_->move()), {mark_of(held_->block)}};
 }
 
-/// The first half belongs to what is before, the second to what is behind.
+/// The first half belongs to what is before, the second to what is after.
 void CornerStage::emit_blend(const Blend& blend, Side before, Side after) {
   const Path path = blend.curve;
   const double length = blend.curve.length();
@@ -223,11 +220,11 @@ void CornerStage::emit_blend(const Blend& blend, Side before, Side after) {
   for (Mark& mark : after.marks) mark.s *= middle / blend.after;
   const auto add = [&](Path part, const Side& side) {
     const Mark& first = side.marks.front();
-    out_.push_back({{make_move(std::move(part), side.manner), first.source, first.number},
+    out_.push_back({{make_move(std::move(part), side.attributes), first.source, first.number},
                     {side.marks.begin() + 1, side.marks.end()},
                     deviation});
   };
-  if (before.manner == after.manner) {
+  if (before.attributes == after.attributes) {
     for (Mark& mark : after.marks) mark.s += middle;
     before.marks.insert(before.marks.end(), after.marks.begin(), after.marks.end());
     add(path, before);

@@ -12,10 +12,9 @@
 
 namespace softcnc::ipo {
 
-/// Lines that follow one another go into a LineRun; a joint with an arc or a NURBS gets a Blend.
-/// Moves without a tolerance, and whatever is no move, end both exactly and pass unchanged, and so
-/// do joints between rapids and cutting moves. What comes out depends on the blocks alone, not on
-/// when they come.
+/// Consecutive lines go into a Polyline; a joint with an arc or a NURBS gets a Blend. Moves without
+/// a tolerance, and all that is not a move, end both exactly and pass unchanged, and so do joints
+/// between rapids and cutting moves. The output depends on the blocks alone, not on when they come.
 class CornerStage {
  public:
   /// `machine` must outlive the stage.
@@ -23,14 +22,14 @@ class CornerStage {
   CornerStage(const CornerStage&) = delete;
   CornerStage& operator=(const CornerStage&) = delete;
 
-  /// Whether push() would do nothing but hand the block on.
+  /// Whether push() would only pass the block on.
   bool passes(const Block& block) const noexcept;
   void push(const Block& block) { push(Block(block)); }
   void push(Block&& block);
-  /// Nothing follows.
+  /// Ends the program.
   void finish();
 
-  /// The next piece of which nothing can change any more.
+  /// Returns the next piece that can no longer change.
   std::optional<Piece> pop();
 
  private:
@@ -42,9 +41,9 @@ class CornerStage {
     const Move& move() const { return std::get<Move>(block.what); }
   };
 
-  /// What is on one side of a blend: marks by mm along the part that the blend replaces.
+  /// One side of a blend: marks by mm along the part that the blend replaces.
   struct Side {
-    Manner manner;
+    MoveAttributes attributes;
     std::vector<Mark> marks;
     double deviation = 0;  // mm: of that part
   };
@@ -70,10 +69,10 @@ class CornerStage {
   CornerChoice choice_;
   bool has_jerk_limit_ = false;
   std::deque<Piece> out_;
-  LineRun run_{out_, machine_};
+  Polyline polyline_{out_, machine_};
   ChordMerge chord_;
-  std::optional<Held> held_;    // before the chord, if there is one
-  std::optional<Manner> last_;  // of the move before, if it may be joined
+  std::optional<Held> held_;            // before the chord, if there is one
+  std::optional<MoveAttributes> last_;  // of the move before, if it may be joined
 };
 
 }  // namespace softcnc::ipo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A place between two lines of a run, and the line behind it.
+// A vertex between two lines of a polyline, and the line after it.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,18 @@ struct LineVertex {
   AxisVector point = AxisVector::Zero();
   double t = 0;  // mm along the lines
   AxisVector direction = AxisVector::Zero();
-  AxisVector kink = AxisVector::Zero();
-  double turn = 0;             // |kink|
+  AxisVector tangent_jump = AxisVector::Zero();
+  double turn = 0;             // |tangent_jump|
   double tolerance = 0;        // mm, of the curve from the lines here
-  double deviation = 0;        // mm, of the line behind from the programmed ones
-  double reach = 0;            // W
+  double deviation = 0;        // mm, of the line after it from the programmed ones
+  double width_limit = 0;      // W
   double width = 0;            // w
-  double spacing = 0;          // mm, of knots that lines like these may bear
+  double spacing = 0;          // mm, of knots that lines like these allow
   std::size_t programmed = 0;  // lines before it
   bool dense = false;
-  Manner manner;
+  MoveAttributes attributes;
 
-  /// Of the line behind, at t.
+  /// Returns the point of the line after it at t.
   AxisVector at(double place) const { return point + (place - t) * direction; }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From turns and their hats to pieces of path: straight where no hat is, curves where hats are.
+// From turns and their basis functions to pieces of path: straight where there is no basis
+// function, curves elsewhere.
 #pragma once
 
 #include <cstddef>
@@ -12,39 +13,40 @@
 
 namespace softcnc::ipo {
 
-/// A place where the path turns, its hat if it has one, and the line behind it.
-struct Bend {
-  Turn turn;  // no hat where it begins and ends at once
+/// A vertex of the path, its basis function if it has one, and the line after it.
+struct SmoothedVertex {
+  Turn turn;  // no basis function if begin == end
   AxisVector point = AxisVector::Zero();
-  AxisVector direction = AxisVector::Zero();  // by t, of the line behind
+  AxisVector direction = AxisVector::Zero();  // by t, of the line after it
   double deviation = 0;                       // mm: of that line from the programmed ones
-  Manner manner;
-  /// mm: how far the path is from the programmed one before the peak of the hat, if it was
-  /// measured.
+  MoveAttributes attributes;
+  /// mm: the distance of the path from the programmed one before the peak of the basis function, if
+  /// it was measured.
   std::optional<double> measured{};
-  double furthest = 0;  // where the last of this hat and all before it ends: BendPieces::add()
+  double furthest = 0;  // the largest end of this basis function and all before it
 };
 
-class BendPieces {
+class SmoothedSegments {
  public:
-  /// Pieces are appended to `out`, which must outlive this.
-  explicit BendPieces(std::deque<Piece>& out) : out_(out) {}
+  /// Pieces are appended to `out`, which must outlive this object.
+  explicit SmoothedSegments(std::deque<Piece>& out) : out_(out) {}
 
   void begin(const AxisVector& point);
-  /// The next line that was programmed begins here, `deviation` mm from what it stands for.
-  void add_vertex(double t, const AxisVector& point, double deviation);
+  /// Begins the next programmed line here, `deviation` mm from what it stands for.
+  void add_programmed(double t, const AxisVector& point, double deviation);
   void add_mark(double t, const Mark& mark) { marks_.push_back({t, mark}); }
-  /// In the order of their places; the first and the last one are the ends of the path.
-  void add(const Bend& bend);
-  /// No hat that is still to be added begins before `until`.
+  /// Adds a vertex, in the order of their positions; the first and the last one are the ends of the
+  /// path.
+  void add(const SmoothedVertex& vertex);
+  /// Emits pieces up to `until`; no basis function that is still to be added begins before it.
   void emit(double until);
-  /// There are no more bends.
+  /// Ends the path: there are no more vertices.
   void end();
 
-  /// Pieces are out up to here, mm.
+  /// Returns the place, mm, up to which pieces have been emitted.
   double reached() const noexcept { return t_; }
-  /// The last bends, for knots that lie close to theirs.
-  const std::vector<Bend>& bends() const noexcept { return bends_; }
+  /// Returns the last vertices, for knots that lie close to theirs.
+  const std::vector<SmoothedVertex>& vertices() const noexcept { return vertices_; }
 
  private:
   struct PlacedMark {
@@ -54,12 +56,12 @@ class BendPieces {
   struct PlacedPoint {
     double t;
     AxisVector point;
-    double behind;     // mm: what the line behind stands for is off, at most
-    double deviation;  // and the lines on either side
+    double after;      // mm: largest deviation of the line after it
+    double deviation;  // and of the lines on either side
   };
 
   void pass();
-  double next_hat() const;
+  double next_basis() const;
   double end_of_curve() const;
   void emit_line(double t1);
   void emit_curve(double t1);
@@ -67,21 +69,21 @@ class BendPieces {
   void emit_piece(Path path, double t1, double deviation);
   double deviation(const Nurbs& curve, double t1) const;
   void forget();
-  bool is_last(std::size_t i) const { return ended_ && i + 1 == bends_.size(); }
+  bool is_last(std::size_t i) const { return ended_ && i + 1 == vertices_.size(); }
 
   std::size_t edge_at(double t) const;
-  const Bend* bend_at(double t) const;
+  const SmoothedVertex* vertex_at(double t) const;
 
   std::deque<Piece>& out_;
-  std::vector<Bend> bends_;
+  std::vector<SmoothedVertex> vertices_;
   std::deque<PlacedMark> marks_;
-  std::deque<PlacedPoint> vertices_;
+  std::deque<PlacedPoint> programmed_;
   double t_ = 0;
   std::size_t edge_ = 0,
-              passed_ = 0;  // line at t_; all bends before this end their hats before t_
+              passed_ = 0;  // line at t_; basis functions before this end before t_
   AxisVector point_ = AxisVector::Zero();
   bool ended_ = false;
-  std::vector<Edge> edges_;  // of the piece being made
+  std::vector<PolylineEdge> edges_;  // of the piece being made
   std::vector<Turn> turns_;
   bool is_measured_ = false;  // all of it
   double measured_ = 0;       // mm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inequalities of an interior point method: each with its slack, its multiplier and the step of
+// The inequalities of an interior-point method, each with its slack, its multiplier and the step of
 // both.
 #pragma once
 
@@ -9,13 +9,14 @@
 #include <type_traits>
 
 #include "ipo/solver/speed_spline.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 
-/// Of the upper and the lower bound of a row, which are worked out together.
+/// Values for the upper and the lower bound of a constraint, which are computed together.
 using Both = Eigen::Array2d;
 
-/// What is alike for one bound and for two.
+/// Operations that one bound and two bounds share.
 inline double larger(double a, double b) noexcept { return std::max(a, b); }
 inline Both larger(const Both& a, const Both& b) noexcept { return a.max(b); }
 inline double largest(double a) noexcept { return a; }
@@ -24,12 +25,12 @@ inline double magnitude(double a) noexcept { return std::abs(a); }
 inline Both magnitude(const Both& a) noexcept { return a.abs(); }
 inline double sum(double a) noexcept { return a; }
 inline double sum(const Both& a) noexcept { return a[0] + a[1]; }
-/// What +x and -x are for the two.
+/// Returns +x for the upper bound and -x for the lower one.
 inline Both opposite(double x) noexcept { return {x, -x}; }
 
-/// A bound g(q) + slack = 0 with its multiplier, and the step of both. Value: double or Both.
+/// A bound g(q) + slack = 0 with its multiplier, and the step of both. Value is double or Both.
 template <typename Value>
-struct Bound {
+struct BarrierBound {
   Value slack = uniform(1), multiplier = uniform(1);
   Value per_slack = uniform(1);  // 1 / slack
   Value over = uniform(0);       // g + slack
@@ -42,7 +43,7 @@ struct Bound {
       return Value::Constant(value);
   }
 
-  /// A slack smaller than what g leaves is made as large.
+  /// Evaluates the bound. A slack that is smaller than what g leaves is raised to that.
   void measure(const Value& g) noexcept {
     slack = larger(slack, -g);
     per_slack = 1.0 / slack;
@@ -50,7 +51,7 @@ struct Bound {
   }
   Value weight() const noexcept { return multiplier * per_slack; }
 
-  /// What the row asks of the gradient for the complementarity `aim`.
+  /// What the constraint adds to the gradient for the complementarity `aim`.
   Value pull(const Value& aim) const noexcept { return (aim + multiplier * over) * per_slack; }
   void find_step(const Value& g_step, const Value& aim) noexcept {
     slack_step = -over - g_step;
@@ -60,37 +61,35 @@ struct Bound {
     slack += primal * slack_step;
     multiplier += dual * multiplier_step;
   }
-  /// `aim`, less `part` of what the last step found would have left.
+  /// Returns `aim` less `part` of the product that the last step would have left.
   Value corrected(double aim, double part) const noexcept {
     return aim - part * slack_step * multiplier_step;
   }
 };
 
-inline constexpr double kToBoundary = 0.99;  // of the way to the nearest bound
-
-/// The larger of a maximum and a ratio, which is seldom worked out.
+/// Raises a maximum to a ratio; the division is seldom needed.
 inline void raise(double& most, double numerator, double denominator) noexcept {
   if (numerator > most * denominator) most = numerator / denominator;
 }
 
-/// The longest step within all bounds, and the gap behind it, the sum of slack times multiplier.
+/// The longest step within all bounds, and the gap after it, the sum of slack times multiplier.
 class StepLength {
  public:
-  void include(const Bound<Both>& bound) noexcept {
+  void include(const BarrierBound<Both>& bound) noexcept {
     slack_loss_ = slack_loss_.max(-bound.slack_step * bound.per_slack);
     multiplier_loss_ = multiplier_loss_.max(-bound.multiplier_step / bound.multiplier);
     by_slack_ += bound.slack_step * bound.multiplier;
     by_multiplier_ += bound.slack * bound.multiplier_step;
     by_both_ += bound.slack_step * bound.multiplier_step;
   }
-  void include(const Bound<double>& bound) noexcept {
+  void include(const BarrierBound<double>& bound) noexcept {
     slack_loss_[0] = std::max(slack_loss_[0], -bound.slack_step * bound.per_slack);
     multiplier_loss_[0] = std::max(multiplier_loss_[0], -bound.multiplier_step / bound.multiplier);
     by_slack_[0] += bound.slack_step * bound.multiplier;
     by_multiplier_[0] += bound.slack * bound.multiplier_step;
     by_both_[0] += bound.slack_step * bound.multiplier_step;
   }
-  /// A value above 0 stays there.
+  /// Keeps a positive value positive.
   void keep_positive(double value, double step) noexcept {
     if (step < 0) positive_ = std::min(positive_, -0.9 * value / step);
   }
@@ -104,29 +103,31 @@ class StepLength {
 
  private:
   static double within(const Both& loss) noexcept {
-    return largest(loss) > kToBoundary ? kToBoundary / largest(loss) : 1.0;
+    return largest(loss) > tuning::solver::kToBoundary ? tuning::solver::kToBoundary / largest(loss)
+                                                       : 1.0;
   }
 
   double positive_ = 1;
-  Both slack_loss_ = Both::Zero(), multiplier_loss_ = Both::Zero();  // parts of either
+  Both slack_loss_ = Both::Zero(), multiplier_loss_ = Both::Zero();  // parts of each
   Both by_slack_ = Both::Zero(), by_multiplier_ = Both::Zero(), by_both_ = Both::Zero();
 };
 
-/// A row as it is used: upper: +(a q + b q' + c q'') + tangent q <= bound, lower likewise with -.
+/// A constraint as the solver uses it: upper: +(a q + b q' + c q'') + tangent q <= bound; lower
+/// likewise with -.
 struct TwoBounds {
   double a, b, c;
   Both tangent, bound;
-  Bound<Both> bounds{};
+  BarrierBound<Both> bounds{};
 
-  /// What both sides are over their bound where (q, q', q'') is `at`.
+  /// Returns by how much each side exceeds its bound where (q, q', q'') is `at`.
   Both over(const SpeedSquare& at) const noexcept { return change(at) - bound; }
-  /// By how much both sides change where (q, q', q'') changes by `step`.
+  /// Returns by how much each side changes where (q, q', q'') changes by `step`.
   Both change(const SpeedSquare& step) const noexcept {
     return opposite(a * step.q + b * step.dq + c * step.ddq) + tangent * step.q;
   }
-  /// The derivative of both sides by q; that by q' is opposite(b), that by q'' opposite(c).
+  /// The derivative of both sides by q; the one by q' is opposite(b), the one by q'' opposite(c).
   Both by_q() const noexcept { return opposite(a) + tangent; }
-  /// Adds the gradients of both sides, each times its part of `pull`.
+  /// Adds the gradients of both sides, each times its component of `pull`.
   void add_gradients(const Both& pull, SpeedSquare& out) const noexcept {
     out.q += sum(pull * by_q());
     out.dq += (pull[0] - pull[1]) * b;
@@ -134,19 +135,20 @@ struct TwoBounds {
   }
 };
 
-/// Symmetric, in (q, q', q'').
+/// A symmetric matrix in (q, q', q'').
 struct Curvature {
   double qq = 0, qd = 0, qe = 0, dd = 0, de = 0, ee = 0;
 
-  void add(const TwoBounds& row) noexcept {
-    const Both weight = row.bounds.weight(), slope = row.by_q(), pull = weight * slope;
+  void add(const TwoBounds& constraint) noexcept {
+    const Both weight = constraint.bounds.weight(), slope = constraint.by_q(),
+               pull = weight * slope;
     const double both = sum(weight), by_q = pull[0] - pull[1];
     qq += sum(pull * slope);
-    qd += by_q * row.b;
-    qe += by_q * row.c;
-    dd += both * row.b * row.b;
-    de += both * row.b * row.c;
-    ee += both * row.c * row.c;
+    qd += by_q * constraint.b;
+    qe += by_q * constraint.c;
+    dd += both * constraint.b * constraint.b;
+    de += both * constraint.b * constraint.c;
+    ee += both * constraint.c * constraint.c;
   }
 };
 

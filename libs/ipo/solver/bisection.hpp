@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A search in few tries, each of which is dear.
+// Bisection where each evaluation is expensive.
 #pragma once
 
 #include <algorithm>
@@ -7,11 +7,11 @@
 
 namespace softcnc::ipo {
 
-/// The first k of 0 to `last` for which holds(k), where it then holds for those behind it too, as a
-/// rule; nothing if it was found to hold nowhere. Steps away from `guess` grow, and the last one is
-/// halved.
+/// Returns the first k of 0 to `last` for which holds(k), where it normally holds for all larger
+/// ones, too; nothing if it was found to hold nowhere. Steps away from `guess` double until k is
+/// bracketed, then the bracket is halved.
 template <typename Holds>
-std::optional<int> first_holding(int guess, int last, Holds&& holds) {
+std::optional<int> bisect(int guess, int last, Holds&& holds) {
   int k = std::clamp(guess, 0, last), no = -1, yes = last + 1;
   for (int step = 1; k > no && k < yes; ++step) {
     const bool held = holds(k);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/solver/interior_point.hpp"
+#include "ipo/tuning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,25 +8,6 @@
 #include <utility>
 
 namespace softcnc::ipo {
-namespace {
-
-constexpr int kMostIterations = 150;
-constexpr int kFewIterations = 45;           // a good guess needs no more
-constexpr double kTimeTolerance = 1e-4;      // of the time
-constexpr double kRowTolerance = 1e-7;       // of each bound
-constexpr double kGradientTolerance = 1e-3;  // of the gradient of the time
-constexpr double kTangentTolerance = 1e-2;   // rows are kept well enough to move the tangents
-constexpr int kStubborn = 5;                 // iterations after which tangents move all the same
-// What a step aims for, as a part of the gap: with more, whole curves take up to twice as many
-// steps.
-constexpr double kLeastCentred = 1e-3, kMostCentred = 0.1;
-constexpr double kHopelessGap = 1e6;       // of the time: multipliers grow where nothing keeps all
-constexpr double kFirstGap = 100;          // of the time: how far from the bounds to begin
-constexpr double kFirstSlack = 0.1;        // of each bound
-constexpr double kFirstSpeed = 0.25;       // of the guess, in q
-constexpr double kAccelerationPart = 0.7;  // the guess leaves the rest to the curve
-
-}  // namespace
 
 InteriorPoint::InteriorPoint(SpeedProblem problem)
     : problem_(std::move(problem)),
@@ -34,33 +16,39 @@ InteriorPoint::InteriorPoint(SpeedProblem problem)
       step_(n_ + 2),
       at_(n_),
       weight_(n_),
-      caps_(n_),
-      cap_(n_),
+      limit_bounds_(n_),
+      limits_(n_),
       matrix_(n_ + 2) {
   const std::vector<double>& s = problem_.spline().nodes();
   for (std::size_t i = 0; i + 1 < n_; ++i) {
     weight_[i] += 0.5 * (s[i + 1] - s[i]);
     weight_[i + 1] += 0.5 * (s[i + 1] - s[i]);
   }
-  rows_.reserve(problem_.rows().size());
-  for (const SpeedRow& row : problem_.rows())
-    rows_.push_back(
-        {row.factor.q, row.factor.dq, row.factor.ddq, Both::Zero(), Both::Constant(row.bound), {}});
+  constraints_.reserve(problem_.constraints().size());
+  for (const SpeedConstraint& constraint : problem_.constraints())
+    constraints_.push_back({constraint.factor.q,
+                            constraint.factor.dq,
+                            constraint.factor.ddq,
+                            Both::Zero(),
+                            Both::Constant(constraint.bound),
+                            {}});
 }
 
-/// Speeds under the caps and about half of what the rows allow: a place to begin, no more.
+/// Returns speeds under the velocity limits and about half of what the constraints allow: a
+/// starting point, no more.
 std::vector<double> InteriorPoint::guess() const {
   const std::vector<double>& s = problem_.spline().nodes();
   std::vector<double> q(n_), slope(n_, std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < n_; ++i) {
-    q[i] = problem_.cap(i);
-    for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
-      const SpeedRow& row = problem_.rows()[r];
-      const double alone = row.bound / std::abs(row.factor.q);
-      if (row.factor.q != 0)
-        q[i] = std::min(q[i], row.over_root ? std::cbrt(alone * alone) : alone);
-      if (!row.over_root && row.factor.dq != 0)
-        slope[i] = std::min(slope[i], kAccelerationPart * row.bound / std::abs(row.factor.dq));
+    q[i] = problem_.velocity_limit(i);
+    for (std::size_t r = problem_.first_constraint(i); r < problem_.first_constraint(i + 1); ++r) {
+      const SpeedConstraint& constraint = problem_.constraints()[r];
+      const double alone = constraint.bound / std::abs(constraint.factor.q);
+      if (constraint.factor.q != 0)
+        q[i] = std::min(q[i], constraint.over_root ? std::cbrt(alone * alone) : alone);
+      if (!constraint.over_root && constraint.factor.dq != 0)
+        slope[i] = std::min(slope[i], tuning::solver::kAccelerationPart * constraint.bound /
+                                          std::abs(constraint.factor.dq));
     }
   }
   q.front() = std::min(q.front(), problem_.start().q);
@@ -72,48 +60,52 @@ std::vector<double> InteriorPoint::guess() const {
   return q;
 }
 
-/// act(bound, how far its row is over it, its scale) for the bounds of every cap and row.
+/// Calls act(bound, by how much its constraint is exceeded, its scale) for the bounds of every
+/// velocity limit and constraint.
 template <typename Act>
 void InteriorPoint::for_each_measured_bound(Act act) {
   for (std::size_t i = 0; i < n_; ++i) {
-    act(caps_[i], over_cap(i), cap_[i]);
-    for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
-      TwoBounds& row = rows_[r];
-      act(row.bounds, row.over(at_[i]), row.bound.minCoeff());
+    act(limit_bounds_[i], over_limit(i), limits_[i]);
+    for (std::size_t r = problem_.first_constraint(i); r < problem_.first_constraint(i + 1); ++r) {
+      TwoBounds& constraint = constraints_[r];
+      act(constraint.bounds, constraint.over(at_[i]), constraint.bound.minCoeff());
     }
   }
 }
 
 void InteriorPoint::begin(const std::vector<double>& guess) {
   for (std::size_t k = 0; k < coefficients_.size(); ++k)
-    coefficients_[k] = kFirstSpeed * guess[std::clamp<std::size_t>(k, 1, n_) - 1];
+    coefficients_[k] = tuning::solver::kFirstSpeed * guess[std::clamp<std::size_t>(k, 1, n_) - 1];
   const auto first = problem_.spline().first_coefficients(problem_.start().q, problem_.start().dq);
   const auto last = problem_.spline().last_coefficients(problem_.end().q, problem_.end().dq);
   std::copy(first.begin(), first.end(), coefficients_.begin());
   std::copy(last.begin(), last.end(), coefficients_.end() - 2);
-  for (std::size_t i = 0; i < n_; ++i) cap_[i] = problem_.cap(i);
-  cap_.front() = 2 * coefficients_[1];  // what is given is not to be held
-  cap_.back() = 2 * coefficients_[n_];
+  for (std::size_t i = 0; i < n_; ++i) limits_[i] = problem_.velocity_limit(i);
+  limits_.front() = 2 * coefficients_[1];  // the ends are given and need no bound
+  limits_.back() = 2 * coefficients_[n_];
   move_tangents(guess);
   evaluate();
-  const double aim = kFirstGap * time_ / static_cast<double>(caps_.size() + 2 * rows_.size());
-  for_each_measured_bound([aim]<typename Value>(Bound<Value>& bound, const Value& g, double scale) {
-    bound.slack = kFirstSlack * larger(magnitude(g), Bound<Value>::uniform(scale));
-    bound.multiplier = aim / bound.slack;
-  });
+  const double aim = tuning::solver::kFirstGap * time_ /
+                     static_cast<double>(limit_bounds_.size() + 2 * constraints_.size());
+  for_each_measured_bound(
+      [aim]<typename Value>(BarrierBound<Value>& bound, const Value& g, double scale) {
+        bound.slack =
+            tuning::solver::kFirstSlack * larger(magnitude(g), BarrierBound<Value>::uniform(scale));
+        bound.multiplier = aim / bound.slack;
+      });
 }
 
-/// bound / sqrt(q) >= bound (3/2 p^-1/2 - 1/2 p^-3/2 q), the tangent at p, and what a jump takes
+/// bound / sqrt(q) >= bound (3/2 p^-1/2 - 1/2 p^-3/2 q), the tangent at p; and what a jump takes
 /// from it is k sqrt(q) <= k (1/2 p^1/2 + 1/2 p^-1/2 q).
 void InteriorPoint::move_tangents(const std::vector<double>& q) {
   for (std::size_t i = 0; i < n_; ++i) {
     const double root = 1 / std::sqrt(q[i]);
-    for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
-      const SpeedRow& row = problem_.rows()[r];
-      if (!row.over_root) continue;
-      const Both taken{row.above * q[i], row.below * q[i]};
-      rows_[r].tangent = (0.5 * root / q[i]) * (row.bound + taken);
-      rows_[r].bound = root * (1.5 * row.bound - 0.5 * taken);
+    for (std::size_t r = problem_.first_constraint(i); r < problem_.first_constraint(i + 1); ++r) {
+      const SpeedConstraint& constraint = problem_.constraints()[r];
+      if (!constraint.over_root) continue;
+      const Both taken{constraint.above * q[i], constraint.below * q[i]};
+      constraints_[r].tangent = (0.5 * root / q[i]) * (constraint.bound + taken);
+      constraints_[r].bound = root * (1.5 * constraint.bound - 0.5 * taken);
     }
   }
 }
@@ -128,31 +120,33 @@ void InteriorPoint::evaluate() {
 
 bool InteriorPoint::is_solved() {
   measure();
-  if (gap_ > kTimeTolerance * time_ || violation_ > kRowTolerance) return false;
-  return gradient_left() <= kGradientTolerance;
+  if (gap_ > tuning::solver::kTimeTolerance * time_ ||
+      violation_ > tuning::solver::kConstraintTolerance)
+    return false;
+  return gradient_left() <= tuning::solver::kGradientTolerance;
 }
 
-/// Gap and violation.
+/// Computes the gap and the violation.
 void InteriorPoint::measure() {
   gap_ = violation_ = 0;
   for_each_measured_bound(
-      [this]<typename Value>(Bound<Value>& bound, const Value& g, double scale) {
+      [this]<typename Value>(BarrierBound<Value>& bound, const Value& g, double scale) {
         bound.measure(g);
         raise(violation_, largest(bound.over), scale);
         gap_ += sum(Value(bound.slack * bound.multiplier));
       });
 }
 
-/// What the multipliers alone leave of the gradient of the time, as a part of it.
+/// Returns what the multipliers alone leave of the gradient of the time, as a part of it.
 double InteriorPoint::gradient_left() {
   std::fill(step_.begin(), step_.end(), 0.0);
   double of_time = 0, left = 0;
   for (std::size_t i = 0; i < n_; ++i) {
     const double pull = -0.5 * weight_[i] / (at_[i].q * std::sqrt(at_[i].q));
     SpeedSquare y{pull, 0, 0};
-    step_[i + 1] += caps_[i].multiplier;
-    for (std::size_t r = problem_.first_row(i); r < problem_.first_row(i + 1); ++r) {
-      rows_[r].add_gradients(rows_[r].bounds.multiplier, y);
+    step_[i + 1] += limit_bounds_[i].multiplier;
+    for (std::size_t r = problem_.first_constraint(i); r < problem_.first_constraint(i + 1); ++r) {
+      constraints_[r].add_gradients(constraints_[r].bounds.multiplier, y);
     }
     add_to_step(i, y, 1);
     of_time -= pull * at_[i].q;
@@ -161,7 +155,7 @@ double InteriorPoint::gradient_left() {
   return left / of_time;
 }
 
-/// What a derivative by (q, q', q'') at a node is by the coefficients.
+/// Converts a derivative by (q, q', q'') at a node into one by the coefficients.
 void InteriorPoint::add_to_step(std::size_t node, const SpeedSquare& y, double sign) {
   const SpeedSpline::Weights& w = problem_.spline().weights(node);
   for (std::size_t m = 0; m < 3; ++m)
@@ -176,33 +170,37 @@ std::vector<double> InteriorPoint::speeds() const {
 
 SpeedSolution InteriorPoint::run(const std::vector<double>& begin_at, int most) {
   begin(begin_at.empty() ? guess() : begin_at);
-  const double bounds = static_cast<double>(caps_.size() + 2 * rows_.size());
+  const double bounds = static_cast<double>(limit_bounds_.size() + 2 * constraints_.size());
   int iteration = 0;
   for (; iteration < most && !is_solved(); ++iteration) {
     if (is_hopeless()) break;
-    const bool kept = violation_ < kTangentTolerance;
+    const bool kept = violation_ < tuning::solver::kTangentTolerance;
     const double aim = gap_ / bounds;
     assemble();
     const double part = find_step(0, 0).gap_after(gap_) / gap_;
-    const double sigma = std::clamp(part * part * part, kLeastCentred, kMostCentred);
+    const double sigma =
+        std::clamp(part * part * part, tuning::solver::kLeastCentred, tuning::solver::kMostCentred);
     take(find_step(sigma * aim, 1));
-    if (!kept && iteration % kStubborn != kStubborn - 1) continue;
+    if (!kept && iteration % tuning::solver::kStubborn != tuning::solver::kStubborn - 1) continue;
     move_tangents(speeds());
   }
   return {coefficients_, iteration, iteration < most && !is_hopeless()};
 }
 
 bool InteriorPoint::is_hopeless() const noexcept {
-  return !std::isfinite(time_) || gap_ > kHopelessGap * time_;
+  return !std::isfinite(time_) || gap_ > tuning::solver::kHopelessGap * time_;
 }
 
-/// From the guess, or, should that lead nowhere, from the optimum without jerk.
+/// Starts from the guess, or, should that lead nowhere, from the optimum without jerk limits.
 SpeedSolution fastest_speeds(const SpeedProblem& problem, const std::vector<double>& begin_at,
                              int most) {
-  SpeedSolution solution = InteriorPoint(problem).run(begin_at, std::min(kFewIterations, most));
-  const auto left = [&] { return std::min(kMostIterations, most - solution.iterations); };
+  SpeedSolution solution =
+      InteriorPoint(problem).run(begin_at, std::min(tuning::solver::kFewIterations, most));
+  const auto left = [&] {
+    return std::min(tuning::solver::kMostIterations, most - solution.iterations);
+  };
   if (solution.converged || left() <= 0) return solution;
-  InteriorPoint without_jerk(problem.without_root_rows());
+  InteriorPoint without_jerk(problem.without_root_constraints());
   solution.iterations += without_jerk.run({}, left()).iterations;
   if (left() <= 0) return solution;
   SpeedSolution last = InteriorPoint(problem).run(without_jerk.speeds(), left());

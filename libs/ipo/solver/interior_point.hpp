@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the fastest speeds that keep all caps and rows of a problem.
+// Finds the fastest speeds that keep all velocity limits and constraints of a problem.
 #pragma once
 
 #include <vector>
@@ -13,13 +13,14 @@ namespace softcnc::ipo {
 /// Primal-dual interior point method with predictor and corrector (S. Mehrotra, On the
 /// implementation of a primal-dual interior point method, SIAM J. Optim. 2, 1992).
 ///
-/// The time sum of h / sqrt(q) is convex in the coefficients of q, and so is every cap and row but
-/// those over a root; these are replaced by tangents (SpeedProblem). The matrix of a step has two
-/// bands beside its diagonal, so a step costs a fixed time per node.
+/// The time sum of h / sqrt(q) is convex in the coefficients of q, and so is every velocity limit
+/// and constraint except those over a root, which are replaced by tangents (SpeedProblem). The
+/// matrix of a step has two bands beside its diagonal, so a step costs a fixed time per node.
 class InteriorPoint {
  public:
   explicit InteriorPoint(SpeedProblem problem);
-  /// Begins from a part of `begin_at`, by node; empty: from a guess. Gives up after `most` steps.
+  /// Starts from a part of `begin_at`, by node, or from a guess if that is empty. Gives up after
+  /// `most` steps.
   SpeedSolution run(const std::vector<double>& begin_at, int most);
   std::vector<double> speeds() const;
 
@@ -30,8 +31,11 @@ class InteriorPoint {
   void begin(const std::vector<double>& guess);
   void move_tangents(const std::vector<double>& q);
   void evaluate();
-  /// The cap of a node bounds the coefficient there, so that it holds between the nodes too.
-  double over_cap(std::size_t node) const noexcept { return coefficients_[node + 1] - cap_[node]; }
+  /// The velocity limit of a node bounds the coefficient there, so that it holds between the nodes,
+  /// too.
+  double over_limit(std::size_t node) const noexcept {
+    return coefficients_[node + 1] - limits_[node];
+  }
   bool is_solved();
   bool is_hopeless() const noexcept;
   void measure();
@@ -45,11 +49,11 @@ class InteriorPoint {
   const SpeedProblem problem_;
   std::size_t n_;
   std::vector<double> coefficients_, step_;
-  std::vector<SpeedSquare> at_;      // by node
-  std::vector<double> weight_;       // of 1 / sqrt(q) at each node in the time
-  std::vector<Bound<double>> caps_;  // by node
-  std::vector<double> cap_;          // by node
-  std::vector<TwoBounds> rows_;
+  std::vector<SpeedSquare> at_;                     // by node
+  std::vector<double> weight_;                      // of 1 / sqrt(q) at each node in the time
+  std::vector<BarrierBound<double>> limit_bounds_;  // by node
+  std::vector<double> limits_;                      // by node
+  std::vector<TwoBounds> constraints_;
   Pentadiagonal matrix_;
   double time_ = 0, gap_ = 0, violation_ = 0;
 };

@@ -17,7 +17,7 @@ class Pentadiagonal {
     (band == 0 ? diagonal_ : band == 1 ? first_ : second_)[row] += value;
   }
 
-  /// L D L^T of rows and columns [from, to); what lies outside is left out.
+  /// Factors rows and columns [from, to) as L D L^T; the others are left out.
   void factor(std::size_t from, std::size_t to) noexcept;
   /// Solves for the rows of the last factor(), in place.
   void solve(std::vector<double>& x) const noexcept;

@@ -9,20 +9,20 @@ SpeedProblem::SpeedProblem(std::vector<double> nodes, const SpeedSquare& start,
                            const SpeedSquare& end)
     : spline_(std::move(nodes)), start_(start), end_(end) {}
 
-void SpeedProblem::add_node(double cap) {
-  caps_.push_back(cap);
-  first_rows_.push_back(rows_.size());
+void SpeedProblem::add_node(double velocity_limit) {
+  velocity_limits_.push_back(velocity_limit);
+  first_constraints_.push_back(constraints_.size());
 }
 
-SpeedProblem SpeedProblem::without_root_rows() const {
+SpeedProblem SpeedProblem::without_root_constraints() const {
   SpeedProblem problem = *this;
-  problem.caps_.clear();
-  problem.first_rows_.clear();
-  problem.rows_.clear();
+  problem.velocity_limits_.clear();
+  problem.first_constraints_.clear();
+  problem.constraints_.clear();
   for (std::size_t i = 0; i < size(); ++i) {
-    problem.add_node(cap(i));
-    for (std::size_t r = first_row(i); r < first_row(i + 1); ++r)
-      if (!rows_[r].over_root) problem.add_row(rows_[r]);
+    problem.add_node(velocity_limit(i));
+    for (std::size_t r = first_constraint(i); r < first_constraint(i + 1); ++r)
+      if (!constraints_[r].over_root) problem.add_constraint(constraints_[r]);
   }
   return problem;
 }

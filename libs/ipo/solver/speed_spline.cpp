@@ -28,9 +28,9 @@ SpeedSpline::Weights SpeedSpline::weights_at(std::size_t node) const noexcept {
   const auto i = static_cast<std::ptrdiff_t>(node);
   const double left = knot(i) - knot(i - 1), right = knot(i + 1) - knot(i);
   const double both = left + right;
-  const double before = knot(i + 1) - knot(i - 2), behind = knot(i + 2) - knot(i - 1);
-  const double a = 3 / before, b = 3 / behind;
-  const double w0 = right * right / (both * before), w2 = left * left / (both * behind);
+  const double before = knot(i + 1) - knot(i - 2), after = knot(i + 2) - knot(i - 1);
+  const double a = 3 / before, b = 3 / after;
+  const double w0 = right * right / (both * before), w2 = left * left / (both * after);
   return {{w0, 1 - w0 - w2, w2},
           {-right * a / both, (right * a - left * b) / both, left * b / both},
           {2 * a / both, -2 * (a + b) / both, 2 * b / both}};

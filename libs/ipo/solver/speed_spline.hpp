@@ -13,8 +13,8 @@ struct SpeedSquare {
   double q = 0, dq = 0, ddq = 0;
 };
 
-/// The basis on given nodes, each a simple knot, the ends clamped: n nodes have n + 2 coefficients,
-/// and q'' is linear between nodes.
+/// The B-spline basis on given nodes, each a simple knot, with clamped ends: n nodes have n + 2
+/// coefficients, and q'' is linear between nodes.
 class SpeedSpline {
  public:
   /// q, q' and q'' at node i are these weights times the coefficients i, i + 1, i + 2.
@@ -22,7 +22,7 @@ class SpeedSpline {
     std::array<double, 3> q, dq, ddq;
   };
 
-  /// Places in mm, ascending; two or more.
+  /// The nodes are positions in mm, ascending; two or more.
   explicit SpeedSpline(std::vector<double> nodes);
 
   const std::vector<double>& nodes() const noexcept { return nodes_; }
@@ -31,7 +31,7 @@ class SpeedSpline {
 
   SpeedSquare at_node(std::size_t node, const std::vector<double>& coefficients) const noexcept;
 
-  /// The two coefficients at each end that follow from value and slope there.
+  /// Returns the two coefficients at each end that follow from value and slope there.
   std::array<double, 2> first_coefficients(double q, double dq) const noexcept;
   std::array<double, 2> last_coefficients(double q, double dq) const noexcept;
 

@@ -42,8 +42,8 @@ bool is_control(std::string_view character) {
   return first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
 }
 
-/// The text with U+FFFD for each control character but the tab and for each byte that is no UTF-8:
-/// what a program holds must not command a terminal.
+/// Returns the text with U+FFFD for each control character except the tab and for each byte that is
+/// not UTF-8: text of a program must not command a terminal.
 std::string harmless(std::string_view text) {
   std::string clean;
   while (!text.empty()) {
@@ -55,14 +55,14 @@ std::string harmless(std::string_view text) {
   return clean;
 }
 
-/// Bytes of the harmless text for the first `bytes` of a line.
+/// Returns the size of the harmless text for the first `bytes` of a line.
 int harmless_size(std::string_view line, int bytes) {
   const auto head = line.substr(0, static_cast<std::size_t>(std::max(bytes, 0)));
   return static_cast<int>(harmless(head).size()) +
          std::max(0, bytes - static_cast<int>(line.size()));
 }
 
-/// The diagnostic with texts that may be shown, its place among them.
+/// Returns the diagnostic with texts that may be shown, and its position within them.
 Diagnostic harmless(const Diagnostic& d) {
   SourcePos pos = d.pos;
   if (pos.column > 0) {
@@ -77,7 +77,7 @@ Diagnostic harmless(const Diagnostic& d) {
       std::move(calls), d.subject};
 }
 
-/// As wide as the text is on a terminal; tabs stay tabs.
+/// Returns blanks as wide as the text is on a terminal; tabs stay tabs.
 std::string blank(std::string_view text) {
   std::string blanks;
   while (!text.empty()) {
@@ -95,21 +95,20 @@ std::string caret_line(std::string_view line, const SourcePos& pos) {
   const auto begin = static_cast<std::size_t>(pos.column - 1);
   const auto length = static_cast<std::size_t>(std::max(pos.length, 0));
   const std::string_view before = line.substr(0, begin);
-  const std::string behind(begin - before.size(), ' ');
+  const std::string after(begin - before.size(), ' ');
   const auto marked = begin < line.size() ? line.substr(begin, length) : std::string_view{};
   std::string tildes(std::max<std::size_t>(blank(marked).size(), 1), '~');
   tildes.front() = '^';
-  return blank(before) + behind + tildes;
+  return blank(before) + after + tildes;
 }
 
-/// Where a character begins, at a byte of the line or before it.
+/// Returns where a character begins, at a byte of the line or before it.
 std::size_t character_at(std::string_view line, std::size_t byte) {
   while (byte > 0 && byte < line.size() && continues_character(line[byte])) --byte;
   return std::min(byte, line.size());
 }
 
-/// The line and its caret; of a line that nobody would read to its end, what stands around the
-/// place.
+/// Returns the line and its caret; of a very long line, the part around the position.
 std::string excerpt(std::string_view line, SourcePos pos) {
   constexpr std::size_t kLongest = 240, kBefore = 80, kShown = 160;  // bytes
   constexpr std::string_view kLeftOut = "...";
@@ -133,7 +132,7 @@ std::string excerpt(std::string_view line, SourcePos pos) {
   return shown;
 }
 
-/// A number in which every bit depends on every bit given (the finalizer of SplitMix64).
+/// Returns a number in which every bit depends on every input bit (the finalizer of SplitMix64).
 constexpr std::uint64_t mixed(std::uint64_t x) noexcept {
   x += 0x9E3779B97F4A7C15U;
   x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
@@ -240,20 +239,20 @@ std::vector<CallPlace> Diagnostics::calls_to(const SourcePos& place) const {
   return calls;
 }
 
-/// Remembers the place, and says whether it was known: of a line that makes many blocks, where the
-/// same, or the same subject, is wrong with the one before.
+/// Remembers the position and returns whether it was known. For a line that makes many blocks, that
+/// means that the same, or the same subject, was reported for the block before.
 bool Diagnostics::is_repeated(const Diagnostic& d) {
   if (d.pos.line == 0) return false;
   std::uint64_t place = 0;
   for (const int part : {d.pos.file, d.pos.line, d.pos.column, static_cast<int>(d.code)})
     place = mixed(place ^ static_cast<std::uint32_t>(part));
   if (d.subject != 0) place = mixed(place ^ d.subject);
-  const bool known = told_.count(place) > 0;
+  const bool known = reported_.count(place) > 0;
   const bool as_before = known && place == last_place_ && d.message == last_message_;
   last_place_ = place;
   last_message_ = d.message;
   if (known) return lines_repeat_ || d.subject != 0 || as_before;
-  if (told_.size() < kRemembered) told_.insert(place);
+  if (reported_.size() < kRemembered) reported_.insert(place);
   return false;
 }
 
@@ -265,31 +264,31 @@ void Diagnostics::report(Diagnostic diagnostic) {
     diagnostic.file = files_[static_cast<std::size_t>(diagnostic.pos.file)];
   if (diagnostic.severity() == Severity::error) ++errors_;
   status_ = worse_status(status_, exit_status(diagnostic));
-  if (!holding_) return tell(std::move(diagnostic));
-  if (!held_.empty() && !of_one_line(held_.front().pos, diagnostic.pos)) tell_held();
+  if (!holding_) return deliver(std::move(diagnostic));
+  if (!held_.empty() && !of_one_line(held_.front().pos, diagnostic.pos)) deliver_held();
   held_.push_back(std::move(diagnostic));
 }
 
-void Diagnostics::tell(Diagnostic diagnostic) {
+void Diagnostics::deliver(Diagnostic diagnostic) {
   if (sink_)
     sink_(diagnostic);
   else
     kept_.push_back(std::move(diagnostic));
 }
 
-void Diagnostics::tell_held() {
+void Diagnostics::deliver_held() {
   const auto column = [](const Diagnostic& d) {
     return d.pos.column > 0 ? d.pos.column : std::numeric_limits<int>::max();
   };
   std::stable_sort(held_.begin(), held_.end(),
                    [&](const Diagnostic& a, const Diagnostic& b) { return column(a) < column(b); });
-  for (Diagnostic& diagnostic : held_) tell(std::move(diagnostic));
+  for (Diagnostic& diagnostic : held_) deliver(std::move(diagnostic));
   held_.clear();
 }
 
 void Diagnostics::release() {
   holding_ = false;
-  if (!held_.empty()) tell_held();
+  if (!held_.empty()) deliver_held();
 }
 
 void Diagnostics::report(Code code, SourcePos pos, std::string message,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a function returns that makes one thing or says why it cannot.
+// The result of a function that makes one thing or reports why it cannot.
 #pragma once
 
 #include <tl/expected.hpp>

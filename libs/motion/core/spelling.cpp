@@ -9,7 +9,7 @@
 namespace softcnc {
 namespace {
 
-constexpr double kAbbreviated = 0.2;  // a word that the other one begins with
+constexpr double kAbbreviated = 0.2;  // a word that is the beginning of the other one
 constexpr double kLeftOut = 0.1;      // a word that only the known name has
 constexpr double kTooMany = 0.7;      // a word that only the asked one has
 constexpr double kLike = 0.4;         // of the words asked
@@ -27,8 +27,8 @@ std::vector<std::string> words_of(std::string_view name) {
   return words;
 }
 
-/// How many letters are to be changed, added, left out or swapped with the next (optimal string
-/// alignment).
+/// Returns how many letters must be changed, added, left out or swapped with the next (optimal
+/// string alignment).
 std::size_t letters_apart(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
   std::iota(last.begin(), last.end(), std::size_t{0});
@@ -64,7 +64,7 @@ std::string joined(const std::vector<std::string>& words) {
   return all;
 }
 
-/// The letters, however they are parted into words.
+/// Compares the letters, however they are separated into words.
 double joined_apart(const std::vector<std::string>& a, const std::vector<std::string>& b) {
   const std::string one = joined(a), other = joined(b);
   const auto longer = static_cast<double>(std::max({one.size(), other.size(), std::size_t{1}}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of the names that there are is like one that there is not.
+// Finds the known name that resembles an unknown one.
 #pragma once
 
 #include <cstddef>
@@ -9,20 +9,19 @@
 
 namespace softcnc {
 
-/// How unlike two names are whose words are parted by '.', '_' and '-', whatever the case of their
-/// letters: 0 if they are equal; 1 for each word that has nothing in common with the one in its
-/// place. Equal words weigh before letters, and a common beginning before other letters; a word
-/// that `asked` leaves out counts least, as a unit or a section. How words are parted
-/// matters little.
+/// Returns how much two names differ whose words are separated by '.', '_' and '-', regardless of
+/// case: 0 if they are equal; 1 for each word that has nothing in common with the one in its place.
+/// Equal words count more than letters, and a common beginning more than other letters; a word that
+/// `asked` omits counts least, such as a unit or a section. How words are separated matters little.
 double words_apart(std::string_view asked, std::string_view known);
 
-/// Whether names so far apart are like each other: they differ by less than half.
+/// Whether names this far apart resemble each other: they differ by less than half.
 bool is_like(std::string_view asked, double apart);
 
-/// The first of those that are most like `asked`; empty if none is like it.
+/// Returns the first of those that resemble `asked` most; empty if none does.
 std::string nearest_name(std::string_view asked, std::span<const std::string_view> known);
 
-/// "; did you mean 'NAME'?", or empty without a name.
+/// Returns "; did you mean 'NAME'?", or empty without a name.
 std::string did_you_mean(std::string_view name);
 
 }  // namespace softcnc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The doors through which foreign units enter: inside the house everything is mm, s and rad.
+// Conversions from foreign units: internally everything is in mm, s and rad.
 #pragma once
 
 #include <numbers>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A file without a name: it is gone when its process is, however that ends.
+// A file without a name: it disappears with its process, however that ends.
 #pragma once
 
 namespace softcnc {
 
-/// A descriptor of a new empty file in the folder for temporary files, for reading and writing; the
-/// caller closes it. Below 0: errno says why there is none.
+/// Returns a descriptor of a new empty file in the folder for temporary files, for reading and
+/// writing; the caller closes it. Below 0: errno is the reason.
 int open_unnamed_file();
 
 }  // namespace softcnc

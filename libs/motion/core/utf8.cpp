@@ -36,20 +36,21 @@ bool is_scalar(unsigned char lead, unsigned char second) {
   }
 }
 
-struct Block {
+struct WideRange {
   char32_t first, last;
 };
 
-constexpr Block kMarks[]{{0x0300, 0x036F}, {0x0483, 0x0489}, {0x0591, 0x05BD}, {0x0610, 0x061A},
-                         {0x064B, 0x065F}, {0x1AB0, 0x1AFF}, {0x1DC0, 0x1DFF}, {0x200B, 0x200F},
-                         {0x20D0, 0x20FF}, {0xFE00, 0xFE0F}, {0xFE20, 0xFE2F}};
-constexpr Block kWide[]{{0x1100, 0x115F}, {0x2E80, 0x303E}, {0x3041, 0x4DBF},  {0x4E00, 0xA4CF},
-                        {0xA960, 0xA97F}, {0xAC00, 0xD7A3}, {0xF900, 0xFAFF},  {0xFE30, 0xFE6F},
-                        {0xFF01, 0xFF60}, {0xFFE0, 0xFFE6}, {0x1F300, 0x3FFFD}};
+constexpr WideRange kMarks[]{{0x0300, 0x036F}, {0x0483, 0x0489}, {0x0591, 0x05BD}, {0x0610, 0x061A},
+                             {0x064B, 0x065F}, {0x1AB0, 0x1AFF}, {0x1DC0, 0x1DFF}, {0x200B, 0x200F},
+                             {0x20D0, 0x20FF}, {0xFE00, 0xFE0F}, {0xFE20, 0xFE2F}};
+constexpr WideRange kWide[]{{0x1100, 0x115F}, {0x2E80, 0x303E}, {0x3041, 0x4DBF},  {0x4E00, 0xA4CF},
+                            {0xA960, 0xA97F}, {0xAC00, 0xD7A3}, {0xF900, 0xFAFF},  {0xFE30, 0xFE6F},
+                            {0xFF01, 0xFF60}, {0xFFE0, 0xFFE6}, {0x1F300, 0x3FFFD}};
 
-bool is_in(std::span<const Block> blocks, char32_t code) {
-  return std::any_of(blocks.begin(), blocks.end(),
-                     [&](const Block& block) { return code >= block.first && code <= block.last; });
+bool is_in(std::span<const WideRange> blocks, char32_t code) {
+  return std::any_of(blocks.begin(), blocks.end(), [&](const WideRange& block) {
+    return code >= block.first && code <= block.last;
+  });
 }
 
 char32_t code_of(std::string_view character) {

@@ -17,30 +17,28 @@ namespace {
 
 /// An end closer than this to the ray of the start, or to the center, is on it. mm.
 constexpr double kSamePoint = 1e-9;
-/// Radii that differ by less are equal but for rounding. mm.
+/// Radii that differ by less are equal except for rounding. mm.
 constexpr double kSameRadius = 1e-12;
 constexpr int kNewtonSteps = 8;
 constexpr double kLastStep = 1e-9;  // relative
 
-using PlaneVector = Eigen::Vector2d;
+using InPlane = Eigen::Vector2d;
 
-PlaneVector in_plane(const AxisVector& v, PlaneAxes axes) {
-  return {v[axes.first], v[axes.second]};
-}
+InPlane in_plane(const AxisVector& v, PlaneAxes axes) { return {v[axes.first], v[axes.second]}; }
 
-double cross(const PlaneVector& a, const PlaneVector& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const InPlane& a, const InPlane& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The ends as seen from the programmed center. Differences are taken along the chord, so that a
 /// large radius costs no digits.
 struct Rays {
-  PlaneVector from, to, chord;
+  InPlane from, to, chord;
 
   double start_radius() const { return from.stableNorm(); }
   double end_radius() const { return to.stableNorm(); }
   double larger_radius() const { return std::max(start_radius(), end_radius()); }
   double growth() const { return chord.dot(from + to) / (start_radius() + end_radius()); }
 
-  /// Rad, signed. The end on the ray of the start makes a full turn, not none.
+  /// Returns the sweep in rad, signed. An end on the ray of the start makes a full turn, not none.
   double sweep(bool ccw, int turns) const {
     const double direction = ccw ? 1.0 : -1.0;
     const double aside = direction * cross(from, chord);
@@ -53,9 +51,9 @@ struct Rays {
 
 Rays rays_of(const ArcSpec& spec) {
   const PlaneAxes axes = plane_axes(spec.plane);
-  const PlaneVector from = in_plane(spec.from, axes);
-  const PlaneVector to = in_plane(spec.to, axes);
-  const PlaneVector center = in_plane(spec.center, axes);
+  const InPlane from = in_plane(spec.from, axes);
+  const InPlane to = in_plane(spec.to, axes);
+  const InPlane center = in_plane(spec.center, axes);
   return {from - center, to - center, to - from};
 }
 
@@ -67,21 +65,21 @@ std::string off_circle(const Rays& rays) {
                      rounded(off), rounded(rays.start_radius()), rounded(rays.end_radius()));
 }
 
-/// What forbids the arc, if anything does.
+/// Returns what is wrong with the arc, if anything.
 std::optional<Diagnostic> fault(const Rays& rays, double tolerance, std::string_view name) {
-  const auto told = [&](Code code, std::string_view what) {
+  const auto error = [&](Code code, std::string_view what) {
     return Diagnostic{code, {}, fmt::format("{} {}", name, what), {}, {}};
   };
   if (rays.start_radius() <= kSamePoint)
-    return told(Code::SC2104, "has no radius: its centre is its start");
+    return error(Code::SC2104, "has no radius: its centre is its start");
   const double most = std::max(tolerance, kRelativeRadiusTolerance * rays.larger_radius());
-  if (!(std::abs(rays.growth()) <= most)) return told(Code::SC2103, off_circle(rays));
+  if (!(std::abs(rays.growth()) <= most)) return error(Code::SC2103, off_circle(rays));
   if (rays.end_radius() <= kSamePoint)
-    return told(Code::SC2104, "has no radius: its centre is its end");
+    return error(Code::SC2104, "has no radius: its centre is its end");
   return std::nullopt;
 }
 
-/// asinh(x) / x, even at 0.
+/// Returns asinh(x) / x, also at 0.
 double asinh_ratio(double x) { return x == 0.0 ? 1.0 : std::asinh(x) / x; }
 
 }  // namespace
@@ -133,8 +131,9 @@ double Arc::mean_speed(double radius, double other) const noexcept {
          0.5 * still * slope * asinh_ratio((w1 - w0) * slope);
 }
 
-/// The part of the arc that takes the arc length s from an end of such a radius; `growth` is what
-/// the radius would grow by over the whole arc. Newton's method from where a linear speed would be.
+/// Returns the part of the arc that takes the arc length s from an end of such a radius; `growth`
+/// is how much the radius would grow over the whole arc. Newton's method starts from where a linear
+/// speed would be.
 double Arc::part_at(double s, double radius, double growth) const noexcept {
   const double v0 = speed(radius);
   const double v1 = speed(radius + growth);
@@ -184,10 +183,10 @@ PathPoint Arc::at(double s, Side) const noexcept {
   PathPoint point;
   point.q = this->point(here);
   point.dq = growth * radial + radius * turn * tangent + pitch_ * u1 * across_;
-  const AxisVector bend = turn * (2.0 * growth * tangent - radius * turn * radial);
-  point.ddq = bend - slowing * point.dq;
+  const AxisVector second = turn * (2.0 * growth * tangent - radius * turn * radial);
+  point.ddq = second - slowing * point.dq;
   point.dddq = -turn * turn * (3.0 * growth * radial + radius * turn * tangent) -
-               3.0 * slowing * bend +
+               3.0 * slowing * second +
                (4.0 * slowing * slowing - growth * growth * turn * turn) * point.dq;
   return point;
 }

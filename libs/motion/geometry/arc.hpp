@@ -30,7 +30,7 @@ constexpr PlaneAxes plane_axes(Plane plane) noexcept {
   return {0, 1, 2};
 }
 
-/// How far the radii at start and end may differ, mm, or by a thousandth of the larger: as
+/// How much the radii at start and end may differ, mm, or by a thousandth of the larger, as in
 /// LinuxCNC.
 inline constexpr double kRadiusTolerance = 0.02 * std::numbers::sqrt2;
 inline constexpr double kRelativeRadiusTolerance = 0.001;
@@ -46,11 +46,11 @@ struct ArcSpec {
 
 class Arc {
  public:
-  /// Angles count about the programmed center. Start and end must be equally far from it, up to
-  /// radius_tolerance of the spec or kRelativeRadiusTolerance; the radius then changes evenly with
-  /// the angle, so that the arc meets both ends and strays from the programmed circle by no more
-  /// than they do. Errors: SC2103 (off the circle), SC2104 (no radius). The place of the error is
-  /// left to the caller.
+  /// Angles count about the programmed centre. Start and end must be equally far from it, up to
+  /// radius_tolerance of the spec or kRelativeRadiusTolerance; the radius then changes linearly
+  /// with the angle, so that the arc meets both ends and deviates from the programmed circle by no
+  /// more than they do. Errors: SC2103 (off the circle), SC2104 (no radius). The caller sets the
+  /// position of the error.
   static Result<Arc> make(const ArcSpec& spec);
 
   double length() const noexcept { return length_; }
@@ -81,7 +81,7 @@ class Arc {
   double mean_speed(double radius, double other) const noexcept;
   double part_at(double s, double radius, double growth) const noexcept;
 
-  /// Where s is: the nearer end, and the part of the arc from there, negative before it.
+  /// The position of s: the nearer end, and the part of the arc from there, negative before it.
   struct Place {
     const End& end;
     double part;

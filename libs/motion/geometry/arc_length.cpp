@@ -8,7 +8,7 @@
 namespace softcnc {
 namespace {
 
-constexpr int kFew = 8;              // samples that may do for a span
+constexpr int kFew = 8;              // samples that may suffice for a span
 constexpr int kDeepest = 200;        // halvings of a span
 constexpr double kShortest = 1e-14;  // of the length: cells below are taken linear
 constexpr int kNewtonSteps = 8;
@@ -23,7 +23,8 @@ std::span<const double> without_trifles(const auto& series, double trifle) noexc
   return terms(series).first(chebyshev_terms(terms(series), trifle));
 }
 
-/// The largest of the last coefficients, even and odd ones: what the polynomial does not follow.
+/// Returns the largest of the last coefficients, even and odd ones: what the polynomial does not
+/// follow.
 template <int n>
 double tail(const Eigen::Array<double, n, 1>& c) noexcept {
   return c.template tail<1 + n / 8>().abs().maxCoeff();
@@ -60,8 +61,8 @@ ChebyshevSeries<n> invert(const Forward<n>& forward, double tolerance) {
   return chebyshev_series(x);
 }
 
-/// The largest miss in s, looked for between the nodes, where polynomials through 8 or 16 of them
-/// swing out furthest: cos(k pi / 8).
+/// Returns the largest error in s, evaluated between the nodes, where polynomials through 8 or 16
+/// of them deviate most: cos(k pi / 8).
 template <int n>
 double inverse_error(const Forward<n>& forward, const ChebyshevSeries<n>& x_of_s) noexcept {
   static_assert(n == 8 || n == 16);

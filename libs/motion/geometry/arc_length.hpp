@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The map between the parameter of a curve and its arc length: built once, looked up in bounded
+// The map between the parameter of a curve and its arc length: built once, evaluated in bounded
 // time.
 #pragma once
 
@@ -25,8 +25,8 @@ class ArcLengthMap {
 
   ArcLengthMap() = default;
 
-  /// Measures a curve of so many spans. Nothing where the speed is not finite, zero all along, or
-  /// too rugged to be measured.
+  /// Measures a curve of `spans` spans. Returns nothing where the speed is not finite, zero
+  /// throughout, or too rugged to be measured.
   static std::optional<ArcLengthMap> measure(const Speed& speed, int spans);
 
   double length() const noexcept { return starts_.back(); }
@@ -35,7 +35,7 @@ class ArcLengthMap {
   SpanPlace place(double s, Side side = Side::after) const noexcept;
   double arc_length(const SpanPlace& place) const noexcept;
 
-  /// Arc length at which each span begins, and the length at the end.
+  /// Returns the arc length at which each span begins, and the length at the end.
   std::span<const double> span_starts() const noexcept { return span_starts_; }
 
   /// Where cells had to be shorter than kCrowded of the length, ascending: the curve stands still
@@ -56,7 +56,7 @@ class ArcLengthMap {
     double width;                            // in t
     ChebyshevIntegral<kTerms> s_from_first;  // mm, by t
     ChebyshevSeries<kTerms> t_from_first;    // by s
-    std::size_t s_terms, t_terms;            // of these, so many matter
+    std::size_t s_terms, t_terms;            // how many of these matter
   };
 
   std::vector<double> starts_{0.0};  // of the cells, strictly ascending, and the length

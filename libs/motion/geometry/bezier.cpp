@@ -71,7 +71,7 @@ class Spline {
   const double* knots_;
 };
 
-/// Of the spline and its derivatives up to so many.
+/// Evaluates the spline and its derivatives up to an order.
 template <std::size_t degree>
 void put_points(const Spline<degree>& spline, int orders, Homogeneous* out) noexcept {
   out = spline.put_bezier_points(out);

@@ -26,7 +26,7 @@ inline Homogeneous homogeneous(const AxisVector& point, double weight, const Axi
   return h;
 }
 
-/// Bezier points of a segment and, behind them, those of its derivatives by t of order 1, 2 and 3:
+/// Bezier points of a segment and, after them, those of its derivatives by t of order 1, 2 and 3:
 /// degree + 1, degree, degree - 1 and degree - 2 points. Derivatives have points of their own
 /// because differences of Bezier points lose their digits in narrow knot spans.
 constexpr std::size_t bezier_points_begin(int degree, int order) noexcept {
@@ -107,7 +107,7 @@ void sum_up(const Bernstein<low>& basis, const Homogeneous* points, Derivatives&
   if constexpr (order > 0) sum_up<degree>(basis.raised(), points, out);
 }
 
-/// use(std::integral_constant<int, degree>), so that its loops have no bounds to be looked at.
+/// Calls use(std::integral_constant<int, degree>), so that its loops have constant bounds.
 template <typename Use>
 auto with_degree(int degree, Use&& use) noexcept {
   static_assert(kMaxBezierDegree == 9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chebyshev series of so many terms: from samples, integrated, evaluated.
+// Chebyshev series of a fixed number of terms: from samples, integrated, evaluated.
 #pragma once
 
 #include <Eigen/Core>
@@ -71,7 +71,7 @@ ChebyshevIntegral<terms> integrate_chebyshev(const Eigen::Array<double, terms, 1
   return integral;
 }
 
-/// How many terms remain when trailing ones, together not above `tolerance`, are left out.
+/// Returns how many terms remain when trailing ones, together not above `tolerance`, are left out.
 inline std::size_t chebyshev_terms(std::span<const double> c, double tolerance) noexcept {
   std::size_t terms = c.size();
   for (double left_out = 0.0; terms > 1; --terms) {

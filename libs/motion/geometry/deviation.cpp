@@ -19,7 +19,7 @@ double distance(const Path& path, double s, const AxisVector& point) noexcept {
   return (position(path, s) - point).norm();
 }
 
-/// The nearest place yet, and how near it is.
+/// The nearest place so far, and its distance.
 struct Nearest {
   double s = 0;
   double distance = std::numeric_limits<double>::infinity();
@@ -39,10 +39,10 @@ void search(const Path& path, double s0, double s1, const AxisVector& point,
 }  // namespace
 
 double distance_to_segment(const AxisVector& p, const AxisVector& a, const AxisVector& b) noexcept {
-  const AxisVector way = b - a;
-  const double square = way.squaredNorm();
-  const double part = square > 0 ? std::clamp((p - a).dot(way) / square, 0.0, 1.0) : 0.0;
-  return (p - a - part * way).norm();
+  const AxisVector chord = b - a;
+  const double square = chord.squaredNorm();
+  const double part = square > 0 ? std::clamp((p - a).dot(chord) / square, 0.0, 1.0) : 0.0;
+  return (p - a - part * chord).norm();
 }
 
 double nearest(const Portion& portion, const AxisVector& point, double guess) noexcept {
@@ -55,8 +55,8 @@ double nearest(const Portion& portion, const AxisVector& point, double guess) no
     const PathPoint here = at(*portion.path, s);
     const AxisVector off = here.q - point;
     const double slope = here.dq.dot(off);
-    const double bend = 1 + here.ddq.dot(off);
-    const double next = std::clamp(s - slope / std::max(bend, 0.5), portion.s0, portion.s1);
+    const double curving = 1 + here.ddq.dot(off);
+    const double next = std::clamp(s - slope / std::max(curving, 0.5), portion.s0, portion.s1);
     const double step = std::abs(next - s);
     s = next;
     if (step <= kLastStep * (portion.s1 - portion.s0)) break;

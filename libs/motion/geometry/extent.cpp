@@ -37,7 +37,7 @@ double turning_point(const Swing& swing, double low, double high) {
   return swing.at(0.5 * (low + high));
 }
 
-/// Calls take(coordinate) for the extrema within the sweep. The radius changes one way, so the
+/// Calls take(coordinate) for the extrema within the sweep. The radius is monotonic, so the
 /// outermost of many turns are the first and the last.
 template <typename Take>
 void for_each_extremum(const Swing& swing, Take&& take) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a path reaches along each axis: its true extrema, wherever on it they lie.
+// The extent of a path along each axis: its true extrema, wherever they lie on it.
 #pragma once
 
 #include "motion/geometry/path.hpp"
@@ -17,11 +17,11 @@ struct Extent {
   }
 };
 
-/// The smallest box around every point of the path; of a NURBS to 1e-9 mm.
+/// Returns the smallest box around every point of the path; for a NURBS to 1e-9 mm.
 Extent extent(const Path& path);
 
-/// A box that surely holds all of the path, quickly found: for a line and an arc the smallest one,
-/// for a NURBS that of its control points.
+/// Returns a box that surely contains all of the path, quickly computed: for a line and an arc the
+/// smallest one, for a NURBS that of its control points.
 Extent bounds(const Path& path);
 
 }  // namespace softcnc

@@ -7,10 +7,10 @@ namespace softcnc {
 namespace {
 
 /// The squares of lengths that machines have are within the range of a double.
-double length_of(const AxisVector& way) {
+double length_of(const AxisVector& step) {
   constexpr double kShort = 1e-140, kLong = 1e140;
-  const double length = way.norm();
-  return length > kShort && length < kLong ? length : way.stableNorm();
+  const double length = step.norm();
+  return length > kShort && length < kLong ? length : step.stableNorm();
 }
 
 }  // namespace

@@ -97,10 +97,10 @@ SpanPlace Nurbs::place(double u, Side side) const noexcept {
   const auto next =
       side == Side::after ? std::upper_bound(first, last, u) : std::lower_bound(first, last, u);
   const auto span = static_cast<int>(next - first);
-  const double behind = u - next[-1];
+  const double passed = u - next[-1];
   const double ahead = next[0] - u;
   const double wide = next[0] - next[-1];
-  if (behind <= ahead) return {span, 0, behind / wide};
+  if (passed <= ahead) return {span, 0, passed / wide};
   return {span, 1, -ahead / wide};
 }
 

@@ -23,11 +23,11 @@ class Nurbs {
   static constexpr int kMaxDegree = kMaxBezierDegree;
 
   /// Checks the specification, turns every span into a Bezier segment and measures the curve.
-  /// Errors: the SC30xx codes; the place of the error is left to the caller.
+  /// Errors: the SC30xx codes. The caller sets the position of the error.
   static Result<Nurbs> make(NurbsSpec spec);
 
   double length() const noexcept { return map_.length(); }
-  /// Where the curve stands still dq is its limit, and ddq and dddq, which may have none, are
+  /// Where the curve stands still, dq is its limit, and ddq and dddq, which may have none, are
   /// those a little further on `side`.
   PathPoint at(double s, Side side = Side::after) const noexcept;
   AxisVector position(double s) const noexcept;

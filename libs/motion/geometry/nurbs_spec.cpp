@@ -18,7 +18,7 @@ tl::unexpected<Diagnostic> refusal(Code code, std::string message) {
 Status check_counts(const NurbsSpec& spec) {
   const int order = spec.degree + 1;
   if (spec.degree < 1 || spec.degree > kMaxBezierDegree)
-    return refusal(Code::SC3001, fmt::format("a NURBS of order {}: orders 2 to {} can be run",
+    return refusal(Code::SC3001, fmt::format("a NURBS of order {}; orders 2 to {} are supported",
                                              order, kMaxBezierDegree + 1));
   const auto points = std::ssize(spec.control);
   if (points < order)
@@ -68,15 +68,15 @@ Status check_ends(const NurbsSpec& spec) {
   return {};
 }
 
-Status check_tears(const NurbsSpec& spec) {
+Status check_continuity(const NurbsSpec& spec) {
   const auto order = static_cast<std::size_t>(spec.degree) + 1;
   const auto& knots = spec.knots;
   for (std::size_t i = 1; i + order < knots.size(); ++i)
     if (knots[i] == knots[i + order - 1])
       return refusal(
           Code::SC3006,
-          fmt::format("knot {} ({}) stands {} times: a curve of order {} would be torn", i + 1,
-                      knots[i], std::count(knots.begin(), knots.end(), knots[i]), order));
+          fmt::format("knot {} ({}) occurs {} times: a curve of order {} would be discontinuous",
+                      i + 1, knots[i], std::count(knots.begin(), knots.end(), knots[i]), order));
   return {};
 }
 
@@ -94,7 +94,7 @@ Status check(const NurbsSpec& spec) {
       .and_then([&] { return check_numbers(spec); })
       .and_then([&] { return check_order_of_knots(spec.knots); })
       .and_then([&] { return check_ends(spec); })
-      .and_then([&] { return check_tears(spec); })
+      .and_then([&] { return check_continuity(spec); })
       .and_then([&] { return check_extent(spec); });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a NURBS curve is given by, and whether that is a curve at all.
+// The specification of a NURBS curve, and whether it is a curve at all.
 #pragma once
 
 #include <vector>
@@ -16,8 +16,8 @@ struct NurbsSpec {
   std::vector<double> knots;        // control points + degree + 1, clamped at both ends
 };
 
-/// The first thing wrong with it: SC3001 to SC3009. Numbers of knots and points count from 1 in the
-/// message. The place of the error is left to the caller.
+/// Returns the first thing wrong with it: SC3001 to SC3009. Knots and points count from 1 in the
+/// message. The caller sets the position of the error.
 Status check(const NurbsSpec& spec);
 
 }  // namespace softcnc

@@ -15,8 +15,8 @@ Path part_of(const Line& line, double s0, double s1) {
   return Line(line.position(s0), line.position(s1));
 }
 
-/// How many full turns there are is told by the length: on the ray of the start the angle alone
-/// leaves it open.
+/// The length determines how many full turns there are: on the ray of the start the angle alone
+/// leaves that open.
 Path part_of(const Arc& arc, double s0, double s1) {
   ArcSpec spec{arc.position(s0), arc.position(s1), arc.center(), arc.plane(), arc.ccw()};
   const double sweep = std::abs(arc.sweep()) * (s1 - s0) / arc.length();

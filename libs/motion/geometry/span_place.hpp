@@ -4,8 +4,8 @@
 
 namespace softcnc {
 
-/// A parameter 0 <= t <= 1 inside span 0, 1, 2, ... It is kept as the distance from one end of the
-/// span, t = end + offset, so that it is as exact near t = 1 as it is near t = 0.
+/// A parameter 0 <= t <= 1 inside span 0, 1, 2, ... It is stored as the distance from one end of
+/// the span, t = end + offset, so that it is as exact near t = 1 as it is near t = 0.
 struct SpanPlace {
   int span = 0;
   int end = 0;        // 0 or 1

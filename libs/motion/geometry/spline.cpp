@@ -8,16 +8,17 @@
 namespace softcnc {
 namespace {
 
-using Points = std::span<const AxisVector>;
+using SplinePoints = std::span<const AxisVector>;
 
-Status check_points(Points points) {
+Status check_points(SplinePoints points) {
   if (points.size() < 2)
-    return tl::unexpected(Diagnostic{
-        Code::SC2350,
-        {},
-        fmt::format("a spline through {} point{}", points.size(), points.empty() ? "s" : ""),
-        {},
-        {}});
+    return tl::unexpected(
+        Diagnostic{Code::SC2350,
+                   {},
+                   fmt::format("a spline through {} point{}; it needs at least two", points.size(),
+                               points.empty() ? "s" : ""),
+                   {},
+                   {}});
   for (std::size_t i = 1; i < points.size(); ++i)
     if ((points[i] - points[i - 1]).norm() < kSplineSamePoint)
       return tl::unexpected(
@@ -29,22 +30,22 @@ Status check_points(Points points) {
   return {};
 }
 
-std::vector<double> chords_of(Points points) {
+std::vector<double> chords_of(SplinePoints points) {
   std::vector<double> chords;
   for (std::size_t i = 1; i < points.size(); ++i)
     chords.push_back((points[i] - points[i - 1]).norm());
   return chords;
 }
 
-/// A row of the equations for the tangents T: before T[i-1] + at T[i] + behind T[i+1] = right.
-struct Row {
-  double before, at, behind;
+/// A row of the equations for the tangents T: before T[i-1] + at T[i] + after T[i+1] = right.
+struct TridiagonalRow {
+  double before, at, after;
   AxisVector right;
 };
 
 /// That the second derivative is the same on both sides of point i, and none at the ends, in terms
 /// of Hermite pieces. Diagonally dominant.
-Row row_of(Points points, const std::vector<double>& chords, std::size_t i) {
+TridiagonalRow row_of(SplinePoints points, const std::vector<double>& chords, std::size_t i) {
   const auto direction = [&](std::size_t k) {
     return AxisVector((points[k + 1] - points[k]) / chords[k]);
   };
@@ -56,32 +57,31 @@ Row row_of(Points points, const std::vector<double>& chords, std::size_t i) {
 }
 
 /// By elimination from the first point to the last, and back.
-std::vector<AxisVector> tangents_of(Points points, const std::vector<double>& chords) {
+std::vector<AxisVector> tangents_of(SplinePoints points, const std::vector<double>& chords) {
   std::vector<AxisVector> tangents;
-  std::vector<double> behind;
+  std::vector<double> after;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    Row row = row_of(points, chords, i);
+    TridiagonalRow row = row_of(points, chords, i);
     if (i > 0) {
-      row.at -= row.before * behind.back();
+      row.at -= row.before * after.back();
       row.right -= row.before * tangents.back();
     }
-    behind.push_back(row.behind / row.at);
+    after.push_back(row.after / row.at);
     tangents.emplace_back(row.right / row.at);
   }
-  for (std::size_t i = points.size() - 1; i > 0; --i)
-    tangents[i - 1] -= behind[i - 1] * tangents[i];
+  for (std::size_t i = points.size() - 1; i > 0; --i) tangents[i - 1] -= after[i - 1] * tangents[i];
   return tangents;
 }
 
-/// The de Boor point of the knots around point i: the blossom of the piece behind it.
-AxisVector inner_control(Points points, const std::vector<double>& chords,
+/// Returns the de Boor point of the knots around point i: the blossom of the piece after it.
+AxisVector inner_control(SplinePoints points, const std::vector<double>& chords,
                          const std::vector<AxisVector>& tangents, std::size_t i) {
   const AxisVector leap = (points[i + 1] - points[i]) / chords[i];
   const AxisVector both = tangents[i] + tangents[i + 1];
   return points[i] + chords[i] / 3 * tangents[i] + chords[i - 1] * (both / 3 - leap);
 }
 
-std::vector<AxisVector> control_of(Points points, const std::vector<double>& chords) {
+std::vector<AxisVector> control_of(SplinePoints points, const std::vector<double>& chords) {
   const auto tangents = tangents_of(points, chords);
   std::vector<AxisVector> control{points.front(), points.front() + chords[0] / 3 * tangents[0]};
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
@@ -100,7 +100,7 @@ std::vector<double> knots_of(const std::vector<double>& chords) {
 
 }  // namespace
 
-Result<NurbsSpec> natural_spline(Points points) {
+Result<NurbsSpec> natural_spline(SplinePoints points) {
   if (Status status = check_points(points); !status) return tl::unexpected(status.error());
   const std::vector<double> chords = chords_of(points);
   NurbsSpec spec;

@@ -12,8 +12,8 @@
 
 namespace softcnc {
 
-/// How a move goes over into the next one.
-enum class Join : std::uint8_t {
+/// The path mode: how a move goes over into the next one.
+enum class PathMode : std::uint8_t {
   follow,  // G61, G64 without tolerance: the path exactly, rest only where the tangent turns
   stop,    // G61.1, and FANUC's G61: rest at the end of the block
 };
@@ -22,17 +22,17 @@ struct Move {
   Path path;
   bool rapid = false;  // G00: only axis limits bind
   double feed = 0;     // mm/s along the path, as programmed; unused for rapids
-  Join join = Join::follow;
+  PathMode path_mode = PathMode::follow;
   double corner_tolerance = 0;    // mm: how far the next joint may be rounded (G64 P)
-  double chord_tolerance = 0;     // mm: how far joined chords may stray (G64 Q)
+  double chord_tolerance = 0;     // mm: how far merged chords may deviate (G64 Q)
   bool feed_override = true;      // false: the feed is as programmed, whatever the override (M49)
-  std::uint8_t unknown_axes = 0;  // by bit: an error has left open where the axis is
+  std::uint8_t unknown_axes = 0;  // by bit: an error has left the position of the axis unknown
   std::optional<Surface> surface{};  // of G06.4, on cutting moves
-  bool exact = false;                // asked for by G61, G61.1 or G09: no corner may be rounded
+  bool exact = false;                // requested by G61, G61.1 or G09: no corner may be rounded
 };
 
-/// The feed that a move asks for, mm/s: as programmed, with the override where that counts; 0 for a
-/// rapid.
+/// Returns the requested feed of a move, mm/s: as programmed, with the override where that applies;
+/// 0 for a rapid.
 inline double asked_feed(const Move& move, double feed_override) noexcept {
   if (move.rapid) return 0;
   return move.feed_override ? move.feed * feed_override : move.feed;
@@ -46,7 +46,7 @@ struct Dwell {
 struct Action {
   enum class Kind : std::uint8_t { tool, spindle, coolant, stop, end };
   Kind kind;
-  int code = 0;      // the number of the M code behind it (M03: 3; S alone: 0)
+  int code = 0;      // the number of its M code (M03: 3; S alone: 0)
   double value = 0;  // tool number; spindle speed in rpm, signed (positive: M03, clockwise)
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The heartbeat: one setpoint from a source to a drive, one row to a recorder, each period.
+// The cycle: one setpoint from a source to a drive and one sample to a recorder, each period.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@
 
 namespace softcnc {
 
-/// What a person asks of a running machine. Written by any thread or a signal handler.
+/// What an operator requests of a running machine. Written by any thread or a signal handler.
 struct Panel {
   std::atomic<bool> stop{false};  // a controlled stop on the path, then the end of the run
 };
@@ -40,7 +40,7 @@ struct CycleReport {
   Feedback last;
 };
 
-/// Runs until the source ends or an alarm shows. Allocates nothing and waits for nobody itself.
+/// Runs until the source ends or an alarm occurs. Allocates nothing and waits for nothing itself.
 template <Source S, DriveSide D, Recorder R>
 CycleReport run_cycle(S& source, D& drive, R& recorder, const Panel& panel) noexcept {
   CycleReport report;

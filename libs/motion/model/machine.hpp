@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The machine: plain data in house units (mm, s, V, A, Nm, kg m^2). The defaults together are the
-// retrofitted mill of paper 003 (Table 1), with a z axis of the same kind.
+// The machine: plain data in internal units (mm, s, V, A, Nm, kg m^2). The defaults together are
+// the retrofitted mill of paper 003 (Table 1), with a z axis of the same kind.
 //
 // Paper 003 names a "400 W class" DC servo motor of 3000 rpm without its maker. The motor here is
 // the printed-armature DC servo motor BR13MACH of Pranshu Electricals (380 W, 1.20 Nm, 3000 rpm, 65
-// V, 8 A; maker's table of the B and BR series, http://pranshu.com/node/35). docs/machine.md shows
-// how each figure that the table does not give was derived.
+// V, 8 A; table of the B and BR series by its maker, http://pranshu.com/node/35). docs/machine.md
+// shows how each figure that the table does not give was derived.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@
 
 namespace softcnc {
 
-/// How the next point is found within a period; the last five by reference pulses.
+/// How the next point is found within a period; the last five use reference pulses.
 enum class Method : std::uint8_t {
   arc_length,
   taylor1,
@@ -42,16 +42,16 @@ constexpr std::string_view name(Method method) noexcept {
 constexpr bool is_by_pulses(Method method) noexcept { return method >= Method::sam; }
 
 /// Whether each setpoint lies where the plan is at its instant; otherwise a method of the
-/// literature goes its own way through the curve.
+/// literature advances along the curve by its own rule.
 constexpr bool follows_time(Method method) noexcept {
   return method == Method::arc_length || is_by_pulses(method);
 }
-/// Of a method by pulses.
+/// Returns the pulse method of a method by pulses.
 constexpr PulseMethod pulse_method(Method method) noexcept {
   return static_cast<PulseMethod>(static_cast<int>(method) - static_cast<int>(Method::sam));
 }
 
-/// When the clocks of a method by pulses come: as the feed profile says, or as in paper 003.
+/// When the clocks of a method by pulses come: according to the feed profile, or as in paper 003.
 enum class PulseClock : std::uint8_t { profile, paper };
 inline constexpr std::array<std::string_view, 2> kPulseClockNames{"profile", "paper"};
 
@@ -72,7 +72,7 @@ struct Control {
   PulseClock pulse_clock = PulseClock::profile;
 };
 
-/// `whole` in equal parts, none longer than `longest`, s.
+/// Divides `whole` into equal parts, none longer than `longest`, s.
 constexpr double equal_part(double whole, double longest) noexcept {
   constexpr double kRounding = 1e-9;  // of `longest`
   const double parts = whole / longest - kRounding;
@@ -80,32 +80,32 @@ constexpr double equal_part(double whole, double longest) noexcept {
   return whole / static_cast<double>(parts > static_cast<double>(fewer) ? fewer + 1 : fewer);
 }
 
-/// How far apart the positions are that go to a port, s: the servo period, or, if there is none, 1
-/// ms or the next smaller that divides the period. Limits are kept in rows so far apart, and where
-/// x'' jumps the acceleration may change by the jerk times it, whatever the backend.
+/// Returns the time between positions sent to a port, s: the servo period or, if there is none, 1
+/// ms or the next smaller value that divides the period. Limits are kept in samples this far apart,
+/// and where x'' jumps the acceleration may change by the jerk times this, whatever the backend.
 constexpr double fine_period(const Control& control) noexcept {
   constexpr double kLongest = 1e-3;
   return control.servo_period > 0 ? control.servo_period : equal_part(control.period, kLongest);
 }
 
-/// How often the position loop of the simulated axes looks at its counters, s: once a servo period,
-/// or, if there is none, every 0.25 ms or the next smaller that divides fine_period().
+/// Returns how often the position loop of the simulated axes reads its counters, s: once a servo
+/// period or, if there is none, every 0.25 ms or the next smaller value that divides fine_period().
 constexpr double loop_period(const Control& control) noexcept {
   constexpr double kLongest = 0.25e-3;
   return control.servo_period > 0 ? control.servo_period
                                   : equal_part(fine_period(control), kLongest);
 }
 
-/// How many equal parts of so many s the period has.
+/// Returns how many equal parts of `part` s the period has.
 constexpr int parts_of_period(const Control& control, double part) noexcept {
   return static_cast<int>(control.period / part + 0.5);
 }
 
-/// 0: only the axes limit.
+/// Limits along the path; 0: only the axes limit.
 struct PathLimits {
-  double feed = 250.0;      // mm/s; caps cutting moves
+  double feed = 250.0;      // mm/s; limits cutting moves
   double tangential = 0.0;  // mm/s^2: how the speed along the path may change
-  double normal = 0.0;      // mm/s^2: v^2 / rho, in bends
+  double normal = 0.0;      // mm/s^2: v^2 / rho, in curves
 };
 
 /// A permanent-magnet DC motor with its load, reduced to the motor shaft.
@@ -128,8 +128,8 @@ struct Drive {
   double velocity_reset = 50.0;     // 1/s: reset rate of the velocity loop's integral part
   double supply_voltage = 80.0;     // V
   double current_limit = 16.0;      // A
-  double following_error = 12.0;    // mm: alarm beyond
-  int lost_pulse = 0;               // every n-th command pulse is lost on its way; 0: none
+  double following_error = 12.0;    // mm: alarm above
+  int lost_pulse = 0;               // every n-th command pulse is lost; 0: none
 };
 
 struct Axis {
@@ -151,7 +151,7 @@ struct Spindle {
   double max_rpm = 24000;
 };
 
-/// Drives with step and direction inputs, and what they ask of their lines.
+/// Drives with step and direction inputs, and the timing that their inputs require.
 struct StepPort {
   std::string file = "steps.vcd";  // of edges; empty: none
   double max_rate = 100e3;         // Hz: pulses of an axis
@@ -168,8 +168,8 @@ struct ParallelPort {
   double base_period = 50e-6;            // s between two writes to the port
   std::array<int, kAxes> step_pin{2, 4, 6}, direction_pin{3, 5, 7};
   int enable_pin = 8;       // out: high while it runs
-  int charge_pump_pin = 9;  // out: turns over every base period while it runs
-  int estop_pin = 10;       // in: high is pressed, so that a broken wire stops, too
+  int charge_pump_pin = 9;  // out: toggles every base period while it runs
+  int estop_pin = 10;       // in: high is pressed, so that a broken wire stops the machine, too
   int limit_pin = 0;        // in: high is an axis at the end of its travel
   int fault_pin = 0;        // in: high is a drive that has switched itself off
 };
@@ -177,12 +177,12 @@ struct ParallelPort {
 /// Rows for LinuxCNC's halstreamer.
 struct HalStream {
   std::string file = "setpoints.txt";  // or a FIFO; "-": standard output; empty: none
-  double patience = 5.0;               // s: so long a full pipe may take no row
+  double patience = 5.0;               // s: timeout for a blocked pipe
 };
 
 struct ProgramLimits {
   int block_limit = 2'000'000;  // lines that one loop, or one call with all it calls, may run
-  double motion_limit = 3.6e7;  // s: a program that moves for longer is refused; 0: none is
+  double motion_limit = 3.6e7;  // s: a program that moves for longer is refused; 0: no limit
 };
 
 struct Tool {
@@ -190,11 +190,12 @@ struct Tool {
   int teeth = 0;
 };
 
-/// The piece of material that the simulated surface is cut from, as a grid seen from above.
+/// The material that the simulated surface is cut from, as a grid seen from above.
 struct Stock {
   AxisVector size = AxisVector::Zero();  // mm; 0: as far as the program cuts
-  std::vector<double> origin;  // mm: the corner with the smallest coordinates; empty: likewise
-  double grid = 0.01;          // mm between neighbouring points
+  std::vector<double>
+      origin;  // mm: the corner with the smallest coordinates; empty: as far as the program cuts
+  double grid = 0.01;  // mm between neighbouring points
 };
 
 struct Machine {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What programs leave behind on a machine: work offsets, reference points, tool lengths,
-// parameters.
+// What programs leave on a machine: work offsets, reference points, tool lengths, parameters.
 #pragma once
 
 #include <array>
@@ -10,12 +9,12 @@
 
 namespace softcnc {
 
-/// How far places and offsets may lie from 0, either way: what is kept is within.
+/// The largest magnitude of positions and offsets that are stored.
 inline constexpr double kFarthest = 1e6;  // mm
-/// How far a work system may be turned, either way.
+/// The largest magnitude of the rotation of a work system.
 inline constexpr double kMostTurned = 36000;  // degrees
 
-/// False for what is no number, too.
+/// Returns false also for what is not a number.
 inline bool is_near(double mm) noexcept { return mm >= -kFarthest && mm <= kFarthest; }
 inline bool is_near(const AxisVector& place) noexcept {
   return is_near(place[0]) && is_near(place[1]) && is_near(place[2]);
@@ -29,8 +28,8 @@ struct WorkOffset {
   friend bool operator==(const WorkOffset&, const WorkOffset&) = default;
 };
 
-/// What G10 L1, L10 and L11 keep of a tool. Wear is what a FANUC control keeps beside, by G10 L11
-/// and L13, and adds.
+/// What G10 L1, L10 and L11 store for a tool. Wear is what a FANUC control stores separately, by
+/// G10 L11 and L13, and adds.
 struct ToolOffset {
   AxisVector length = AxisVector::Zero();  // mm, from the control point to the tip
   double radius = 0;                       // mm
@@ -42,7 +41,7 @@ struct ToolOffset {
 
 inline constexpr int kWorkSystems = 9;
 
-/// The start state is that of a new MachineState.
+/// The initial state is that of a new MachineState.
 struct MachineState {
   std::array<WorkOffset, kWorkSystems> work;    // G54, G55, ... G59.3
   int active = 0;                               // index into `work`

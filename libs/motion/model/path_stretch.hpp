@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a path lies in the way of a program.
+// The position of a path within a program.
 #pragma once
 
 #include <span>
@@ -10,14 +10,14 @@
 namespace softcnc {
 
 /// A path and where it starts along the program, mm.
-struct Stretch {
+struct PathStretch {
   const Path* path;
   double s_start;
-  const Surface* surface = nullptr;  // that it is to leave
+  const Surface* surface = nullptr;  // that it is to produce
 };
 
-/// The one on which the path is at s, mm along the program, in stretches that follow one another;
-/// at a joint the later one. There must be one.
-const Stretch& stretch_at(std::span<const Stretch> stretches, double s) noexcept;
+/// Returns the stretch on which the path is at s, mm along the program, in stretches that follow
+/// one another; at a joint the later one. There must be at least one.
+const PathStretch& stretch_at(std::span<const PathStretch> stretches, double s) noexcept;
 
 }  // namespace softcnc

@@ -11,7 +11,7 @@
 
 namespace softcnc {
 
-/// What holds the feed down; its name() is the trace column and the report's key.
+/// What limits the feed; its name() is the trace column and the key in reports.
 enum class Limit : std::uint8_t {
   feed,
   rapid,
@@ -32,7 +32,7 @@ inline constexpr int kLimits = 14;
 
 std::string_view name(Limit limit) noexcept;
 
-/// A clock of a staircase, and when it comes: a part of the period that the setpoint ends.
+/// A clock of a staircase, and when it comes: as a part of the period that the setpoint ends.
 struct TimedStep {
   double part = 0;
   Step step;
@@ -55,18 +55,18 @@ struct Setpoint {
   double feed = 0;          // mm/s, as programmed, with its override; 0 in rapids and between moves
   Limit limit = Limit::stop;
   AxisVector position = AxisVector::Zero();  // mm, commanded
-  /// By a method of reference pulses: those that lead here from the last setpoint, in order. They
-  /// stand until the next setpoint is made.
+  /// For a method of reference pulses: those that lead here from the last setpoint, in order. They
+  /// are valid until the next setpoint is made.
   std::span<const TimedStep> pulses{};
   /// Where the machine is at evenly spaced instants of the period that ends here, the last one its
-  /// end: the plan itself, or a spline where a method goes its own way. Empty before the first
-  /// period, and where nobody asks. They stand as long as the pulses.
+  /// end: the plan itself, or a spline for methods that advance by their own rule. Empty before the
+  /// first period, and where they are not needed. They are valid as long as the pulses.
   std::span<const FinePoint> fine{};
 };
 
 /// Calls visit(point) for `parts` evenly spaced instants of the period that ends in a setpoint and
-/// began at `before`; the last one is the setpoint. Where it does not say where the machine is in
-/// between, the way is even. There may be more fine points, by a whole factor.
+/// began at `before`; the last one is the setpoint. Where the setpoint has no fine points, the
+/// motion in between is uniform. There may be more fine points, by a whole factor.
 template <typename Visit>
 void for_instants(const Setpoint& setpoint, const FinePoint& before, int parts, Visit&& visit) {
   const auto count = static_cast<std::size_t>(parts);

@@ -19,7 +19,7 @@ class Counts {
     return std::llround(std::round(position * kPerMm) / blu_);
   }
 
-  /// Where so many counts are, mm.
+  /// Returns the position of a number of counts, mm.
   double position(std::int64_t counts) const noexcept {
     return static_cast<double>(counts) * blu_ / kPerMm;
   }

@@ -24,11 +24,11 @@ constexpr std::string_view name(PulseMethod method) noexcept {
   return kPulseMethodNames[static_cast<std::size_t>(method)];
 }
 
-/// A place in whole BLU of each axis.
+/// A grid point in whole BLU of each axis.
 using GridPoint = std::array<std::int64_t, kAxes>;
 
-/// One clock of a staircase: which axes move by one BLU, and which way. A clock in which none moves
-/// is no pulse.
+/// One clock of a staircase: which axes move by one BLU, and in which direction. A clock in which
+/// none moves is no pulse.
 class Step {
  public:
   constexpr Step() = default;
@@ -47,7 +47,7 @@ class Step {
     return (bits_ & 1U) + ((bits_ >> 1U) & 1U) + ((bits_ >> 2U) & 1U);
   }
 
-  /// This step together with the other one, or alone, without a branch.
+  /// Returns this step together with the other one, or alone, without a branch.
   constexpr Step with_if(bool joined, Step other) const noexcept {
     Step both = *this;
     both.bits_ = static_cast<std::uint8_t>(bits_ | (other.bits_ & -static_cast<int>(joined)));

@@ -68,11 +68,11 @@ void ArcPulses::begin_quadrant() noexcept {
   at_ = target();
 }
 
-/// Rounding may have put the start of the first quadrant beyond its end: then a way back.
+/// Rounding may have put the start of the first quadrant beyond its end: then it moves back.
 ArcPulses::Side ArcPulses::side(std::size_t axis, std::int64_t direction) const noexcept {
-  const std::int64_t way = target()[axis] - at_[axis];
-  const std::int64_t along = way * direction >= 0 ? direction : -direction;
-  return {axis, along, std::abs(way), arc_.radius - 1, Step(arc_.axes[axis], along)};
+  const std::int64_t distance = target()[axis] - at_[axis];
+  const std::int64_t along = distance * direction >= 0 ? direction : -direction;
+  return {axis, along, std::abs(distance), arc_.radius - 1, Step(arc_.axes[axis], along)};
 }
 
 std::array<std::int64_t, 2> ArcPulses::target() const noexcept {
@@ -115,7 +115,7 @@ std::size_t ArcPulses::run(std::span<Step> out) noexcept {
   if (inward_.left == 0) return run_alone(outward_, out);
   if (outward_.left == 0) return run_alone(inward_, out);
   if (method_ == PulseMethod::dda) return run_registers(out);
-  // No axis can pass its end within so many clocks.
+  // No axis can pass its end within that many clocks.
   const auto safe = static_cast<std::size_t>(std::min(inward_.left, outward_.left));
   out = out.first(std::min(out.size(), safe));
   if (method_ == PulseMethod::sam) return run_stairs(out);
@@ -143,7 +143,7 @@ std::size_t ArcPulses::run_stairs(std::span<Step> out) noexcept {
   return out.size();
 }
 
-/// DSM: the smallest |D| behind the three moves.
+/// DSM: the smallest |D| after the three moves.
 std::size_t ArcPulses::run_search(std::span<Step> out) noexcept {
   std::int64_t inward = change(inward_), outward = change(outward_);
   for (Step& step : out) {
@@ -161,7 +161,7 @@ std::size_t ArcPulses::run_search(std::span<Step> out) noexcept {
   return out.size();
 }
 
-/// M_SAM and M_DSM within an octant: one axis leads, the other one joins where it must.
+/// M_SAM and M_DSM within an octant: one axis leads, the other one moves where it must.
 std::size_t ArcPulses::run_octant(std::span<Step> out) noexcept {
   const std::int64_t ahead = -travelled(inward_) - travelled(outward_);
   const bool outward = ahead > 0;
@@ -172,18 +172,19 @@ std::size_t ArcPulses::run_octant(std::span<Step> out) noexcept {
   Side& lead = outward ? outward_ : inward_;
   Side& other = outward ? inward_ : outward_;
   if (method_ == PulseMethod::m_dsm)
-    join<true>(lead, other, outward ? 1 : -1, out);
+    lead_with<true>(lead, other, outward ? 1 : -1, out);
   else
-    join<false>(lead, other, outward ? 1 : -1, out);
+    lead_with<false>(lead, other, outward ? 1 : -1, out);
   return out.size();
 }
 
-/// D and all its changes are taken with the sign by which a positive one asks the other axis to
-/// join: outside the circle an inward one, inside an outward one. The nearer of two places is known
+/// D and all its changes are taken with the sign by which a positive one requires the other axis to
+/// move: outside the circle an inward one, inside an outward one. The nearer of two points is known
 /// by the sign of the sum of their D, which lie on different sides of the circle, or else on that
 /// from which the other axis leads away.
 template <bool nearer>
-void ArcPulses::join(Side& lead, Side& other, std::int64_t sign, std::span<Step> out) noexcept {
+void ArcPulses::lead_with(Side& lead, Side& other, std::int64_t sign,
+                          std::span<Step> out) noexcept {
   const std::int64_t on_circle = nearer || sign > 0 ? 0 : 1;  // M_SAM there moves outward
   const std::int64_t second = sign * kSecondChange;
   std::int64_t d = sign * d_ + on_circle;

@@ -9,8 +9,8 @@
 
 namespace softcnc {
 
-/// An arc between two places of the grid. The circle itself need not lie on the grid: its center
-/// and radius count in parts of a BLU.
+/// An arc between two grid points. The circle itself need not lie on the grid: its centre and
+/// radius are in parts of a BLU.
 struct PulseArc {
   static constexpr int kPartBits = 8;
   static constexpr std::int64_t kPart = 1LL << kPartBits;  // parts in a BLU
@@ -26,15 +26,15 @@ struct PulseArc {
 /// The discriminant of Table 2 of paper 003, D = X^2 + Y^2 - R^2: outside the circle where D > 0. A
 /// move along an axis changes it by 2 X + 1 or -2 X + 1 times the BLU, and that by 2 times the BLU.
 ///
-/// The arc is run by quadrants, in which each axis goes one way: one of them inward, to zero, the
-/// other outward. A quadrant ends in the place of the grid nearest to the end of the circle's, so
-/// circles close, and the axis that reaches it first waits for the other one.
+/// The arc is run by quadrants, in which each axis moves in one direction: one of them inward, to
+/// zero, the other outward. A quadrant ends in the grid point nearest to the end of that of the
+/// circle, so circles close, and the axis that reaches it first waits for the other one.
 class ArcPulses {
  public:
-  /// Start and end lie on the circle, but for a BLU.
+  /// Start and end must lie on the circle to within a BLU.
   ArcPulses(const PulseArc& arc, PulseMethod method) noexcept;
 
-  /// The next clocks, as many as there are and fit; 0 at the end. Realtime.
+  /// Fills in the next clocks, as many as there are and fit; returns 0 at the end. Realtime.
   std::size_t fill(std::span<Step> out) noexcept;
 
  private:
@@ -59,7 +59,7 @@ class ArcPulses {
   std::size_t run_search(std::span<Step> out) noexcept;
   std::size_t run_octant(std::span<Step> out) noexcept;
   template <bool nearer>
-  void join(Side& lead, Side& other, std::int64_t sign, std::span<Step> out) noexcept;
+  void lead_with(Side& lead, Side& other, std::int64_t sign, std::span<Step> out) noexcept;
   std::size_t run_registers(std::span<Step> out) noexcept;
   bool take(Side& side, std::int64_t amount) const noexcept;
 

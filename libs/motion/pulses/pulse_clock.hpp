@@ -9,13 +9,13 @@ namespace softcnc {
 
 /// A staircase at one clock per move is faster on the diagonal by sqrt 2, and SAM's is slower
 /// there. One clock is dropped after every third diagonal move; with SAM, after every second move
-/// along the same axis as the one before. DDA needs nothing of the kind: its clock is one BLU of
-/// the path.
+/// along the same axis as the one before. DDA does not need this: its clock is one BLU of the path.
 class ClockDropper {
  public:
   explicit ClockDropper(PulseMethod method) noexcept : method_(method) {}
 
-  /// How many clocks go by from this step to the next: 1, or 2 where one is dropped. Realtime.
+  /// Returns how many clocks pass from this step to the next: 1, or 2 where one is dropped.
+  /// Realtime.
   int clocks(Step step) noexcept;
 
  private:
@@ -34,7 +34,7 @@ class ClockRamp {
   ClockRamp(double frequency, std::int64_t clocks, std::int64_t ramp) noexcept
       : period_(1.0 / frequency), clocks_(clocks), ramp_(ramp) {}
 
-  /// s, from the clock with this number, from 0, to the next one. Realtime.
+  /// Returns the time, s, from the clock with this number, from 0, to the next one. Realtime.
   double delay(std::int64_t clock) const noexcept;
 
  private:

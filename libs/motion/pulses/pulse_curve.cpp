@@ -8,21 +8,21 @@
 namespace softcnc {
 namespace {
 
-/// Newton's method stops this close to a place of the grid, in BLU; the linear correction that
-/// follows leaves less than its square.
+/// Newton's method stops this close to a grid point, in BLU; the linear correction that follows
+/// leaves less than its square.
 constexpr double kClose = 0.03;
 constexpr int kNewtonSteps = 20;
-/// Further from a place, in BLU, the tangent says nothing about it.
+/// Further from a grid point than this, in BLU, the tangent is of no use.
 constexpr double kNear = 4;
-/// Where no next place is found the curve is followed without pulses in such steps: of a BLU, or of
-/// the span where it stands still.
+/// Where no next grid point is found the curve is followed without pulses in steps of this part of
+/// a BLU, or of the span where it stands still.
 constexpr double kCreep = 0.25, kCreepFromRest = 1.0 / 1024;
 /// An axis that moves by less than this part of the leading one stands.
 constexpr double kStands = 1e-9;
-/// A curve that makes less than so many BLU of a span from here stands still.
+/// A curve that makes less than this many BLU of a span from here stands still.
 constexpr double kRest = 1e-6;
 constexpr double kLeastCreep = 1e-12;
-/// BLU: an axis that is further from its place has left it.
+/// BLU: an axis that is further from its grid point has left it.
 constexpr double kFull = 1e-6;
 
 AxisVector as_real(const GridPoint& grid) noexcept {
@@ -43,8 +43,8 @@ Step step_of(int axis, double direction) noexcept {
 
 }  // namespace
 
-CurvePulses::CurvePulses(Trace trace, const GridPoint& way, PulseMethod method)
-    : trace_(std::move(trace)), method_(method), way_(as_real(way)) {
+CurvePulses::CurvePulses(Trace trace, const GridPoint& displacement, PulseMethod method)
+    : trace_(std::move(trace)), method_(method), end_(as_real(displacement)) {
   std::visit(
       [this](const auto& t) {
         spans_ = t.spans();
@@ -163,12 +163,12 @@ std::size_t CurvePulses::follow(const T& trace, std::span<Step> out) noexcept {
     if (steepest_ > next.slope) return filled;
   }
   if (filled == out.size()) return filled;
-  if (const auto step = reach<method>(trace)) out[filled++] = *step;
+  if (const auto step = move_of_leading<method>(trace)) out[filled++] = *step;
   return filled;
 }
 
 template <PulseMethod method, typename T>
-std::optional<Step> CurvePulses::reach(const T& trace) noexcept {
+std::optional<Step> CurvePulses::move_of_leading(const T& trace) noexcept {
   const double level = at_[lead_] + direction_;
   Grip next = grip_at(grip_.t, grip_.point, level);
   if (next.gap >= 0) return move_to<method>(next);  // passed before
@@ -186,7 +186,8 @@ std::optional<Step> CurvePulses::reach(const T& trace) noexcept {
   return std::nullopt;
 }
 
-/// The move by which the leading axis reaches its next place, together with the axes that join it.
+/// The move by which the leading axis reaches its next place, together with the axes that move with
+/// it.
 template <PulseMethod method>
 Step CurvePulses::move_to(const Grip& next) noexcept {
   if constexpr (method == PulseMethod::dsm)
@@ -205,7 +206,7 @@ Step CurvePulses::move_to(const Grip& next) noexcept {
   return step;
 }
 
-/// Which way an axis moves together with the leading one: -1, 0 or 1.
+/// Returns the direction in which an axis moves together with the leading one: -1, 0 or 1.
 template <PulseMethod method>
 double CurvePulses::joining(int axis, const Other& after, const Grip& next) const noexcept {
   if constexpr (method == PulseMethod::m_dsm) {
@@ -231,7 +232,7 @@ double CurvePulses::side_of(int axis, const Grip& grip) const noexcept {
   return along < 0 ? -1.0 : 1.0;
 }
 
-/// SAM: the move of the axis that is furthest behind the curve, if one is not ahead of it.
+/// SAM: the move of the axis that lags furthest behind the curve, if one is not ahead of it.
 Step CurvePulses::move_alone() noexcept {
   int furthest = -1;
   double most = 0;
@@ -304,11 +305,11 @@ Step CurvePulses::overflow() noexcept {
 /// What is left to the end, less than a BLU or two.
 std::size_t CurvePulses::close(std::span<Step> out) noexcept {
   std::size_t filled = 0;
-  for (; filled < out.size() && at_ != way_; ++filled) {
+  for (; filled < out.size() && at_ != end_; ++filled) {
     Step step;
     for (int axis = 0; axis < kAxes; ++axis) {
-      if (at_[axis] == way_[axis]) continue;
-      const double side = way_[axis] < at_[axis] ? -1.0 : 1.0;
+      if (at_[axis] == end_[axis]) continue;
+      const double side = end_[axis] < at_[axis] ? -1.0 : 1.0;
       at_[axis] += side;
       step = step | step_of(axis, side);
       if (method_ == PulseMethod::sam) break;

@@ -13,26 +13,27 @@
 namespace softcnc {
 
 /// Paper 003, chapter 4 and Table 4: the axis along which the tangent is longest leads. The
-/// parameter at which the curve reaches the leading axis' next BLU is found by Newton's method; how
-/// far the curve then is from the places of the other axes is the error D by which they join.
-/// Places are whole; the parameter is real, and is measured anew at every move, so that no error
-/// adds up. Three axes are two planes that share the leading one.
+/// parameter at which the curve reaches the leading axis' next BLU is found by Newton's method; the
+/// distance of the curve from the positions of the other axes is then the error D that decides
+/// whether they move. Positions are whole; the parameter is real, and is determined again at every
+/// move, so that no error accumulates. Three axes are two planes that share the leading one.
 class CurvePulses {
  public:
   using Trace = std::variant<SplineTrace, ArcTrace>;
 
-  /// `trace` counts from the place of the grid where the staircase starts; `way` is where it ends.
-  CurvePulses(Trace trace, const GridPoint& way, PulseMethod method);
+  /// `trace` counts from the grid point where the staircase starts; `displacement` is where it
+  /// ends.
+  CurvePulses(Trace trace, const GridPoint& displacement, PulseMethod method);
 
-  /// The next clocks, as many as there are and fit; 0 at the end. Realtime.
+  /// Fills in the next clocks, as many as there are and fit; returns 0 at the end. Realtime.
   std::size_t fill(std::span<Step> out) noexcept;
 
-  /// Arc length of the curve where the staircase stands, mm.
+  /// Returns the arc length of the curve at the staircase, mm.
   double arc_length() const noexcept;
 
  private:
-  /// What is known of the place where the curve was last evaluated, in the terms of Newton's
-  /// method: how far its leading coordinate is beyond the staircase's, times w.
+  /// What is known of the position where the curve was last evaluated, in the terms of Newton's
+  /// method: how far its leading coordinate is beyond that of the staircase, times w.
   struct Grip {
     double t = 0;
     TracePoint point{Homogeneous::Zero(), Homogeneous::Zero()};
@@ -51,7 +52,7 @@ class CurvePulses {
   template <PulseMethod method, typename T>
   std::size_t follow(const T& trace, std::span<Step> out) noexcept;
   template <PulseMethod method, typename T>
-  std::optional<Step> reach(const T& trace) noexcept;
+  std::optional<Step> move_of_leading(const T& trace) noexcept;
   template <PulseMethod method>
   Step move_to(const Grip& next) noexcept;
   template <typename T>
@@ -76,7 +77,7 @@ class CurvePulses {
 
   Trace trace_;
   PulseMethod method_;
-  AxisVector way_, at_ = AxisVector::Zero();  // BLU: the end, and where the staircase stands
+  AxisVector end_, at_ = AxisVector::Zero();  // BLU: the end, and where the staircase stands
   int span_ = 0, spans_ = 0;
   int lead_ = 0;
   double direction_ = 1;

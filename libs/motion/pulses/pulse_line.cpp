@@ -10,24 +10,27 @@ namespace softcnc {
 namespace {
 
 /// The length of the line in whole BLU; half a BLU more or less does not matter.
-std::int64_t whole_length(const GridPoint& way) noexcept {
+std::int64_t whole_length(const GridPoint& displacement) noexcept {
   double squares = 0;
-  for (const std::int64_t b : way) squares += static_cast<double>(b) * static_cast<double>(b);
+  for (const std::int64_t b : displacement)
+    squares += static_cast<double>(b) * static_cast<double>(b);
   return std::llround(std::sqrt(squares));
 }
 
 }  // namespace
 
-LinePulses::LinePulses(const GridPoint& way, PulseMethod method) noexcept : method_(method) {
+LinePulses::LinePulses(const GridPoint& displacement, PulseMethod method) noexcept
+    : method_(method) {
   const bool dda = method_ == PulseMethod::dda;
   const auto further = [](std::int64_t a, std::int64_t b) { return std::abs(a) < std::abs(b); };
-  const auto longest = std::max_element(way.begin(), way.end(), further);
+  const auto longest = std::max_element(displacement.begin(), displacement.end(), further);
   const std::int64_t most = std::abs(*longest);
   if (most == 0) return;
-  way_ = dda ? std::max(whole_length(way), most) : most;
-  left_ = dda ? way_ - (way_ - 1) / most : most;  // until the last register has overflowed
-  for (auto axis = way.begin(); axis != way.end(); ++axis) {
-    const Step step(static_cast<int>(axis - way.begin()), *axis);
+  distance_ = dda ? std::max(whole_length(displacement), most) : most;
+  left_ =
+      dda ? distance_ - (distance_ - 1) / most : most;  // until the last register has overflowed
+  for (auto axis = displacement.begin(); axis != displacement.end(); ++axis) {
+    const Step step(static_cast<int>(axis - displacement.begin()), *axis);
     if (axis == longest && !dda) {
       always_ = step;
     } else if (*axis != 0) {
@@ -38,14 +41,14 @@ LinePulses::LinePulses(const GridPoint& way, PulseMethod method) noexcept : meth
   }
 }
 
-/// M_SAM, M_DSM and DDA are one recurrence and differ in where it begins. An axis joins where
+/// M_SAM, M_DSM and DDA are one recurrence and differ in where it begins. An axis moves where
 ///   m_sam  D <= 0
 ///   m_dsm  D + a - b is nearer to 0 than D - b, that is, 2 D - 2 b + a < 0
 ///   dda    its register, which begins with a - 1 and takes b each clock, reaches a
-std::int64_t LinePulses::preset(std::int64_t way) const noexcept {
+std::int64_t LinePulses::preset(std::int64_t distance) const noexcept {
   if (method_ == PulseMethod::dsm) return 0;
-  if (method_ == PulseMethod::m_dsm) return way_ - 2 * way;
-  return method_ == PulseMethod::dda ? -way : -1;
+  if (method_ == PulseMethod::m_dsm) return distance_ - 2 * distance;
+  return method_ == PulseMethod::dda ? -distance : -1;
 }
 
 std::size_t LinePulses::fill(std::span<Step> out) noexcept {
@@ -65,10 +68,10 @@ std::size_t LinePulses::fill(std::span<Step> out) noexcept {
 void LinePulses::run_recurrence(std::span<Step> out) noexcept {
   std::fill(out.begin(), out.end(), always_);
   const std::int64_t scale = method_ == PulseMethod::m_dsm ? 2 : 1;
-  const std::int64_t up = scale * way_;
+  const std::int64_t up = scale * distance_;
   for (Joiner& joiner : joiners()) {
     const Step joining = joiner.step;
-    const std::int64_t down = scale * joiner.way;
+    const std::int64_t down = scale * joiner.distance;
     std::int64_t d = joiner.d;
     for (Step& step : out) {
       const bool joins = d < 0;
@@ -86,24 +89,24 @@ void LinePulses::run_stairs(std::span<Step> out) noexcept {
     const auto lowest = std::min_element(joiners().begin(), joiners().end(), lower);
     if (joiner_count_ > 0 && lowest->d < 0) {
       step = lowest->step;
-      lowest->d += way_;
+      lowest->d += distance_;
     } else {
       step = always_;
-      for (Joiner& joiner : joiners()) joiner.d -= joiner.way;
+      for (Joiner& joiner : joiners()) joiner.d -= joiner.distance;
     }
   }
 }
 
-/// DSM: the smallest |D| behind the long axis, the diagonal and the other axis. The last is never
-/// nearer than the diagonal: while |D| <= a / 2, |D + a| >= |D + a - b|. It is looked at all the
-/// same, as the method does.
+/// DSM: the smallest |D| after moving the long axis, the diagonal or the other axis. The last is
+/// never nearer than the diagonal: while |D| <= a / 2, |D + a| >= |D + a - b|. It is evaluated
+/// nevertheless, as the method does.
 void LinePulses::run_search(std::span<Step> out) noexcept {
   for (Step& step : out) {
     step = always_;
     for (Joiner& joiner : joiners()) {
-      const std::int64_t along = joiner.d - joiner.way;
-      const std::int64_t diagonal = along + way_;
-      const std::int64_t aside = joiner.d + way_;
+      const std::int64_t along = joiner.d - joiner.distance;
+      const std::int64_t diagonal = along + distance_;
+      const std::int64_t aside = joiner.d + distance_;
       const bool joins = std::min(std::abs(diagonal), std::abs(aside)) < std::abs(along);
       step = step.with_if(joins, joiner.step);
       joiner.d = joins ? diagonal : along;

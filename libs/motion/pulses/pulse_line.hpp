@@ -20,30 +20,31 @@ class LinePulses {
  public:
   static constexpr std::int64_t kFurthest = 1LL << 60;
 
-  /// `way` is where the line ends, seen from its start; each of at most kFurthest BLU.
-  LinePulses(const GridPoint& way, PulseMethod method) noexcept;
+  /// `displacement` is the end of the line relative to its start; each component at most kFurthest
+  /// BLU.
+  LinePulses(const GridPoint& displacement, PulseMethod method) noexcept;
 
-  /// The next clocks, as many as there are and fit; 0 at the end. Realtime.
+  /// Fills in the next clocks, as many as there are and fit; returns 0 at the end. Realtime.
   std::size_t fill(std::span<Step> out) noexcept;
 
  private:
   /// An axis that moves in some clocks only.
   struct Joiner {
     Step step;
-    std::int64_t way = 0;  // b
-    std::int64_t d = 0;    // D, scaled and shifted so that it joins where d < 0
+    std::int64_t distance = 0;  // b
+    std::int64_t d = 0;         // D, scaled and shifted so that the axis moves where d < 0
   };
 
-  std::int64_t preset(std::int64_t way) const noexcept;
+  std::int64_t preset(std::int64_t distance) const noexcept;
   std::span<Joiner> joiners() noexcept { return std::span(all_joiners_).first(joiner_count_); }
   void run_recurrence(std::span<Step> out) noexcept;
   void run_stairs(std::span<Step> out) noexcept;
   void run_search(std::span<Step> out) noexcept;
 
   PulseMethod method_;
-  Step always_;            // what moves in every clock
-  std::int64_t way_ = 0;   // a
-  std::int64_t left_ = 0;  // clocks
+  Step always_;                // what moves in every clock
+  std::int64_t distance_ = 0;  // a
+  std::int64_t left_ = 0;      // clocks
   std::array<Joiner, kAxes> all_joiners_;
   std::size_t joiner_count_ = 0;
 };

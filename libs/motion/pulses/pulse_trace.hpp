@@ -11,7 +11,7 @@
 
 namespace softcnc {
 
-/// What turns mm into BLU from a place of the grid.
+/// Converts mm into BLU from a grid point.
 struct Grid {
   AxisVector blu = AxisVector::Ones();  // mm
   GridPoint origin{};                   // BLU
@@ -33,7 +33,7 @@ class SplineTrace {
   /// Whether the curve leaves its coordinate along an axis.
   bool moves(int axis) const noexcept;
   TracePoint at(int span, double t) const noexcept;
-  /// Arc length from the start of the curve, mm.
+  /// Returns the arc length from the start of the curve, mm.
   double arc_length(int span, double t) const noexcept;
 
  private:

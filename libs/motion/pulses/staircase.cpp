@@ -29,22 +29,22 @@ std::optional<double> Staircase::arc_length() const noexcept {
   return curve ? std::optional(curve->arc_length()) : std::nullopt;
 }
 
-GridPoint Staircase::way() const noexcept {
-  GridPoint way{};
-  for (std::size_t i = 0; i < way.size(); ++i) way[i] = to_[i] - from_[i];
-  return way;
+GridPoint Staircase::displacement() const noexcept {
+  GridPoint displacement{};
+  for (std::size_t i = 0; i < displacement.size(); ++i) displacement[i] = to_[i] - from_[i];
+  return displacement;
 }
 
 Staircase::Pulses Staircase::pulses_of(const Line&, PulseMethod method) const {
-  return LinePulses(way(), method);
+  return LinePulses(displacement(), method);
 }
 
 Staircase::Pulses Staircase::pulses_of(const Nurbs& nurbs, PulseMethod method) const {
-  return CurvePulses(SplineTrace(nurbs, grid()), way(), method);
+  return CurvePulses(SplineTrace(nurbs, grid()), displacement(), method);
 }
 
 Staircase::Pulses Staircase::pulses_of(const Arc& arc, PulseMethod method) const {
-  if (!is_circle(arc)) return CurvePulses(ArcTrace(arc, grid()), way(), method);
+  if (!is_circle(arc)) return CurvePulses(ArcTrace(arc, grid()), displacement(), method);
   const PlaneAxes axes = plane_axes(arc.plane());
   const auto parts = [](double in_blu) {
     return std::llround(in_blu * static_cast<double>(PulseArc::kPart));
@@ -64,7 +64,7 @@ Staircase::Pulses Staircase::pulses_of(const Arc& arc, PulseMethod method) const
   return ArcPulses(pulses, method);
 }
 
-/// What x^2 + y^2 = R^2 can say, in both axes' BLU: no helix, no spiral, no ellipse.
+/// Whether x^2 + y^2 = R^2 describes the arc in both axes' BLU: no helix, no spiral, no ellipse.
 bool Staircase::is_circle(const Arc& arc) const noexcept {
   const PlaneAxes axes = plane_axes(arc.plane());
   const auto across = static_cast<std::size_t>(axes.across);

@@ -12,17 +12,17 @@
 
 namespace softcnc {
 
-/// The staircase begins and ends in the counts (motion/counts.hpp) of the path's ends.
+/// The staircase begins and ends in the counts (motion/pulses/counts.hpp) of the path's ends.
 class Staircase {
  public:
   /// `blu` in mm, by axis. The path must outlive the staircase and stay where it is.
   Staircase(const Path& path, const AxisVector& blu, PulseMethod method);
 
-  /// The next clocks, as many as there are and fit; 0 at the end. Realtime.
+  /// Fills in the next clocks, as many as there are and fit; returns 0 at the end. Realtime.
   std::size_t fill(std::span<Step> out) noexcept;
 
-  /// Of a curve without an equation in its coordinates: the arc length, mm, at which its leading
-  /// axis is where the staircase stands. Realtime.
+  /// Returns, for a curve without an equation in its coordinates, the arc length, mm, at which its
+  /// leading axis is where the staircase is. Realtime.
   std::optional<double> arc_length() const noexcept;
 
   const GridPoint& from() const noexcept { return from_; }
@@ -34,7 +34,7 @@ class Staircase {
   Pulses pulses_of(const Line& line, PulseMethod method) const;
   Pulses pulses_of(const Arc& arc, PulseMethod method) const;
   Pulses pulses_of(const Nurbs& nurbs, PulseMethod method) const;
-  GridPoint way() const noexcept;
+  GridPoint displacement() const noexcept;
   Grid grid() const noexcept { return {blu_, from_}; }
   bool is_circle(const Arc& arc) const noexcept;
 
@@ -43,7 +43,8 @@ class Staircase {
   Pulses pulses_;
 };
 
-/// The place of the grid next to a point, by the rule of motion/counts.hpp. `blu` in mm, by axis.
+/// Returns the grid point next to a point, by the rule of motion/pulses/counts.hpp. `blu` in mm, by
+/// axis.
 GridPoint counts_of(const AxisVector& point, const AxisVector& blu) noexcept;
 
 }  // namespace softcnc

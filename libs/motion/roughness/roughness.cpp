@@ -11,19 +11,19 @@ namespace {
 
 constexpr double square(double x) noexcept { return x * x; }
 
-/// How far the feed goes on while an edge passes, at twice the critical inclination: there it fits
-/// a simulation best.
+/// Returns how far the feed advances while an edge passes, at twice the critical inclination: there
+/// it fits a simulation best.
 constexpr double phase(const Surface& surface) noexcept {
   return surface.pick_feed / (2 * std::numbers::pi);
 }
 
-/// Of the pick-feed that leaves the same cusps on a flat surface.
+/// Returns the square of the pick-feed that leaves the same cusps on a flat surface.
 double cusp_square(const Surface& surface) noexcept {
   return square(surface.pick_on_slope()) * surface.cusp_part();
 }
 
-Passes passes_of(const Surface& surface) noexcept {
-  return surface.slope_across > 0 ? Passes::at_any_phase : Passes::in_phase;
+PassPhase pass_phase_of(const Surface& surface) noexcept {
+  return surface.slope_across > 0 ? PassPhase::at_any_phase : PassPhase::in_phase;
 }
 
 /// A of (4): of the cusp and the mark of the cutter, square mm.
@@ -31,25 +31,27 @@ double squares(const Surface& surface, double feed_per_tooth) noexcept {
   return cusp_square(surface) + square(std::max(feed_per_tooth - phase(surface), 0.0));
 }
 
-/// The height over the foot of a chord of the ball, mm, half of which is `half` mm long.
+/// Returns the height, mm, above the middle of a chord of the ball; `half_squared` is the square of
+/// half the chord.
 double sagitta(double radius, double half_squared) noexcept {
   return half_squared / (radius + std::sqrt(std::max(square(radius) - half_squared, 0.0)));
 }
 
-/// The other way round: the square of half the chord. The target is none of more than the ball.
+/// Returns the square of half the chord for a height. The target never exceeds the ball.
 double half_chord_squared(const Surface& surface) noexcept {
   const double height = std::min(surface.rmax, surface.tool_radius);
   return height * (2 * surface.tool_radius - height);
 }
 
-/// A flat surface on which edges leave no less than on one that bends. Where it bends by a factor k
-/// (1 + r/R along, equation 1 across) a ball lies over it as over a flat one on which all lengths
-/// that way are sqrt(k) times as long; but edges turn on the ball, where they are k times as long.
-/// What that may add is kept free by powers of k that simulated edges never exceed.
+/// A flat surface on which edges leave no less than on a curved one. Where the surface is curved by
+/// a factor k (1 + r/R along, equation 1 across) a ball lies on it as on a flat one on which all
+/// lengths in that direction are sqrt(k) times as long; but edges turn on the ball, where they are
+/// k times as long. What that may add is kept free by powers of k that simulated edges never
+/// exceed.
 struct Flattened {
   double pick_feed;   // mm
   double feed_scale;  // of the feed per tooth
-  double tip;         // of the way from the tip to where the ball touches, pick-feeds
+  double tip;         // of the distance from the tip to where the ball touches, pick-feeds
 
   Flattened(const Surface& surface, double sine, double hollow) noexcept {
     const double across = surface.cusp_part();
@@ -65,7 +67,7 @@ struct Flattened {
 };
 
 double edge_rmax(const Surface& surface, double feed_per_tooth, const Flattened& flat) noexcept {
-  const double height = edge_height(passes_of(surface), surface.teeth,
+  const double height = edge_height(pass_phase_of(surface), surface.teeth,
                                     feed_per_tooth * flat.feed_scale / flat.pick_feed, flat.tip);
   return sagitta(surface.tool_radius,
                  std::min(height * square(flat.pick_feed) / 4, square(surface.tool_radius)));
@@ -74,14 +76,14 @@ double edge_rmax(const Surface& surface, double feed_per_tooth, const Flattened&
 /// Passes alone leave the sagitta of half the pick-feed.
 double largest_edge_feed(const Surface& surface, const Flattened& flat) noexcept {
   const double height = 4 * half_chord_squared(surface) / square(flat.pick_feed);
-  return flat.pick_feed * edge_feed(passes_of(surface), surface.teeth, height, flat.tip) /
+  return flat.pick_feed * edge_feed(pass_phase_of(surface), surface.teeth, height, flat.tip) /
          flat.feed_scale;
 }
 
-/// Of a way that passes a point, 1/mm, where the model asks for it.
+/// Returns the upward curvature of a path at a point, 1/mm, where the model uses it.
 double hollow_at(RoughnessModel model, const Surface& surface, const PathPoint& point) noexcept {
   return model == RoughnessModel::guaranteed
-             ? hollow_bend(point.dq, point.ddq, surface.slope_across)
+             ? hollow_curvature(point.dq, point.ddq, surface.slope_across)
              : 0;
 }
 
@@ -117,13 +119,15 @@ double feed_at_tip(const Surface& surface, double sine) noexcept {
   return std::sqrt(square(surface.tool_radius * sine) + half_chord_squared(surface));
 }
 
-double hollow_bend(const AxisVector& tangent, const AxisVector& bend, double slope) noexcept {
+double hollow_curvature(const AxisVector& tangent, const AxisVector& second,
+                        double slope) noexcept {
   const AxisVector up = AxisVector(0, 0, 1) - tangent[2] * tangent;
   const double level = up.norm();
   if (!(level > 0)) return 0;
-  const double upwards = bend.dot(up) / level;
-  const double aside = std::sqrt(std::max(0.0, bend.squaredNorm() - square(upwards)));
-  const double turned = std::min(slope, std::atan2(aside, upwards));  // where most lies in it
+  const double upwards = second.dot(up) / level;
+  const double aside = std::sqrt(std::max(0.0, second.squaredNorm() - square(upwards)));
+  const double turned =
+      std::min(slope, std::atan2(aside, upwards));  // where most of it lies in the surface
   return std::max(0.0, upwards * std::cos(turned) + aside * std::sin(turned));
 }
 

@@ -13,17 +13,17 @@ constexpr int kFeeds = static_cast<int>(kSimulatedFeeds.size());
 /// No point lies further along the feed from a cut than this part of the feed per tooth: within a
 /// turn of all edges by 2 pi / teeth one of them passes, and the axis, where it passes close by,
 /// turns the point by half a turn against them.
-constexpr double reach(int teeth) noexcept { return 0.5 * (1 + 0.5 * teeth); }
+constexpr double range(int teeth) noexcept { return 0.5 * (1 + 0.5 * teeth); }
 
 double bound(int teeth, double feed) noexcept {
-  const double far = reach(teeth) * feed;
+  const double far = range(teeth) * feed;
   return 1 + 4 * far * far;
 }
 
 /// The table at one distance of the tip.
-class Column {
+class TableColumn {
  public:
-  Column(Passes passes, int teeth, double tip) noexcept
+  TableColumn(PassPhase passes, int teeth, double tip) noexcept
       : heights_(kSimulatedHeights[static_cast<std::size_t>(passes)]
                                   [static_cast<std::size_t>(teeth - 1)]) {
     const double fine = kFineTip * kFineTips;
@@ -73,27 +73,27 @@ const std::array<std::array<SimulatedHeights, kSimulatedTeeth>, 2> kSimulatedHei
     // clang-format on
 }};
 
-double edge_height(Passes passes, int teeth, double feed, double tip) noexcept {
+double edge_height(PassPhase passes, int teeth, double feed, double tip) noexcept {
   if (teeth > kSimulatedTeeth) return bound(teeth, feed);
-  const Column column(passes, teeth, tip);
+  const TableColumn column(passes, teeth, tip);
   constexpr double kRoundOff = 1e-9;
   if (feed > kSimulatedFeeds.back() * (1 + kRoundOff))
     return std::max(column(kFeeds - 1), bound(teeth, feed));
   const auto above = std::upper_bound(kSimulatedFeeds.begin(), kSimulatedFeeds.end(), feed);
   const int node = std::min(static_cast<int>(above - kSimulatedFeeds.begin()), kFeeds - 1);
-  const double low = Column::square(node - 1), high = Column::square(node);
+  const double low = TableColumn::square(node - 1), high = TableColumn::square(node);
   const double w = (feed * feed - low) / (high - low);
   return column(node - 1) + w * (column(node) - column(node - 1));
 }
 
-double edge_feed(Passes passes, int teeth, double height, double tip) noexcept {
+double edge_feed(PassPhase passes, int teeth, double height, double tip) noexcept {
   if (!(height > 1)) return 0;
-  const double surely = 0.5 * std::sqrt(height - 1) / reach(teeth);
+  const double surely = 0.5 * std::sqrt(height - 1) / range(teeth);
   if (teeth > kSimulatedTeeth) return surely;
-  const Column column(passes, teeth, tip);
+  const TableColumn column(passes, teeth, tip);
   const int node = column.first_above(height);
   if (node == kFeeds) return std::max(kSimulatedFeeds.back(), surely);
-  const double low = Column::square(node - 1), high = Column::square(node);
+  const double low = TableColumn::square(node - 1), high = TableColumn::square(node);
   const double w = (height - column(node - 1)) / (column(node) - column(node - 1));
   return std::sqrt(low + w * (high - low));
 }

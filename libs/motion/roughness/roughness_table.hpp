@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// How high edges that turn on a ball leave the surface, from simulated edges: what paper 004 has no
-// formula for, the change from what passes leave to what the tip leaves.
+// The height that edges turning on a ball leave on the surface, from simulated edges: the
+// transition from what passes leave to what the tip leaves, for which paper 004 has no formula.
 //
 // In parts of the pick-feed f_p it depends on the feed per tooth a = f_t / f_p, on the distance
 // b = r sin|alpha| / f_p of the tool axis from where the ball touches, and on the number of teeth.
 // Heights are parts of what passes leave without feed, f_p^2 / 8r on a shallow ball. Between its
 // nodes the table is linear in b and a^2, and nowhere lower than what was simulated.
 //
-// Where the surface slopes across the feed too, the axis stands beside the pass, and where passes
-// begin is nowhere alike. Then it is the highest that passes leave at any phase, either way, and
-// with the axis anywhere beside them.
+// Where the surface slopes across the feed, too, the axis is beside the pass, and passes begin at
+// different positions. Then the table holds the highest value that passes leave at any phase, in
+// either direction, and with the axis anywhere beside them.
 #pragma once
 
 #include <array>
@@ -17,9 +17,9 @@
 
 namespace softcnc {
 
-/// How passes stand to each other: all alike on a surface level across the feed, or at any phase,
-/// either way, and however the surface slopes across.
-enum class Passes : std::uint8_t { in_phase, at_any_phase };
+/// The phase between passes: all alike on a surface that is level across the feed, or at any phase,
+/// in either direction, and however the surface slopes across.
+enum class PassPhase : std::uint8_t { in_phase, at_any_phase };
 
 inline constexpr int kSimulatedTeeth = 4;  // from 1
 inline constexpr std::array<double, 28> kSimulatedFeeds{
@@ -29,21 +29,21 @@ inline constexpr int kFineTips = 50, kCoarseTips = 16;
 inline constexpr double kFineTip = 0.04, kCoarseTip = 0.25;  // between them
 inline constexpr int kSimulatedTips = kFineTips + kCoarseTips + 1;
 
-/// b of a node; the last one stands for all beyond, too.
+/// Returns b of a node; the last one stands for all beyond it, too.
 constexpr double simulated_tip(int node) noexcept {
   return node <= kFineTips ? kFineTip * node
                            : kFineTip * kFineTips + kCoarseTip * (node - kFineTips);
 }
 
-/// Above 1, as part of a^2, in thousandths, by passes, teeth, b and a: made by
+/// The heights above 1, as part of a^2, in thousandths, by passes, teeth, b and a: made by
 /// scripts/roughness_table.
 using SimulatedHeights = std::array<std::array<std::uint16_t, kSimulatedFeeds.size()>,
                                     static_cast<std::size_t>(kSimulatedTips)>;
 extern const std::array<std::array<SimulatedHeights, kSimulatedTeeth>, 2> kSimulatedHeights;
 
-/// The largest height at feeds up to `feed`, above what is simulated by a bound.
-double edge_height(Passes passes, int teeth, double feed, double tip) noexcept;
-/// The largest feed up to which no height is above `height`; 0 for heights of 1 and less.
-double edge_feed(Passes passes, int teeth, double height, double tip) noexcept;
+/// Returns the largest height at feeds up to `feed`; above the simulated feeds, an upper bound.
+double edge_height(PassPhase passes, int teeth, double feed, double tip) noexcept;
+/// Returns the largest feed up to which no height is above `height`; 0 for heights of 1 and less.
+double edge_feed(PassPhase passes, int teeth, double height, double tip) noexcept;
 
 }  // namespace softcnc

@@ -6,10 +6,10 @@
 
 namespace softcnc {
 
-void Contour::begin(std::size_t rows, double s) {
+void Contour::begin(std::size_t samples, double s) {
   turns_.add(newest_, s);
   newest_.clear();
-  batches_.push_back({rows, s, {}});
+  batches_.push_back({samples, s, {}});
 }
 
 void Contour::add(const Portion& portion, double s_start, const PathOrigin& origin) {
@@ -22,8 +22,8 @@ void Contour::add(const Portion& portion, double s_start, const PathOrigin& orig
 ContourReport Contour::report() const {
   ContourReport report = report_;
   SharpestTurn turns = turns_;
-  turns.add(newest_, row_s_);
-  report.bend_lag = turns.bend_lag(ContourReport::kGoal);
+  turns.add(newest_, sample_s_);
+  report.curve_lag = turns.curve_lag(ContourReport::kGoal);
   report.corner_lag = turns.corner_lag(ContourReport::kGoal);
   return report;
 }
@@ -32,14 +32,14 @@ void Contour::next_batch() {
   if (batches_.empty()) return;
   pieces_.cut(batches_.front().s_start);
   pieces_.append(batches_.front().pieces);
-  rows_left_ = batches_.front().rows;
+  samples_left_ = batches_.front().samples;
   batches_.pop_front();
 }
 
-double Contour::row(const Setpoint& setpoint, std::span<const AxisVector> actual) noexcept {
-  if (rows_left_ == 0) next_batch();
-  if (rows_left_ > 0) --rows_left_;
-  const double s_before = std::exchange(row_s_, setpoint.s);
+double Contour::sample(const Setpoint& setpoint, std::span<const AxisVector> actual) noexcept {
+  if (samples_left_ == 0) next_batch();
+  if (samples_left_ > 0) --samples_left_;
+  const double s_before = std::exchange(sample_s_, setpoint.s);
   if (actual.empty()) return 0;
   if (pieces_.empty()) return (actual.back() - setpoint.position).norm();
   const auto count = static_cast<double>(actual.size());

@@ -7,11 +7,11 @@
 
 namespace softcnc {
 
-/// Contour errors of some kind of moves, over every instant of the position loop.
+/// Contour errors of one kind of moves, over every instant of the position loop.
 struct ContourFigures {
   double max = 0;     // mm
   double time = 0;    // s: when that was
-  int line = 0;       // of the point on the path that was nearest then
+  int line = 0;       // of the nearest point of the path then
   double speed = 0;   // mm/s, planned then
   double radius = 0;  // mm: of the path then between the nearest and the commanded point, in the
                       // mean; 0: it is straight
@@ -28,9 +28,9 @@ struct ContourReport {
   static constexpr double kGoal = 0.01;  // mm
 
   ContourFigures cutting, rapids;
-  /// How far the tool may be behind its command, mm, so that it is about kGoal off the path in the
-  /// sharpest bend, and at the sharpest corner; 0: there is none.
-  double bend_lag = 0, corner_lag = 0;
+  /// How far the tool may lag behind its command, mm, so that the contour error is about kGoal in
+  /// the tightest curve, and at the sharpest corner; 0: there is none.
+  double curve_lag = 0, corner_lag = 0;
 };
 
 }  // namespace softcnc

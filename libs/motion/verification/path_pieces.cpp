@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kShortest = 1e-6;  // mm: shorter ones are as good as points
 constexpr double kLeastTurn = 0.5;  // cosine of the largest turn in a piece
-constexpr double kProbe = 0.4;      // where a cubic is held against the curve, as a part of it
+constexpr double kProbe = 0.4;      // where a cubic is compared with the curve, as a part of it
 constexpr int kNewtonSteps = 8;
 constexpr double kLastStep = 1e-7;  // mm
 constexpr double kSame = 1e-5;      // mm
@@ -32,9 +32,9 @@ double furthest_from_chord(const CubicPiece& piece) noexcept {
 CubicPiece hermite(const PathPoint& a, const PathPoint& b, double s0, double s1,
                    const PathOrigin& origin) noexcept {
   const double h = s1 - s0;
-  const AxisVector way = b.q - a.q;
+  const AxisVector chord = b.q - a.q;
   CubicPiece piece{
-      s0,  s1, a.q,   h * a.dq, 3 * way - h * (2 * a.dq + b.dq), h * (a.dq + b.dq) - 2 * way,
+      s0,  s1, a.q,   h * a.dq, 3 * chord - h * (2 * a.dq + b.dq), h * (a.dq + b.dq) - 2 * chord,
       b.q, 0,  origin};
   piece.slack = furthest_from_chord(piece);
   return piece;
@@ -47,7 +47,8 @@ double fitting_length(double curvature, double longest) noexcept {
                   std::sqrt(std::sqrt(384 * CubicPiece::kTolerance * curvature)) / curvature);
 }
 
-/// Cubics of a part of a path without a jump of a derivative inside, as long as each can be.
+/// Makes cubics of a part of a path without a jump of a derivative inside, each as long as
+/// possible.
 class SmoothPart {
  public:
   SmoothPart(const Portion& part, double offset, const PathOrigin& origin) noexcept
@@ -71,7 +72,7 @@ class SmoothPart {
   }
 
  private:
-  /// By how much the next one may be longer; sets fits_.
+  /// Returns by how much the next one may be longer; sets fits_.
   double growth_of(const CubicPiece& piece, const PathPoint& a, const PathPoint& b) noexcept {
     constexpr double kCareful = 0.85, kLeast = 0.2, kMost = 2.0;
     const double s = piece.s0 - offset_ + kProbe * piece.length();
@@ -100,11 +101,11 @@ double nearest_part(const CubicPiece& piece, const AxisVector& point, double low
   for (int i = 0; i < kNewtonSteps; ++i) {
     const AxisVector off = value(piece, x) - point;
     const AxisVector slope = piece.c1 + x * (2 * piece.c2 + 3 * x * piece.c3);
-    const AxisVector bend = 2 * piece.c2 + 6 * x * piece.c3;
+    const AxisVector second = 2 * piece.c2 + 6 * x * piece.c3;
     const double speed = slope.squaredNorm();
     if (!(speed > 0)) break;
     const double next =
-        std::clamp(x - slope.dot(off) / std::max(speed + bend.dot(off), 0.5 * speed), low, high);
+        std::clamp(x - slope.dot(off) / std::max(speed + second.dot(off), 0.5 * speed), low, high);
     const double step = std::abs(next - x);
     x = next;
     if (step <= enough) break;
@@ -125,12 +126,12 @@ double beside(const CubicPiece& piece, double s, const AxisVector& point) noexce
 }
 
 bool may_be_nearer(const CubicPiece& piece, const AxisVector& point, double than) noexcept {
-  const AxisVector way = piece.end - piece.q;
+  const AxisVector chord = piece.end - piece.q;
   const AxisVector off = point - piece.q;
-  const double square = way.squaredNorm();
-  const double part = square > 0 ? std::clamp(off.dot(way) / square, 0.0, 1.0) : 0.0;
-  const double reach = than + piece.slack;
-  return reach > 0 && (off - part * way).squaredNorm() < reach * reach;
+  const double square = chord.squaredNorm();
+  const double part = square > 0 ? std::clamp(off.dot(chord) / square, 0.0, 1.0) : 0.0;
+  const double range = than + piece.slack;
+  return range > 0 && (off - part * chord).squaredNorm() < range * range;
 }
 
 }  // namespace
@@ -191,7 +192,8 @@ void PathPieces::forget(double s) noexcept {
   first_ = 0;
 }
 
-/// The first piece from that index on which ends beyond s: in steps that double, then by halves.
+/// Returns the first piece from that index on which ends beyond s: in steps that double, then by
+/// bisection.
 std::size_t PathPieces::beyond(double s, std::size_t from) const noexcept {
   std::size_t step = 1, high = from;
   while (high < pieces_.size() && pieces_[high].s1 <= s) {
@@ -208,11 +210,11 @@ std::size_t PathPieces::beyond(double s, std::size_t from) const noexcept {
       begin);
 }
 
-/// A point of the path is no nearer than another one by more than the path between them. So from a
-/// piece whose end is further off than the bar by d, the next d of path need no look.
+/// A point of the path is nearer than another one by at most the path between them. So from a piece
+/// whose end is further away than the bar by d, the next d of path can be skipped.
 ///
-/// Behind the first minimum the bar is lower: on a path that comes back the way it went, neither
-/// rounding nor an encoder that swings back a little must take the tool to the way back too soon.
+/// After the first minimum the bar is lower: on a path that comes back the same way, neither
+/// rounding nor an encoder that swings back a little must move the tool to the way back too soon.
 PathPieces::Nearest PathPieces::nearest(const AxisVector& point, double from, double to) noexcept {
   forget(from);
   const CubicPiece& first = pieces_[first_];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A stretch of path as short cubics, so that the point of it nearest to the tool is found quickly.
+// A part of a path as short cubics, so that the point nearest to the tool is found quickly.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace softcnc {
 
-/// Where a path comes from: the line of the program, and whether it is a rapid.
+/// The origin of a path: the line of the program, and whether it is a rapid.
 struct PathOrigin {
   int line = 0;
   bool rapid = false;
@@ -33,23 +33,23 @@ struct CubicPiece {
   AxisVector position(double s) const noexcept;
   AxisVector start_direction() const noexcept { return c1.normalized(); }
   AxisVector end_direction() const noexcept { return (c1 + 2 * c2 + 3 * c3).normalized(); }
-  /// The part of it up to s, s0 < s <= s1.
+  /// Returns the part of it up to s, s0 < s <= s1.
   CubicPiece until(double s) const noexcept;
 };
 
-/// The angle, rad, between two directions.
+/// Returns the angle, rad, between two directions.
 double angle_between(const AxisVector& a, const AxisVector& b) noexcept;
 
 /// Appends the cubics of a portion of a path that begins at `s_start`, mm along the program.
 void append_pieces(const Portion& portion, double s_start, const PathOrigin& origin,
                    std::vector<CubicPiece>& pieces);
 
-/// The path around the tool: grows at its end, and is forgotten from its front.
+/// The path around the tool: it grows at its end, and is dropped at its front.
 class PathPieces {
  public:
-  /// The next stretch; it begins where the last one ends.
+  /// Appends the next part, which begins where the last one ends.
   void append(const std::vector<CubicPiece>& pieces);
-  /// Forgets what lies beyond s, mm.
+  /// Drops what lies beyond s, mm.
   void cut(double s);
 
   struct Nearest {
@@ -57,14 +57,14 @@ class PathPieces {
     double distance = 0;  // mm
     PathOrigin origin;
   };
-  /// The point nearest to `point` between the arc lengths `from` and `to`, mm. Where the path comes
-  /// back the way it went, the first one: a later pass has to be nearer by 0.01 um, and where
-  /// `from` is up to 5 um ahead of the point, nearer than the tangent there, from which the
-  /// distance counts then: the path has passed the point. What lies before
-  /// `from` may be forgotten. Expects not empty().
+  /// Returns the point nearest to `point` between the arc lengths `from` and `to`, mm. Where the
+  /// path comes back the same way, the first one counts: a later pass has to be nearer by 0.01 um
+  /// and, where `from` is up to 5 um ahead of the point, nearer than the tangent there, from which
+  /// the distance counts then, because the path has passed the point. What lies before `from` may
+  /// be dropped. Must not be empty().
   Nearest nearest(const AxisVector& point, double from, double to) noexcept;
 
-  /// By how much the path turns between two places, rad, within pieces and at joints.
+  /// Returns by how much the path turns between two places, rad, within pieces and at joints.
   double turn(double from, double to) const noexcept;
 
   bool empty() const noexcept { return first_ == pieces_.size(); }
@@ -74,7 +74,7 @@ class PathPieces {
   std::size_t beyond(double s, std::size_t from) const noexcept;
 
   std::vector<CubicPiece> pieces_;
-  std::size_t first_ = 0;  // of those that are not forgotten
+  std::size_t first_ = 0;  // of those that have not been dropped
 };
 
 }  // namespace softcnc

@@ -10,12 +10,13 @@
 namespace softcnc {
 namespace {
 
-/// What is nearest lies within so many times its distance along the path.
-constexpr double kReach = 4;
+/// The nearest point lies within this many times its distance along the path.
+constexpr double kRange = 4;
 constexpr double kRounding = 1e-9;  // mm
 
 bool may_be_rounded(const Move& move) {
-  return move.join == Join::follow && (move.corner_tolerance > 0 || move.chord_tolerance > 0);
+  return move.path_mode == PathMode::follow &&
+         (move.corner_tolerance > 0 || move.chord_tolerance > 0);
 }
 
 }  // namespace
@@ -35,107 +36,108 @@ void ProgrammedPath::add(const Block& block) {
   allowed_ = allowed;
 }
 
-void ProgrammedPath::row(const Setpoint& setpoint) noexcept {
-  const AxisVector before = std::exchange(row_, setpoint.position);
-  const bool is_first = !std::exchange(has_row_, true);
+void ProgrammedPath::sample(const Setpoint& setpoint) noexcept {
+  const AxisVector before = std::exchange(sample_, setpoint.position);
+  const bool is_first = !std::exchange(has_sample_, true);
   if (stretches_.empty() || is_first) return;
   find(setpoint.block);
   if (setpoint.block < stretches_[here_].number) return;
   if (setpoint.block == stretches_[here_].number)
-    measure_row(setpoint.position);
+    measure_sample(setpoint.position);
   else
-    guess_ = length(stretches_[here_].path);  // behind it
+    guess_ = length(stretches_[here_].path);  // after it
   near_joints(before, setpoint.position);
   forget();
 }
 
 void ProgrammedPath::finish() noexcept {
-  for (const Stretch& stretch : stretches_) count_joint(stretch);
+  for (const PathStretch& stretch : stretches_) count_joint(stretch);
   stretches_.clear();
 }
 
-/// The last stretch that begins with this block or before it.
+/// Finds the last stretch that begins with this block or before it.
 void ProgrammedPath::find(int number) noexcept {
   const std::size_t before = here_;
   while (here_ + 1 < stretches_.size() && stretches_[here_ + 1].number <= number) ++here_;
   if (here_ != before) guess_ = 0;
 }
 
-/// Newton's method may go astray, so what it finds counts only where it raises neither record.
-void ProgrammedPath::measure_row(const AxisVector& point) noexcept {
+/// Newton's method may converge elsewhere, so what it finds counts only where it raises neither
+/// record.
+void ProgrammedPath::measure_sample(const AxisVector& point) noexcept {
   const Deviation found = deviation(point, Search::near_guess);
   count(is_record(found) ? deviation(point, Search::whole) : found);
 }
 
-/// The search goes on in both directions while the path could still come back so near.
+/// The search continues in both directions while the path could still come back so near.
 ProgrammedPath::Deviation ProgrammedPath::deviation(const AxisVector& point,
                                                     Search search) noexcept {
-  const Stretch& here = stretches_[here_];
+  const PathStretch& here = stretches_[here_];
   guess_ = nearest_on(here, point, guess_, search);
   double allowed = here.allowed;
   double least = (position(here.path, guess_) - point).norm();
-  const auto try_stretch = [&](const Stretch& stretch, double guess) {
+  const auto try_stretch = [&](const PathStretch& stretch, double guess) {
     const double s = nearest_on(stretch, point, guess, search);
     least = std::min(least, (position(stretch.path, s) - point).norm());
     allowed = std::max(allowed, stretch.allowed);
   };
   const double at = here.s_start + guess_;
   for (std::size_t i = here_; i > 0 && stretches_[i].follows; --i) {
-    const Stretch& before = stretches_[i - 1];
-    if (at - before.s_end > kReach * least + kRounding) break;
+    const PathStretch& before = stretches_[i - 1];
+    if (at - before.s_end > kRange * least + kRounding) break;
     try_stretch(before, length(before.path));
   }
   for (std::size_t i = here_ + 1; i < stretches_.size() && stretches_[i].follows; ++i) {
-    const Stretch& after = stretches_[i];
-    if (after.s_start - at > kReach * least + kRounding) break;
+    const PathStretch& after = stretches_[i];
+    if (after.s_start - at > kRange * least + kRounding) break;
     try_stretch(after, 0);
   }
   return {least, allowed};
 }
 
-double ProgrammedPath::nearest_on(const Stretch& stretch, const AxisVector& point, double guess,
+double ProgrammedPath::nearest_on(const PathStretch& stretch, const AxisVector& point, double guess,
                                   Search search) noexcept {
   const Portion all{&stretch.path, 0, length(stretch.path)};
   return search == Search::whole ? nearest(all, point) : nearest(all, point, guess);
 }
 
-/// Joints around the last row come near to the way from the row before to it.
+/// Joints around the last sample come near to the chord from the sample before to it.
 void ProgrammedPath::near_joints(const AxisVector& from, const AxisVector& to) noexcept {
-  const double way = (to - from).norm();
+  const double distance = (to - from).norm();
   const double at = stretches_[here_].s_start + guess_;
-  const auto reach = [&](const Stretch& stretch) {
-    return way + kReach * std::min(stretch.joint_off, stretch.allowed_before) + kRounding;
+  const auto range = [&](const PathStretch& stretch) {
+    return distance + kRange * std::min(stretch.joint_off, stretch.allowed_before) + kRounding;
   };
-  const auto look = [&](Stretch& stretch) {
+  const auto look = [&](PathStretch& stretch) {
     if (stretch.follows)
       stretch.joint_off =
           std::min(stretch.joint_off, distance_to_segment(start(stretch.path), from, to));
   };
   for (std::size_t i = here_ + 1; i-- > 0;) {
     look(stretches_[i]);
-    if (at - stretches_[i].s_start > way + kReach * stretches_[i].allowed_before) break;
+    if (at - stretches_[i].s_start > distance + kRange * stretches_[i].allowed_before) break;
   }
   for (std::size_t i = here_ + 1; i < stretches_.size(); ++i) {
-    if (stretches_[i].s_start - at > reach(stretches_[i])) break;
+    if (stretches_[i].s_start - at > range(stretches_[i])) break;
     look(stretches_[i]);
   }
 }
 
-/// What no row comes near any more.
+/// Drops what no sample comes near any more.
 void ProgrammedPath::forget() noexcept {
-  const auto is_behind = [&](const Stretch& stretch) {
-    const Stretch& here = stretches_[here_];
+  const auto is_passed = [&](const PathStretch& stretch) {
+    const PathStretch& here = stretches_[here_];
     return here.s_start - stretch.s_end >
-           kReach * std::max(stretch.allowed_before, stretch.allowed);
+           kRange * std::max(stretch.allowed_before, stretch.allowed);
   };
-  while (here_ > 0 && is_behind(stretches_.front())) {
+  while (here_ > 0 && is_passed(stretches_.front())) {
     count_joint(stretches_.front());
     stretches_.pop_front();
     --here_;
   }
 }
 
-void ProgrammedPath::count_joint(const Stretch& stretch) noexcept {
+void ProgrammedPath::count_joint(const PathStretch& stretch) noexcept {
   if (std::isfinite(stretch.joint_off)) count({stretch.joint_off, stretch.allowed_before});
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The path as it was programmed, where what is run may leave it: how far the rows really do.
+// The path as it was programmed, where what is run may leave it, and how far the samples really do.
 #pragma once
 
 #include <cstddef>
@@ -11,60 +11,60 @@
 
 namespace softcnc {
 
-/// Knows moves and rows alone: neither how corners are rounded nor what that promises.
+/// Uses moves and samples only: neither how corners are rounded nor what that allows.
 class ProgrammedPath {
  public:
-  /// The next block of the program, before anything becomes of it.
+  /// Adds the next block of the program, before it is processed.
   void add(const Block& block);
 
-  /// The next row of the motion along the blocks that have been added.
-  void row(const Setpoint& setpoint) noexcept;
+  /// Takes the next sample of the motion along the blocks that have been added.
+  void sample(const Setpoint& setpoint) noexcept;
 
-  /// After the last row of a program that has run to its end.
+  /// Ends the measurement after the last sample of a program that has run to its end.
   void finish() noexcept;
 
-  /// How far rows are from the programmed path, or joints that may be rounded from the polyline
-  /// through the rows; mm.
+  /// The distance of samples from the programmed path, or of joints that may be rounded from the
+  /// polyline through the samples; mm.
   struct Deviation {
     double off = 0;
     double allowed = 0;  // there: the larger one of P and Q
   };
   double largest() const noexcept { return largest_; }
-  /// Where it exceeds most what is allowed, or comes nearest to it; no limit, if nothing was
-  /// rounded.
+  /// Returns where it exceeds most what is allowed, or comes nearest to it; no limit, if nothing
+  /// was rounded.
   const Deviation& worst() const noexcept { return worst_; }
 
  private:
-  struct Stretch {
+  struct PathStretch {
     int number;  // of the block
     Path path;
     double s_start, s_end;  // mm of the programmed path
     double allowed;         // mm: on the stretch,
     double allowed_before;  // and where it begins
     bool follows;           // the stretch before it, without a stop
-    double joint_off = std::numeric_limits<double>::infinity();  // of its start from the rows
+    double joint_off = std::numeric_limits<double>::infinity();  // of its start from the samples
   };
 
   void find(int number) noexcept;
-  void measure_row(const AxisVector& point) noexcept;
+  void measure_sample(const AxisVector& point) noexcept;
   enum class Search { near_guess, whole };
   Deviation deviation(const AxisVector& point, Search search) noexcept;
-  static double nearest_on(const Stretch& stretch, const AxisVector& point, double guess,
+  static double nearest_on(const PathStretch& stretch, const AxisVector& point, double guess,
                            Search search) noexcept;
   void near_joints(const AxisVector& from, const AxisVector& to) noexcept;
   void forget() noexcept;
   bool is_record(const Deviation& found) const noexcept;
   void count(const Deviation& deviation) noexcept;
-  void count_joint(const Stretch& stretch) noexcept;
+  void count_joint(const PathStretch& stretch) noexcept;
 
-  std::deque<Stretch> stretches_;
-  std::size_t here_ = 0;  // that of the last row
-  double guess_ = 0;      // mm from its start: what was nearest to that row
+  std::deque<PathStretch> stretches_;
+  std::size_t here_ = 0;  // that of the last sample
+  double guess_ = 0;      // mm from its start: what was nearest to that sample
   double s_ = 0;          // mm programmed so far
   double allowed_ = 0;    // where that ends
-  bool follows_ = false;  // what comes next goes on from the last stretch
-  bool has_row_ = false;
-  AxisVector row_ = AxisVector::Zero();
+  bool follows_ = false;  // what comes next continues the last stretch
+  bool has_sample_ = false;
+  AxisVector sample_ = AxisVector::Zero();
   double largest_ = 0;
   Deviation worst_{0, std::numeric_limits<double>::infinity()};
 };

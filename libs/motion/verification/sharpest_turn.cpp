@@ -39,7 +39,7 @@ void SharpestTurn::add(const CubicPiece& piece) {
   was_rapid_ = piece.origin.rapid;
 }
 
-/// How much of a joint belongs to a bend.
+/// Returns how much of a joint counts as a curve.
 double SharpestTurn::joint(double angle) noexcept {
   if (angle < kCorner) return angle;
   corner_ = std::max(corner_, std::sin(angle));
@@ -74,7 +74,7 @@ void SharpestTurn::forget() {
 }
 
 /// The errors of the windows grow with their lags; between two of them as a power of the lag.
-double SharpestTurn::bend_lag(double error) const noexcept {
+double SharpestTurn::curve_lag(double error) const noexcept {
   const auto left = [](const Window& window) { return window.lag * window.turn / std::numbers::e; };
   const auto above = std::find_if(windows_.begin(), windows_.end(),
                                   [&](const Window& window) { return left(window) >= error; });

@@ -16,22 +16,23 @@ namespace softcnc {
 /// first order in the turn, the smoothed path lies L times the integral of curvature times W(x / L)
 /// beside the path, with W(x) = exp(-x) - 1 + x up to x = 1, where the tool is, and exp(-x) beyond.
 /// On a circle of radius R that is L^2 / (2 R), and where the path turns by A at once L A / e. So a
-/// turn by A within e / 2 of L leaves L A / e, be it a bend or many short chords. A corner of the
-/// angle A leaves L sin(A) / e exactly.
+/// turn by A within e / 2 of L leaves L A / e, be it a curve or many short chords. A corner of the
+/// angle A leaves exactly L sin(A) / e.
 class SharpestTurn {
  public:
   SharpestTurn();
 
-  /// The next pieces of the path, up to s, mm along the program. Joints of two rapids do not count.
+  /// Adds the next pieces of the path, up to s, mm along the program. Joints of two rapids do not
+  /// count.
   void add(const std::vector<CubicPiece>& pieces, double s);
 
-  /// The lag, mm, at which the sharpest bend leaves this contour error, mm; 0: there is no bend, or
-  /// none sharp enough for lags up to kLongest.
-  double bend_lag(double error) const noexcept;
-  /// The same of the sharpest corner; 0: there is none.
+  /// Returns the lag, mm, at which the tightest curve leaves this contour error, mm; 0: there is no
+  /// curve, or none tight enough for lags up to kLongest.
+  double curve_lag(double error) const noexcept;
+  /// Returns the same for the sharpest corner; 0: there is none.
   double corner_lag(double error) const noexcept;
 
-  static constexpr double kCorner = 0.2;                     // rad: what turns more at once
+  static constexpr double kCorner = 0.2;  // rad: a larger turn at a point is a corner
   static constexpr double kShortest = 0.005, kLongest = 25;  // mm
 
  private:

@@ -9,7 +9,7 @@
 namespace softcnc {
 namespace {
 
-double distance(const Stretch& stretch, const AxisVector& place, double s) noexcept {
+double distance(const PathStretch& stretch, const AxisVector& place, double s) noexcept {
   const Portion whole{stretch.path, 0, length(*stretch.path)};
   const double foot = nearest(whole, place, s - stretch.s_start);
   return (position(*stretch.path, foot) - place).norm();
@@ -22,12 +22,12 @@ StaircaseError::StaircaseError(const Machine& machine) noexcept {
     blu_[axis] = machine.axes[static_cast<std::size_t>(axis)].blu;
 }
 
-void StaircaseError::start(const Setpoint& first, std::span<const Stretch> stretches) noexcept {
+void StaircaseError::start(const Setpoint& first, std::span<const PathStretch> stretches) noexcept {
   if (!stretches.empty()) add(first.position, first.s, stretches);
 }
 
 void StaircaseError::period(const Setpoint& before, const Setpoint& now,
-                            std::span<const Stretch> stretches) noexcept {
+                            std::span<const PathStretch> stretches) noexcept {
   if (stretches.empty()) return;
   AxisVector place = before.position;
   for (const TimedStep& clock : now.pulses) {
@@ -36,10 +36,10 @@ void StaircaseError::period(const Setpoint& before, const Setpoint& now,
   }
 }
 
-/// At a joint the place may be nearer to the path before it or after it.
+/// At a joint the position may be nearer to the path before it or after it.
 void StaircaseError::add(const AxisVector& place, double s,
-                         std::span<const Stretch> stretches) noexcept {
-  const Stretch* here = &stretch_at(stretches, s);
+                         std::span<const PathStretch> stretches) noexcept {
+  const PathStretch* here = &stretch_at(stretches, s);
   double off = distance(*here, place, s);
   if (here != &stretches.front()) off = std::min(off, distance(here[-1], place, s));
   if (here != &stretches.back()) off = std::min(off, distance(here[1], place, s));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a staircase of reference pulses lies from its curve (paper 003, section 5).
+// The distance of a staircase of reference pulses from its curve (paper 003, section 5).
 #pragma once
 
 #include <cstdint>
@@ -11,26 +11,26 @@
 
 namespace softcnc {
 
-/// Measures every place that the clocks of a staircase visit, the start among them, by its distance
-/// from the curve: the error of Table 3 of paper 003.
+/// Measures every position that the clocks of a staircase visit, including the start, by its
+/// distance from the curve: the error of Table 3 of paper 003.
 class StaircaseError {
  public:
   explicit StaircaseError(const Machine& machine) noexcept;
 
-  /// The place where the staircase begins.
-  void start(const Setpoint& first, std::span<const Stretch> stretches) noexcept;
+  /// Starts at the position where the staircase begins.
+  void start(const Setpoint& first, std::span<const PathStretch> stretches) noexcept;
 
-  /// The places that the pulses of `now` visit after those of `before`. `stretches` are the paths
-  /// from the one of `before` to the one of `now`, in order.
+  /// Measures the positions that the pulses of `now` visit after those of `before`. `stretches` are
+  /// the paths from the one of `before` to the one of `now`, in order.
   void period(const Setpoint& before, const Setpoint& now,
-              std::span<const Stretch> stretches) noexcept;
+              std::span<const PathStretch> stretches) noexcept;
 
   double largest() const noexcept { return largest_; }  // mm
   /// Over all clocks, mm; 0 before the first one.
   double mean() const noexcept { return places_ > 0 ? sum_ / static_cast<double>(places_) : 0; }
 
  private:
-  void add(const AxisVector& place, double s, std::span<const Stretch> stretches) noexcept;
+  void add(const AxisVector& place, double s, std::span<const PathStretch> stretches) noexcept;
 
   AxisVector blu_;  // mm
   double largest_ = 0, sum_ = 0;

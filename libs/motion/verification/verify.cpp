@@ -66,8 +66,8 @@ Verifier::Verifier(const Machine& machine) noexcept
       model_(machine.surfacing.model),
       limits_normal_(machine.limits.normal > 0) {}
 
-void Verifier::row(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {
-  if (measured_.rows == 0) {
+void Verifier::sample(const Setpoint& setpoint, std::span<const PathStretch> stretches) noexcept {
+  if (measured_.samples == 0) {
     last_.fill(setpoint.position);
     last_s_.fill(setpoint.s);
     if (by_pulses_) staircase_.start(setpoint, stretches);
@@ -79,18 +79,18 @@ void Verifier::row(const Setpoint& setpoint, std::span<const Stretch> stretches)
     differences();
   });
   before_ = setpoint;
-  ++measured_.rows;
+  ++measured_.samples;
 }
 
 void Verifier::pass_over(const Setpoint& setpoint) noexcept {
   for_each_instant(setpoint, [this](const FinePoint& point) { push(point); });
-  row_rmax_ = 0;
-  measured_.rows += setpoint.period - before_.period;
+  sample_rmax_ = 0;
+  measured_.samples += setpoint.period - before_.period;
   before_ = setpoint;
 }
 
 void Verifier::finish() noexcept {
-  if (measured_.rows == 0) return;
+  if (measured_.samples == 0) return;
   for (int i = 0; i < 3; ++i) {
     push({before_.s, before_.position});
     differences();
@@ -99,7 +99,7 @@ void Verifier::finish() noexcept {
 
 template <typename Visit>
 void Verifier::for_each_instant(const Setpoint& setpoint, Visit&& visit) noexcept {
-  for_instants(setpoint, {before_.s, before_.position}, measured_.rows > 0 ? parts_ : 1, visit);
+  for_instants(setpoint, {before_.s, before_.position}, measured_.samples > 0 ? parts_ : 1, visit);
 }
 
 void Verifier::push(const FinePoint& point) noexcept {
@@ -123,10 +123,10 @@ void Verifier::differences() noexcept {
   measured_.tangential = std::max(measured_.tangential, std::abs(along_path) / (period_ * period_));
 }
 
-void Verifier::geometry(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {
+void Verifier::geometry(const Setpoint& setpoint, std::span<const PathStretch> stretches) noexcept {
   double travelled = 0;
-  row_rmax_ = 0;
-  for (const Stretch& stretch : stretches) {
+  sample_rmax_ = 0;
+  for (const PathStretch& stretch : stretches) {
     const double s_end = softcnc::length(*stretch.path);
     const double s0 = std::clamp(before_.s - stretch.s_start, 0.0, s_end);
     const double s1 = std::clamp(setpoint.s - stretch.s_start, 0.0, s_end);
@@ -138,7 +138,7 @@ void Verifier::geometry(const Setpoint& setpoint, std::span<const Stretch> stret
     travelled += integrated_length(*stretch.path, s0, s1);
   }
   if (!stretches.empty()) {
-    const Stretch& here = stretch_at(stretches, setpoint.s);
+    const PathStretch& here = stretch_at(stretches, setpoint.s);
     const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
     if (here.surface) roughness(setpoint, here);
     if (limits_normal_)
@@ -150,14 +150,15 @@ void Verifier::geometry(const Setpoint& setpoint, std::span<const Stretch> stret
 }
 
 /// Pulses run no chord: how far they are from the curve is the error of the period.
-void Verifier::closeness(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept {
+void Verifier::closeness(const Setpoint& setpoint,
+                         std::span<const PathStretch> stretches) noexcept {
   if (by_pulses_) {
     staircase_.period(before_, setpoint, stretches);
     measured_.path_deviation = measured_.chord_error = staircase_.largest();
     measured_.path_deviation_mean = staircase_.mean();
     return;
   }
-  const Stretch& here = stretch_at(stretches, setpoint.s);
+  const PathStretch& here = stretch_at(stretches, setpoint.s);
   const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
   measured_.path_deviation =
       std::max(measured_.path_deviation, (position(*here.path, s) - setpoint.position).norm());
@@ -173,18 +174,18 @@ void Verifier::fluctuation(double travelled, double advance) noexcept {
 }
 
 /// Teeth that rub are not asked to be slower.
-void Verifier::roughness(const Setpoint& setpoint, const Stretch& here) noexcept {
+void Verifier::roughness(const Setpoint& setpoint, const PathStretch& here) noexcept {
   constexpr double kRounding = 1e-6;
   const Surface& surface = *here.surface;
   const double feed = surface.tooth_rate() > 0 ? setpoint.v / surface.tooth_rate() : 0;
   const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
   const PathPoint point = at(*here.path, s);
-  row_rmax_ = rmax(model_, surface, feed, point);
+  sample_rmax_ = rmax(model_, surface, feed, point);
   if (feed <= kLeastFeedPerTooth * (1 + kRounding)) return;
-  if (row_rmax_ * measured_.rmax_target <= measured_.rmax * surface.rmax &&
+  if (sample_rmax_ * measured_.rmax_target <= measured_.rmax * surface.rmax &&
       measured_.rmax_target > 0)
     return;
-  measured_.rmax = row_rmax_;
+  measured_.rmax = sample_rmax_;
   measured_.rmax_target = surface.rmax;
 }
 

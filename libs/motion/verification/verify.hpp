@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The limits verifier: reads rows and paths, knows no planner, measures what was really commanded.
+// The limits verifier: reads samples and paths, knows nothing of the planner, and measures what was
+// really commanded.
 #pragma once
 
 #include <array>
@@ -15,59 +16,59 @@
 namespace softcnc {
 
 /// The largest values seen so far. Differences are those of the commanded positions, padded with
-/// rest: of methods by pulses at the rows, of all others every fine_period() s.
+/// rest: for methods by pulses at the samples, for all others every fine_period() s.
 struct Measured {
   AxisVector velocity = AxisVector::Zero();      // mm/s
   AxisVector acceleration = AxisVector::Zero();  // mm/s^2
   AxisVector jerk = AxisVector::Zero();          // mm/s^3
   double tangential = 0;                         // mm/s^2: differences of the speed along the path
   double normal = 0;                             // mm/s^2: v^2 / rho; where there is a limit
-  double chord_error = 0;                        // mm: curve between two rows to their chord
+  double chord_error = 0;                        // mm: curve between two samples to their chord
   double path_deviation = 0;       // mm: commanded position to the curve; of pulses, every place
   double path_deviation_mean = 0;  // mm: of methods by pulses, over all clocks
   double feed_fluctuation = 0;  // |arc length / planned advance - 1|, advances over 1 um: largest
   double feed_fluctuation_rms = 0;   // and root of the mean square
-  double rmax = 0, rmax_target = 0;  // mm: of the row that leaves most as part of its target
-  std::int64_t rows = 0;
+  double rmax = 0, rmax_target = 0;  // mm: of the sample that leaves most as part of its target
+  std::int64_t samples = 0;
 };
 
 class Verifier {
  public:
   explicit Verifier(const Machine& machine) noexcept;
 
-  /// Takes the next row. `stretches` are the paths from the one of the row before to the one of
-  /// this row, in order; blocks without a path are left out.
-  void row(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
+  /// Takes the next sample. `stretches` are the paths from the one of the sample before to the one
+  /// of this sample, in order; blocks without a path are omitted.
+  void sample(const Setpoint& setpoint, std::span<const PathStretch> stretches) noexcept;
 
-  /// Takes a row without measuring it, or those between it and the last one. Where three that
-  /// follow one another are taken so, the differences of the next row are right again.
+  /// Takes a sample without measuring it, or those between it and the last one. Where three
+  /// consecutive samples are taken so, the differences of the next sample are right again.
   void pass_over(const Setpoint& setpoint) noexcept;
 
-  /// After the last row: the differences that reach into the rest behind it.
+  /// Measures, after the last sample, the differences that extend into the rest that follows.
   void finish() noexcept;
 
   const Measured& measured() const noexcept { return measured_; }
-  /// Rmax that the last row leaves, mm; 0 where no roughness is asked for.
-  double row_rmax() const noexcept { return row_rmax_; }
+  /// Returns the Rmax that the last sample leaves, mm; 0 where there is no roughness target.
+  double sample_rmax() const noexcept { return sample_rmax_; }
 
  private:
   template <typename Visit>
   void for_each_instant(const Setpoint& setpoint, Visit&& visit) noexcept;
   void push(const FinePoint& point) noexcept;
   void differences() noexcept;
-  void geometry(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
+  void geometry(const Setpoint& setpoint, std::span<const PathStretch> stretches) noexcept;
 
-  void closeness(const Setpoint& setpoint, std::span<const Stretch> stretches) noexcept;
+  void closeness(const Setpoint& setpoint, std::span<const PathStretch> stretches) noexcept;
   void fluctuation(double travelled, double advance) noexcept;
-  void roughness(const Setpoint& setpoint, const Stretch& here) noexcept;
+  void roughness(const Setpoint& setpoint, const PathStretch& here) noexcept;
 
   bool by_pulses_;
   double period_;             // s: between differences
-  int parts_;                 // so many of them between two rows
+  int parts_;                 // number of them between two samples
   StaircaseError staircase_;  // of a method by pulses
   RoughnessModel model_;
   bool limits_normal_;
-  double row_rmax_ = 0;
+  double sample_rmax_ = 0;
   std::array<AxisVector, 4> last_;  // positions, newest first
   std::array<double, 3> last_s_{};  // mm along the path, newest first
   Setpoint before_;
@@ -76,12 +77,12 @@ class Verifier {
   Measured measured_;
 };
 
-/// Largest distance, mm, of the path between arc lengths s0 and s1 from the chord a-b.
+/// Returns the largest distance, mm, of the path between arc lengths s0 and s1 from the chord a-b.
 double chord_error(const Path& path, double s0, double s1, const AxisVector& a,
                    const AxisVector& b) noexcept;
 
-/// Arc length, mm, between s0 and s1 by integration of the speed, independent of the path's own map
-/// from s to its parameter.
+/// Returns the arc length, mm, between s0 and s1 by integration of the speed, independent of the
+/// path's own map from s to its parameter.
 double integrated_length(const Path& path, double s0, double s1) noexcept;
 
 }  // namespace softcnc

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Lines that turn by less than a corner: what rows feel of them, and how fast they are run exactly.
-#include "ipo/path/corner_load.hpp"
+// Lines that turn by less than a corner: what samples see of them, and how fast they are run
+// exactly.
+#include "ipo/path/tangent_jump_load.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -20,7 +21,7 @@ namespace {
 
 constexpr double kPeriod = 1e-3;
 
-/// A polyline in the plane with its way from the first point to each.
+/// A polyline in the plane with its length from the first point to each.
 struct Lines {
   std::vector<AxisVector> points;
   std::vector<double> ways{0};
@@ -39,8 +40,8 @@ struct Lines {
   }
 };
 
-/// Lines of 1/30 to 1 times `longest`, each of which turns by up to `turn` rad either way, or to
-/// the left alone.
+/// Lines of 1/30 to 1 times `longest`, each of which turns by up to `turn` rad in either direction,
+/// or to the left alone.
 Lines random_lines(std::mt19937& random, int count, double longest, double turn, bool left) {
   const auto uniform = [&](double a, double b) {
     return a + (b - a) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
@@ -58,9 +59,10 @@ Lines random_lines(std::mt19937& random, int count, double longest, double turn,
   return lines;
 }
 
-/// What the kinks around corner `n` of the lines ask for.
-ipo::KinkLoad load_around(const Lines& lines, std::size_t n, double acceleration, double cut) {
-  ipo::KinkLoad load(AxisVector::Constant(acceleration), cut, kPeriod);
+/// What the tangent jumps around corner `n` of the lines require.
+ipo::TangentJumpLoad load_around(const Lines& lines, std::size_t n, double acceleration,
+                                 double cut) {
+  ipo::TangentJumpLoad load(AxisVector::Constant(acceleration), cut, kPeriod);
   for (std::size_t i = 1; i + 1 < lines.points.size(); ++i) {
     const AxisVector jump = lines.direction(i) - lines.direction(i - 1);
     load.add(std::abs(lines.ways[i] - lines.ways[n]), jump.cwiseAbs(), jump.norm());
@@ -105,7 +107,7 @@ TEST_CASE("second differences of rows at one speed are no larger than what kinks
 }
 
 TEST_CASE("one kink shows as its jump of velocity over one period", "[ipo][kink]") {
-  ipo::KinkLoad load(AxisVector::Constant(1e3), 1, kPeriod);
+  ipo::TangentJumpLoad load(AxisVector::Constant(1e3), 1, kPeriod);
   load.add(0, {0, 0.005, 0}, 0.005);
   CHECK(load.at(100)[1] == Approx(0.005 * 100 / kPeriod).epsilon(1e-12));
   CHECK(load.fastest(1e4) == Approx(1e3 * kPeriod / 0.005).epsilon(1e-8));
@@ -114,7 +116,7 @@ TEST_CASE("one kink shows as its jump of velocity over one period", "[ipo][kink]
 
 TEST_CASE("kinks close together show as the circle they lie on", "[ipo][kink]") {
   constexpr double kRadius = 20, kChord = 1e-3;
-  ipo::KinkLoad load(AxisVector::Constant(1e3), 1, kPeriod);
+  ipo::TangentJumpLoad load(AxisVector::Constant(1e3), 1, kPeriod);
   for (int i = -400; i <= 400; ++i)
     load.add(kChord * std::abs(i), {kChord / kRadius, 0, 0}, kChord / kRadius);
   CHECK(load.at(100)[0] == Approx(100 * 100 / kRadius).epsilon(1e-3));
@@ -156,7 +158,7 @@ TEST_CASE("a circle chopped into chords is run exactly as fast as the circle", "
   const ArcSpec spec{{radius, 0, 0}, {radius, 0, 0}, {0, 0, 0}, Plane::xy, true, 1};
   const auto chopped = run(machine, polyline(points, feed));
   const auto smooth =
-      run(machine, number_blocks({Move{Arc::make(spec).value(), false, feed, Join::follow}}));
+      run(machine, number_blocks({Move{Arc::make(spec).value(), false, feed, PathMode::follow}}));
   CHECK(exceeded(machine, chopped) == "");
   CHECK(chopped.time < 1.05 * smooth.time);
 }
@@ -174,7 +176,7 @@ TEST_CASE("a joint that may only be passed slowly takes no longer than a stop, w
     const std::vector<AxisVector> points{{0, 0, 0}, {10, 0, 0}, {20, 0.095, 0}};
     auto blocks = polyline(points, feed);
     const auto passed = run(machine, blocks);
-    for (Block& block : blocks) std::get<Move>(block.what).join = Join::stop;
+    for (Block& block : blocks) std::get<Move>(block.what).path_mode = PathMode::stop;
     const double stopped = run(machine, blocks).time;
     CHECK(exceeded(machine, passed) == "");
     CHECK(passed.time < stopped + 4 * period);

@@ -26,8 +26,8 @@ std::vector<AxisVector> fine_rows(const Machine& machine, const std::vector<Bloc
   return rows;
 }
 
-/// Largest part of an axis limit that differences of rows `period` s apart use, rest being before
-/// and after them: of the acceleration, or of the jerk.
+/// Largest part of an axis limit that differences of samples `period` s apart use, rest being
+/// before and after them: of the acceleration, or of the jerk.
 double used(const Machine& machine, const std::vector<AxisVector>& rows, int order) {
   const double period = machine.control.servo_period;
   const auto row = [&](std::ptrdiff_t i) {
@@ -52,15 +52,16 @@ std::vector<Block> mixed() {
   const auto arc = [](const AxisVector& from, const AxisVector& to, const AxisVector& centre) {
     return Arc::make({from, to, centre, Plane::xy, true, 0}).value();
   };
-  return number_blocks({Move{Line({0, 0, 0}, {10, 0, 0}), false, 50, Join::follow},
-                        Move{arc({10, 0, 0}, {10, 20, 0}, {10, 10, 0}), false, 50, Join::follow},
-                        Move{Line({10, 20, 0}, {0, 20, 0}), false, 50, Join::follow},
-                        Move{Line({0, 20, 0}, {0, 0, 3}), true, 0, Join::follow}, Dwell{0.0123},
-                        Move{Line({0, 0, 3}, {0, 0, 0}), true, 0, Join::follow}});
+  return number_blocks(
+      {Move{Line({0, 0, 0}, {10, 0, 0}), false, 50, PathMode::follow},
+       Move{arc({10, 0, 0}, {10, 20, 0}, {10, 10, 0}), false, 50, PathMode::follow},
+       Move{Line({10, 20, 0}, {0, 20, 0}), false, 50, PathMode::follow},
+       Move{Line({0, 20, 0}, {0, 0, 3}), true, 0, PathMode::follow}, Dwell{0.0123},
+       Move{Line({0, 0, 3}, {0, 0, 0}), true, 0, PathMode::follow}});
 }
 
 std::vector<Block> butterfly(double feed) {
-  return number_blocks({Move{curve("butterfly"), false, feed, Join::follow}});
+  return number_blocks({Move{curve("butterfly"), false, feed, PathMode::follow}});
 }
 
 Machine fine_machine(double period_ms, double servo_period_ms, double jerk) {
@@ -145,7 +146,7 @@ TEST_CASE("fine rows lie on the path, and every last one is the setpoint", "[ipo
 }
 
 TEST_CASE("fine rows are the rows of a plan with their period", "[ipo][fine]") {
-  // On a line the period has no say in the plan but for its end.
+  // On a line the period has no effect on the plan except at its end.
   const auto blocks = polyline({{0, 0, 0}, {30, 10, 0}}, 60);
   const auto fine = fine_rows(fine_machine(8, 1, 50'000), blocks);
   const auto rows = run(fine_machine(1, 1, 50'000), blocks).rows;

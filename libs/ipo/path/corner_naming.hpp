@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ramps to and from a rest that a corner forces: what holds back there is the corner.
+// Ramps to and from a rest that a corner forces are attributed to the corner.
 #pragma once
 
 #include <optional>
@@ -13,24 +13,24 @@ namespace softcnc::ipo {
 /// every block ends at rest (G61.1), Limit::stop for what happens between two moves.
 using RestBefore = std::optional<Limit>;
 
-/// The one that a move, or a block that is none (null), asks for where it ends.
+/// Returns the rest that a move, or a block without a move (null), requires where it ends.
 inline RestBefore rest_after(const Move* move) noexcept {
   if (move == nullptr) return Limit::stop;
-  return move->join == Join::stop ? RestBefore(Limit::corner) : std::nullopt;
+  return move->path_mode == PathMode::stop ? RestBefore(Limit::corner) : std::nullopt;
 }
 
-/// Whether what holds back is how fast the speed may change.
+/// Whether the limit is one of how fast the speed may change.
 constexpr bool limits_ramps(Limit limit) noexcept {
   return limit == Limit::acceleration || limit == Limit::jerk || limit == Limit::tangential;
 }
 
-/// The names of a motion's pieces, in order, from one rest to the next.
-class RestRamps {
+/// Names the limits of a motion's pieces, in order, from one rest to the next.
+class CornerNaming {
  public:
-  /// The motion begins at rest; `corner`: a corner forces that.
+  /// Begins a motion at rest; `corner`: a corner forces that rest.
   constexpr void begin(bool corner) noexcept { rises_ = corner; }
 
-  /// The name of the next piece, which `limit` holds back and which leads from one speed to
+  /// Returns the name of the next piece, which `limit` limits and which leads from one speed to
   /// another. `to_corner`: all that follows it brakes to a rest that a corner forces.
   constexpr Limit name(Limit limit, double v0, double v1, bool to_corner) noexcept {
     const bool falls = to_corner && v1 < v0;

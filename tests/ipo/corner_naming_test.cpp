@@ -31,7 +31,7 @@ double ramps(const test::Run& result) {
 }
 
 /// Two lines of 40 mm with `between` between them, the second one turned by `turn` rad.
-std::vector<Block> two_lines(double turn, Join join, std::optional<Action> between = {}) {
+std::vector<Block> two_lines(double turn, PathMode join, std::optional<Action> between = {}) {
   const AxisVector middle(40, 0, 0);
   const AxisVector end = middle + 40 * AxisVector(std::cos(turn), std::sin(turn), 0);
   std::vector<std::variant<Move, Dwell, Action>> whats;
@@ -47,7 +47,8 @@ TEST_CASE("a ramp to and from a corner is held back by the corner", "[ipo][rest-
   for (const double jerk : {0.0, 50'000.0}) {
     const double once = ramp(jerk);
     for (const std::size_t chunk : {std::size_t{1}, std::size_t{0}}) {
-      const auto turning = run(machine_with(jerk), two_lines(M_PI / 2, Join::follow), -1, chunk);
+      const auto turning =
+          run(machine_with(jerk), two_lines(M_PI / 2, PathMode::follow), -1, chunk);
       INFO("jerk " << jerk << ", chunk " << chunk);
       CHECK(time_of(turning, Limit::corner) == Approx(2 * once).epsilon(1e-4));
       CHECK(ramps(turning) == Approx(2 * once).epsilon(1e-4));  // from the start, and to the end
@@ -60,15 +61,15 @@ TEST_CASE("so is one to and from an exact stop, but not one to and from an M cod
   for (const double jerk : {0.0, 50'000.0}) {
     const Machine machine = machine_with(jerk);
     const double once = ramp(jerk);
-    const auto stopping = run(machine, two_lines(0, Join::stop));
+    const auto stopping = run(machine, two_lines(0, PathMode::stop));
     CHECK(time_of(stopping, Limit::corner) == Approx(2 * once).epsilon(1e-4));
     const Action coolant{Action::Kind::coolant, 8, 0};
     for (const double turn : {0.0, M_PI / 2}) {
-      const auto waiting = run(machine, two_lines(turn, Join::follow, coolant));
+      const auto waiting = run(machine, two_lines(turn, PathMode::follow, coolant));
       CHECK(time_of(waiting, Limit::corner) == 0);
       CHECK(ramps(waiting) == Approx(4 * once).epsilon(1e-4));
     }
-    CHECK(time_of(run(machine, two_lines(0, Join::stop, coolant)), Limit::corner) == 0);
+    CHECK(time_of(run(machine, two_lines(0, PathMode::stop, coolant)), Limit::corner) == 0);
   }
 }
 
@@ -80,7 +81,7 @@ TEST_CASE("a ramp to a corner goes over as many lines as it takes", "[ipo][rest-
     const double once = ramp(jerk);
     const auto fine = run(machine_with(jerk), test::polyline(points, 50));
     INFO("jerk " << jerk);
-    const double tolerance = jerk > 0 ? 0.06 : 1e-6;  // the cap binds a little before its end
+    const double tolerance = jerk > 0 ? 0.06 : 1e-6;  // the limit binds a little before its end
     CHECK(time_of(fine, Limit::corner) == Approx(2 * once).epsilon(tolerance));
     CHECK(ramps(fine) == Approx(2 * once).epsilon(tolerance));
   }
@@ -88,7 +89,7 @@ TEST_CASE("a ramp to a corner goes over as many lines as it takes", "[ipo][rest-
 
 TEST_CASE("what is slower on the way to a corner holds back by its own name", "[ipo][rest-ramps]") {
   const auto blocks = [] {
-    auto all = two_lines(M_PI / 2, Join::follow);
+    auto all = two_lines(M_PI / 2, PathMode::follow);
     std::get<Move>(all.back().what).feed = 5;  // from 50 mm/s to rest, and on at 5
     return all;
   }();
@@ -98,16 +99,16 @@ TEST_CASE("what is slower on the way to a corner holds back by its own name", "[
 }
 
 TEST_CASE("rows at a rest say stop, and those of its ramps corner", "[ipo][rest-ramps]") {
-  const auto result = run(machine_with(0), two_lines(M_PI / 2, Join::follow));
+  const auto result = run(machine_with(0), two_lines(M_PI / 2, PathMode::follow));
   int corners = 0;
   for (const Setpoint& row : result.rows) {
     constexpr double kRamp = 50.0 * 50 / 2000, kRounding = 1e-6;  // mm
-    const double way = std::abs(row.s - 40);
+    const double distance = std::abs(row.s - 40);
     if (row.limit == Limit::corner) {
       ++corners;
-      CHECK(way < kRamp + kRounding);
+      CHECK(distance < kRamp + kRounding);
     } else if (row.v > 0) {
-      CHECK(way > kRamp - kRounding);
+      CHECK(distance > kRamp - kRounding);
     }
   }
   CHECK(corners > 90);
@@ -115,7 +116,7 @@ TEST_CASE("rows at a rest say stop, and those of its ramps corner", "[ipo][rest-
 
 TEST_CASE("every setpoint has the feed that is programmed, with its override",
           "[ipo][rest-ramps]") {
-  auto blocks = two_lines(M_PI / 2, Join::follow, Action{Action::Kind::coolant, 8, 0});
+  auto blocks = two_lines(M_PI / 2, PathMode::follow, Action{Action::Kind::coolant, 8, 0});
   std::get<Move>(blocks.back().what).feed_override = false;
   const auto result = run(machine_with(0), blocks);
   for (const Setpoint& row : result.rows)

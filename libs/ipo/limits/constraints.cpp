@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/limits/constraints.hpp"
+
+#include <algorithm>
+
+namespace softcnc::ipo {
+
+/// The list: whoever adds a reason to be slow adds a line. A constraint that the machine does not
+/// have is null. Corners are the one reason that no point of the path shows:
+/// path/corner_limits.cpp.
+Constraints::Constraints(const Machine& machine, double feed_override)
+    : limits_(limits_of(machine)) {
+  const auto add = [](List& list, std::unique_ptr<Constraint> constraint) {
+    if (constraint) list.push_back(std::move(constraint));
+  };
+  add(velocities_, make_feed_limit(machine, feed_override));
+  add(velocities_, make_axis_velocity(machine));
+  add(velocities_, make_pulse_rate(machine));
+  add(velocities_, make_chord_error(machine));
+  add(velocities_, make_roughness_limit(machine));
+  add(velocities_, make_normal_acceleration(machine));
+  add(accelerations_, make_tangential_acceleration(limits_));
+  add(accelerations_, make_axis_acceleration(limits_));
+  add(jerks_, make_axis_jerk(limits_));
+  sort_limits();
+  centripetal_.setConstant(kUnlimited);
+  for (const List* list : {&accelerations_, &velocities_})
+    for (const auto& constraint : *list)
+      centripetal_ = centripetal_.cwiseMin(constraint->centripetal_limits());
+}
+
+void Constraints::set_feed_override(const Machine& machine, double feed_override) {
+  velocities_.front() = make_feed_limit(machine, feed_override);
+  sort_limits();
+}
+
+void Constraints::sort_limits() {
+  for (auto* list : {&step_limits_, &point_limits_, &strict_limits_}) list->clear();
+  for (const auto& constraint : velocities_) {
+    (constraint->holds_over_steps() ? step_limits_ : point_limits_).push_back(constraint.get());
+    if (constraint->is_strict()) strict_limits_.push_back(constraint.get());
+  }
+}
+
+Inequalities Constraints::accelerations(const PathPoint& point) const noexcept {
+  Inequalities all;
+  for (const auto& constraint : accelerations_) constraint->bound_acceleration(point, all);
+  return all;
+}
+
+Inequalities Constraints::jerks(const PathPoint& point) const noexcept {
+  Inequalities all;
+  for (const auto& constraint : jerks_) constraint->bound_jerk(point, all);
+  return all;
+}
+
+double Constraints::largest_q(const PathPoint& point) const noexcept {
+  double least = kUnlimited;
+  for (const auto& constraint : accelerations_)
+    least = std::min(least, constraint->largest_q(point));
+  return least;
+}
+
+double Constraints::largest_u(const PathPoint& point) const noexcept {
+  double least = kUnlimited;
+  for (const auto& constraint : accelerations_)
+    least = std::min(least, constraint->largest_u(point));
+  return least;
+}
+
+double Constraints::straight_u(const AxisVector& direction) const noexcept {
+  double least = kUnlimited;
+  for (const auto& constraint : accelerations_)
+    least = std::min(least, constraint->straight_u(direction));
+  return least;
+}
+
+double Constraints::least_u(const Directions& directions) const noexcept {
+  double least = kUnlimited;
+  for (const auto& constraint : accelerations_)
+    least = std::min(least, constraint->least_u(directions));
+  return least;
+}
+
+double Constraints::most_u(const Directions& directions) const noexcept {
+  double least = kUnlimited;
+  for (const auto& constraint : accelerations_)
+    least = std::min(least, constraint->most_u(directions));
+  return least;
+}
+
+Limit Constraints::binding_acceleration(double u, double share) const noexcept {
+  for (const auto& constraint : accelerations_)
+    if (const auto limit = constraint->binding(u, share)) return *limit;
+  return Limit::acceleration;
+}
+
+}  // namespace softcnc::ipo

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// What corners and other joints require of the speed, the acceleration and the jerk around them.
+#pragma once
+
+#include <vector>
+
+#include "ipo/path/chain.hpp"
+
+namespace softcnc::ipo {
+
+/// Lowers the velocity limits around the joints from node `first` on that the machine passes with a
+/// jump of velocity or acceleration, and notes what the jumps leave of the axis limits to the
+/// curve. `times` are the shortest times of the intervals, s.
+void apply_corner_limits(Chain& chain, const Constraints& constraints,
+                         const std::vector<double>& times, std::size_t first);
+
+}  // namespace softcnc::ipo

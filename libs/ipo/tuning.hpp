@@ -1,0 +1,617 @@
+// SPDX-License-Identifier: MIT
+// The constants that tune the planner and the interpolator, in one table.
+//
+// Above each stand its unit, its kind and its reason, and after `test:` what fails when it is
+// changed by half or to the double, as far as that has been tried (`-`: nothing fails, so it is a
+// matter of speed, memory or taste). Kinds: physics (it follows from mathematics and is not to be
+// tuned), choice (a trade-off), rounding (far above the rounding of doubles and far below what
+// matters).
+#pragma once
+
+#include <cstddef>
+
+namespace softcnc::ipo::tuning {
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/limits
+
+namespace limits {
+
+// Of the limit. Choice: what the middles of grid intervals, swings of the curvature and plan
+// nodes may add.
+inline constexpr double kNormalMargin = 1.5e-3;
+// Of the limit. Choice: from this part on the trace names the tangential limit.
+inline constexpr double kTangentialBinds = 0.99;
+// Of the limit. Choice: on curves, where the direction turns a little between two nodes.
+inline constexpr double kAxisVelocityMargin = 3e-4;
+// Of the limit. Choice: on curves, likewise.
+inline constexpr double kPulseRateMargin = 3e-4;
+// Of the tolerance. Choice: the change of curvature between two nodes.
+inline constexpr double kChordMargin = 1e-3;
+// Pick-feeds. Choice: how far the tip position may move from node to node: the roughness limit
+// is steep where the tip cuts.
+inline constexpr double kNearTip = 0.04;
+// Of the distance. Choice: and flat far from there.
+inline constexpr double kFarFromTip = 0.2;
+// Of 1 / radius. Choice: how much the curvature of a valley may change from node to node.
+inline constexpr double kHollowChange = 0.1;
+
+}  // namespace limits
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/path/grid
+
+namespace grid {
+
+// Of each limit. Choice: deviation of limits from linear between two nodes; the margins above
+// and below cover it.
+inline constexpr double kTolerance = 4e-4;
+// Periods. Physics: a joint slows what lies within 3 steps for all within 3 steps of it, and
+// one more for a shared step.
+inline constexpr double kFeltPeriods = 8;
+// Periods. Choice: the shortest beginning of a line that is settled before what follows it.
+inline constexpr double kWorthwhile = 32;
+// Halvings. Choice: a bound; the shortest interval ends the refinement before.
+inline constexpr int kMaxDepth = 40;
+// Parts. Choice: at a time, of what is longer than kSplitEvenly.
+inline constexpr int kMostParts = 16;
+// mm. Choice: shorter intervals are halved only.
+inline constexpr double kSplitEvenly = 1e-4;
+// Per step. Choice: where step limits bind and change.
+inline constexpr double kStepParts = 8;
+// KTolerance. Choice: what a longer x' may add to velocities.
+inline constexpr double kSagParts = 3;
+// Physics: a curve is this many times nearer to its chord over half the length.
+inline constexpr double kHalfParts = 4;
+// KTolerance. Choice: what the curvature may do between looks.
+inline constexpr double kSwing = 2;
+// KTolerance. Choice: what braking may add; with planner::kAccelerationShare it stays within
+// 0.1 %.
+inline constexpr double kBrakingParts = 2;
+// Of q. Choice: step limits that change less are even.
+inline constexpr double kEvenSteps = 0.01;
+// mm. Choice: shorter than any machine resolves.
+inline constexpr double kShortest = 1e-7;
+// mm. Rounding: far above the rounding of positions and lengths.
+inline constexpr double kLeastShortest = 1e-10;
+// Of the jerk. Choice: what a sample may see of a part left out.
+inline constexpr double kUnfelt = 0.01;
+// Looks. Choice: at a strict velocity limit between two nodes.
+inline constexpr int kLooks = 16;
+// Of the sag. Choice: what the limit may sag between the looks.
+inline constexpr double kUnseen = 1.2;
+// Of q. Choice: and where it has corners.
+inline constexpr double kUnseenPart = 2e-4;
+// Physics: the most that a slope at an end of a cubic Hermite piece adds inside.
+inline constexpr double kHermite = 4.0 / 27;
+
+}  // namespace grid
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/path/chain
+
+namespace chain {
+
+// rad. Choice: a larger jump of the tangent is a corner, where the machine rests.
+inline constexpr double kTangentTolerance = 0.01;
+// rad. Rounding: of the geometry.
+inline constexpr double kSameTangent = 1e-9;
+// Relative. Rounding: of the geometry.
+inline constexpr double kSameCurvature = 1e-9;
+// Intervals. Choice: memory reserved at once.
+inline constexpr double kMostReserved = 1e4;
+// Intervals. Choice: kept left of the front before memory is released.
+inline constexpr std::size_t kFewPassed = 1024;
+// Of an interval. Rounding: a node nearer to its end is there.
+inline constexpr double kNodePart = 1e-6;
+
+}  // namespace chain
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/path
+
+namespace joints {
+
+// Of the acceleration. Choice: for jumps of velocity beside curves.
+inline constexpr double kTangentJumpShare = 0.25;
+// Of the acceleration. Choice: the same between straight lines, where what is left is known at
+// every speed.
+inline constexpr double kStraightTangentJumpShare = 0.9;
+// Of the jerk. Choice: for jumps of velocity within three steps.
+inline constexpr double kTangentJumpJerkShare = 0.7;
+// Steps. Physics: the span of a third difference.
+inline constexpr double kJerkSteps = 3;
+// Of the tolerance. Choice: that curves leave to corners within the same step.
+inline constexpr double kTurnShare = 0.5;
+// Periods. Physics: samples up to one period nearer see a jump; they extend one period
+// further.
+inline constexpr double kTangentJumpPeriods = 2;
+// Steps. Choice: towards the speed of a joint.
+inline constexpr int kMostSteps = 60;
+// Of the tolerance. Choice: of chords at tangent jumps.
+inline constexpr double kMargin = 1e-3;
+// Choice: what curvature may multiply the jerk along the path by.
+inline constexpr double kCurved = 2;
+// Steps. Choice: towards the speed of tangent jumps between lines.
+inline constexpr int kMostNewtonSteps = 60;
+// Relative. Rounding: so that the last step ends below.
+inline constexpr double kBeyond = 1e-9;
+// Periods. Physics: beyond, the weight w of a curvature jump is 0.
+inline constexpr double kJumpPeriods = 2;
+// Periods. Physics: up to there w is highest.
+inline constexpr double kJumpFlat = 0.5;
+// Physics: 3/4 of 18/17: the B-spline leaves 17/18 of it in the middle.
+inline constexpr double kJumpWeight = 0.7942;
+// Periods. Choice: plans take joints to be nearer, so that nodes need not lie at the corners
+// of w.
+inline constexpr double kJumpNearer = 0.1;
+
+}  // namespace joints
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/path
+
+namespace path {
+
+// mm/s. Rounding: slower is rest.
+inline constexpr double kStandstill = 1e-9;
+// Halvings. Rounding: towards an instant.
+inline constexpr int kHalvings = 60;
+// s. Choice: of a motion in closed form; the jerk times this is exceeded at most.
+inline constexpr double kShortestPhase = 1e-7;
+// Halvings. Rounding: towards the speed at a position.
+inline constexpr int kSpeedHalvings = 50;
+// Of a speed. Rounding: kept free of the velocity limit of a line.
+inline constexpr double kSpeedRounding = 1e-6;
+// mm. Rounding: beyond the travel.
+inline constexpr double kTravelTolerance = 1e-6;
+// Spans. Choice: longer curves are planned in parts; a plan takes some 40 kB per span.
+inline constexpr std::size_t kMostSpansAtOnce = 512;
+// Spans. Choice: of such a part.
+inline constexpr std::size_t kSpansOfPart = 128;
+
+}  // namespace path
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/optimum
+
+namespace optimum {
+
+// Of the acceleration. Choice: what the grid tolerance may add on curves.
+inline constexpr double kCurveMargin = 5e-4;
+// Of q. Rounding: at a limit.
+inline constexpr double kRelative = 1e-12;
+// Of q. Rounding: at the end of a controllable set.
+inline constexpr double kRounding = 1e-9;
+// mm. Choice: of where the machine has slowed down.
+inline constexpr double kResolution = 1e-3;
+
+}  // namespace optimum
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/solver
+
+namespace solver {
+
+// Iterations. Choice: a bound.
+inline constexpr int kMostIterations = 150;
+// Iterations. Choice: a good guess needs no more.
+inline constexpr int kFewIterations = 45;
+// Of the time. Choice: how near to the optimum.
+inline constexpr double kTimeTolerance = 1e-4;
+// Of each bound. Choice: how well constraints hold.
+inline constexpr double kConstraintTolerance = 1e-7;
+// Of the gradient. Choice: of the time.
+inline constexpr double kGradientTolerance = 1e-3;
+// Of each bound. Choice: constraints then hold well enough to move the tangents.
+inline constexpr double kTangentTolerance = 1e-2;
+// Iterations. Choice: after which tangents move in any case.
+inline constexpr int kStubborn = 5;
+// Of the gap. Choice: complementarity that a step aims for: with more, whole curves take.
+inline constexpr double kLeastCentred = 1e-3;
+// Of the gap. Choice: up to twice as many steps.
+inline constexpr double kMostCentred = 0.1;
+// Of the time. Choice: multipliers grow where no solution exists.
+inline constexpr double kHopelessGap = 1e6;
+// Of the time. Choice: how far from the bounds to start.
+inline constexpr double kFirstGap = 100;
+// Of each bound. Choice: likewise.
+inline constexpr double kFirstSlack = 0.1;
+// Of the guess. Choice: in q.
+inline constexpr double kFirstSpeed = 0.25;
+// Of the acceleration. Choice: that the guess uses; it leaves the rest to the curve.
+inline constexpr double kAccelerationPart = 0.7;
+// Of the distance. Choice: to the nearest bound, in one step.
+inline constexpr double kToBoundary = 0.99;
+
+}  // namespace solver
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/jerk/speed_guess
+
+namespace guess {
+
+// Nodes. Choice: for a phase of constant jerk.
+inline constexpr double kNodesPerPhase = 12;
+// Nodes. Choice: of a long plan; more would only follow axes without jerk limits.
+inline constexpr double kMany = 2000;
+// Periods. Choice: between two nodes.
+inline constexpr double kShortestTime = 0.5;
+// Of kShortestTime. Choice: however fast the speed grows.
+inline constexpr double kLeastTime = 1e-3;
+// Of the speed. Choice: from node to node.
+inline constexpr double kGrowth = 0.1;
+// Of the acceleration. Choice: that the guess uses.
+inline constexpr double kAccelerationPart = 0.8;
+// Of the distance. Choice: growth of the spacing since the speed became constant.
+inline constexpr double kGrading = 0.15;
+// Of the first speed. Choice: the guess never rests.
+inline constexpr double kSlowest = 1e-3;
+// Of each axis limit. Choice: at a steady speed that hardly accelerates the axes.
+inline constexpr double kHardly = 0.1;
+
+}  // namespace guess
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/jerk/plan_nodes
+
+namespace nodes {
+
+// Nodes. Choice: a plan with more does not fit in bounded memory; normally none exists.
+inline constexpr std::size_t kMost = 100'000;
+// rad. Choice: between two nodes.
+inline constexpr double kTurn = 0.06;
+// Of q. Choice: change of a roughness limit between two nodes.
+inline constexpr double kLimitChange = 0.04;
+// Choice: change of the spacing along the path.
+inline constexpr double kGrading = 0.15;
+// Periods. Choice: what turns faster is not resolved.
+inline constexpr double kShortestTime = 0.35;
+// Of the jerk. Choice: a smaller curvature jump gets no nodes of its own.
+inline constexpr double kFeltJump = 0.05;
+// Relative. Rounding: derivatives that do not jump.
+inline constexpr double kSame = 1e-9;
+
+}  // namespace nodes
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/jerk/rest_ramp
+
+namespace rest_ramp {
+
+// Of the jerk. Choice: the rest is for the curvature of the path.
+inline constexpr double kJerkPart = 0.97;
+// Of A / J. Choice: duration, or.
+inline constexpr double kTimePart = 0.1;
+// Periods. Choice: if that is longer, and.
+inline constexpr double kPeriodPart = 0.5;
+// Of A / J. Choice: at most.
+inline constexpr double kMostPart = 0.5;
+// Of the interval. Choice: at most.
+inline constexpr double kLengthPart = 0.05;
+// Of the velocity limit. Choice: at most.
+inline constexpr double kSpeedPart = 0.25;
+// Choice: factor while the path makes it exceed a limit.
+inline constexpr double kShorter = 0.7;
+// Times. Choice: at most.
+inline constexpr int kMostShorter = 20;
+
+}  // namespace rest_ramp
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/jerk
+
+namespace plan {
+
+// Of the jerk. Choice: in the constraints; check::kJerk allows more between the nodes.
+inline constexpr double kJerkPart = 0.995;
+// Of the jerk. Choice: at the start of a plan that continues another one.
+inline constexpr double kFirstJerkPart = 0.999;
+// Of the acceleration. Choice: in the constraints.
+inline constexpr double kAccelerationPart = 0.998;
+// Of the acceleration. Choice: at such a start.
+inline constexpr double kFirstAccelerationPart = 0.9995;
+// Of q. Choice: in the velocity limits.
+inline constexpr double kVelocityPart = 0.9993;
+// Of q. Choice: at such a start.
+inline constexpr double kFirstVelocityPart = 1;
+// Of q. Choice: at the start of a plan that continues none.
+inline constexpr double kReplannedVelocityPart = 1.0003;
+// Of q. Choice: of strict limits.
+inline constexpr double kStrictVelocityPart = 0.996;
+// Of q. Choice: at a start that continues a plan.
+inline constexpr double kFirstStrictVelocityPart = 0.9999;
+// Relative. Rounding: derivatives that do not jump.
+inline constexpr double kSame = 1e-9;
+// Of a limit. Choice: from this part on the trace names it.
+inline constexpr double kBinds = 0.99;
+// Rounds. Choice: of refinement.
+inline constexpr int kMostRounds = 6;
+// Choice: the smallest factor on a share in one round.
+inline constexpr double kTightest = 0.8;
+// Of the excess. Choice: by which a share is reduced.
+inline constexpr double kTighten = 1.2;
+// Choice: a motion that brakes this much too hard stands still.
+inline constexpr double kHopeless = 1.1;
+// Of each limit. Choice: of the slow motion where no plan is found.
+inline constexpr double kCreep = 1.0 / 3;
+// Nodes. Choice: on either side that are bounded where the spline exceeds a velocity limit.
+inline constexpr std::size_t kAroundLimit = 8;
+// Doublings. Choice: of the duration of the slow motion.
+inline constexpr int kMostSlower = 30;
+// Of the path. Choice: that the last plan had left: its nodes are used again.
+inline constexpr double kKept = 0.7;
+// Iterations. Choice: the cost of setting up and checking a problem.
+inline constexpr int kSetUp = 10;
+
+}  // namespace plan
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/jerk/plan_check
+
+namespace check {
+
+// Of the jerk. Choice: allowed between nodes; tests and verifier allow 1.005.
+inline constexpr double kJerk = 1.0045;
+// Of the acceleration. Choice: allowed between nodes; tests and verifier allow 1.001.
+inline constexpr double kAcceleration = 1.0007;
+// Of q. Choice: allowed of the velocity limit of a node.
+inline constexpr double kVelocity = 1.0004;
+// Of q. Choice: allowed of the limit at a place: its constraints keep more free.
+inline constexpr double kPassing = 1.0012;
+// Of q. Rounding: allowed of a strict velocity limit.
+inline constexpr double kStrict = 1 + 1e-7;
+// Instants. Choice: beside the first, or one per sample.
+inline constexpr int kInstants = 4;
+// Instants. Choice: at most.
+inline constexpr int kMostInstants = 16;
+
+}  // namespace check
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/jerk
+
+namespace horizon {
+
+// Stopping distances. Choice: that a plan covers.
+inline constexpr double kStops = 10;
+// s. Choice: that it lasts while the velocity limit stays.
+inline constexpr double kTime = 0.5;
+// Stopping distances. Choice: of a plan that are planned again.
+inline constexpr double kLeft = 1.5;
+// Intervals. Choice: at one speed that a plan may cover.
+inline constexpr std::size_t kSteady = 256;
+// Stopping distances. Choice: the longest interval.
+inline constexpr double kLongest = 0.25;
+// Parts. Choice: of an interval.
+inline constexpr double kMostParts = 32;
+// Choice: factor from one stop that is tried to the next.
+inline constexpr double kFurther = 1.12;
+// Stopping distances. Choice: for slowing down.
+inline constexpr double kLittleMore = 1.5;
+// Choice: squared: faster than the new feed.
+inline constexpr double kSameSpeed = 1.002;
+// Stopping distances. Choice: resolution of where the machine has slowed down, and.
+inline constexpr double kSlowingPart = 0.04;
+// mm. Choice: at least.
+inline constexpr double kResolution = 1e-3;
+// Stopping distances. Choice: that a plan covers which only shows whether the machine can slow
+// down.
+inline constexpr double kSlowedStops = 2;
+// Of an interval. Choice: a stop nearer to its end is moved there.
+inline constexpr double kNodePart = 0.1;
+// Of v^2 / 2A. Choice: with all axes together: the first stop that is tried.
+inline constexpr double kShortestStop = 0.8;
+// Of the jerk. Choice: of a plan where none is found with all of it.
+inline constexpr double kSofter = 0.4;
+// Of the jerk. Choice: and with that.
+inline constexpr double kSoftest = 0.16;
+// Of a speed. Rounding: at a velocity limit.
+inline constexpr double kRounding = 1e-6;
+// Of the work left. Choice: for one plan, so that shorter ones can still be tried.
+inline constexpr double kOnePlan = 0.7;
+// 0.4 us. Choice: work of the plans of a program: far more than is needed.
+inline constexpr double kWorkAtOnce = 4e6;
+// 0.4 us. Choice: where plans are found.
+inline constexpr double kWorkPerSecond = 4e6;
+
+}  // namespace horizon
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/planner
+
+namespace planner {
+
+// Intervals. Choice: before the first plan, and before the next where nothing was found.
+inline constexpr std::size_t kFewIntervals = 128;
+// Of the acceleration. Choice: of a plan that continues another one: the first leaves nothing
+// unused; within 0.1 %.
+inline constexpr double kAccelerationShare = 1 + 5e-4;
+// mm. Choice: of a stop.
+inline constexpr double kStopResolution = 1e-3;
+// Of a distance. Rounding: of the longest stop.
+inline constexpr double kStopRounding = 1e-6;
+
+}  // namespace planner
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/queue
+
+namespace queue {
+
+// Of each limit. Choice: values may be higher between the instants.
+inline constexpr double kQuietPart = 0.25;
+// Of the tolerance. Choice: chords between the samples that are checked.
+inline constexpr double kQuietDrawn = 0.1;
+// Periods. Choice: a shorter piece is not worth examining.
+inline constexpr double kQuietPeriods = 8;
+// Instants. Choice: beside the first.
+inline constexpr int kQuietInstants = 4;
+// Of a period. Rounding: of sums of durations.
+inline constexpr double kSameInstant = 1e-9;
+
+}  // namespace queue
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/smoothing/polyline
+
+namespace polyline {
+
+// mm. Choice: a wider basis function has no benefit.
+inline constexpr double kLongest = 10;
+// Vertices. Choice: on either side that a basis function may cover.
+inline constexpr std::size_t kMost = 24;
+// rad. Rounding: no turn.
+inline constexpr double kStraight = 1e-9;
+// rad. Choice: a smaller corner can be passed exactly: chain::kTangentTolerance.
+inline constexpr double kRests = 0.01;
+// Vertices. Choice: dropped at a time.
+inline constexpr std::size_t kForgotten = 256;
+// Steps. Choice: towards a width limit.
+inline constexpr int kNewtonSteps = 40;
+// Choice: times as much of the lines must be known as last time.
+inline constexpr double kLookAgain = 1.5;
+// Of the tolerance. Choice: left unused by a width limit.
+inline constexpr double kEnough = 1e-6;
+// Of the tolerance. Choice: where more turns than kFew count.
+inline constexpr double kEnoughOfMany = 0.03;
+// Turns. Choice: see above.
+inline constexpr int kFew = 4;
+// Of a width. Choice: knots are not closer together.
+inline constexpr double kCrowded = 1.0 / 32;
+// Of a width. Choice: by reducing it in such steps.
+inline constexpr double kLess = 1.0 / 256;
+// Steps. Choice: so many at most.
+inline constexpr int kTries = 48;
+// Vertices. Choice: whose knots may be close.
+inline constexpr std::size_t kLastVertices = 72;
+// Widths. Choice: a line that counts as dense.
+inline constexpr double kShort = 1.0;
+// Widths. Choice: and four together.
+inline constexpr double kDense = 3.2;
+
+}  // namespace polyline
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/smoothing
+
+namespace knots {
+
+// Of a width. Choice: knots that need no proof of being near enough.
+inline constexpr double kNear = 0.5;
+// Choice: from one spacing to the next.
+inline constexpr double kGrowth = 1.25;
+// Spacings. Choice: turns within them may use near knots.
+inline constexpr double kAhead = 4;
+// Spacings. Choice: and other knots.
+inline constexpr double kWideAhead = 2;
+// Near spacings. Choice: more than what shapes the spans between.
+inline constexpr double kContinuation = 6;
+// Tries. Choice: for the spacing of the last knots.
+inline constexpr int kLastTries = 4;
+// rad. Choice: that a spacing may turn.
+inline constexpr double kTurn = 0.3;
+// Of the tolerance. Choice: that it may use.
+inline constexpr double kShare = 0.3;
+// Lines. Choice: that it may cover.
+inline constexpr std::size_t kLines = 16;
+// Lines. Choice: before knots are tried again.
+inline constexpr std::size_t kAwaited = 8;
+// Basis functions. Choice: fixed at a time.
+inline constexpr std::size_t kFixed = 5;
+// Basis functions. Choice: not fixed at most.
+inline constexpr std::size_t kFree = 12;
+// Basis functions. Physics: before it shape the next span of a cubic.
+inline constexpr std::size_t kShaping = 3;
+// Choice: factor on a spacing that was too wide.
+inline constexpr double kNarrower = 0.6;
+// Times. Choice: before near knots are used.
+inline constexpr int kRetreats = 5;
+// Vertices. Choice: of one curve.
+inline constexpr std::size_t kMostInPiece = 16;
+// Lines. Choice: of one curve.
+inline constexpr std::size_t kMostLines = 192;
+// Vertices. Choice: that have been passed; more than polyline::kLastVertices.
+inline constexpr std::size_t kKept = 80;
+// mm. Rounding: parameters that are one.
+inline constexpr double kSamePlace = 1e-9;
+// Basis functions. Physics: that shape what follows the ones dropped.
+inline constexpr std::size_t kKeptBases = 4;
+// Basis functions. Choice: dropped at a time.
+inline constexpr std::size_t kForgottenBases = 16;
+
+}  // namespace knots
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/smoothing/chord_merge
+
+namespace chords {
+
+// Of the tolerance. Choice: for chords.
+inline constexpr double kPart = 1.0 / 16;
+// Lines. Choice: in one chord.
+inline constexpr std::size_t kMostLines = 64;
+// Rounding: of a tolerance.
+inline constexpr double kMargin = 1 - 1e-9;
+
+}  // namespace chords
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/smoothing/blend
+
+namespace blend {
+
+// Cosine. Choice: below, the path turns back and the machine stops: a curve is hardly faster
+// there, and takes long to plan.
+inline constexpr double kTurnsBack = -0.87;
+// Of the cut. Choice: the first control point.
+inline constexpr double kFirstControl = 0.4;
+// mm. Choice: a shorter blend is none.
+inline constexpr double kShortest = 1e-5;
+// rad. Choice: of a path within the cut.
+inline constexpr double kMostTurn = 0.6;
+// Samples. Choice: of that.
+inline constexpr int kTurnSamples = 8;
+// Samples. Choice: of the curve, on either side of its middle.
+inline constexpr std::size_t kSamples = 16;
+// Of a second difference. Choice: between samples; 1/8 for a parabola.
+inline constexpr double kRise = 1.5 / 8;
+// Knots. Choice: of a NURBS within the cut: samples see what is between.
+inline constexpr int kMostKnots = 4;
+// Rounds. Choice: of regula falsi.
+inline constexpr int kRounds = 12;
+
+}  // namespace blend
+
+// -------------------------------------------------------------------------------------------------
+// libs/ipo/smoothing
+
+namespace corners {
+
+// Of a path. Choice: for the corner at either end.
+inline constexpr double kHalf = 0.5;
+// Of a path. Choice: that always remains.
+inline constexpr double kRest = 1.0 / 64;
+// rad. Rounding: the tangent jumps.
+inline constexpr double kTurn = 1e-9;
+// rad. Choice: too small to slow down a machine without jerk limits.
+inline constexpr double kSmallTurn = 2e-4;
+// 1/mm. Choice: the curvature jumps.
+inline constexpr double kCurvatureJump = 1e-6;
+// rad. Choice: a smaller corner can be passed exactly: chain::kTangentTolerance.
+inline constexpr double kRests = 0.01;
+// Samples. Choice: of a curve that rounds a corner.
+inline constexpr int kSamples = 16;
+// rad. Choice: of a NURBS, which is cut in two there.
+inline constexpr double kInnerCorner = 0.01;
+// Of length / speed. Choice: measured on corners between long lines: passage limited by
+// acceleration.
+inline constexpr double kByAcceleration = 0.6;
+// Of length / speed. Choice: and by jerk.
+inline constexpr double kByJerk = 0.4;
+// Periods. Choice: that the samples of a short curve cost.
+inline constexpr double kPeriods = 2;
+
+}  // namespace corners
+
+}  // namespace softcnc::ipo::tuning
