@@ -155,7 +155,7 @@ TEST_CASE("after a lost assignment no name is known to be without a value", "[ip
   CHECK_FALSE(parameters.exists("a"));
   parameters.doubt();
   REQUIRE(parameters.read("a"));
-  CHECK(is_uncertain(*parameters.read("a")));
+  CHECK(is_unknown(*parameters.read("a")));
 }
 
 }  // namespace softcnc::ipr

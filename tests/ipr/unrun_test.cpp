@@ -15,7 +15,7 @@ using Told = std::vector<std::string>;
 Told told(std::string text, Dialect dialect = Dialect::linuxcnc) {
   InterpreterOptions options;
   options.dialect = dialect;
-  options.unrun_too = true;
+  options.unreachable_too = true;
   return places(interpret(std::move(text), Machine{}, options));
 }
 
@@ -54,7 +54,7 @@ TEST_CASE("a label on a line that is passed over is not compared with the other 
           "[ipr][unrun]") {
   const auto compared = [](const std::string& text) {
     InterpreterOptions options;
-    options.unrun_too = options.compare_dialects = true;
+    options.unreachable_too = options.compare_dialects = true;
     return places(interpret(text, Machine{}, options));
   };
   CHECK(compared("o<a> sub\no[#1] call\no<a> endsub\no7 sub\no7 endsub\nG00 X1\no<a> call [7]\n"
@@ -130,7 +130,7 @@ TEST_CASE("where a subprogram's first line is misspelt, it is told and not the c
 
 TEST_CASE("lines that are only read leave the order of the blocks as it is", "[ipr][unrun]") {
   InterpreterOptions options;
-  options.unrun_too = true;
+  options.unreachable_too = true;
   for (const std::string end : {"M2\n", ""}) {
     const auto ran = interpret("F100\nG41.1 D4\nG1 X5\nX9\n" + end + "o1 sub\nG0 X..1\no1 endsub\n",
                                Machine{}, options);

@@ -2,7 +2,6 @@
 // Programs that never end: reading tells so in a moment, planning what they do would take long.
 #pragma once
 
-#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,7 +22,6 @@ bool is_endless(Program& program, const Machine& machine, const ChannelOptions& 
 struct Unplanned {
   std::vector<std::string> called_files;  // as of Outcome
   std::set<std::string> missing_files;
-  std::int64_t bytes_read = 0;  // of lines, those read again among them
 };
 
 /// Tells what reading a program tells, and where it would leave the travel.

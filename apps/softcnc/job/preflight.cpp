@@ -5,7 +5,7 @@
 
 #include "job/corner_cost.hpp"
 #include "job/endless.hpp"
-#include "job/held_errors.hpp"
+#include "output/repeated_errors.hpp"
 #include "session/verification.hpp"
 
 namespace softcnc::app {
@@ -56,7 +56,7 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
                     Messages& messages, Watcher* watcher, Tells tells) {
   auto backend = hal::open_backend(without_backend(machine));
   if (!backend) return {messages.fail(backend.error()), Outcome()};
-  HeldErrors errors(program, machine, options, messages, watcher);
+  ShownOnce errors(program, messages.sink(program));
   Diagnostics diagnostics(errors.sink());
   diagnostics.set_file(program.name());
   Preflight result;
@@ -66,7 +66,7 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
     result.outcome.called_files = std::move(read.called_files);
     result.outcome.missing_files = std::move(read.missing_files);
     errors.finish();
-    result.status = errors.status();
+    result.status = diagnostics.status();
     return result;
   }
   ipr::Reader reader = program.reader();
@@ -85,7 +85,7 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
     judge_corners(program, machine, options, result.outcome, watcher, diagnostics);
   }
   errors.finish();
-  result.status = errors.status();
+  result.status = diagnostics.status();
   return result;
 }
 

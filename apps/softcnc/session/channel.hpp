@@ -56,13 +56,12 @@ struct Pause {
   bool before = false;  // the block, which is the next one; or behind it: M00, M01 or M06
 };
 
-/// Tells where a move that is not planned would leave the travel, as that of a line which is
-/// refused for something else.
-class RefusedTravel final : public ipr::RefusedMoves {
+/// Reports where a move that is not planned would leave the travel.
+class UnplannedTravel {
  public:
-  RefusedTravel(const Machine& machine, Diagnostics& diagnostics)
+  UnplannedTravel(const Machine& machine, Diagnostics& diagnostics)
       : machine_(machine), diagnostics_(diagnostics) {}
-  void see(const Move& move, SourcePos source) override;
+  void check(const Move& move, SourcePos source);
 
  private:
   const Machine& machine_;
@@ -127,7 +126,7 @@ class Feeder {
   const Machine& machine_;
   const ChannelOptions options_;
   Diagnostics& diagnostics_;
-  RefusedTravel refused_;
+  UnplannedTravel unplanned_travel_;
   ipr::Parser parser_;
   ipr::Interpreter interpreter_;
   ipo::Planner planner_;

@@ -75,12 +75,13 @@ void dwell(Task& task) {
         fanuc ? "G04 needs P, the time in milliseconds, or X or U, the time in seconds"
               : "G04 needs P, the time in seconds");
   if (time->value < 0)
-    return report_words(task, {{&time->letter, 1}}, Code::SC2007, time->pos,
-                        std::string(1, time->letter) + ", the time of G04, must not be negative");
+    return task.out.report(
+        Code::SC2007, time->pos,
+        std::string(1, time->letter) + ", the time of G04, must not be negative");
   if (time->value == 0) return;
   if (dwell_time(task, *time) > kLongestDwell)
-    return report_words(
-        task, {{&time->letter, 1}}, Code::SC2007, time->pos,
+    return task.out.report(
+        Code::SC2007, time->pos,
         std::string(1, time->letter) + ", the time of G04, must be 1000000000 s at most");
   check_dwell_unit(task, *time);
   task.out.emit(Dwell{dwell_time(task, *time)});
@@ -88,8 +89,7 @@ void dwell(Task& task) {
 
 void set_speed(Task& task) {
   const double speed = task.word.value;
-  task.modal.uncertain.remove('S');
-  if (!is_not_negative(task.out, task.word)) return task.modal.uncertain.add('S');
+  if (!is_not_negative(task.out, task.word)) return;
   const Spindle& spindle = task.machine.spindle;
   const double reached = speed == 0 ? 0 : std::clamp(speed, spindle.min_rpm, spindle.max_rpm);
   if (reached != speed && !task.modal.spindle_warned) {
@@ -105,11 +105,7 @@ void set_speed(Task& task) {
 }
 
 void select_tool(Task& task) {
-  task.modal.uncertain.remove('T');
-  if (const auto number = known_tool(task, task.word))
-    task.modal.tool = number;
-  else
-    task.modal.uncertain.add('T');
+  if (const auto number = known_tool(task, task.word)) task.modal.tool = number;
 }
 
 void change_tool(Task& task) {
@@ -118,8 +114,7 @@ void change_tool(Task& task) {
     task.modal.loaded_tool = task.modal.tool;
     return emit_action(task, Action::Kind::tool, *task.modal.tool);
   }
-  report_if_certain(task, "T", Code::SC2204, task.word.pos, "M06 without a tool: T is not set");
-  task.modal.uncertain.add('T');
+  task.out.report(Code::SC2204, task.word.pos, "M06 without a tool: T is not set");
 }
 
 /// M61 Q: the tool that is in the spindle.
@@ -127,7 +122,7 @@ void name_tool(Task& task) {
   if (!task.values.has('Q'))
     return task.out.report(Code::SC2005, task.word.pos, "M61 needs Q, the tool in the spindle");
   const auto number = known_tool(task, task.values.word('Q'));
-  if (!number) return task.modal.uncertain.add('T');
+  if (!number) return;
   task.modal.loaded_tool = *number;
   task.modal.tool = number;
   emit_action(task, Action::Kind::tool, *number);
@@ -137,7 +132,7 @@ void turn_spindle(Task& task) {
   constexpr int kM03 = 30, kM04 = 40;
   task.modal.spindle_direction = task.code.number == kM03 ? 1 : (task.code.number == kM04 ? -1 : 0);
   const bool on = task.modal.spindle_direction != 0;
-  if (on && !task.modal.spindle_speed && !task.modal.uncertain.has('S'))
+  if (on && !task.modal.spindle_speed)
     task.out.report(Code::SC2203, task.word.pos,
                     code_name(task.code) + " without S: the spindle does not turn");
   const double speed = task.modal.spindle_speed.value_or(0);

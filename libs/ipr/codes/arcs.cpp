@@ -29,57 +29,28 @@ bool may_pass_over(const Task& task, const PlaneAxes& axes) {
          task.values.letters().has_any(centre.without(std::string_view(&across, 1)));
 }
 
-/// Told apart: centre and radius, or a centre off the plane. The code may be what is wrong: on the
-/// lines behind it that only its mode makes arcs, nothing is told.
+/// Reports a centre beside a radius, or one off the plane.
 bool is_well_given(Task& task, const PlaneAxes& axes) {
   const Values& values = task.values;
   const bool radius = values.has('R');
   if (radius && task.options.dialect == Dialect::fanuc) return true;
   if (radius && values.letters().has_any(kOffsetLetters)) {
-    report_words(task, "IJKR", Code::SC2106, span_of(values, "IJKR"),
-                 code_name(task.code) + " takes R or a centre, not both");
+    task.out.report(Code::SC2106, span_of(values, "IJKR"),
+                    code_name(task.code) + " takes R or a centre, not both");
   } else if (const char across = offset_letter(axes.across);
              values.has(across) && !may_pass_over(task, axes)) {
-    const bool by_mode = task.word.letter != 'G';
-    const bool told = std::exchange(task.modal.centre_told, true) && by_mode;
-    if (task.command.doubted().has(Group::plane) || told)
-      task.out.mute();
-    else if (!by_mode && task.modal.across_told.has(across))
-      task.out.withhold();
-    else
-      report_words(task, kOffsetLetters, Code::SC2105, values.word(across).pos,
-                   std::string(1, across) + " lies across the plane of the arc");
-    if (!by_mode) task.modal.across_told.add(across);
+    task.out.report(Code::SC2105, values.word(across).pos,
+                    std::string(1, across) + " lies across the plane of the arc");
   } else {
     return true;
   }
   return false;
 }
 
-/// Where the arc leads, if it is known where it begins. Its end may be what is wrong, and with it
-/// the start of the next one.
-void report_way(Task& task, Letters depends_on, Code code, SourcePos pos, std::string message) {
-  if (task.modal.uncertain.has_any(depends_on)) return task.out.mute();
-  task.out.report_way(code, pos, std::move(message));
-  task.modal.end_in_doubt = depends_on;
-}
-
-/// Of lines behind one without a centre, on which no code stands, nothing is told: that of an arc
-/// may be what is wrong.
 bool has_centre_or_radius(Task& task) {
-  const Values& values = task.values;
-  if (values.has('R') || values.letters().has_any(kOffsetLetters)) return true;
-  const bool by_mode = task.word.letter != 'G';
-  if (std::exchange(task.modal.centre_told, true) && by_mode) {
-    task.out.mute();
-    return false;
-  }
-  task.out.report_way(Code::SC2107, span_of(values, "XYZP"),
-                      code_name(task.code) + " needs a centre or R");
-  const PlaneAxes axes = plane_axes(task.modal.plane);
-  const bool whole = values.has(kAxisLetters[static_cast<std::size_t>(axes.first)]) &&
-                     values.has(kAxisLetters[static_cast<std::size_t>(axes.second)]);
-  if (!whole) task.modal.end_in_doubt = plane_letters(axes);
+  if (task.values.has('R') || task.values.letters().has_any(kOffsetLetters)) return true;
+  task.out.report(Code::SC2107, span_of(task.values, "XYZP"),
+                  code_name(task.code) + " needs a centre or R");
   return false;
 }
 
@@ -94,9 +65,8 @@ std::optional<AxisVector> center_by_place(Task& task, const PlaneAxes& axes) {
   for (const int axis : {axes.first, axes.second}) {
     const char letter = offset_letter(axis);
     if (!task.values.has(letter)) {
-      if (!task.command.uncertain().has(letter))
-        task.out.report(Code::SC2005, task.word.pos,
-                        std::string("a centre in G90.1 needs ") + letter);
+      task.out.report(Code::SC2005, task.word.pos,
+                      std::string("a centre in G90.1 needs ") + letter);
       return std::nullopt;
     }
     center[axis] = task.values[letter] * task.modal.mm_per_unit;
@@ -138,16 +108,15 @@ std::optional<AxisVector> center_by_radius(Task& task, const PlaneAxes& axes, co
   const double up = to[axes.second] - from[axes.second];
   const double chord = std::hypot(across, up);
   const SourcePos pos = task.values.word('R').pos;
-  const Letters depends_on = plane_letters(axes);
   if (chord <= kSamePoint) {
-    report_way(task, depends_on, Code::SC2108, pos,
-               code_name(task.code) + " ends where it starts; R cannot tell its centre");
+    task.out.report(Code::SC2108, pos,
+                    code_name(task.code) + " ends where it starts; R cannot tell its centre");
     return std::nullopt;
   }
   if (chord / 2 > std::abs(radius) + kReach) {
-    report_way(task, depends_on, Code::SC2109, pos,
-               "a radius of " + number_text(std::abs(radius)) + " mm does not reach an end " +
-                   number_text(chord) + " mm away");
+    task.out.report(Code::SC2109, pos,
+                    "a radius of " + number_text(std::abs(radius)) + " mm does not reach an end " +
+                        number_text(chord) + " mm away");
     return std::nullopt;
   }
   const double height_squared = radius * radius - chord * chord / 4;
@@ -159,24 +128,26 @@ std::optional<AxisVector> center_by_radius(Task& task, const PlaneAxes& axes, co
   return center;
 }
 
-void emit_arc(Task& task, const ArcSpec& spec, const PlaneAxes& axes) {
+void emit_arc(Task& task, const ArcSpec& spec) {
   Result<Arc> made = Arc::make(spec);
   if (made) return emit_move(task, std::move(*made));
   const bool by_radius = task.values.has('R');
-  if (made.error().code == Code::SC2103) made.error().message += mode_that_fits(task, spec, axes);
-  report_way(task, plane_letters(axes), made.error().code,
-             by_radius ? task.values.word('R').pos : span_of(task.values, "XYZIJK"),
-             std::move(made.error().message));
+  if (made.error().code == Code::SC2103)
+    made.error().message += mode_that_fits(task, spec, plane_axes(spec.plane));
+  task.out.report(made.error().code,
+                  by_radius ? task.values.word('R').pos : span_of(task.values, "XYZIJK"),
+                  std::move(made.error().message));
 }
 
-/// P, less the first pass; 0, and told, if it is none.
+/// P, less the first pass; 0, after a report, if it is no number of turns.
 int further_turns(Task& task) {
   if (!task.values.has('P')) return 0;
   const Word& word = task.values.word('P');
   if (word.value >= 1 && word.value <= kMostTurns && word.value == std::floor(word.value))
     return static_cast<int>(word.value) - 1;
-  report_words(task, "P", Code::SC2007, word.pos,
-               "P, the turns of an arc, is a whole number from 1 to " + std::to_string(kMostTurns));
+  task.out.report(
+      Code::SC2007, word.pos,
+      "P, the turns of an arc, is a whole number from 1 to " + std::to_string(kMostTurns));
   return 0;
 }
 
@@ -191,31 +162,19 @@ bool lies_in_plane(Task& task) {
 void arc(Task& task, bool ccw) {
   begin_motion(task);
   if (!task.values.letters().has_any(task.code.words)) return;
-  task.modal.end_in_doubt = {};
-  if (task.word.letter == 'G') task.modal.centre_told = false;
   const PlaneAxes axes = plane_axes(task.modal.plane);
-  const Letters at_start = task.modal.uncertain;
   const AxisVector to = end_point(task);
-  const Letters found = at_start.without(task.modal.uncertain);
-  const Letters lost = task.modal.uncertain.without(at_start);
-  task.modal.uncertain = at_start;
   const int turns = further_turns(task);
-  if (task.modal.doubted.has(Group::arc_distance)) task.out.mute();
-  const bool well_given = knows_plane(task) && is_well_given(task, axes);
+  const bool well_given = is_well_given(task, axes);
   has_feed(task);
-  if (lost.empty() && has_plane_axes(task, axes) && well_given && has_centre_or_radius(task) &&
+  if (has_plane_axes(task, axes) && well_given && has_centre_or_radius(task) &&
       has_near_lengths(task, "IJKR") && lies_in_plane(task)) {
     const auto center = task.values.has('R') ? center_by_radius(task, axes, to, ccw)
                                              : center_by_offsets(task, axes);
     if (center)
-      emit_arc(task,
-               {task.modal.position, to, *center, task.modal.plane, ccw, turns,
-                radius_tolerance(task.modal)},
-               axes);
+      emit_arc(task, {task.modal.position, to, *center, task.modal.plane, ccw, turns,
+                      radius_tolerance(task.modal)});
   }
-  task.modal.uncertain = task.modal.uncertain.without(found);
-  task.modal.uncertain |= lost;
-  task.modal.uncertain |= task.modal.end_in_doubt;
   task.modal.position = to;
 }
 

@@ -71,10 +71,10 @@ void call_macro(Task& task) {
 }
 
 void refuse_modal_macro(Task& task) {
-  task.out.report_by_itself(Code::SC2315, task.word.pos,
-                            code_name(task.code) +
-                                " is not supported: what it would call after every move "
-                                "cannot be seen in the lines themselves");
+  task.out.report(Code::SC2315, task.word.pos,
+                  code_name(task.code) +
+                      " is not supported: what it would call after every move "
+                      "cannot be seen in the lines themselves");
 }
 
 void leave_program(Task& task) {

@@ -17,17 +17,17 @@ std::string gives_far_offset(const std::string& who) {
   return who + " gives an offset" + beyond(kFarthest);
 }
 
-/// Told once for all axes that no word of the line names.
-template <typename Tells>
-void tell_far(const Task& task, const AxisVector& place, Tells tells) {
-  bool told = false;
+/// Reports once for all axes that no word of the line names.
+template <typename Describe>
+void report_far(const Task& task, const AxisVector& place, Describe describe) {
+  bool reported = false;
   for (int i = 0; i < kAxes; ++i) {
     const char letter = axis_letter(i);
     const bool named = task.values.has(letter);
-    if (is_near(place[i]) || (told && !named)) continue;
+    if (is_near(place[i]) || (reported && !named)) continue;
     report_word(task, letter, Code::SC3008,
-                tells(named ? std::string(1, letter) : code_name(task.code)));
-    told = true;
+                describe(named ? std::string(1, letter) : code_name(task.code)));
+    reported = true;
   }
 }
 
@@ -35,13 +35,9 @@ AxisVector refuse_place(const Task& task, AxisVector place) {
   Letters far;
   for (int i = 0; i < kAxes; ++i)
     if (!is_near(place[i])) far.add(axis_letter(i));
-  if (task.modal.uncertain.has_any(far))
-    task.out.mute();
-  else
-    tell_far(task, place, leads_far);
+  report_far(task, place, leads_far);
   for (int i = 0; i < kAxes; ++i)
     if (far.has(axis_letter(i))) place[i] = task.modal.position[i];
-  task.modal.uncertain |= far;
   return place;
 }
 
@@ -60,8 +56,7 @@ bool keep_offset(Task& task, AxisVector& offset, const AxisVector& wanted) {
     offset = wanted;
     return true;
   }
-  tell_far(task, wanted, gives_far_offset);
-  task.modal.doubt_offsets();
+  report_far(task, wanted, gives_far_offset);
   return false;
 }
 

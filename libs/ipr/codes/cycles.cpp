@@ -39,25 +39,10 @@ char across_letter(const PlaneAxes& axes) { return axis_letter(axes.across); }
 void keep(Task& task, char letter, std::optional<double>& value, double scale) {
   if (!task.values.has(letter)) return;
   value = task.values[letter] * scale;
-  task.modal.cycle.told.remove(letter);
 }
 
 bool in_row(const Modal& modal) {
   return modal.motion != nullptr && is_canned_cycle(*modal.motion);
-}
-
-/// What could not be read is neither missing nor what it was before.
-void doubt_lost_words(Task& task, const PlaneAxes& axes) {
-  CycleWords& words = task.modal.cycle;
-  const char across = across_letter(axes);
-  Letters lost = task.command.uncertain();
-  lost |= task.command.missing();
-  if (lost.has('R')) words.retract.reset();
-  if (lost.has(across)) words.bottom.reset();
-  if (lost.has('Q')) words.peck.reset();
-  if (lost.has('P')) words.dwell.reset();
-  for (const char letter : {'R', across, 'Q', 'P'})
-    if (lost.has(letter)) words.told.add(letter);
 }
 
 /// Words stay in force from hole to hole as long as the cycle does, in the fanuc dialect as long
@@ -65,34 +50,21 @@ void doubt_lost_words(Task& task, const PlaneAxes& axes) {
 void keep_words(Task& task, const PlaneAxes& axes) {
   CycleWords& words = task.modal.cycle;
   const Modal& modal = task.modal;
-  const bool stay =
-      is_fanuc(task) ? in_row(modal) || modal.uncertain.has('G') : modal.motion == &task.code;
-  if (!stay) words = {{}, {}, {}, {}, words.start, {}};
+  const bool stay = is_fanuc(task) ? in_row(modal) : modal.motion == &task.code;
+  if (!stay) words = {{}, {}, {}, {}, words.start};
   keep(task, 'R', words.retract, task.modal.mm_per_unit);
   keep(task, across_letter(axes), words.bottom, task.modal.mm_per_unit);
   keep(task, 'Q', words.peck, task.modal.mm_per_unit);
   keep(task, 'P', words.dwell, is_fanuc(task) ? s_from_ms(1) : 1);
-  doubt_lost_words(task, axes);
   if (task.values.value_or('P', 0) != 0 && !pecks(task.code))
     task.out.contradict(Contradiction::cycle_dwell, task.values.word('P').pos);
 }
 
-/// What is wrong with the word of a cycle is told at the first hole, and not at those behind it.
-bool refuse_once(Task& task, char letter, Code code, SourcePos pos, std::string message) {
-  Letters& told = task.modal.cycle.told;
-  if (told.has(letter)) {
-    task.out.mute();
-  } else {
-    report_words(task, {{&letter, 1}}, code, pos, std::move(message));
-    told.add(letter);
-  }
-  return false;
-}
-
 bool has(Task& task, const std::optional<double>& value, char letter, std::string_view what) {
-  if (value || task.out.muted()) return value.has_value();
-  return refuse_once(task, letter, Code::SC2005, task.word.pos,
-                     code_name(task.code) + " needs " + letter + ", " + std::string(what));
+  if (value) return true;
+  task.out.report(Code::SC2005, task.word.pos,
+                  code_name(task.code) + " needs " + letter + ", " + std::string(what));
+  return false;
 }
 
 bool has_words(Task& task, const PlaneAxes& axes) {
@@ -108,6 +80,11 @@ bool has_words(Task& task, const PlaneAxes& axes) {
   if (must_dwell) all = has(task, words.dwell, 'P', "the time at the bottom") && all;
   if (pecks(task.code)) all = has(task, words.peck, 'Q', "the depth of a peck") && all;
   return all;
+}
+
+bool refuse_at(Task& task, SourcePos pos, Code code, std::string message) {
+  task.out.report(code, pos, std::move(message));
+  return false;
 }
 
 bool refuse(Task& task, char letter, Code code, std::string message) {
@@ -127,7 +104,7 @@ bool are_near(Task& task, const Holes& holes) {
   for (const char letter : {'R', across}) {
     const double height = letter == 'R' ? holes.retract : holes.bottom;
     if (is_near(height)) continue;
-    return refuse_once(task, letter, Code::SC3008, place_of(task, letter), leads_far({letter}));
+    return refuse_at(task, place_of(task, letter), Code::SC3008, leads_far({letter}));
   }
   bool near = true;
   for (const AxisVector& hole : {holes.first, last})
@@ -140,15 +117,15 @@ bool are_near(Task& task, const Holes& holes) {
 
 bool has_possible_dwell(Task& task, const Holes& holes) {
   if (holes.dwell >= 0 && holes.dwell <= kLongestDwell) return true;
-  return refuse_once(task, 'P', Code::SC2007, place_of(task, 'P'),
-                     std::string("P, the time at the bottom, must ") +
-                         (holes.dwell < 0 ? "not be negative" : "be 1000000000 s at most"));
+  return refuse_at(task, place_of(task, 'P'), Code::SC2007,
+                   std::string("P, the time at the bottom, must ") +
+                       (holes.dwell < 0 ? "not be negative" : "be 1000000000 s at most"));
 }
 
 bool has_possible_pecks(Task& task, const Holes& holes) {
   if (pecks(task.code) && holes.peck <= 0)
-    return refuse_once(task, 'Q', Code::SC2007, place_of(task, 'Q'),
-                       "Q, the depth of a peck, must be above 0");
+    return refuse_at(task, place_of(task, 'Q'), Code::SC2007,
+                     "Q, the depth of a peck, must be above 0");
   if (taps(task.code) && task.values.value_or('Q', 0) != 0)
     return refuse(task, 'Q', Code::SC2114,
                   code_name(task.code) +
@@ -172,25 +149,15 @@ void check_peck_unit(Task& task, const Holes& holes) {
 
 bool lies_above_bottom(Task& task, const Holes& holes) {
   if (holes.retract >= holes.bottom) return true;
-  return refuse_once(task, 'R', Code::SC2162, place_of(task, 'R'),
-                     "R lies below the bottom of the hole, " + number_text(holes.retract) +
-                         " mm below " + number_text(holes.bottom) + " mm");
+  return refuse_at(task, place_of(task, 'R'), Code::SC2162,
+                   "R lies below the bottom of the hole, " + number_text(holes.retract) +
+                       " mm below " + number_text(holes.bottom) + " mm");
 }
 
-/// Told once of pecks whose words stand on a line before.
-bool refuse_count(Task& task, const Holes& holes) {
-  Letters counted{"QRKL"};
-  counted.add(across_letter(holes.axes));
-  Letters& told = task.modal.cycle.told;
-  if (told.has('Q') && !task.values.letters().has_any(counted)) {
-    task.out.mute();
-    return false;
-  }
-  report_words(task, "QRKLXYZ", Code::SC2007, task.word.pos,
-               code_name(task.code) + " on this line would take more than 10000 " +
-                   (pecks(task.code) ? "pecks" : "holes"));
-  told.add('Q');
-  return false;
+bool refuse_count(Task& task) {
+  return refuse_at(task, task.word.pos, Code::SC2007,
+                   code_name(task.code) + " on this line would take more than 10000 " +
+                       (pecks(task.code) ? "pecks" : "holes"));
 }
 
 bool is_possible(Task& task, const Holes& holes) {
@@ -202,7 +169,7 @@ bool is_possible(Task& task, const Holes& holes) {
   const double each = pecks(task.code) ? (holes.retract - holes.bottom) / holes.peck : 1;
   check_peck_unit(task, holes);
   if (each * holes.count <= kMostPecks) return true;
-  return refuse_count(task, holes);
+  return refuse_count(task);
 }
 
 /// G74 cuts left-hand threads, G84 right-hand ones; G86 stops a spindle that turns.
@@ -211,15 +178,11 @@ bool spindle_turns(Task& task) {
   const int turning = task.modal.spindle_direction;
   if (wanted == 0 && task.code.number != kG86) return true;
   if (wanted == 0 ? turning != 0 : turning == wanted) return true;
-  if (task.modal.uncertain.has('M')) {
-    task.out.mute();
-    return false;
-  }
-  return refuse_once(task, 'S', Code::SC2163, task.word.pos,
-                     code_name(task.code) + " needs a spindle that turns" +
-                         (wanted == 0   ? ""
-                          : wanted == 1 ? " clockwise (M03)"
-                                        : " counter-clockwise (M04)"));
+  return refuse_at(task, task.word.pos, Code::SC2163,
+                   code_name(task.code) + " needs a spindle that turns" +
+                       (wanted == 0   ? ""
+                        : wanted == 1 ? " clockwise (M03)"
+                                      : " counter-clockwise (M04)"));
 }
 
 /// How often; FANUC: K, and 0 only keeps the words.
@@ -358,7 +321,7 @@ void lay_below(Task& task) {
 /// How the hole is left.
 void compare_ways_out(Task& task, const Holes& holes) {
   const Modal& modal = task.modal;
-  if (modal.cycle.start <= holes.retract || modal.doubted.has(Group::retract)) return;
+  if (modal.cycle.start <= holes.retract) return;
   if (!modal.retract_to_r)
     task.out.contradict(Contradiction::retract, task.word.pos);
   else if (!*modal.retract_to_r && feeds_out(task.code))
@@ -376,20 +339,14 @@ void canned_cycle(Task& task) {
   keep_words(task, axes);
   begin_motion(task);
   const auto count = repeats(task);
-  if (modal.doubted.has_any(kOfCoordinates)) task.out.mute();
-  const bool known = knows_plane(task) && !modal.doubted.has_any(kOfCoordinates);
-  if (!known) modal.cycle.told = kAllLetters;
   has_feed(task);
-  if (count && has_words(task, axes) && known) {
+  if (count && has_words(task, axes)) {
     const Holes holes = holes_of(task, axes, from, *count);
     if (is_possible(task, holes) && spindle_turns(task)) {
       compare_ways_out(task, holes);
-      for (const char letter : kAxisLetters)
-        if (task.values.has(letter) && !modal.incremental) modal.uncertain.remove(letter);
       return drill_all(task, holes, from);
     }
   }
-  modal.uncertain |= kAxisWords;
 }
 
 void refuse_cycle(Task& task) {
@@ -399,7 +356,8 @@ void refuse_cycle(Task& task) {
   lay_below(task);
   if (is_fanuc(task)) keep_words(task, plane_axes(task.modal.plane));
   task.modal.motion = nullptr;
-  task.modal.uncertain |= Letters("GXYZ");
+  task.modal.unknown |= kPosition;
+  task.modal.unknown.add(Part::motion);
 }
 
 void retract_to_start(Task& task) { task.modal.retract_to_r = false; }

@@ -25,8 +25,6 @@ AxisVector end_in_machine(const Task& task) {
     const char letter = axis_letter(i);
     if (!task.values.has(letter)) continue;
     end[i] = task.values[letter] * task.modal.mm_per_unit;
-    const bool known = !task.modal.offsets_uncertain && !task.modal.doubted.has_any(kOfCoordinates);
-    known ? task.modal.uncertain.remove(letter) : task.modal.uncertain.add(letter);
   }
   return end;
 }
@@ -40,39 +38,17 @@ constexpr int kG01 = 10, kG02 = 20, kG03 = 30;
 Join join_of(const Modal& modal) { return modal.stops_once ? Join::stop : modal.join; }
 bool is_exact(const Modal& modal) { return modal.stops_once || modal.exact_path; }
 
-/// F was 0: told at it, if it stands on the line. Returns false.
+/// F was 0: reported at it, if it stands on the line. Returns false.
 [[gnu::cold]] bool report_zero_feed(Task& task) {
   const bool here = task.command.has(Group::feed);
-  report_words(task, "F", Code::SC2102,
-               here ? task.command.find_word(Group::feed).pos : task.word.pos,
-               code_name(task.code) + " needs a feed above 0, and F is 0");
+  task.out.report(Code::SC2102, here ? task.command.find_word(Group::feed).pos : task.word.pos,
+                  code_name(task.code) + " needs a feed above 0, and F is 0");
   return false;
-}
-
-/// `X2 100`: a blank among digits. The letter of a word behind it may be what is missing.
-bool has_divided_number(std::string_view line) noexcept {
-  const std::string_view text = line.substr(0, line.find_first_of("(;"));
-  for (auto at = text.find(' '); at != std::string_view::npos; at = text.find(' ', at + 1)) {
-    const auto behind = text.find_first_not_of(' ', at);
-    if (at > 0 && behind != std::string_view::npos && is_number_part(text[at - 1]) &&
-        is_digit(text[behind]))
-      return true;
-  }
-  return false;
-}
-
-/// What the axes of such a line say may be their word and the feed together.
-void doubt_divided_axes(Task& task) {
-  if (!has_divided_number(task.out.text())) return;
-  task.out.mute();
-  for (const char letter : kAxisLetters)
-    if (task.values.has(letter)) task.modal.uncertain.add(letter);
 }
 
 [[gnu::cold]] void report_no_feed(Task& task) {
-  report_words(task, "F", Code::SC2102, task.word.pos,
-               code_name(task.code) + " needs a feed, and F is not set");
-  doubt_divided_axes(task);
+  task.out.report(Code::SC2102, task.word.pos,
+                  code_name(task.code) + " needs a feed, and F is not set");
 }
 
 /// Only moves whose length is known on their line have a time of their own.
@@ -87,11 +63,8 @@ bool has_inverse_time(Task& task) {
     if (task.modal.feed_word > 0) return true;
     if (task.modal.zero_feed) return report_zero_feed(task);
   }
-  report_if_certain(task, "F", Code::SC2102, task.word.pos,
-                    code_name(task.code) + " needs F on its own line while G93 is in force");
-  doubt_divided_axes(task);
-  const bool first = task.modal.feed_word <= 0;  // told once, where it may be G93 that is wrong
-  if (first) task.modal.uncertain.add('F');
+  task.out.report(Code::SC2102, task.word.pos,
+                  code_name(task.code) + " needs F on its own line while G93 is in force");
   return false;
 }
 
@@ -100,9 +73,9 @@ bool sets_feed_per_turn(Task& task) {
   const double speed = modal.spindle_direction == 0 ? 0 : modal.spindle_speed.value_or(0);
   modal.feed = speed > 0 ? held_feed(task, mm_s_from_mm_min(modal.feed_word * speed)) : 0;
   if (speed > 0) return true;
-  report_if_certain(task, "SM", Code::SC2222, task.word.pos,
-                    code_name(task.code) + " by G95 needs a spindle that turns");
-  modal.uncertain.add('S');
+  task.out.report(Code::SC2222, task.word.pos,
+                  code_name(task.code) + " by G95 needs a spindle that turns");
+  modal.unknown |= {Part::speed, Part::spindle};
   return false;
 }
 
@@ -133,10 +106,6 @@ AxisVector end_in_program(const Task& task) {
     if (!task.values.has(letter)) continue;
     const double value = task.values[letter] * task.modal.mm_per_unit;
     end[i] = task.modal.incremental ? end[i] + value : zero[i] + value;
-    if (task.modal.doubted.has_any(kOfCoordinates))
-      task.modal.uncertain.add(letter);
-    else if (!task.modal.incremental)
-      task.modal.uncertain.remove(letter);
     named = true;
   }
   if (!coordinates.rotated()) return end;
@@ -144,12 +113,6 @@ AxisVector end_in_program(const Task& task) {
 }
 
 }  // namespace
-
-bool knows_position(const Task& task) noexcept {
-  const Letters unknown = task.modal.unknown_axes();
-  return std::none_of(kAxisLetters.begin(), kAxisLetters.end(),
-                      [&](char letter) { return task.values.has(letter) && unknown.has(letter); });
-}
 
 bool has_point(const Task& task, const Word& word) {
   const auto column = static_cast<std::size_t>(word.pos.column) - 1;
@@ -161,14 +124,6 @@ SourcePos place_of(const Task& task, char letter) {
   return task.values.has(letter) ? task.values.word(letter).pos : task.word.pos;
 }
 
-[[gnu::hot]] std::uint8_t axis_bits(Letters letters) noexcept {
-  if (!letters.has_any(kAxisWords)) return 0;
-  unsigned bits = 0;
-  for (int i = 0; i < kAxes; ++i)
-    if (letters.has(axis_letter(i))) bits |= 1U << static_cast<unsigned>(i);
-  return static_cast<std::uint8_t>(bits);
-}
-
 [[gnu::hot]] AxisVector end_point(const Task& task) {
   return near_place(task,
                     task.modal.machine_coordinates ? end_in_machine(task) : end_in_program(task));
@@ -176,17 +131,15 @@ SourcePos place_of(const Task& task, char letter) {
 
 [[gnu::hot]] void emit_move(Task& task, Path&& path, bool rapid) {
   Modal& modal = task.modal;
-  if (modal.start_uncertain || modal.uncertain.has_any(kAxisWords)) task.out.mark_uncertain();
   modal.beside.reset();
   if (!rapid && modal.feed_mode == FeedMode::inverse_time)
     modal.feed = held_feed(task, mm_s_from_mm_min(length(path) * modal.feed_word));
   if (!rapid) {
-    if (!has_surface_speed(modal, task.out, task.word.pos, task.out.text())) task.out.withhold();
+    if (!has_surface_speed(modal, task.out, task.word.pos, task.out.text())) return;
     return task.out.emit(cutting_move(modal, std::move(path), modal.feed));
   }
   task.out.emit(Move{std::move(path), true, 0, join_of(modal), modal.corner_tolerance,
-                     modal.chord_tolerance, modal.feed_override, axis_bits(modal.unknown_axes()),
-                     std::nullopt, is_exact(modal)});
+                     modal.chord_tolerance, modal.feed_override, std::nullopt, is_exact(modal)});
 }
 
 [[gnu::hot]] Move cutting_move(const Modal& modal, Path&& path, double feed) {
@@ -197,35 +150,18 @@ SourcePos place_of(const Task& task, char letter) {
           modal.corner_tolerance,
           modal.chord_tolerance,
           modal.feed_override,
-          axis_bits(modal.unknown_axes()),
           surface_at_speed(modal),
           is_exact(modal)};
 }
 
 [[gnu::hot]] bool has_feed(Task& task) {
   Modal& modal = task.modal;
-  const bool needs_feed = modal.feed <= 0 || modal.feed_mode == FeedMode::inverse_time;
-  if (modal.doubted.has(Group::feed_mode) && needs_feed) {
-    task.out.withhold();
-    return false;
-  }
   if (modal.feed_mode == FeedMode::inverse_time) return has_inverse_time(task);
   if (modal.feed_mode == FeedMode::per_turn && modal.feed_word > 0) return sets_feed_per_turn(task);
   if (modal.feed > 0) return true;
-  if (modal.uncertain.has('F') || task.command.missing().has('F'))
-    task.out.withhold();
-  else if (modal.zero_feed)
-    report_zero_feed(task);
-  else
-    report_no_feed(task);
-  modal.uncertain.add('F');
+  modal.zero_feed ? static_cast<void>(report_zero_feed(task)) : report_no_feed(task);
+  modal.unknown.add(Part::feed);
   return false;
-}
-
-bool knows_plane(Task& task) {
-  const bool known = !task.modal.doubted.has(Group::plane);
-  if (!known) task.out.mute();
-  return known;
 }
 
 bool has_plane_axes(Task& task, const PlaneAxes& axes) {
@@ -257,10 +193,6 @@ double start_tolerance(const Machine& machine) {
   return tolerance;
 }
 
-bool is_told_number(const GCode& code, const Command& command) noexcept {
-  return code.group == Group::program_number && !command.values().letters().empty();
-}
-
 bool ends_curve(const Command& command, const GCode& curve) noexcept {
   if (command.has(Group::cycle) || command.has(Group::stopping)) return true;
   const auto is_other = [&](const Command::CodeWord& code) {
@@ -273,7 +205,6 @@ void begin_motion(Task& task) {
   task.modal.motion = &task.code;
   if (!is_canned_cycle(task.code))
     task.modal.motion_below = is_line_or_arc(task.code) ? &task.code : nullptr;
-  task.modal.uncertain.remove('G');
 }
 
 bool fanuc_goes_home(const Command& command, Dialect dialect) noexcept {
@@ -281,12 +212,6 @@ bool fanuc_goes_home(const Command& command, Dialect dialect) noexcept {
   const GCode* code = command.find(Group::non_modal);
   if (dialect != Dialect::fanuc || code == nullptr) return false;
   return code->number == kG28 || code->number == kG30;
-}
-
-void report_if_certain(Task& task, Letters depends_on, Code code, SourcePos pos,
-                       std::string message) {
-  if (task.modal.uncertain.has_any(depends_on)) return task.out.mute();
-  task.out.report(code, pos, std::move(message));
 }
 
 std::optional<int> whole_from(double least, double value) noexcept {
@@ -305,7 +230,7 @@ std::string takes_whole_number(const Word& word) {
 
 std::optional<int> whole_number(Output& out, const Word& word) {
   const auto number = whole_from(0, word.value);
-  if (!number) out.report_by_itself(Code::SC2007, word.pos, takes_whole_number(word));
+  if (!number) out.report(Code::SC2007, word.pos, takes_whole_number(word));
   return number;
 }
 
@@ -317,20 +242,12 @@ std::optional<int> whole_number(Task& task, const Word& word) {
 
 bool is_not_negative(Output& out, const Word& word) {
   if (word.value >= 0) return true;
-  out.report_by_itself(Code::SC2007, word.pos,
-                       std::string(1, word.letter) + " must not be negative");
+  out.report(Code::SC2007, word.pos, std::string(1, word.letter) + " must not be negative");
   return false;
 }
 
-void report_words(const Task& task, Letters words, Code code, SourcePos pos, std::string message) {
-  Letters uncertain = task.command.uncertain();
-  uncertain |= task.modal.words_of_left_curve;
-  if (uncertain.has('G') || uncertain.has_any(words)) return task.out.mute();
-  task.out.report_by_itself(code, pos, std::move(message));
-}
-
 void report_word(const Task& task, char letter, Code code, std::string message) {
-  report_words(task, {{&letter, 1}}, code, place_of(task, letter), std::move(message));
+  task.out.report(code, place_of(task, letter), std::move(message));
 }
 
 SourcePos span_of(const Values& values, std::string_view letters) noexcept {

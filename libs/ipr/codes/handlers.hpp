@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What codes do. Handlers change modes and position even on a line with an error, so that the lines
-// behind it are not reported for its sake.
+// What codes do. A handler acts where all that it reads is known (see state/operands.hpp).
 #pragma once
 
 #include <cstdint>
@@ -35,7 +34,10 @@ struct Task {
 void rapid(Task& task);
 void feed_line(Task& task);
 void cancel_motion(Task& task);
-/// Along a line to a place in machine coordinates; a way of no length gives no block.
+/// Of a move that cannot be made, for something is unknown: keeps for each axis whether it is known
+/// where it leads. False: the code moves on more than its own line, or in a cycle.
+bool follow_unmade_move(Task& task);
+/// Along a line to a place in machine coordinates; a line of no length gives no block.
 void move_straight(Task& task, const AxisVector& to, bool rapid);
 
 // arcs.cpp
@@ -98,16 +100,6 @@ void refuse_thread(Task& task);
 void refuse_signal(Task& task);
 void refuse_rigid_tapping(Task& task);
 void switch_input(Task& task);
-
-// open_curves.cpp: curves over several lines that an error has spoiled
-/// What the errors of a line leave of a curve to which it belongs.
-void note_faults(const Command& command, const Modal& modal, const Output& out, OpenCurve& curve);
-/// The same of a code that does not belong among its lines, which has been told.
-void note_stranger(const GCode& code, OpenCurve& curve);
-/// Shows where a curve leads that gives no block: as `made`, or, where that is not its shape, from
-/// one point to the next of those through which it goes for certain.
-void show_broken(const Modal& modal, const Output& out, const OpenCurve& curve, Result<Nurbs> made,
-                 std::span<const AxisVector> certain);
 
 // point_words.cpp
 void control_points(Task& task);
@@ -206,8 +198,6 @@ bool has_near_lengths(Task& task, std::string_view letters);
 // words.cpp: what several handlers need
 /// Of the word with this letter, or of the code where the line has none.
 SourcePos place_of(const Task& task, char letter);
-/// Whether it is known where the machine is along the axes that the line names.
-bool knows_position(const Task& task) noexcept;
 /// Whether the word is written with a decimal point.
 bool has_point(const Task& task, const Word& word);
 /// Where the axis words lead, in mm and machine coordinates, from the position in force.
@@ -224,13 +214,9 @@ void for_named_axes(const Task& task, Use&& use) {
 }
 /// Moves along the path from the position, at the feed in force or as a rapid.
 void emit_move(Task& task, Path&& path, bool rapid = false);
-/// As of Move::unknown_axes.
-std::uint8_t axis_bits(Letters letters) noexcept;
 /// A cutting move by the modes in force.
 Move cutting_move(const Modal& modal, Path&& path, double feed);
 bool is_of_fanuc(Task& task);
-/// False, and muted, if an error has left open which plane is in force.
-bool knows_plane(Task& task);
 /// False, and told, if the machine lacks an axis of the plane.
 bool has_plane_axes(Task& task, const PlaneAxes& axes);
 /// What a curve over several lines keeps of its first one.
@@ -240,8 +226,6 @@ inline constexpr std::size_t kMostCurvePoints = 10'000;
 void report_too_many(Task& task);
 /// How far the first point of a curve may lie off the position, mm.
 double start_tolerance(const Machine& machine);
-/// Whether it is an O beside other words, which has been told.
-bool is_told_number(const GCode& code, const Command& command) noexcept;
 /// Whether the line has another motion code, or one that stops or ends the program.
 bool ends_curve(const Command& command, const GCode& curve) noexcept;
 /// False, and told or muted, if there is no feed. In G95 sets that of the spindle's speed.
@@ -252,13 +236,7 @@ double held_feed(Task& task, double feed);
 bool fanuc_goes_home(const Command& command, Dialect dialect) noexcept;
 /// Makes the code the motion in force.
 void begin_motion(Task& task);
-/// Reports, or only mutes the line if the error may come from an earlier one.
-void report_if_certain(Task& task, Letters depends_on, Code code, SourcePos pos,
-                       std::string message);
-/// Reports what is wrong with these words and no others, whatever else the line says, but where an
-/// error leaves open what they are, or whose.
-void report_words(const Task& task, Letters words, Code code, SourcePos pos, std::string message);
-/// The same of one word, at its place.
+/// Reports at the word with this letter, or at the code where the line has none.
 void report_word(const Task& task, char letter, Code code, std::string message);
 /// The value as a whole number from 0; otherwise told, and nothing.
 std::optional<int> whole_number(Task& task, const Word& word);

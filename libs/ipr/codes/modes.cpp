@@ -22,9 +22,9 @@ double tolerance(Task& task, char letter, double otherwise) {
   const Word& word = task.values.word(letter);
   const double given = word.value * task.modal.mm_per_unit;
   if (given >= 0 && is_near(given)) return given;
-  report_words(task, {{&letter, 1}}, Code::SC2007, word.pos,
-               std::string(1, letter) + ", a tolerance of G64, must " +
-                   (given < 0 ? "not be negative" : "be 1000000 mm at most"));
+  task.out.report(Code::SC2007, word.pos,
+                  std::string(1, letter) + ", a tolerance of G64, must " +
+                      (given < 0 ? "not be negative" : "be 1000000 mm at most"));
   return otherwise;
 }
 
@@ -34,11 +34,9 @@ bool is_possible_feed(Task& task, double feed) {
   const double per_minute = mm_min_from_mm_s(feed);
   if (feed == 0 || (per_minute >= kLeast && per_minute <= kMost)) return true;
   const bool given = task.command.has(Group::feed);
-  report_words(task, "F", Code::SC2007,
-               given ? task.command.find_word(Group::feed).pos : task.word.pos,
-               std::string("a feed ") +
-                   (per_minute < kLeast ? "below 0.000001" : "above 1000000000") + " mm/min");
-  task.modal.uncertain.add('F');
+  task.out.report(Code::SC2007, given ? task.command.find_word(Group::feed).pos : task.word.pos,
+                  std::string("a feed ") +
+                      (per_minute < kLeast ? "below 0.000001" : "above 1000000000") + " mm/min");
   return false;
 }
 
@@ -49,7 +47,6 @@ void select_plane(Task& task) {
   task.modal.plane = task.code.number == kG17   ? Plane::xy
                      : task.code.number == kG18 ? Plane::zx
                                                 : Plane::yz;
-  task.modal.across_told = {};
 }
 
 void use_inches(Task& task) { task.modal.mm_per_unit = kMmPerInch; }
@@ -98,14 +95,11 @@ void select_feed_mode(Task& task) {
   if (mode == std::exchange(task.modal.feed_mode, mode)) return;
   task.modal.feed = task.modal.feed_word = 0;
   task.modal.zero_feed = false;
-  task.modal.uncertain.remove('F');
 }
 
 void refuse_surface_speed(Task& task) {
-  task.out.report_by_itself(Code::SC2221, task.word.pos,
-                            "G96 needs work that turns: on a mill no radius is known");
-  task.out.mute();
-  task.modal.uncertain.add('S');
+  task.out.report(Code::SC2221, task.word.pos,
+                  "G96 needs work that turns: on a mill no radius is known");
 }
 
 /// A feed in mm/s: the word, and what it stands for where that is another number of mm/min.
@@ -130,9 +124,8 @@ std::string feed_text(const Task& task, double feed) {
 
 void set_feed(Task& task) {
   Modal& modal = task.modal;
-  modal.uncertain.remove('F');
   modal.feed = modal.feed_word = 0;
-  if (!is_not_negative(task.out, task.word)) return modal.uncertain.add('F');
+  if (!is_not_negative(task.out, task.word)) return;
   if (task.word.value == 0) modal.zero_feed = true;
   const double length = task.word.value * modal.mm_per_unit;
   if (modal.feed_mode == FeedMode::per_minute)

@@ -39,7 +39,39 @@ void line(Task& task, bool rapid) {
   move_straight(task, to, rapid);
 }
 
+/// Whether it is known where a word leads along its axis.
+bool is_known(const Task& task, int axis) {
+  const Modal& modal = task.modal;
+  Unknown needed{Part::units, Part::distance};
+  if (modal.incremental) needed.add(position_part(axis));
+  if (!modal.machine_coordinates) needed |= kOffsets;
+  return !modal.unknown.has_any(needed) && !modal.coordinates.rotated() &&
+         !task.command.unread().has(axis_letter(axis));
+}
+
 }  // namespace
+
+bool follow_unmade_move(Task& task) {
+  constexpr int kLastOfOneLine = 51;  // G05.1
+  if (task.code.number > kLastOfOneLine) return false;
+  begin_motion(task);
+  task.modal.unknown.remove(Part::motion);
+  task.out.fail();
+  Modal& modal = task.modal;
+  for (int axis = 0; axis < kAxes; ++axis) {
+    const char letter = axis_letter(axis);
+    const bool named = task.values.has(letter) || task.command.unread().has(letter);
+    if (!named) continue;
+    const bool known = is_known(task, axis);
+    known ? modal.unknown.remove(position_part(axis)) : modal.unknown.add(position_part(axis));
+    if (!known) continue;
+    const double value = task.values[letter] * modal.mm_per_unit;
+    const double zero = modal.machine_coordinates ? 0 : modal.coordinates.sum()[axis];
+    const double place = modal.incremental ? modal.position[axis] + value : zero + value;
+    if (std::abs(place) <= kFarthest) modal.position[axis] = place;
+  }
+  return true;
+}
 
 [[gnu::hot]] void move_straight(Task& task, const AxisVector& to, bool rapid) {
   if (stays_beside(task)) {
@@ -60,8 +92,6 @@ void rapid(Task& task) { line(task, true); }
 void cancel_motion(Task& task) {
   const bool fanuc = task.options.dialect == Dialect::fanuc;
   task.modal.motion = fanuc ? task.modal.motion_below : nullptr;
-  const bool known = !task.out.failed() && (!fanuc || task.modal.motion != nullptr);
-  if (known) task.modal.uncertain.remove('G');
 }
 
 }  // namespace softcnc::ipr

@@ -19,8 +19,7 @@ std::string form(const Task& task) { return "G10 L" + number_text(task.values['L
 
 bool needs(Task& task, Letters letters, std::string_view text) {
   if (task.values.letters().has_any(letters)) return true;
-  if (!task.command.uncertain().has_any(letters))
-    task.out.report(Code::SC2005, task.word.pos, form(task) + " needs " + std::string(text));
+  task.out.report(Code::SC2005, task.word.pos, form(task) + " needs " + std::string(text));
   return false;
 }
 
@@ -29,8 +28,8 @@ bool lacks(Task& task, Letters letters) {
   bool good = true;
   for (const char letter : {'X', 'Y', 'Z', 'R'}) {
     if (!letters.has(letter) || !task.values.has(letter)) continue;
-    report_words(task, "L", Code::SC2004, task.values.word(letter).pos,
-                 std::string(1, letter) + " is not used by " + form(task));
+    task.out.report(Code::SC2004, task.values.word(letter).pos,
+                    std::string(1, letter) + " is not used by " + form(task));
     good = false;
   }
   return good;
@@ -41,9 +40,9 @@ std::optional<int> read_p(Task& task, int first, int last, std::string_view what
   if (!needs(task, "P", "P, " + std::string(what))) return std::nullopt;
   const auto number = whole_number(task, task.values.word('P'));
   if (!number || (*number >= first && *number <= last)) return number;
-  report_words(task, "LP", Code::SC2007, task.values.word('P').pos,
-               form(task) + " takes P from " + std::to_string(first) + " to " +
-                   std::to_string(last) + ", " + std::string(what));
+  task.out.report(Code::SC2007, task.values.word('P').pos,
+                  form(task) + " takes P from " + std::to_string(first) + " to " +
+                      std::to_string(last) + ", " + std::string(what));
   return std::nullopt;
 }
 
@@ -93,7 +92,6 @@ bool set_system(Task& task) {
 /// coordinates given, and the others keep theirs.
 template <typename With>
 bool rename_position(Task& task, AxisVector& offset, With&& with) {
-  if (!knows_position(task)) task.modal.doubt_offsets();
   const Coordinates before = with(offset);
   const AxisVector& position = task.modal.position;
   AxisVector wanted = before.to_program(position);
@@ -171,9 +169,9 @@ bool write_compensation(Task& task, int table) {
 }
 
 bool refuse_form(Task& task) {
-  report_words(task, "L", Code::SC2007, task.values.word('L').pos,
-               is_fanuc(task) ? "G10 takes L1, L2, L10, L11, L12 or L13"
-                              : "G10 takes L1, L2, L10, L11 or L20");
+  task.out.report(Code::SC2007, task.values.word('L').pos,
+                  is_fanuc(task) ? "G10 takes L1, L2, L10, L11, L12 or L13"
+                                 : "G10 takes L1, L2, L10, L11 or L20");
   return false;
 }
 
@@ -192,10 +190,7 @@ bool write_fanuc(Task& task, int table) {
 
 bool write_table(Task& task) {
   if (!task.values.has('L')) {
-    if (!task.command.uncertain().has('L'))
-      task.out.report(Code::SC2005, task.word.pos, "G10 needs L, the table");
-    if (task.modal.motion == nullptr && !task.values.has('P'))
-      task.modal.uncertain.add('G');  // it may be G0 or G1
+    task.out.report(Code::SC2005, task.word.pos, "G10 needs L, the table");
     return false;
   }
   const auto table = whole_number(task, task.values.word('L'));
@@ -220,8 +215,7 @@ bool write_table(Task& task) {
 }  // namespace
 
 void set_offsets(Task& task) {
-  if (!write_table(task) || task.command.uncertain().has_any(task.code.words))
-    task.modal.doubt_offsets();
+  write_table(task);
   task.modal.update_coordinates();
 }
 

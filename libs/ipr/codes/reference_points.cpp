@@ -33,7 +33,7 @@ Letters going(Task& task) {
     if (task.values.has(letter)) named.add(letter);
     if (task.machine.axes[i].present) present.add(letter);
   }
-  if (!named.empty() || task.command.uncertain().has_any(kAxisWords)) return named;
+  if (!named.empty()) return named;
   if (task.options.dialect != Dialect::fanuc) return present;
   task.out.report(Code::SC2005, task.word.pos, code_name(task.code) + " needs the axes that go");
   return {};
@@ -57,7 +57,7 @@ AxisVector reached(const Task& task, const AxisVector& home, Letters axes) {
 void go_home(Task& task) {
   Modal& modal = task.modal;
   const Letters axes = going(task);
-  const bool good = check_point(task) && !axes.empty();
+  if (!check_point(task) || axes.empty()) return;
   if (modal.beside && !task.values.letters().has_any(kAxisWords)) {
     modal.position = modal.beside->tool;
     modal.beside.reset();
@@ -66,10 +66,6 @@ void go_home(Task& task) {
   const AxisVector& home = task.code.number == kG28 ? modal.state.home : modal.state.second_home;
   move_straight(task, between, true);
   move_straight(task, reached(task, home, axes), true);
-  if (!good || modal.offsets_uncertain)
-    modal.uncertain |= kAxisWords;
-  else
-    modal.uncertain = modal.uncertain.without(axes);
 }
 
 void keep_home(Task& task) {

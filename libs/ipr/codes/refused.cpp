@@ -8,20 +8,16 @@ namespace softcnc::ipr {
 namespace {
 
 void report(Task& task, const std::string& why) {
-  report_words(task, "P", Code::SC2114, task.word.pos,
-               code_name(task.code) + " is refused: " + why);
+  task.out.report(Code::SC2114, task.word.pos, code_name(task.code) + " is refused: " + why);
 }
 
 }  // namespace
 
-/// Told if not: LinuxCNC does not know the code.
+/// False, after a report: LinuxCNC does not know the code.
 bool is_of_fanuc(Task& task) {
   if (task.options.dialect == Dialect::fanuc) return true;
-  constexpr int kG09 = 90;  // its digit is one of G90, G91 and G19
   task.out.report(Code::SC2001, task.word.pos,
                   code_name(task.code) + " is not supported in the linuxcnc dialect");
-  task.out.hush(false);  // it may be another word of the line
-  if (task.code.number == kG09) task.modal.doubt({Group::distance, Group::plane});
   return false;
 }
 
@@ -31,7 +27,8 @@ void refuse_thread(Task& task) {
   if (task.code.number == kG76 && task.options.dialect == Dialect::fanuc) return refuse_cycle(task);
   report(task, "threads need a spindle with an encoder, which the axes could follow");
   task.modal.motion = task.modal.motion_below = nullptr;
-  task.modal.uncertain |= "GXYZ";
+  task.modal.unknown |= kPosition;
+  task.modal.unknown.add(Part::motion);
 }
 
 /// M29. Whether the spindle would turn behind it is not known.
@@ -39,7 +36,7 @@ void refuse_rigid_tapping(Task& task) {
   report(task,
          "rigid tapping needs a spindle in step with the axis; G74 and G84 without M29 take a "
          "floating holder and a spindle that turns");
-  task.modal.uncertain.add('M');
+  task.modal.unknown.add(Part::spindle);
 }
 
 /// G15, G50 and G69 stand in the first line of many a FANUC program.

@@ -11,16 +11,9 @@ void use_offset(Task& task, const AxisVector& offset) {
   if (keep_offset(task, task.modal.tool_offset, offset)) task.modal.update_coordinates();
 }
 
-/// Ends the doubt that an unknown length has left.
-void use_known_offset(Task& task, const AxisVector& offset) {
-  if (!task.modal.doubted_axes.has('X')) task.modal.doubted_axes.remove('Z');
-  use_offset(task, offset);
-}
-
 /// The tool that H names, or the one in force without H.
 std::optional<int> tool_number(Task& task) {
   if (task.values.has('H')) return whole_number(task, task.values.word('H'));
-  if (task.command.uncertain().has('H')) return std::nullopt;
   const bool fanuc = task.options.dialect == Dialect::fanuc;
   const int last = task.modal.length_number, loaded = task.modal.loaded_tool.value_or(0);
   if (last != loaded) task.out.contradict(Contradiction::length_number, task.word.pos);
@@ -52,13 +45,11 @@ void report_unknown_tool(Task& task, int number, SourcePos pos) {
 /// G43 H; without H the tool in the spindle. In the fanuc dialect H is modal.
 void use_tool_length(Task& task) {
   task.modal.length_on = true;
-  if (const auto length = read_length(task)) return use_known_offset(task, *length);
-  task.modal.doubt_offsets("Z");
+  if (const auto length = read_length(task)) return use_offset(task, *length);
 }
 
 /// G43.1 X Y Z: the offset itself.
 void use_given_length(Task& task) {
-  if (task.command.uncertain().has_any(kAxisWords)) task.modal.doubt_offsets();
   AxisVector offset = task.modal.tool_offset;
   for_named_axes(task, [&](int axis, double value) { offset[axis] = value; });
   task.modal.length_on = true;
@@ -68,18 +59,17 @@ void use_given_length(Task& task) {
 /// G43.2 H: one more.
 void add_tool_length(Task& task) {
   task.modal.length_on = true;
-  if (!task.values.has('H') && !task.command.uncertain().has('H'))
+  if (!task.values.has('H'))
     task.out.report(Code::SC2005, task.word.pos, "G43.2 needs H, the tool to add");
   const auto length = task.values.has('H') ? read_length(task) : std::nullopt;
   if (length) return use_offset(task, task.modal.tool_offset + *length);
-  task.modal.doubt_offsets("Z");
 }
 
 /// G49
 void use_no_tool_length(Task& task) {
   task.modal.length_on = false;
   task.modal.length_number = 0;
-  use_known_offset(task, AxisVector::Zero());
+  use_offset(task, AxisVector::Zero());
 }
 
 /// H beside no code that takes it, in the fanuc dialect.

@@ -21,9 +21,8 @@ void set_shift(Task& task, const AxisVector& shift) {
 
 bool names_axes(Task& task) {
   const bool named = task.values.letters().has_any(kAxisWords);
-  if (!named && !task.command.uncertain().has_any(kAxisWords))
+  if (!named)
     task.out.report(Code::SC2005, task.word.pos, code_name(task.code) + " needs X, Y or Z");
-  if (task.command.uncertain().has_any(kAxisWords) || !named) task.modal.doubt_offsets();
   return named;
 }
 
@@ -58,10 +57,9 @@ void use_machine_coordinates(Task& task) {
   const GCode* motion = task.command.find(Group::motion);
   modal.machine_coordinates = true;
   if (motion == nullptr || (motion->number != kG00 && motion->number != kG01)) {
-    report_if_certain(task, "G", Code::SC2111, task.word.pos,
-                      "G53 moves by G00 or G01 only, written beside it or in force");
-    modal.doubt_offsets();
-  } else if (modal.incremental && !modal.doubted.has(Group::distance)) {
+    task.out.report(Code::SC2111, task.word.pos,
+                    "G53 moves by G00 or G01 only, written beside it or in force");
+  } else if (modal.incremental) {
     task.out.report(Code::SC2111, task.word.pos,
                     "G53 in G91: a place in machine coordinates is no distance");
   }
@@ -88,14 +86,11 @@ void name_position(Task& task) {
   compare_offsets(task);
   Modal& modal = task.modal;
   const AxisVector now = modal.coordinates.to_program(modal.position);
-  const bool known = knows_position(task);
   AxisVector shift = shift_in_force(modal.state);
   for_named_axes(task, [&](int axis, double value) {
     shift[axis] += now[axis] - value + modal.local_shift[axis];
     modal.local_shift[axis] = modal.shift_of_g52[axis] = 0;
-    modal.uncertain.remove(axis_letter(axis));
   });
-  if (!known) modal.doubt_offsets();
   set_shift(task, shift);
 }
 

@@ -87,9 +87,9 @@ std::optional<AxisVector> Compensation::stop() {
   return beside ? std::optional(tool_) : std::nullopt;
 }
 
-void Compensation::follow(Block block, std::string_view text, bool certain) {
+void Compensation::follow(Block block, std::string_view text) {
   const bool move = std::holds_alternative<Move>(block.what);
-  if (move && on() && mode_->radius > 0) return follow_move(std::move(block), text, certain);
+  if (move && on() && mode_->radius > 0) return follow_move(std::move(block), text);
   if (held_)
     wait(std::move(block), text);
   else
@@ -113,9 +113,9 @@ void Compensation::wait(Block block, std::string_view text) {
   before_.reset();
 }
 
-void Compensation::follow_move(Block block, std::string_view text, bool certain) {
+void Compensation::follow_move(Block block, std::string_view text) {
   const AxisVector from = softcnc::start(path_of(block)), to = softcnc::end(path_of(block));
-  const bool broken = !certain || (from - programmed_).norm() > kShortest;
+  const bool broken = (from - programmed_).norm() > kShortest;
   programmed_ = to;
   if (stays_in_plane(path_of(block), axes_)) {
     if (held_) return wait(std::move(block), text);
@@ -126,7 +126,6 @@ void Compensation::follow_move(Block block, std::string_view text, bool certain)
   if (held_ && broken) let_out_whole();
   if (broken) before_.reset();
   if (first || !held_) tool_ = from;
-  if (!certain) return;
   if (first) return enter(std::move(block), text);
   go_on(std::move(block), text);
 }

@@ -26,9 +26,8 @@ class Compensation {
   /// Lets everything out. Where the tool then is, mm, if that is beside the programmed position.
   std::optional<AxisVector> stop();
 
-  /// The next block of the program, from a line of this text. What is wrong is reported if it is
-  /// certain that no earlier error is its cause.
-  void follow(Block block, std::string_view text, bool certain);
+  /// The next block of the program, from a line of this text.
+  void follow(Block block, std::string_view text);
   bool has_block() const noexcept { return !ready_.empty(); }
   std::optional<Block> pop();
 
@@ -47,7 +46,7 @@ class Compensation {
   };
 
   void wait(Block block, std::string_view text);
-  void follow_move(Block block, std::string_view text, bool certain);
+  void follow_move(Block block, std::string_view text);
   void enter(Block block, std::string_view text);
   void go_on(Block block, std::string_view text);
   void join(Along& next);

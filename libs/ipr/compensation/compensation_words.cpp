@@ -21,7 +21,7 @@ bool is_dynamic(const GCode& code) {
 std::optional<double> radius_of_loaded_tool(Task& task) {
   const std::optional<int>& tool = task.modal.loaded_tool;
   const std::optional<double> radius = tool ? tools_of(task).radius(*tool) : std::nullopt;
-  if (!radius && !task.modal.uncertain.has_any("TM") && !task.modal.offsets_uncertain)
+  if (!radius)
     task.out.report(Code::SC2148, task.word.pos,
                     code_name(task.code) + " without D: " +
                         (tool ? "tool " + std::to_string(*tool) + " has no radius"
@@ -31,11 +31,8 @@ std::optional<double> radius_of_loaded_tool(Task& task) {
 }
 
 std::nullopt_t report_no_radius(Task& task, int tool) {
-  if (task.modal.offsets_uncertain)
-    task.out.mute();
-  else
-    report_word(task, 'D', Code::SC2142,
-                "the radius of tool " + std::to_string(tool) + " is not known");
+  report_word(task, 'D', Code::SC2142,
+              "the radius of tool " + std::to_string(tool) + " is not known");
   return std::nullopt;
 }
 
@@ -47,7 +44,7 @@ double radius_of(Task& task, const std::optional<int>& tool) {
 /// FANUC: D is modal; 0, which is none before, is no radius.
 std::optional<double> radius_of_last_number(Task& task) {
   const std::optional<int>& number = task.modal.radius_number;
-  if (!number && !task.modal.uncertain.has('D') && !task.modal.cutter)
+  if (!number && !task.modal.cutter)
     task.out.report(Code::SC2148, task.word.pos,
                     code_name(task.code) + " without D, and none before; moves stay as they are");
   if (number.value_or(0) == 0) return 0;
@@ -63,10 +60,7 @@ std::optional<double> radius_without_number(Task& task) {
   return is_fanuc(task) ? radius_of_last_number(task) : radius_of_loaded_tool(task);
 }
 
-void keep_number(Task& task, int number) {
-  task.modal.radius_number = number;
-  task.modal.uncertain.remove('D');
-}
+void keep_number(Task& task, int number) { task.modal.radius_number = number; }
 
 /// G41 D: the number of a tool.
 std::optional<double> radius_by_number(Task& task) {
@@ -103,8 +97,6 @@ bool may_start(Task& task) {
   const Modal& modal = task.modal;
   if (task.values.has('L') && task.values['L'] != 0) {
     report_word(task, 'L', Code::SC2007, "L, the orientation of a lathe tool, can be 0 only");
-  } else if (!knows_plane(task)) {
-    return false;
   } else if (modal.plane != Plane::xy && modal.coordinates.rotated()) {
     task.out.report(
         Code::SC2140, task.word.pos,
@@ -160,11 +152,8 @@ bool is_curve(const Task& task) {
 /// The move behind G40 begins beside the contour, where no arc or curve was meant to begin: not
 /// even where G41 or G42 follows.
 void report_beside(Task& task) {
-  const bool told = task.modal.centre_told && task.word.letter != 'G';  // of the code in force
-  if (!told)
-    task.out.report(Code::SC2149, task.word.pos,
-                    code_name(task.code) + " behind G40; the first move leads away on a line");
-  task.out.mute();
+  task.out.report(Code::SC2149, task.word.pos,
+                  code_name(task.code) + " behind G40; the first move leads away on a line");
   task.modal.beside.reset();
 }
 
@@ -173,8 +162,7 @@ void report_twice(Task& task) {
                   code_name(task.code) + ", and cutter compensation is on already");
 }
 
-/// What does not follow a contour tells that G40 is missing: what the lines behind it lack of it is
-/// not told once more.
+/// What does not follow a contour shows that G40 is missing.
 bool end_contour(Task& task) {
   task.out.stop_compensation();
   task.modal.cutter.reset();
@@ -201,7 +189,7 @@ void compensate(Task& task) {
 /// D beside no code that takes it, in the fanuc dialect.
 void select_radius(Task& task) {
   const auto number = whole_number(task, task.word);
-  if (!number) return task.modal.uncertain.add('D');
+  if (!number) return;
   if (task.out.compensating() && number != task.modal.radius_number) return report_twice(task);
   keep_number(task, *number);
 }

@@ -37,8 +37,8 @@ bool is_switch(const Task& task) {
 }
 
 void note_switch(Task& task) {
-  if (task.modal.look_ahead_told) return;
-  task.modal.look_ahead_told = true;
+  if (task.modal.look_ahead_reported) return;
+  task.modal.look_ahead_reported = true;
   task.out.report(
       Code::SC3115, task.word.pos,
       code_name(task.code) + " has no effect: softcnc looks ahead over the whole program anyway");
@@ -86,8 +86,7 @@ void emit_bezier(Task& task, std::vector<AxisVector> control) {
   spec.control = std::move(control);
   Result<Nurbs> made = Nurbs::make(std::move(spec));
   if (made) return emit_move(task, std::move(*made));
-  report_if_certain(task, kAxisWords, made.error().code, task.word.pos,
-                    std::move(made.error().message));
+  task.out.report(made.error().code, task.word.pos, std::move(made.error().message));
 }
 
 /// From the position to the first control point: as written, or on from the G05 before. Nothing,
@@ -100,8 +99,8 @@ std::optional<AxisVector> first_handle(Task& task, const PlaneAxes& axes, bool g
     return way(task, axes, start);
   }
   if (goes_on) return task.modal.curve_end->handle;
-  report_if_certain(task, "GXYZ", Code::SC3118, task.word.pos,
-                    "G05 without " + names(start) + " goes on from no G05");
+  task.out.report(Code::SC3118, task.word.pos,
+                  "G05 without " + names(start) + " goes on from no G05");
   return std::nullopt;
 }
 
@@ -147,7 +146,7 @@ template <typename Draw>
 void draw(Task& task, Draw draw_curve) {
   const PlaneAxes axes = plane_axes(task.modal.plane);
   const AxisVector to = end_point(task);
-  if (knows_plane(task) && has_plane_axes(task, axes) && is_in_plane(task, axes)) {
+  if (has_plane_axes(task, axes) && is_in_plane(task, axes)) {
     has_feed(task);
     if (has_near_lengths(task, "IJKPQ")) draw_curve(task, axes, to);
   }
@@ -162,7 +161,7 @@ void switch_look_ahead(Task& task) {
   if (!is_of_fanuc(task)) return;
   const double wanted = task.values.value_or('P', -1);
   if (wanted == 0 || wanted == 1) return note_switch(task);
-  report_words(task, "P", Code::SC2007, task.word.pos, "G08 takes P1 or P0");
+  task.out.report(Code::SC2007, task.word.pos, "G08 takes P1 or P0");
 }
 
 void cubic(Task& task) {

@@ -47,7 +47,7 @@ double Expression::unbracketed() {
   return compared([](Expression& e) {
     if (e.in_other_dialect() && !e.is_fanuc()) return e.operand().value;
     const double value = e.binary(kLowestLevel).value;
-    return e.broke_off_ ? kUncertain : value;
+    return e.broke_off_ ? kUnknown : value;
   });
 }
 
@@ -69,7 +69,7 @@ double Expression::compared(Read read) {
 /// `shadow` has read the same in the other dialect, if that takes it.
 void Expression::compare(const Lexer& start, double here, double there, const Expression& shadow) {
   if (shadow.fault_ || shadow.broke_off_ || shadow.end() != end()) return;
-  if (is_uncertain(here) || is_uncertain(there)) return;
+  if (is_unknown(here) || is_unknown(there)) return;
   if (is_same(here, there) && !shadow.differs_whatever_its_value_) return;
   Lexer first = start;
   const int column = first.column();
@@ -120,7 +120,7 @@ std::optional<double> Expression::read_there(const Variable& variable) {
   if (!there) note(Code::SC1025, end(), end(), "");
   const auto here = parameters_.read(number);
   if (there && here && is_vacant(*there) != is_vacant(*here)) differs(Contradiction::vacant);
-  return there && !is_uncertain(*there) ? in_unit_there(number, *there) : kUncertain;
+  return there && !is_unknown(*there) ? in_unit_there(number, *there) : kUnknown;
 }
 
 /// A length that is kept, as the other dialect counts it.

@@ -106,7 +106,7 @@ std::string Contradictions::text_of(const ContradictionRow& row, const Met& met)
   return text;
 }
 
-void Contradictions::tell() {
+void Contradictions::report() {
   std::vector<const ContradictionRow*> found;
   const auto met_by = [this](const ContradictionRow& row) -> Met& {
     return met_[static_cast<std::size_t>(row.kind)];

@@ -72,7 +72,7 @@ class Contradictions {
   void note(Contradiction kind, SourcePos pos, std::string_view line,
             const std::string& detail = {});
   /// At the end of the program: in the order of where each kind was met first.
-  void tell();
+  void report();
 
  private:
   static constexpr std::size_t kMostLines = 10000;

@@ -55,7 +55,7 @@ class Expression {
       : Expression(lexer, parameters, parameters.dialect()) {}
 
   /// A number, '#' and what follows, '[...]' or a function, each with signs before it.
-  /// kUncertain: see fault(), or it rests on an earlier error.
+  /// kUnknown: see fault(), or it rests on an earlier error.
   double value();
   /// FANUC: ROUND gives multiples of 1 / `per_unit` instead of whole numbers.
   void round_to(double per_unit) noexcept { rounding_ = per_unit; }
@@ -84,7 +84,7 @@ class Expression {
       : lexer_(lexer), parameters_(parameters), dialect_(dialect) {}
 
   struct Operand {
-    double value = kUncertain;
+    double value = kUnknown;
     int begin = 0, end = 0;  // columns
   };
 

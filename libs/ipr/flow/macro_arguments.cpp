@@ -40,13 +40,13 @@ class Numbering {
 };
 
 /// Those that could not be read: of I, J and K nobody knows which set of three they belong to.
-void doubt_lost(std::vector<double>& values, Letters lost, int locals) {
-  if (lost.empty()) return;
+void lose_unread(std::vector<double>& values, Letters unread, int locals) {
+  if (unread.empty()) return;
   values.resize(static_cast<std::size_t>(locals), kVacant);
   for (double& value : values)
-    if (is_vacant(value)) value = kUncertain;
+    if (is_vacant(value)) value = kUnknown;
   constexpr std::ptrdiff_t kFirstSet = 3;
-  if (lost.has_any("IJK")) std::fill(values.begin() + kFirstSet, values.end(), kUncertain);
+  if (unread.has_any("IJK")) std::fill(values.begin() + kFirstSet, values.end(), kUnknown);
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ std::optional<std::vector<double>> macro_arguments(Task& task) {
     values[index] = word.value;
   }
   if (!good) return std::nullopt;
-  doubt_lost(values, task.command.uncertain(), parameters.locals());
+  lose_unread(values, task.command.unread(), parameters.locals());
   return values;
 }
 

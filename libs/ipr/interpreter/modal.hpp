@@ -9,6 +9,7 @@
 #include "ipr/codes/gcode_table.hpp"
 #include "ipr/codes/modes.hpp"
 #include "ipr/interpreter/coordinates.hpp"
+#include "ipr/state/unknown.hpp"
 #include "ipr/text/letter_set.hpp"
 #include "motion/geometry/nurbs.hpp"
 #include "motion/model/machine_state.hpp"
@@ -23,37 +24,22 @@ struct CurveHead {
   std::string line;  // its text
 };
 
-/// A curve over several lines whose end is still to come, and what errors leave of it.
-struct OpenCurve {
-  CurveHead head;
-  bool broken = false;     // something in it was reported: no block is made
-  bool misshapen = false;  // what was reported is its shape: only its points are what they were
-  Letters lost_axes;       // along which not all of its points are known
-};
-
-inline constexpr Letters kWordsOfCurveBlocks{"KR"};  // of G06.2, beside the axes
-
 /// A curve of G06.2 between its first block and its last closing knot.
-struct PendingCurve : OpenCurve {
-  NurbsSpec spec;                // what has been read so far
-  int order = 0;                 // 0: P was bad, and the end of the curve is not known
-  int closing_knots = 0;         // read so far
-  Letters axes;                  // of the curve; empty until a block names one
-  bool knots_uncertain = false;  // its knots have been told: of them, only falls still are
-  bool disordered = false;       // where its knots belong is not known: not even those are
-  std::optional<double> knot;    // the last one that the next may not fall below
-  bool full = false;             // it has been told that there are too many points
-  bool repeats = false;          // LinuxCNC's form: G06.2 in its second block too
-  double order_word = 0;         // P as written; 0: left out
-  bool knotless = false;         // its first block lacks its knot, or has another code: told
-  bool knot_told = false;        // of its last block another word, which may stand for it
-  bool headless = false;         // points before its first may be those of a curve that was left
+struct PendingCurve {
+  CurveHead head;
+  NurbsSpec spec;  // what has been read so far
+  int order = 0;
+  int closing_knots = 0;  // read so far
+  Letters axes;           // of the curve; empty until a block names one
+  bool repeats = false;   // LinuxCNC's form: G06.2 in its second block too
+  double order_word = 0;  // P as written; 0: left out
 };
 
 /// A curve of G05.2 or G06.1, whose points are still coming.
-struct PendingPoints : OpenCurve {
+struct PendingPoints {
+  CurveHead head;
   const GCode* code = nullptr;
-  int order = 0;                   // of G05.2; 0: L was bad
+  int order = 0;                   // of G05.2
   std::vector<AxisVector> points;  // mm, machine coordinates; the first is where it begins
   std::vector<double> weights;     // of G05.2
   int blocks = 0;                  // that named a point
@@ -76,7 +62,6 @@ struct Beside {
 struct CycleWords {
   std::optional<double> retract, bottom, dwell, peck;
   double start = 0;  // mm, programmed: the height before the first cycle of a row
-  Letters told;      // of which it has been told that they are missing or wrong
 };
 
 /// What M70 or M73 has saved.
@@ -84,20 +69,15 @@ struct SavedModes {
   Modes modes;
   int work_system = 0;  // index, of G54 to G59.3
   bool shift_on = false;
-  Letters uncertain;  // as of Modal
-  bool offsets_uncertain = false;
+  Unknown unknown;         // as of Modal
   bool automatic = false;  // by M73: the end of the call restores them
-  bool lost = false;       // by what may have been M73: behind the call nobody knows the modes
 };
 
-/// Modes that the end of a call has restored, and nobody was told yet.
+/// Modes that the end of a call has restored, before blocks have followed them.
 struct Restored {
   Modes before;
   SourcePos pos;  // of the end of the call
 };
-
-/// What a coordinate means.
-inline constexpr Groups kOfCoordinates{Group::units, Group::distance};
 
 /// The start state is that of a new Modal.
 struct Modal : Modes {
@@ -123,32 +103,13 @@ struct Modal : Modes {
   std::vector<std::optional<SavedModes>> saved{1};  // by level of calls
   std::optional<Restored> restored;
 
-  /// Words whose value an error has made uncertain (G: the motion code). What would be wrong only
-  /// because of them is not reported.
-  Letters uncertain;
+  Unknown unknown;  // what errors have left open
 
-  /// Groups of which an error has left open what is in force. The same holds for these.
-  Groups doubted;
-
-  /// An offset is wrong by an error: where the machine is in its own coordinates does not tell
-  /// where it is in those of the program.
-  bool offsets_uncertain = false;
-  Letters doubted_axes;          // along which
-  bool start_uncertain = false;  // where the machine was before the line is not known
-  Letters end_in_doubt;          // of the last arc: axes along which it may be what is wrong
-  bool centre_told = false;      // that the arcs of the code in force have none
-  Letters across_told;           // of arcs across the plane in force, which may be what is wrong
-
-  /// A curve that was left too early, which has been told: words that only its blocks have. Blocks
-  /// of it that follow are not told for that.
-  Letters words_of_left_curve;
-  bool left_curve_may_go_on = false;  // by G06.2 in its next block, in LinuxCNC's form
-
-  // Told once a file.
+  // Reported once a file.
   bool feed_warned = false, spindle_warned = false, dwell_warned = false, peck_warned = false;
-  bool look_ahead_told = false, chopping_told = false, order_told = false;
-  bool rest_told = false;  // once a G06.4: that the spindle rests
-  bool ended = false;      // M02 or M30 was read
+  bool look_ahead_reported = false, chopping_reported = false, order_reported = false;
+  bool rest_reported = false;  // once a G06.4: that the spindle rests
+  bool ended = false;          // M02 or M30 was read
 
   const WorkOffset& work() const noexcept {
     return state.work[static_cast<std::size_t>(state.active)];
@@ -166,23 +127,6 @@ struct Modal : Modes {
     const Coordinates assigned(work(), shift(), tool_offset);
     if (!coordinates_there) coordinates_there = coordinates;
     (at_once ? coordinates : *coordinates_there) = assigned;
-  }
-
-  void doubt(Groups groups) noexcept {
-    doubted |= groups;
-    if (groups.has_any({Group::work_offset, Group::tool_length, Group::non_modal})) doubt_offsets();
-    if (groups.has_any(kOfCoordinates)) uncertain |= kAxisWords;
-  }
-  void doubt_offsets(Letters axes = kAxisWords) noexcept {
-    offsets_uncertain = true;
-    uncertain |= kAxisWords;
-    doubted_axes |= axes;
-  }
-  /// Where the machine is along these is not known.
-  Letters unknown_axes() const noexcept {
-    Letters unknown = doubted_axes;
-    unknown |= uncertain;
-    return coordinates.rotated() && unknown.has_any(kAxisWords) ? Letters(kAxisWords) : unknown;
   }
 };
 

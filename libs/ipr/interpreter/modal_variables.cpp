@@ -14,7 +14,7 @@ namespace {
 // RS274.
 constexpr int kShiftOn = 5210, kActive = 5220;
 constexpr int kLoadedTool = 5400, kToolOffset = 5401, kDiameter = 5410, kToolEnd = 5414;
-constexpr int kPosition = 5420, kPositionEnd = 5429;
+constexpr int kFirstPosition = 5420, kPositionEnd = 5429;
 // FANUC: the end of the last block, and the same in machine coordinates; where the tool is; the
 // tool offset; a work offset for all systems, which there is none of.
 constexpr int kBlockEnd = 5001, kMachine = 5021, kCurrent = 5041, kLength = 5081, kCommon = 5201;
@@ -23,24 +23,24 @@ constexpr int kKept = 500, kKeptEnd = 1000, kNoSingleBlock = 3003, kNoHold = 300
 constexpr int kCodes = 4000;
 
 double program_position(const Modal& modal, int axis) {
-  if (modal.uncertain.has(kAxisLetters[static_cast<std::size_t>(axis)])) return kUncertain;
+  if (modal.unknown.has(position_part(axis)) || modal.unknown.has_any(kOffsets)) return kUnknown;
   return modal.coordinates.to_program(modal.position)[axis] / modal.mm_per_unit;
 }
 
 double machine_position(const Modal& modal, int axis) {
-  if (modal.uncertain.has(kAxisLetters[static_cast<std::size_t>(axis)])) return kUncertain;
+  if (modal.unknown.has(position_part(axis))) return kUnknown;
   return modal.position[axis] / modal.mm_per_unit;
 }
 
 double motion_mode(const Modal& modal) {
   constexpr double kNone = 800;
-  if (modal.uncertain.has('G')) return kUncertain;
+  if (modal.unknown.has(Part::motion)) return kUnknown;
   return modal.motion != nullptr ? modal.motion->number : kNone;
 }
 
-/// The value that tells of a group, if no error has left that open.
-double known(const Modal& modal, Group group, double value) {
-  return modal.doubted.has(group) ? kUncertain : value;
+/// The value that depends on a part of the state.
+double known(const Modal& modal, Part part, double value) {
+  return modal.unknown.has(part) ? kUnknown : value;
 }
 
 double coordinate_system(const Modal& modal) {
@@ -48,17 +48,17 @@ double coordinate_system(const Modal& modal) {
   const int active = modal.state.active;
   const double code =
       active <= kLastWhole ? kFirst + 10 * active : kFirst + 10 * kLastWhole + active - kLastWhole;
-  return known(modal, Group::work_offset, code);
+  return known(modal, Part::work_system, code);
 }
 
 double plane(const Modal& modal) {
   constexpr double kXy = 170, kZx = 180, kYz = 190;
   const double code = modal.plane == Plane::xy ? kXy : modal.plane == Plane::zx ? kZx : kYz;
-  return known(modal, Group::plane, code);
+  return known(modal, Part::plane, code);
 }
 
 double feed(const Modal& modal) {
-  if (modal.uncertain.has('F')) return kUncertain;
+  if (modal.unknown.has(Part::feed)) return kUnknown;
   if (modal.feed_mode == FeedMode::inverse_time) return modal.feed_word;
   const bool per_turn = modal.feed_mode == FeedMode::per_turn;
   return (per_turn ? modal.feed_word : mm_min_from_mm_s(modal.feed)) / modal.mm_per_unit;
@@ -66,31 +66,31 @@ double feed(const Modal& modal) {
 
 template <FeedMode mode>
 double has_feed_mode(const Modal& modal) {
-  return known(modal, Group::feed_mode, modal.feed_mode == mode ? 1 : 0);
+  return known(modal, Part::feed_mode, modal.feed_mode == mode ? 1 : 0);
 }
 
 double spindle_speed(const Modal& modal) {
-  return modal.uncertain.has('S') ? kUncertain : modal.spindle_speed.value_or(0);
+  return modal.unknown.has(Part::speed) ? kUnknown : modal.spindle_speed.value_or(0);
 }
 
 double selected_tool(const Modal& modal) {
-  return modal.uncertain.has('T') ? kUncertain : modal.tool.value_or(0);
+  return modal.unknown.has(Part::tool) ? kUnknown : modal.tool.value_or(0);
 }
 
 /// Without a tool table with pockets of its own, a tool stands in the pocket of its number.
 double selected_pocket(const Modal& modal) {
   constexpr double kNone = -1;
-  return modal.uncertain.has('T') ? kUncertain : modal.tool.value_or(kNone);
+  return modal.unknown.has(Part::tool) ? kUnknown : modal.tool.value_or(kNone);
 }
 
 double loaded_tool(const Modal& modal) {
-  return modal.uncertain.has('T') ? kUncertain : modal.loaded_tool.value_or(0);
+  return modal.unknown.has(Part::tool) ? kUnknown : modal.loaded_tool.value_or(0);
 }
 
 double compensation(const Modal& modal) {
   constexpr double kOff = 400, kLeft = 410, kRight = 420;
   const double code = !modal.cutter ? kOff : modal.cutter->side > 0 ? kLeft : kRight;
-  return known(modal, Group::cutter_compensation, code);
+  return known(modal, Part::cutter, code);
 }
 
 bool retracts_to_r(const Modal& modal) { return modal.retract_to_r.value_or(true); }
@@ -126,7 +126,7 @@ constexpr Named kNames[] = {
     {"_abs_y", machine_at<1>},
     {"_abs_z", machine_at<2>},
     {"_absolute",
-     [](const Modal& m) { return known(m, Group::distance, m.incremental ? 0.0 : 1.0); }},
+     [](const Modal& m) { return known(m, Part::distance, m.incremental ? 0.0 : 1.0); }},
     {"_adaptive_feed", zero},
     {"_b", zero},
     {"_c", zero},
@@ -139,16 +139,16 @@ constexpr Named kNames[] = {
     {"_feed_override", [](const Modal& m) { return m.feed_override ? 1.0 : 0.0; }},
     {"_flood", [](const Modal& m) { return m.flood ? 1.0 : 0.0; }},
     {"_ijk_absolute_mode",
-     [](const Modal& m) { return known(m, Group::arc_distance, m.absolute_centres ? 1.0 : 0.0); }},
+     [](const Modal& m) { return known(m, Part::centres, m.absolute_centres ? 1.0 : 0.0); }},
     {"_imperial",
-     [](const Modal& m) { return known(m, Group::units, m.mm_per_unit == 1 ? 0.0 : 1.0); }},
+     [](const Modal& m) { return known(m, Part::units, m.mm_per_unit == 1 ? 0.0 : 1.0); }},
     {"_incremental",
-     [](const Modal& m) { return known(m, Group::distance, m.incremental ? 1.0 : 0.0); }},
+     [](const Modal& m) { return known(m, Part::distance, m.incremental ? 1.0 : 0.0); }},
     {"_inverse_time", has_feed_mode<FeedMode::inverse_time>},
     {"_lathe_diameter_mode", zero},
     {"_lathe_radius_mode", one},
     {"_metric",
-     [](const Modal& m) { return known(m, Group::units, m.mm_per_unit == 1 ? 1.0 : 0.0); }},
+     [](const Modal& m) { return known(m, Part::units, m.mm_per_unit == 1 ? 1.0 : 0.0); }},
     {"_metric_machine", one},
     {"_mist", [](const Modal& m) { return m.mist ? 1.0 : 0.0; }},
     {"_motion_mode", motion_mode},
@@ -190,7 +190,7 @@ constexpr double kTenths = 10;  // G54.1 is 541 to LinuxCNC and 54.1 to FANUC
 double feed_code(const Modal& modal) {
   constexpr double kCodesOfModes[] = {94, 93, 95};
   const double code = kCodesOfModes[static_cast<std::size_t>(modal.feed_mode)];
-  return known(modal, Group::feed_mode, code);
+  return known(modal, Part::feed_mode, code);
 }
 
 bool in_cycle(const Modal& modal) {
@@ -198,21 +198,21 @@ bool in_cycle(const Modal& modal) {
 }
 
 double motion_code(const Modal& modal) {
-  if (!in_cycle(modal) || modal.uncertain.has('G')) return motion_mode(modal) / kTenths;
+  if (!in_cycle(modal) || modal.unknown.has(Part::motion)) return motion_mode(modal) / kTenths;
   return modal.motion_below != nullptr ? modal.motion_below->number / kTenths : kNoMotion;
 }
 
 double cycle_code(const Modal& modal) {
-  if (modal.uncertain.has('G')) return kUncertain;
+  if (modal.unknown.has(Part::motion)) return kUnknown;
   return in_cycle(modal) ? modal.motion->number / kTenths : kNoMotion;
 }
 
 constexpr Coded kFanucCodes[] = {
     {1, motion_code},
     {2, [](const Modal& m) { return plane(m) / kTenths; }},
-    {3, [](const Modal& m) { return known(m, Group::distance, m.incremental ? 91.0 : 90.0); }},
+    {3, [](const Modal& m) { return known(m, Part::distance, m.incremental ? 91.0 : 90.0); }},
     {5, feed_code},
-    {6, [](const Modal& m) { return known(m, Group::units, m.mm_per_unit == 1 ? 21.0 : 20.0); }},
+    {6, [](const Modal& m) { return known(m, Part::units, m.mm_per_unit == 1 ? 21.0 : 20.0); }},
     {7, [](const Modal& m) { return compensation(m) / kTenths; }},
     {8, [](const Modal& m) { return m.length_on ? 43.0 : 49.0; }},
     {9, cycle_code},
@@ -234,8 +234,8 @@ std::optional<double> ModalVariables::read(std::string_view name) const {
 }
 
 std::optional<double> ModalVariables::read(int number) const {
-  if (uncertain_.count(number) > 0) return kUncertain;
-  if ((modal_.offsets_uncertain || !knows_unit()) && is_offset(number)) return kUncertain;
+  if (unknown_.count(number) > 0) return kUnknown;
+  if ((modal_.unknown.has_any(kOffsets) || !knows_unit()) && is_offset(number)) return kUnknown;
   if (const auto offset = offset_variable(number, modal_.state, dialect_))
     return *offset->value / (offset->unit * unit());
   return dialect_ == Dialect::fanuc ? read_fanuc(number) : read_linuxcnc(number);
@@ -247,7 +247,7 @@ double ModalVariables::unit() const noexcept {
 }
 
 bool ModalVariables::knows_unit() const noexcept {
-  return dialect_ != Dialect::fanuc || !modal_.doubted.has(Group::units);
+  return dialect_ != Dialect::fanuc || !modal_.unknown.has(Part::units);
 }
 
 double ModalVariables::fanuc_unit(int number) const {
@@ -259,16 +259,17 @@ std::optional<double> ModalVariables::read_linuxcnc(int number) const {
   if (number == kActive) return modal_.state.active + 1;
   if (number == kLoadedTool) return loaded_tool(modal_);
   if (number == kDiameter) return diameter();
-  if (const int axis = axis_in(number, kPosition); axis >= 0) return program_position(modal_, axis);
+  if (const int axis = axis_in(number, kFirstPosition); axis >= 0)
+    return program_position(modal_, axis);
   if (const int axis = axis_in(number, kToolOffset); axis >= 0) return modal_.tool_offset[axis];
-  const bool lacking = (number >= kPosition && number < kPositionEnd) ||
+  const bool lacking = (number >= kFirstPosition && number < kPositionEnd) ||
                        (number >= kToolOffset && number < kToolEnd);
   return lacking ? std::optional(0.0) : std::nullopt;  // of axes and of a lathe's tools
 }
 
 /// Of the tool in the spindle, mm.
 double ModalVariables::diameter() const {
-  if (modal_.uncertain.has('T')) return kUncertain;
+  if (modal_.unknown.has(Part::tool)) return kUnknown;
   return 2 * tools().radius(modal_.loaded_tool.value_or(0)).value_or(0);
 }
 
@@ -277,7 +278,7 @@ std::optional<double> ModalVariables::read_fanuc(int number) const {
     if (const int axis = axis_in(number, first); axis >= 0) return program_position(modal_, axis);
   if (const int axis = axis_in(number, kMachine); axis >= 0) return machine_position(modal_, axis);
   if (const int axis = axis_in(number, kLength); axis >= 0)
-    return knows_unit() ? modal_.tool_offset[axis] / unit() : kUncertain;
+    return knows_unit() ? modal_.tool_offset[axis] / unit() : kUnknown;
   if (axis_in(number, kCommon) >= 0) return 0;
   if (number >= kKept && number < kKeptEnd) {
     const auto kept = modal_.state.parameters.find(number);
@@ -318,10 +319,10 @@ double ModalVariables::limit(int number) const {
 /// A vacant offset is 0.
 bool ModalVariables::write(int number, double value) {
   if (!is_offset(number) && dialect_ != Dialect::fanuc) return false;
-  uncertain_.erase(number);
-  if (is_uncertain(value) || (is_offset(number) && !knows_unit())) {
-    uncertain_.insert(number);
-    if (is_offset(number)) modal_.doubt_offsets();
+  unknown_.erase(number);
+  if (is_unknown(value) || (is_offset(number) && !knows_unit())) {
+    unknown_.insert(number);
+    if (is_offset(number)) modal_.unknown.add(Part::shift);
     return true;
   }
   if (!is_offset(number)) return write_fanuc(number, value);
@@ -331,7 +332,7 @@ bool ModalVariables::write(int number, double value) {
 }
 
 void ModalVariables::keep(int number, double value) {
-  if (!is_uncertain(value)) modal_.state.parameters[number] = value;
+  if (!is_unknown(value)) modal_.state.parameters[number] = value;
 }
 
 /// Expects a number that is_offset().

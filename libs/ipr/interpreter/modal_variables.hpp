@@ -10,7 +10,7 @@
 
 namespace softcnc::ipr {
 
-/// What an error has made unknown is kUncertain. Offsets, lengths and radii are in mm, as a machine
+/// What an error has made unknown is kUnknown. Offsets, lengths and radii are in mm, as a machine
 /// keeps them, in the fanuc dialect in the units of the program; rotations are in degrees, the rest
 /// is in the units of the program.
 class ModalVariables final : public SystemVariables {
@@ -42,7 +42,7 @@ class ModalVariables final : public SystemVariables {
   Modal& modal_;
   const Machine& machine_;
   Dialect dialect_;
-  std::set<int> uncertain_;  // numbers of variables that an error has left without a value
+  std::set<int> unknown_;  // numbers of variables that an error has left without a value
 };
 
 }  // namespace softcnc::ipr

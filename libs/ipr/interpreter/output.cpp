@@ -11,31 +11,22 @@ namespace softcnc::ipr {
   text_ = line.text;
   source_ = line.words.empty() ? SourcePos{line.number, 1, 1} : line.words.front().pos;
   source_ = diagnostics_.in_calls(source_);
-  failed_ = muted_ = hushed_ = false;
-  certain_ = true;
+  failed_ = false;
+  errors_ = 0;
   if (!closed_) kept_ = blocks_.size();
 }
 
 void Output::end() {
   if (closed_) return;
-  if (failed()) {
-    if (refused_moves_ != nullptr && !muted_ && !compensation_.on()) show_moves();
-    drop();
-  }
+  if (failed_) drop();
   if (compensation_.on()) compensate();
 }
 
 /// Hands over the blocks of the line.
 void Output::compensate() {
   for (std::size_t i = kept_; i < blocks_.size(); ++i)
-    compensation_.follow(std::move(blocks_[i]), text_, certain_);
+    compensation_.follow(std::move(blocks_[i]), text_);
   drop();
-}
-
-void Output::show_moves() const {
-  for (std::size_t i = kept_; i < blocks_.size(); ++i)
-    if (const Move* move = std::get_if<Move>(&blocks_[i].what))
-      refused_moves_->see(*move, blocks_[i].source);
 }
 
 void Output::drop() {
@@ -44,26 +35,21 @@ void Output::drop() {
 
 std::optional<AxisVector> Output::stop_compensation() {
   if (!compensation_.on()) return std::nullopt;
-  if (failed()) drop();
+  if (failed_) drop();
   compensate();
   return compensation_.stop();
 }
 
 void Output::report(Code code, SourcePos pos, std::string message) {
-  if (!muted()) report_by_itself(code, pos, std::move(message));
-}
-
-void Output::report_by_itself(Code code, SourcePos pos, std::string message) {
-  if (code_info(code).severity == Severity::error) failed_ = true;
+  if (code_info(code).severity == Severity::error) {
+    failed_ = true;
+    ++errors_;
+  }
   diagnostics_.report(code, pos, std::move(message), text_);
 }
 
-void Output::report_way(Code code, SourcePos pos, std::string message) {
-  if (!muted_ && (!hushed_ || way_is_certain_)) report_by_itself(code, pos, std::move(message));
-}
-
 void Output::report(Code code, SourcePos pos, std::string message, std::string_view source_line) {
-  if (!muted()) diagnostics_.report(code, pos, std::move(message), source_line);
+  diagnostics_.report(code, pos, std::move(message), source_line);
 }
 
 std::optional<Block> Output::pop() {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "ipr/codes/handlers.hpp"
-#include "ipr/codes/lost_codes.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -17,24 +16,15 @@ double turning(const Modes& modes) {
   return modes.spindle_direction * modes.spindle_speed.value_or(0);
 }
 
-/// That one of them was not set when they were saved may have been told since.
-Letters uncertain_of(const SavedModes& saved, Letters told) {
-  Letters uncertain;
-  for (const char letter : {'F', 'S'})
-    if (saved.uncertain.has(letter)) uncertain.add(letter);
-  if (told.has('F') && saved.modes.feed <= 0) uncertain.add('F');
-  if (told.has('S') && turning(saved.modes) == 0) uncertain.add('S');
-  return uncertain;
-}
-
 void restore(Modal& modal, const SavedModes& saved) {
-  const Letters uncertain = uncertain_of(saved, modal.uncertain);
+  constexpr Unknown kNotSaved{Part::motion, Part::tool, Part::x, Part::y, Part::z, Part::end};
+  Unknown unknown = saved.unknown.without(kNotSaved);
+  for (const Part part : {Part::motion, Part::tool, Part::x, Part::y, Part::z, Part::end})
+    if (modal.unknown.has(part)) unknown.add(part);
   static_cast<Modes&>(modal) = saved.modes;
   modal.state.active = saved.work_system;
   modal.state.shift_on = saved.shift_on;
-  modal.uncertain = modal.uncertain.without("FS");
-  modal.uncertain |= uncertain;
-  if (saved.offsets_uncertain) modal.doubt_offsets();
+  modal.unknown = unknown;
   modal.update_coordinates();
 }
 
@@ -63,8 +53,7 @@ SavedModes modes_of(const Modal& modal) {
   saved.modes = modal;
   saved.work_system = modal.state.active;
   saved.shift_on = modal.state.shift_on;
-  saved.uncertain = modal.uncertain;
-  saved.offsets_uncertain = modal.offsets_uncertain;
+  saved.unknown = modal.unknown;
   return saved;
 }
 
@@ -86,23 +75,15 @@ void follow_restored(const Modes& before, Modal& modal, Output& out, const Sourc
 void SavedLevels::end_call(const SourcePos& pos) {
   const std::optional<SavedModes> ended = std::move(modal_.saved.back());
   modal_.saved.pop_back();
-  if (ended && ended->lost) return miss_call();
   if (!ended || !ended->automatic) return;
   if (!modal_.restored) modal_.restored = Restored{modal_, pos};
   restore(modal_, *ended);
 }
 
-void SavedLevels::lose_save() {
-  modal_.saved.back() = modes_of(modal_);
-  modal_.saved.back()->lost = true;
-}
-
 void SavedLevels::miss_call() {
-  if (modal_.curve) modal_.curve->broken = modal_.curve->knots_uncertain = true;
-  if (modal_.points) modal_.points->broken = true;
-  if (!modal_.curve && !modal_.points) modal_.motion = modal_.motion_below = nullptr;
-  modal_.uncertain |= "FGMST";
-  modal_.doubt(kModesOfG);
+  modal_.curve.reset();
+  modal_.points.reset();
+  modal_.unknown = kEverything;
 }
 
 /// M70, M73.
@@ -122,10 +103,8 @@ void restore_modes(Task& task) {
     restore(modal, *saved);
     return follow_restored(before, modal, task.out, task.out.source());
   }
-  report_if_certain(task, "M", Code::SC2115, task.word.pos,
-                    "M72 restores modes, and no M70 or M73 has saved any at this level of calls");
-  modal.doubt_offsets();
-  modal.uncertain |= "FS";
+  task.out.report(Code::SC2115, task.word.pos,
+                  "M72 restores modes, and no M70 or M73 has saved any at this level of calls");
 }
 
 }  // namespace softcnc::ipr

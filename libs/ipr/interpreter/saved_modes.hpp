@@ -17,8 +17,6 @@ class SavedLevels final : public CallObserver {
   void begin_call() override { modal_.saved.emplace_back(); }
   void end_call(const SourcePos& pos) override;
   void miss_call() override;
-  /// A code that cannot be read may have saved the modes of this level.
-  void lose_save();
 
  private:
   Modal& modal_;

@@ -133,12 +133,6 @@ void Library::search_on(int file, const std::string& label, bool program) {
 
 void Library::learn(Text& text, const Line& line) {
   const Statement* statement = line.statement;
-  if (statement == nullptr && parser_.file() == 0 && names_sub_alone(line.text))
-    sub_without_label_ = true;
-  const bool misspelt = statement != nullptr && statement->kind == Kind::misspelt;
-  if (misspelt && misspelt_.size() < kMostMissing) misspelt_.push_back(*statement);
-  const bool ends = statement != nullptr && statement->kind == Kind::end_sub;
-  if (ends && ends_.size() < kMostMissing) ends_.insert(statement->label);
   if (!begins_subprogram(statement)) return;
   const bool program = statement->kind == Kind::program;
   auto& known = program ? text.programs : text.subs;
@@ -203,11 +197,6 @@ std::vector<Subprogram> Library::all_of_program() {
   while (const auto line = parser_.next_statement())
     if (begins_subprogram(line->statement)) all.push_back(begun_by(*line->statement));
   return all;
-}
-
-bool Library::may_be_misspelt(std::string_view label) const {
-  return std::any_of(misspelt_.begin(), misspelt_.end(),
-                     [&](const Statement& one) { return may_be_of(one, label); });
 }
 
 std::string Library::nearest(const std::string& label) const {

@@ -60,12 +60,6 @@ class Library {
   /// All of the program's own file, in the order of their lines, those of one name too. The
   /// parser's place is lost.
   std::vector<Subprogram> all_of_program();
-  /// An endsub of this label has been seen.
-  bool has_end(const std::string& label) const { return ends_.contains(label); }
-  /// A ` sub` without a label has been seen in the program's own file.
-  bool has_sub_without_label() const noexcept { return sub_without_label_; }
-  /// A line of this label whose keyword cannot be read may be the beginning of such.
-  bool may_be_misspelt(std::string_view label) const;
   /// The known label that resembles one that is not; empty if none does.
   std::string nearest(const std::string& label) const;
 
@@ -104,12 +98,9 @@ class Library {
   CalledTexts own_;
   CalledTexts* called_;
   bool lost_ = false;
-  bool sub_without_label_ = false;
   std::map<int, Text> texts_;                        // by SourcePos::file
   std::map<std::string, int, std::less<>> file_of_;  // by name in the folder; -1: unreadable
   std::set<std::string> missing_;
-  std::set<std::string> ends_;       // labels of endsubs, of all texts
-  std::vector<Statement> misspelt_;  // of all texts
 };
 
 }  // namespace softcnc::ipr

@@ -23,10 +23,9 @@ struct Move {
   bool rapid = false;  // G00: only axis limits bind
   double feed = 0;     // mm/s along the path, as programmed; unused for rapids
   Join join = Join::follow;
-  double corner_tolerance = 0;    // mm: how far the next joint may be rounded (G64 P)
-  double chord_tolerance = 0;     // mm: how far joined chords may stray (G64 Q)
-  bool feed_override = true;      // false: the feed is as programmed, whatever the override (M49)
-  std::uint8_t unknown_axes = 0;  // by bit: an error has left open where the axis is
+  double corner_tolerance = 0;  // mm: how far the next joint may be rounded (G64 P)
+  double chord_tolerance = 0;   // mm: how far joined chords may stray (G64 Q)
+  bool feed_override = true;    // false: the feed is as programmed, whatever the override (M49)
   std::optional<Surface> surface{};  // of G06.4, on cutting moves
   bool exact = false;                // asked for by G61, G61.1 or G09: no corner may be rounded
 };
