@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "ipr/codes/handlers.hpp"
+#include "ipr/handlers/handlers.hpp"
 #include "ipr/interpret.hpp"
 #include "support/property.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipr/interpreter/coordinates.hpp"
+#include "ipr/state/coordinates.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>

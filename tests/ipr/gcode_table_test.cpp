@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The table of codes: sound in itself, found by its numbers, told in docs/gcode.md.
-#include "ipr/codes/gcode_table.hpp"
+#include "ipr/codes/gcode.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What programs read of position, offsets and modes.
-#include "ipr/interpreter/modal_variables.hpp"
+#include "ipr/state/modal_variables.hpp"
 
 #include <catch2/catch.hpp>
 

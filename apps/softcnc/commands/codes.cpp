@@ -6,7 +6,7 @@
 #include <cctype>
 
 #include "commands/commands.hpp"
-#include "ipr/codes/gcode_table.hpp"
+#include "ipr/codes/gcode.hpp"
 #include "output/messages.hpp"
 #include "output/standard_error.hpp"
 

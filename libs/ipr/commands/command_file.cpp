@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ipr/codes/handlers.hpp"
+#include "ipr/handlers/handlers.hpp"
 #include "motion/core/units.hpp"
 #include "motion/geometry/spline.hpp"
 

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <utility>
 
-#include "ipr/codes/handlers.hpp"
 #include "ipr/compensation/corner.hpp"
 #include "ipr/compensation/entry.hpp"
+#include "ipr/text/number.hpp"
 
 namespace softcnc::ipr {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ipr/codes/handlers.hpp"
+#include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "ipr/codes/handlers.hpp"
+#include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "ipr/codes/handlers.hpp"
+#include "ipr/handlers/handlers.hpp"
 #include "motion/core/units.hpp"
 #include "motion/roughness/roughness.hpp"
 

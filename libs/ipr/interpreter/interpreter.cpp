@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "ipr/codes/handlers.hpp"
-#include "ipr/state/operands.hpp"
+#include "ipr/handlers/handlers.hpp"
+#include "ipr/lines/operands.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -70,7 +70,7 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       levels_(modal_),
       flow_(parser, diagnostics,
             {options_.folder, options_.called, machine.program.block_limit, &levels_,
-             options_.unreachable_too, options_.lines_run}) {
+             options_.unreachable_too}) {
   modal_.state = std::move(state);
   modal_.update_coordinates();
   modal_.corner_tolerance = modal_.chord_tolerance = machine.control.corner_tolerance;

@@ -8,31 +8,20 @@
 #include <string>
 #include <vector>
 
-#include "ipr/codes/command.hpp"
 #include "ipr/commands/command_file.hpp"
 #include "ipr/commands/format.hpp"
 #include "ipr/expressions/dialect.hpp"
 #include "ipr/flow/flow.hpp"
-#include "ipr/interpreter/modal.hpp"
-#include "ipr/interpreter/modal_variables.hpp"
-#include "ipr/interpreter/output.hpp"
-#include "ipr/interpreter/saved_modes.hpp"
+#include "ipr/handlers/saved_modes.hpp"
+#include "ipr/lines/command.hpp"
+#include "ipr/lines/options.hpp"
+#include "ipr/lines/output.hpp"
 #include "ipr/parser/parser.hpp"
+#include "ipr/state/modal.hpp"
+#include "ipr/state/modal_variables.hpp"
 #include "motion/model/machine.hpp"
 
 namespace softcnc::ipr {
-
-struct InterpreterOptions {
-  bool block_skip = false;     // leave out lines that begin with '/'
-  bool optional_stop = false;  // M01 stops
-  Dialect dialect = Dialect::linuxcnc;
-  Format format = Format::automatic;
-  bool compare_dialects = false;  // warn where a line means something else in the other one
-  bool unreachable_too = false;   // read lines that are never run as well, for their errors
-  std::string folder = {};        // where files lie that the program calls; empty: it can call none
-  CalledTexts* called = nullptr;  // where their texts are kept; must outlive the interpreter
-  std::stop_token stop = {};      // to read no further: waiting() then
-};
 
 class Interpreter {
  public:

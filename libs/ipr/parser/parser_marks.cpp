@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "ipr/codes/gcode_table.hpp"
+#include "ipr/codes/gcode.hpp"
 #include "ipr/parser/parser.hpp"
 #include "ipr/text/text_errors.hpp"
 

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "ipr/codes/handlers.hpp"
 #include "ipr/expressions/dialect_differences.hpp"
 #include "ipr/parser/parser.hpp"
+#include "ipr/text/number.hpp"
+#include "ipr/text/text_errors.hpp"
 
 namespace softcnc::ipr {
 namespace {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cassert>
 #include <limits>
+#include <utility>
 
 #include "motion/core/utf8.hpp"
 
@@ -283,7 +284,12 @@ void Diagnostics::tell_held() {
   };
   std::stable_sort(held_.begin(), held_.end(),
                    [&](const Diagnostic& a, const Diagnostic& b) { return column(a) < column(b); });
-  for (Diagnostic& diagnostic : held_) tell(std::move(diagnostic));
+  bool erroneous = false;
+  for (Diagnostic& diagnostic : held_) {
+    const bool error = diagnostic.severity() == Severity::error;
+    if (error && std::exchange(erroneous, true)) continue;
+    tell(std::move(diagnostic));
+  }
   held_.clear();
 }
 

@@ -108,8 +108,9 @@ class Diagnostics {
   /// From here on lines may be read again: what has been told of a place is not told again.
   void lines_repeat() noexcept { lines_repeat_ = true; }
 
-  /// From here to release() what is told of one line is kept back, and told by its columns; what is
-  /// told of the line as a whole comes last.
+  /// From here to release() what is reported of one line is kept back. Then it is shown in the
+  /// order of its columns, and of several errors only the first: the others may follow from it.
+  /// What is reported of the line as a whole comes last.
   void hold() noexcept { holding_ = true; }
   void release();
 
