@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values of expressions, precedence in both dialects, and where a fault is told.
+// Values of expressions, precedence in both dialects, and where a fault is reported.
 #include "ipr/expressions/expression.hpp"
 
 #include <catch2/catch.hpp>

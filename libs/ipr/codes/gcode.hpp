@@ -121,6 +121,9 @@ constexpr bool is_canned_cycle(const GCode& code) noexcept {
   return code.group == Group::motion && code.number >= 730 && code.number <= 890;
 }
 
+/// Known, and not supported: it reports why.
+constexpr bool is_refused(const GCode& code) noexcept { return code.says.starts_with("Refused"); }
+
 /// G65, G66 and G66.1: what stands behind them on the line are arguments, no codes.
 constexpr bool calls_macro(const GCode& code) noexcept {
   return code.letter == 'G' && (code.number == 650 || code.number == 660 || code.number == 661);

@@ -69,7 +69,8 @@ void Flow::remember_end() {
 
 /// What cannot be read may have begun or ended something.
 void Flow::note_unread(const Line& line) {
-  if (line.statement == nullptr && !looks_like_statement(line.text)) return;
+  const bool names_label = line.unread.has('O') && line.unread != kAllLetters;
+  if (line.statement == nullptr && !looks_like_statement(line.text) && !names_label) return;
   lose_order();
   if (line.statement == nullptr) structure_unknown_ = true;
 }

@@ -88,6 +88,7 @@ class Flow {
   bool broke_off() const noexcept { return broken_ || parser_.broke_off(); }
   /// After an error it is not known which lines are executed, or whether the program has ended.
   void lose_order() noexcept;
+  bool order_unknown() const noexcept { return order_unknown_; }
   const Parameters& parameters() const noexcept { return parser_.parameters(); }
   /// Files that have been called: their names in the folder.
   std::vector<std::string> called_files() const { return library_.files(); }

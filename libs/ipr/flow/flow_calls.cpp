@@ -36,6 +36,7 @@ void Flow::pass_definition() {
   moved_ = true;
   while (const auto line = parser_.next_statement()) {
     const Statement* inner = line->statement;
+    if (line->broken && inner == nullptr) structure_unknown_ = true;
     if (inner == nullptr) continue;
     if (inner->kind == Kind::program && inner->label == statement_.label && nested.line == 0 &&
         !next) {
@@ -122,6 +123,10 @@ std::optional<Subprogram> Flow::find(const std::string& label, bool program,
   auto sub = library_.find(label, program, call, text_);
   if (library_.is_lost()) ended_ = broken_ = true;
   if (sub || diagnostics_.errors() > errors || structure_unknown_) return sub;
+  if (options_.unreachable_too && library_.has_unread_label()) {  // reported where it is read
+    lose_order();
+    return sub;
+  }
   if (!missing_.insert(label).second) return sub;
   const std::string nearest = library_.nearest(label);
   report(Code::SC2301, call,

@@ -316,6 +316,7 @@ bool Flow::has_loop_number() {
   const std::string& label = statement_.label;
   if (statement_.kind != Kind::loop_begin || label == "1" || label == "2" || label == "3")
     return true;
+  if (label.empty()) return false;
   report_structure(label, Code::SC2312, statement_.pos,
                    "'DO " + label + "': a loop is numbered 1, 2 or 3", text_);
   return false;

@@ -16,6 +16,7 @@ bool Flow::pass_to(Wanted wanted) {
     const auto line = parser_.next_statement();
     if (!line) return false;
     const Kind kind = line->statement ? line->statement->kind : Kind::none;
+    if (line->broken && kind == Kind::none) structure_unknown_ = true;
     if (!definition.empty()) {
       if (kind == Kind::end_sub && line->statement->label == definition) definition.clear();
     } else if (wanted(*line)) {

@@ -35,11 +35,13 @@ std::optional<Line> Flow::next_uncalled() {
   while (!uncalled_.empty()) {
     if (!reading_uncalled_ && !go_to_uncalled(uncalled_.front())) return std::nullopt;
     reading_uncalled_ = true;
+    const int errors = diagnostics_.errors();
     auto line = read_unreachable();
     if (line) remember(*line);
     if (line && !ends_uncalled(*line)) {
       const bool label_unknown = line->statement != nullptr && line->statement->label_computed;
-      if (line->broken || label_unknown) note_unread(*line);
+      if (diagnostics_.errors() > errors || label_unknown) note_unread(*line);
+      if (label_unknown) structure_unknown_ = true;
       if (line->statement == nullptr) return line;
       check_order(*line);
       continue;

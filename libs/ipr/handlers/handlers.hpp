@@ -38,6 +38,9 @@ void cancel_motion(Task& task);
 /// Of a move that cannot be made, for something is unknown: keeps for each axis whether it is known
 /// where it leads. False: the code moves on more than its own line, or in a cycle.
 bool follow_unmade_move(Task& task);
+/// Keeps for each axis with a word of these letters whether it is known where that leads, and
+/// where.
+void follow_axes(const Command& command, Modal& modal, Letters letters);
 /// Along a line to a place in machine coordinates; a line of no length gives no block.
 void move_straight(Task& task, const AxisVector& to, bool rapid);
 

@@ -40,36 +40,47 @@ void line(Task& task, bool rapid) {
 }
 
 /// Whether it is known where a word leads along its axis.
-bool is_known(const Task& task, int axis) {
-  const Modal& modal = task.modal;
+bool is_known(const Command& command, const Modal& modal, int axis) {
   Unknown needed{Part::units, Part::distance};
   if (modal.incremental) needed.add(position_part(axis));
   if (!modal.machine_coordinates) needed |= kOffsets;
   return !modal.unknown.has_any(needed) && !modal.coordinates.rotated() &&
-         !task.command.unread().has(axis_letter(axis));
+         !command.unread().has(axis_letter(axis));
+}
+
+double place_along(const Command& command, const Modal& modal, int axis) {
+  const double value = command.values()[axis_letter(axis)] * modal.mm_per_unit;
+  if (modal.incremental) return modal.position[axis] + value;
+  return (modal.machine_coordinates ? 0 : modal.coordinates.sum()[axis]) + value;
 }
 
 }  // namespace
 
+void follow_axes(const Command& command, Modal& modal, Letters letters) {
+  for (int axis = 0; axis < kAxes; ++axis) {
+    if (!letters.has(axis_letter(axis))) continue;
+    const bool known = is_known(command, modal, axis);
+    const double place = known ? place_along(command, modal, axis) : kFarthest;
+    if (std::abs(place) < kFarthest) {
+      modal.position[axis] = place;
+      modal.unknown.remove(position_part(axis));
+    } else {
+      modal.unknown.add(position_part(axis));
+    }
+  }
+}
+
 bool follow_unmade_move(Task& task) {
   constexpr int kLastOfOneLine = 51;  // G05.1
-  if (task.code.number > kLastOfOneLine) return false;
-  begin_motion(task);
-  task.modal.unknown.remove(Part::motion);
+  const bool cycle = is_canned_cycle(task.code);
+  if (is_refused(task.code) || (task.code.number > kLastOfOneLine && !cycle)) return false;
+  if (cycle) task.modal.unknown.add(Part::cycle_words);
   task.out.fail();
-  Modal& modal = task.modal;
-  for (int axis = 0; axis < kAxes; ++axis) {
-    const char letter = axis_letter(axis);
-    const bool named = task.values.has(letter) || task.command.unread().has(letter);
-    if (!named) continue;
-    const bool known = is_known(task, axis);
-    known ? modal.unknown.remove(position_part(axis)) : modal.unknown.add(position_part(axis));
-    if (!known) continue;
-    const double value = task.values[letter] * modal.mm_per_unit;
-    const double zero = modal.machine_coordinates ? 0 : modal.coordinates.sum()[axis];
-    const double place = modal.incremental ? modal.position[axis] + value : zero + value;
-    if (std::abs(place) <= kFarthest) modal.position[axis] = place;
-  }
+  Letters named = task.values.letters();
+  named |= task.command.unread();
+  const char across = axis_letter(plane_axes(task.modal.plane).across);
+  if (cycle) named.remove(across);
+  follow_axes(task.command, task.modal, named);
   return true;
 }
 

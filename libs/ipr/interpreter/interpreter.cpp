@@ -51,6 +51,15 @@ std::string used_by_none(Letters letters) {
                       [](const Word& word) { return kActing.has(word.letter); });
 }
 
+/// Along which points differ from the first.
+Unknown axes_of(const std::vector<AxisVector>& points) noexcept {
+  Unknown axes;
+  for (const AxisVector& point : points)
+    for (int axis = 0; axis < kAxes; ++axis)
+      if (point[axis] != points.front()[axis]) axes.add(position_part(axis));
+  return axes;
+}
+
 bool is_straight(const GCode& code) noexcept {
   constexpr int kG01 = 10;
   return code.letter == 'G' && code.number <= kG01;
@@ -152,6 +161,8 @@ bool Interpreter::report_restored(const Line& next) {
   command_.read(line, options_.dialect, out_);
   if (modal_.ended) return;  // it is only read
   modal_.unknown |= command_.unknown();
+  if (command_.unknown().has(Part::end)) flow_.lose_order();
+  const bool in_curve = modal_.curve || modal_.points;
   if (command_.probes()) parser_.parameters().lose_probed_point();
   if (line.broken) out_.fail();
   if (out_.failed()) leave_curve();
@@ -167,7 +178,8 @@ bool Interpreter::report_restored(const Line& next) {
   modal_.unknown |= command_.unknown();
   if (out_.failed()) {
     leave_curve();
-    leave_contour();
+    if (in_curve) lose_motion();
+    if (command_.has(Group::motion)) leave_contour();
   }
   out_.end();
   if (!modal_.ended) return;
@@ -179,10 +191,15 @@ bool Interpreter::report_restored(const Line& next) {
 /// A curve over several lines of which one has an error: whether it goes on is not known.
 [[gnu::cold]] void Interpreter::leave_curve() {
   if (!modal_.curve && !modal_.points) return;
+  modal_.unknown |= axes_of(modal_.curve ? modal_.curve->spec.control : modal_.points->points);
+  modal_.unknown |= set_by(command_.values().letters());
   modal_.curve.reset();
   modal_.points.reset();
+  lose_motion();
+}
+
+void Interpreter::lose_motion() noexcept {
   modal_.motion = nullptr;
-  modal_.unknown |= kPosition;
   modal_.unknown.add(Part::motion);
 }
 
@@ -210,8 +227,7 @@ void Interpreter::find_motion() {
   const Letters unused = command_.unused(options_.dialect);
   if (unused.empty()) return;
   if (modal_.unknown.has(Part::motion)) {
-    modal_.unknown |= set_by(unused);
-    return;
+    return follow_axes(command_, modal_, unused);
   }
   const GCode* motion = command_.has(Group::cycle) ? behind_g80() : modal_.motion;
   if (motion == nullptr && fanuc_goes_to_machine_point()) motion = find_gcode('G', 0);
@@ -285,15 +301,23 @@ void Interpreter::execute() {
 void Interpreter::act(Task& task) {
   const GCode& code = task.code;
   const bool unread = command_.unread().has_any(code.words);
-  if (unread || modal_.unknown.has_any(operands(code, command_, modal_))) return skip(task);
+  if (unread || modal_.unknown.has_any(operands(code, command_, modal_))) {
+    const bool begins = code.group == Group::motion && !settled(code).empty();
+    if (begins) begin_motion(task);
+    if (begins) modal_.unknown.remove(Part::motion);
+    return skip(task);
+  }
   if (!modal_.unknown.empty()) modal_.unknown = modal_.unknown.without(settled(code));
   if (code.act == nullptr) return;
   const int errors = out_.errors();
+  const AxisVector position = modal_.position;
   code.act(task);
-  if (out_.errors() > errors) modal_.unknown |= results(code, command_);
+  if (out_.errors() == errors) return;
+  modal_.position = position;
+  skip(task);
 }
 
-/// A code that cannot act; of a move along one line it may be known where it ends.
+/// A code that cannot act, or has reported an error; of a move it may be known where it ends.
 [[gnu::cold]] void Interpreter::skip(Task& task) {
   if (task.code.group == Group::motion && follow_unmade_move(task)) return;
   modal_.unknown |= results(task.code, command_);
@@ -316,7 +340,7 @@ void Interpreter::finish() {
   const bool broke_off = flow_.broke_off();
   if (modal_.curve && !broke_off) end_pending_curve(modal_, out_);
   if (modal_.points && !broke_off) end_pending_points(modal_, out_);
-  if (!broke_off && !modal_.unknown.has(Part::end))
+  if (!broke_off && !modal_.unknown.has(Part::end) && !flow_.order_unknown())
     out_.report(Code::SC2205, {line.number, 0, 1}, "the program ends without M02 or M30");
   out_.end();
   out_.begin(line);

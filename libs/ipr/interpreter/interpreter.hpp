@@ -63,6 +63,7 @@ class Interpreter {
   void act(Task& task);
   void skip(Task& task);
   void leave_curve();
+  void lose_motion() noexcept;
   void leave_contour();
   bool report_restored(const Line& next);
   bool begins_data_input() const noexcept;

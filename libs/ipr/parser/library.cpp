@@ -133,6 +133,7 @@ void Library::search_on(int file, const std::string& label, bool program) {
 
 void Library::learn(Text& text, const Line& line) {
   const Statement* statement = line.statement;
+  if (statement == nullptr && line.broken) unread_label_ = true;
   if (!begins_subprogram(statement)) return;
   const bool program = statement->kind == Kind::program;
   auto& known = program ? text.programs : text.subs;

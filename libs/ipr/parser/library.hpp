@@ -60,6 +60,8 @@ class Library {
   /// All of the program's own file, in the order of their lines, those of one name too. The
   /// parser's place is lost.
   std::vector<Subprogram> all_of_program();
+  /// A line has been seen whose label or keyword cannot be read: it may begin any subprogram.
+  bool has_unread_label() const noexcept { return unread_label_; }
   /// The known label that resembles one that is not; empty if none does.
   std::string nearest(const std::string& label) const;
 
@@ -97,7 +99,7 @@ class Library {
   std::string folder_;
   CalledTexts own_;
   CalledTexts* called_;
-  bool lost_ = false;
+  bool lost_ = false, unread_label_ = false;
   std::map<int, Text> texts_;                        // by SourcePos::file
   std::map<std::string, int, std::less<>> file_of_;  // by name in the folder; -1: unreadable
   std::set<std::string> missing_;

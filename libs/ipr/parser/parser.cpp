@@ -109,7 +109,7 @@ bool Parser::is_readable() {
   if (!encoding.empty()) {
     refuse_file(encoding);
   } else if (reader_->line_was_cut()) {
-    give_up(Code::SC1015, 0, 0,
+    give_up(Code::SC1015, 1, 1,
             "the line is longer than " + std::to_string(Reader::kLongestLine) + " bytes");
   }
   return !given_up_;
@@ -119,7 +119,7 @@ bool Parser::is_readable() {
 void Parser::refuse_file(std::string_view encoding) {
   line_.text = {};
   TextFault fault = wide_fault(encoding);
-  give_up(fault.code, 0, 0, std::move(fault.message));
+  give_up(fault.code, 1, 1, std::move(fault.message));
   ended_ = broke_off_ = true;
 }
 

@@ -131,7 +131,7 @@ class Parser {
   bool goes_on_after_end();
   Token read_slash(Lexer& lexer, const Token& slash);
   bool has_word_before(const Token& token) const noexcept;
-  bool refuse_name(Lexer& lexer, const Token& letter);
+  bool refuse_name(const Token& letter);
   bool refuse_operation(Lexer& lexer, int begin);
   void refuse_missing_number(const Token& letter, const Token& instead);
   void refuse_exponent(Lexer& lexer, const Token& letter);
@@ -146,7 +146,6 @@ class Parser {
   void report(Code code, int column, int length, std::string message);
   void report(const std::optional<Fault>& fault);
   void lose_rest();
-  void lose(const std::optional<Variable>& variable);
 
   void name_file() noexcept;
 

@@ -89,14 +89,14 @@ void Parser::refuse_exponent(Lexer& lexer, const Token& letter) {
 }
 
 /// What is neither a keyword nor a letter and its value; false where it is none.
-bool Parser::refuse_name(Lexer& lexer, const Token& letter) {
+bool Parser::refuse_name(const Token& letter) {
   const std::string_view letters = letters_at(line_.text, letter);
   if (!is_name(line_.text, letter, letters)) return false;
   give_up(Code::SC1020, letter.column, static_cast<int>(letters.size()),
           writes_to_device(letters)
               ? quoted(letters) + " writes to a device, and there is none"
               : quoted(letters) + " is no keyword and no function" + title_meant(line_.number));
-  lexer.take_letters();
+  if (writes_to_device(letters)) line_.unread = {};
   return true;
 }
 

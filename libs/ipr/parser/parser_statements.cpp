@@ -146,7 +146,7 @@ std::optional<Token> Parser::read_keyword(Lexer& lexer, const Token& letter) {
 /// What stands after a THEN whose condition is false does not count; where the condition is not
 /// known, nor is what the line does.
 Token Parser::read_consequence(Lexer& lexer, bool known) {
-  if (known && only_read_) return lexer.next();
+  if (only_read_) return lexer.next();
   line_.passed_over = known;
   if (!known) lose_rest();
   return {};
@@ -155,7 +155,10 @@ Token Parser::read_consequence(Lexer& lexer, bool known) {
 /// Hands over what has been read of a statement.
 void Parser::settle(const StatementReader& reader, Lexer& lexer) {
   if (statement_.kind != Statement::Kind::none) line_.statement = &statement_;
-  if (depth_ == Depth::outline) return;
+  if (depth_ == Depth::outline) {
+    line_.broken = reader.broke_off();
+    return;
+  }
   if (reader.broke_off()) return give_up(reader.fault(), lexer);
   report(reader.fault());
   if (statement_.unknown) line_.broken = true;

@@ -46,7 +46,7 @@ Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) 
   }
   if (first.kind == Token::Kind::letter) {
     if (const auto after = read_keyword(lexer, letter)) return *after;
-    if (refuse_name(lexer, letter)) return {};
+    if (refuse_name(letter)) return {};
   }
   first.kind == Token::Kind::number ? refuse_number(letter, first)
                                     : refuse_missing_number(letter, first);

@@ -27,8 +27,9 @@ enum class Part : std::uint8_t {
   saved_modes,  // M70, M73
   x,
   y,
-  z,    // the position along each axis
-  end,  // whether the program has ended: M02, M30
+  z,            // the position along each axis
+  cycle_words,  // what a canned cycle keeps from hole to hole
+  end,          // whether the program has ended: M02, M30
 };
 
 /// A set of parts. The one rule of errors: an operation with an unknown operand makes what it would
@@ -69,10 +70,10 @@ inline constexpr Unknown kOffsets{Part::tool_length, Part::work_system, Part::sh
 inline constexpr Unknown kCoordinates{Part::units, Part::distance, Part::tool_length,
                                       Part::work_system, Part::shift};
 inline constexpr Unknown kEverything{
-    Part::motion,    Part::plane,       Part::units,       Part::distance, Part::centres,
-    Part::feed_mode, Part::feed,        Part::speed,       Part::spindle,  Part::tool,
-    Part::cutter,    Part::tool_length, Part::work_system, Part::shift,    Part::saved_modes,
-    Part::x,         Part::y,           Part::z,           Part::end};
+    Part::motion,      Part::plane,       Part::units,       Part::distance, Part::centres,
+    Part::feed_mode,   Part::feed,        Part::speed,       Part::spindle,  Part::tool,
+    Part::cutter,      Part::tool_length, Part::work_system, Part::shift,    Part::saved_modes,
+    Part::cycle_words, Part::x,           Part::y,           Part::z,        Part::end};
 
 /// The position along an axis: 0 is X.
 constexpr Part position_part(int axis) noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is told of a program that lacks only its end.
+// What is reported of a program that lacks only its end.
 #pragma once
 
 #include "ipr/interpret.hpp"
@@ -7,7 +7,7 @@
 namespace softcnc::ipr {
 
 /// The places of its diagnostics; M30 is added to the text.
-inline Places told(std::string text, Dialect dialect = Dialect::linuxcnc) {
+inline Places reported(std::string text, Dialect dialect = Dialect::linuxcnc) {
   InterpreterOptions options;
   options.dialect = dialect;
   return places(interpret(std::move(text) + "\nM30\n", Machine{}, options));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lines that mean something else in the other dialect: each kind is told where it stands, and only
-// where both dialects go on, each to a place of its own.
+// Lines that mean something else in the other dialect: each kind is reported where it stands, and
+// only where both dialects go on, each to a place of its own.
 #include "ipr/expressions/dialect_differences.hpp"
 
 #include <algorithm>
@@ -80,7 +80,7 @@ struct Case {
   Contradiction kind;
   std::string program;
   std::string place;   // "SC1032 1:5"
-  std::string detail;  // behind the words of the table, in linuxcnc
+  std::string detail;  // after the words of the table, in linuxcnc
 };
 
 const std::vector<Case> kCases{
@@ -153,7 +153,7 @@ std::string words_of(const ContradictionRow& row, Dialect dialect) {
 
 }  // namespace
 
-TEST_CASE("what means something else in the other dialect is told, and is something else",
+TEST_CASE("what means something else in the other dialect is reported, and is something else",
           "[ipr][contradictions]") {
   for (const Case& example : kCases) {
     const ContradictionRow& row = contradiction_table()[static_cast<std::size_t>(example.kind)];
@@ -190,7 +190,8 @@ TEST_CASE("every contradiction has an example", "[ipr][contradictions]") {
   CHECK(seen.size() == contradiction_table().size());
 }
 
-TEST_CASE("a contradiction is told once, with the number of its lines", "[ipr][contradictions]") {
+TEST_CASE("a contradiction is reported once, with the number of its lines",
+          "[ipr][contradictions]") {
   const Interpreted result = run(
       "G4 P1\nG53 G1 X1 F100\nG4 P2\no1 repeat [3]\nG4 P3\no1 endrepeat\nM30", Dialect::linuxcnc);
   CHECK(places(result) == Places{"SC2120 1:4", "SC2127 2:1"});
@@ -222,7 +223,7 @@ TEST_CASE("what one dialect refuses is no contradiction", "[ipr][contradictions]
   }
 }
 
-TEST_CASE("a program that the dialects read otherwise is told of", "[ipr][contradictions][good]") {
+TEST_CASE("a program that the dialects read otherwise is reported", "[ipr][contradictions][good]") {
   int differ = 0;
   for (const char* folder : {"/tests/good", "/tests/dialects", "/tests/bad", "/programs"})
     for (const auto& entry :
