@@ -44,7 +44,7 @@ Interpreted run(const std::string& text, Dialect dialect, bool compare = true) {
 struct Print {
   std::string operator()(const Move& move) const {
     std::string text = move.rapid ? "rapid" : "feed " + std::to_string(move.feed);
-    if (move.join == Join::stop) text += " stop";
+    if (move.path_mode == PathMode::stop) text += " stop";
     for (const double value : end(move.path)) text += ' ' + std::to_string(value);
     return text + ' ' + std::to_string(length(move.path)) + '\n';
   }

@@ -9,7 +9,7 @@ namespace softcnc::ipr {
 TEST_CASE("the start state is mm and absolute", "[ipr][modes]") {
   const auto moves = moves_of("G00 X1\nX1 Y1\nM30\n");
   CHECK(end(moves[1].path) == AxisVector(1, 1, 0));
-  CHECK(moves[1].join == Join::follow);
+  CHECK(moves[1].path_mode == PathMode::follow);
 }
 
 TEST_CASE("inches count for every word of their line, F too", "[ipr][modes]") {
@@ -33,18 +33,18 @@ TEST_CASE("G91 adds to the position, G90 does not", "[ipr][modes]") {
 
 TEST_CASE("in the fanuc dialect G61 stops at every end", "[ipr][modes][fanuc]") {
   const auto moves = moves_of("G61 G00 X1\nX2\nG64 X3\nM30\n", {}, {.dialect = Dialect::fanuc});
-  CHECK(moves[0].join == Join::stop);
-  CHECK(moves[1].join == Join::stop);
-  CHECK(moves[2].join == Join::follow);
+  CHECK(moves[0].path_mode == PathMode::stop);
+  CHECK(moves[1].path_mode == PathMode::stop);
+  CHECK(moves[2].path_mode == PathMode::follow);
 }
 
 TEST_CASE("G61.1 stops at every end, G61 and G64 follow the path", "[ipr][modes]") {
   const auto moves = moves_of("G00 X1\nG61.1 X2\nX3\nG61 X4\nG61.1\nG64 X5\nM30\n");
-  CHECK(moves[0].join == Join::follow);
-  CHECK(moves[1].join == Join::stop);
-  CHECK(moves[2].join == Join::stop);
-  CHECK(moves[3].join == Join::follow);
-  CHECK(moves[4].join == Join::follow);
+  CHECK(moves[0].path_mode == PathMode::follow);
+  CHECK(moves[1].path_mode == PathMode::stop);
+  CHECK(moves[2].path_mode == PathMode::stop);
+  CHECK(moves[3].path_mode == PathMode::follow);
+  CHECK(moves[4].path_mode == PathMode::follow);
 }
 
 TEST_CASE("a feed above the limit is held at it, with one warning a file", "[ipr][modes]") {
@@ -86,7 +86,7 @@ TEST_CASE("G64 takes its tolerances in the units in force", "[ipr][modes]") {
   check(5, 0.25, 0.25);
   check(6, 0.25, 25.4);
   check(7, 0, 0);
-  CHECK(moves[7].join == Join::stop);
+  CHECK(moves[7].path_mode == PathMode::stop);
 }
 
 TEST_CASE("M49 and M50 P0 take the feed override away, M48 and M50 give it back", "[ipr][modes]") {
@@ -108,10 +108,10 @@ TEST_CASE("in the fanuc dialect G09 ends its own block at rest", "[ipr][modes][f
   const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
   const auto moves = moves_of("F100\nG09 G1 X1\nX2\nG09 G0 X3\nG1 X4\nM30\n", {}, fanuc);
   REQUIRE(moves.size() == 4);
-  CHECK(moves[0].join == Join::stop);
-  CHECK(moves[1].join == Join::follow);
-  CHECK(moves[2].join == Join::stop);
-  CHECK(moves[3].join == Join::follow);
+  CHECK(moves[0].path_mode == PathMode::stop);
+  CHECK(moves[1].path_mode == PathMode::follow);
+  CHECK(moves[2].path_mode == PathMode::stop);
+  CHECK(moves[3].path_mode == PathMode::follow);
 }
 
 }  // namespace softcnc::ipr

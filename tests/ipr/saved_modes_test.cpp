@@ -46,7 +46,7 @@ TEST_CASE("M72 restores every mode but the motion code", "[ipr][saved]") {
   CHECK(place(first + "M70|" + other + "M72|" + kRead) == before);
   CHECK_FALSE(place(first + "M70|" + other + "G90|" + kRead) == before);
   const auto moves = moves_of("G64 P0.1 Q0.2\nM70\nG61.1\nM72\nG0 X1\nM30\n");
-  CHECK(moves[0].join == Join::follow);
+  CHECK(moves[0].path_mode == PathMode::follow);
   CHECK(moves[0].corner_tolerance == 0.1);
   CHECK(moves[0].chord_tolerance == 0.2);
   CHECK(place("G0 X1 F100|M70|G1|M72|X5|G91 X#<_motion_mode>") == AxisVector(15, 0, 0));

@@ -54,10 +54,10 @@ TEST_CASE("R bends the surface across the feed, in program units", "[ipr][surfac
   const auto moves = moves_at_speed(
       "F600 G06.4 D5 J.5 H10 L2\nG01 X1\nG06.4 D5 J.5 H10 L2 R20\nX2\nG06.4 D5 J.5 H10 L2 R-20\n"
       "X3\nG20 G06.4 D.2 J.02 H10 L2 R1\nX4\nG21 G06.5\nM30\n");
-  CHECK(moves[0].surface->bend_across == 0);
-  CHECK(moves[1].surface->bend_across == Approx(0.05));
-  CHECK(moves[2].surface->bend_across == Approx(-0.05));
-  CHECK(moves[3].surface->bend_across == Approx(1 / 25.4));
+  CHECK(moves[0].surface->transverse_curvature == 0);
+  CHECK(moves[1].surface->transverse_curvature == Approx(0.05));
+  CHECK(moves[2].surface->transverse_curvature == Approx(-0.05));
+  CHECK(moves[3].surface->transverse_curvature == Approx(1 / 25.4));
   // On a hill the passes may leave what they could not on a flat surface.
   CHECK(places(interpret("G06.4 D5 J.5 H6 L2\nM30\n")) == Places{"SC3126 1:14"});
   CHECK(places(interpret("G06.4 D5 J.5 H6 L2 R20\nM30\n")) == Places{});
@@ -98,7 +98,7 @@ TEST_CASE("how far passes lie apart is judged without what it does not depend on
 TEST_CASE("in the first block of a NURBS R is the weight", "[ipr][surface]") {
   const auto moves = moves_at_speed("F600 G06.2 P2 K0 X0 D5 J.5 H10 L2 R2\nK0 X1\nK1\nK1\nM30\n");
   REQUIRE(moves[0].surface);
-  CHECK(moves[0].surface->bend_across == 0);
+  CHECK(moves[0].surface->transverse_curvature == 0);
 }
 
 TEST_CASE("radius and teeth left out are those of the tool in the spindle", "[ipr][surface]") {

@@ -186,7 +186,7 @@ void ask_for_surface(Task& task) {
   Surface surface = read_surface(task);
   const auto bend = read_bend_across(task, surface.tool_radius);
   const auto slope = read_slope_across(task);
-  surface.bend_across = bend.value_or(0);
+  surface.transverse_curvature = bend.value_or(0);
   surface.slope_across = slope.value_or(0);
   if (bend && slope)
     keep_surface(task, surface);

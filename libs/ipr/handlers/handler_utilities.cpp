@@ -35,7 +35,7 @@ namespace {
 
 constexpr int kG01 = 10, kG02 = 20, kG03 = 30;
 
-Join join_of(const Modal& modal) { return modal.stops_once ? Join::stop : modal.join; }
+Join join_of(const Modal& modal) { return modal.stops_once ? PathMode::stop : modal.path_mode; }
 bool is_exact(const Modal& modal) { return modal.stops_once || modal.exact_path; }
 
 /// F was 0: reported at it, if it stands on the line. Returns false.

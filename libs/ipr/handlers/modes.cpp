@@ -9,8 +9,8 @@
 namespace softcnc::ipr {
 namespace {
 
-void join_within(Modal& modal, Join join, double corner, double chord, bool exact) {
-  modal.join = join;
+void join_within(Modal& modal, PathMode join, double corner, double chord, bool exact) {
+  modal.path_mode = join;
   modal.corner_tolerance = corner;
   modal.chord_tolerance = chord;
   modal.exact_path = exact;
@@ -62,10 +62,10 @@ void use_incremental_centres(Task& task) { task.modal.absolute_centres = false; 
 void follow_exactly(Task& task) {
   task.out.contradict(Contradiction::exact_stop, task.word.pos);
   const bool fanuc = task.options.dialect == Dialect::fanuc;
-  join_within(task.modal, fanuc ? Join::stop : Join::follow, 0, 0, true);
+  join_within(task.modal, fanuc ? PathMode::stop : PathMode::follow, 0, 0, true);
 }
 
-void stop_exactly(Task& task) { join_within(task.modal, Join::stop, 0, 0, true); }
+void stop_exactly(Task& task) { join_within(task.modal, PathMode::stop, 0, 0, true); }
 
 /// G09.
 void stop_once(Task& task) { task.modal.stops_once = is_of_fanuc(task); }
@@ -74,7 +74,7 @@ void stop_once(Task& task) { task.modal.stops_once = is_of_fanuc(task); }
 void follow_path_within(Task& task) {
   const double corner = tolerance(task, 'P', task.machine.control.corner_tolerance);
   const double chord = tolerance(task, 'Q', corner);
-  join_within(task.modal, Join::follow, corner, chord, false);
+  join_within(task.modal, PathMode::follow, corner, chord, false);
 }
 
 /// M48 on, M49 off; M50 P of the feed, M51 P of the spindle alone.
