@@ -143,7 +143,8 @@ class BlockCutter {
         row1_(std::min(row + Workpiece::kBlock, tile.first_row + tile.rows)) {}
 
   void run() {
-    ideal_ = IdealSurface::near(passes_.centres(), passes_.ball(), middle_x(), middle_y(), reach());
+    ideal_ =
+        IdealSurface::near(passes_.centres(), passes_.ball(), middle_x(), middle_y(), half_width());
     const auto point = ideal_ ? ideal_->at(middle_x(), middle_y()) : std::nullopt;
     if (point) plane_ = {point->slope_x, point->slope_y};
     for (int i = 0; i < Workpiece::kBlock; ++i) rise_[i] = plane_.slope_x * (i * step_);
@@ -157,7 +158,7 @@ class BlockCutter {
  private:
   double middle_x() const noexcept { return step_ * (column0_ + column1_ - 1) / 2; }
   double middle_y() const noexcept { return step_ * (row0_ + row1_ - 1) / 2; }
-  double reach() const noexcept { return step_ * Workpiece::kBlock / 2; }
+  double half_width() const noexcept { return step_ * Workpiece::kBlock / 2; }
   Rectangle place() const noexcept {
     return {column0_ * step_, row0_ * step_, (column1_ - 1) * step_, (row1_ - 1) * step_};
   }

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "apps/shell.hpp"
-#include "ipr/codes/gcode_table.hpp"
+#include "ipr/codes/gcode.hpp"
 #include "motion/core/diagnostic.hpp"
 
 using namespace softcnc;

@@ -1,4 +1,4 @@
-(expect SC3104 8:1, SC3104 13:4)
+(expect SC3104 8:1)
 F600 G00 X0 Y0
 G06.2 P3 K0 X0 Y0
 K0 X1 Y1

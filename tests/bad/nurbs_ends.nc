@@ -1,4 +1,4 @@
-(expect SC3005 4:1, SC3005 13:1)
+(expect SC3005 4:1)
 F600 G00 X0 Y0
 G06.2 P3 K0 X0 Y0
 K0.5 X1 Y1

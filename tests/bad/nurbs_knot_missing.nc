@@ -1,4 +1,4 @@
-(expect SC3102 4:1, SC3102 7:1)
+(expect SC3102 4:1)
 F600 G00 X0 Y0
 G06.2 P2 X0 Y0 K0
 X1 Y1

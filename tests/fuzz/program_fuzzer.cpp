@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.dialect = size % 2 == 0 ? Dialect::linuxcnc : Dialect::fanuc;
   options.block_skip = size % 3 == 0;
   options.optional_stop = options.block_skip;
-  options.unrun_too = options.compare_dialects = size % 5 != 0;
+  options.unreachable_too = options.compare_dialects = size % 5 != 0;
   const std::string broken = broken_invariant(text, options);
   if (broken.empty()) return 0;
   std::fprintf(stderr, "%s\n", broken.c_str());

@@ -57,7 +57,7 @@ TEST_CASE("T selects and M06 changes", "[ipr][actions]") {
   check(actions[1], Action::Kind::tool, 6, 5);
 }
 
-TEST_CASE("coolant and stops are told by their code", "[ipr][actions]") {
+TEST_CASE("coolant and stops are reported by their code", "[ipr][actions]") {
   const auto actions = actions_of("M07\nM08\nM09\nM00\nM02\n");
   REQUIRE(actions.size() == 5);
   check(actions[0], Action::Kind::coolant, 7, 0);

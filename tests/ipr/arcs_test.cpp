@@ -148,13 +148,13 @@ TEST_CASE("in the fanuc dialect a 0 across the plane beside a centre is none",
   const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
   const auto moves = moves_of("G17 G02 X10. Y0 I5. J0 K0 F100\nM30\n", {}, fanuc);
   CHECK(std::get<Arc>(moves.back().path).center() == AxisVector(5, 0, 0));
-  const auto told = [&](const std::string& line, InterpreterOptions options) {
+  const auto reported = [&](const std::string& line, InterpreterOptions options) {
     return places(interpret("F100\n" + line + "\nM30\n", {}, options));
   };
-  CHECK(told("G02 X10 I5 K0", {}) == Places{"SC2105 2:12"});
-  CHECK(told("G02 X10 I5 K1", fanuc) == Places{"SC2105 2:12"});
-  CHECK(told("G02 X10 K0", fanuc) == Places{"SC2105 2:9"});
-  CHECK(told("G02 X10 R5 K0", {}) == Places{"SC2106 2:9"});
+  CHECK(reported("G02 X10 I5 K0", {}) == Places{"SC2105 2:12"});
+  CHECK(reported("G02 X10 I5 K1", fanuc) == Places{"SC2105 2:12"});
+  CHECK(reported("G02 X10 K0", fanuc) == Places{"SC2105 2:9"});
+  CHECK(reported("G02 X10 R5 K0", {}) == Places{"SC2106 2:9"});
 }
 
 }  // namespace softcnc::ipr

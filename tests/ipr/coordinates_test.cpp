@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipr/interpreter/coordinates.hpp"
+#include "ipr/state/coordinates.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>
@@ -27,7 +27,7 @@ TEST_CASE("the offsets of work, shift and tool add up", "[ipr][coordinates]") {
   CHECK(near(coordinates.to_program({111, 32, 66}), {10, 10, 10}));
 }
 
-TEST_CASE("a quarter turn moves X to Y behind the shift and before origin and tool",
+TEST_CASE("a quarter turn moves X to Y after the shift and before origin and tool",
           "[ipr][coordinates]") {
   const Coordinates coordinates({{100, 20, 3}, std::numbers::pi / 2}, {1, 2, 3}, {0, 0, 50});
   CHECK(coordinates.rotated());

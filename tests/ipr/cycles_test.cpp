@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "ipr/codes/handlers.hpp"
+#include "ipr/handlers/handlers.hpp"
 #include "ipr/interpret.hpp"
 
 namespace softcnc::ipr {
@@ -30,7 +30,7 @@ std::string way(const std::string& text, Dialect dialect = Dialect::linuxcnc) {
   return all.substr(head.size());
 }
 
-Places told(const std::string& text, Dialect dialect = Dialect::linuxcnc) {
+Places reported(const std::string& text, Dialect dialect = Dialect::linuxcnc) {
   return places(interpret(text + "\nM02\n", {}, {.dialect = dialect}));
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("G81 drills, and G98 and G99 say how far out", "[ipr][cycles]") {
         "R0,0,2 R0,0,8 R1,0,8 F1,0,-5 R1,0,8 R3,0,8 F3,0,-5 R3,0,8 R4,0,8 F4,0,-5 R4,0,8 ");
 }
 
-TEST_CASE("a row of cycles begins anew behind another motion", "[ipr][cycles]") {
+TEST_CASE("a row of cycles begins anew after another motion", "[ipr][cycles]") {
   CHECK(way("G99 G81 X1 Z-5 R1\nG98 X2\nG00 Z10\nG81 X4 Z-5 R1\nG80\nG81 X5 Z-5 R1") ==
         "R1,0,20 R1,0,1 F1,0,-5 R1,0,1 R2,0,1 F2,0,-5 R2,0,20 R2,0,10 "
         "R4,0,10 R4,0,1 F4,0,-5 R4,0,10 R5,0,10 R5,0,1 F5,0,-5 R5,0,10 ");
@@ -56,7 +56,7 @@ TEST_CASE("words stay in force with their cycle", "[ipr][cycles]") {
         "R1,0,20 R1,0,1 F1,0,-5 D1 R1,0,1 R2,0,1 F2,0,-5 D1 R2,0,1 R3,0,1 F3,0,-5 D2 R3,0,1 ");
   CHECK(way("G81 X1 Z-5 R1\nG81 X2\nZ-6") ==
         "R1,0,20 R1,0,1 F1,0,-5 R1,0,1 R2,0,1 F2,0,-5 R2,0,1 F2,0,-6 R2,0,1 ");
-  CHECK(told("F1 G81 X1 Z-5 R1\nG82 X6 P1") == Places{"SC2005 2:1", "SC2005 2:1"});
+  CHECK(reported("F1 G81 X1 Z-5 R1\nG82 X6 P1") == Places{"SC2005 2:1"});
 }
 
 TEST_CASE("repeats step on in G91, whose R counts from the start and Z from R", "[ipr][cycles]") {
@@ -112,8 +112,8 @@ TEST_CASE("a cycle leads away from a contour", "[ipr][cycles]") {
 }
 
 TEST_CASE("a cycle that would never end is refused", "[ipr][cycles]") {
-  CHECK(told("F1 G83 X1 Z-100 R1 Q0.0001") == Places{"SC2007 1:4"});
-  CHECK(told("F1 G91 G81 X1 Z-1 R-1 L999999") == Places{"SC2007 1:8"});
+  CHECK(reported("F1 G83 X1 Z-100 R1 Q0.0001") == Places{"SC2007 1:4"});
+  CHECK(reported("F1 G91 G81 X1 Z-1 R-1 L999999") == Places{"SC2007 1:8"});
 }
 
 TEST_CASE("in G93 a move takes one over F minutes", "[ipr][cycles]") {
@@ -121,8 +121,8 @@ TEST_CASE("in G93 a move takes one over F minutes", "[ipr][cycles]") {
   CHECK(moves[0].feed == Approx(10 * 2 / 60.0));
   CHECK(moves[1].feed == Approx(10 * std::numbers::pi * 0.5 / 60));
   CHECK(moves[2].feed == Approx(1));
-  CHECK(told("G93 G01 X10 F2\nX20") == Places{"SC2102 2:1"});
-  CHECK(told("F100 G93\nG00 X10\nG94 G01 X20") == Places{"SC2102 3:5"});
+  CHECK(reported("G93 G01 X10 F2\nX20") == Places{"SC2102 2:1"});
+  CHECK(reported("F100 G93\nG00 X10\nG94 G01 X20") == Places{"SC2102 3:5"});
 }
 
 TEST_CASE("in G95 the feed is that of the spindle", "[ipr][cycles]") {
@@ -130,7 +130,7 @@ TEST_CASE("in G95 the feed is that of the spindle", "[ipr][cycles]") {
   CHECK(moves[0].feed == Approx(1));
   CHECK(moves[1].feed == Approx(2));
   CHECK(moves[2].feed == Approx(0.254 * 20));
-  CHECK(told("G95 G01 X1 F1") == Places{"SC2222 1:5"});
+  CHECK(reported("G95 G01 X1 F1") == Places{"SC2222 1:5"});
 }
 
 TEST_CASE("FANUC keeps the words of a row from cycle to cycle", "[ipr][cycles][fanuc]") {
@@ -138,11 +138,9 @@ TEST_CASE("FANUC keeps the words of a row from cycle to cycle", "[ipr][cycles][f
         "R1,1,20 R1,1,2 F1,1,-5 R1,1,20 R2,1,20 R2,1,2 F2,1,-5 D0.5 R2,1,20 ");
   CHECK(way("G99 G81 X1 Z-5 R2\nG85 X3", Dialect::fanuc) ==
         "R1,0,20 R1,0,2 F1,0,-5 R1,0,2 R3,0,2 F3,0,-5 F3,0,2 ");
-  CHECK(told("F1 G81 X1 Z-5 R1\nG82 X6\nG80\nG82 X7", Dialect::fanuc) ==
-        Places{"SC2005 4:1", "SC2005 4:1"});
-  CHECK(told("F1 G81 X1 Z-5 R1\nG0 Z9\nG82 X7", Dialect::fanuc) ==
-        Places{"SC2005 3:1", "SC2005 3:1"});
-  CHECK(told("F1 G76 X1 Z-5 R1 Q1\nG81 X2\nX3", Dialect::fanuc) == Places{"SC2161 1:4"});
+  CHECK(reported("F1 G81 X1 Z-5 R1\nG82 X6\nG80\nG82 X7", Dialect::fanuc) == Places{"SC2005 4:1"});
+  CHECK(reported("F1 G81 X1 Z-5 R1\nG0 Z9\nG82 X7", Dialect::fanuc) == Places{"SC2005 3:1"});
+  CHECK(reported("F1 G76 X1 Z-5 R1 Q1\nG81 X2\nX3", Dialect::fanuc) == Places{"SC2161 1:4"});
 }
 
 TEST_CASE("FANUC's G80 gives back the motion from before the cycle", "[ipr][cycles][fanuc]") {
@@ -151,11 +149,12 @@ TEST_CASE("FANUC's G80 gives back the motion from before the cycle", "[ipr][cycl
         "R1,0,20 R1,0,1 F1,0,-5 R1,0,1 R2,0,1 F2,0,-5 R2,0,1 R7,0,1 ");
   CHECK(way("G1 Z1\nG99 G81 X1 Z-5 R0\nG80 X20 Z50", Dialect::fanuc) ==
         "F0,0,1 R1,0,1 R1,0,0 F1,0,-5 R1,0,0 F20,0,50 ");
-  CHECK(told("G80 X20", Dialect::fanuc) == Places{"SC2101 1:5"});
-  CHECK(told("G0 Z1\nG80 X20") == Places{"SC2101 2:5"});
-  CHECK(told("G0 Z1\nG33 Z5 K1\nG80\nX20", Dialect::fanuc) == Places{"SC2114 2:1"});
-  CHECK(told("G0 Z1\nG999\nG80\nX20", Dialect::fanuc) == Places{"SC2001 2:1"});
-  CHECK(told("F1 G6.1 X1\nX2 Y1\nG80\nX20", Dialect::fanuc) == Places{"SC2101 4:1"});
+  CHECK(reported("G80 X20", Dialect::fanuc) == Places{"SC2101 1:5"});
+  CHECK(reported("G0 Z1\nG80 X20") == Places{"SC2101 2:5"});
+  CHECK(reported("G0 Z1\nG33 Z5 K1\nG80\nX20", Dialect::fanuc) ==
+        Places{"SC2114 2:1", "SC2101 4:1"});
+  CHECK(reported("G0 Z1\nG999\nG80\nX20", Dialect::fanuc) == Places{"SC2001 2:1"});
+  CHECK(reported("F1 G6.1 X1\nX2 Y1\nG80\nX20", Dialect::fanuc) == Places{"SC2101 4:1"});
 }
 
 TEST_CASE("FANUC lays a motion before a cycle below it", "[ipr][cycles][fanuc]") {
@@ -165,9 +164,9 @@ TEST_CASE("FANUC lays a motion before a cycle below it", "[ipr][cycles][fanuc]")
         "R5,0,20 R5,0,2 F5,0,-1 R5,0,20 F7,0,20 ");
   CHECK(way("G99 G81 X1 Z-5 R1\nG0 G98 G82 X2 Z-5 R1", Dialect::fanuc) ==
         "R1,0,20 R1,0,1 F1,0,-5 R1,0,1 R2,0,1 F2,0,-5 R2,0,1 ");
-  CHECK(told("F1 G0 G81 X5 Z-1 R2") == Places{"SC2002 1:7"});
-  CHECK(told("F1 G81 G0 X5 Z-1 R2", Dialect::fanuc) == Places{"SC2002 1:8"});
-  CHECK(told("F1 G0 G81 G82 X5 Z-1 R2", Dialect::fanuc) == Places{"SC2002 1:11"});
+  CHECK(reported("F1 G0 G81 X5 Z-1 R2") == Places{"SC2002 1:7"});
+  CHECK(reported("F1 G81 G0 X5 Z-1 R2", Dialect::fanuc) == Places{"SC2002 1:8"});
+  CHECK(reported("F1 G0 G81 G82 X5 Z-1 R2", Dialect::fanuc) == Places{"SC2002 1:11"});
 }
 
 TEST_CASE("FANUC's peck drilling may dwell, and its tapping does not peck",
@@ -176,11 +175,11 @@ TEST_CASE("FANUC's peck drilling may dwell, and its tapping does not peck",
         "R1,0,20 R1,0,2 F1,0,-1 R1,0,2 R1,0,-0.746 F1,0,-4 D0.25 R1,0,20 ");
   CHECK(way("G99 G73 X1 Z-1 R2 Q3. P250", Dialect::fanuc) ==
         "R1,0,20 R1,0,2 F1,0,-1 D0.25 R1,0,2 ");
-  CHECK(told("F1 G83 X1 Z-1 R2 Q3 P1\nX2") == Places{"SC2004 1:21"});
-  CHECK(told("S9 M3\nF1 G84 X1 Z-1 R1 Q1", Dialect::fanuc) == Places{"SC2114 2:18"});
-  CHECK(told("S9 M3\nF1 G84 X1 Z-1 R1 Q0", Dialect::fanuc).empty());
-  CHECK(told("S9 M3\nF1 G84 X1 Z-1 R1 Q0") == Places{"SC2004 2:18"});
-  CHECK(told("M29 S500\nF1 G84 X1 Z-1 R1", Dialect::fanuc) == Places{"SC2114 1:1"});
+  CHECK(reported("F1 G83 X1 Z-1 R2 Q3 P1\nX2") == Places{"SC2004 1:21"});
+  CHECK(reported("S9 M3\nF1 G84 X1 Z-1 R1 Q1", Dialect::fanuc) == Places{"SC2114 2:18"});
+  CHECK(reported("S9 M3\nF1 G84 X1 Z-1 R1 Q0", Dialect::fanuc).empty());
+  CHECK(reported("S9 M3\nF1 G84 X1 Z-1 R1 Q0") == Places{"SC2004 2:18"});
+  CHECK(reported("M29 S500\nF1 G84 X1 Z-1 R1", Dialect::fanuc) == Places{"SC2114 1:1"});
 }
 
 TEST_CASE("FANUC's taps and bores go out at the feed to R only", "[ipr][cycles][fanuc]") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values of expressions, precedence in both dialects, and where a fault is told.
+// Values of expressions, precedence in both dialects, and where a fault is reported.
 #include "ipr/expressions/expression.hpp"
 
 #include <catch2/catch.hpp>
@@ -13,7 +13,7 @@
 namespace softcnc::ipr {
 namespace {
 
-/// The value of a whole text; kUncertain where it has none.
+/// The value of a whole text; kUnknown where it has none.
 double value_of(std::string_view text, const Parameters& parameters) {
   Lexer lexer(text);
   Expression expression(lexer, parameters);
@@ -34,7 +34,7 @@ std::string fault_of(std::string_view text, Dialect dialect = Dialect::linuxcnc)
   Expression expression(lexer, parameters);
   const double value = expression.value();
   if (!expression.fault()) return expression.broke_off() ? "mark" : "none";
-  CHECK(is_uncertain(value));
+  CHECK(is_unknown(value));
   const Fault& fault = *expression.fault();
   return "SC" + std::to_string(static_cast<int>(fault.code)) + " " + std::to_string(fault.column) +
          "+" + std::to_string(fault.length);
@@ -290,12 +290,12 @@ TEST_CASE("brackets nest to a limit, not to the end of the stack", "[ipr][expres
 
 TEST_CASE("what rests on an earlier error is no fault again", "[ipr][expression]") {
   Parameters parameters;
-  parameters.write(1, kUncertain);
+  parameters.write(1, kUnknown);
   for (const std::string text : {"#1", "[1/#1]", "-#1", "##1", "SQRT[-#1]", "ATAN[1]/[#1]"}) {
     Lexer lexer(text);
     Expression expression(lexer, parameters);
     INFO(text);
-    CHECK(is_uncertain(expression.value()));
+    CHECK(is_unknown(expression.value()));
     CHECK_FALSE(expression.fault());
     CHECK_FALSE(expression.broke_off());
   }

@@ -141,7 +141,7 @@ class Walker {
   std::size_t steps_ = 0;
 };
 
-/// Writes the tree as a program; subprograms stand before the main lines, or behind M2.
+/// Writes the tree as a program; subprograms stand before the main lines, or after M2.
 class Writer {
  public:
   Writer(const Tree& tree, bool subs_first, bool by_number) : by_number_(by_number) {

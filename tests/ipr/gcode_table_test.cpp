@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The table of codes: sound in itself, found by its numbers, told in docs/gcode.md.
-#include "ipr/codes/gcode_table.hpp"
+// The table of codes: sound in itself, found by its numbers, reported in docs/gcode.md.
+#include "ipr/codes/gcode.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -72,7 +72,7 @@ TEST_CASE("docs/gcode.md shows the table as it is", "[ipr][table][docs]") {
   CHECK(page().find(table_for_users()) != std::string::npos);
 }
 
-TEST_CASE("docs/gcode.md tells the order on a line as it is", "[ipr][table][docs]") {
+TEST_CASE("docs/gcode.md reports the order on a line as it is", "[ipr][table][docs]") {
   std::string order;
   for (const std::string_view name : order_names())
     order += (order.empty() ? ": " : ", ") + std::string(name);

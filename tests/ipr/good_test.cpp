@@ -68,7 +68,7 @@ Interpreted read(const std::filesystem::path& file, bool compare_dialects) {
   return interpret(std::move(*reader), {}, options);
 }
 
-/// Nothing is told, and the blocks are as the comment says.
+/// Nothing is reported, and the blocks are as the comment says.
 void check_file(const std::filesystem::path& file, bool compare_dialects) {
   INFO(file.filename().string());
   const Interpreted result = read(file, compare_dialects);

@@ -80,7 +80,7 @@ TEST_CASE("a '(' inside a comment is part of it, unless a second ')' follows", "
   CHECK(tokens[0].length == 3);
 }
 
-TEST_CASE("marks and strangers are told apart", "[ipr][lexer]") {
+TEST_CASE("marks and strangers are distinguished", "[ipr][lexer]") {
   CHECK(only_kind("/") == Kind::slash);
   CHECK(only_kind("%") == Kind::percent);
   CHECK(only_kind("#") == Kind::macro);

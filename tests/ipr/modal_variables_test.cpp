@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What programs read of position, offsets and modes.
-#include "ipr/interpreter/modal_variables.hpp"
+#include "ipr/state/modal_variables.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -140,10 +140,10 @@ TEST_CASE("offsets are in mm, on FANUC's controls in the units of the program",
             .isApprox(AxisVector(50.8, 50.8, 50.8)));
   CHECK(end_of("G20\n#13002=2\nG21\nG0 X#13002", kFanuc).isApprox(AxisVector(50.8, 0, 0)));
   CHECK(end_of("G20 G0 X2\nG0 Y#5001 Z#5021", kFanuc).isApprox(AxisVector(50.8, 50.8, 50.8)));
-  const auto told = [](const char* text) { return places(interpret(text, {}, kFanuc)); };
-  CHECK(told("G20\n#5221=39370\nM30\n").empty());
-  CHECK(told("G20\n#5221=39371\nM30\n") == Places{"SC3008 2:1"});
-  CHECK(told("G20 G21\n#5221=1\nG00 X[1/#5221] Y[1/#5083]\nM30\n") == Places{"SC2002 1:5"});
+  const auto reported = [](const char* text) { return places(interpret(text, {}, kFanuc)); };
+  CHECK(reported("G20\n#5221=39370\nM30\n").empty());
+  CHECK(reported("G20\n#5221=39371\nM30\n") == Places{"SC3008 2:1"});
+  CHECK(reported("G20 G21\n#5221=1\nG00 X[1/#5221] Y[1/#5083]\nM30\n") == Places{"SC2002 1:5"});
 }
 
 TEST_CASE("common variables of FANUC from #500 on outlive the program", "[ipr][variables]") {

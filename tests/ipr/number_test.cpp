@@ -19,7 +19,7 @@ TEST_CASE("a number is read in every way it is written", "[ipr][number]") {
   CHECK(read_number("999999999.999").value == 999999999.999);
 }
 
-TEST_CASE("blanks inside a number do not count, those behind it are not part of it",
+TEST_CASE("blanks inside a number do not count, those after it are not part of it",
           "[ipr][number]") {
   const Number number = read_number("- 1 0 .\t5  Y3");
   CHECK(number.value == -10.5);
@@ -38,8 +38,8 @@ TEST_CASE("whatever byte follows a number, near or far from the end of the text"
     if (is_number_part(c) || is_blank(c)) continue;
     CAPTURE(byte);
     for (const std::string digits : {"7", "1234567", "12345678", "123456789"})
-      for (const std::string behind : {"", "1", "99999999999"}) {
-        const Number number = read_number("-" + digits + ".25" + c + behind);
+      for (const std::string after : {"", "1", "99999999999"}) {
+        const Number number = read_number("-" + digits + ".25" + c + after);
         CHECK(number.fault == NumberFault::none);
         CHECK(number.length == digits.size() + 4);
         CHECK(number.value == -(std::stod(digits) + 0.25));

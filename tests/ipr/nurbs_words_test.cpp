@@ -109,7 +109,7 @@ TEST_CASE("LinuxCNC's form, with G06.2, P and Q in every block, is the same curv
   CHECK(std::get<Nurbs>(move.path).spec().weights == std::vector<double>{1, 2, 0.5, 1});
 }
 
-TEST_CASE("G06.2 with another P, or behind a block without it, begins another curve",
+TEST_CASE("G06.2 with another P, or after a block without it, begins another curve",
           "[ipr][nurbs]") {
   CHECK(places(interpret("F600\nG06.2 P3 K0 X0\nG06.2 P2 K0 X0\nK0 X1\nK1\nK1\nM30\n")) ==
         Places{"SC3105 3:1"});
@@ -136,7 +136,7 @@ TEST_CASE("a code that does not end motion spoils a curve once", "[ipr][nurbs]")
         Places{"SC3105 3:1"});
 }
 
-TEST_CASE("blocks of a curve that was left too early are not told", "[ipr][nurbs]") {
+TEST_CASE("blocks of a curve that was left too early are not reported", "[ipr][nurbs]") {
   const std::string head = "F600\nG06.2 P2 K0 X0\nK0 X1\n";
   for (const char* code : {"G1", "G2"})
     CHECK(places(interpret(head + code +
@@ -146,12 +146,12 @@ TEST_CASE("blocks of a curve that was left too early are not told", "[ipr][nurbs
         Places{"SC3105 4:1"});
 }
 
-TEST_CASE("of a curve that ends too early only that is told", "[ipr][nurbs]") {
+TEST_CASE("of a curve that ends too early only that is reported", "[ipr][nurbs]") {
   CHECK(places(interpret("F600\nG06.2 P3 K0 X0\nK0 R2\nK0 X2\nK1\nK1\nK1\nG1 X5\nM30\n")) ==
         Places{"SC3002 3:1"});
 }
 
-TEST_CASE("an axis that the first block of a curve lacks is told once", "[ipr][nurbs]") {
+TEST_CASE("an axis that the first block of a curve lacks is reported once", "[ipr][nurbs]") {
   CHECK(places(interpret("F600\nG06.2 P2 K0 X0\nK0 X1 Y1\nK.5 X2 Y2\nK1\nK1\nM30\n")) ==
         Places{"SC3103 3:7"});
 }

@@ -153,9 +153,9 @@ TEST_CASE("calls and lines can be read by name, and only read", "[ipr][parameter
 TEST_CASE("after a lost assignment no name is known to be without a value", "[ipr][parameters]") {
   Parameters parameters;
   CHECK_FALSE(parameters.exists("a"));
-  parameters.doubt();
+  parameters.lose();
   REQUIRE(parameters.read("a"));
-  CHECK(is_uncertain(*parameters.read("a")));
+  CHECK(is_unknown(*parameters.read("a")));
 }
 
 }  // namespace softcnc::ipr

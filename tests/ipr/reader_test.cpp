@@ -80,7 +80,7 @@ TEST_CASE("0x1A ends what comes through a pipe, in whatever pieces", "[ipr][read
   }
 }
 
-TEST_CASE("behind 0x1A a reader that does not wait asks again", "[ipr][reader]") {
+TEST_CASE("after 0x1A a reader that does not wait asks again", "[ipr][reader]") {
   std::array<int, 2> ends{};
   REQUIRE(::pipe(ends.data()) == 0);
   Reader reader(ends[0]);

@@ -55,7 +55,7 @@ TEST_CASE("in a turned work system the axes named are the program's", "[ipr][ref
   CHECK(near(places_of(start + "G28\n").back(), {4, 25, 7}));
 }
 
-TEST_CASE("behind G40 the tool goes home from where it is", "[ipr][reference]") {
+TEST_CASE("after G40 the tool goes home from where it is", "[ipr][reference]") {
   const std::string contour = "F100 G00 X-20\nG41.1 D10 G01 X0 Y0\nX20\nG40\n";
   const auto across = moves_of(contour + "G91 G28 Z5\nM30\n");
   CHECK(near(end(across[across.size() - 2].path), {20, 5, 5}));
@@ -75,7 +75,7 @@ TEST_CASE("in the fanuc dialect G30 takes P2", "[ipr][reference][fanuc]") {
   CHECK(places(interpret("G30 P2 Z0\nM30\n")) == Places{"SC2004 1:5"});
 }
 
-TEST_CASE("in the fanuc dialect G00 and G01 beside G28 are in force behind it",
+TEST_CASE("in the fanuc dialect G00 and G01 beside G28 are in force after it",
           "[ipr][reference][fanuc]") {
   CHECK(places_of("G0 X3 Y4 Z5\nG00 G91 G28 Z0.\nG90 X7\n", kFanuc) ==
         Path{{3, 4, 5}, {3, 4, 0}, {7, 4, 0}});

@@ -27,7 +27,7 @@ AxisVector place(std::string text) {
   return last_place(text + "\nM30\n");
 }
 
-Places told(std::string text) {
+Places reported(std::string text) {
   std::replace(text.begin(), text.end(), '|', '\n');
   return places(interpret(text + "\nM30\n"));
 }
@@ -55,7 +55,7 @@ TEST_CASE("M72 restores every mode but the motion code", "[ipr][saved]") {
 TEST_CASE("M72 restores F and its meaning", "[ipr][saved]") {
   CHECK(moves_of("F120\nM70\nG93\nM72\nG1 X1\nM30\n")[0].feed == 2);
   CHECK(moves_of("G20 F120\nM70\nG21 F5\nM72\nG1 X1\nM30\n")[0].feed == Approx(2 * 25.4));
-  CHECK(told("G93|M70|G94 F100|M72|G1 X1") == Places{"SC2102 5:1"});
+  CHECK(reported("G93|M70|G94 F100|M72|G1 X1") == Places{"SC2102 5:1"});
   CHECK(moves_of("S60 M3 G95 F2\nM70\nG94 F100\nM72\nG1 X1\nM30\n")[0].feed == 2);
 }
 
@@ -98,9 +98,9 @@ TEST_CASE("M72 ends cutter compensation, and takes it up again", "[ipr][saved]")
 }
 
 TEST_CASE("every call has a level of its own", "[ipr][saved][calls]") {
-  CHECK(told("M70|o1 sub|M72|o1 endsub|o1 call") == Places{"SC2115 3:1"});
-  CHECK(told("o1 sub|M70|o1 endsub|o1 call|M72") == Places{"SC2115 5:1"});
-  CHECK(told("M70|M98 P100|M30|O100|M72|M99") == Places{"SC2115 5:1"});
+  CHECK(reported("M70|o1 sub|M72|o1 endsub|o1 call") == Places{"SC2115 3:1"});
+  CHECK(reported("o1 sub|M70|o1 endsub|o1 call|M72") == Places{"SC2115 5:1"});
+  CHECK(reported("M70|M98 P100|M30|O100|M72|M99") == Places{"SC2115 5:1"});
   CHECK(place("o1 sub|M70|G91|M72|o1 endsub|M70|G91|o1 call|M72|G0 X1|X1").x() == 1);
   CHECK(place("M70|G91|M72|G91|M72|G0 X1|X1").x() == 1);
 }
@@ -140,7 +140,7 @@ TEST_CASE("the end of a call switches spindle and coolant back, at its own line"
         "M3 9, M4 -9, M3 9, M5 0, M3 9");
 }
 
-TEST_CASE("a contour goes on behind a call that has switched compensation off",
+TEST_CASE("a contour goes on after a call that has switched compensation off",
           "[ipr][saved][calls]") {
   const std::string text =
       "o1 sub\nM73\nG40 X30 Y9\nM9\no1 endsub\nF100 G1\nG42.1 D2 X10\nX20\nM8\no1 call\nX40\nX50\n"
@@ -164,10 +164,10 @@ TEST_CASE("a call that M73 restores ends the spline in it", "[ipr][saved][calls]
   CHECK(std::get<Action>(blocks[3].what).value == 100);
 }
 
-TEST_CASE("behind M72 that restores nothing its consequences are not told", "[ipr][saved]") {
-  CHECK(told("M72|G1 X1|G2 X10 Y0 I3|G0 X0 Y0|M72") == Places{"SC2115 1:1", "SC2115 5:1"});
-  CHECK(told("M7.0.0|M72") == Places{"SC1004 1:2"});
-  CHECK(told("M70 M70") == Places{"SC2002 1:5"});
+TEST_CASE("after M72 that restores nothing its consequences are not reported", "[ipr][saved]") {
+  CHECK(reported("M72|G1 X1|G2 X10 Y0 I3|G0 X0 Y0|M72") == Places{"SC2115 1:1", "SC2115 5:1"});
+  CHECK(reported("M7.0.0|M72") == Places{"SC1004 1:2"});
+  CHECK(reported("M70 M70") == Places{"SC2002 1:5"});
 }
 
 }  // namespace softcnc::ipr

@@ -62,7 +62,7 @@ Broken read_until_stopped(Reader reader) {
   machine.program.block_limit = std::numeric_limits<int>::max();
   InterpreterOptions options;
   options.stop = stop.token();
-  options.unrun_too = true;
+  options.unreachable_too = true;
   Diagnostics diagnostics;
   Parser parser(reader, diagnostics);
   Interpreter interpreter(parser, machine, diagnostics, options);

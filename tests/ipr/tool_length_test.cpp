@@ -58,17 +58,6 @@ TEST_CASE("a tool that only the machine file knows has no length", "[ipr][tool_l
   CHECK(places(interpret("T5 M06\nM30\n", machine, kFanuc)).empty());
 }
 
-TEST_CASE("under a length that is not known nobody knows where Z is", "[ipr][tool_length]") {
-  const Interpreted result =
-      interpret(kTools + "G43 H9\nG00 X1 Y1 Z5\nG01 X2 F60\nG49\nG00 Z3\nX4\nM30\n");
-  CHECK(places(result) == Places{"SC2112 3:5"});
-  std::vector<int> unknown;
-  for (const Block& block : result.blocks)
-    if (const auto* move = std::get_if<Move>(&block.what)) unknown.push_back(move->unknown_axes);
-  constexpr int kZ = 4;
-  CHECK(unknown == std::vector<int>{kZ, kZ, 0, 0});
-}
-
 TEST_CASE("in the fanuc dialect wear adds, and H is modal", "[ipr][tool_length][fanuc]") {
   const std::string set = "G10 L10 P3 R50\nG10 L11 P3 R-0.25\n";
   CHECK(place(set + "G43 H3\nG00 Z1\n", kFanuc).z() == 50.75);

@@ -98,7 +98,7 @@ int check_all(const Options& options, Shown& out, Messages& messages, SignalWatc
     if (!out.ok()) break;
     const Machine* machine = machines.of(name);
     if (!machine) continue;
-    channel.interpreter.unrun_too = name != "-";  // a pipe ends when it likes
+    channel.interpreter.unreachable_too = name != "-";  // a pipe ends when it likes
     status = worse_status(status,
                           check_program(name, *machine, channel, out, messages, watcher, called));
   }

@@ -6,7 +6,7 @@
 #include <cctype>
 
 #include "commands/commands.hpp"
-#include "ipr/codes/gcode_table.hpp"
+#include "ipr/codes/gcode.hpp"
 #include "messages/messages.hpp"
 #include "messages/standard_output.hpp"
 #include "process/standard_error.hpp"

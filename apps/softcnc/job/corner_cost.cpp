@@ -40,7 +40,7 @@ std::optional<PlannedTimes> plan_rounded(Program& program, const Machine& machin
   ipr::Reader reader = program.reader();
   ipr::Parser parser(reader, silent);
   ipr::InterpreterOptions reading = options.interpreter;
-  reading.compare_dialects = reading.unrun_too = false;
+  reading.compare_dialects = reading.unreachable_too = false;
   ipr::Interpreter interpreter(parser, machine, silent, reading, options.state);
   ipo::Planner planner(machine, options.feed_override, silent);
   TimeKeeper keeper;

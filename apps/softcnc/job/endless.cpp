@@ -2,7 +2,7 @@
 #include "job/endless.hpp"
 
 #include "program/each_block.hpp"
-#include "session/refused_travel.hpp"
+#include "session/unplanned_travel.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -35,7 +35,7 @@ bool is_endless(ipr::Reader& reader, const Machine& machine, const ChannelOption
       [&](const Diagnostic& diagnostic) { endless |= diagnostic.code == Code::SC2310; });
   ipr::Parser parser(reader, silent);
   ipr::InterpreterOptions reading = options.interpreter;
-  reading.compare_dialects = reading.unrun_too = false;
+  reading.compare_dialects = reading.unreachable_too = false;
   ipr::Interpreter interpreter(parser, machine, silent, reading, options.state);
   read(interpreter, watcher, [](const Block&) {});
   return endless;
@@ -43,15 +43,13 @@ bool is_endless(ipr::Reader& reader, const Machine& machine, const ChannelOption
 
 Unplanned read_unplanned(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
                          Diagnostics& diagnostics, Watcher* watcher) {
-  RefusedTravel travel(machine, diagnostics);
+  UnplannedTravel travel(machine, diagnostics);
   ipr::Parser parser(reader, diagnostics);
-  ipr::InterpreterOptions reading = options.interpreter;
-  reading.refused_moves = &travel;
-  ipr::Interpreter interpreter(parser, machine, diagnostics, reading, options.state);
+  ipr::Interpreter interpreter(parser, machine, diagnostics, options.interpreter, options.state);
   read(interpreter, watcher, [&](const Block& block) {
-    if (const Move* move = std::get_if<Move>(&block.what)) travel.see(*move, block.source);
+    if (const Move* move = std::get_if<Move>(&block.what)) travel.check(*move, block.source);
   });
-  return {interpreter.called_files(), interpreter.missing_files(), parser.bytes_read()};
+  return {interpreter.called_files(), interpreter.missing_files()};
 }
 
 }  // namespace softcnc::app

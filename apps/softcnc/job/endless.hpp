@@ -2,7 +2,6 @@
 // Programs that never end: reading shows that in a moment, planning them would take long.
 #pragma once
 
-#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,7 +23,6 @@ bool is_endless(Program& program, const Machine& machine, const ChannelOptions& 
 struct Unplanned {
   std::vector<std::string> called_files;  // as of Outcome
   std::set<std::string> missing_files;
-  std::int64_t bytes_read = 0;  // of lines, those read again among them
 };
 
 /// Reports what reading a program reports, and where its moves would leave the travel.

@@ -5,7 +5,7 @@
 
 #include "job/corner_cost.hpp"
 #include "job/endless.hpp"
-#include "job/held_errors.hpp"
+#include "messages/repeated_errors.hpp"
 #include "session/simulate.hpp"
 #include "session/verification.hpp"
 
@@ -57,7 +57,7 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
                     Messages& messages, Watcher* watcher, PreflightNotes notes) {
   auto backend = hal::open_backend(without_backend(machine));
   if (!backend) return {messages.fail(backend.error()), Outcome()};
-  HeldErrors errors(program, machine, options, messages, watcher);
+  ShownOnce errors(program, messages.sink(program));
   Diagnostics diagnostics(errors.sink());
   diagnostics.set_file(program.name());
   Preflight result;
@@ -67,7 +67,7 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
     result.outcome.called_files = std::move(read.called_files);
     result.outcome.missing_files = std::move(read.missing_files);
     errors.finish();
-    result.status = errors.status();
+    result.status = diagnostics.status();
     return result;
   }
   ipr::Reader reader = program.reader();
@@ -86,7 +86,7 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
     report_corner_cost(program, machine, options, result.outcome, watcher, diagnostics);
   }
   errors.finish();
-  result.status = errors.status();
+  result.status = diagnostics.status();
   return result;
 }
 

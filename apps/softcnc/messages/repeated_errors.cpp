@@ -70,14 +70,6 @@ bool RepeatedErrors::is_foreign(Diagnostic& error) {
   return true;
 }
 
-void RepeatedErrors::forget(const Diagnostic& first) {
-  const auto same = [&](const Cause& cause) {
-    return cause.first.code == first.code && cause.first.pos.line == first.pos.line &&
-           cause.first.message == first.message;
-  };
-  causes_.erase(std::remove_if(causes_.begin(), causes_.end(), same), causes_.end());
-}
-
 std::vector<Diagnostic> RepeatedErrors::notes() const {
   std::vector<Diagnostic> all;
   if (foreign_) return all;

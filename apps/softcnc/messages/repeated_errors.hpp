@@ -23,9 +23,6 @@ class RepeatedErrors {
   /// first error of a program in another control's language becomes one that says so.
   bool takes(Diagnostic& diagnostic);
 
-  /// The cause is none: what was shown of it follows from another error.
-  void forget(const Diagnostic& first);
-
   /// A note for each cause that stands on more lines, in the order in which they came.
   std::vector<Diagnostic> notes() const;
 

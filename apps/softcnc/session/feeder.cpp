@@ -22,11 +22,6 @@ void end_at_rest(Block& block) {
   if (Move* move = std::get_if<Move>(&block.what)) move->path_mode = PathMode::stop;
 }
 
-ipr::InterpreterOptions showing(ipr::InterpreterOptions options, ipr::RefusedMoves& moves) {
-  options.refused_moves = &moves;
-  return options;
-}
-
 double largest_override(const ChannelOptions& options) {
   double largest = options.feed_override;
   for (const FeedEvent& event : options.events)
@@ -42,9 +37,9 @@ Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
       machine_(machine),
       options_(options),
       diagnostics_(diagnostics),
-      refused_(machine, diagnostics),
+      unplanned_travel_(machine, diagnostics),
       parser_(reader, diagnostics),
-      interpreter_(parser_, machine, diagnostics, showing(options.interpreter, refused_),
+      interpreter_(parser_, machine, diagnostics, options.interpreter,
                    options.state),
       planner_(machine, options.feed_override, diagnostics),
       states_(options.state),
@@ -166,7 +161,7 @@ std::optional<Block> Feeder::wait_for_block() {
 /// Reads to the end of a program that has none: planning what it does would take long.
 void Feeder::read_unplanned(std::optional<Block> block) {
   for (; block; block = wait_for_block())
-    if (const Move* move = std::get_if<Move>(&block->what)) refused_.see(*move, block->source);
+    if (const Move* move = std::get_if<Move>(&block->what)) unplanned_travel_.check(*move, block->source);
 }
 
 /// Reads to the end of the program only to find what else is wrong.

@@ -15,7 +15,7 @@
 #include "motion/verification/programmed_path.hpp"
 #include "session/channel_options.hpp"
 #include "session/motion_limit.hpp"
-#include "session/refused_travel.hpp"
+#include "session/unplanned_travel.hpp"
 #include "session/state_history.hpp"
 #include "session/watcher.hpp"
 
@@ -79,7 +79,7 @@ class Feeder {
   const Machine& machine_;
   const ChannelOptions options_;
   Diagnostics& diagnostics_;
-  RefusedTravel refused_;
+  UnplannedTravel unplanned_travel_;
   ipr::Parser parser_;
   ipr::Interpreter interpreter_;
   ipo::Planner planner_;

@@ -13,7 +13,7 @@ namespace {
 
 /// A file that somebody has put there without a thought of this run. What is no regular file loses
 /// nothing by being written to.
-bool is_in_the_way(const std::string& file) {
+bool blocks_default(const std::string& file) {
   struct stat info {};
   return ::lstat(file.c_str(), &info) == 0 && (S_ISREG(info.st_mode) || S_ISLNK(info.st_mode));
 }
@@ -27,7 +27,7 @@ bool writes(const Options& options) {
 Status check_default_file(const hal::FoundMachine& found, const Options& options) {
   if (!found.default_file || !writes(options)) return {};
   const auto [key, file] = backend_file(found.machine);
-  if (!is_in_the_way(file)) return {};
+  if (!blocks_default(file)) return {};
   return tl::make_unexpected(
       Diagnostic{.code = Code::SC6015,
                  .message = "exists already, and you have not named it: name a file with --set " +

@@ -32,7 +32,6 @@ Piece next_stretch(const Piece& curve, double& begin) {
   Move part = make_move(section(whole.path, begin, end), attributes_of(whole));
   const bool is_last = end >= length(whole.path);
   part.path_mode = is_last ? whole.path_mode : PathMode::follow;
-  part.unknown_axes = whole.unknown_axes;
   part.exact = whole.exact;
   begin = end;
   return {{std::move(part), curve.block.source, curve.block.number}, {}, curve.deviation};

@@ -47,7 +47,6 @@ inline Move make_move(Path path, const MoveAttributes& attributes) {
           attributes.corner_tolerance,
           attributes.chord_tolerance,
           attributes.feed_override,
-          0,
           attributes.surface};
 }
 

@@ -43,8 +43,7 @@ std::optional<Diagnostic> check_travel(const Move& move, const Machine& machine)
   const AxisVector begin = start(move.path);
   const auto excess_in = [&](const Extent& box, int i) {
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
-    const bool unknown = (move.unknown_axes >> i & 1) != 0;
-    return axis.present && !unknown ? excess(box, axis, begin, i) : 0;
+    return axis.present ? excess(box, axis, begin, i) : 0;
   };
   const Extent rough = bounds(move.path);
   bool within = true;

@@ -29,7 +29,7 @@ struct Modes {
   double mm_per_unit = 1;  // of programmed lengths
   bool incremental = false;
   bool absolute_centres = false;  // G90.1
-  PathMode join = PathMode::follow;
+  PathMode path_mode = PathMode::follow;
   double corner_tolerance = 0, chord_tolerance = 0;  // mm: of G64
   bool exact_path = false;                           // G61 or G61.1
   FeedMode feed_mode = FeedMode::per_minute;

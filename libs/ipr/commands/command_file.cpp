@@ -7,14 +7,14 @@
 #include <cmath>
 #include <utility>
 
-#include "ipr/codes/handlers.hpp"
+#include "ipr/handlers/handlers.hpp"
 #include "motion/core/units.hpp"
 #include "motion/geometry/spline.hpp"
 
 namespace softcnc::ipr {
 namespace {
 
-using Kind = CommandField::Kind;
+using FieldKind = CommandField::Kind;
 
 constexpr double kShortest = 1e-9;   // mm: a shorter way is none
 constexpr double kFullTurn = 360;    // degrees
@@ -86,7 +86,7 @@ void CommandFile::read_line() {
     spline_.reset();  // a part of it may be on this line
     pass_numbers_ = true;
     feed_told_ = feed_told_ || row_ == nullptr || row_->kind == CommandRow::Kind::feed;
-  } else if (head_.kind == Kind::name) {
+  } else if (head_.kind == FieldKind::name) {
     read_command();
   } else if (numbers_.empty() || pass_numbers_) {
     return;
@@ -120,22 +120,22 @@ bool CommandFile::split() {
   countable_ = true;
   bool good = true;
   CommandLine fields(text_);
-  for (CommandField field = fields.next(); field.kind != Kind::end; field = fields.next()) {
+  for (CommandField field = fields.next(); field.kind != FieldKind::end; field = fields.next()) {
     good = take(std::move(field)) && good;
-    if (head_.kind == Kind::name && row_ == nullptr) return false;  // the rest is no command's
+    if (head_.kind == FieldKind::name && row_ == nullptr) return false;  // the rest is no command's
   }
-  if (!good && countable_ && head_.kind == Kind::name) has_its_numbers(*row_);
+  if (!good && countable_ && head_.kind == FieldKind::name) has_its_numbers(*row_);
   return good;
 }
 
 /// False, and told, if it is none of a line, or out of its place.
 bool CommandFile::take(CommandField&& field) {
-  if (field.kind == Kind::name) return take_name(std::move(field));
-  if (field.kind == Kind::fault && !field.stands_for_number) {
+  if (field.kind == FieldKind::name) return take_name(std::move(field));
+  if (field.kind == FieldKind::fault && !field.stands_for_number) {
     report_stray(field.fault.code, field, std::move(field.fault.message));
     return false;
   }
-  const bool good = field.kind == Kind::number;
+  const bool good = field.kind == FieldKind::number;
   if (!good) {
     countable_ = countable_ && field.fault.code != Code::SC1002;  // `-o0`: what follows is of it
     report(field.fault.code, pos_of(field), std::move(field.fault.message));
@@ -145,7 +145,7 @@ bool CommandFile::take(CommandField&& field) {
 }
 
 bool CommandFile::take_name(CommandField&& name) {
-  if (head_.kind == Kind::end && numbers_.empty()) {
+  if (head_.kind == FieldKind::end && numbers_.empty()) {
     head_ = std::move(name);
     const bool may_be_point = find_row(head_.name) == nullptr && stands_for_digit(head_);
     if (spline_ && !may_be_point) leave_spline(quoted(head_.name) + " too early");
@@ -388,7 +388,7 @@ void CommandFile::leave_spline(const std::string& how) {
 void CommandFile::finish() {
   if (reader_.failure()) diagnostics_.report(*reader_.failure());
   if (spline_) leave_spline("the file ends");
-  block_ = Block{Action{Action::Kind::end, 30, 0}, {line_, 1, 1}, 0};
+  block_ = Block{Action{Action::FieldKind::end, 30, 0}, {line_, 1, 1}, 0};
   ended_ = true;
 }
 

@@ -124,7 +124,7 @@ class Detector {
 
   void decide(std::string_view text) {
     const Shape line = shape_of(text.substr(0, text.find('\0')));  // behind it the file is damaged
-    const Format decided = told_by(line);
+    const Format decided = known_by(line);
     const bool weak = decided != Format::automatic && is_weak(line, decided);
     if (!weak || weak_lines_++ == kMostWeakLines)
       format_ = decided;
@@ -132,7 +132,7 @@ class Detector {
       weak_ = decided;
   }
 
-  Format told_by(const Shape& line) {
+  Format known_by(const Shape& line) {
     const std::string& name = line.name;
     const bool alone = line.numbers == 1 && !line.other;
     const bool of_both = name == "s" || name == "f" || name == "l";

@@ -2,20 +2,11 @@
 // In which of two languages a text is written: G-code, or the commands of paper 003.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
+#include "ipr/lines/options.hpp"
 
 namespace softcnc::ipr {
 
 class Reader;
-
-enum class Format : std::uint8_t { automatic, gcode, commands };
-inline constexpr std::array<std::string_view, 3> kFormatNames{"auto", "gcode", "commands"};
-constexpr std::string_view name(Format format) noexcept {
-  return kFormatNames[static_cast<std::size_t>(format)];
-}
 
 /// Gcode or commands, by the first line that can be only one of them; nothing is taken from the
 /// reader. A feed alone and the first line of a spline whose points are on the next could be both.

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <utility>
 
-#include "ipr/codes/handlers.hpp"
 #include "ipr/compensation/corner.hpp"
 #include "ipr/compensation/entry.hpp"
+#include "ipr/text/number.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -87,9 +87,9 @@ std::optional<AxisVector> Compensation::stop() {
   return beside ? std::optional(tool_) : std::nullopt;
 }
 
-void Compensation::follow(Block block, std::string_view text, bool certain) {
+void Compensation::follow(Block block, std::string_view text) {
   const bool move = std::holds_alternative<Move>(block.what);
-  if (move && on() && mode_->radius > 0) return follow_move(std::move(block), text, certain);
+  if (move && on() && mode_->radius > 0) return follow_move(std::move(block), text);
   if (held_)
     wait(std::move(block), text);
   else
@@ -113,9 +113,9 @@ void Compensation::wait(Block block, std::string_view text) {
   before_.reset();
 }
 
-void Compensation::follow_move(Block block, std::string_view text, bool certain) {
+void Compensation::follow_move(Block block, std::string_view text) {
   const AxisVector from = softcnc::start(path_of(block)), to = softcnc::end(path_of(block));
-  const bool broken = !certain || (from - programmed_).norm() > kShortest;
+  const bool broken = (from - programmed_).norm() > kShortest;
   programmed_ = to;
   if (stays_in_plane(path_of(block), axes_)) {
     if (held_) return wait(std::move(block), text);
@@ -126,7 +126,6 @@ void Compensation::follow_move(Block block, std::string_view text, bool certain)
   if (held_ && broken) let_out_whole();
   if (broken) before_.reset();
   if (first || !held_) tool_ = from;
-  if (!certain) return;
   if (first) return enter(std::move(block), text);
   go_on(std::move(block), text);
 }
@@ -161,16 +160,16 @@ void Compensation::go_on(Block block, std::string_view text) {
   const double across = programmed_[axes_.across];
   Along next{std::move(block), std::string(text), contour, *parallel, across};
   if (held_)
-    join(next);
+    meet(next);
   else
     begin_at(*parallel);
   held_.emplace(std::move(next));
 }
 
-void Compensation::join(Along& next) {
+void Compensation::meet(Along& next) {
   const Corner corner = corner_between(held_->contour, next.contour, mode_->side, mode_->radius);
   if (held_->entry && !held_->contour.is_arc() && corner != Corner::none) {
-    contradictions_.note(Contradiction::entry, held_->block.source, held_->text);
+    differences_.note(DialectDifference::entry, held_->block.source, held_->text);
     if (mode_->square_entry) return let_out(next.parallel.from(), 0);
   }
   switch (corner) {

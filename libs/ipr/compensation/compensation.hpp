@@ -18,17 +18,16 @@ namespace softcnc::ipr {
 /// contour, and what stands behind it, until the next one tells where the move ends.
 class Compensation {
  public:
-  Compensation(Diagnostics& diagnostics, Contradictions& contradictions)
-      : diagnostics_(diagnostics), contradictions_(contradictions) {}
+  Compensation(Diagnostics& diagnostics, DialectDifferences& differences)
+      : diagnostics_(diagnostics), differences_(differences) {}
 
   bool on() const noexcept { return mode_.has_value(); }
   void start(const CutterSide& mode);
   /// Lets everything out. Where the tool then is, mm, if that is beside the programmed position.
   std::optional<AxisVector> stop();
 
-  /// The next block of the program, from a line of this text. What is wrong is reported if it is
-  /// certain that no earlier error is its cause.
-  void follow(Block block, std::string_view text, bool certain);
+  /// The next block of the program, from a line of this text.
+  void follow(Block block, std::string_view text);
   bool has_block() const noexcept { return !ready_.empty(); }
   std::optional<Block> pop();
 
@@ -47,10 +46,10 @@ class Compensation {
   };
 
   void wait(Block block, std::string_view text);
-  void follow_move(Block block, std::string_view text, bool certain);
+  void follow_move(Block block, std::string_view text);
   void enter(Block block, std::string_view text);
   void go_on(Block block, std::string_view text);
-  void join(Along& next);
+  void meet(Along& next);
   void cut_corner(Along& next);
   void begin_at(const PlaneCurve& parallel);
   void turn_around(const Along& next);
@@ -66,7 +65,7 @@ class Compensation {
   void report(Code code, const Block& block, std::string_view text, std::string message);
 
   Diagnostics& diagnostics_;
-  Contradictions& contradictions_;
+  DialectDifferences& differences_;
   std::optional<CutterSide> mode_;
   PlaneAxes axes_{};
   bool entered_ = false;                        // the first move in the plane has been seen

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ipr/codes/handlers.hpp"
+#include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -37,8 +37,8 @@ bool is_switch(const Task& task) {
 }
 
 void note_switch(Task& task) {
-  if (task.modal.look_ahead_told) return;
-  task.modal.look_ahead_told = true;
+  if (task.modal.look_ahead_reported) return;
+  task.modal.look_ahead_reported = true;
   task.out.report(
       Code::SC3115, task.word.pos,
       code_name(task.code) + " has no effect: softcnc looks ahead over the whole program anyway");
@@ -68,12 +68,12 @@ bool needs_both(Task& task, Pair pair) {
   return false;
 }
 
-/// The way that two words lead, mm, in machine coordinates.
-AxisVector way(const Task& task, const PlaneAxes& axes, Pair pair) {
-  AxisVector way = AxisVector::Zero();
-  way[axes.first] = task.values.value_or(pair.first, 0) * task.modal.mm_per_unit;
-  way[axes.second] = task.values.value_or(pair.second, 0) * task.modal.mm_per_unit;
-  return task.modal.coordinates.direction(way);
+/// The offset that two words give, mm, in machine coordinates.
+AxisVector offset_of(const Task& task, const PlaneAxes& axes, Pair pair) {
+  AxisVector offset = AxisVector::Zero();
+  offset[axes.first] = task.values.value_or(pair.first, 0) * task.modal.mm_per_unit;
+  offset[axes.second] = task.values.value_or(pair.second, 0) * task.modal.mm_per_unit;
+  return task.modal.coordinates.direction(offset);
 }
 
 void emit_bezier(Task& task, std::vector<AxisVector> control) {
@@ -86,8 +86,7 @@ void emit_bezier(Task& task, std::vector<AxisVector> control) {
   spec.control = std::move(control);
   Result<Nurbs> made = Nurbs::make(std::move(spec));
   if (made) return emit_move(task, std::move(*made));
-  report_if_certain(task, kAxisWords, made.error().code, task.word.pos,
-                    std::move(made.error().message));
+  task.out.report(made.error().code, task.word.pos, std::move(made.error().message));
 }
 
 /// From the position to the first control point: as written, or on from the G05 before. Nothing,
@@ -97,11 +96,11 @@ std::optional<AxisVector> first_handle(Task& task, const PlaneAxes& axes, bool g
   const Letters words = task.values.letters();
   if (words.has(start.first) || words.has(start.second)) {
     if (!needs_both(task, start)) return std::nullopt;
-    return way(task, axes, start);
+    return offset_of(task, axes, start);
   }
   if (goes_on) return task.modal.curve_end->handle;
-  report_if_certain(task, "GXYZ", Code::SC3118, task.word.pos,
-                    "G05 without " + names(start) + " goes on from no G05");
+  task.out.report(Code::SC3118, task.word.pos,
+                  "G05 without " + names(start) + " goes on from no G05");
   return std::nullopt;
 }
 
@@ -117,14 +116,14 @@ void cubic_curve(Task& task, const PlaneAxes& axes, const AxisVector& to) {
   const auto handle = first_handle(task, axes, goes_on);
   if (!handle) return;
   const AxisVector& from = task.modal.position;
-  emit_bezier(task, {from, from + *handle, to + way(task, axes, {'P', 'Q'}), to});
+  emit_bezier(task, {from, from + *handle, to + offset_of(task, axes, {'P', 'Q'}), to});
 }
 
 void quadratic_curve(Task& task, const PlaneAxes& axes, const AxisVector& to) {
   const Pair start = start_letters(axes);
   if (!needs_both(task, start)) return;
   const AxisVector& from = task.modal.position;
-  emit_bezier(task, {from, from + way(task, axes, start), to});
+  emit_bezier(task, {from, from + offset_of(task, axes, start), to});
 }
 
 /// What the dialects make of it: a curve is drawn only where true is returned.
@@ -147,7 +146,7 @@ template <typename Draw>
 void draw(Task& task, Draw draw_curve) {
   const PlaneAxes axes = plane_axes(task.modal.plane);
   const AxisVector to = end_point(task);
-  if (knows_plane(task) && has_plane_axes(task, axes) && is_in_plane(task, axes)) {
+  if (has_plane_axes(task, axes) && is_in_plane(task, axes)) {
     has_feed(task);
     if (has_near_lengths(task, "IJKPQ")) draw_curve(task, axes, to);
   }
@@ -162,7 +161,7 @@ void switch_look_ahead(Task& task) {
   if (!is_of_fanuc(task)) return;
   const double wanted = task.values.value_or('P', -1);
   if (wanted == 0 || wanted == 1) return note_switch(task);
-  report_words(task, "P", Code::SC2007, task.word.pos, "G08 takes P1 or P0");
+  task.out.report(Code::SC2007, task.word.pos, "G08 takes P1 or P0");
 }
 
 void cubic(Task& task) {
@@ -170,7 +169,7 @@ void cubic(Task& task) {
   draw(task, cubic_curve);
   const PlaneAxes axes = plane_axes(task.modal.plane);
   task.modal.curve_end =
-      CurveEnd{task.modal.position, -way(task, axes, {'P', 'Q'}), task.modal.plane};
+      CurveEnd{task.modal.position, -offset_of(task, axes, {'P', 'Q'}), task.modal.plane};
 }
 
 void quadratic(Task& task) {

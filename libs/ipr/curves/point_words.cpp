@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "ipr/codes/handlers.hpp"
+#include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -20,24 +20,12 @@ PendingPoints& begin_points(Task& task) {
   curve.code = &task.code;
   curve.points.push_back(task.modal.position);
   curve.head = curve_head(task);
-  if (task.modal.start_uncertain) {
-    curve.broken = true;
-    curve.lost_axes |= kAxisWords;
-  }
   return curve;
 }
 
 void forget_points(Modal& modal) {
   modal.points.reset();
   modal.motion = nullptr;
-}
-
-/// That has been told; that points of the curve follow has not to be.
-void leave_points(Modal& modal) {
-  const bool by_control = modal.points->code->number == kControlPoints;
-  forget_points(modal);
-  modal.uncertain.add('G');
-  if (by_control) modal.words_of_left_curve = "PL";
 }
 
 std::string name_of(const PendingPoints& curve) { return code_name(*curve.code); }
@@ -67,20 +55,10 @@ void emit_points(Modal& modal, Output& out, PendingPoints& curve) {
     out.emit_before(cutting_move(modal, std::move(*made), curve.head.feed), curve.head.source);
 }
 
-/// A spline goes through its points, but its way between them hangs on every coordinate of all;
-/// control points have only their first and last on the curve.
-void show_broken_points(const Modal& modal, const Output& out, PendingPoints& curve) {
-  const bool by_control = curve.code->number == kControlPoints;
-  if (!by_control && !curve.lost_axes.empty()) curve.misshapen = true;
-  std::vector<AxisVector> certain = curve.points;
-  if (by_control) certain = {curve.points.front(), curve.points.back()};
-  show_broken(modal, out, curve, make_curve(curve), certain);
-}
-
 /// Its block stands before those of the line at which the curve has ended.
 void finish_points(Modal& modal, Output& out) {
   PendingPoints& curve = *modal.points;
-  curve.broken ? show_broken_points(modal, out, curve) : emit_points(modal, out, curve);
+  emit_points(modal, out, curve);
   forget_points(modal);
 }
 
@@ -98,11 +76,10 @@ int read_control_order(Task& task) {
   return 0;
 }
 
-double read_control_weight(Task& task, PendingPoints& curve) {
+double read_control_weight(Task& task) {
   const Word& word = task.values.word('P');
   if (word.value > 0) return word.value;
   report_word(task, 'P', Code::SC3007, "P, the weight of a control point, must be above 0");
-  curve.misshapen = true;
   return 1;
 }
 
@@ -110,13 +87,11 @@ double read_control_weight(Task& task, PendingPoints& curve) {
 void begin_control_points(Task& task) {
   PendingPoints& curve = begin_points(task);
   curve.order = read_control_order(task);
-  curve.misshapen = curve.order == 0;
   const bool of_start = task.values.has('P') && !task.values.letters().has_any(kAxisWords);
-  curve.weights.push_back(of_start ? read_control_weight(task, curve) : 1);
+  curve.weights.push_back(of_start ? read_control_weight(task) : 1);
 }
 
 bool has_control_words(Task& task) {
-  if (!knows_plane(task)) return false;
   const PlaneAxes axes = plane_axes(task.modal.plane);
   for (const int axis : {axes.first, axes.second}) {
     const char letter = axis_letter(axis);
@@ -133,15 +108,10 @@ bool has_control_words(Task& task) {
 /// In G91 a distance from the start of the curve, as in LinuxCNC, whose position stays there.
 void add_control_point(Task& task, PendingPoints& curve) {
   const bool given = has_control_words(task);
-  if (!given) curve.lost_axes |= kAxisWords;
   if (task.modal.incremental) task.modal.position = curve.points.front();
   task.modal.position = end_point(task);
-  const double weight = given ? read_control_weight(task, curve) : 1;
-  if (curve.points.size() == kMostCurvePoints) {
-    if (!curve.broken) report_too_many(task);
-    curve.misshapen = true;
-    return;
-  }
+  const double weight = given ? read_control_weight(task) : 1;
+  if (curve.points.size() == kMostCurvePoints) return report_too_many(task);
   curve.points.push_back(task.modal.position);
   curve.weights.push_back(weight);
 }
@@ -161,16 +131,13 @@ void add_spline_point(Task& task, PendingPoints& curve) {
   if (start) return;
   const bool same = (point - curve.points.back()).norm() < kSplineSamePoint;
   task.modal.position = point;
-  if (same) curve.misshapen = true;
-  if (same && !curve.broken && !task.modal.uncertain.has_any(kAxisWords))
-    report_words(task, kAxisWords, Code::SC2351, span_of(task.values, "XYZ"),
-                 "the point of the spline is the one before it");
+  if (same)
+    task.out.report(Code::SC2351, span_of(task.values, "XYZ"),
+                    "the point of the spline is the one before it");
   if (curve.points.size() < kMaxSplinePoints) return curve.points.push_back(point);
-  curve.misshapen = true;
-  if (!curve.broken)
-    task.out.report(Code::SC3120, span_of(task.values, "XYZ"),
-                    "a spline goes through " + std::to_string(kMaxSplinePoints) +
-                        " points at most, its start among them");
+  task.out.report(Code::SC3120, span_of(task.values, "XYZ"),
+                  "a spline goes through " + std::to_string(kMaxSplinePoints) +
+                      " points at most, its start among them");
 }
 
 /// A code that the pending curve can take in its lines.
@@ -197,16 +164,8 @@ void control_points(Task& task) {
 }
 
 void end_control_points(Task& task) {
-  if (task.modal.points) {
-    note_faults(task.command, task.modal, task.out, *task.modal.points);
-    return finish_points(task.modal, task.out);
-  }
-  const bool left = !std::exchange(task.modal.words_of_left_curve, {}).empty();
-  if (left || task.modal.uncertain.has('G'))
-    task.out.mute();
-  else
-    task.out.report(Code::SC3121, task.word.pos,
-                    "G05.3 ends no curve: G05.2 does not stand before");
+  if (task.modal.points) return finish_points(task.modal, task.out);
+  task.out.report(Code::SC3121, task.word.pos, "G05.3 ends no curve: G05.2 does not stand before");
   task.modal.motion = nullptr;
 }
 
@@ -214,19 +173,6 @@ void spline(Task& task) {
   if (!task.modal.points) begin_points(task);
   if (task.values.letters().has_any(kAxisWords)) add_spline_point(task, *task.modal.points);
 }
-
-namespace {
-
-/// `F5.3`, for G5.3.
-bool is_end_meant(const Command& command) {
-  constexpr double kG053 = 5.3;
-  return std::any_of(command.codes().begin(), command.codes().end(),
-                     [](const Command::CodeWord& code) {
-                       return code.word->letter == 'F' && code.word->value == kG053;
-                     });
-}
-
-}  // namespace
 
 void check_pending_points(const Command& command, Modal& modal, Output& out) {
   PendingPoints& curve = *modal.points;
@@ -237,14 +183,9 @@ void check_pending_points(const Command& command, Modal& modal, Output& out) {
   const bool ends = ends_curve(command, *curve.code) && !(by_control && closed);
   if (ends && !by_control) return finish_points(modal, out);
   for (const auto& [code, word] : command.codes()) {
-    if (belongs(*code, curve) || is_told_number(*code, command)) continue;
+    if (belongs(*code, curve)) continue;
     report_stranger(curve, *code, *word, out);
-    note_stranger(*code, curve);
-    if (ends) return leave_points(modal);
   }
-  const bool may_end = by_control && !command.values().letters().has_any(kAxisWords);
-  const bool end_lost = command.uncertain().has('M') || is_end_meant(command);
-  if (command.uncertain().has('G') || (may_end && end_lost)) leave_points(modal);
 }
 
 void end_pending_spline(Modal& modal, Output& out) {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "ipr/codes/handlers.hpp"
+#include "ipr/handlers/handlers.hpp"
 #include "motion/core/units.hpp"
 #include "motion/roughness/roughness.hpp"
 
@@ -20,7 +20,6 @@ bool is_alone(Task& task) {
     task.out.report(Code::SC3123, task.word.pos,
                     code_name(task.code) + " beside " + code_name(*code) +
                         ", which takes D, J, H, L, R or Q too");
-    task.out.mute();
     return false;
   }
   return true;
@@ -38,9 +37,8 @@ void report_unknown(Task& task, char letter, const char* what) {
   const std::string where = tool == 0
                                 ? std::string("no tool is in the spindle")
                                 : "the machine file has none for tool " + std::to_string(tool);
-  report_if_certain(task, "T", Code::SC3125, task.word.pos,
-                    std::string(1, letter) + ", " + what + ", is missing, and " + where);
-  if (tool == 0) task.modal.uncertain.add('T');
+  task.out.report(Code::SC3125, task.word.pos,
+                  std::string(1, letter) + ", " + what + ", is missing, and " + where);
 }
 
 void report_missing(Task& task, char letter, const char* what) {
@@ -48,14 +46,14 @@ void report_missing(Task& task, char letter, const char* what) {
                   std::string(1, letter) + ", " + what + ", is missing");
 }
 
-/// A length above 0 by its word, mm; 0, and told, if it is none.
+/// A length above 0 by its word, mm; 0, after a report, if it is none.
 double read_length(Task& task, char letter, const char* what, double mm_per_unit) {
   const Word& word = task.values.word(letter);
   const double length = word.value * mm_per_unit;
   if (length > 0 && is_near(length)) return length;
-  report_words(task, {{&letter, 1}}, Code::SC3124, word.pos,
-               std::string(1, letter) + ", " + what + ", must be " +
-                   (length > 0 ? "1000000 mm at most" : "above 0"));
+  task.out.report(Code::SC3124, word.pos,
+                  std::string(1, letter) + ", " + what + ", must be " +
+                      (length > 0 ? "1000000 mm at most" : "above 0"));
   return 0;
 }
 
@@ -75,8 +73,7 @@ int read_teeth(Task& task) {
   }
   const Word& word = task.values.word('L');
   if (const auto teeth = whole_from(1, word.value)) return *teeth;
-  report_words(task, "L", Code::SC3124, word.pos,
-               "L, the number of teeth, is a whole number from 1");
+  task.out.report(Code::SC3124, word.pos, "L, the number of teeth, is a whole number from 1");
   return 0;
 }
 
@@ -92,9 +89,9 @@ double read_rmax(Task& task) {
   return 0;
 }
 
-/// 1/mm, from the radius by which the surface bends square to the feed; nothing, and told, if no
-/// ball touches it.
-std::optional<double> read_bend_across(Task& task, double tool_radius) {
+/// 1/mm, from the radius by which the surface bends square to the feed; nothing, after a report, if
+/// no ball touches it.
+std::optional<double> read_transverse_curvature(Task& task, double tool_radius) {
   if (!task.values.has('R')) return 0;
   const Word& word = task.values.word('R');
   const double radius = word.value * task.modal.mm_per_unit;
@@ -108,13 +105,13 @@ std::optional<double> read_bend_across(Task& task, double tool_radius) {
   return std::nullopt;
 }
 
-/// rad; 0 where it is level across; nothing, and told, if it is no slope.
+/// rad; 0 where it is level across; nothing, after a report, if it is no slope.
 std::optional<double> read_slope_across(Task& task) {
   if (!task.values.has('Q')) return 0;
   const Word& word = task.values.word('Q');
   if (word.value >= 0 && word.value < 90) return rad_from_deg(word.value);
-  report_words(task, "Q", Code::SC3124, word.pos,
-               "Q, the largest slope across the feed, is from 0 to below 90 degrees");
+  task.out.report(Code::SC3124, word.pos,
+                  "Q, the largest slope across the feed, is from 0 to below 90 degrees");
   return std::nullopt;
 }
 
@@ -166,7 +163,7 @@ void keep_surface(Task& task, const Surface& surface) {
   if (!has_close_passes(task, surface) || surface.rmax <= 0) return;
   if (!has_possible_rmax(task, surface) || surface.teeth <= 0) return;
   task.modal.surface = surface;
-  task.modal.rest_told = false;
+  task.modal.rest_reported = false;
   check_feed(task, surface);
 }
 
@@ -175,9 +172,8 @@ Surface read_surface(Task& task) {
   return {read_radius(task), read_pick_feed(task), read_rmax(task), read_teeth(task)};
 }
 
-/// Why the spindle does not turn; nullptr if it does, or if an error hides it.
+/// Why the spindle does not turn; nullptr if it does.
 const char* rest_of_spindle(const Modal& modal) noexcept {
-  if (modal.uncertain.has_any("MS")) return nullptr;
   if (!modal.spindle_speed) return "S is not set";
   if (*modal.spindle_speed == 0) return "S is 0";
   return modal.spindle_direction == 0 ? "neither M03 nor M04 is in force" : nullptr;
@@ -188,7 +184,7 @@ const char* rest_of_spindle(const Modal& modal) noexcept {
 void ask_for_surface(Task& task) {
   if (!is_alone(task)) return;
   Surface surface = read_surface(task);
-  const auto bend = read_bend_across(task, surface.tool_radius);
+  const auto bend = read_transverse_curvature(task, surface.tool_radius);
   const auto slope = read_slope_across(task);
   surface.transverse_curvature = bend.value_or(0);
   surface.slope_across = slope.value_or(0);
@@ -209,11 +205,11 @@ void ask_for_surface_of_curve(Task& task) {
 bool has_surface_speed(Modal& modal, Output& out, SourcePos word, std::string_view line) {
   const char* why = modal.surface ? rest_of_spindle(modal) : nullptr;
   if (why == nullptr) return true;
-  if (!modal.rest_told)
+  if (!modal.rest_reported)
     out.report(Code::SC3128, word,
                std::string("a roughness is asked for, and the spindle does not turn: ") + why,
                line);
-  modal.rest_told = true;
+  modal.rest_reported = true;
   return false;
 }
 

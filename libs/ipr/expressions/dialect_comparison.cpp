@@ -11,21 +11,21 @@ bool is_same(const Computed& a, const Computed& b) noexcept {
   return a.trouble == b.trouble && is_same(a.value, b.value);
 }
 
-Contradiction kind_of(OperatorKind kind) noexcept {
+DialectDifference kind_of(OperatorKind kind) noexcept {
   switch (kind) {
     case OperatorKind::modulo:
-      return Contradiction::modulo;
+      return DialectDifference::modulo;
     case OperatorKind::equal:
     case OperatorKind::not_equal:
-      return Contradiction::equality;
+      return DialectDifference::equality;
     default:
-      return Contradiction::logic;
+      return DialectDifference::logic;
   }
 }
 
-Contradiction kind_of(FunctionKind kind) noexcept {
+DialectDifference kind_of(FunctionKind kind) noexcept {
   const bool angle = kind == FunctionKind::asin || kind == FunctionKind::atan;
-  return angle ? Contradiction::angle : Contradiction::whole;
+  return angle ? DialectDifference::angle : DialectDifference::whole;
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ double Expression::unbracketed() {
   return compared([](Expression& e) {
     if (e.in_other_dialect() && !e.is_fanuc()) return e.operand().value;
     const double value = e.binary(kLowestLevel).value;
-    return e.broke_off_ ? kUncertain : value;
+    return e.broke_off_ ? kUnknown : value;
   });
 }
 
@@ -69,15 +69,15 @@ double Expression::compared(Read read) {
 /// `shadow` has read the same in the other dialect, if that takes it.
 void Expression::compare(const Lexer& start, double here, double there, const Expression& shadow) {
   if (shadow.fault_ || shadow.broke_off_ || shadow.end() != end()) return;
-  if (is_uncertain(here) || is_uncertain(there)) return;
+  if (is_unknown(here) || is_unknown(there)) return;
   if (is_same(here, there) && !shadow.differs_whatever_its_value_) return;
   Lexer first = start;
   const int column = first.column();
-  other_ = OtherValue{shadow.why_.value_or(Contradiction::grouping), column, end() - column, here,
-                      there};
+  other_ = OtherValue{shadow.why_.value_or(DialectDifference::grouping), column, end() - column,
+                      here, there};
 }
 
-void Expression::differs(Contradiction why) noexcept {
+void Expression::differs(DialectDifference why) noexcept {
   if (!why_) why_ = why;
 }
 
@@ -91,7 +91,7 @@ void Expression::compare_function(const Function& function, std::span<const doub
   const Dialect own = parameters_.dialect();
   if (function.kind == FunctionKind::round) {
     if (!is_same(rounded(arguments[0], own), rounded(arguments[0], dialect_)))
-      differs(Contradiction::round);
+      differs(DialectDifference::round);
   } else if (!is_same(compute(function.kind, arguments, own),
                       compute(function.kind, arguments, dialect_))) {
     differs(kind_of(function.kind));
@@ -102,32 +102,32 @@ void Expression::compare_function(const Function& function, std::span<const doub
 std::optional<double> Expression::read_there(const Variable& variable) {
   for (auto at = there_.rbegin(); at != there_.rend(); ++at) {
     if (at->variable.number != variable.number || at->variable.name != variable.name) continue;
-    differs(Contradiction::assignment);
+    differs(DialectDifference::assignment);
     return is_vacant(at->value) && !is_fanuc() ? 0 : at->value;
   }
   if (!variable.name.empty()) return std::nullopt;
   const int number = variable.number;
   if (parameters_.is_fanuc_system(number)) {
-    differs(Contradiction::system_variable);
+    differs(DialectDifference::system_variable);
     differs_whatever_its_value_ = true;
     return 0;
   }
   if (Parameters::is_fanuc_local(number) && parameters_.level() > 0) {
-    differs(Contradiction::local_variable);
+    differs(DialectDifference::local_variable);
     differs_whatever_its_value_ = true;
   }
   const auto there = parameters_.read_as(number, dialect_);
   if (!there) note(Code::SC1025, end(), end(), "");
   const auto here = parameters_.read(number);
-  if (there && here && is_vacant(*there) != is_vacant(*here)) differs(Contradiction::vacant);
-  return there && !is_uncertain(*there) ? in_unit_there(number, *there) : kUncertain;
+  if (there && here && is_vacant(*there) != is_vacant(*here)) differs(DialectDifference::vacant);
+  return there && !is_unknown(*there) ? in_unit_there(number, *there) : kUnknown;
 }
 
 /// A length that is kept, as the other dialect counts it.
 double Expression::in_unit_there(int number, double value) {
   const double unit = parameters_.fanuc_unit(number);
   if (unit == 1) return value;
-  differs(Contradiction::offset_unit);
+  differs(DialectDifference::offset_unit);
   return is_fanuc() ? value / unit : value * unit;
 }
 

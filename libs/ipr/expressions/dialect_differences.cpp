@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of contradictions, and how they are told.
+// The table of differences, and how they are told.
 #include "ipr/expressions/dialect_differences.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace softcnc::ipr {
 namespace {
 
-using C = Contradiction;
+using C = DialectDifference;
 
 constexpr std::array<ContradictionRow, kContradictions> kTable{{
     {C::logic, Code::SC1032, "AND, OR, XOR", "ask whether numbers are 0",
@@ -80,8 +80,8 @@ static_assert(in_order());
 
 std::span<const ContradictionRow> contradiction_table() noexcept { return kTable; }
 
-void Contradictions::note(Contradiction kind, SourcePos pos, std::string_view line,
-                          const std::string& detail) {
+void DialectDifferences::note(DialectDifference kind, SourcePos pos, std::string_view line,
+                              const std::string& detail) {
   if (!watching_) return;
   Met& met = met_[static_cast<std::size_t>(kind)];
   if (met.lines.empty()) {
@@ -93,7 +93,7 @@ void Contradictions::note(Contradiction kind, SourcePos pos, std::string_view li
 }
 
 /// "G04 P counts seconds; in the fanuc dialect: counts milliseconds (here and on 2 more lines)"
-std::string Contradictions::text_of(const ContradictionRow& row, const Met& met) const {
+std::string DialectDifferences::text_of(const ContradictionRow& row, const Met& met) const {
   const bool fanuc = dialect_ == Dialect::fanuc;
   std::string text = std::string(row.what) + ' ';
   text += fanuc ? row.fanuc : row.linuxcnc;
@@ -106,7 +106,7 @@ std::string Contradictions::text_of(const ContradictionRow& row, const Met& met)
   return text;
 }
 
-void Contradictions::tell() {
+void DialectDifferences::report() {
   std::vector<const ContradictionRow*> found;
   const auto met_by = [this](const ContradictionRow& row) -> Met& {
     return met_[static_cast<std::size_t>(row.kind)];

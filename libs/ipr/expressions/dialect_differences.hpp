@@ -19,7 +19,7 @@ namespace softcnc::ipr {
 
 /// What both dialects take, each for something of its own. What one of them refuses is none: there
 /// it is an error, and told as such.
-enum class Contradiction : std::uint8_t {
+enum class DialectDifference : std::uint8_t {
   logic,
   modulo,
   equality,
@@ -52,7 +52,7 @@ enum class Contradiction : std::uint8_t {
 inline constexpr std::size_t kContradictions = 28;
 
 struct ContradictionRow {
-  Contradiction kind;
+  DialectDifference kind;
   Code code;
   std::string_view what;             // as written in a program
   std::string_view linuxcnc, fanuc;  // what it means
@@ -62,17 +62,17 @@ struct ContradictionRow {
 std::span<const ContradictionRow> contradiction_table() noexcept;
 
 /// Gathers such lines, and tells each kind once.
-class Contradictions {
+class DialectDifferences {
  public:
-  Contradictions(Diagnostics& diagnostics, Dialect dialect, bool watching)
+  DialectDifferences(Diagnostics& diagnostics, Dialect dialect, bool watching)
       : diagnostics_(diagnostics), dialect_(dialect), watching_(watching) {}
 
   bool watching() const noexcept { return watching_; }
   /// `detail` follows the text of the table.
-  void note(Contradiction kind, SourcePos pos, std::string_view line,
+  void note(DialectDifference kind, SourcePos pos, std::string_view line,
             const std::string& detail = {});
   /// At the end of the program: in the order of where each kind was met first.
-  void tell();
+  void report();
 
  private:
   static constexpr std::size_t kMostLines = 10000;

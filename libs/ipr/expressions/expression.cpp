@@ -70,7 +70,7 @@ std::string lacks_value(const Variable& variable) {
 double Expression::bracket_rest(int open) {
   const double value = binary(kLowestLevel).value;
   close(open);
-  return broke_off_ ? kUncertain : value;
+  return broke_off_ ? kUnknown : value;
 }
 
 /// The ']' of the '[' at column `open`.
@@ -108,8 +108,8 @@ const Operator* Expression::peek_operator() {
 
 Expression::Operand Expression::combine(const Operator& op, const Operand& left,
                                         const Operand& right) {
-  Operand result{kUncertain, left.begin, right.end};
-  if (is_uncertain(left.value) || is_uncertain(right.value)) return result;
+  Operand result{kUnknown, left.begin, right.end};
+  if (is_unknown(left.value) || is_unknown(right.value)) return result;
   if (in_other_dialect()) compare_operator(op, left.value, right.value);
   const Computed computed = compute(op.kind, left.value, right.value, dialect_);
   switch (computed.trouble) {
@@ -138,7 +138,7 @@ Expression::Operand Expression::operand() {
   if (++depth_ > kDeepest && first != 0)
     stop(Code::SC1027, begin, begin + 1,
          "more than " + std::to_string(kDeepest) + " brackets, signs or '#' within one another");
-  const double value = broke_off_ ? kUncertain : unsigned_operand(first, begin);
+  const double value = broke_off_ ? kUnknown : unsigned_operand(first, begin);
   --depth_;
   return {value, begin, end()};
 }
@@ -150,7 +150,7 @@ double Expression::unsigned_operand(char first, int begin) {
   if (lexer_.take('+')) return operand().value;
   if (lexer_.take('-')) {
     const double value = operand().value;
-    return is_uncertain(value) ? value : -value;
+    return is_unknown(value) ? value : -value;
   }
   if (is_letter(first)) return function(begin);
   return stop_at_next(Code::SC1016, kOperand);
@@ -175,7 +175,7 @@ double Expression::number() {
 /// The value of the variable whose '#' stands at `begin`.
 double Expression::read_variable(int begin) {
   const std::optional<Variable> named = variable();
-  if (!named) return kUncertain;
+  if (!named) return kUnknown;
   if (in_other_dialect())
     if (const auto value = read_there(*named)) return *value;
   if (named->name.empty()) {
@@ -197,7 +197,7 @@ std::optional<Variable> Expression::variable() {
     return std::nullopt;
   }
   const Operand index = operand();
-  if (broke_off_ || is_uncertain(index.value)) return std::nullopt;
+  if (broke_off_ || is_unknown(index.value)) return std::nullopt;
   const double whole = std::round(index.value);
   if (std::abs(index.value - whole) <= kWhole && std::abs(whole) < kLargestNumber)
     return Variable{static_cast<int>(whole), {}};
@@ -235,7 +235,7 @@ double Expression::call(const Function& function, int begin) {
     values[count++] = binary(kLowestLevel).value;
   close(open);
   if (angle && count == 1 && take_second_bracket()) values[count++] = bracket_rest(end() - 1);
-  if (broke_off_) return kUncertain;
+  if (broke_off_) return kUnknown;
   if (power && count == 1) return missing(end(), " takes two numbers: POW[base, exponent]");
   if (angle && count == 1 && !is_fanuc()) return missing(end(), " takes two numbers: ATAN[y]/[x]");
   return given(function, std::span(values).first(count), open);
@@ -259,7 +259,7 @@ double Expression::rounded(double value, Dialect dialect) const noexcept {
 /// What a function gives; its arguments stand from column `begin` on.
 double Expression::given(const Function& function, std::span<const double> arguments, int begin) {
   for (const double argument : arguments)
-    if (is_uncertain(argument)) return kUncertain;
+    if (is_unknown(argument)) return kUnknown;
   if (in_other_dialect()) compare_function(function, arguments);
   const Computed computed = compute(function.kind, arguments, dialect_);
   const std::string name(computed.trouble == Trouble::none ? "" : function.name);
@@ -274,7 +274,7 @@ double Expression::given(const Function& function, std::span<const double> argum
     case Trouble::too_large:
       return note(Code::SC1023, begin, end(), "the result of " + name + " is too large");
   }
-  return kUncertain;
+  return kUnknown;
 }
 
 /// What follows 'EXISTS['.
@@ -282,24 +282,24 @@ double Expression::exists(int open) {
   if (!lexer_.take('#')) return stop_at_next(Code::SC1016, "a variable");
   const std::optional<Variable> named = variable();
   close(open);
-  if (broke_off_ || !named) return kUncertain;
+  if (broke_off_ || !named) return kUnknown;
   auto value = in_other_dialect() ? read_there(*named) : std::nullopt;
   if (!value)
     value = named->name.empty() ? parameters_.read(named->number) : parameters_.read(named->name);
-  if (value && is_uncertain(*value)) return kUncertain;
+  if (value && is_unknown(*value)) return kUnknown;
   return value && !is_vacant(*value) ? 1 : 0;
 }
 
 /// There is no value, but what follows can be read.
 double Expression::note(Code code, int begin, int end, std::string message) {
   if (!fault_) fault_ = Fault{code, begin, end - begin, std::move(message)};
-  return kUncertain;
+  return kUnknown;
 }
 
 double Expression::stop(Code code, int begin, int end, std::string message) {
   if (!broke_off_) note(code, begin, end, std::move(message));
   broke_off_ = true;
-  return kUncertain;
+  return kUnknown;
 }
 
 /// What comes next is not what is expected.
@@ -313,7 +313,7 @@ double Expression::stop_at_next(Code code, std::string_view expected) {
   }
   if (next != ',' && is_strange(lexer_)) {
     broke_off_ = true;
-    return kUncertain;
+    return kUnknown;
   }
   const std::string_view letters = lexer_.take_letters();
   if (letters.empty()) lexer_.pass();

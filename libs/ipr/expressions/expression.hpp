@@ -37,7 +37,7 @@ std::string lower_case(std::string_view name);
 
 /// An expression that has another value in the other dialect.
 struct OtherValue {
-  Contradiction why;
+  DialectDifference why;
   int column, length;
   double here, there;
 };
@@ -55,7 +55,7 @@ class Expression {
       : Expression(lexer, parameters, parameters.dialect()) {}
 
   /// A number, '#' and what follows, '[...]' or a function, each with signs before it.
-  /// kUncertain: see fault(), or it rests on an earlier error.
+  /// kUnknown: see fault(), or it rests on an earlier error.
   double value();
   /// FANUC: ROUND gives multiples of 1 / `per_unit` instead of whole numbers.
   void round_to(double per_unit) noexcept { rounding_ = per_unit; }
@@ -84,7 +84,7 @@ class Expression {
       : lexer_(lexer), parameters_(parameters), dialect_(dialect) {}
 
   struct Operand {
-    double value = kUncertain;
+    double value = kUnknown;
     int begin = 0, end = 0;  // columns
   };
 
@@ -93,7 +93,7 @@ class Expression {
   double compared(Read read);
   void compare(const Lexer& start, double here, double there, const Expression& shadow);
   bool in_other_dialect() const noexcept { return dialect_ != parameters_.dialect(); }
-  void differs(Contradiction why) noexcept;
+  void differs(DialectDifference why) noexcept;
   double in_unit_there(int number, double value);
   void compare_operator(const Operator& op, double left, double right);
   void compare_function(const Function& function, std::span<const double> arguments);
@@ -125,7 +125,7 @@ class Expression {
   Dialect dialect_;
   std::span<const Assigned> there_;
   std::optional<OtherValue> other_;
-  std::optional<Contradiction> why_;  // in the other dialect: the first thing that differs
+  std::optional<DialectDifference> why_;  // in the other dialect: the first thing that differs
   bool differs_whatever_its_value_ = false;
   const Operator* operator_ = nullptr;  // read, but not yet used
   std::optional<Fault> fault_;

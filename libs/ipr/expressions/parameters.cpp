@@ -57,8 +57,8 @@ void Parameters::store(int number, double value) {
 
 std::optional<double> Parameters::read(int number) const {
   if (number == 0 && dialect_ == Dialect::fanuc) return kVacant;
-  if (touch_doubtful_ && is_touch(number)) return kUncertain;
-  if (!refused_.empty() && refused_.contains(number)) return kUncertain;
+  if (probed_point_lost_ && is_touch(number)) return kUnknown;
+  if (!refused_.empty() && refused_.contains(number)) return kUnknown;
   if (is_system(number) && system_ != nullptr)
     if (const auto value = system_->read(number)) return value;
   if (!is_ordinary(number)) return std::nullopt;
@@ -110,7 +110,7 @@ std::optional<double> Parameters::read(std::string_view name) const {
   if (const auto found = names.find(name); found != names.end()) return found->second;
   if (system_ != nullptr)
     if (const auto value = system_->read(name)) return value;
-  if (doubtful_) return kUncertain;
+  if (lost_) return kUnknown;
   return std::nullopt;
 }
 
@@ -160,22 +160,22 @@ void Parameters::write(std::string_view name, double value) {
     names.emplace(name, value);
 }
 
-void Parameters::doubt_all(bool locals) {
-  doubt();
-  unset_ = kUncertain;
-  std::fill(numbered_.begin(), numbered_.end(), kUncertain);
-  for (auto& [name, value] : global_) value = kUncertain;
-  give_back(kUncertain);
+void Parameters::lose_all(bool locals) {
+  lose();
+  unset_ = kUnknown;
+  std::fill(numbered_.begin(), numbered_.end(), kUnknown);
+  for (auto& [name, value] : global_) value = kUnknown;
+  give_back(kUnknown);
   if (!locals) return;
-  levels_.back().numbered.fill(kUncertain);
-  for (auto& [name, value] : levels_.back().named) value = kUncertain;
+  levels_.back().numbered.fill(kUnknown);
+  for (auto& [name, value] : levels_.back().named) value = kUnknown;
 }
 
-void Parameters::doubt_touch() {
+void Parameters::lose_probed_point() {
   if (dialect_ == Dialect::fanuc)
-    touch_doubtful_ = true;
+    probed_point_lost_ = true;
   else
-    for (int number = kTouch; number < kTouchEnd; ++number) store(number, kUncertain);
+    for (int number = kTouch; number < kTouchEnd; ++number) store(number, kUnknown);
 }
 
 void Parameters::push(std::span<const double> arguments) {

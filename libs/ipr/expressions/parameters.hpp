@@ -21,9 +21,9 @@ namespace softcnc::ipr {
 /// What a variable holds that has no value: #0 of FANUC. A word with it counts as not written.
 inline constexpr double kVacant = std::numeric_limits<double>::quiet_NaN();
 /// What a variable holds whose value an error has made unknown: what rests on it is not reported.
-inline constexpr double kUncertain = std::numeric_limits<double>::infinity();
+inline constexpr double kUnknown = std::numeric_limits<double>::infinity();
 inline bool is_vacant(double value) noexcept { return std::isnan(value); }
-inline bool is_uncertain(double value) noexcept { return std::isinf(value); }
+inline bool is_unknown(double value) noexcept { return std::isinf(value); }
 
 /// The variables that stand for the state of the machine. Lengths are in the units of the program.
 class SystemVariables {
@@ -89,15 +89,15 @@ class Parameters {
   void write(std::string_view name, double value);
 
   /// An assignment has been lost by an error, and with it, whose it was.
-  void doubt() noexcept { doubtful_ = true; }
+  void lose() noexcept { lost_ = true; }
   /// An assignment to this one of the system has been refused: what the program would go on with is
   /// not known.
-  void doubt(int number) { refused_.insert(number); }
-  void doubt(std::string_view name) { write(name, kUncertain); }
+  void lose(int number) { refused_.insert(number); }
+  void lose(std::string_view name) { write(name, kUnknown); }
   /// So have been all that a subprogram might have done; `locals`: to those of its caller too.
-  void doubt_all(bool locals);
+  void lose_all(bool locals);
   /// A probing move has been refused: where it would have ended, #5061 to #5070, is not known.
-  void doubt_touch();
+  void lose_probed_point();
 
   /// Begins a level of calls: local variables of its own, the arguments in #1 and up.
   void push(std::span<const double> arguments);
@@ -136,7 +136,7 @@ class Parameters {
   Names global_;
   std::optional<double> given_back_;
   int line_ = 0;
-  bool doubtful_ = false, touch_doubtful_ = false, watching_ = false;
+  bool lost_ = false, probed_point_lost_ = false, watching_ = false;
 };
 
 }  // namespace softcnc::ipr

@@ -36,8 +36,7 @@ struct FlowOptions {
   CalledTexts* called = nullptr;     // where their texts are kept; must outlive the flow
   int block_limit = 2'000'000;       // lines that one loop, or one call with all it calls, may run
   CallObserver* observer = nullptr;  // must outlive the flow
-  bool unrun_too = false;            // remember which lines are not run
-  std::map<int, int>* lines_run = nullptr;  // takes how often each line of the program itself is
+  bool unreachable_too = false;      // remember which lines are not run
 };
 
 /// What a code asks for that leads to other lines; done when its line is.
@@ -64,10 +63,10 @@ class Flow {
 
   /// The next line that has words or is broken; nothing at the end of the program, and while the
   /// parser waits for a pipe.
-  std::optional<Line> next();
+  std::optional<ProgramLine> next();
   /// Asks for a jump before the next line; `text` is that of the line that asks.
   void jump(Jump jump, std::string_view text);
-  /// What is called is missing, which is told: nothing is known that it might have changed.
+  /// What is called is missing, which is reported: nothing is known that it might have changed.
   /// `has_level`: it would have had variables of its own.
   void miss_call(bool has_level);
   /// Blocks that a line has made beside the first: each counts as a line.
@@ -75,25 +74,21 @@ class Flow {
     executed_ += blocks;
     made_since_jump_ += blocks;
   }
-  /// The program has ended: tells what is still open and has no end.
+  /// The program has ended: reports what is still open and has no end.
   void finish();
-  /// Behind it: goes through the lines of the program's file that have not been run: first the
-  /// subprograms that nothing has called, then what has been passed over. Expects unrun_too.
-  void begin_unrun();
+  /// After it: goes through the lines of the program's file that have not been run: first the
+  /// subprograms that nothing has called, then what has been passed over. Expects unreachable_too.
+  void begin_unreachable();
   /// The next of them that has words or is broken; of variables nothing is known there.
-  std::optional<Line> next_unrun();
+  std::optional<ProgramLine> next_unreachable();
 
   /// True inside a subprogram.
   bool in_subprogram() const noexcept { return calls_.size() > 1; }
   /// An error that has been reported ends the program.
   bool broke_off() const noexcept { return broken_ || parser_.broke_off(); }
-  /// An M code of a line that is wrong may be another one: whether the program ends there is not
-  /// known.
-  void doubt_end() noexcept;
-  /// The same of one that is likely to have been meant as an end: behind it prose may stand.
-  void expect_end() noexcept;
-  /// An M code could not be read: it may have been the end of the program.
-  bool end_lost() const noexcept { return end_lost_; }
+  /// After an error it is not known which lines are executed, or whether the program has ended.
+  void lose_order() noexcept;
+  bool order_unknown() const noexcept { return order_unknown_; }
   const Parameters& parameters() const noexcept { return parser_.parameters(); }
   /// Files that have been called: their names in the folder.
   std::vector<std::string> called_files() const { return library_.files(); }
@@ -128,20 +123,6 @@ class Flow {
     std::int64_t since = 0;
   };
 
-  /// A beginning, an end or what stands between them, without the others. What is told of it may
-  /// follow from another one: from that of its label, or, of a beginning, from an end of its kind
-  /// whose label is wrong. Of two beginnings of one label, one has a wrong one.
-  struct Misfit {
-    enum class Role : std::uint8_t { beginning, end, between, twice };
-    Role role = Role::between;
-    Kind begin = Kind::none;  // the kind of its beginning
-    std::string label;
-    Spot within{};            // where the subprogram begins
-    bool paired = false;      // something has followed from its label
-    Kind outer = Kind::none;  // of two beginnings the kind of the first
-  };
-  static constexpr std::size_t kMostMisfits = 1000;
-
   /// Where a jump has led, and from where.
   struct Landing {
     SourcePos pos;  // of the jump
@@ -151,40 +132,32 @@ class Flow {
   };
   static constexpr std::size_t kMostLandings = 32;
 
-  /// Where lines have been passed to: behind the end that was looked for, or before a line of its
-  /// label that may have been meant for it.
-  enum class Passed : std::uint8_t { nowhere, to_end, to_misspelt };
-
   // flow.cpp
-  void remember(const Line& line);
+  void remember(const ProgramLine& line);
   void remember_end();
-  void doubt(const Line& line);
-  void doubt_order() noexcept;
+  void note_unread(const ProgramLine& line);
   bool is_stopped() const noexcept;
-  bool obey(const Line& line);
-  void take(const Line& line);
+  bool obey(const ProgramLine& line);
+  void take(const ProgramLine& line);
   void obey();
   bool go(const Spot& spot);
   void end_text();
   void report(Code code, SourcePos pos, std::string message);
-  void report(Misfit misfit, Code code, SourcePos pos, std::string message, std::string_view text);
-  bool follows(Misfit& one);
-  bool is_new(Misfit misfit);
+  void report_structure(const std::string& label, Code code, SourcePos pos, std::string message,
+                        std::string_view text);
   void break_off(Code code, SourcePos pos, std::string message, std::string_view text);
   void sought_in_vain(const Spot& from, const SourcePos& pos);
   bool runs_too_long(std::int64_t lines, const std::string& what, SourcePos pos,
                      std::string_view text);
 
   // flow_calls.cpp
-  void tell_sub_again(const std::string& label, SourcePos pos, std::string_view text);
+  void report_sub_again(const std::string& label, SourcePos pos, std::string_view text);
   void pass_definition();
   void end_definition(const Spot& from, const std::optional<Spot>& next);
-  bool lacks_end(const Subprogram& sub) const;
   void begin_program();
   void call();
   std::optional<Subprogram> find(const std::string& label, bool program, const SourcePos& call);
-  void miss_misspelt();
-  void perform_jump();
+  void jump_now();
   void enter(Subprogram sub, Jump jump, bool has_level);
   void start();
   void leave_by_statement();
@@ -194,35 +167,34 @@ class Flow {
   bool find_line(int number, int last);
   void land(const SourcePos& pos);
   std::vector<Landing>::iterator landing_of(const SourcePos& pos);
-  bool is_misspelt(int number, const Spot& here);
   void go_back(const Spot& from, const Spot& to, const SourcePos& pos);
 
-  // flow_unrun.cpp
-  std::optional<Line> next_uncalled();
+  // unreachable_lines.cpp
+  std::optional<ProgramLine> next_uncalled();
   bool go_to_uncalled(const Subprogram& sub);
-  bool ends_uncalled(const Line& line) const;
-  void check_order(const Line& line);
+  bool ends_uncalled(const ProgramLine& line) const;
+  void check_order(const ProgramLine& line);
   void close(Kind begin);
-  std::optional<Line> read_unrun();
-  std::optional<Line> next_passed();
-  bool go_to(const PassedLines::Stretch& stretch);
+  std::optional<ProgramLine> read_unreachable();
+  std::optional<ProgramLine> next_passed();
+  bool go_to(const SkippedLines::Stretch& stretch);
 
   // flow_loops.cpp
   static bool ends(const Statement& statement, const Open& open);
   void open(Kind kind, Spot round);
   Open* opened(Kind begin);
-  void close_within(const Open& open, bool tell);
-  void tell_open(const Open& open);
-  void tell_open_from(std::size_t first);
-  void tell_crossed(std::size_t first);
-  void tell_behind_else(const Statement& branch, std::string_view text);
-  void tell_not_begun();
+  void close_within(const Open& open, bool reports);
+  void report_open(const Open& open);
+  void report_open_from(std::size_t first);
+  void report_crossed(std::size_t first);
+  void report_after_else(const Statement& branch, std::string_view text);
+  void report_not_begun();
   const Landing* jump_into(Kind begin);
   bool leads_into(const Landing& landing, Kind begin, const Spot& here);
   bool is_open_already();
   bool is_too_deep();
   void pass_top();
-  Passed pass_to_end(const Open& open);
+  bool pass_to_end(const Open& open);
   void begin_branch();
   void find_branch();
   void next_branch();
@@ -248,29 +220,26 @@ class Flow {
   std::vector<Call> calls_;  // the main program first
   std::vector<Open> opens_;  // of all calls
   std::optional<Jump> jump_;
-  std::vector<Landing> landings_;  // of the last jumps, the latest last
-  Statement statement_;            // in work
-  std::string text_;               // of its line, or of the one that asked for a jump
-  Spot head_;                      // before it
-  bool uncertain_ = false;         // which lines are executed is not known after an error
-  bool opens_lost_ = false;        // nor what is open: something that no one can tell may be
-  std::vector<Misfit> misfits_;    // that have been told, or follow from one that has
-  std::set<std::string> missing_;  // labels of subprograms that are, which is told once
-  bool target_lost_ = false;       // of a jump: each round of a loop may be the last
-  bool end_lost_ = false;          // by an M code that could not be read
-  std::string lost_o_words_;       // text of lines that could not be read: labels may stand there
-  Spot before_;                    // before the line that pass_to() has found
-  bool new_round_ = false;         // the next line is the head of the loop on top
+  std::vector<Landing> landings_;         // of the last jumps, the latest last
+  Statement statement_;                   // in work
+  std::string text_;                      // of its line, or of the one that asked for a jump
+  Spot head_;                             // before it
+  bool order_unknown_ = false;            // after an error: which lines are executed
+  bool structure_unknown_ = false;        // nor what is open
+  std::set<std::string> unknown_labels_;  // of which something is missing, which is reported once
+  std::set<std::string> missing_;         // labels of subprograms that are, which is reported once
+  Spot before_;                           // before the line that pass_to() has found
+  bool new_round_ = false;                // the next line is the head of the loop on top
   bool ended_ = false, broken_ = false;
   std::set<int> entered_;             // behind which lines of the program calls have begun
   std::vector<Subprogram> uncalled_;  // still to be read, the first in work
   bool reading_uncalled_ = false;
   bool moved_ = false;    // the next line is not the one behind the last
-  PassedLines passed_;    // of the program's own file
+  SkippedLines skipped_;  // of the program's own file
   std::set<int> leaves_;  // lines of the file that end it, or a subprogram, by a code
-  std::deque<PassedLines::Stretch> unread_;  // still to be read, the first in work
+  std::deque<SkippedLines::Stretch> unread_;  // still to be read, the first in work
   bool reading_stretch_ = false;
-  bool order_lost_ = false;           // what follows the end may be of the program
+  bool rest_is_program_ = false;      // what follows the end may be of the program
   int program_line_ = 0;              // of the main program's own O
   std::int64_t executed_ = 0;         // lines
   std::int64_t jumped_back_ = 0;      // lines, by GOTO

@@ -15,33 +15,9 @@ std::string name_of(const Subprogram& sub) {
                                       : "'" + o_word(sub.label, "sub") + "'";
 }
 
-/// The N of a line that cannot be read: its digits, letters O among them, and nothing else of what
-/// stands before the next blank or letter; N may stand twice. Nothing for a number that can be
-/// read.
-std::optional<int> number_meant(std::string_view line) {
-  constexpr int kLargest = 99'999'999;
-  const std::string_view before = line.substr(0, line.find_first_of("Nn"));
-  if (before.size() == line.size() || std::any_of(before.begin(), before.end(), is_letter))
-    return std::nullopt;
-  bool readable = before.find_first_not_of(" \t/") == std::string_view::npos;
-  std::string_view behind = line.substr(before.size() + 1);
-  if (behind.starts_with('N') || behind.starts_with('n')) {
-    readable = false;
-    behind.remove_prefix(1);
-  }
-  std::optional<int> number;
-  for (const char c : behind) {
-    const bool zero = c == 'O' || c == 'o';
-    if (number.value_or(0) > kLargest || is_blank(c) || (is_letter(c) && !zero)) break;
-    readable = readable && is_digit(c);
-    if (zero || is_digit(c)) number = number.value_or(0) * 10 + (zero ? 0 : c - '0');
-  }
-  return readable ? std::nullopt : number;
-}
-
 }  // namespace
 
-void Flow::tell_sub_again(const std::string& label, SourcePos pos, std::string_view text) {
+void Flow::report_sub_again(const std::string& label, SourcePos pos, std::string_view text) {
   diagnostics_.report(Code::SC2314, pos, o_word(label, "sub") + " stands in this file before",
                       text);
 }
@@ -52,38 +28,33 @@ void Flow::pass_definition() {
   const Subprogram& within = calls_.back().sub;
   const bool twice =
       in_subprogram() && within.kind == SubKind::o_word && within.label == statement_.label;
-  if (twice) return tell_sub_again(statement_.label, statement_.pos, text_);
+  if (twice) return report_sub_again(statement_.label, statement_.pos, text_);
   const Spot from = library_.here();
   SourcePos nested;
   std::string nested_text, nested_label;
-  std::optional<Spot> next;      // where something else begins for certain
-  std::optional<Spot> misspelt;  // counts where there is no end
+  std::optional<Spot> next;  // where something else begins for certain
   moved_ = true;
   while (const auto line = parser_.next_statement()) {
     const Statement* inner = line->statement;
-    if (inner == nullptr && line->broken && names(line->text, "endsub") && !misspelt)
-      misspelt = Spot{parser_.file(), parser_.reader().place_before(line->text)};
+    if (line->broken && inner == nullptr) structure_unknown_ = true;
     if (inner == nullptr) continue;
     if (inner->kind == Kind::program && inner->label == statement_.label && nested.line == 0 &&
-        !next && !misspelt) {
+        !next) {
       const std::string& label = statement_.label;
-      report({Misfit::Role::beginning, Kind::sub, label}, Code::SC2303, inner->pos,
-             "'" + o_word(label) + "' within its 'sub' lacks a keyword; is '" +
-                 o_word(label, "endsub") + "' meant?",
-             line->text);
-      return;
+      return report_structure(label, Code::SC2303, inner->pos,
+                              "'" + o_word(label) + "' within its 'sub' lacks a keyword; is '" +
+                                  o_word(label, "endsub") + "' meant?",
+                              line->text);
     }
     if (inner->kind == Kind::program) break;
-    if (may_be_of(*inner, statement_.label) && !misspelt)
-      misspelt = Spot{parser_.file(), parser_.reader().place_before(line->text)};
     if (inner->kind == Kind::end_sub && inner->label == statement_.label) {
       if (nested.line > 0 && nested_label == statement_.label)
-        tell_sub_again(nested_label, nested, nested_text);
+        report_sub_again(nested_label, nested, nested_text);
       else if (nested.line > 0)
-        report({Misfit::Role::between, Kind::sub, nested_label}, Code::SC2307, nested,
-               "'" + o_word(nested_label, "sub") + "' within '" + o_word(statement_.label, "sub") +
-                   "'",
-               nested_text);
+        report_structure(nested_label, Code::SC2307, nested,
+                         "'" + o_word(nested_label, "sub") + "' within '" +
+                             o_word(statement_.label, "sub") + "'",
+                         nested_text);
       return;
     }
     if (inner->kind == Kind::end_sub && !next) next = library_.here();
@@ -93,13 +64,10 @@ void Flow::pass_definition() {
     nested_label = inner->label;
     nested_text = line->text;
   }
-  if (misspelt) {  // it is told where it is read
-    go(*misspelt);
-    return;
-  }
   const std::string& label = statement_.label;
-  report({Misfit::Role::beginning, Kind::sub, label}, Code::SC2303, statement_.pos,
-         "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'", text_);
+  report_structure(label, Code::SC2303, statement_.pos,
+                   "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'",
+                   text_);
   end_definition(from, next);
 }
 
@@ -107,7 +75,7 @@ void Flow::pass_definition() {
 /// Without either nobody knows which of the lines are the program's: they are only read.
 void Flow::end_definition(const Spot& from, const std::optional<Spot>& next) {
   if (!next || in_subprogram()) {
-    ended_ = end_lost_ = true;
+    ended_ = true;
     return;
   }
   miss_call(false);
@@ -115,26 +83,16 @@ void Flow::end_definition(const Spot& from, const std::optional<Spot>& next) {
   if (!ended_) go(*next);
 }
 
-/// Which has been told.
-bool Flow::lacks_end(const Subprogram& sub) const {
-  return std::any_of(misfits_.begin(), misfits_.end(), [&](const Misfit& told) {
-    return told.role == Misfit::Role::beginning && told.begin == Kind::sub &&
-           told.label == sub.label;
-  });
-}
-
 /// The O of the main program, or of the one behind it.
 void Flow::begin_program() {
   if (in_subprogram()) {
     const std::string name = name_of(calls_.back().sub);
-    if (calls_.back().sub.label == statement_.label)  // its own, twice: the library has told that
+    if (calls_.back().sub.label ==
+        statement_.label)  // its own, twice: the library has reported that
       return report(Code::SC2314, statement_.pos, name + " stands in this file before");
-    if (end_lost_) {
-      doubt_order();
-      opens_lost_ = true;
-    }
-    report({Misfit::Role::beginning, Kind::sub, calls_.back().sub.label}, Code::SC2303,
-           statement_.pos, name + " has no end before " + program_name(statement_.label), text_);
+    if (!order_unknown_)
+      report_structure(calls_.back().sub.label, Code::SC2303, statement_.pos,
+                       name + " has no end before " + program_name(statement_.label), text_);
     calls_.back().times = 1;
     return leave(std::nullopt, statement_.pos);
   }
@@ -146,11 +104,11 @@ void Flow::begin_program() {
 }
 
 void Flow::call() {
-  if (statement_.label.empty()) return;  // told already
+  if (statement_.label.empty()) return;  // reported already
   Jump jump;
   jump.arguments = std::move(statement_.arguments);
-  if (statement_.uncertain)
-    jump.arguments.resize(static_cast<std::size_t>(parameters().locals()), kUncertain);
+  if (statement_.unknown)
+    jump.arguments.resize(static_cast<std::size_t>(parameters().locals()), kUnknown);
   jump.pos = statement_.pos;
   if (const auto sub = find(statement_.label, false, jump.pos))
     enter(*sub, std::move(jump), true);
@@ -158,24 +116,18 @@ void Flow::call() {
     miss_call(true);
 }
 
-/// Nothing: told.
+/// Nothing, after a report: there is none.
 std::optional<Subprogram> Flow::find(const std::string& label, bool program,
                                      const SourcePos& call) {
   const int errors = diagnostics_.errors();
   auto sub = library_.find(label, program, call, text_);
   if (library_.is_lost()) ended_ = broken_ = true;
-  if (sub && lacks_end(*sub)) return std::nullopt;
-  if (sub || diagnostics_.errors() > errors) return sub;
-  if (!program && lost_o_words_.find(label) != std::string::npos) return sub;
-  if (options_.unrun_too && library_.may_be_misspelt(label)) {  // it is read, and told there
-    doubt_order();
+  if (sub || diagnostics_.errors() > errors || structure_unknown_) return sub;
+  if (options_.unreachable_too && library_.has_unread_label()) {  // reported where it is read
+    lose_order();
     return sub;
   }
-  const bool begins_elsewhere = !program && library_.has_end(label);  // its `sub` is wrong
-  if (begins_elsewhere && !is_new({Misfit::Role::end, Kind::sub, label})) return sub;
-  if (begins_elsewhere && options_.unrun_too && library_.has_sub_without_label())
-    return sub;  // which is read, and told there
-  if (missing_.size() < kMostMisfits && !missing_.insert(label).second) return sub;
+  if (!missing_.insert(label).second) return sub;
   const std::string nearest = library_.nearest(label);
   report(Code::SC2301, call,
          "no subprogram " + (program ? program_name(label) : o_word(label)) + " in this program" +
@@ -185,20 +137,11 @@ std::optional<Subprogram> Flow::find(const std::string& label, bool program,
 }
 
 void Flow::miss_call(bool has_level) {
-  parser_.parameters().doubt_all(!has_level);
+  parser_.parameters().lose_all(!has_level);
   if (options_.observer != nullptr) options_.observer->miss_call();
 }
 
-/// It may be a call, unless something of its label is in work.
-void Flow::miss_misspelt() {
-  const bool of_call = in_subprogram() && may_be_of(statement_, calls_.back().sub.label);
-  const bool of_open =
-      std::any_of(opens_.begin() + static_cast<std::ptrdiff_t>(calls_.back().opens), opens_.end(),
-                  [&](const Open& open) { return may_be_of(statement_, open.label); });
-  if (!of_call && !of_open) miss_call(true);
-}
-
-void Flow::perform_jump() {
+void Flow::jump_now() {
   Jump jump = std::move(*jump_);
   jump_.reset();
   if (jump.kind == Jump::Kind::leave) return leave_by_code(jump);
@@ -215,7 +158,7 @@ void Flow::enter(Subprogram sub, Jump jump, bool has_level) {
   const auto by_itself = std::count_if(calls_.begin() + 1, calls_.end(), [&](const Call& call) {
     return call.sub.label == sub.label && call.sub.begin.file == sub.begin.file;
   });
-  if ((uncertain_ || target_lost_) && by_itself > 0)
+  if (order_unknown_ && by_itself > 0)
     return miss_call(has_level);  // what ends it may be what is lost
   if (calls_.size() > kDeepest)
     return break_off(Code::SC2309, jump.pos,
@@ -261,25 +204,25 @@ void Flow::leave_by_statement() {
   const std::string& label = statement_.label;
   const bool of_call = in_subprogram() && call.sub.kind == SubKind::o_word;
   if (!of_call || (end && call.sub.label != label))
-    return report({end ? Misfit::Role::end : Misfit::Role::between, Kind::sub, label},
-                  end ? Code::SC2304 : Code::SC2306, statement_.pos,
-                  "'" + o_word(label, end ? "endsub" : "return") +
-                      (end ? "' without '" : "' outside of '") + o_word(label, "sub") + "'",
-                  text_);
-  if (end) tell_open_from(call.opens);
+    return report_structure(label, end ? Code::SC2304 : Code::SC2306, statement_.pos,
+                            "'" + o_word(label, end ? "endsub" : "return") +
+                                (end ? "' without '" : "' outside of '") + o_word(label, "sub") +
+                                "'",
+                            text_);
+  if (end) report_open_from(call.opens);
   std::optional<double> value;
-  if (statement_.uncertain) value = kUncertain;
+  if (statement_.unknown) value = kUnknown;
   if (statement_.has_value) value = statement_.value;
   leave(value, statement_.pos);
 }
 
 void Flow::leave_by_code(const Jump& jump) {
-  if (options_.unrun_too && jump.pos.file == 0) leaves_.insert(jump.pos.line);
+  if (options_.unreachable_too && jump.pos.file == 0) leaves_.insert(jump.pos.line);
   if (in_subprogram()) {
     if (jump.line_number) calls_.back().times = 1;
     leave(std::nullopt, jump.pos);
   } else if (!jump.line_number) {
-    if (end_lost_) return static_cast<void>(ended_ = true);  // nobody knows whether it comes here
+    if (order_unknown_) return static_cast<void>(ended_ = true);  // it may never come here
     if (runs_too_long(executed_, "the program, which M99 starts again,", jump.pos, text_)) return;
     diagnostics_.lines_repeat();
     opens_.clear();
@@ -322,9 +265,7 @@ void Flow::go_to_line(int number, const SourcePos& pos) {
     if (backward_.size() < kMostTargets) backward_.emplace(key, before_);
     return go_back(here, before_, pos);
   }
-  if (is_misspelt(number, here) || ended_) return;
-  target_lost_ = true;
-  parser_.doubt_order();
+  lose_order();
   report(Code::SC2308, pos,
          "no line N" + std::to_string(number) + " in " +
              (in_subprogram() ? name_of(calls_.back().sub) : "the program"));
@@ -332,25 +273,11 @@ void Flow::go_to_line(int number, const SourcePos& pos) {
   sought_in_vain(here, pos);
 }
 
-/// True if there is a line whose number is meant, and cannot be read. That is told where it stands:
-/// the program goes on there, or here if it lies behind.
-bool Flow::is_misspelt(int number, const Spot& here) {
-  const auto is_meant = [&](const Line& line) { return number_meant(line.text) == number; };
-  if (!go(calls_.back().sub.begin)) return false;
-  if (!pass_to(is_meant)) {
-    go(here);
-    return false;
-  }
-  doubt_order();
-  go(before_.place.line < here.place.line ? here : before_);
-  return true;
-}
-
 /// Passes to the line of this number; loops whose end is passed are no longer open.
 bool Flow::find_line(int number, int last) {
   std::size_t open = opens_.size();
   bool found = false;
-  pass_to([&](const Line& line) {
+  pass_to([&](const ProgramLine& line) {
     const bool begins = line.statement && line.statement->kind == Kind::program;
     const bool numbered = !begins && !line.words.empty() && line.words.front().letter == 'N';
     found = numbered && line.words.front().value == number && line.number <= last;
@@ -367,7 +294,7 @@ void Flow::go_back(const Spot& from, const Spot& to, const SourcePos& pos) {
   const int line = to.place.line;
   const std::int64_t made = std::exchange(made_since_jump_, 0);
   const bool again = landing_of(pos) != landings_.end();
-  if (again && (uncertain_ || target_lost_)) return static_cast<void>(go(from));
+  if (again && order_unknown_) return static_cast<void>(go(from));
   jumped_back_ += from.place.line - line + (again ? made : 0);
   if (runs_too_long(jumped_back_, "jumping back to line " + std::to_string(line + 1), pos, text_))
     return;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Loops and branches. Each is known by its label, and what is not run is passed over to that label.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -11,88 +10,79 @@
 namespace softcnc::ipr {
 namespace {
 
-using Kind = Statement::Kind;
-
-std::string_view keyword(Kind kind) {
+std::string_view keyword(StatementKind kind) {
   switch (kind) {
-    case Kind::if_begin:
+    case StatementKind::if_begin:
       return "if";
-    case Kind::else_if:
+    case StatementKind::else_if:
       return "elseif";
-    case Kind::else_begin:
+    case StatementKind::else_begin:
       return "else";
-    case Kind::if_end:
+    case StatementKind::if_end:
       return "endif";
-    case Kind::while_begin:
+    case StatementKind::while_begin:
       return "while";
-    case Kind::while_end:
+    case StatementKind::while_end:
       return "endwhile";
-    case Kind::do_begin:
+    case StatementKind::do_begin:
       return "do";
-    case Kind::repeat_begin:
+    case StatementKind::repeat_begin:
       return "repeat";
-    case Kind::repeat_end:
+    case StatementKind::repeat_end:
       return "endrepeat";
-    case Kind::next_round:
+    case StatementKind::next_round:
       return "continue";
-    case Kind::leave_loop:
+    case StatementKind::leave_loop:
       return "break";
     default:
       return {};
   }
 }
 
-bool is_fanuc(Kind kind) { return kind == Kind::loop_begin || kind == Kind::loop_end; }
+bool is_fanuc(StatementKind kind) {
+  return kind == StatementKind::loop_begin || kind == StatementKind::loop_end;
+}
 
 /// Whether it is another branch of what is open.
 template <typename Open>
 bool is_branch_of(const Open& open, const Statement& statement) {
-  const bool branch = statement.kind == Kind::else_if || statement.kind == Kind::else_begin;
-  return branch && open.kind == Kind::if_begin && statement.label == open.label;
-}
-
-template <typename Open>
-bool may_end_loop(const Statement& statement, const Open& open) {
-  return statement.kind == Kind::misspelt_end && is_fanuc(open.kind) &&
-         statement.label == open.label;
+  const bool branch =
+      statement.kind == StatementKind::else_if || statement.kind == StatementKind::else_begin;
+  return branch && open.kind == StatementKind::if_begin && statement.label == open.label;
 }
 
 /// As it is written, in quotes.
-std::string spelled(Kind kind, const std::string& label) {
+std::string spelled(StatementKind kind, const std::string& label) {
   if (!is_fanuc(kind)) return "'" + o_word(label, keyword(kind)) + "'";
-  return (kind == Kind::loop_begin ? "'DO " : "'END ") + label + "'";
+  return (kind == StatementKind::loop_begin ? "'DO " : "'END ") + label + "'";
 }
 
-Kind end_of(Kind begin) {
+StatementKind end_of(StatementKind begin) {
   switch (begin) {
-    case Kind::if_begin:
-      return Kind::if_end;
-    case Kind::while_begin:
-      return Kind::while_end;
-    case Kind::do_begin:
-      return Kind::while_begin;
-    case Kind::repeat_begin:
-      return Kind::repeat_end;
+    case StatementKind::if_begin:
+      return StatementKind::if_end;
+    case StatementKind::while_begin:
+      return StatementKind::while_end;
+    case StatementKind::do_begin:
+      return StatementKind::while_begin;
+    case StatementKind::repeat_begin:
+      return StatementKind::repeat_end;
     default:
-      return Kind::loop_end;
+      return StatementKind::loop_end;
   }
 }
 
-Kind begin_of(Kind end) {
+StatementKind begin_of(StatementKind end) {
   switch (end) {
-    case Kind::while_end:
-      return Kind::while_begin;
-    case Kind::repeat_end:
-      return Kind::repeat_begin;
-    case Kind::loop_end:
-      return Kind::loop_begin;
+    case StatementKind::while_end:
+      return StatementKind::while_begin;
+    case StatementKind::repeat_end:
+      return StatementKind::repeat_begin;
+    case StatementKind::loop_end:
+      return StatementKind::loop_begin;
     default:
-      return Kind::if_begin;
+      return StatementKind::if_begin;
   }
-}
-
-std::string_view keyword_at_end(Kind begin) {
-  return is_fanuc(begin) ? "end" : keyword(end_of(begin));
 }
 
 constexpr double kMostRounds = 1e15;
@@ -103,8 +93,8 @@ bool Flow::ends(const Statement& statement, const Open& open) {
   return statement.kind == end_of(open.kind) && statement.label == open.label;
 }
 
-void Flow::open(Kind kind, Spot round) {
-  if (kind != Kind::if_begin) diagnostics_.lines_repeat();
+void Flow::open(StatementKind kind, Spot round) {
+  if (kind != StatementKind::if_begin) diagnostics_.lines_repeat();
   Open begun;
   begun.kind = kind;
   begun.label = statement_.label;
@@ -116,60 +106,61 @@ void Flow::open(Kind kind, Spot round) {
 }
 
 /// What has begun by this label; nullptr if nothing has, or what it stands in.
-Flow::Open* Flow::opened(Kind begin) {
+Flow::Open* Flow::opened(StatementKind begin) {
   for (std::size_t i = opens_.size(); i-- > calls_.back().opens;)
     if (opens_[i].kind == begin && opens_[i].label == statement_.label) return &opens_[i];
   return nullptr;
 }
 
-/// Makes it the innermost; others begun within it have no end, which is told.
-void Flow::close_within(const Open& open, bool tell) {
+/// Makes it the innermost; others begun within it have no end, which is reported.
+void Flow::close_within(const Open& open, bool reports) {
   const auto wanted = static_cast<std::size_t>(&open - opens_.data());
-  const bool others = tell && opens_.size() > wanted + 1;
+  const bool others = reports && opens_.size() > wanted + 1;
   if (others && is_fanuc(opens_.back().kind) && is_fanuc(statement_.kind))
-    tell_crossed(wanted + 1);
+    report_crossed(wanted + 1);
   else if (others)
-    tell_open_from(wanted + 1);
+    report_open_from(wanted + 1);
   opens_.resize(wanted + 1);
 }
 
-void Flow::tell_open(const Open& open) {
-  report({Misfit::Role::beginning, open.kind, open.label}, Code::SC2302, open.pos,
-         spelled(open.kind, open.label) + " has no " + spelled(end_of(open.kind), open.label),
-         open.text);
+void Flow::report_open(const Open& open) {
+  report_structure(
+      open.label, Code::SC2302, open.pos,
+      spelled(open.kind, open.label) + " has no " + spelled(end_of(open.kind), open.label),
+      open.text);
 }
 
-void Flow::tell_open_from(std::size_t first) {
-  for (; first < opens_.size(); ++first) tell_open(opens_[first]);
+void Flow::report_open_from(std::size_t first) {
+  for (; first < opens_.size(); ++first) report_open(opens_[first]);
 }
 
-/// Loops of FANUC have three labels for all: only the first that cross are told.
-void Flow::tell_crossed(std::size_t first) {
+/// Loops of FANUC have three labels for all: only the first that cross are reported.
+void Flow::report_crossed(std::size_t first) {
   const Open& top = opens_.back();
-  if (!uncertain_)
+  if (!order_unknown_)
     diagnostics_.report(Code::SC2312, statement_.pos,
                         spelled(statement_.kind, statement_.label) + " before " +
                             spelled(end_of(top.kind), top.label) + ": the loops cross",
                         text_);
-  for (; first < opens_.size(); ++first)
-    is_new({Misfit::Role::between, Kind::loop_begin, opens_[first].label});
+  lose_order();
+  for (; first < opens_.size(); ++first) unknown_labels_.insert(opens_[first].label);
 }
 
 /// The last jump from outside to between the beginning and the end in work; nullptr if there was
 /// none.
-const Flow::Landing* Flow::jump_into(Kind begin) {
+const Flow::Landing* Flow::jump_into(StatementKind begin) {
   const Spot here = library_.here();
   const auto found = std::find_if(landings_.rbegin(), landings_.rend(),
                                   [&](const Landing& one) { return leads_into(one, begin, here); });
   return found == landings_.rend() ? nullptr : &*found;
 }
 
-bool Flow::leads_into(const Landing& landing, Kind begin, const Spot& here) {
+bool Flow::leads_into(const Landing& landing, StatementKind begin, const Spot& here) {
   if (landing.level != calls_.size() || landing.spot.file != here.file) return false;
   const int last = landing.spot.place.line;
   int begun = 0;  // the line of the beginning that has no end before the landing
   if (!go(calls_.back().sub.begin)) return false;
-  pass_to([&](const Line& line) {
+  pass_to([&](const ProgramLine& line) {
     const bool behind = line.number > last;
     if (!behind && line.statement && line.statement->label == statement_.label) {
       if (line.statement->kind == begin) begun = line.number;
@@ -181,43 +172,31 @@ bool Flow::leads_into(const Landing& landing, Kind begin, const Spot& here) {
   return go(here) && begun > 0 && (from < begun || from > here.place.line);
 }
 
-void Flow::tell_not_begun() {
-  const Kind begin = begin_of(statement_.kind);
-  const bool branch = statement_.kind == Kind::else_if || statement_.kind == Kind::else_begin;
-  const bool jumps_are_known = !uncertain_;
-  if (!is_new({branch ? Misfit::Role::between : Misfit::Role::end, begin, statement_.label}))
-    return;
-  const Landing* jump = jump_into(begin);
+void Flow::report_not_begun() {
+  const StatementKind begin = begin_of(statement_.kind);
+  const Landing* jump = order_unknown_ ? nullptr : jump_into(begin);
   if (jump == nullptr)
-    diagnostics_.report(
-        Code::SC2304, statement_.pos,
+    return report_structure(
+        statement_.label, Code::SC2304, statement_.pos,
         spelled(statement_.kind, statement_.label) + " without " + spelled(begin, statement_.label),
         text_);
-  else if (jumps_are_known)
-    diagnostics_.report(Code::SC2304, jump->pos,
-                        "the jump leads past " + spelled(begin, statement_.label) + " to before " +
-                            spelled(statement_.kind, statement_.label),
-                        jump->text);
+  report_structure(statement_.label, Code::SC2304, jump->pos,
+                   "the jump leads past " + spelled(begin, statement_.label) + " to before " +
+                       spelled(statement_.kind, statement_.label),
+                   jump->text);
 }
 
-/// Told if so: its end could not be told from the other's.
+/// Reported if so: its end could not be told from the other's.
 bool Flow::is_open_already() {
   for (std::size_t i = opens_.size(); i-- > calls_.back().opens;) {
     const Open& open = opens_[i];
     if (open.label != statement_.label || is_fanuc(open.kind) != is_fanuc(statement_.kind))
       continue;
-    Misfit ended{Misfit::Role::beginning, open.kind, open.label};
-    ended.within = calls_.back().sub.begin;
-    if (!is_fanuc(open.kind) && !opens_lost_ && follows(ended)) {  // by an end of another label
-      opens_.resize(i);
-      return false;
-    }
-    Misfit twice{Misfit::Role::twice, statement_.kind, statement_.label};
-    twice.outer = open.kind;
-    report(std::move(twice), is_fanuc(open.kind) ? Code::SC2312 : Code::SC2313, statement_.pos,
-           spelled(statement_.kind, statement_.label) + " within " +
-               spelled(open.kind, open.label) + " of line " + std::to_string(open.pos.line),
-           text_);
+    report_structure(
+        statement_.label, is_fanuc(open.kind) ? Code::SC2312 : Code::SC2313, statement_.pos,
+        spelled(statement_.kind, statement_.label) + " within " + spelled(open.kind, open.label) +
+            " of line " + std::to_string(open.pos.line),
+        text_);
     return true;
   }
   return false;
@@ -232,109 +211,90 @@ bool Flow::is_too_deep() {
   return true;
 }
 
-/// Passes on to behind the end of the innermost, which is no longer open.
+/// Passes on to after the end of the innermost, which is no longer open.
 void Flow::pass_top() {
   const Spot here = library_.here();
   const Open top = std::move(opens_.back());
   opens_.pop_back();
   if (top.end) {
     go(*top.end);
-  } else if (pass_to_end(top) == Passed::nowhere) {
-    tell_open(top);
+  } else if (!pass_to_end(top)) {
+    report_open(top);
     sought_in_vain(here, statement_.pos);
   }
 }
 
-Flow::Passed Flow::pass_to_end(const Open& open) {
+bool Flow::pass_to_end(const Open& open) {
   bool had_else = open.had_else;
-  std::optional<Spot> misspelt;  // counts where there is no end
-  const bool found = pass_to([&](const Line& line) {
-    const bool may_end =
-        line.statement == nullptr
-            ? line.broken && names(line.text, keyword_at_end(open.kind))
-            : may_be_of(*line.statement, open.label) || may_end_loop(*line.statement, open);
-    if (may_end && !misspelt)
-      misspelt = Spot{parser_.file(), parser_.reader().place_before(line.text)};
+  return pass_to([&](const ProgramLine& line) {
     if (line.statement == nullptr) return false;
     if (is_branch_of(open, *line.statement)) {
-      if (had_else) tell_behind_else(*line.statement, line.text);
-      had_else = had_else || line.statement->kind == Kind::else_begin;
+      if (had_else) report_after_else(*line.statement, line.text);
+      had_else = had_else || line.statement->kind == StatementKind::else_begin;
     }
     return ends(*line.statement, open);
   });
-  if (found) return Passed::to_end;
-  if (misspelt) go(*misspelt);
-  return misspelt ? Passed::to_misspelt : Passed::nowhere;
 }
 
 void Flow::begin_branch() {
   if (is_too_deep() || is_open_already()) return;
-  open(Kind::if_begin, {});
-  if (!statement_.uncertain && statement_.value == 0) find_branch();
+  open(StatementKind::if_begin, {});
+  if (!statement_.unknown && statement_.value == 0) find_branch();
 }
 
 /// Passes on to the branch whose condition holds.
 void Flow::find_branch() {
   const Spot here = library_.here();
-  Kind found = Kind::none;
-  std::optional<Spot> unreadable;  // counts where there is no end
-  const auto is_branch = [&](const Line& line) {
+  Kind found = StatementKind::none;
+  const auto is_branch = [&](const ProgramLine& line) {
     const Statement* statement = line.statement;
-    if (statement == nullptr && line.broken && names(line.text, keyword(Kind::if_end)) &&
-        !unreadable)
-      unreadable = Spot{parser_.file(), parser_.reader().place_before(line.text)};
     if (statement == nullptr) return false;
     found = statement->kind;
-    if (found == Kind::misspelt) return may_be_of(*statement, opens_.back().label);
-    const bool branch =
-        found == Kind::else_if || found == Kind::else_begin || found == Kind::if_end;
+    const bool branch = found == StatementKind::else_if || found == StatementKind::else_begin ||
+                        found == StatementKind::if_end;
     return branch && statement->label == opens_.back().label;
   };
   while (pass_to(is_branch)) {
     ++executed_;
-    if (found == Kind::misspelt) return static_cast<void>(go(before_));
-    if (found == Kind::if_end) return opens_.pop_back();
-    opens_.back().had_else = found == Kind::else_begin;
-    if (found == Kind::else_begin) return;
-    const Line line = parser_.evaluate();
+    if (found == StatementKind::if_end) return opens_.pop_back();
+    opens_.back().had_else = found == StatementKind::else_begin;
+    if (found == StatementKind::else_begin) return;
+    const ProgramLine line = parser_.evaluate();
     if (line.broken || line.statement == nullptr || line.statement->value != 0) return;
   }
-  if (unreadable) {
-    opens_.pop_back();
-    go(*unreadable);
-    return;
-  }
-  tell_open(opens_.back());
+  report_open(opens_.back());
   opens_.pop_back();
   sought_in_vain(here, statement_.pos);
 }
 
-void Flow::tell_behind_else(const Statement& branch, std::string_view text) {
-  report({Misfit::Role::between, Kind::if_begin, branch.label}, Code::SC2304, branch.pos,
-         spelled(branch.kind, branch.label) + " after " + spelled(Kind::else_begin, branch.label),
-         text);
+void Flow::report_after_else(const Statement& branch, std::string_view text) {
+  report_structure(branch.label, Code::SC2304, branch.pos,
+                   spelled(branch.kind, branch.label) + " after " +
+                       spelled(StatementKind::else_begin, branch.label),
+                   text);
 }
 
 /// A branch has been run; the others are passed over.
 void Flow::next_branch() {
-  const Open* open = opened(Kind::if_begin);
-  if (open == nullptr) return tell_not_begun();
+  const Open* open = opened(StatementKind::if_begin);
+  if (open == nullptr) return report_not_begun();
   close_within(*open, true);
-  if (opens_.back().had_else) tell_behind_else(statement_, text_);
-  opens_.back().had_else = opens_.back().had_else || statement_.kind == Kind::else_begin;
+  if (opens_.back().had_else) report_after_else(statement_, text_);
+  opens_.back().had_else = opens_.back().had_else || statement_.kind == StatementKind::else_begin;
   pass_top();
 }
 
 void Flow::end_branch() {
-  const Open* open = opened(Kind::if_begin);
-  if (open == nullptr) return tell_not_begun();
+  const Open* open = opened(StatementKind::if_begin);
+  if (open == nullptr) return report_not_begun();
   close_within(*open, true);
   opens_.pop_back();
 }
 
 bool Flow::holds() const {
-  if (statement_.uncertain) return false;
-  return statement_.kind == Kind::loop_begin ? statement_.condition : statement_.value != 0;
+  if (statement_.unknown) return false;
+  return statement_.kind == StatementKind::loop_begin ? statement_.condition
+                                                      : statement_.value != 0;
 }
 
 /// WHILE: of a new loop, of the next round of one, or at the end of a do.
@@ -343,70 +303,70 @@ void Flow::begin_or_repeat() {
     if (!holds()) pass_top();
     return;
   }
-  const Open* loop = statement_.kind == Kind::while_begin ? opened(Kind::do_begin) : nullptr;
+  const Open* loop =
+      statement_.kind == StatementKind::while_begin ? opened(StatementKind::do_begin) : nullptr;
   if (loop != nullptr) {
     close_within(*loop, true);
     return holds() ? begin_round() : opens_.pop_back();
   }
   if (!has_loop_number() || is_too_deep() || is_open_already()) return;
   open(statement_.kind, head_);
-  if (!holds() && !statement_.uncertain) pass_top();
+  if (!holds() && !statement_.unknown) pass_top();
 }
 
 /// A loop of FANUC has one of three numbers.
 bool Flow::has_loop_number() {
   const std::string& label = statement_.label;
-  if (statement_.kind != Kind::loop_begin || label == "1" || label == "2" || label == "3")
+  if (statement_.kind != StatementKind::loop_begin || label == "1" || label == "2" || label == "3")
     return true;
-  report({Misfit::Role::between, Kind::loop_begin, label}, Code::SC2312, statement_.pos,
-         "'DO " + label + "': a loop is numbered 1, 2 or 3", text_);
+  if (label.empty()) return false;
+  report_structure(label, Code::SC2312, statement_.pos,
+                   "'DO " + label + "': a loop is numbered 1, 2 or 3", text_);
   return false;
 }
 
 void Flow::begin_loop() {
   if (is_too_deep() || is_open_already()) return;
   open(statement_.kind, library_.here());
-  if (statement_.kind == Kind::do_begin) return;
-  const double rounds = statement_.uncertain ? 1 : std::round(statement_.value);
+  if (statement_.kind == StatementKind::do_begin) return;
+  const double rounds = statement_.unknown ? 1 : std::round(statement_.value);
   opens_.back().rounds = static_cast<std::int64_t>(std::min(rounds, kMostRounds));
   if (rounds < 1) pass_top();
 }
 
 void Flow::end_loop() {
   const Open* loop = opened(begin_of(statement_.kind));
-  if (loop == nullptr) return tell_not_begun();
+  if (loop == nullptr) return report_not_begun();
   close_within(*loop, true);
   Open& top = opens_.back();
   top.end = library_.here();
-  if (top.kind == Kind::repeat_begin && --top.rounds <= 0) return opens_.pop_back();
+  if (top.kind == StatementKind::repeat_begin && --top.rounds <= 0) return opens_.pop_back();
   begin_round();
 }
 
 void Flow::begin_round() {
   const Open& top = opens_.back();
-  if (uncertain_ || target_lost_) return opens_.pop_back();
+  if (order_unknown_) return opens_.pop_back();
   if (runs_too_long(executed_ - top.since, spelled(top.kind, top.label), top.pos, top.text)) return;
-  new_round_ = top.kind == Kind::while_begin || top.kind == Kind::loop_begin;
+  new_round_ = top.kind == StatementKind::while_begin || top.kind == StatementKind::loop_begin;
   go(top.round);
 }
 
 void Flow::next_round_or_leave() {
   const Open* loop = nullptr;
-  for (const Kind kind : {Kind::while_begin, Kind::do_begin, Kind::repeat_begin})
+  for (const Kind kind :
+       {StatementKind::while_begin, StatementKind::do_begin, StatementKind::repeat_begin})
     if (loop == nullptr) loop = opened(kind);
   if (loop == nullptr)
-    return report({Misfit::Role::between, Kind::while_begin, statement_.label}, Code::SC2305,
-                  statement_.pos,
-                  spelled(statement_.kind, statement_.label) + " outside of a loop " +
-                      o_word(statement_.label),
-                  text_);
+    return report_structure(statement_.label, Code::SC2305, statement_.pos,
+                            spelled(statement_.kind, statement_.label) + " outside of a loop " +
+                                o_word(statement_.label),
+                            text_);
   close_within(*loop, false);
-  if (statement_.kind == Kind::leave_loop) return pass_top();
+  if (statement_.kind == StatementKind::leave_loop) return pass_top();
   const Spot here = library_.here();
-  const Passed passed = pass_to_end(opens_.back());
-  if (passed == Passed::to_end) go(before_);
-  if (passed != Passed::nowhere) return;
-  tell_open(opens_.back());
+  if (pass_to_end(opens_.back())) return static_cast<void>(go(before_));
+  report_open(opens_.back());
   opens_.pop_back();
   sought_in_vain(here, statement_.pos);
 }

@@ -16,10 +16,9 @@ bool Flow::pass_to(Wanted wanted) {
     const auto line = parser_.next_statement();
     if (!line) return false;
     const Kind kind = line->statement ? line->statement->kind : Kind::none;
+    if (line->broken && kind == Kind::none) structure_unknown_ = true;
     if (!definition.empty()) {
-      const bool ends = kind == Kind::end_sub && line->statement->label == definition;
-      const bool may_end = kind == Kind::misspelt && may_be_of(*line->statement, definition);
-      if (ends || may_end) definition.clear();
+      if (kind == Kind::end_sub && line->statement->label == definition) definition.clear();
     } else if (wanted(*line)) {
       before_ = {parser_.file(), parser_.reader().place_before(line->text)};
       return true;

@@ -9,7 +9,7 @@
 
 namespace softcnc::ipr {
 
-void PassedLines::read(int line, const Reader::Place& behind, bool moved) {
+void SkippedLines::read(int line, const Reader::Place& behind, bool moved) {
   const int before = std::exchange(last_read_, line);
   if (line <= known_.line) return cut_out(moved ? line : before + 1, line, behind);
   const bool passed = moved && line > known_.line + 1;
@@ -17,7 +17,7 @@ void PassedLines::read(int line, const Reader::Place& behind, bool moved) {
   known_ = behind;
 }
 
-std::deque<PassedLines::Stretch> PassedLines::take(bool rest) {
+std::deque<SkippedLines::Stretch> SkippedLines::take(bool rest) {
   constexpr int kEnd = std::numeric_limits<int>::max();
   if (rest && known_.line < kEnd) stretches_.push_back({std::exchange(known_, {0, kEnd}), kEnd});
   return std::exchange(stretches_, {});
@@ -25,7 +25,7 @@ std::deque<PassedLines::Stretch> PassedLines::take(bool rest) {
 
 /// Between lines that are read one after the other there are none but empty ones: all of them lie
 /// in one stretch, or in none.
-void PassedLines::cut_out(int first, int line, const Reader::Place& behind) {
+void SkippedLines::cut_out(int first, int line, const Reader::Place& behind) {
   auto at = std::lower_bound(stretches_.begin(), stretches_.end(), first,
                              [](const Stretch& one, int of) { return one.last < of; });
   if (at == stretches_.end() || at->begin.line >= line) return;

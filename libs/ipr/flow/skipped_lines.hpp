@@ -10,7 +10,7 @@
 
 namespace softcnc::ipr {
 
-class PassedLines {
+class SkippedLines {
  public:
   /// Lines behind a place, up to this one; never empty.
   struct Stretch {

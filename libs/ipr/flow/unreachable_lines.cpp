@@ -5,20 +5,11 @@
 #include "ipr/flow/flow.hpp"
 
 namespace softcnc::ipr {
-namespace {
-
-/// Of variables nothing is known here.
-bool has_unknown_label(const Line& line) {
-  return line.statement != nullptr && line.statement->label_computed;
-}
-
-}  // namespace
-
-void Flow::begin_unrun() {
+void Flow::begin_unreachable() {
   if (broke_off()) return;
   ended_ = false;
-  leaves_.insert(passed_.last_read());
-  order_lost_ = uncertain_ || target_lost_;
+  leaves_.insert(skipped_.last_read());
+  rest_is_program_ = order_unknown_;
   diagnostics_.lines_repeat();
   while (in_subprogram()) {
     calls_.pop_back();
@@ -30,30 +21,32 @@ void Flow::begin_unrun() {
     const int line = sub.begin.place.line;
     return line == main_begin || entered_.contains(line);
   });
-  parser_.doubt_order();
+  parser_.lose_order();
   parser_.only_read();
 }
 
-std::optional<Line> Flow::next_unrun() {
+std::optional<ProgramLine> Flow::next_unreachable() {
   if (broke_off()) return std::nullopt;
   auto line = next_uncalled();
   return line ? line : next_passed();
 }
 
-std::optional<Line> Flow::next_uncalled() {
+std::optional<ProgramLine> Flow::next_uncalled() {
   while (!uncalled_.empty()) {
     if (!reading_uncalled_ && !go_to_uncalled(uncalled_.front())) return std::nullopt;
     reading_uncalled_ = true;
     const int errors = diagnostics_.errors();
-    auto line = read_unrun();
+    auto line = read_unreachable();
     if (line) remember(*line);
     if (line && !ends_uncalled(*line)) {
-      if (diagnostics_.errors() > errors || has_unknown_label(*line)) doubt(*line);
+      const bool label_unknown = line->statement != nullptr && line->statement->label_computed;
+      if (diagnostics_.errors() > errors || label_unknown) note_unread(*line);
+      if (label_unknown) structure_unknown_ = true;
       if (line->statement == nullptr) return line;
       check_order(*line);
       continue;
     }
-    tell_open_from(0);
+    report_open_from(0);
     reading_uncalled_ = false;
     uncalled_.erase(uncalled_.begin());
   }
@@ -61,8 +54,8 @@ std::optional<Line> Flow::next_uncalled() {
 }
 
 /// The next line, its condition too, as if nothing were known of variables.
-std::optional<Line> Flow::read_unrun() {
-  parser_.parameters().doubt_all(true);
+std::optional<ProgramLine> Flow::read_unreachable() {
+  parser_.parameters().lose_all(true);
   auto line = parser_.next();
   const bool condition = line && line->statement != nullptr;
   return condition && line->statement->kind == Kind::else_if ? parser_.evaluate() : line;
@@ -71,23 +64,22 @@ std::optional<Line> Flow::read_unrun() {
 bool Flow::go_to_uncalled(const Subprogram& sub) {
   opens_.clear();
   landings_.clear();
-  misfits_.clear();
-  uncertain_ = opens_lost_ = false;
+  unknown_labels_.clear();
+  order_unknown_ = structure_unknown_ = false;
   return go(sub.begin);
 }
 
-bool Flow::ends_uncalled(const Line& line) const {
+bool Flow::ends_uncalled(const ProgramLine& line) const {
   const Subprogram& sub = uncalled_.front();
   if (line.statement == nullptr) return false;
   const Kind kind = line.statement->kind;
   if (kind == Kind::program || kind == Kind::sub) return true;
   if (sub.kind != SubKind::o_word) return false;
-  return may_be_of(*line.statement, sub.label) ||
-         (kind == Kind::end_sub && line.statement->label == sub.label);
+  return kind == Kind::end_sub && line.statement->label == sub.label;
 }
 
-/// Tells what begins without an end, and ends without a beginning.
-void Flow::check_order(const Line& line) {
+/// Reports what begins without an end, and ends without a beginning.
+void Flow::check_order(const ProgramLine& line) {
   take(line);
   switch (statement_.kind) {
     case Kind::while_begin:
@@ -101,7 +93,7 @@ void Flow::check_order(const Line& line) {
       return;
     case Kind::else_if:
     case Kind::else_begin:
-      if (opened(Kind::if_begin) == nullptr) tell_not_begun();
+      if (opened(Kind::if_begin) == nullptr) report_not_begun();
       return;
     case Kind::if_end:
       return close(Kind::if_begin);
@@ -118,20 +110,20 @@ void Flow::check_order(const Line& line) {
 
 void Flow::close(Kind begin) {
   const Open* open = opened(begin);
-  if (open == nullptr) return tell_not_begun();
+  if (open == nullptr) return report_not_begun();
   close_within(*open, true);
   opens_.pop_back();
 }
 
 /// Of statements only what they say is read, not how they nest: a stretch may begin within a branch
 /// and end within another.
-std::optional<Line> Flow::next_passed() {
-  if (unread_.empty()) unread_ = passed_.take(order_lost_);
+std::optional<ProgramLine> Flow::next_passed() {
+  if (unread_.empty()) unread_ = skipped_.take(rest_is_program_);
   while (!unread_.empty()) {
-    const PassedLines::Stretch& stretch = unread_.front();
+    const SkippedLines::Stretch& stretch = unread_.front();
     if (!reading_stretch_ && !go_to(stretch)) return std::nullopt;
     reading_stretch_ = true;
-    const auto line = parser_.line() < stretch.last ? read_unrun() : std::nullopt;
+    const auto line = parser_.line() < stretch.last ? read_unreachable() : std::nullopt;
     const bool within = line && line->number <= stretch.last;
     if (within && line->statement == nullptr) return line;
     if (within) continue;
@@ -142,9 +134,9 @@ std::optional<Line> Flow::next_passed() {
 }
 
 /// Behind the end of a program stands nothing of it up to the next one.
-bool Flow::go_to(const PassedLines::Stretch& stretch) {
+bool Flow::go_to(const SkippedLines::Stretch& stretch) {
   if (!go({0, stretch.begin})) return false;
-  bool outside = !order_lost_ && leaves_.contains(stretch.begin.line);
+  bool outside = !rest_is_program_ && leaves_.contains(stretch.begin.line);
   while (outside && parser_.line() < stretch.last) {
     const auto line = parser_.next_statement();
     outside = line && !(line->statement != nullptr && line->statement->kind == Kind::program);

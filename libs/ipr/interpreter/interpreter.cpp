@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "ipr/codes/handlers.hpp"
-#include "ipr/codes/lost_codes.hpp"
+#include "ipr/handlers/handlers.hpp"
+#include "ipr/lines/operands.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -46,64 +46,23 @@ std::string used_by_none(Letters letters) {
 }
 
 /// Among parameters and their values there are no codes.
-[[gnu::cold]] bool is_data(const Line& line) noexcept {
+[[gnu::cold]] bool is_data(const ProgramLine& line) noexcept {
   return std::none_of(line.words.begin(), line.words.end(),
                       [](const Word& word) { return kActing.has(word.letter); });
 }
 
-/// Of one line, not of a row of them: G00 to G03, G05, G05.1.
-bool leads_by_itself(const GCode& code) noexcept {
-  constexpr int kG05 = 50, kG051 = 51;
-  return is_line_or_arc(code) || code.number == kG05 || code.number == kG051;
-}
-
-/// By the codes that may be in force behind their line.
-Letters taken_in_force() noexcept {
-  Letters taken;
-  for (const GCode& code : gcode_table())
-    if (code.group == Group::motion && code.act != refuse_thread) taken |= Letters(code.words);
-  return taken;
+/// Along which points differ from the first.
+Unknown axes_of(const std::vector<AxisVector>& points) noexcept {
+  Unknown axes;
+  for (const AxisVector& point : points)
+    for (int axis = 0; axis < kAxes; ++axis)
+      if (point[axis] != points.front()[axis]) axes.add(position_part(axis));
+  return axes;
 }
 
 bool is_straight(const GCode& code) noexcept {
   constexpr int kG01 = 10;
   return code.letter == 'G' && code.number <= kG01;
-}
-
-/// `H21`, where G21 may have been meant.
-[[gnu::cold]] void doubt_modes_meant(const Line& line, Letters unused, Modal& modal) noexcept {
-  constexpr Groups kModes{Group::plane, Group::units, Group::distance, Group::arc_distance,
-                          Group::feed_mode};
-  const auto first = std::find_if(line.words.begin(), line.words.end(),
-                                  [](const Word& word) { return word.letter != 'N'; });
-  if (first == line.words.end() || !unused.has(first->letter)) return;
-  const GCode* code = find_gcode('G', first->value);
-  if (code != nullptr && kModes.has(code->group)) modal.doubt({code->group});
-}
-
-/// `B02 X1 I5`: another letter in the place of G, which is told, and whose code takes the others.
-bool may_be_code_of(const Values& values, Letters unused, Letters told) noexcept {
-  for (char letter = 'A'; letter <= 'Z'; ++letter) {
-    if (!unused.has(letter) || !told.has(letter)) continue;
-    const GCode* code = find_gcode('G', values[letter]);
-    if (code == nullptr) continue;
-    return unused.without(told).without(code->words).empty();
-  }
-  return false;
-}
-
-/// M03 or M04 with another letter.
-bool may_be_spindle(const Values& values, Letters unused) noexcept {
-  constexpr double kM03 = 3, kM04 = 4;
-  for (char letter = 'A'; letter <= 'Z'; ++letter)
-    if (unused.has(letter) && (values[letter] == kM03 || values[letter] == kM04)) return true;
-  return false;
-}
-
-/// Of a line of which some words could not be read.
-bool may_name_knot(const Line& line, const Command& command) {
-  return command.values().has('K') ||
-         (line.lost.has('K') && line.text.find_first_of("Kk") != line.text.npos);
 }
 
 }  // namespace
@@ -114,18 +73,18 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       machine_(machine),
       diagnostics_(diagnostics),
       options_(options),
-      contradictions_(diagnostics, options.dialect, options.compare_dialects),
-      out_(diagnostics, contradictions_, options.refused_moves),
+      differences_(diagnostics, options.dialect, options.compare_dialects),
+      out_(diagnostics, differences_),
       variables_(modal_, machine, options.dialect),
       levels_(modal_),
       flow_(parser, diagnostics,
             {options_.folder, options_.called, machine.program.block_limit, &levels_,
-             options_.unrun_too, options_.lines_run}) {
+             options_.unreachable_too}) {
   modal_.state = std::move(state);
   modal_.update_coordinates();
   modal_.corner_tolerance = modal_.chord_tolerance = machine.control.corner_tolerance;
   parser_.reader().set_stop(options.stop);
-  parser_.configure({options.dialect, options.block_skip, &contradictions_});
+  parser_.configure({options.dialect, options.block_skip, &differences_});
   parser_.parameters().set_system(&variables_);
   if (options.dialect == Dialect::linuxcnc) parser_.parameters().keep(modal_.state.parameters);
 }
@@ -161,7 +120,7 @@ bool Interpreter::read_on() {
     if (modal_.ended) return false;
     if (next_)
       interpret(*std::exchange(next_, std::nullopt));
-    else if (const auto line = flow_.next(); line && !tell_restored(*line))
+    else if (const auto line = flow_.next(); line && !report_restored(*line))
       interpret(*line);
     else if (next_)
       continue;
@@ -172,12 +131,12 @@ bool Interpreter::read_on() {
   }
 }
 
-/// What the end of a call has restored, told as if on a line before `next`. A curve whose lines are
-/// counted, or end by a code of their own, goes on; the spline of G06.1 ends here.
-bool Interpreter::tell_restored(const Line& next) {
+/// Emits what the end of a call has restored, as if on a line before `next`. A curve whose lines
+/// are counted, or end by a code of their own, goes on; the spline of G06.1 ends here.
+bool Interpreter::report_restored(const ProgramLine& next) {
   if (!modal_.restored || modal_.curve) return false;
   Restored restored = *modal_.restored;
-  Line line;
+  ProgramLine line;
   line.number = restored.pos.line;
   out_.begin(line);
   if (modal_.points) {
@@ -193,7 +152,7 @@ bool Interpreter::tell_restored(const Line& next) {
   return true;
 }
 
-[[gnu::hot]] void Interpreter::interpret(const Line& line) {
+[[gnu::hot]] void Interpreter::interpret(const ProgramLine& line) {
   if (entering_data_) {
     entering_data_ = is_data(line);
     if (entering_data_) return;
@@ -201,124 +160,55 @@ bool Interpreter::tell_restored(const Line& next) {
   out_.begin(line);
   command_.read(line, options_.dialect, out_);
   if (modal_.ended) return;  // it is only read
-  if (command_.may_be_end()) flow_.expect_end();
+  modal_.unknown |= command_.unknown();
+  if (command_.unknown().has(Part::end)) flow_.lose_order();
+  const bool in_curve = modal_.curve || modal_.points;
+  if (command_.probes()) parser_.parameters().lose_probed_point();
+  if (line.broken) out_.fail();
+  if (out_.failed()) leave_curve();
   if (modal_.curve) check_pending_curve(command_, options_.dialect, modal_, out_);
   if (modal_.points) check_pending_points(command_, modal_, out_);
-  if (!modal_.words_of_left_curve.empty()) excuse_left_curve();
+  if (out_.failed()) leave_curve();
   if (!command_.has(Group::motion)) find_motion();
   if (!modal_.curve && !modal_.points) command_.add_lone_letters(options_.dialect);
   check_axes();
   if (command_.has(Group::non_modal) || command_.has(Group::tool_length)) check_axis_codes();
-  const bool unclear = line.broken || out_.failed();
-  if (!command_.uncertain().has_any(kActing)) look_for_unused(line);
-  if (unclear && !leads_all_the_same(line))
-    out_.mute();
-  else if (unclear || out_.failed())
-    out_.hush(way_is_certain());
-  if (unclear) out_.withhold();
-  modal_.start_uncertain = modal_.uncertain.has_any(kAxisWords);
+  check_unused();
   execute();
-  remember_uncertain(line);
-  if (modal_.curve) note_faults(command_, modal_, out_, *modal_.curve);
-  if (modal_.points) note_faults(command_, modal_, out_, *modal_.points);
-  note_doubt(line);
+  modal_.unknown |= command_.unknown();
+  if (out_.failed()) {
+    leave_curve();
+    if (in_curve) lose_motion();
+    if (command_.has(Group::motion)) leave_contour();
+  }
   out_.end();
-  if (line.broken && !line.may_count && means_end(line)) end_all_the_same(line);
   if (!modal_.ended) return;
   flow_.finish();
-  read_unrun();
-  contradictions_.tell();
+  read_unreachable();
+  differences_.report();
 }
 
-void Interpreter::note_doubt(const Line& line) {
-  if (options_.lines_in_doubt == nullptr || parser_.file() != 0) return;
-  if (out_.failed() || modal_.start_uncertain || modal_.uncertain.has_any(kAxisWords))
-    options_.lines_in_doubt->insert(line.number);
+/// A curve over several lines of which one has an error: whether it goes on is not known.
+[[gnu::cold]] void Interpreter::leave_curve() {
+  if (!modal_.curve && !modal_.points) return;
+  modal_.unknown |= axes_of(modal_.curve ? modal_.curve->spec.control : modal_.points->points);
+  modal_.unknown |= set_by(command_.values().letters());
+  modal_.curve.reset();
+  modal_.points.reset();
+  lose_motion();
 }
 
-/// M3O: nobody doubts that the program ends there.
-[[gnu::cold]] void Interpreter::end_all_the_same(const Line& line) {
-  out_.begin(line);
-  out_.stop_compensation();
-  out_.emit(Action{Action::Kind::end, 30, 0});
-  modal_.ended = true;
+void Interpreter::lose_motion() noexcept {
+  modal_.motion = nullptr;
+  modal_.unknown.add(Part::motion);
 }
 
-/// Whether what is wrong with a line has nothing to do with where its words lead.
-bool Interpreter::leads_all_the_same(const Line& line) {
-  const GCode* motion = command_.find(Group::motion);
-  const bool known = motion != nullptr && line.lost != kAllLetters && leads_by_itself(*motion) &&
-                     !command_.has(Group::non_modal) && !command_.has(Group::tool_length);
-  const Letters lost = command_.uncertain();
-  if (!known || lost.has('G') || lost.has_any(command_.values().letters())) return false;
-  if (!is_straight(*motion)) return !lost.has_any(motion->words);
-  for (const char letter : kAxisLetters)
-    if (lost.has(letter)) modal_.uncertain.add(letter);
-  return true;
-}
-
-/// Of a line that leads all the same: what is wrong is a word that has no part in it.
-[[gnu::cold]] bool Interpreter::way_is_certain() const {
-  constexpr Letters kBesideTheWay{"FMNST"};
-  return command_.uncertain().without(kBesideTheWay).empty() && command_.doubted().empty() &&
-         !command_.has_unknown_code() && command_.unused(options_.dialect).empty();
-}
-
-/// Blocks of a curve that was left too early: they end at a motion code that has none of their
-/// words.
-void Interpreter::excuse_left_curve() {
-  const bool of_curve = command_.unused(options_.dialect).has_any(modal_.words_of_left_curve);
-  if (of_curve) return out_.mute();
-  const GCode* motion = command_.find(Group::motion);
-  const bool leaves = out_.failed() || (motion != nullptr && motion->act == end_control_points);
-  if (motion == nullptr || leaves) return;
-  modal_.words_of_left_curve = {};
-  if (motion->act != nurbs) modal_.left_curve_may_go_on = false;
-}
-
-/// `G682 P3 K0`: it may have been G06.2, whose blocks follow, with the code in each or without.
-void Interpreter::excuse_curve_of_lost_code() {
-  modal_.words_of_left_curve |= kWordsOfCurveBlocks;
-  modal_.left_curve_may_go_on = true;
-}
-
-/// What an error leaves unknown. A motion code that could be read is known all the same.
-void Interpreter::remember_uncertain(const Line& line) {
-  Letters uncertain = command_.lastingly_uncertain();
-  const bool within_curve = modal_.curve || modal_.points;  // whose code is the one in force
-  if (command_.has(Group::motion) && (within_curve || !command_.contradicted().has(Group::motion)))
-    uncertain.remove('G');
-  if (uncertain.has('G')) modal_.motion = modal_.motion_below = nullptr;
-  const bool code_lost = uncertain.has('G') || (command_.doubled() && !has_own_motion());
-  if (code_lost && may_name_knot(line, command_)) excuse_curve_of_lost_code();
-  modal_.uncertain |= uncertain;
-  if (command_.has(Group::motion) && command_.doubted().has(Group::motion))
-    modal_.centre_told = true;  // nobody knows whether lines behind it are arcs: `G6.G2 P3`
-  const Letters unused = command_.missing().empty() ? Letters() : command_.unused(options_.dialect);
-  if (!unused.empty()) doubt_modes_meant(line, unused, modal_);
-  const GCode* motion = command_.find(Group::motion);
-  const bool by_mode = motion != nullptr && is_line_or_arc(*motion) &&
-                       command_.find_word(Group::motion).letter != 'G';
-  if (by_mode &&
-      unused.has_any(is_straight(*motion)
-                         ? "IJKPR"
-                         : "IJKR")) {  // the code of an arc, or a cycle, may be what is missing
-    modal_.motion = modal_.motion_below = nullptr;
-    modal_.uncertain |= "GXYZ";
-  }
-  const bool offsets = command_.has(Group::non_modal) && modal_.offsets_uncertain;
-  if (offsets && out_.failed()) modal_.doubt_offsets();
-  const bool restores = uncertain.has('M') && modal_.saved.back();
-  if (restores) levels_.miss_call();
-  if (uncertain.has('M') && flow_.in_subprogram() && may_save_modes(line)) levels_.lose_save();
-  if (command_.lost_touch()) parser_.parameters().doubt_touch();
-  const Groups doubted = command_.doubted();
-  if (doubted.empty()) return;
-  modal_.doubt(doubted);
-  if (doubted.has_any({Group::cycle, Group::motion})) modal_.cycle.told |= Letters("PQRXYZ");
-  if (!doubted.has(Group::cutter_compensation)) return;
+/// A contour of which a move is missing.
+[[gnu::cold]] void Interpreter::leave_contour() {
+  if (!out_.compensating()) return;
   out_.stop_compensation();
   modal_.cutter.reset();
+  modal_.unknown.add(Part::cutter);
 }
 
 /// There G53 is a rapid, whatever motion is in force.
@@ -336,10 +226,8 @@ const GCode* Interpreter::behind_g80() const noexcept {
 void Interpreter::find_motion() {
   const Letters unused = command_.unused(options_.dialect);
   if (unused.empty()) return;
-  if (command_.uncertain().has('G')) {
-    for (const char axis : kAxisLetters)
-      if (unused.has(axis)) modal_.uncertain.add(axis);
-    return out_.mute();
+  if (modal_.unknown.has(Part::motion)) {
+    return follow_axes(command_, modal_, unused);
   }
   const GCode* motion = command_.has(Group::cycle) ? behind_g80() : modal_.motion;
   if (motion == nullptr && fanuc_goes_to_machine_point()) motion = find_gcode('G', 0);
@@ -347,16 +235,10 @@ void Interpreter::find_motion() {
     return command_.add_modal_motion(*motion, *first_of(command_.values(), motion->words));
   if (motion != nullptr || !unused.has_any(kAxisWords)) return;
   const Word& word = *first_of(command_.values(), kAxisWords);
-  const bool alone = unused.without(Letters({&word.letter, 1})).empty();
-  if (alone && modal_.feed <= 0) modal_.uncertain.add('F');              // `X600`, for F600
-  if (command_.uncertain().has(word.letter)) modal_.uncertain.add('G');  // `x0 X1`, for G0 X1
-  if (tool_may_be_code()) modal_.uncertain.add('G');
-  if (modal_.uncertain.has('G')) return out_.mute();
   out_.report(Code::SC2101, word.pos,
               std::string(1, word.letter) + " with no motion code in force");
-  for (const char axis : kAxisLetters)
-    if (unused.has(axis)) modal_.uncertain.add(axis);
-  modal_.uncertain.add('G');
+  modal_.unknown.add(Part::motion);
+  modal_.unknown |= set_by(unused);
 }
 
 /// FANUC's G10 L50 and L52, which are refused: up to G11 lines hold parameters and their values.
@@ -387,150 +269,86 @@ void Interpreter::check_axis_codes() {
     if (user != nullptr) {
       out_.report(Code::SC2110, word->pos,
                   code_name(*code) + " beside " + code_name(*user) + ": both take the axes");
-      modal_.doubt_offsets();
-      command_.doubt_missing();
+      modal_.unknown |= results(*user, command_);
+      modal_.unknown |= results(*code, command_);
     }
     user = code;
   }
 }
 
-/// Words that the motion in force does not take, whichever it is. In the fanuc dialect it may be
-/// the call of a macro, which takes them all. True if one is told.
-[[gnu::cold]] bool Interpreter::tell_never_used(Letters unused) {
-  static const Letters taken = taken_in_force();
-  const Letters never = unused.without(taken);
-  if (never.empty() || options_.dialect == Dialect::fanuc) return false;
-  for (char letter = 'A'; letter <= 'Z'; ++letter)
-    if (never.has(letter) && kOtherAxes.has(letter))
-      out_.report_by_itself(Code::SC2008, command_.values().word(letter).pos, lacks_axis(letter));
-  const Letters others = never.without(kOtherAxes);
-  if (const Word* first = first_of(command_.values(), others))
-    out_.report_by_itself(Code::SC2004, first->pos, used_by_none(others));
-  return true;
-}
-
-bool Interpreter::has_own_motion() const noexcept {
-  return command_.has(Group::motion) && command_.find_word(Group::motion).letter == 'G';
-}
-
-/// `T6.2`, for G6.2.
-bool Interpreter::tool_may_be_code() const noexcept {
-  if (!command_.has(Group::tool)) return false;
-  const double number = command_.find_word(Group::tool).value;
-  return number != std::floor(number);
-}
-
-/// The code that takes them may be one of two words of a letter, or a tool that is no whole number;
-/// or it is missing right before a line of values alone, which has been told of the same letters.
-[[gnu::cold]] bool Interpreter::is_told_already(const Line& line, Letters unused) {
-  if (has_own_motion()) return false;
-  const bool told =
-      command_.doubled() || tool_may_be_code() ||
-      (is_data(line) && !told_unused_.empty() && unused.without(told_unused_).empty());
-  told_unused_ |= unused;
-  return told;
-}
-
-/// `H2`, for M2, alone on its line.
-[[gnu::cold]] void Interpreter::excuse_end(const Line& line) {
-  if (line.words.size() != 1 || !is_end(line.words.front().value)) return;
-  flow_.expect_end();
-}
-
-void Interpreter::look_for_unused(const Line& line) {
-  if (!check_unused(line)) {
-    told_unused_ = {};
-    return;
-  }
-  doubt_missing();
-  excuse_end(line);
-}
-
-/// True if one is told.
-bool Interpreter::check_unused(const Line& line) {
+/// Where a line has failed, or the motion in force is not known, other codes might take them.
+void Interpreter::check_unused() {
   const Letters unused = command_.unused(options_.dialect);
-  if (unused.empty()) return false;
-  if (modal_.uncertain.has('G') && !command_.has(Group::motion)) {
-    const bool told = tell_never_used(unused);
-    out_.mute();
-    return told;
-  }
+  if (unused.empty() || out_.failed()) return;
+  if (modal_.unknown.has(Part::motion) && !command_.has(Group::motion)) return;
   for (char letter = 'A'; letter <= 'Z'; ++letter)
     if (unused.has(letter) && kOtherAxes.has(letter))
       out_.report(Code::SC2008, command_.values().word(letter).pos, lacks_axis(letter));
-  if (may_be_code_of(command_.values(), unused, kOtherAxes)) return true;
-  if (is_told_already(line, unused)) {
-    out_.mute();
-    return true;
-  }
   if (const Word* first = first_of(command_.values(), unused.without(kOtherAxes)))
     out_.report(Code::SC2004, first->pos, used_by_none(unused.without(kOtherAxes)));
-  return true;
 }
-
-/// For one of them a word that no code takes may stand.
-[[gnu::cold]] void Interpreter::doubt_missing() {
-  command_.doubt_missing();
-  for (const char letter : kAxisLetters)
-    if (command_.missing().has(letter)) modal_.uncertain.add(letter);
-  const bool names_axis = command_.values().letters().has_any(kAxisWords);
-  if (modal_.curve && !names_axis) modal_.curve->knots_uncertain = true;
-  if (may_be_spindle(command_.values(), command_.unused(options_.dialect)))
-    modal_.uncertain.add('M');
-  const GCode* motion = command_.find(Group::motion);
-  if (motion != nullptr && is_line_or_arc(*motion) && !is_straight(*motion)) out_.mute();
-  if (!has_own_motion() && command_.unused(options_.dialect).has_any("IJKR"))
-    out_.mute();  // of an arc whose code is missing
-  const bool curve_by_mode = motion != nullptr && !is_line_or_arc(*motion) &&
-                             leads_by_itself(*motion) &&
-                             command_.find_word(Group::motion).letter != 'G';
-  if (curve_by_mode) command_.doubt_motion();
-}
-
-/// `G10 M2 P1`, where L2 is missing: M02 may be another word, if its line has others.
-bool Interpreter::stands_for_word() const noexcept { return !command_.values().letters().empty(); }
 
 void Interpreter::execute() {
-  const int errors = diagnostics_.errors();
-  if (!modal_.doubted.empty())
-    for (const auto& [code, word] : command_.codes()) modal_.doubted.remove(code->group);
   for (const auto& [code, word] : command_.codes()) {
     Task task{*code, *word, command_, command_.values(), machine_, options_, modal_, out_, flow_};
     if ((out_.compensating() || modal_.beside) && !may_act(task)) continue;
-    if (code->act == end_program && diagnostics_.errors() > errors && stands_for_word())
-      flow_.doubt_end();
-    else if (code->act != nullptr)
-      code->act(task);
+    act(task);
   }
   modal_.machine_coordinates = modal_.stops_once = false;
 }
 
-/// What reading alone tells of lines that are never run.
-[[gnu::cold]] void Interpreter::read_unrun() {
-  if (!options_.unrun_too) return;
+/// The one rule of errors: see Unknown.
+void Interpreter::act(Task& task) {
+  const GCode& code = task.code;
+  const bool unread = command_.unread().has_any(code.words);
+  if (unread || modal_.unknown.has_any(operands(code, command_, modal_))) {
+    const bool begins = code.group == Group::motion && !settled(code).empty();
+    if (begins) begin_motion(task);
+    if (begins) modal_.unknown.remove(Part::motion);
+    return skip(task);
+  }
+  if (!modal_.unknown.empty()) modal_.unknown = modal_.unknown.without(settled(code));
+  if (code.act == nullptr) return;
+  const int errors = out_.errors();
+  const AxisVector position = modal_.position;
+  code.act(task);
+  if (out_.errors() == errors) return;
+  modal_.position = position;
+  skip(task);
+}
+
+/// A code that cannot act, or has reported an error; of a move it may be known where it ends.
+[[gnu::cold]] void Interpreter::skip(Task& task) {
+  if (task.code.group == Group::motion && follow_unmade_move(task)) return;
+  modal_.unknown |= results(task.code, command_);
+}
+
+/// Reports what reading alone finds in lines that are never run.
+[[gnu::cold]] void Interpreter::read_unreachable() {
+  if (!options_.unreachable_too) return;
   out_.close();
-  flow_.begin_unrun();
-  while (const auto line = flow_.next_unrun()) interpret(*line);
+  flow_.begin_unreachable();
+  while (const auto line = flow_.next_unreachable()) interpret(*line);
 }
 
 /// The text has ended without M02 or M30.
 void Interpreter::finish() {
   flow_.finish();
-  Line line;
+  ProgramLine line;
   line.number = parser_.line();
   out_.begin(line);
   const bool broke_off = flow_.broke_off();
   if (modal_.curve && !broke_off) end_pending_curve(modal_, out_);
   if (modal_.points && !broke_off) end_pending_points(modal_, out_);
-  if (!broke_off && !flow_.end_lost())
+  if (!broke_off && !modal_.unknown.has(Part::end) && !flow_.order_unknown())
     out_.report(Code::SC2205, {line.number, 0, 1}, "the program ends without M02 or M30");
   out_.end();
   out_.begin(line);
   out_.stop_compensation();
   out_.emit(Action{Action::Kind::end, 30, 0});
   modal_.ended = true;
-  read_unrun();
-  contradictions_.tell();
+  read_unreachable();
+  differences_.report();
 }
 
 }  // namespace softcnc::ipr

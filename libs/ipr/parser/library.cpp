@@ -10,8 +10,6 @@
 namespace softcnc::ipr {
 namespace {
 
-using Kind = Statement::Kind;
-
 constexpr std::size_t kMostMissing = 1000;
 
 bool is_number(std::string_view label) { return !label.empty() && is_digit(label.front()); }
@@ -54,7 +52,8 @@ std::vector<std::string> file_names(const std::string& label, bool program) {
 }
 
 bool begins_subprogram(const Statement* statement) {
-  return statement != nullptr && (statement->kind == Kind::program || statement->kind == Kind::sub);
+  return statement != nullptr &&
+         (statement->kind == StatementKind::program || statement->kind == StatementKind::sub);
 }
 
 }  // namespace
@@ -131,16 +130,11 @@ void Library::search_on(int file, const std::string& label, bool program) {
   text(file).searched_all = true;
 }
 
-void Library::learn(Text& text, const Line& line) {
+void Library::learn(Text& text, const ProgramLine& line) {
   const Statement* statement = line.statement;
-  if (statement == nullptr && parser_.file() == 0 && names_sub_alone(line.text))
-    sub_without_label_ = true;
-  const bool misspelt = statement != nullptr && statement->kind == Kind::misspelt;
-  if (misspelt && misspelt_.size() < kMostMissing) misspelt_.push_back(*statement);
-  const bool ends = statement != nullptr && statement->kind == Kind::end_sub;
-  if (ends && ends_.size() < kMostMissing) ends_.insert(statement->label);
+  if (statement == nullptr && line.broken) unread_label_ = true;
   if (!begins_subprogram(statement)) return;
-  const bool program = statement->kind == Kind::program;
+  const bool program = statement->kind == StatementKind::program;
   auto& known = program ? text.programs : text.subs;
   const bool added = known.try_emplace(statement->label, begun_by(*statement)).second;
   if (added) return;
@@ -152,7 +146,8 @@ void Library::learn(Text& text, const Line& line) {
 
 /// Expects that the parser stands behind its line.
 Subprogram Library::begun_by(const Statement& statement) const {
-  const SubKind kind = statement.kind == Kind::program ? SubKind::program : SubKind::o_word;
+  const SubKind kind =
+      statement.kind == StatementKind::program ? SubKind::program : SubKind::o_word;
   return {kind, statement.label, here()};
 }
 
@@ -203,11 +198,6 @@ std::vector<Subprogram> Library::all_of_program() {
   while (const auto line = parser_.next_statement())
     if (begins_subprogram(line->statement)) all.push_back(begun_by(*line->statement));
   return all;
-}
-
-bool Library::may_be_misspelt(std::string_view label) const {
-  return std::any_of(misspelt_.begin(), misspelt_.end(),
-                     [&](const Statement& one) { return may_be_of(one, label); });
 }
 
 std::string Library::nearest(const std::string& label) const {

@@ -60,12 +60,8 @@ class Library {
   /// All of the program's own file, in the order of their lines, those of one name too. The
   /// parser's place is lost.
   std::vector<Subprogram> all_of_program();
-  /// An endsub of this label has been seen.
-  bool has_end(const std::string& label) const { return ends_.contains(label); }
-  /// A ` sub` without a label has been seen in the program's own file.
-  bool has_sub_without_label() const noexcept { return sub_without_label_; }
-  /// A line of this label whose keyword cannot be read may be the beginning of such.
-  bool may_be_misspelt(std::string_view label) const;
+  /// A line has been seen whose label or keyword cannot be read: it may begin any subprogram.
+  bool has_unread_label() const noexcept { return unread_label_; }
   /// The known label that resembles one that is not; empty if none does.
   std::string nearest(const std::string& label) const;
 
@@ -91,7 +87,7 @@ class Library {
   const Subprogram* find_in(int file, const std::string& label, bool program);
   const Subprogram* known(const Text& text, const std::string& label, bool program) const;
   void search_on(int file, const std::string& label, bool program);
-  void learn(Text& text, const Line& line);
+  void learn(Text& text, const ProgramLine& line);
   Subprogram begun_by(const Statement& statement) const;
   std::optional<Subprogram> find_file(const std::string& label, bool program, const SourcePos& call,
                                       std::string_view line);
@@ -103,13 +99,10 @@ class Library {
   std::string folder_;
   CalledTexts own_;
   CalledTexts* called_;
-  bool lost_ = false;
-  bool sub_without_label_ = false;
+  bool lost_ = false, unread_label_ = false;
   std::map<int, Text> texts_;                        // by SourcePos::file
   std::map<std::string, int, std::less<>> file_of_;  // by name in the folder; -1: unreadable
   std::set<std::string> missing_;
-  std::set<std::string> ends_;       // labels of endsubs, of all texts
-  std::vector<Statement> misspelt_;  // of all texts
 };
 
 }  // namespace softcnc::ipr

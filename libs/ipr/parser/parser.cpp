@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads words; a bad word is reported with its cause, and reading goes on behind it.
+// Reads words up to the first that is wrong, which is reported with its cause.
 #include "ipr/parser/parser.hpp"
 
 #include <string>
@@ -18,25 +18,25 @@ bool takes_e(const Word& word) noexcept { return word.letter == 'M' && word.valu
 void Parser::configure(const ParserOptions& options) {
   options_ = options;
   parameters_ = Parameters(options.dialect);
-  if (options.contradictions != nullptr && options.contradictions->watching()) parameters_.watch();
+  if (options.differences != nullptr && options.differences->watching()) parameters_.watch();
 }
 
-std::optional<Line> Parser::next() {
+std::optional<ProgramLine> Parser::next() {
   reader_->wait();
   return next_line([this] { read_line(Depth::usual); });
 }
 
-std::optional<Line> Parser::next_if_there() {
+std::optional<ProgramLine> Parser::next_if_there() {
   reader_->do_not_wait();
   return next_line([this] { read_line(Depth::usual); });
 }
 
-std::optional<Line> Parser::next_statement() {
+std::optional<ProgramLine> Parser::next_statement() {
   reader_->wait();
   return next_line([this] { read_outline(); });
 }
 
-Line Parser::evaluate() {
+ProgramLine Parser::evaluate() {
   begin_line(line_.text);
   read_line(Depth::whole);
   if (file_ != 0) name_file();
@@ -59,13 +59,13 @@ void Parser::name_file() noexcept {
 
 /// Reads lines until one has something to say.
 template <typename Read>
-std::optional<Line> Parser::next_line(Read read) {
+std::optional<ProgramLine> Parser::next_line(Read read) {
   while (!ended_) {
     const auto text = reader_->next();
     if (!text && reader_->waiting()) return std::nullopt;
     if (!text) break;
     begin_line(*text);
-    if (lone_percent_.line > 0 && goes_on_behind_end()) break;
+    if (lone_percent_.line > 0 && goes_on_after_end()) break;
     read();
     if (ended_) break;
     const bool shown = line_.passed_over && passed_over_too_;
@@ -90,25 +90,19 @@ std::optional<Line> Parser::next_line(Read read) {
   words_.clear();
   assignments_.clear();
   before_.clear();
-  line_ = Line{};
+  line_ = ProgramLine{};
   line_.number = reader_->line();
   line_.text = text;
   given_up_ = false;
-  told_to_ = 0;
-  trusted_.reset();
-  before_then_.reset();
 }
 
 void Parser::read_line(Depth depth) {
   depth_ = depth;
   parameters_.set_line(line_.number);
   if (!is_readable()) return;
-  if (prose_expected_ && is_prose(line_.text)) return;
   read_words();
   if (!assignments_.empty()) apply_assignments();
   line_.words = words_;
-  if (before_then_) trusted_ = before_then_;
-  if (strange()) divide_words();
 }
 
 bool Parser::is_readable() {
@@ -116,7 +110,7 @@ bool Parser::is_readable() {
   if (!encoding.empty()) {
     refuse_file(encoding);
   } else if (reader_->line_was_cut()) {
-    give_up(Code::SC1015, Token{},
+    give_up(Code::SC1015, 1, 1,
             "the line is longer than " + std::to_string(Reader::kLongestLine) + " bytes");
   }
   return !given_up_;
@@ -126,7 +120,7 @@ bool Parser::is_readable() {
 void Parser::refuse_file(std::string_view encoding) {
   line_.text = {};
   TextFault fault = wide_fault(encoding);
-  give_up(fault.code, Token{}, std::move(fault.message));
+  give_up(fault.code, 1, 1, std::move(fault.message));
   ended_ = broke_off_ = true;
 }
 
@@ -139,27 +133,29 @@ void Parser::refuse_file(std::string_view encoding) {
     word.pos = {line_.number, plain.column, plain.length};
   }
   Token token = lexer.next();
-  while (token.kind != Token::Kind::end && !given_up_ && !ended_)
+  while (token.kind != Token::Kind::end && !given_up_ && !ended_) {
+    begin_ = token.column;
     token = token.kind == Token::Kind::letter ? read_word(lexer, token) : read_mark(lexer, token);
+  }
   if (lexer.comment_column() > 0) obey_comment(lexer.comment_column());
 }
 
 /// Returns the first token that does not belong to the word.
 Token Parser::read_word(Lexer& lexer, const Token& letter) {
-  if (letter.letter == 'E' && has_word_before(letter) && !takes_e(words_.back()))
-    return read_exponent(lexer, letter);
+  if (letter.letter == 'E' && has_word_before(letter) && !takes_e(words_.back())) {
+    refuse_exponent(lexer, letter);
+    return {};
+  }
   if (letter.letter == 'O' && read_o_word(lexer, letter)) return {};
   const Token number = lexer.next();
   if (number.kind != Token::Kind::number || number.fault == NumberFault::no_digits)
     return read_value(lexer, letter, number);
-  if (number.fault == NumberFault::none) {
-    const int length = number.end_column() - letter.column;
-    words_.push_back({letter.letter, number.value, {line_.number, letter.column, length}});
-  } else {
-    report_number(letter, number);
-    if (number.fault == NumberFault::sign_inside) lexer.take(']');  // whose '[' is missing
-    return pass_value(lexer);
+  if (number.fault != NumberFault::none) {
+    refuse_number(letter, number);
+    return {};
   }
+  const int length = number.end_column() - letter.column;
+  words_.push_back({letter.letter, number.value, {line_.number, letter.column, length}});
   return lexer.next();
 }
 

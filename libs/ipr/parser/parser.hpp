@@ -25,30 +25,23 @@ struct Word {
 };
 
 /// What a line says. Views are valid until the parser's next line.
-struct Line {
+struct ProgramLine {
   int number = 0;
   std::string_view text;
   std::span<const Word> words;
-  std::span<const Word> doubtful;        // behind what is no word: only looked at
   const Statement* statement = nullptr;  // what it says about the order of lines, if anything
   bool skip = false;                     // begins with '/'
   bool broken = false;                   // reported already; `words` are those that could be read
-  Letters lost;                          // of a broken line: words that could not be read
-  std::optional<double> lone_number;     // the first one that has no letter
-  bool passed_over = false;              // what stands behind a THEN: it does not count
-  bool may_count = false;                // likewise, where that is not known
+  Letters unread;                        // letters of words whose value is not known
+  bool passed_over = false;              // what stands after a THEN: it does not count
   std::string_view called;               // FANUC: the program that it calls by name, in lower case
 };
 
 struct ParserOptions {
   Dialect dialect = Dialect::linuxcnc;
-  bool block_skip = false;                   // lines that begin with '/' are passed over unread
-  Contradictions* contradictions = nullptr;  // takes what the other dialect reads otherwise
+  bool block_skip = false;                    // lines that begin with '/' are passed over unread
+  DialectDifferences* differences = nullptr;  // takes what the other dialect reads otherwise
 };
-
-/// Two words or more, of letters and marks of a sentence, or a row of such marks; before a '(',
-/// which need not be closed.
-bool is_prose(std::string_view text) noexcept;
 
 class Parser {
  public:
@@ -60,17 +53,17 @@ class Parser {
   /// The next line that has words or a statement or is broken; nothing at the end of the program,
   /// which is the end of the text or a second '%'. Assignments take effect, conditions are
   /// evaluated; the condition of an elseif is not.
-  std::optional<Line> next();
+  std::optional<ProgramLine> next();
   /// The same, but that it does not wait for a pipe: then waiting() is true.
-  std::optional<Line> next_if_there();
+  std::optional<ProgramLine> next_if_there();
   bool waiting() const noexcept { return !ended_ && reader_->waiting(); }
 
   /// The next line that has a line number or a statement, of which only kind and label are read:
   /// for lines that are passed over. Nothing is evaluated, assigned or reported.
-  std::optional<Line> next_statement();
+  std::optional<ProgramLine> next_statement();
   /// The line last read once more, as by next(), the condition of an elseif included. Expects that
   /// the Reader has not gone on.
-  Line evaluate();
+  ProgramLine evaluate();
 
   /// Reads on from where this reader stands, as if the program went on there. `file` is the
   /// SourcePos::file of its text; at its beginning a '%' does not end it.
@@ -82,20 +75,18 @@ class Parser {
 
   /// After an error it is not known which lines are executed: from here on an alarm of the program
   /// is passed over, since it may be that nothing leads to it.
-  void doubt_order() noexcept { order_uncertain_ = true; }
+  void lose_order() noexcept { order_unknown_ = true; }
   /// From here on lines are read for what is wrong with them alone: what stands behind a THEN too,
   /// whatever its condition.
   void only_read() noexcept { only_read_ = true; }
-  /// An end may have been meant: lines of prose behind it are not read.
-  void expect_prose() noexcept { prose_expected_ = true; }
   /// Lines that say nothing, but for what stands behind a THEN that does not count, are handed out
   /// as well.
   void show_passed_over() noexcept { passed_over_too_ = true; }
 
+  /// Bytes of all lines read; a line that is read again counts again.
+  std::int64_t bytes_read() const noexcept { return bytes_read_; }
   /// Number of the line last read.
   int line() const noexcept { return reader_->line(); }
-  /// Bytes of all lines read, those read again among them.
-  std::int64_t bytes_read() const noexcept { return bytes_read_; }
   /// The text could not be read to its end: that has been reported.
   bool broke_off() const noexcept { return broke_off_; }
 
@@ -103,12 +94,11 @@ class Parser {
   using Depth = StatementReader::Depth;
   using Found = StatementReader::Found;
   template <typename Read>
-  std::optional<Line> next_line(Read read);
+  std::optional<ProgramLine> next_line(Read read);
   void begin_line(std::string_view text);
   void read_line(Depth depth);
   void read_outline();
   Token pass_slash(Lexer& lexer, const Token& token);
-  void divide_words() noexcept;
   bool is_readable();
   void refuse_file(std::string_view encoding);
   void read_nul(const Token& nul);
@@ -116,9 +106,6 @@ class Parser {
   Token read_word(Lexer& lexer, const Token& letter);
   Token read_value(Lexer& lexer, const Token& letter, const Token& first);
   Token read_expression(Lexer& lexer, const Token& letter);
-  bool pass_operation(Lexer& lexer, int begin);
-  Token pass_broken(Lexer& lexer, Lexer begin, const std::optional<Fault>& fault);
-  Token pass_value(Lexer& lexer);
   bool read_o_word(Lexer& lexer, const Token& letter);
   bool refuse_late_statement(Lexer& lexer, const Token& letter);
   std::optional<Token> read_keyword(Lexer& lexer, const Token& letter);
@@ -130,10 +117,9 @@ class Parser {
   bool may_assign(const Variable& variable, SourcePos at);
   double within_limit(const Variable& variable, double value, SourcePos at);
   void assign(Variable variable, double value);
-  void doubt_assignments();
   void keep_before(const Variable& variable);
   std::span<const Assigned> assigned_there() const noexcept;
-  void note(Contradiction why, int column, int length, const std::string& detail = {});
+  void note(DialectDifference why, int column, int length, const std::string& detail = {});
   void note(const std::optional<OtherValue>& other);
   void apply_assignments();
   void obey_comment(int column);
@@ -144,38 +130,23 @@ class Parser {
   Token read_macro(Lexer& lexer, const Token& mark);
   Token read_percent(Lexer& lexer, const Token& percent);
   std::optional<Token> sign_of_program(Lexer& lexer, const Token& mark) const;
-  bool goes_on_behind_end();
+  bool goes_on_after_end();
   Token read_slash(Lexer& lexer, const Token& slash);
-  void lose_word_before(const Token& letter);
-  void lose_number_before(const Token& stranger);
   bool has_word_before(const Token& token) const noexcept;
-  bool stands_behind_divided(const Token& letter) const;
-  bool looks_like_digit(const Token& letter) const noexcept;
-  Token pass_letter_for_digit(Lexer& lexer, const Token& letter);
-  Token pass_skipped(Lexer& lexer);
-  Token pass_letter_in_number(Lexer& lexer, const Token& letter);
+  bool refuse_name(const Token& letter);
+  bool refuse_operation(Lexer& lexer, int begin);
+  void refuse_missing_number(const Token& letter, const Token& instead);
+  void refuse_exponent(Lexer& lexer, const Token& letter);
+  void refuse_number(const Token& letter, const Token& number);
+  void refuse_stranger(Lexer& lexer, const Token& stranger);
+  bool is_decimal_comma(const Token& mark, Lexer after) const;
   bool is_comment_without_begin(Code code, int column, int length) const noexcept;
-  void doubt_unset(const Fault& fault);
-  void doubt_shorter(const Variable& variable);
-  std::optional<Token> pass_name(Lexer& lexer, const Token& letter);
-  void report_missing_number(const Token& letter, const Token& instead);
-  Token read_exponent(Lexer& lexer, const Token& letter);
-  void report_number(const Token& letter, const Token& number);
   bool only_line_number() const noexcept;
-  void report(Code code, int column, int length, std::string message);
-  void report(const std::optional<Fault>& fault);
-  Token pass_number(Lexer& lexer, const Token& number);
-  Token pass_word_at(Lexer& lexer, int column);
-  Token pass_sign(Lexer& lexer, const Token& letter, const Token& sign);
-  bool is_decimal_comma(const Token& mark, Lexer behind) const;
-  Token pass_decimal_comma(Lexer& lexer, const Token& comma);
-  Token pass_stranger(Lexer& lexer, const Token& stranger);
-  Token go_on_behind(Lexer& lexer);
+  void give_up(Code code, int column, int length, std::string message);
   void give_up(Code code, const Token& token, std::string message);
   void give_up(const std::optional<Fault>& fault, Lexer& lexer);
-  bool strange() const noexcept { return trusted_.has_value(); }
-  bool counts() const noexcept { return !strange() && !before_then_ && !only_read_; }
-  void lose_words();
+  void report(Code code, int column, int length, std::string message);
+  void report(const std::optional<Fault>& fault);
   void lose_rest();
 
   void name_file() noexcept;
@@ -183,7 +154,7 @@ class Parser {
   Reader* reader_;
   int file_ = 0;
   Diagnostics& diagnostics_;
-  Line line_;
+  ProgramLine line_;
   std::vector<Word> words_;
   std::string called_;
   ParserOptions options_;
@@ -197,11 +168,8 @@ class Parser {
   bool started_ = false, given_up_ = false, ended_ = false, broke_off_ = false;
   bool nul_seen_ = false;
   std::int64_t bytes_read_ = 0;
-  int told_to_ = 0;  // the column behind the last fault of the line that was told; 0: none
-  std::optional<std::size_t> trusted_;      // words before something that is none
-  std::optional<std::size_t> before_then_;  // words before a THEN whose condition is not known
-  bool prose_expected_ = false;
-  bool order_uncertain_ = false;  // which lines are executed
+  int begin_ = 0;               // the column of the word in work
+  bool order_unknown_ = false;  // which lines are executed
   bool only_read_ = false, passed_over_too_ = false;
 };
 

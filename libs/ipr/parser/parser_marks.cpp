@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What stands on a line and begins no word, and how a wrong line is told.
+// What stands on a line and begins no word, and how a wrong line is reported.
 #include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
 
-#include "ipr/codes/gcode_table.hpp"
+#include "ipr/codes/gcode.hpp"
 #include "ipr/parser/parser.hpp"
 #include "ipr/text/text_errors.hpp"
 
@@ -44,29 +44,6 @@ std::string meant_by(std::string_view mark, Lexer lexer) {
   return corner ? "; chamfers and roundings within a line are not supported" : "";
 }
 
-}  // namespace
-
-bool is_prose(std::string_view text) noexcept {
-  const std::string_view line = text.substr(0, text.find('('));
-  constexpr std::string_view kMarks{".,:;-!?'\"=*_~+"};
-  const auto plain = [&](char c) {
-    return is_letter(c) || is_blank(c) || kMarks.find(c) != std::string_view::npos;
-  };
-  const auto begin = line.find_first_not_of(" \t"), end = line.find_last_not_of(" \t.");
-  if (begin == std::string_view::npos || !std::all_of(line.begin(), line.end(), plain))
-    return false;
-  const bool ruler = std::none_of(line.begin(), line.end(), is_letter);
-  return ruler || line.substr(begin, end - begin).find(' ') != std::string_view::npos;
-}
-
-namespace {
-
-/// Whether a '(' without its ')' stands behind a name.
-bool opens_comment(std::string_view line, const Token& name) {
-  const auto open = line.find('(', static_cast<std::size_t>(name.column));
-  return open != std::string_view::npos && line.find(')', open) == std::string_view::npos;
-}
-
 /// FANUC's orders to a device that takes down what a program tells.
 bool writes_to_device(std::string_view letters) {
   constexpr std::array<std::string_view, 4> kOrders{"POPEN", "BPRNT", "DPRNT", "PCLOS"};
@@ -80,83 +57,61 @@ std::string title_meant(int line) {
   return line == 1 ? "; a title before the program stands in ( )" : "";
 }
 
-/// Behind a blank or a value.
-bool begins_something(std::string_view before) {
-  return before.empty() || is_blank(before.back()) || is_number_part(before.back()) ||
-         before.back() == ']' || before.back() == ')';
-}
-
 constexpr const char* kFanucName = "; the name of a program is read in the fanuc dialect only";
-
-/// What stands behind one, like M117, may be its text.
-bool has_unknown_code(std::span<const Word> words) {
-  return std::any_of(words.begin(), words.end(), [](const Word& word) {
-    const bool code = word.letter == 'G' || word.letter == 'M';
-    return code && find_gcode(word.letter, word.value) == nullptr;
-  });
-}
 
 /// Of a code whose number may go on, so that nobody knows which it is.
 constexpr bool is_acting(char letter) noexcept { return letter == 'G' || letter == 'M'; }
 
-/// The letter of FANUC's ,C and ,R.
-void pass_corner(Lexer& lexer) {
-  if (lexer.peek() == 'C' || lexer.peek() == 'R') lexer.pass();
+/// The letters of the words in a text, comments left out; all of them where it begins with none.
+Letters letters_in(std::string_view text) noexcept {
+  if (text.empty() || !is_letter(text.front())) return kAllLetters;
+  Letters letters;
+  for (std::size_t at = 0; at < text.size() && text[at] != ';'; ++at) {
+    if (text[at] == '(') at = std::min(text.find(')', at), text.size() - 1);
+    if (is_letter(text[at])) letters.add(upper_case(text[at]));
+  }
+  return letters;
 }
 
 }  // namespace
 
-/// `X1E5`: an E right behind a number was meant as its exponent.
-Token Parser::read_exponent(Lexer& lexer, const Token& letter) {
+/// `X1E5`: an E right after a number was meant as its exponent.
+void Parser::refuse_exponent(Lexer& lexer, const Token& letter) {
   const Word word = words_.back();
   words_.pop_back();
-  line_.lost.add(word.letter);
-  Token after = lexer.next();
-  const bool exponent = after.kind == Token::Kind::number;
-  const int end = exponent ? after.end_column() : letter.end_column();
+  begin_ = word.pos.column;
+  const Token after = lexer.next();
+  const int end = after.kind == Token::Kind::number ? after.end_column() : letter.end_column();
   const auto written = line_.text.substr(static_cast<std::size_t>(word.pos.column) - 1,
                                          static_cast<std::size_t>(end - word.pos.column));
-  report(Code::SC1006, word.pos.column, end - word.pos.column,
-         quoted(written) + " has an exponent; write the number out");
-  return exponent ? lexer.next() : after;
+  give_up(Code::SC1006, word.pos.column, end - word.pos.column,
+          quoted(written) + " has an exponent; write the number out");
 }
 
-/// What is neither a keyword nor a letter and its value.
-std::optional<Token> Parser::pass_name(Lexer& lexer, const Token& letter) {
+/// What is neither a keyword nor a letter and its value; false where it is none.
+bool Parser::refuse_name(const Token& letter) {
   const std::string_view letters = letters_at(line_.text, letter);
-  if (!is_name(line_.text, letter, letters)) return std::nullopt;
-  if (strange() || has_unknown_code(words_)) {
-    lose_rest();
-    return Token{};
-  }
-  if (writes_to_device(letters)) {
-    report(Code::SC1020, letter.column, static_cast<int>(letters.size()),
-           quoted(letters) + " writes to a device, and there is none");
-    given_up_ = true;
-    return Token{};
-  }
-  report(Code::SC1020, letter.column, static_cast<int>(letters.size()),
-         quoted(letters) + " is no keyword and no function" + title_meant(line_.number));
-  if (opens_comment(line_.text, letter)) {  // behind words it may be one itself
-    lose_rest();
-    return Token{};
-  }
-  lexer.back_to(letter);
-  lexer.take_letters();
-  return go_on_behind(lexer);
+  if (!is_name(line_.text, letter, letters)) return false;
+  give_up(Code::SC1020, letter.column, static_cast<int>(letters.size()),
+          writes_to_device(letters)
+              ? quoted(letters) + " writes to a device, and there is none"
+              : quoted(letters) + " is no keyword and no function" + title_meant(line_.number));
+  if (writes_to_device(letters)) line_.unread = {};
+  return true;
 }
 
-void Parser::report_missing_number(const Token& letter, const Token& instead) {
+/// What stands there instead is reported, if it has no place on a line.
+void Parser::refuse_missing_number(const Token& letter, const Token& instead) {
   using Kind = Token::Kind;
-  const bool excused =
-      instead.kind != Kind::letter && instead.kind != Kind::end &&
-      (instead.kind != Kind::slash || !only_line_number());  // what stands there is told instead
-  line_.lost.add(letter.letter);
-  lose_word_before(letter);
-  if (excused || strange()) return;
+  if (instead.kind == Kind::unknown) {
+    Lexer after(line_.text);
+    after.back_to(instead);
+    after.next();
+    return refuse_stranger(after, instead);
+  }
   const bool zero = letter.letter == 'O' || instead.letter == 'O';
-  report(Code::SC1002, letter.column, 1,
-         std::string("no number after ") + letter.letter + (zero ? kLetterForDigit : ""));
+  give_up(Code::SC1002, letter.column, 1,
+          std::string("no number after ") + letter.letter + (zero ? kLetterForDigit : ""));
 }
 
 /// Whether one ends right before it.
@@ -166,50 +121,11 @@ bool Parser::has_word_before(const Token& token) const noexcept {
   return before.column + before.length == token.column;
 }
 
-/// `G1,8`: one number was meant.
-void Parser::lose_number_before(const Token& stranger) {
-  if (!strange() && has_word_before(stranger)) words_.pop_back();
-}
-
-/// Of the letters O and l, which many take for 0 and 1.
-bool Parser::looks_like_digit(const Token& letter) const noexcept {
-  return letter.letter == 'O' || line_.text[static_cast<std::size_t>(letter.column) - 1] == 'l';
-}
-
-/// `GO1`: the O belongs to the number.
-Token Parser::pass_letter_for_digit(Lexer& lexer, const Token& letter) {
-  line_.lost.add(letter.letter);
-  const Token after = lexer.next();
-  return after.kind == Token::Kind::number ? lexer.next() : after;
-}
-
-/// `K1 1X.`: the digits behind the blank may be those of the letter.
-bool Parser::stands_behind_divided(const Token& letter) const {
-  if (!has_word_before(letter)) return false;
-  const SourcePos& before = words_.back().pos;
-  const std::string_view number = without_blanks_around(line_.text.substr(
-      static_cast<std::size_t>(before.column), static_cast<std::size_t>(before.length) - 1));
-  return number.find_first_of(kBlanks) != std::string_view::npos;
-}
-
-/// What stands right behind a number may have been meant as a part of it; an l was.
-void Parser::lose_word_before(const Token& letter) {
-  if (!has_word_before(letter)) return;
-  line_.lost.add(words_.back().letter);
-  if (stands_behind_divided(letter) || looks_like_digit(letter) || is_acting(words_.back().letter))
-    words_.pop_back();
-}
-
-void Parser::report_number(const Token& letter, const Token& number) {
-  line_.lost.add(letter.letter);
-  const std::string_view written = text_of(line_.text, number);
-  const bool divided = written.find_first_of(" \t") != std::string_view::npos;
-  if (number.fault == NumberFault::sign_inside && divided)
-    line_.lost |= kAxisWords;  // `Y1 -5`: the second one's letter may be what is missing
-  TextFault fault = number_fault(number.fault, written, {&letter.letter, 1});
+void Parser::refuse_number(const Token& letter, const Token& number) {
+  TextFault fault = number_fault(number.fault, text_of(line_.text, number), {&letter.letter, 1});
   if (letter.letter == 'O' && number.fault == NumberFault::no_digits)
     fault.message += kLetterForDigit;
-  report(fault.code, number.column, number.length, std::move(fault.message));
+  give_up(fault.code, number.column, number.length, std::move(fault.message));
 }
 
 /// Whatever does not begin a word.
@@ -221,11 +137,12 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
     case Token::Kind::slash:
       return read_slash(lexer, mark);
     case Token::Kind::number:
-      return pass_number(lexer, mark);
+      give_up(Code::SC1007, mark,
+              "the number " + quoted(text_of(line_.text, mark)) + " has no letter before it");
+      break;
     case Token::Kind::macro:
       return read_macro(lexer, mark);
     case Token::Kind::open_comment:
-      lose_number_before(mark);
       give_up(Code::SC1009, mark, "the comment has no ')'");
       break;
     case Token::Kind::nested_comment:
@@ -235,7 +152,7 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
       read_nul(mark);
       break;
     default:
-      return pass_stranger(lexer, mark);
+      refuse_stranger(lexer, mark);
   }
   return {};
 }
@@ -245,8 +162,7 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
 std::optional<Token> Parser::sign_of_program(Lexer& lexer, const Token& mark) const {
   using Kind = Token::Kind;
   const bool possible = mark.kind == Kind::unknown || mark.kind == Kind::macro;
-  if (!possible || options_.dialect != Dialect::fanuc || !only_line_number() || strange())
-    return std::nullopt;
+  if (!possible || options_.dialect != Dialect::fanuc || !only_line_number()) return std::nullopt;
   const std::string_view text = text_of(line_.text, mark);
   Lexer ahead = lexer;
   const bool named = text == "<" && ahead.take_name() && ahead.peek() == 0;
@@ -258,83 +174,24 @@ std::optional<Token> Parser::sign_of_program(Lexer& lexer, const Token& mark) co
   return sign;
 }
 
-Token Parser::pass_number(Lexer& lexer, const Token& number) {
-  if (!strange()) {
-    report(Code::SC1007, number.column, number.length,
-           "the number " + quoted(text_of(line_.text, number)) + " has no letter before it");
-    line_.lone_number = number.value;
-  }
-  lose_words();
-  return pass_word_at(lexer, number.end_column());
-}
-
-/// The word that begins in this column, right behind a number without a letter: `6G.2`, its digits
-/// may be in the wrong place. Returns the token behind it.
-Token Parser::pass_word_at(Lexer& lexer, int column) {
-  const Token letter = lexer.next();
-  if (letter.kind == Token::Kind::macro && letter.column == column) {
-    lose_rest();
-    return {};
-  }
-  const Lexer behind = lexer;
-  const Token number = lexer.next();
-  const bool right_behind = letter.kind == Token::Kind::letter && letter.column == column &&
-                            number.kind == Token::Kind::number;
-  if (right_behind) return lexer.next();
-  lexer = behind;
-  return letter;
-}
-
-void Parser::divide_words() noexcept {
-  const std::size_t trusted = std::min(*trusted_, words_.size());
-  line_.doubtful = line_.words.subspan(trusted);
-  line_.words = line_.words.first(trusted);
-}
-
 /// `Z-0,6`: one number was meant.
-bool Parser::is_decimal_comma(const Token& mark, Lexer behind) const {
-  if (strange() || !has_word_before(mark) || text_of(line_.text, mark) != ",") return false;
+bool Parser::is_decimal_comma(const Token& mark, Lexer after) const {
+  if (!has_word_before(mark) || text_of(line_.text, mark) != ",") return false;
   const char last = line_.text[static_cast<std::size_t>(mark.column) - 2];
-  return is_digit(last) && is_digit(behind.peek()) && !is_acting(words_.back().letter);
+  return is_digit(last) && is_digit(after.peek()) && !is_acting(words_.back().letter);
 }
 
-Token Parser::pass_decimal_comma(Lexer& lexer, const Token& comma) {
-  line_.lost.add(words_.back().letter);
-  words_.pop_back();
-  report(Code::SC1001, comma.column, comma.length,
-         "unknown character ','; the decimal point is '.'");
-  lexer.next();  // what stands behind it
-  return lexer.next();
-}
-
-/// An unknown character is told where it begins something: it may be one of a word.
-Token Parser::pass_stranger(Lexer& lexer, const Token& stranger) {
-  if (is_decimal_comma(stranger, lexer)) return pass_decimal_comma(lexer, stranger);
+void Parser::refuse_stranger(Lexer& lexer, const Token& stranger) {
   const std::string_view text = text_of(line_.text, stranger);
-  const auto before = line_.text.substr(0, static_cast<std::size_t>(stranger.column) - 1);
+  if (is_decimal_comma(stranger, lexer))
+    return give_up(Code::SC1001, stranger, "unknown character ','; the decimal point is '.'");
   const bool name = text == ":" && only_line_number() && is_digit(lexer.peek());
-  if (!strange() || begins_something(before))
-    report(
-        Code::SC1001, stranger.column, stranger.length,
-        "unknown character " + character_name(text) + (name ? kFanucName : meant_by(text, lexer)));
-  if (text == ",") pass_corner(lexer);
-  if (is_digit(lexer.peek()) || lexer.peek() == '.' || before.ends_with('.'))
-    lose_number_before(stranger);
-  return go_on_behind(lexer);
+  give_up(
+      Code::SC1001, stranger,
+      "unknown character " + character_name(text) + (name ? kFanucName : meant_by(text, lexer)));
 }
 
-/// What the line asks for is not known any more, but its other words are looked at. Returns the
-/// next of them: a value belongs to what stands before it.
-Token Parser::go_on_behind(Lexer& lexer) {
-  lose_words();
-  Token next = lexer.next();
-  if (next.kind == Token::Kind::number) next = lexer.next();
-  if (next.kind != Token::Kind::macro) return next;
-  lose_rest();
-  return {};
-}
-
-/// What surrounds the first one tells whether the file is no text, or none that can be read.
+/// What surrounds the first one shows whether the file is no text, or none that can be read.
 void Parser::read_nul(const Token& nul) {
   const bool first = !std::exchange(nul_seen_, true);
   const auto at = static_cast<std::size_t>(nul.column) - 1;
@@ -368,21 +225,12 @@ Token Parser::read_called(Lexer& lexer, const Token& mark) {
 }
 
 Token Parser::read_macro(Lexer& lexer, const Token& mark) {
-  const bool assigns = text_of(line_.text, mark) == "#";
-  if (strange() && !assigns) {
-    lose_rest();
-    return {};
-  }
   const std::string_view text = text_of(line_.text, mark);
   if (text == "#") return read_assignment(lexer, mark);
   const bool name = text == "<" && calls_program();
   const bool fanuc = options_.dialect == Dialect::fanuc;
   if (name && fanuc && line_.called.empty()) return read_called(lexer, mark);
-  lose_number_before(mark);
-  if (text == "=") assignments_.clear();  // `#1=10 2=5`: where the value before it ends
-  if ((text == "]" || text == "<") && line_.broken)
-    lose_rest();  // what is told may be the place of its '[', or before a name
-  else if (text == "[")
+  if (text == "[")
     give_up(Code::SC1007, mark, "'[' has no letter before it");
   else if (text == "]")
     give_up(Code::SC1017, mark, "this ']' has no '['");
@@ -392,7 +240,7 @@ Token Parser::read_macro(Lexer& lexer, const Token& mark) {
   return {};
 }
 
-/// The first '%' begins the program, the next one ends it; whatever follows that is no program.
+/// The first '%' begins the program, the next one ends it; whatever follows it is no program.
 Token Parser::read_percent(Lexer& lexer, const Token& percent) {
   if (!words_.empty() || line_.skip) {
     give_up(Code::SC1012, percent, "'%' within a line; it stands on a line of its own");
@@ -405,16 +253,16 @@ Token Parser::read_percent(Lexer& lexer, const Token& percent) {
   }
   started_ = true;
   opened_ = opened_ || file_ == 0;
-  if (options_.dialect == Dialect::fanuc) return {};  // a title may stand behind it
+  if (options_.dialect == Dialect::fanuc) return {};  // a title may stand after it
   const Token after = lexer.next();
   if (after.kind != Token::Kind::end)
-    give_up(Code::SC1012, percent, "'%' with more behind it; it stands on a line of its own");
+    give_up(Code::SC1012, percent, "'%' with more after it; it stands on a line of its own");
   return after;
 }
 
-/// Whether the line is of a program that a '%' has ended and none has begun, which is told: one of
-/// the two is missing, or out of place.
-bool Parser::goes_on_behind_end() {
+/// True, after a report, if the line is of a program that a '%' has ended and none has begun: one
+/// of the two is missing, or out of place.
+bool Parser::goes_on_after_end() {
   if (file_ != 0) return false;
   using Kind = Token::Kind;
   const Token first = Lexer(line_.text).next();
@@ -427,16 +275,11 @@ bool Parser::goes_on_behind_end() {
   return true;
 }
 
-/// '/' or '/2', before or behind the line number.
+/// '/' or '/2', before or after the line number.
 Token Parser::read_slash(Lexer& lexer, const Token& slash) {
   if (line_.skip || !only_line_number()) {
-    if (!strange())
-      report(Code::SC1011, slash.column, slash.length,
-             "'/' (block skip) within a line; it stands at its beginning");
-    Lexer behind = lexer;
-    if (const Token number = behind.next(); number.kind == Token::Kind::number)
-      line_.lone_number = number.value;  // of `/19`, for G19
-    return go_on_behind(lexer);
+    give_up(Code::SC1011, slash, "'/' (block skip) within a line; it stands at its beginning");
+    return {};
   }
   const Token after = lexer.next();
   line_.skip = true;
@@ -454,15 +297,11 @@ bool Parser::only_line_number() const noexcept {
 
 void Parser::report(Code code, int column, int length, std::string message) {
   line_.broken = true;
-  const bool of_the_last = column == std::exchange(told_to_, column + length);
-  if (of_the_last) return;  // `2e)`: where the fault before it ends
-  const bool comment = is_comment_without_begin(code, column, length);
-  if (comment) message += "; the ')' behind it has no '('";
+  if (is_comment_without_begin(code, column, length)) message += "; the ')' after it has no '('";
   diagnostics_.report(code, {line_.number, column, length, file_}, std::move(message), line_.text);
-  if (comment) lose_rest();
 }
 
-/// Prose, behind which a ')' ends a comment that nothing has begun: it is one error.
+/// Prose, after which a ')' ends a comment that nothing has begun.
 bool Parser::is_comment_without_begin(Code code, int column, int length) const noexcept {
   const auto begin = static_cast<std::size_t>(std::max(column - 1, 0));
   const std::string_view rest = line_.text.substr(std::min(begin, line_.text.size()));
@@ -473,19 +312,21 @@ bool Parser::is_comment_without_begin(Code code, int column, int length) const n
   return mark != std::string_view::npos && rest[mark] == ')';
 }
 
-/// For a fault behind which nothing can be trusted: the rest of the line is lost.
 void Parser::give_up(Code code, const Token& token, std::string message) {
-  report(code, token.column, token.length, std::move(message));
+  give_up(code, token.column, token.length, std::move(message));
+}
+
+/// For a fault after which nothing of the line can be trusted.
+void Parser::give_up(Code code, int column, int length, std::string message) {
+  report(code, column, length, std::move(message));
   lose_rest();
 }
 
 void Parser::report(const std::optional<Fault>& fault) {
-  if (!fault) return;
-  report(fault->code, fault->column, fault->length, fault->message);
-  if (fault->code == Code::SC1024) doubt_unset(*fault);
+  if (fault) report(fault->code, fault->column, fault->length, fault->message);
 }
 
-/// The same for a fault in an expression; without one the next token tells what is wrong.
+/// The same for a fault in an expression; without one the next token shows what is wrong.
 void Parser::give_up(const std::optional<Fault>& fault, Lexer& lexer) {
   if (fault)
     report(fault);
@@ -494,17 +335,20 @@ void Parser::give_up(const std::optional<Fault>& fault, Lexer& lexer) {
   lose_rest();
 }
 
+/// Nothing is known of the words from the one in work on: what stands right after a number and
+/// begins no word may be a part of it.
 void Parser::lose_rest() {
-  given_up_ = true;
-  lose_words();
-}
-
-/// They can be read, but not trusted.
-void Parser::lose_words() {
-  if (!strange()) trusted_ = words_.size();
+  if (std::exchange(given_up_, true)) return;
   line_.broken = true;
-  line_.lost = kAllLetters;
-  doubt_assignments();
+  auto rest = line_.text.substr(static_cast<std::size_t>(std::max(begin_ - 1, 0)));
+  const bool of_word = !rest.empty() && !is_letter(rest.front()) && !words_.empty() &&
+                       words_.back().pos.column + words_.back().pos.length == begin_;
+  if (of_word) {
+    rest = line_.text.substr(static_cast<std::size_t>(words_.back().pos.column) - 1);
+    words_.pop_back();
+  }
+  line_.unread |= letters_in(rest);
+  if (rest.find('=') != rest.npos) parameters_.lose_all(true);
 }
 
 }  // namespace softcnc::ipr

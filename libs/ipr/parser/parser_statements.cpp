@@ -4,9 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "ipr/codes/handlers.hpp"
 #include "ipr/expressions/dialect_differences.hpp"
 #include "ipr/parser/parser.hpp"
+#include "ipr/text/number.hpp"
+#include "ipr/text/text_errors.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -48,25 +49,6 @@ void write(const Variable& variable, double value, Parameters& parameters) {
     parameters.write(variable.name, value);
 }
 
-/// The '#1' or '#<name>' that a text ends with, the '#' of which may be what is missing; nothing
-/// where its number or name is to be computed.
-std::optional<Variable> variable_at_end(std::string_view text) {
-  constexpr std::size_t kLongestNumber = 6;
-  if (text.back() == '>') {
-    Lexer name(text.substr(std::min(text.rfind('<'), text.size() - 1)));
-    name.pass();
-    const auto taken = name.take_name();
-    return taken ? std::optional(Variable{-1, lower_case(*taken)}) : std::nullopt;
-  }
-  const std::size_t begin = text.find_last_not_of("0123456789") + 1;
-  const std::string_view digits = text.substr(begin), before = text.substr(0, begin);
-  if (digits.empty() || digits.size() > kLongestNumber || before.ends_with("##"))
-    return std::nullopt;
-  int number = 0;
-  for (const char digit : digits) number = number * 10 + (digit - '0');
-  return Variable{number, {}};
-}
-
 /// " (1 here, 0 there)"; nothing where the values are not what differs.
 std::string detail_of(const OtherValue& other) {
   const auto text = [](double value) {
@@ -99,20 +81,13 @@ void Parser::read_outline() {
     token = pass_slash(lexer, lexer.next());
   }
   token = sign_of_program(lexer, token).value_or(token);
-  line_.broken = token.kind == Token::Kind::unknown;
-  const bool strange_start = line_.broken;
-  if (strange_start) token = lexer.next();
   if (line_.skip && options_.block_skip) words_.clear();
   line_.words = words_;
   if (line_.skip && options_.block_skip) return;
   if (token.kind == Token::Kind::letter && token.letter == 'O')
     read_o_word(lexer, token);
-  else if (token.kind == Token::Kind::letter && !strange_start)
+  else if (token.kind == Token::Kind::letter)
     read_keyword(lexer, token);
-  if (line_.statement == nullptr &&
-      (names(line_.text, "end") || names(line_.text, "while") || names_sub_alone(line_.text)))
-    line_.broken = true;  // what may have been meant for an end, or a sub
-  if (strange_start && line_.statement != nullptr) statement_.kind = Statement::Kind::misspelt;
 }
 
 Token Parser::pass_slash(Lexer& lexer, const Token& token) {
@@ -124,7 +99,6 @@ Token Parser::pass_slash(Lexer& lexer, const Token& token) {
 
 /// False: what follows the O is not a statement, or one that is a word too.
 bool Parser::read_o_word(Lexer& lexer, const Token& letter) {
-  if (strange()) return false;
   if (!only_line_number()) return refuse_late_statement(lexer, letter);
   StatementReader reader(lexer, parameters_, statement_, depth_);
   const Found found = reader.read_o_word({line_.number, letter.column, letter.length});
@@ -135,30 +109,24 @@ bool Parser::read_o_word(Lexer& lexer, const Token& letter) {
   return true;
 }
 
-/// One behind words. It may be a call, or an end that is looked for.
+/// One after words.
 bool Parser::refuse_late_statement(Lexer& lexer, const Token& letter) {
   Lexer ahead = lexer;
-  StatementReader reader(ahead, parameters_, statement_, Depth::outline);
+  Statement late;
+  StatementReader reader(ahead, parameters_, late, Depth::outline);
   const Found found = reader.read_o_word({line_.number, letter.column, letter.length});
   using Kind = Statement::Kind;
-  const Kind kind = statement_.kind;
-  if (found != Found::statement || kind == Kind::none || kind == Kind::misspelt ||
-      kind == Kind::program)
-    return false;
-  statement_.kind = Kind::misspelt;
-  line_.statement = &statement_;
-  const int column = statement_.pos.column, length = statement_.pos.length;
-  const auto written =
-      line_.text.substr(static_cast<std::size_t>(column) - 1, static_cast<std::size_t>(length));
-  give_up(Fault{Code::SC1029, column, length,
-                quoted(written) + " behind words: a statement begins its line"},
-          lexer);
+  if (found != Found::statement || reader.broke_off() || late.kind == Kind::program) return false;
+  const auto written = line_.text.substr(static_cast<std::size_t>(late.pos.column) - 1,
+                                         static_cast<std::size_t>(late.pos.length));
+  give_up(Code::SC1029, late.pos.column, late.pos.length,
+          quoted(written) + " after words: a statement begins its line");
   return true;
 }
 
 /// IF, WHILE and the like: returns what is to be read behind it. Nothing: there is no such keyword.
 std::optional<Token> Parser::read_keyword(Lexer& lexer, const Token& letter) {
-  if (strange() || !only_line_number()) return std::nullopt;
+  if (!only_line_number()) return std::nullopt;
   Lexer ahead = lexer;
   ahead.back_to(letter);
   StatementReader reader(ahead, parameters_, statement_, depth_);
@@ -168,33 +136,32 @@ std::optional<Token> Parser::read_keyword(Lexer& lexer, const Token& letter) {
   lexer = ahead;
   if (found != Found::statement && depth_ != Depth::outline) {
     report(reader.fault());
-    const bool known = !reader.fault() && !statement_.uncertain;
+    const bool known = !reader.fault() && !statement_.unknown;
     return known && found == Found::then_true ? lexer.next() : read_consequence(lexer, known);
   }
   if (found == Found::statement) settle(reader, lexer);
   return Token{};
 }
 
-/// What stands behind a THEN whose condition is false, or not known: that is looked at all the
-/// same.
+/// What stands after a THEN whose condition is false does not count; where the condition is not
+/// known, nor is what the line does.
 Token Parser::read_consequence(Lexer& lexer, bool known) {
-  line_.passed_over = known && !only_read_;
-  if (line_.passed_over) return {};
-  before_then_ = words_.size();
-  line_.may_count = true;
-  line_.broken = true;
-  line_.lost = kAllLetters;
-  doubt_assignments();
-  return lexer.next();
+  if (only_read_) return lexer.next();
+  line_.passed_over = known;
+  if (!known) lose_rest();
+  return {};
 }
 
 /// Hands over what has been read of a statement.
 void Parser::settle(const StatementReader& reader, Lexer& lexer) {
   if (statement_.kind != Statement::Kind::none) line_.statement = &statement_;
-  if (depth_ == Depth::outline) return;
+  if (depth_ == Depth::outline) {
+    line_.broken = reader.broke_off();
+    return;
+  }
   if (reader.broke_off()) return give_up(reader.fault(), lexer);
   report(reader.fault());
-  if (statement_.uncertain) line_.broken = true;
+  if (statement_.unknown) line_.broken = true;
 }
 
 /// `sign` is the '#' of a variable that a line assigns to.
@@ -202,14 +169,10 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
   Expression expression(lexer, parameters_);
   const bool computed = lexer.peek() == '#' || lexer.peek() == '[';
   auto variable = expression.variable();
-  if (strange() && !variable) {
-    lose_rest();
-    return {};
-  }
   if (variable && (is_order(*variable) || is_tool_value(*variable)))
-    note(Contradiction::system_variable, sign.column, lexer.end() - sign.column);
+    note(DialectDifference::system_variable, sign.column, lexer.end() - sign.column);
   if (variable && parameters_.fanuc_unit(variable->number) != 1)
-    note(Contradiction::offset_unit, sign.column, lexer.end() - sign.column);
+    note(DialectDifference::offset_unit, sign.column, lexer.end() - sign.column);
   if (variable && is_order(*variable) && options_.dialect == Dialect::fanuc)
     return read_order(lexer, sign, variable->number);
   const SourcePos at{line_.number, sign.column, lexer.end() - sign.column};
@@ -221,25 +184,24 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
     expression.refuse_next(Code::SC1028, "'=' and a value");
   const bool bare = options_.dialect == Dialect::fanuc;  // RS274 wants brackets around operators
   expression.compare_with(assigned_there());
-  const Lexer before = lexer;
   const int begin = lexer.column();
-  double value = expression.broke_off() ? kUncertain
-                 : bare                 ? expression.unbracketed()
-                                        : expression.value();
+  const double value = expression.broke_off() ? kUnknown
+                       : bare                 ? expression.unbracketed()
+                                              : expression.value();
   note(expression.other_value());
-  if (!variable || (computed && !assignable)) parameters_.doubt_all(true);
+  if (!variable || (computed && !assignable)) parameters_.lose_all(true);
   if (expression.broke_off()) {
-    lose_number_before(sign);
-    if (!assigns && variable) doubt_shorter(*variable);
-    if (assignable) assign(std::move(*variable), kUncertain);
-    if (!assigns) lose_words();  // `7#5`, for Y#5
-    return pass_broken(lexer, before, expression.fault());
+    if (assignable) assign(std::move(*variable), kUnknown);
+    give_up(expression.fault(), lexer);
+    return {};
+  }
+  if (refuse_operation(lexer, begin)) {
+    if (assignable) assign(std::move(*variable), kUnknown);
+    return {};
   }
   report(expression.fault());
-  if (pass_operation(lexer, begin)) value = kUncertain;
-  if (is_uncertain(value) || !variable) line_.broken = true;
-  const double kept = assignable ? within_limit(*variable, value, at) : kUncertain;
-  if (assignable) assign(std::move(*variable), counts() ? kept : kUncertain);
+  if (is_unknown(value) || !variable) line_.broken = true;
+  if (assignable) assign(*variable, only_read_ ? kUnknown : within_limit(*variable, value, at));
   return lexer.next();
 }
 
@@ -247,14 +209,14 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
 Token Parser::read_order(Lexer& lexer, const Token& sign, int number) {
   Expression expression(lexer, parameters_);
   if (!lexer.take('=')) expression.refuse_next(Code::SC1028, "'=' and a value");
-  const double value = expression.broke_off() ? kUncertain : expression.value();
+  const double value = expression.broke_off() ? kUnknown : expression.value();
   if (expression.broke_off()) {
     give_up(expression.fault(), lexer);
     return {};
   }
   report(expression.fault());
   const int length = lexer.end() - sign.column;
-  if (is_uncertain(value))
+  if (is_unknown(value))
     line_.broken = true;
   else if (number == kAlarm)
     end_by_alarm(sign.column, length, "alarm of the program" + comment_behind(lexer));
@@ -275,9 +237,9 @@ void Parser::obey_comment(int column) {
                "the program aborts" + (text->empty() ? "" : ": " + std::string(*text)));
 }
 
-/// What stands behind it is not executed, and so not told.
+/// What stands after it is not executed, and so not reported.
 void Parser::end_by_alarm(int column, int length, std::string message) {
-  if (order_uncertain_ || !counts()) {
+  if (order_unknown_ || only_read_) {
     line_.broken = true;
     return;
   }
@@ -293,26 +255,26 @@ std::string Parser::comment_behind(const Lexer& lexer) const {
   return ": " + std::string(line_.text.substr(open + 1, close - open - 1));
 }
 
-/// Tells if not.
+/// False, after a report, if not.
 bool Parser::may_assign(const Variable& variable, SourcePos at) {
   using Access = Parameters::Access;
   const Access access = access_to(variable, parameters_);
   if (access == Access::read_only) {
     report(Code::SC1026, at.column, at.length, name_of(variable) + " cannot be assigned to");
-    variable.name.empty() ? parameters_.doubt(variable.number) : parameters_.doubt(variable.name);
+    variable.name.empty() ? parameters_.lose(variable.number) : parameters_.lose(variable.name);
   } else if (access == Access::no_such)
     report(Code::SC1025, at.column, at.length, lacks_variable(variable, options_.dialect));
   return access == Access::granted;
 }
 
-/// The value; otherwise told, and unknown.
+/// The value; unknown, after a report, where it is too large.
 double Parser::within_limit(const Variable& variable, double value, SourcePos at) {
-  if (!variable.name.empty() || is_vacant(value) || is_uncertain(value)) return value;
+  if (!variable.name.empty() || is_vacant(value) || is_unknown(value)) return value;
   const double limit = parameters_.limit(variable.number);
   if (std::abs(value) <= limit) return value;
   report(Code::SC3008, at.column, at.length,
          name_of(variable) + " takes from " + number_text(-limit) + " to " + number_text(limit));
-  return kUncertain;
+  return kUnknown;
 }
 
 /// FANUC: an assignment takes effect at once; RS274: when all of the line has been read.
@@ -322,43 +284,13 @@ void Parser::assign(Variable variable, double value) {
   if (options_.dialect == Dialect::fanuc) apply_assignments();
 }
 
-/// Of a line that cannot be read: what stands before each '=' has lost its value.
-void Parser::doubt_assignments() {
-  const std::string_view text = line_.text;
-  for (auto at = text.find('='); at != std::string_view::npos; at = text.find('=', at + 1)) {
-    const std::string_view before = without_blanks_around(text.substr(0, at));
-    if (before.empty() || before.back() == '=') continue;
-    const auto variable = variable_at_end(before);
-    if (is_digit(before.front())) parameters_.doubt_all(true);  // a digit for '#', or before it
-    if (!variable && before.find('#') != std::string_view::npos) parameters_.doubt_all(true);
-    if (variable && access_to(*variable, parameters_) == Parameters::Access::granted)
-      write(*variable, kUncertain, parameters_);
-  }
-}
-
-/// `#510`, for `#5=10`: the number ends somewhere within its digits.
-void Parser::doubt_shorter(const Variable& variable) {
-  constexpr int kBase = 10;
-  for (int number = variable.number / kBase; number > 0; number /= kBase)
-    if (parameters_.access(number) == Parameters::Access::granted)
-      parameters_.write(number, kUncertain);
-}
-
-/// A name that nothing has set is told once: it may have been meant to be set where another one is.
-void Parser::doubt_unset(const Fault& fault) {
-  const auto end = static_cast<std::size_t>(fault.column + fault.length) - 1;
-  const auto variable = variable_at_end(line_.text.substr(0, end));
-  if (variable && access_to(*variable, parameters_) == Parameters::Access::granted)
-    write(*variable, kUncertain, parameters_);
-}
-
 /// The value of a variable before the line.
 void Parser::keep_before(const Variable& variable) {
   for (const Assigned& kept : before_)
     if (kept.variable.number == variable.number && kept.variable.name == variable.name) return;
   const auto value =
       variable.name.empty() ? parameters_.read(variable.number) : parameters_.read(variable.name);
-  before_.push_back({variable, value.value_or(kUncertain)});
+  before_.push_back({variable, value.value_or(kUnknown)});
 }
 
 /// What the other dialect reads instead on this line.
@@ -366,9 +298,9 @@ std::span<const Assigned> Parser::assigned_there() const noexcept {
   return options_.dialect == Dialect::fanuc ? before_ : assignments_;
 }
 
-void Parser::note(Contradiction why, int column, int length, const std::string& detail) {
-  if (options_.contradictions == nullptr) return;
-  options_.contradictions->note(why, {line_.number, column, length, file_}, line_.text, detail);
+void Parser::note(DialectDifference why, int column, int length, const std::string& detail) {
+  if (options_.differences == nullptr) return;
+  options_.differences->note(why, {line_.number, column, length, file_}, line_.text, detail);
 }
 
 void Parser::note(const std::optional<OtherValue>& other) {

@@ -44,13 +44,10 @@ class StatementReader {
 
  private:
   bool read_label();
-  void read_strange_label(Lexer label);
   bool refuse_letter_in_label();
   void refuse_signed_label();
   void set_label(double value, int begin);
-  void mean_label(Lexer label);
-  void mean_longer_label();
-  Found read_behind_label(bool by_number, const Lexer& label);
+  Found read_after_label(bool by_number);
   void read_value();
   void read_arguments();
   Found refuse(SourcePos at, int end, const char* why);
@@ -59,7 +56,6 @@ class StatementReader {
   Found read_while();
   Found read_jump();
   Found read_loop(Statement::Kind kind);
-  bool read_misspelt_end();
   bool condition();
   double keep(const Expression& expression, double value);
   void end_keyword() noexcept;

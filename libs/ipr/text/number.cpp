@@ -3,6 +3,8 @@
 // std::from_chars.
 #include "ipr/text/number.hpp"
 
+#include <array>
+
 #include <charconv>
 #include <string>
 
@@ -77,6 +79,16 @@ Number read_number(std::string_view text) {
   if (number.fault == NumberFault::none)
     number.value = value_of(scan, text.substr(0, number.length));
   return number;
+}
+
+std::string number_text(double value) {
+  std::array<char, 400> text{};
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 3);
+  std::string number(text.data(), end);
+  number.erase(number.find_last_not_of('0') + 1);
+  if (number.ends_with('.')) number.pop_back();
+  return number == "-0" ? "0" : number;
 }
 
 }  // namespace softcnc::ipr

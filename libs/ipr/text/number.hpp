@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <string>
 #include <string_view>
 
 namespace softcnc::ipr {
@@ -114,5 +115,8 @@ inline std::size_t read_plain_number(std::string_view text, double& value) noexc
 
 /// Reads everything at the beginning of `text` that looks like one number.
 Number read_number(std::string_view text);
+
+/// A number for a message: at most three decimals, no trailing zeros.
+std::string number_text(double value);
 
 }  // namespace softcnc::ipr

@@ -8,6 +8,7 @@
 #include <array>
 #include <cassert>
 #include <limits>
+#include <utility>
 
 #include "motion/core/utf8.hpp"
 
@@ -282,7 +283,12 @@ void Diagnostics::deliver_held() {
   };
   std::stable_sort(held_.begin(), held_.end(),
                    [&](const Diagnostic& a, const Diagnostic& b) { return column(a) < column(b); });
-  for (Diagnostic& diagnostic : held_) deliver(std::move(diagnostic));
+  bool erroneous = false;
+  for (Diagnostic& diagnostic : held_) {
+    const bool error = diagnostic.severity() == Severity::error;
+    if (error && std::exchange(erroneous, true)) continue;
+    deliver(std::move(diagnostic));
+  }
   held_.clear();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What goes wrong, where, and how it is told.
+// Diagnostics: what is wrong, where, and how it is reported.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct SourcePos {
   int column = 0;
   int length = 1;
   int file = 0;   // 0: the program itself; others: Diagnostics::add_file()
-  int calls = 0;  // that led there; 0: none; others: Diagnostics::in_calls()
+  int calls = 0;  // calls that led there; 0: none; others: Diagnostics::in_calls()
 };
 
 /// The codes of diagnostic_table.inc: Code::SC2103 and so on.
@@ -48,7 +48,7 @@ std::string_view name(Severity severity) noexcept;
 /// "SC2103"
 std::string code_name(Code code);
 
-/// Where a program calls another one.
+/// The position of a call of another program.
 struct CallPlace {
   std::string file;
   int line = 0;
@@ -60,56 +60,59 @@ struct Diagnostic {
   Code code;
   SourcePos pos = {};
   std::string message = {};
-  std::string file = {};              // as the user named it; empty until someone knows
+  std::string file = {};              // as the user named it; empty until it is known
   std::string source_line = {};       // the text of line pos.line; empty if unknown
-  std::vector<CallPlace> calls = {};  // that led there, the last one first
-  std::uint32_t subject = 0;          // if any: a place is told once of each, whatever the message
+  std::vector<CallPlace> calls = {};  // calls that led there, the last one first
+  std::uint32_t subject = 0;          // if any: a position is reported once per subject
 
   Severity severity() const noexcept { return code_info(code).severity; }
 };
 
-/// file:line:column: severity: message [SCnnnn], then the source line and a caret below its
+/// Renders file:line:column: severity: message [SCnnnn], then the source line and a caret below its
 /// columns. The column shown counts characters (UTF-8 code points), as editors do; control
 /// characters are shown as U+FFFD. Ends with a newline.
 std::string render(const Diagnostic& diagnostic);
 
-/// The same as values: column and length count characters, and texts are such as may be shown.
+/// Returns the diagnostic with values for display: column and length count characters, and control
+/// characters are replaced.
 Diagnostic shown(const Diagnostic& diagnostic);
 
-/// The exit status a diagnostic asks for: 1 program, 3 machine limit, 4 runtime, 5 input or output,
-/// 2 machine file, 70 a defect in softcnc; 0 for notes and warnings.
+/// Returns the exit status of a diagnostic: 1 program, 3 machine limit, 4 runtime, 5 input or
+/// output, 2 machine file, 70 a defect in softcnc; 0 for notes and warnings.
 int exit_status(const Diagnostic& diagnostic) noexcept;
 
-/// The first that applies of 2, 5, 1, 3 (interfaces: exit status); otherwise the larger.
+/// Returns the first that applies of 2, 5, 1, 3 (interfaces: exit status); otherwise the larger.
 int worse_status(int a, int b) noexcept;
 
-/// Collects or passes on what the stages report while they read on.
+/// Collects or passes on what the stages report while they continue reading.
 class Diagnostics {
  public:
   using Sink = std::function<void(const Diagnostic&)>;
 
-  /// Without a sink everything is kept and can be read by all().
+  /// Without a sink all diagnostics are kept and can be read by all().
   Diagnostics() = default;
   explicit Diagnostics(Sink sink) : sink_(std::move(sink)) {}
 
   void set_file(std::string file) { files_.front() = std::move(file); }
   const std::string& file() const noexcept { return files_.front(); }
-  /// A further file that the program calls; returns its SourcePos::file.
+  /// Adds a further file that the program calls; returns its SourcePos::file.
   int add_file(std::string file);
   const std::string& file(int index) const { return files_[static_cast<std::size_t>(index)]; }
 
-  /// The program calls another one, from `place`; what is told while lines are held is told of that
-  /// call until it is left.
+  /// Enters a call of another program from `place`; what is reported while lines are held is
+  /// attributed to that call until it is left.
   void enter_call(const SourcePos& place);
   void leave_call() noexcept;
-  /// The place with the calls that lead to it now.
+  /// Returns the position with the calls that lead to it now.
   SourcePos in_calls(SourcePos place) const noexcept;
 
-  /// From here on lines may be read again: what has been told of a place is not told again.
+  /// From here on lines may be read again: what has been reported at a position is not reported
+  /// again.
   void lines_repeat() noexcept { lines_repeat_ = true; }
 
-  /// From here to release() what is told of one line is kept back, and told by its columns; what is
-  /// told of the line as a whole comes last.
+  /// From here to release() what is reported of one line is held back. Then it is delivered in the
+  /// order of its columns, and of several errors only the first: the others may follow from it.
+  /// What concerns the line as a whole comes last.
   void hold() noexcept { holding_ = true; }
   void release();
 
@@ -121,28 +124,28 @@ class Diagnostics {
   int status() const noexcept { return status_; }  // worst exit status so far
 
  private:
-  /// A call and the one within which it stands; no two are the same.
+  /// A call and the call that contains it; no two are the same.
   struct Call {
     int within = 0;
     SourcePos place;
   };
-  static constexpr std::size_t kMostCalls = 10000;  // those after them are told as their callers
+  static constexpr std::size_t kMostCalls = 10000;  // later ones are reported as their callers
 
   std::vector<CallPlace> calls_to(const SourcePos& place) const;
 
-  static constexpr std::size_t kRemembered = 100000;  // places; those after them are told again
+  static constexpr std::size_t kRemembered = 100000;  // positions; later ones are reported again
 
   bool is_repeated(const Diagnostic& diagnostic);
-  void tell(Diagnostic diagnostic);
-  void tell_held();
+  void deliver(Diagnostic diagnostic);
+  void deliver_held();
 
   Sink sink_;
   std::vector<std::string> files_{std::string()};
   std::vector<Call> calls_{Call()};  // the first: none
   std::map<std::array<int, 4>, int> call_index_;
-  int call_ = 0, left_out_ = 0;  // the innermost call; how many within it are told as this one
-  std::unordered_set<std::uint64_t> told_;
-  std::uint64_t last_place_ = 0;  // of the last one, and
+  int call_ = 0, left_out_ = 0;  // the innermost call; how many within it count as this one
+  std::unordered_set<std::uint64_t> reported_;
+  std::uint64_t last_place_ = 0;  // of the last diagnostic, and
   std::string last_message_;
   bool lines_repeat_ = false, holding_ = false;
   std::vector<Diagnostic> held_;  // of one line

@@ -26,7 +26,6 @@ struct Move {
   double corner_tolerance = 0;    // mm: how far the next joint may be rounded (G64 P)
   double chord_tolerance = 0;     // mm: how far merged chords may deviate (G64 Q)
   bool feed_override = true;      // false: the feed is as programmed, whatever the override (M49)
-  std::uint8_t unknown_axes = 0;  // by bit: an error has left the position of the axis unknown
   std::optional<Surface> surface{};  // of G06.4, on cutting moves
   bool exact = false;                // requested by G61, G61.1 or G09: no corner may be rounded
 };

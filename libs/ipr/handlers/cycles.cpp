@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: MIT
+// Canned cycles: a hole, or a row of them, as moves, dwells and actions of the spindle.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ipr/handlers/handlers.hpp"
+#include "motion/core/units.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr int kG73 = 730, kG74 = 740, kG82 = 820, kG83 = 830, kG84 = 840, kG85 = 850, kG86 = 860,
+              kG89 = 890;
+constexpr double kChipClearance = 0.254;  // mm (0.01 inch): over the last peck, as in RS274
+constexpr double kMostPecks = 1e4;        // of one line: its moves are made at once
+
+bool pecks(const GCode& code) { return code.number == kG73 || code.number == kG83; }
+bool taps(const GCode& code) { return code.number == kG74 || code.number == kG84; }
+bool dwells(const GCode& code) {
+  return code.number == kG82 || code.number == kG86 || code.number == kG89;
+}
+
+bool feeds_out(const GCode& code) { return taps(code) || code.number == kG89; }
+bool is_fanuc(const Task& task) { return task.options.dialect == Dialect::fanuc; }
+
+/// What one line asks for, in mm and programmed coordinates.
+struct Holes {
+  PlaneAxes axes;
+  double retract, bottom, clear;  // across the plane; `clear` is where each hole is left
+  double feed_end;                // as far out go those at the feed that do
+  double dwell, peck;             // s, mm
+  int count;
+  AxisVector first, step;
+};
+
+char across_letter(const PlaneAxes& axes) { return axis_letter(axes.across); }
+
+void keep(Task& task, char letter, std::optional<double>& value, double scale) {
+  if (!task.values.has(letter)) return;
+  value = task.values[letter] * scale;
+}
+
+bool in_row(const Modal& modal) {
+  return modal.motion != nullptr && is_canned_cycle(*modal.motion);
+}
+
+/// Words stay in force from hole to hole as long as the cycle does, in the fanuc dialect as long
+/// as any cycle does. Behind a code that is not known they may.
+void keep_words(Task& task, const PlaneAxes& axes) {
+  CycleWords& words = task.modal.cycle;
+  const Modal& modal = task.modal;
+  const bool stay = is_fanuc(task) ? in_row(modal) : modal.motion == &task.code;
+  if (!stay) words = {{}, {}, {}, {}, words.start};
+  keep(task, 'R', words.retract, task.modal.mm_per_unit);
+  keep(task, across_letter(axes), words.bottom, task.modal.mm_per_unit);
+  keep(task, 'Q', words.peck, task.modal.mm_per_unit);
+  keep(task, 'P', words.dwell, is_fanuc(task) ? s_from_ms(1) : 1);
+  if (task.values.value_or('P', 0) != 0 && !pecks(task.code))
+    task.out.note_difference(DialectDifference::cycle_dwell, task.values.word('P').pos);
+}
+
+bool has(Task& task, const std::optional<double>& value, char letter, std::string_view what) {
+  if (value) return true;
+  task.out.report(Code::SC2005, task.word.pos,
+                  code_name(task.code) + " needs " + letter + ", " + std::string(what));
+  return false;
+}
+
+bool has_words(Task& task, const PlaneAxes& axes) {
+  const CycleWords& words = task.modal.cycle;
+  const bool must_dwell = dwells(task.code) && !is_fanuc(task);
+  if (!task.values.letters().has_any(kAxisWords)) {
+    task.out.report(Code::SC2160, task.word.pos,
+                    code_name(task.code) + " without a position: X, Y or Z");
+    return false;
+  }
+  bool all = has(task, words.retract, 'R', "the height to which it retracts");
+  all = has(task, words.bottom, across_letter(axes), "the bottom of the hole") && all;
+  if (must_dwell) all = has(task, words.dwell, 'P', "the time at the bottom") && all;
+  if (pecks(task.code)) all = has(task, words.peck, 'Q', "the depth of a peck") && all;
+  return all;
+}
+
+bool refuse_at(Task& task, SourcePos pos, Code code, std::string message) {
+  task.out.report(code, pos, std::move(message));
+  return false;
+}
+
+bool refuse(Task& task, char letter, Code code, std::string message) {
+  report_word(task, letter, code, std::move(message));
+  return false;
+}
+
+bool lies_near(const Task& task, const Holes& holes, AxisVector at, double height) {
+  at[holes.axes.across] = height;
+  return is_near(task.modal.coordinates.to_machine(at));
+}
+
+/// The first and the last hole of the line, from R to the bottom.
+bool are_near(Task& task, const Holes& holes) {
+  const char across = across_letter(holes.axes);
+  const AxisVector last = holes.first + std::max(0, holes.count - 1) * holes.step;
+  for (const char letter : {'R', across}) {
+    const double height = letter == 'R' ? holes.retract : holes.bottom;
+    if (is_near(height)) continue;
+    return refuse_at(task, place_of(task, letter), Code::SC3008, leads_far({letter}));
+  }
+  bool near = true;
+  for (const AxisVector& hole : {holes.first, last})
+    for (const double height : {holes.retract, holes.bottom})
+      near = near && lies_near(task, holes, hole, height);
+  if (!near)
+    task.out.report(Code::SC3008, span_of(task.values, "XYZ"), leads_far(code_name(task.code)));
+  return near;
+}
+
+bool has_possible_dwell(Task& task, const Holes& holes) {
+  if (holes.dwell >= 0 && holes.dwell <= kLongestDwell) return true;
+  return refuse_at(task, place_of(task, 'P'), Code::SC2007,
+                   std::string("P, the time at the bottom, must ") +
+                       (holes.dwell < 0 ? "not be negative" : "be 1000000000 s at most"));
+}
+
+bool has_possible_pecks(Task& task, const Holes& holes) {
+  if (pecks(task.code) && holes.peck <= 0)
+    return refuse_at(task, place_of(task, 'Q'), Code::SC2007,
+                     "Q, the depth of a peck, must be above 0");
+  if (taps(task.code) && task.values.value_or('Q', 0) != 0)
+    return refuse(task, 'Q', Code::SC2114,
+                  code_name(task.code) +
+                      " with Q is refused: tapping in pecks needs a spindle in step with the axis");
+  return true;
+}
+
+/// Of FANUC's controls, where a number without a point may count thousandths.
+void check_peck_unit(Task& task, const Holes& holes) {
+  constexpr double kLarge = 100;
+  if (task.modal.peck_warned || !pecks(task.code) || !task.values.has('Q')) return;
+  const Word& word = task.values.word('Q');
+  if (has_point(task, word) || word.value < kLarge || holes.peck <= holes.retract - holes.bottom)
+    return;
+  task.modal.peck_warned = true;
+  task.out.report(Code::SC2211, word.pos,
+                  "Q, the depth of a peck, is " + number_text(word.value) +
+                      (task.modal.mm_per_unit == 1 ? " mm" : " inches") +
+                      ", more than the whole hole");
+}
+
+bool lies_above_bottom(Task& task, const Holes& holes) {
+  if (holes.retract >= holes.bottom) return true;
+  return refuse_at(task, place_of(task, 'R'), Code::SC2162,
+                   "R lies below the bottom of the hole, " + number_text(holes.retract) +
+                       " mm below " + number_text(holes.bottom) + " mm");
+}
+
+bool refuse_count(Task& task) {
+  return refuse_at(task, task.word.pos, Code::SC2007,
+                   code_name(task.code) + " on this line would take more than 10000 " +
+                       (pecks(task.code) ? "pecks" : "holes"));
+}
+
+bool is_possible(Task& task, const Holes& holes) {
+  if (!are_near(task, holes)) return false;
+  bool possible = has_possible_dwell(task, holes);
+  possible = has_possible_pecks(task, holes) && possible;
+  possible = lies_above_bottom(task, holes) && possible;
+  if (!possible) return false;
+  const double each = pecks(task.code) ? (holes.retract - holes.bottom) / holes.peck : 1;
+  check_peck_unit(task, holes);
+  if (each * holes.count <= kMostPecks) return true;
+  return refuse_count(task);
+}
+
+/// G74 cuts left-hand threads, G84 right-hand ones; G86 stops a spindle that turns.
+bool spindle_turns(Task& task) {
+  const int wanted = task.code.number == kG84 ? 1 : task.code.number == kG74 ? -1 : 0;
+  const int turning = task.modal.spindle_direction;
+  if (wanted == 0 && task.code.number != kG86) return true;
+  if (wanted == 0 ? turning != 0 : turning == wanted) return true;
+  return refuse_at(task, task.word.pos, Code::SC2163,
+                   code_name(task.code) + " needs a spindle that turns" +
+                       (wanted == 0   ? ""
+                        : wanted == 1 ? " clockwise (M03)"
+                                      : " counter-clockwise (M04)"));
+}
+
+/// How often; FANUC: K, and 0 only keeps the words.
+std::optional<int> repeats(Task& task) {
+  const bool fanuc = is_fanuc(task);
+  if (task.values.has('K') && !fanuc) {
+    refuse(task, 'K', Code::SC2007, "K repeats a cycle in the fanuc dialect; here L does");
+    return std::nullopt;
+  }
+  const char letter = task.values.has('K') ? 'K' : 'L';
+  if (!task.values.has(letter)) return 1;
+  const Word& word = task.values.word(letter);
+  const auto count = whole_number(task, word);
+  if (!count || *count > 0 || fanuc) return count;
+  refuse(task, letter, Code::SC2007, "L, how often the cycle is repeated, is 1 at least");
+  return std::nullopt;
+}
+
+Holes holes_of(const Task& task, const PlaneAxes& axes, const AxisVector& from, int count) {
+  const CycleWords& words = task.modal.cycle;
+  const Modal& modal = task.modal;
+  Holes holes{axes, *words.retract,          *words.bottom,          0,
+              0,    words.dwell.value_or(0), words.peck.value_or(0), count,
+              from, AxisVector::Zero()};
+  if (pecks(task.code) && !is_fanuc(task)) holes.dwell = 0;
+  if (modal.incremental) {
+    holes.retract += words.start;
+    holes.bottom += holes.retract;
+  }
+  const bool to_retract = modal.retract_to_r.value_or(!is_fanuc(task));
+  holes.clear = to_retract ? holes.retract : std::max(words.start, holes.retract);
+  holes.feed_end = is_fanuc(task) ? holes.retract : holes.clear;
+  for (const int axis : {axes.first, axes.second}) {
+    const char letter = axis_letter(axis);
+    if (!task.values.has(letter)) continue;
+    const double value = task.values[letter] * modal.mm_per_unit;
+    if (modal.incremental)
+      holes.step[axis] = value;
+    else
+      holes.first[axis] = value;
+  }
+  holes.first += holes.step;
+  return holes;
+}
+
+/// The tool on its path, in programmed coordinates.
+class CyclePath {
+ public:
+  CyclePath(Task& task, const Holes& holes, const AxisVector& at)
+      : task_(task), holes_(holes), at_(at) {}
+
+  int blocks() const { return blocks_; }
+  double height() const { return at_[holes_.axes.across]; }
+  void over(const AxisVector& hole) {
+    at_[holes_.axes.first] = hole[holes_.axes.first];
+    at_[holes_.axes.second] = hole[holes_.axes.second];
+    go(true);
+  }
+  void rapid_to(double height) { to(height, true); }
+  void feed_to(double height) { to(height, false); }
+  void rest() {
+    if (holes_.dwell > 0) task_.out.emit(Dwell{holes_.dwell});
+  }
+  /// 1: clockwise, -1: counter-clockwise, 0: stop.
+  void turn(int direction) {
+    const int code = direction == 0 ? 5 : direction > 0 ? 3 : 4;
+    task_.out.emit(
+        Action{Action::Kind::spindle, code, direction * task_.modal.spindle_speed.value_or(0)});
+  }
+
+ private:
+  void to(double height, bool rapid) {
+    at_[holes_.axes.across] = height;
+    go(rapid);
+  }
+  void go(bool rapid) {
+    constexpr double kShortest = 1e-9;  // mm
+    Modal& modal = task_.modal;
+    const AxisVector from = modal.beside ? modal.beside->tool : modal.position;
+    const AxisVector end = modal.coordinates.to_machine(at_);
+    if ((end - from).lpNorm<Eigen::Infinity>() < kShortest) return;
+    emit_move(task_, softcnc::Line(from, end), rapid);
+    ++blocks_;
+    modal.position = end;
+  }
+
+  Task& task_;
+  const Holes& holes_;
+  AxisVector at_;
+  int blocks_ = 0;
+};
+
+/// G73 breaks the chip, G83 clears it out of the hole.
+void peck(CyclePath& path, const Holes& holes, bool clears) {
+  for (double depth = holes.retract - holes.peck; depth > holes.bottom; depth -= holes.peck) {
+    path.feed_to(depth);
+    if (clears) path.rapid_to(holes.retract);
+    path.rapid_to(std::min(depth + kChipClearance, holes.retract));
+  }
+  path.feed_to(holes.bottom);
+  path.rest();
+  path.rapid_to(holes.clear);
+}
+
+void drill(CyclePath& path, const Holes& holes, const GCode& code, int spindle) {
+  if (pecks(code)) return peck(path, holes, code.number == kG83);
+  path.feed_to(holes.bottom);
+  if (taps(code)) path.turn(-spindle);
+  if (dwells(code) || taps(code)) path.rest();
+  if (code.number == kG86) path.turn(0);
+  if (code.number == kG85) path.feed_to(holes.retract);
+  if (feeds_out(code)) path.feed_to(holes.feed_end);
+  if (taps(code)) path.turn(spindle);
+  path.rapid_to(holes.clear);
+  if (code.number == kG86) path.turn(spindle);
+}
+
+void drill_all(Task& task, const Holes& holes, const AxisVector& from) {
+  CyclePath path(task, holes, from);
+  if (path.height() < holes.retract) path.rapid_to(holes.retract);
+  AxisVector hole = holes.first;
+  for (int i = 0; i < holes.count; ++i) {
+    path.over(hole);
+    path.rapid_to(holes.retract);
+    drill(path, holes, task.code, task.modal.spindle_direction);
+    hole += holes.step;
+  }
+  task.flow.count_more_blocks(std::max(path.blocks() - 1, 0));
+}
+
+/// The motion that stands before a cycle has ended the row before, and comes back behind G80.
+void lay_below(Task& task) {
+  const GCode* below = task.command.below_cycle();
+  if (below != nullptr) task.modal.motion = task.modal.motion_below = below;
+}
+
+/// How the hole is left.
+void compare_retracts(Task& task, const Holes& holes) {
+  const Modal& modal = task.modal;
+  if (modal.cycle.start <= holes.retract) return;
+  if (!modal.retract_to_r)
+    task.out.note_difference(DialectDifference::retract, task.word.pos);
+  else if (!*modal.retract_to_r && feeds_out(task.code))
+    task.out.note_difference(DialectDifference::feed_out, task.word.pos);
+}
+
+}  // namespace
+
+void canned_cycle(Task& task) {
+  Modal& modal = task.modal;
+  lay_below(task);
+  const PlaneAxes axes = plane_axes(modal.plane);
+  const AxisVector from = modal.coordinates.to_program(modal.position);
+  if (!in_row(modal)) modal.cycle.start = from[axes.across];
+  keep_words(task, axes);
+  begin_motion(task);
+  const auto count = repeats(task);
+  has_feed(task);
+  if (count && has_words(task, axes)) {
+    const Holes holes = holes_of(task, axes, from, *count);
+    if (is_possible(task, holes) && spindle_turns(task)) {
+      compare_retracts(task, holes);
+      return drill_all(task, holes, from);
+    }
+  }
+}
+
+void refuse_cycle(Task& task) {
+  const std::string why = task.code.number == 880 ? "a hand that leads the tool out of the hole"
+                                                  : "a spindle that can be oriented";
+  task.out.report(Code::SC2161, task.word.pos, code_name(task.code) + " needs " + why);
+  lay_below(task);
+  if (is_fanuc(task)) keep_words(task, plane_axes(task.modal.plane));
+  task.modal.motion = nullptr;
+  task.modal.unknown |= kPosition;
+  task.modal.unknown.add(Part::motion);
+}
+
+void retract_to_start(Task& task) { task.modal.retract_to_r = false; }
+void retract_to_r(Task& task) { task.modal.retract_to_r = true; }
+
+}  // namespace softcnc::ipr

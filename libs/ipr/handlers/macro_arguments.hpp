@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The arguments of G65: which variable takes which word.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ipr/handlers/handlers.hpp"
+
+namespace softcnc::ipr {
+
+/// The values of #1 and up that the words behind G65 give, by FANUC's lists I (a letter each) and
+/// II (A B C, then I J K again and again). Nothing: told.
+std::optional<std::vector<double>> macro_arguments(Task& task);
+
+}  // namespace softcnc::ipr

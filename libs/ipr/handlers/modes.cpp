@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Codes that change how later words are read: plane, units, distance, path control, feed.
+#include <string>
+#include <utility>
+
+#include "ipr/handlers/handlers.hpp"
+#include "motion/core/units.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+void set_path_mode(Modal& modal, PathMode mode, double corner, double chord, bool exact) {
+  modal.path_mode = mode;
+  modal.corner_tolerance = corner;
+  modal.chord_tolerance = chord;
+  modal.exact_path = exact;
+}
+
+/// A tolerance of G64 in mm.
+double tolerance(Task& task, char letter, double otherwise) {
+  if (!task.values.has(letter)) return otherwise;
+  const Word& word = task.values.word(letter);
+  const double given = word.value * task.modal.mm_per_unit;
+  if (given >= 0 && is_near(given)) return given;
+  task.out.report(Code::SC2007, word.pos,
+                  std::string(1, letter) + ", a tolerance of G64, must " +
+                      (given < 0 ? "not be negative" : "be 1000000 mm at most"));
+  return otherwise;
+}
+
+/// False, and told, if no machine could keep it.
+bool is_possible_feed(Task& task, double feed) {
+  constexpr double kLeast = 1e-6, kMost = 1e9;  // mm/min
+  const double per_minute = mm_min_from_mm_s(feed);
+  if (feed == 0 || (per_minute >= kLeast && per_minute <= kMost)) return true;
+  const bool given = task.command.has(Group::feed);
+  task.out.report(Code::SC2007, given ? task.command.find_word(Group::feed).pos : task.word.pos,
+                  std::string("a feed ") +
+                      (per_minute < kLeast ? "below 0.000001" : "above 1000000000") + " mm/min");
+  return false;
+}
+
+}  // namespace
+
+void select_plane(Task& task) {
+  constexpr int kG17 = 170, kG18 = 180;
+  task.modal.plane = task.code.number == kG17   ? Plane::xy
+                     : task.code.number == kG18 ? Plane::zx
+                                                : Plane::yz;
+}
+
+void use_inches(Task& task) { task.modal.mm_per_unit = kMmPerInch; }
+void use_millimetres(Task& task) { task.modal.mm_per_unit = 1; }
+
+void use_absolute(Task& task) { task.modal.incremental = false; }
+void use_incremental(Task& task) { task.modal.incremental = true; }
+
+void use_absolute_centres(Task& task) { task.modal.absolute_centres = true; }
+void use_incremental_centres(Task& task) { task.modal.absolute_centres = false; }
+
+/// G61: FANUC's is G09 in every block.
+void follow_exactly(Task& task) {
+  task.out.note_difference(DialectDifference::exact_stop, task.word.pos);
+  const bool fanuc = task.options.dialect == Dialect::fanuc;
+  set_path_mode(task.modal, fanuc ? PathMode::stop : PathMode::follow, 0, 0, true);
+}
+
+void stop_exactly(Task& task) { set_path_mode(task.modal, PathMode::stop, 0, 0, true); }
+
+/// G09.
+void stop_once(Task& task) { task.modal.stops_once = is_of_fanuc(task); }
+
+/// G64 P Q; Q is P where it is missing, whether P is written or the machine's.
+void follow_path_within(Task& task) {
+  const double corner = tolerance(task, 'P', task.machine.control.corner_tolerance);
+  const double chord = tolerance(task, 'Q', corner);
+  set_path_mode(task.modal, PathMode::follow, corner, chord, false);
+}
+
+/// M48 on, M49 off; M50 P of the feed, M51 P of the spindle alone.
+void switch_override(Task& task) {
+  constexpr int kM48 = 480, kM49 = 490, kM50 = 500, kM51 = 510;
+  const int number = task.code.number;
+  const bool on = number == kM48 || (number != kM49 && task.values.value_or('P', 1) != 0);
+  if (number != kM51) task.modal.feed_override = on;
+  if (number != kM50) task.modal.speed_override = on;
+}
+
+/// A change of mode leaves F unset.
+void select_feed_mode(Task& task) {
+  constexpr int kG93 = 930, kG95 = 950;
+  const FeedMode mode = task.code.number == kG93   ? FeedMode::inverse_time
+                        : task.code.number == kG95 ? FeedMode::per_turn
+                                                   : FeedMode::per_minute;
+  if (mode == std::exchange(task.modal.feed_mode, mode)) return;
+  task.modal.feed = task.modal.feed_word = 0;
+  task.modal.zero_feed = false;
+}
+
+void refuse_surface_speed(Task& task) {
+  task.out.report(Code::SC2221, task.word.pos,
+                  "G96 needs work that turns: on a mill no radius is known");
+}
+
+/// A feed in mm/s: the word, and what it stands for where that is another number of mm/min.
+std::string feed_text(const Task& task, double feed) {
+  const double asked = mm_min_from_mm_s(feed);
+  const std::string in_mm_min = number_text(asked) + " mm/min";
+  if (task.word.letter != 'F' || task.modal.feed_mode != FeedMode::per_minute)
+    return "a feed of " + in_mm_min;
+  return "F" + number_text(task.word.value) +
+         (task.modal.mm_per_unit == 1 ? "" : ", " + in_mm_min + ",");
+}
+
+/// mm/s, held at the machine's limit.
+[[gnu::hot]] double held_feed(Task& task, double feed) {
+  const double limit = task.machine.limits.feed;
+  if (limit <= 0 || feed <= limit) return is_possible_feed(task, feed) ? feed : 0;
+  if (!task.modal.feed_warned)
+    task.out.report(Code::SC2201, task.word.pos, above_limit(feed_text(task, feed), limit));
+  task.modal.feed_warned = true;
+  return limit;
+}
+
+void set_feed(Task& task) {
+  Modal& modal = task.modal;
+  modal.feed = modal.feed_word = 0;
+  if (!is_not_negative(task.out, task.word)) return;
+  if (task.word.value == 0) modal.zero_feed = true;
+  const double length = task.word.value * modal.mm_per_unit;
+  if (modal.feed_mode == FeedMode::per_minute)
+    modal.feed = held_feed(task, mm_s_from_mm_min(length));
+  else
+    modal.feed_word = modal.feed_mode == FeedMode::per_turn ? length : task.word.value;
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Codes that are known, and ask for what softcnc cannot do.
+#include <string>
+
+#include "ipr/handlers/handlers.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+void report(Task& task, const std::string& why) {
+  task.out.report(Code::SC2114, task.word.pos, code_name(task.code) + " is refused: " + why);
+}
+
+}  // namespace
+
+/// False, after a report: LinuxCNC does not know the code.
+bool is_of_fanuc(Task& task) {
+  if (task.options.dialect == Dialect::fanuc) return true;
+  task.out.report(Code::SC2001, task.word.pos,
+                  code_name(task.code) + " is not supported in the linuxcnc dialect");
+  return false;
+}
+
+/// G33, G33.1, G76. Where they would have led is not known.
+void refuse_thread(Task& task) {
+  constexpr int kG76 = 760;  // a thread of LinuxCNC's, fine boring of FANUC's
+  if (task.code.number == kG76 && task.options.dialect == Dialect::fanuc) return refuse_cycle(task);
+  report(task, "threads need a spindle with an encoder, which the axes could follow");
+  task.modal.motion = task.modal.motion_below = nullptr;
+  task.modal.unknown |= kPosition;
+  task.modal.unknown.add(Part::motion);
+}
+
+/// M29. Whether the spindle would turn behind it is not known.
+void refuse_rigid_tapping(Task& task) {
+  report(task,
+         "rigid tapping needs a spindle in step with the axis; G74 and G84 without M29 take a "
+         "floating holder and a spindle that turns");
+  task.modal.unknown.add(Part::spindle);
+}
+
+/// G15, G50 and G69 stand in the first line of many a FANUC program.
+void cancel_nothing(Task& task) { is_of_fanuc(task); }
+
+/// G11. What stood before it has been passed over.
+void end_data_input(Task& task) { is_of_fanuc(task); }
+
+/// M62 to M68.
+void refuse_signal(Task& task) {
+  report(task, "softcnc has no inputs and outputs that a program could read or set");
+}
+
+/// M52 and M53: P0 asks for what is so anyway.
+void switch_input(Task& task) {
+  if (task.values.value_or('P', 1) != 0)
+    report(task, "softcnc has no input that could change or stop the feed; P0 is accepted");
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// M70 to M73: modes are saved and restored; after M73 the end of the subprogram restores them.
+#include "ipr/handlers/saved_modes.hpp"
+
+#include <utility>
+
+#include "ipr/handlers/handlers.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr int kM73 = 730;
+
+/// rpm, positive clockwise.
+double turning(const Modes& modes) {
+  return modes.spindle_direction * modes.spindle_speed.value_or(0);
+}
+
+void restore(Modal& modal, const SavedModes& saved) {
+  constexpr Unknown kNotSaved{Part::motion, Part::tool, Part::x, Part::y, Part::z, Part::end};
+  Unknown unknown = saved.unknown.without(kNotSaved);
+  for (const Part part : {Part::motion, Part::tool, Part::x, Part::y, Part::z, Part::end})
+    if (modal.unknown.has(part)) unknown.add(part);
+  static_cast<Modes&>(modal) = saved.modes;
+  modal.state.active = saved.work_system;
+  modal.state.shift_on = saved.shift_on;
+  modal.unknown = unknown;
+  modal.update_coordinates();
+}
+
+void follow_spindle(const Modes& before, const Modal& modal, Output& out, const SourcePos& source) {
+  constexpr int kClockwise = 3, kCounterClockwise = 4, kOff = 5, kSpeedAlone = 0;
+  if (turning(modal) == turning(before)) return;
+  const int direction = modal.spindle_direction;
+  int code = direction > 0 ? kClockwise : direction < 0 ? kCounterClockwise : kOff;
+  if (direction == before.spindle_direction) code = kSpeedAlone;
+  out.emit(Action{Action::Kind::spindle, code, turning(modal)}, source);
+}
+
+void follow_coolant(const Modes& before, const Modal& modal, Output& out, const SourcePos& source) {
+  constexpr int kMist = 7, kFlood = 8, kOff = 9;
+  if (before.mist == modal.mist && before.flood == modal.flood) return;
+  const auto tell = [&](int code) { out.emit(Action{Action::Kind::coolant, code, 0}, source); };
+  const bool off = (before.mist && !modal.mist) || (before.flood && !modal.flood);
+  if (off) tell(kOff);
+  if (modal.mist && (off || !before.mist)) tell(kMist);
+  if (modal.flood && (off || !before.flood)) tell(kFlood);
+}
+
+/// What M70 saves.
+SavedModes modes_of(const Modal& modal) {
+  SavedModes saved;
+  saved.modes = modal;
+  saved.work_system = modal.state.active;
+  saved.shift_on = modal.state.shift_on;
+  saved.unknown = modal.unknown;
+  return saved;
+}
+
+/// As G40, and as the G41 or G42 that was in force.
+void follow_cutter(const Modes& before, Modal& modal, Output& out) {
+  if (before.cutter == modal.cutter) return;
+  if (const auto tool = out.stop_compensation()) modal.beside = Beside{*tool, before.cutter->plane};
+  if (modal.cutter) out.start_compensation(*modal.cutter);
+}
+
+}  // namespace
+
+void follow_restored(const Modes& before, Modal& modal, Output& out, const SourcePos& source) {
+  follow_cutter(before, modal, out);
+  follow_spindle(before, modal, out, source);
+  follow_coolant(before, modal, out, source);
+}
+
+void SavedLevels::end_call(const SourcePos& pos) {
+  const std::optional<SavedModes> ended = std::move(modal_.saved.back());
+  modal_.saved.pop_back();
+  if (!ended || !ended->automatic) return;
+  if (!modal_.restored) modal_.restored = Restored{modal_, pos};
+  restore(modal_, *ended);
+}
+
+void SavedLevels::miss_call() {
+  modal_.curve.reset();
+  modal_.points.reset();
+  modal_.unknown = kEverything;
+}
+
+/// M70, M73.
+void save_modes(Task& task) {
+  SavedModes& saved = task.modal.saved.back().emplace(modes_of(task.modal));
+  saved.automatic = task.code.number == kM73;
+}
+
+/// M71
+void forget_modes(Task& task) { task.modal.saved.back().reset(); }
+
+/// M72
+void restore_modes(Task& task) {
+  Modal& modal = task.modal;
+  if (const std::optional<SavedModes>& saved = modal.saved.back()) {
+    const Modes before = modal;
+    restore(modal, *saved);
+    return follow_restored(before, modal, task.out, task.out.source());
+  }
+  task.out.report(Code::SC2115, task.word.pos,
+                  "M72 restores modes, and no M70 or M73 has saved any at this level of calls");
+}
+
+}  // namespace softcnc::ipr

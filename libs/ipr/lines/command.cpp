@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Sorts the words of a line and finds what contradicts itself.
+#include "ipr/lines/command.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ipr/lines/operands.hpp"
+#include "ipr/text/text_errors.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+void report_twice(const Word& word, Output& out) {
+  out.report(Code::SC2003, word.pos, std::string(1, word.letter) + " is given twice");
+}
+
+/// G38.2 to G38.9; G31 of FANUC.
+bool is_probing(const Word& word, Dialect dialect) noexcept {
+  const double code = dialect == Dialect::fanuc ? 31 : 38;
+  return word.letter == 'G' && std::floor(word.value) == code;
+}
+
+}  // namespace
+
+void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
+  values_.letters_ = {};
+  count_ = 0;
+  groups_ = {};
+  unread_ = line.unread;
+  unknown_ = {};
+  probes_ = calls_macro_ = false;
+  below_cycle_ = nullptr;
+  called_ = line.called;
+  for (const Word& word : line.words) {
+    is_code_letter(word.letter) ? read_code(word, dialect, out) : read_value(word, out);
+    if (!calls_macro_) continue;
+    read_arguments(line.words.subspan(static_cast<std::size_t>(&word - line.words.data()) + 1),
+                   out);
+    break;
+  }
+  if (has(Group::program_number)) check_program_number(line, out);
+  if (!unread_.empty()) unknown_ |= set_by(unread_);
+  if (unknown_.has(Part::motion)) unknown_ |= set_by(values_.letters_);
+}
+
+[[gnu::always_inline]] inline void Command::read_code(const Word& word, Dialect dialect,
+                                                      Output& out) {
+  const GCode* code = find_gcode(word.letter, word.value);
+  if (code == nullptr) {
+    out.report(Code::SC2001, word.pos, code_name(word.letter, word.value) + " is not supported");
+    unknown_ |= word.letter == 'G' ? Unknown{Part::motion} : set_by("M");
+    probes_ = probes_ || is_probing(word, dialect);
+    return;
+  }
+  calls_macro_ = calls_macro(*code);
+  if (!has(code->group)) return add(*code, word);
+  if (dialect == Dialect::fanuc && put_above(*code, word)) return;
+  unknown_ |= settled(*code);
+  if (code->number == kAnyNumber) return report_twice(word, out);
+  out.report(Code::SC2002, word.pos, code_name(*code) + " beside another code of the same group");
+}
+
+/// Behind G65 and its like only P and L are words of the line's own.
+void Command::read_arguments(std::span<const Word> words, Output& out) {
+  arguments_ = words;
+  for (const Word& word : words)
+    if (word.letter == 'P' || word.letter == 'L') read_value(word, out);
+}
+
+[[gnu::hot]] void Command::read_value(const Word& word, Output& out) {
+  if (values_.has(word.letter)) {
+    unread_.add(word.letter);
+    return report_twice(word, out);
+  }
+  values_.letters_.add(word.letter);
+  values_.words_[Values::index(word.letter)] = &word;
+}
+
+/// O names the program; only a line number may stand beside it.
+void Command::check_program_number(const ProgramLine& line, Output& out) {
+  const auto& words = line.words;
+  const auto number =
+      std::find_if(words.begin(), words.end(), [](const Word& word) { return word.letter == 'O'; });
+  const auto other = std::find_if(words.begin(), words.end(), [](const Word& word) {
+    return word.letter != 'O' && word.letter != 'N';
+  });
+  if (other == words.end()) return;
+  const bool after = other < number;
+  unknown_.add(Part::motion);
+  out.report(Code::SC2006, after ? number->pos : other->pos,
+             std::string("O stands alone on its line") + (after ? kLetterForDigit : ""));
+}
+
+[[gnu::hot]] void Command::add(const GCode& code, const Word& word) {
+  std::size_t at = count_++;
+  for (; at > 0 && codes_[at - 1].code->order > code.order; --at) codes_[at] = codes_[at - 1];
+  codes_[at] = {&code, &word};
+  groups_.add(code.group);
+}
+
+/// FANUC: a cycle counts rather than the G00 to G03 before it.
+bool Command::put_above(const GCode& cycle, const Word& word) {
+  const auto motion = std::find_if(codes_.begin(), codes_.begin() + count_, [](const auto& code) {
+    return code.code->group == Group::motion;
+  });
+  if (!is_canned_cycle(cycle) || !is_line_or_arc(*motion->code)) return false;
+  below_cycle_ = motion->code;
+  *motion = {&cycle, &word};
+  return true;
+}
+
+void Command::add_lone_letters(Dialect dialect) {
+  if (dialect != Dialect::fanuc || !values_.letters().has_any(kLoneLetters)) return;
+  const Letters lone = unused(dialect);
+  for (const char letter : {'D', 'H'})
+    if (lone.has(letter)) add(*find_gcode(letter, 0), values_.word(letter));
+}
+
+const GCode* Command::find(Group group) const noexcept {
+  if (!has(group)) return nullptr;
+  for (const CodeWord& code : codes())
+    if (code.code->group == group) return code.code;
+  return nullptr;
+}
+
+const Word& Command::find_word(Group group) const noexcept {
+  const auto all = codes();
+  return *std::find_if(all.begin(), all.end(), [&](const CodeWord& code) {
+            return code.code->group == group;
+          })->word;
+}
+
+[[gnu::hot]] Letters Command::unused(Dialect dialect) const noexcept {
+  Letters used;
+  for (const CodeWord& code : codes()) {
+    used |= Letters(code.code->words);
+    if (dialect == Dialect::fanuc) used |= Letters(code.code->fanuc_words);
+  }
+  return values_.letters().without(used);
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// The words of a line, sorted into codes and values.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "ipr/codes/gcode.hpp"
+#include "ipr/expressions/dialect.hpp"
+#include "ipr/lines/output.hpp"
+#include "ipr/parser/parser.hpp"
+#include "ipr/state/unknown.hpp"
+#include "ipr/text/letter_set.hpp"
+
+namespace softcnc::ipr {
+
+/// The words that are not codes, by letter.
+class Values {
+ public:
+  Letters letters() const noexcept { return letters_; }
+  bool has(char letter) const noexcept { return letters_.has(letter); }
+  /// Expects has(letter).
+  const Word& word(char letter) const noexcept { return *words_[index(letter)]; }
+  double operator[](char letter) const noexcept { return word(letter).value; }
+  double value_or(char letter, double otherwise) const noexcept {
+    return has(letter) ? word(letter).value : otherwise;
+  }
+
+ private:
+  friend class Command;
+  static std::size_t index(char letter) noexcept { return static_cast<std::size_t>(letter - 'A'); }
+
+  Letters letters_;
+  std::array<const Word*, 26> words_{};
+};
+
+class Command {
+ public:
+  struct CodeWord {
+    const GCode* code;
+    const Word* word;
+  };
+
+  /// Sorts the words; reports codes that are unknown or exclude each other, and words given twice.
+  void read(const ProgramLine& line, Dialect dialect, Output& out);
+
+  /// Adds the motion in force, if words of the line are meant for it.
+  void add_modal_motion(const GCode& motion, const Word& word) { add(motion, word); }
+  /// Adds the codes that D and H are where no code of the line takes them.
+  void add_lone_letters(Dialect dialect);
+
+  const Values& values() const noexcept { return values_; }
+  /// In the order in which they act.
+  std::span<const CodeWord> codes() const noexcept { return {codes_.data(), count_}; }
+  bool has(Group group) const noexcept { return groups_.has(group); }
+  /// The code of a group; nullptr if the line has none.
+  const GCode* find(Group group) const noexcept;
+  /// Its word. Expects has(group).
+  const Word& find_word(Group group) const noexcept;
+  /// The G00 to G03 that stands before a cycle; nullptr if none does.
+  const GCode* below_cycle() const noexcept { return below_cycle_; }
+  /// Values that no code of the line takes.
+  Letters unused(Dialect dialect) const noexcept;
+  /// The words behind G65.
+  std::span<const Word> arguments() const noexcept { return arguments_; }
+  /// As of Line.
+  std::string_view called() const noexcept { return called_; }
+  /// Words of the line whose value is not known: they could not be read, or are given twice.
+  Letters unread() const noexcept { return unread_; }
+  /// What the errors of the line's words have left open.
+  Unknown unknown() const noexcept { return unknown_; }
+  /// Whether one of its codes was a probing move, which is not supported.
+  bool probes() const noexcept { return probes_; }
+
+ private:
+  void read_code(const Word& word, Dialect dialect, Output& out);
+  void read_value(const Word& word, Output& out);
+  void read_arguments(std::span<const Word> words, Output& out);
+  void check_program_number(const ProgramLine& line, Output& out);
+  void add(const GCode& code, const Word& word);
+  bool put_above(const GCode& cycle, const Word& word);
+
+  Values values_;
+  std::array<CodeWord, kGroups> codes_{};  // no group twice
+  std::size_t count_ = 0;
+  Groups groups_;
+  bool calls_macro_ = false;
+  const GCode* below_cycle_ = nullptr;
+  std::span<const Word> arguments_;
+  std::string_view called_;
+  Letters unread_;
+  Unknown unknown_;
+  bool probes_ = false;
+};
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "ipr/lines/operands.hpp"
+
+#include "ipr/codes/axis_letters.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr int kG00 = 0, kG02 = 20, kG03 = 30, kG05 = 50, kG051 = 51, kG053 = 53;
+constexpr int kG10 = 100, kG28 = 280, kG30 = 300, kG43 = 430, kG52 = 520, kG53 = 530, kG65 = 650;
+constexpr int kG92 = 920, kG923 = 923, kM72 = 720;
+
+/// Curves whose points or knots stand one on a line: G05.2 to G06.2.
+constexpr bool is_of_several_lines(const GCode& code) noexcept {
+  return code.number > kG051 && code.number <= 62;
+}
+
+Unknown named_axes(const Command& command) noexcept {
+  Unknown named;
+  for (int i = 0; i < kAxes; ++i)
+    if (command.values().has(axis_letter(i)) || command.unread().has(axis_letter(i)))
+      named.add(position_part(i));
+  return named;
+}
+
+/// Whether it may be a further line of a curve that an earlier one has begun.
+bool may_go_on(const GCode& code, const Command& command) noexcept {
+  constexpr int kG052 = 52, kG061 = 61, kG062 = 62;
+  const Letters given = command.values().letters();
+  return (code.number == kG062 && !given.has('P')) || (code.number == kG052 && !given.has('L')) ||
+         code.number == kG061;
+}
+
+bool goes_to_machine_point(const Command& command) noexcept {
+  const GCode* code = command.find(Group::non_modal);
+  return code != nullptr && code->number == kG53;
+}
+
+Unknown of_feed(const Modal& modal) noexcept {
+  Unknown parts{Part::feed, Part::feed_mode, Part::units};
+  if (modal.feed_mode == FeedMode::per_turn || modal.surface) parts |= {Part::speed, Part::spindle};
+  return parts;
+}
+
+Unknown operands_of_motion(const GCode& code, const Command& command, const Modal& modal) noexcept {
+  Unknown parts = kPosition;
+  parts |= {Part::units, Part::cutter};
+  if (code.number == kG053 || may_go_on(code, command)) parts.add(Part::motion);
+  parts.add(Part::distance);
+  if (!goes_to_machine_point(command)) parts |= kOffsets;
+  if (code.number != kG00) parts |= of_feed(modal);
+  const bool in_plane = code.number == kG02 || code.number == kG03 || is_canned_cycle(code) ||
+                        code.number == kG05 || code.number == kG051 || is_of_several_lines(code);
+  if (in_plane) parts |= {Part::plane, Part::centres};
+  if (is_canned_cycle(code)) parts.add(Part::spindle);
+  const bool by_mode = command.has(Group::motion) && command.find_word(Group::motion).letter != 'G';
+  if (is_canned_cycle(code) && by_mode) parts.add(Part::cycle_words);
+  return parts;
+}
+
+/// G10 L10, L11 and L20 go by the position.
+Unknown operands_of_table(const Command& command) noexcept {
+  Unknown parts{Part::units, Part::distance};
+  const double table = command.values().value_or('L', 0);
+  const bool by_position = table == 10 || table == 11 || table == 20;
+  if (!by_position || !command.values().letters().has_any(kAxisWords)) return parts;
+  parts |= kPosition;
+  parts |= kOffsets;
+  return parts;
+}
+
+Unknown operands_of_offset(const GCode& code, const Command& command) noexcept {
+  switch (code.number) {
+    case kG10:
+      return operands_of_table(command);
+    case kG28:
+    case kG30: {
+      Unknown parts = kPosition;
+      parts |= kCoordinates;
+      return parts;
+    }
+    case kG52:
+      return {Part::units, Part::shift};
+    case kG53:
+      return {Part::motion, Part::distance};
+    case kG92: {
+      Unknown parts = kPosition;
+      parts |= {Part::units};
+      parts |= kOffsets;
+      return parts;
+    }
+    default:
+      return code.number == kG28 + 1 || code.number == kG30 + 1 ? kPosition : Unknown{};
+  }
+}
+
+}  // namespace
+
+Unknown operands(const GCode& code, const Command& command, const Modal& modal) noexcept {
+  if (is_refused(code)) return {};
+  switch (code.group) {
+    case Group::motion:
+      return operands_of_motion(code, command, modal);
+    case Group::non_modal:
+      return operands_of_offset(code, command);
+    case Group::feed:
+      return {Part::units, Part::feed_mode};
+    case Group::cutter_compensation:
+      return code.words.empty() ? Unknown{} : Unknown{Part::plane, Part::tool, Part::units};
+    case Group::tool_length:
+      return code.number == kG43 ? Unknown{Part::tool, Part::units} : Unknown{Part::units};
+    case Group::surface:
+      return {Part::tool, Part::units};
+    case Group::path_control:
+      return {Part::units};
+    case Group::spindle:
+      return {Part::speed};
+    case Group::saving:
+      return code.number == kM72 ? Unknown{Part::saved_modes} : Unknown{};
+    case Group::tool_change:
+      return code.words.empty() ? Unknown{Part::tool} : Unknown{};
+    default:
+      return {};
+  }
+}
+
+Unknown results(const GCode& code, const Command& command) noexcept {
+  switch (code.group) {
+    case Group::motion: {
+      Unknown parts = named_axes(command);
+      if (is_of_several_lines(code)) parts.add(Part::motion);
+      return parts;
+    }
+    case Group::non_modal:
+      if (code.number == kG28 || code.number == kG30) return kPosition;
+      if (code.number == kG53) return named_axes(command);
+      if (code.number == kG10 || code.number == kG52) return {Part::shift};
+      if (code.number >= kG92 && code.number <= kG923) return {Part::shift};
+      return code.number == kG65 ? kEverything : Unknown{};
+    case Group::saving:
+      return code.number == kM72 ? Unknown{Part::feed, Part::speed} : settled(code);
+    default:
+      return settled(code);
+  }
+}
+
+Unknown settled(const GCode& code) noexcept {
+  switch (code.group) {
+    case Group::motion:
+      if (is_canned_cycle(code)) return {Part::motion, Part::cycle_words};
+      return is_of_several_lines(code) ? Unknown{} : Unknown{Part::motion};
+    case Group::cycle:
+      return {Part::motion};
+    case Group::plane:
+      return {Part::plane};
+    case Group::units:
+      return {Part::units};
+    case Group::distance:
+      return {Part::distance};
+    case Group::arc_distance:
+      return {Part::centres};
+    case Group::feed_mode:
+      return {Part::feed_mode};
+    case Group::feed:
+      return {Part::feed};
+    case Group::speed:
+    case Group::spindle_mode:
+      return {Part::speed};
+    case Group::spindle:
+      return {Part::spindle};
+    case Group::tool:
+    case Group::tool_change:
+      return {Part::tool};
+    case Group::cutter_compensation:
+    case Group::radius_number:
+      return {Part::cutter};
+    case Group::tool_length:
+    case Group::length_number:
+      return {Part::tool_length};
+    case Group::work_offset:
+      return {Part::work_system};
+    case Group::saving:
+      return code.number == kM72 ? Unknown{} : Unknown{Part::saved_modes};
+    default:
+      return {};
+  }
+}
+
+Unknown set_by(Letters letters) noexcept {
+  Unknown parts;
+  for (int i = 0; i < kAxes; ++i)
+    if (letters.has(axis_letter(i))) parts.add(position_part(i));
+  if (letters.has('F')) parts.add(Part::feed);
+  if (letters.has('S')) parts.add(Part::speed);
+  if (letters.has('T')) parts.add(Part::tool);
+  if (letters.has('G'))
+    parts |=
+        {Part::motion, Part::plane, Part::distance, Part::centres, Part::feed_mode, Part::cutter};
+  if (letters.has('M')) parts |= {Part::spindle, Part::saved_modes, Part::end};
+  return parts;
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// How a program is to be read.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+#include "ipr/expressions/dialect.hpp"
+#include "ipr/text/called_texts.hpp"
+
+namespace softcnc::ipr {
+
+/// The language of a program: G-code, or the commands of paper 003; automatic: by its text.
+enum class Format : std::uint8_t { automatic, gcode, commands };
+inline constexpr std::array<std::string_view, 3> kFormatNames{"auto", "gcode", "commands"};
+constexpr std::string_view name(Format format) noexcept {
+  return kFormatNames[static_cast<std::size_t>(format)];
+}
+
+/// What a user chooses about the reading of a program.
+struct InterpreterOptions {
+  bool block_skip = false;     // leave out lines that begin with '/'
+  bool optional_stop = false;  // M01 stops
+  Dialect dialect = Dialect::linuxcnc;
+  Format format = Format::automatic;
+  bool compare_dialects = false;  // warn where a line means something else in the other one
+  bool unreachable_too = false;   // read lines that are never run as well, for their errors
+  std::string folder = {};        // where files lie that the program calls; empty: it can call none
+  CalledTexts* called = nullptr;  // where their texts are kept; must outlive the interpreter
+  std::stop_token stop = {};      // to read no further: waiting() then
+};
+
+}  // namespace softcnc::ipr

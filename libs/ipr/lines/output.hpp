@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Where the blocks and the errors of a line go.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ipr/compensation/compensation.hpp"
+#include "ipr/expressions/dialect_differences.hpp"
+#include "ipr/parser/parser.hpp"
+#include "motion/model/block.hpp"
+
+namespace softcnc::ipr {
+
+/// Keeps the blocks of good lines until they are asked for. A line with an error gives none.
+class Output {
+ public:
+  Output(Diagnostics& diagnostics, DialectDifferences& differences)
+      : diagnostics_(diagnostics),
+        differences_(differences),
+        compensation_(diagnostics, differences) {}
+
+  void begin(const ProgramLine& line);
+  void end();
+  /// The program has ended: lines after it are only read, and give no block.
+  void close() noexcept { closed_ = true; }
+
+  /// Reports with the text of the line. An error makes the line fail.
+  void report(Code code, SourcePos pos, std::string message);
+  /// Reports a place on an earlier line, on which this one does not depend: it does not fail.
+  void report(Code code, SourcePos pos, std::string message, std::string_view source_line);
+
+  /// The line means something else in the other dialect.
+  void note_difference(DialectDifference kind, SourcePos pos) {
+    if (!failed_) differences_.note(kind, pos, text_);
+  }
+
+  /// The line gives no block.
+  void fail() noexcept { failed_ = true; }
+  bool failed() const noexcept { return failed_; }
+  /// How many errors the line has reported.
+  int errors() const noexcept { return errors_; }
+
+  /// A block that begins with the line.
+  template <typename What>
+  void emit(What&& what) {
+    emit(std::forward<What>(what), source_);
+  }
+  template <typename What>
+  void emit(What&& what, SourcePos source) {
+    blocks_.emplace_back(std::forward<What>(what), source);
+  }
+
+  /// A block of the lines before, which stays whatever becomes of this one. Expects that this one
+  /// has emitted nothing yet.
+  template <typename What>
+  void emit_before(What&& what, SourcePos source) {
+    blocks_.emplace_back(std::forward<What>(what), source);
+    kept_ = blocks_.size();
+  }
+
+  bool has_block() const noexcept { return next_ != blocks_.size() || compensation_.has_block(); }
+  /// The next block, numbered. Expects that there is one.
+  std::optional<Block> pop();
+
+  bool compensating() const noexcept { return compensation_.on(); }
+  void start_compensation(const CutterSide& mode) { compensation_.start(mode); }
+  /// Where the tool is, if cutter compensation has led it beside the programmed position.
+  std::optional<AxisVector> stop_compensation();
+
+  SourcePos source() const noexcept { return source_; }
+  std::string_view text() const noexcept { return text_; }
+
+ private:
+  /// A block that is made in the place where it stays: most programs are nothing but blocks.
+  struct Made : Block {
+    template <typename Does>
+    Made(Does&& does, SourcePos at) : Block{std::forward<Does>(does), at, 0} {}
+  };
+
+  std::optional<Block> pop_compensated();
+  std::optional<Block> pop_own();
+  void compensate();
+  void drop();  // the blocks of the line
+
+  Diagnostics& diagnostics_;
+  DialectDifferences& differences_;
+  std::vector<Made> blocks_;  // those before next_ are gone
+  std::size_t next_ = 0, kept_ = 0;
+  int popped_ = 0, errors_ = 0;
+  SourcePos source_;
+  std::string_view text_;
+  bool failed_ = false, closed_ = false;
+  Compensation compensation_;
+};
+
+}  // namespace softcnc::ipr

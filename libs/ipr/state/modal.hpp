@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// What stays in force from line to line: modes, position, and a NURBS whose lines are still coming.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ipr/codes/gcode.hpp"
+#include "ipr/codes/modes.hpp"
+#include "ipr/state/coordinates.hpp"
+#include "ipr/state/unknown.hpp"
+#include "ipr/text/letter_set.hpp"
+#include "motion/geometry/nurbs.hpp"
+#include "motion/model/machine_state.hpp"
+
+namespace softcnc::ipr {
+
+/// Where a curve over several lines began.
+struct CurveHead {
+  double feed = 0;   // mm/s
+  SourcePos source;  // of its first line
+  SourcePos word;    // its code
+  std::string line;  // its text
+};
+
+/// A curve of G06.2 between its first block and its last closing knot.
+struct PendingCurve {
+  CurveHead head;
+  NurbsSpec spec;  // what has been read so far
+  int order = 0;
+  int closing_knots = 0;  // read so far
+  Letters axes;           // of the curve; empty until a block names one
+  bool repeats = false;   // LinuxCNC's form: G06.2 in its second block too
+  double order_word = 0;  // P as written; 0: left out
+};
+
+/// A curve of G05.2 or G06.1, whose points are still coming.
+struct PendingPoints {
+  CurveHead head;
+  const GCode* code = nullptr;
+  int order = 0;                   // of G05.2
+  std::vector<AxisVector> points;  // mm, machine coordinates; the first is where it begins
+  std::vector<double> weights;     // of G05.2
+  int blocks = 0;                  // that named a point
+};
+
+/// The end of a curve of G05: the next one may go on from it without a bend.
+struct CurveEnd {
+  AxisVector position;  // mm, machine coordinates
+  AxisVector handle;    // mm: from there to the first control point of the curve that goes on
+  Plane plane;          // in which it lies
+};
+
+/// Where G40 has left the tool: beside the programmed position, until a move leads away.
+struct Beside {
+  AxisVector tool;  // mm, machine coordinates
+  Plane plane;      // of the contour
+};
+
+/// Words of a canned cycle that stay in force with it: mm, s; as programmed.
+struct CycleWords {
+  std::optional<double> retract, bottom, dwell, peck;
+  double start = 0;  // mm, programmed: the height before the first cycle of a row
+};
+
+/// What M70 or M73 has saved.
+struct SavedModes {
+  Modes modes;
+  int work_system = 0;  // index, of G54 to G59.3
+  bool shift_on = false;
+  Unknown unknown;         // as of Modal
+  bool automatic = false;  // by M73: the end of the call restores them
+};
+
+/// Modes that the end of a call has restored, before blocks have followed them.
+struct Restored {
+  Modes before;
+  SourcePos pos;  // of the end of the call
+};
+
+/// The start state is that of a new Modal.
+struct Modal : Modes {
+  AxisVector position = AxisVector::Zero();     // mm, machine coordinates: the end of the last move
+  MachineState state;                           // offsets and what else outlives the program
+  AxisVector local_shift = AxisVector::Zero();  // mm: of G52 in the fanuc dialect
+  AxisVector shift_of_g52 = AxisVector::Zero();  // mm: in linuxcnc, what of the shift G52 has set
+  Coordinates coordinates;                       // made of these by update_coordinates()
+  /// What the other dialect goes by, once an offset has been assigned to.
+  std::optional<Coordinates> coordinates_there;
+  bool machine_coordinates = false;     // on this line: G53
+  bool stops_once = false;              // on this line: G09
+  const GCode* motion = nullptr;        // the motion code in force
+  const GCode* motion_below = nullptr;  // G00 to G03: in force but for a cycle
+  std::optional<int> tool;              // as selected by T
+  std::optional<int> loaded_tool;       // in the spindle
+  std::optional<Beside> beside;
+  std::optional<PendingCurve> curve;
+  std::optional<PendingPoints> points;
+  std::optional<CurveEnd> curve_end;
+  std::optional<Surface> surface;  // of G06.4
+  CycleWords cycle;
+  std::vector<std::optional<SavedModes>> saved{1};  // by level of calls
+  std::optional<Restored> restored;
+
+  Unknown unknown;  // what errors have left open
+
+  // Reported once a file.
+  bool feed_warned = false, spindle_warned = false, dwell_warned = false, peck_warned = false;
+  bool look_ahead_reported = false, chopping_reported = false, order_reported = false;
+  bool rest_reported = false;  // once a G06.4: that the spindle rests
+  bool ended = false;          // M02 or M30 was read
+
+  const WorkOffset& work() const noexcept {
+    return state.work[static_cast<std::size_t>(state.active)];
+  }
+  AxisVector shift() const noexcept {
+    return state.shift_on ? AxisVector(state.shift + local_shift) : local_shift;
+  }
+  /// After a change of an offset. The position of the machine stays.
+  void update_coordinates() noexcept {
+    coordinates = Coordinates(work(), shift(), tool_offset);
+    coordinates_there.reset();
+  }
+  /// After an assignment to an offset, which counts at once or when coordinates are updated next.
+  void assign_offset(bool at_once) noexcept {
+    const Coordinates assigned(work(), shift(), tool_offset);
+    if (!coordinates_there) coordinates_there = coordinates;
+    (at_once ? coordinates : *coordinates_there) = assigned;
+  }
+};
+
+}  // namespace softcnc::ipr

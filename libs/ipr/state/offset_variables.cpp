@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// RS274: ranges of one number per axis (X Y Z, then six axes that softcnc lacks, then a rotation).
+#include "ipr/state/offset_variables.hpp"
+
+#include <numbers>
+
+namespace softcnc::ipr {
+namespace {
+
+constexpr int kHome = 5161, kSecondHome = 5181, kShift = 5211;
+constexpr int kWork = 5221, kWorkStep = 20, kRotation = 9;
+constexpr double kRadPerDegree = std::numbers::pi / 180;
+
+double& length(ToolOffset& tool) { return tool.length[2]; }
+double& length_wear(ToolOffset& tool) { return tool.length_wear; }
+double& radius(ToolOffset& tool) { return tool.radius; }
+double& radius_wear(ToolOffset& tool) { return tool.radius_wear; }
+
+/// Of tools 1 to `count`: FANUC's memory C.
+struct ToolRange {
+  int first, count;
+  double& (*of)(ToolOffset&);
+};
+
+constexpr ToolRange kToolRanges[] = {
+    {2001, 200, length_wear}, {2201, 200, length},       {10001, 999, length_wear},
+    {11001, 999, length},     {12001, 999, radius_wear}, {13001, 999, radius},
+};
+
+}  // namespace
+
+std::optional<OffsetVariable> offset_variable(int number, MachineState& state, Dialect dialect) {
+  if (const int axis = axis_in(number, kHome); axis >= 0) return OffsetVariable{&state.home[axis]};
+  if (const int axis = axis_in(number, kSecondHome); axis >= 0)
+    return OffsetVariable{&state.second_home[axis]};
+  if (const int axis = axis_in(number, kShift); axis >= 0)
+    return OffsetVariable{&state.shift[axis]};
+  if (number < kWork || number >= kWork + kWorkSystems * kWorkStep) return std::nullopt;
+  WorkOffset& work = state.work[static_cast<std::size_t>((number - kWork) / kWorkStep)];
+  const int which = (number - kWork) % kWorkStep;
+  if (which < kAxes) return OffsetVariable{&work.origin[which]};
+  if (which != kRotation || dialect == Dialect::fanuc) return std::nullopt;
+  return OffsetVariable{&work.rotation, kRadPerDegree, kMostTurned};
+}
+
+std::optional<ToolVariable> tool_variable(int number) {
+  for (const ToolRange& range : kToolRanges)
+    if (number >= range.first && number < range.first + range.count)
+      return ToolVariable{number - range.first + 1, range.of};
+  return std::nullopt;
+}
+
+}  // namespace softcnc::ipr

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// The one rule of errors: what a wrong line would have set is unknown; an operation with an unknown
+// operand makes its result unknown and reports nothing; a code that sets a part anew makes it
+// known.
+#include <catch2/catch.hpp>
+
+#include "ipr/handlers/handlers.hpp"
+#include "ipr/lines/operands.hpp"
+#include "ipr/reported.hpp"
+
+using namespace softcnc;
+using namespace softcnc::ipr;
+
+namespace {
+
+const std::string kFeed = "F100\n";
+
+/// A program after whose first line every part is unknown.
+Places after_a_missing_call(const std::string& lines, Dialect dialect = Dialect::linuxcnc) {
+  Places places = reported("M98 P999\n" + lines, dialect);
+  REQUIRE(places.front() == "SC2301 1:1");
+  places.erase(places.begin());
+  return places;
+}
+
+/// A line with this code and all words that it takes, each 1.
+std::string line_of(const GCode& code) {
+  std::string line =
+      code.number == kAnyNumber ? std::string(1, code.letter) + "1" : code_name(code);
+  for (const char letter : code.words) line += std::string(" ") + letter + "1";
+  return line;
+}
+
+}  // namespace
+
+TEST_CASE("a line reports its first error by column", "[ipr][unknown]") {
+  CHECK(reported("G00 X1..2 Y3..4") == Places{"SC1004 1:6"});
+  CHECK(reported("G00 X1 X2 Q5") == Places{"SC2003 1:8"});
+  CHECK(reported("G02 X1 I1 R1 Q3 F5") == Places{"SC2106 1:8"});
+  CHECK(reported("G01 X1 S-1") == Places{"SC2102 1:1"});
+}
+
+TEST_CASE("lines whose operands are known report errors after another error", "[ipr][unknown]") {
+  CHECK(reported("G00 X1..2\nG00 X1 Q5") == Places{"SC1004 1:6", "SC2004 2:8"});
+  CHECK(reported(kFeed + "G02 X1 Y1\nG00 X0 Y0\nG02 X1 Y1") == Places{"SC2107 2:5", "SC2107 4:5"});
+}
+
+TEST_CASE("a coordinate that cannot be read leaves its axis unknown until it is given again",
+          "[ipr][unknown]") {
+  CHECK(reported(kFeed + "G01 X1,0\nG02 X9 Y9 R1") == Places{"SC1001 2:7"});
+  CHECK(reported(kFeed + "G01 X1..0\nG00 X0\nG02 X9 Y9 R1") == Places{"SC1004 2:6", "SC2109 4:11"});
+  CHECK(reported(kFeed + "G01 X1..0\nG91 G00 X1\nG02 X9 Y9 R1") == Places{"SC1004 2:6"});
+}
+
+TEST_CASE("a G code that cannot be read leaves plane and distance mode unknown", "[ipr][unknown]") {
+  CHECK(reported(kFeed + "G..18\nG02 X10 I5 K5") == Places{"SC1004 2:2"});
+  CHECK(reported(kFeed + "G..18\nG17\nG90\nG90.1 G91.1\nG94\nG40\nG02 X10 I5 K5").size() == 2);
+  CHECK(reported(kFeed + "G..18\nG17 G90 G91.1 G94 G40 F100\nG02 X10 I5 K5") ==
+        Places{"SC1004 2:2", "SC2105 4:12"});
+}
+
+TEST_CASE("a code that is not known leaves the motion unknown until a motion code",
+          "[ipr][unknown]") {
+  CHECK(reported("G00 X1\nG205 X5\nX3 Q1\nG00 X1 Q1") == Places{"SC2001 2:1", "SC2004 4:8"});
+}
+
+TEST_CASE("a feed that is missing is reported once", "[ipr][unknown]") {
+  CHECK(reported("G01 X1\nX2\nX3\nF100\nX4") == Places{"SC2102 1:1"});
+  CHECK(reported("G01 X1 F-5\nX2\nF0\nX3") == Places{"SC2007 1:8", "SC2102 4:1"});
+}
+
+TEST_CASE("of two codes of a group nobody knows which is in force", "[ipr][unknown]") {
+  CHECK(reported(kFeed + "G17 G18\nG02 X10 I5 K5") == Places{"SC2002 2:5"});
+  CHECK(reported("G93 G94\nG01 X1") == Places{"SC2002 1:5"});
+}
+
+TEST_CASE("an error within a curve leaves it, and the rest of its lines report nothing",
+          "[ipr][unknown]") {
+  CHECK(reported(kFeed + "G06.2 P3 K0 X0 Y0\nK0 X1 Y..1\nK0 X2\nK1\nK1\nK1\nG00 X0 Y0 Q1") ==
+        Places{"SC1004 3:8", "SC2004 8:11"});
+  CHECK(reported(kFeed + "G05.2 X1 Y1 P1 L3\nX2 Y2\nX3 Y3 P1\nG05.3\nG00 X0 Q1") ==
+        Places{"SC2005 3:1", "SC2004 6:8"});
+}
+
+TEST_CASE("an unknown length leaves Z unknown until the length is known", "[ipr][unknown]") {
+  const std::string tools = "G10 L1 P1 Z3\n";
+  CHECK(reported(tools + "G43 H9\nG00 Z1\n" + kFeed + "G18 G02 X9 Z9 R1") == Places{"SC2112 2:5"});
+  CHECK(reported(tools + "G43 H9\nG49\nG00 X0 Y0 Z0\n" + kFeed + "G18 G02 X9 Z9 R1").back() ==
+        "SC2109 6:15");
+}
+
+TEST_CASE("modes are restored with what was unknown of them", "[ipr][unknown]") {
+  CHECK(reported(kFeed + "G..18\nM70\nG17 G90 G91.1 G94 G40\nM72\nG02 X10 I5 K5") ==
+        Places{"SC1004 2:2"});
+}
+
+TEST_CASE("a value that rests on an error is unknown wherever it is used", "[ipr][unknown]") {
+  CHECK(reported("#1=[3+4\nG00 X[1/#1]") == Places{"SC1017 1:4"});
+  CHECK(reported("#1=1\no1 while [#1 LT 5]\n#1=[#1+1\no1 endwhile") == Places{"SC1017 3:4"});
+  CHECK(reported("G00 X1..2\n#1=[1/#5420]") == Places{"SC1004 1:6"});
+  CHECK(reported("IF [1/0 EQ 1] THEN #1=1\nG00 X[1/#1]", Dialect::fanuc) == Places{"SC1021 1:7"});
+}
+
+TEST_CASE("a label of which something is missing is reported once", "[ipr][unknown]") {
+  CHECK(reported("o1 while [0]\no1 endwile\nG00 X1") == Places{"SC1020 2:4"});
+  CHECK(reported("o1 endif\no1 endif\no2 endif").size() == 2);
+}
+
+TEST_CASE("with everything unknown no code reports what it would do", "[ipr][unknown]") {
+  for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc})
+    for (const GCode& code : gcode_table()) {
+      if (operands(code, Command{}, Modal{}).empty()) continue;
+      const std::string line = line_of(code);
+      CAPTURE(line, static_cast<int>(dialect));
+      CHECK(after_a_missing_call(line, dialect).empty());
+    }
+}
+
+TEST_CASE("a code settles what it sets whole", "[ipr][unknown]") {
+  for (const GCode& code : gcode_table()) {
+    if (code.act == restore_modes) continue;  // which sets many, and settles none by itself
+    CAPTURE(code_name(code));
+    CHECK(results(code, Command{})
+              .without(kPosition)
+              .without(settled(code))
+              .without({Part::motion, Part::shift})
+              .has_any(kEverything) == (code.letter == 'G' && code.number == 650));
+  }
+}
+
+TEST_CASE("the sets of parts", "[ipr][unknown]") {
+  Unknown parts{Part::x, Part::feed};
+  CHECK(parts.has(Part::feed));
+  CHECK(parts.has_any(kPosition));
+  CHECK_FALSE(parts.without(kPosition).has_any(kPosition));
+  parts.remove(Part::feed);
+  parts.remove(Part::x);
+  CHECK(parts.empty());
+  CHECK(position_part(2) == Part::z);
+  CHECK(set_by("FGM").has(Part::end));
+  CHECK(set_by("IJK").empty());
+}
