@@ -88,8 +88,9 @@ TEST_CASE("a curve ends by count, and motion needs a code again", "[ipr][nurbs]"
   CHECK(start(moves[1].path) == AxisVector(5, 0, 0));
 }
 
-TEST_CASE("a bad curve gives no block, and the position is its last point", "[ipr][nurbs]") {
-  const Interpreted result = interpret("F600\nG06.2 P2 K0 X0\nK0 X5 I1\nK1\nK1\nG02 X9 I2\nM30\n");
+TEST_CASE("a bad curve gives no block, and the position is the next one given", "[ipr][nurbs]") {
+  const Interpreted result =
+      interpret("F600\nG06.2 P2 K0 X0\nK0 X5 I1\nK1\nK1\nG00 X5\nG02 X9 I2\nM30\n");
   CHECK(places(result) == Places{"SC2004 3:7"});
   REQUIRE(result.blocks.size() == 2);
   CHECK(end(std::get<Move>(result.blocks[0].what).path) == AxisVector(9, 0, 0));

@@ -388,7 +388,7 @@ void CommandFile::leave_spline(const std::string& how) {
 void CommandFile::finish() {
   if (reader_.failure()) diagnostics_.report(*reader_.failure());
   if (spline_) leave_spline("the file ends");
-  block_ = Block{Action{Action::FieldKind::end, 30, 0}, {line_, 1, 1}, 0};
+  block_ = Block{Action{Action::Kind::end, 30, 0}, {line_, 1, 1}, 0};
   ended_ = true;
 }
 
