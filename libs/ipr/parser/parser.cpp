@@ -94,6 +94,7 @@ std::optional<ProgramLine> Parser::next_line(Read read) {
   line_.number = reader_->line();
   line_.text = text;
   given_up_ = false;
+  begin_ = 1;
 }
 
 void Parser::read_line(Depth depth) {

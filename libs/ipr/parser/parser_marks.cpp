@@ -340,7 +340,8 @@ void Parser::give_up(const std::optional<Fault>& fault, Lexer& lexer) {
 void Parser::lose_rest() {
   if (std::exchange(given_up_, true)) return;
   line_.broken = true;
-  auto rest = line_.text.substr(static_cast<std::size_t>(std::max(begin_ - 1, 0)));
+  auto rest = line_.text.substr(
+      std::min(static_cast<std::size_t>(std::max(begin_ - 1, 0)), line_.text.size()));
   const bool of_word = !rest.empty() && !is_letter(rest.front()) && !words_.empty() &&
                        words_.back().pos.column + words_.back().pos.length == begin_;
   if (of_word) {
