@@ -39,8 +39,7 @@ Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
       diagnostics_(diagnostics),
       unplanned_travel_(machine, diagnostics),
       parser_(reader, diagnostics),
-      interpreter_(parser_, machine, diagnostics, options.interpreter,
-                   options.state),
+      interpreter_(parser_, machine, diagnostics, options.interpreter, options.state),
       planner_(machine, options.feed_override, diagnostics),
       states_(options.state),
       patient_(!options.events.empty()),
@@ -161,7 +160,8 @@ std::optional<Block> Feeder::wait_for_block() {
 /// Reads to the end of a program that has none: planning what it does would take long.
 void Feeder::read_unplanned(std::optional<Block> block) {
   for (; block; block = wait_for_block())
-    if (const Move* move = std::get_if<Move>(&block->what)) unplanned_travel_.check(*move, block->source);
+    if (const Move* move = std::get_if<Move>(&block->what))
+      unplanned_travel_.check(*move, block->source);
 }
 
 /// Reads to the end of the program only to find what else is wrong.

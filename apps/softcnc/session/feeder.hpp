@@ -15,8 +15,8 @@
 #include "motion/verification/programmed_path.hpp"
 #include "session/channel_options.hpp"
 #include "session/motion_limit.hpp"
-#include "session/unplanned_travel.hpp"
 #include "session/state_history.hpp"
+#include "session/unplanned_travel.hpp"
 #include "session/watcher.hpp"
 
 namespace softcnc::app {

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "ipr/text/letter_set.hpp"
+#include "ipr/text/small_set.hpp"
 
 namespace softcnc::ipr {
 
@@ -53,32 +53,9 @@ enum class Group : std::uint8_t {
 };
 inline constexpr int kGroups = 32;
 
-/// A set of them, in one machine word.
-class Groups {
+class Groups : public SmallSet<Groups, Group> {
  public:
-  constexpr Groups() = default;
-  constexpr Groups(std::initializer_list<Group> groups) noexcept {
-    for (const Group group : groups) add(group);
-  }
-
-  constexpr void add(Group group) noexcept { bits_ |= bit(group); }
-  constexpr void remove(Group group) noexcept { bits_ &= ~bit(group); }
-
-  constexpr bool has(Group group) const noexcept { return (bits_ & bit(group)) != 0; }
-  constexpr bool has_any(Groups other) const noexcept { return (bits_ & other.bits_) != 0; }
-  constexpr bool empty() const noexcept { return bits_ == 0; }
-
-  constexpr Groups& operator|=(Groups other) noexcept {
-    bits_ |= other.bits_;
-    return *this;
-  }
-
- private:
-  static constexpr std::uint32_t bit(Group group) noexcept {
-    return 1U << static_cast<unsigned>(group);
-  }
-
-  std::uint32_t bits_ = 0;
+  using SmallSet::SmallSet;
 };
 
 inline constexpr int kAnyNumber = -1;

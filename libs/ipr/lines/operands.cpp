@@ -43,10 +43,8 @@ Unknown of_feed(const Modal& modal) noexcept {
 }
 
 Unknown operands_of_motion(const GCode& code, const Command& command, const Modal& modal) noexcept {
-  Unknown parts = kPosition;
-  parts |= {Part::units, Part::cutter};
+  Unknown parts = kPosition | Unknown{Part::units, Part::distance, Part::cutter};
   if (code.number == kG053 || may_go_on(code, command)) parts.add(Part::motion);
-  parts.add(Part::distance);
   if (!goes_to_machine_point(command)) parts |= kOffsets;
   if (code.number != kG00) parts |= of_feed(modal);
   const bool in_plane = code.number == kG02 || code.number == kG03 || is_canned_cycle(code) ||
@@ -64,9 +62,7 @@ Unknown operands_of_table(const Command& command) noexcept {
   const double table = command.values().value_or('L', 0);
   const bool by_position = table == 10 || table == 11 || table == 20;
   if (!by_position || !command.values().letters().has_any(kAxisWords)) return parts;
-  parts |= kPosition;
-  parts |= kOffsets;
-  return parts;
+  return parts | kPosition | kOffsets;
 }
 
 Unknown operands_of_offset(const GCode& code, const Command& command) noexcept {
@@ -74,21 +70,14 @@ Unknown operands_of_offset(const GCode& code, const Command& command) noexcept {
     case kG10:
       return operands_of_table(command);
     case kG28:
-    case kG30: {
-      Unknown parts = kPosition;
-      parts |= kCoordinates;
-      return parts;
-    }
+    case kG30:
+      return kPosition | kCoordinates;
     case kG52:
       return {Part::units, Part::shift};
     case kG53:
       return {Part::motion, Part::distance};
-    case kG92: {
-      Unknown parts = kPosition;
-      parts |= {Part::units};
-      parts |= kOffsets;
-      return parts;
-    }
+    case kG92:
+      return kPosition | kOffsets | Unknown{Part::units};
     default:
       return code.number == kG28 + 1 || code.number == kG30 + 1 ? kPosition : Unknown{};
   }
