@@ -82,11 +82,4 @@ Result<std::int64_t> cut_bands(const Workpiece& workpiece, unsigned threads, con
   return updates.load();
 }
 
-std::size_t band_memory(const StockGrid& grid, unsigned threads) noexcept {
-  constexpr std::size_t kSide = kTileSide;
-  constexpr std::size_t kPoint = sizeof(double) + sizeof(float);
-  return kSide * static_cast<std::size_t>(grid.columns) * 2 * sizeof(float) +
-         threads * kSide * kSide * kPoint;
-}
-
 }  // namespace softcnc::surface

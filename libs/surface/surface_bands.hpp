@@ -48,7 +48,4 @@ using WantsStop = std::function<bool()>;
 Result<std::int64_t> cut_bands(const Workpiece& workpiece, unsigned threads, const TakeBand& take,
                                const WantsStop& wants_stop = {});
 
-/// Bytes of a band and the tiles it is made of.
-std::size_t band_memory(const StockGrid& grid, unsigned threads) noexcept;
-
 }  // namespace softcnc::surface

@@ -4,6 +4,17 @@
 #include <algorithm>
 
 namespace softcnc::ipo {
+namespace {
+
+/// The least of what the constraints of a list allow.
+template <typename List, typename Allowed>
+double least_of(const List& list, Allowed allowed) noexcept {
+  double least = kUnlimited;
+  for (const auto& constraint : list) least = std::min(least, allowed(*constraint));
+  return least;
+}
+
+}  // namespace
 
 /// The list: whoever adds a reason to be slow adds a line. A constraint that the machine does not
 /// have is null. Corners are the one reason that no point of the path shows:
@@ -55,38 +66,23 @@ Inequalities Constraints::jerks(const PathPoint& point) const noexcept {
 }
 
 double Constraints::largest_q(const PathPoint& point) const noexcept {
-  double least = kUnlimited;
-  for (const auto& constraint : accelerations_)
-    least = std::min(least, constraint->largest_q(point));
-  return least;
+  return least_of(accelerations_, [&](const Constraint& one) { return one.largest_q(point); });
 }
 
 double Constraints::largest_u(const PathPoint& point) const noexcept {
-  double least = kUnlimited;
-  for (const auto& constraint : accelerations_)
-    least = std::min(least, constraint->largest_u(point));
-  return least;
+  return least_of(accelerations_, [&](const Constraint& one) { return one.largest_u(point); });
 }
 
 double Constraints::straight_u(const AxisVector& direction) const noexcept {
-  double least = kUnlimited;
-  for (const auto& constraint : accelerations_)
-    least = std::min(least, constraint->straight_u(direction));
-  return least;
+  return least_of(accelerations_, [&](const Constraint& one) { return one.straight_u(direction); });
 }
 
 double Constraints::least_u(const Directions& directions) const noexcept {
-  double least = kUnlimited;
-  for (const auto& constraint : accelerations_)
-    least = std::min(least, constraint->least_u(directions));
-  return least;
+  return least_of(accelerations_, [&](const Constraint& one) { return one.least_u(directions); });
 }
 
 double Constraints::most_u(const Directions& directions) const noexcept {
-  double least = kUnlimited;
-  for (const auto& constraint : accelerations_)
-    least = std::min(least, constraint->most_u(directions));
-  return least;
+  return least_of(accelerations_, [&](const Constraint& one) { return one.most_u(directions); });
 }
 
 Limit Constraints::binding_acceleration(double u, double share) const noexcept {

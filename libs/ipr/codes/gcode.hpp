@@ -98,6 +98,11 @@ constexpr bool is_canned_cycle(const GCode& code) noexcept {
   return code.group == Group::motion && code.number >= 730 && code.number <= 890;
 }
 
+/// G05.2, G05.3, G06.1 and G06.2: curves whose points or knots stand one on a line.
+constexpr bool is_curve_of_lines(const GCode& code) noexcept {
+  return code.group == Group::motion && code.number >= 52 && code.number <= 62;
+}
+
 /// Known, and not supported: it reports why.
 constexpr bool is_refused(const GCode& code) noexcept { return code.says.starts_with("Refused"); }
 

@@ -72,9 +72,8 @@ void follow_axes(const Command& command, Modal& modal, Letters letters) {
 }
 
 bool follow_unmade_move(Task& task) {
-  constexpr int kLastOfOneLine = 51;  // G05.1
   const bool cycle = is_canned_cycle(task.code);
-  if (is_refused(task.code) || (task.code.number > kLastOfOneLine && !cycle)) return false;
+  if (is_refused(task.code) || is_curve_of_lines(task.code)) return false;
   if (cycle) task.modal.unknown.add(Part::cycle_words);
   task.out.fail();
   Letters named = task.values.letters();

@@ -120,7 +120,7 @@ bool Interpreter::read_on() {
     if (modal_.ended) return false;
     if (next_)
       interpret(*std::exchange(next_, std::nullopt));
-    else if (const auto line = flow_.next(); line && !report_restored(*line))
+    else if (const auto line = flow_.next(); line && !emit_restored(*line))
       interpret(*line);
     else if (next_)
       continue;
@@ -133,7 +133,7 @@ bool Interpreter::read_on() {
 
 /// Emits what the end of a call has restored, as if on a line before `next`. A curve whose lines
 /// are counted, or end by a code of their own, goes on; the spline of G06.1 ends here.
-bool Interpreter::report_restored(const ProgramLine& next) {
+bool Interpreter::emit_restored(const ProgramLine& next) {
   if (!modal_.restored || modal_.curve) return false;
   Restored restored = *modal_.restored;
   ProgramLine line;
@@ -226,9 +226,7 @@ const GCode* Interpreter::behind_g80() const noexcept {
 void Interpreter::find_motion() {
   const Letters unused = command_.unused(options_.dialect);
   if (unused.empty()) return;
-  if (modal_.unknown.has(Part::motion)) {
-    return follow_axes(command_, modal_, unused);
-  }
+  if (modal_.unknown.has(Part::motion)) return follow_axes(command_, modal_, unused);
   const GCode* motion = command_.has(Group::cycle) ? behind_g80() : modal_.motion;
   if (motion == nullptr && fanuc_goes_to_machine_point()) motion = find_gcode('G', 0);
   if (motion != nullptr && unused.has_any(motion->words))
@@ -297,11 +295,16 @@ void Interpreter::execute() {
   modal_.machine_coordinates = modal_.stops_once = false;
 }
 
+bool Interpreter::has_unknown_operand(const GCode& code) const noexcept {
+  if (command_.unread().empty() && modal_.unknown.empty()) return false;
+  return command_.unread().has_any(code.words) ||
+         modal_.unknown.has_any(operands(code, command_, modal_));
+}
+
 /// The one rule of errors: see Unknown.
 void Interpreter::act(Task& task) {
   const GCode& code = task.code;
-  const bool unread = command_.unread().has_any(code.words);
-  if (unread || modal_.unknown.has_any(operands(code, command_, modal_))) {
+  if (has_unknown_operand(code)) {
     const bool begins = code.group == Group::motion && !settled(code).empty();
     if (begins) begin_motion(task);
     if (begins) modal_.unknown.remove(Part::motion);

@@ -60,12 +60,13 @@ class Interpreter {
   bool fanuc_goes_to_machine_point() const noexcept;
   void check_unused();
   void execute();
+  bool has_unknown_operand(const GCode& code) const noexcept;
   void act(Task& task);
   void skip(Task& task);
   void leave_curve();
   void lose_motion() noexcept;
   void leave_contour();
-  bool report_restored(const ProgramLine& next);
+  bool emit_restored(const ProgramLine& next);
   bool begins_data_input() const noexcept;
   void read_unreachable();
   void finish();

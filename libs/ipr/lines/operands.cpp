@@ -10,11 +10,6 @@ constexpr int kG00 = 0, kG02 = 20, kG03 = 30, kG05 = 50, kG051 = 51, kG053 = 53;
 constexpr int kG10 = 100, kG28 = 280, kG30 = 300, kG43 = 430, kG52 = 520, kG53 = 530, kG65 = 650;
 constexpr int kG92 = 920, kG923 = 923, kM72 = 720;
 
-/// Curves whose points or knots stand one on a line: G05.2 to G06.2.
-constexpr bool is_of_several_lines(const GCode& code) noexcept {
-  return code.number > kG051 && code.number <= 62;
-}
-
 Unknown named_axes(const Command& command) noexcept {
   Unknown named;
   for (int i = 0; i < kAxes; ++i)
@@ -48,7 +43,7 @@ Unknown operands_of_motion(const GCode& code, const Command& command, const Moda
   if (!goes_to_machine_point(command)) parts |= kOffsets;
   if (code.number != kG00) parts |= of_feed(modal);
   const bool in_plane = code.number == kG02 || code.number == kG03 || is_canned_cycle(code) ||
-                        code.number == kG05 || code.number == kG051 || is_of_several_lines(code);
+                        code.number == kG05 || code.number == kG051 || is_curve_of_lines(code);
   if (in_plane) parts |= {Part::plane, Part::centres};
   if (is_canned_cycle(code)) parts.add(Part::spindle);
   const bool by_mode = command.has(Group::motion) && command.find_word(Group::motion).letter != 'G';
@@ -117,7 +112,7 @@ Unknown results(const GCode& code, const Command& command) noexcept {
   switch (code.group) {
     case Group::motion: {
       Unknown parts = named_axes(command);
-      if (is_of_several_lines(code)) parts.add(Part::motion);
+      if (is_curve_of_lines(code)) parts.add(Part::motion);
       return parts;
     }
     case Group::non_modal:
@@ -137,7 +132,7 @@ Unknown settled(const GCode& code) noexcept {
   switch (code.group) {
     case Group::motion:
       if (is_canned_cycle(code)) return {Part::motion, Part::cycle_words};
-      return is_of_several_lines(code) ? Unknown{} : Unknown{Part::motion};
+      return is_curve_of_lines(code) ? Unknown{} : Unknown{Part::motion};
     case Group::cycle:
       return {Part::motion};
     case Group::plane:

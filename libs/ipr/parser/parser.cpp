@@ -143,7 +143,7 @@ void Parser::refuse_file(std::string_view encoding) {
 
 /// Returns the first token that does not belong to the word.
 Token Parser::read_word(Lexer& lexer, const Token& letter) {
-  if (letter.letter == 'E' && has_word_before(letter) && !takes_e(words_.back())) {
+  if (letter.letter == 'E' && has_word_before(letter.column) && !takes_e(words_.back())) {
     refuse_exponent(lexer, letter);
     return {};
   }

@@ -132,7 +132,7 @@ class Parser {
   std::optional<Token> sign_of_program(Lexer& lexer, const Token& mark) const;
   bool goes_on_after_end();
   Token read_slash(Lexer& lexer, const Token& slash);
-  bool has_word_before(const Token& token) const noexcept;
+  bool has_word_before(int column) const noexcept;
   bool refuse_name(const Token& letter);
   bool refuse_operation(Lexer& lexer, int begin);
   void refuse_missing_number(const Token& letter, const Token& instead);

@@ -115,10 +115,10 @@ void Parser::refuse_missing_number(const Token& letter, const Token& instead) {
 }
 
 /// Whether one ends right before it.
-bool Parser::has_word_before(const Token& token) const noexcept {
+bool Parser::has_word_before(int column) const noexcept {
   if (words_.empty()) return false;
   const SourcePos& before = words_.back().pos;
-  return before.column + before.length == token.column;
+  return before.column + before.length == column;
 }
 
 void Parser::refuse_number(const Token& letter, const Token& number) {
@@ -176,7 +176,7 @@ std::optional<Token> Parser::sign_of_program(Lexer& lexer, const Token& mark) co
 
 /// `Z-0,6`: one number was meant.
 bool Parser::is_decimal_comma(const Token& mark, Lexer after) const {
-  if (!has_word_before(mark) || text_of(line_.text, mark) != ",") return false;
+  if (!has_word_before(mark.column) || text_of(line_.text, mark) != ",") return false;
   const char last = line_.text[static_cast<std::size_t>(mark.column) - 2];
   return is_digit(last) && is_digit(after.peek()) && !is_acting(words_.back().letter);
 }
@@ -342,8 +342,7 @@ void Parser::lose_rest() {
   line_.broken = true;
   auto rest = line_.text.substr(
       std::min(static_cast<std::size_t>(std::max(begin_ - 1, 0)), line_.text.size()));
-  const bool of_word = !rest.empty() && !is_letter(rest.front()) && !words_.empty() &&
-                       words_.back().pos.column + words_.back().pos.length == begin_;
+  const bool of_word = !rest.empty() && !is_letter(rest.front()) && has_word_before(begin_);
   if (of_word) {
     rest = line_.text.substr(static_cast<std::size_t>(words_.back().pos.column) - 1);
     words_.pop_back();
