@@ -85,7 +85,7 @@ void CommandFile::read_line() {
   if (!is_readable() || !split()) {
     spline_.reset();  // a part of it may be on this line
     pass_numbers_ = true;
-    feed_told_ = feed_told_ || row_ == nullptr || row_->kind == CommandRow::Kind::feed;
+    feed_reported_ = feed_reported_ || row_ == nullptr || row_->kind == CommandRow::Kind::feed;
   } else if (head_.kind == FieldKind::name) {
     read_command();
   } else if (numbers_.empty() || pass_numbers_) {
@@ -113,7 +113,7 @@ bool CommandFile::is_readable() {
   return false;
 }
 
-/// The line as a name and numbers; false, and told, if it is not that.
+/// The line as a name and numbers; false, after a report, if it is not that.
 bool CommandFile::split() {
   head_ = {};
   numbers_.clear();
@@ -128,7 +128,7 @@ bool CommandFile::split() {
   return good;
 }
 
-/// False, and told, if it is none of a line, or out of its place.
+/// False, after a report, if it is none of a line, or out of its place.
 bool CommandFile::take(CommandField&& field) {
   if (field.kind == FieldKind::name) return take_name(std::move(field));
   if (field.kind == FieldKind::fault && !field.stands_for_number) {
@@ -155,7 +155,7 @@ bool CommandFile::take_name(CommandField&& name) {
   return false;
 }
 
-/// What is no number is told once a line: it may be a text.
+/// What is no number is reported once a line: it may be a text.
 void CommandFile::report_stray(Code code, const CommandField& field, std::string message) {
   if (countable_ || code == Code::SC1009) report(code, pos_of(field), std::move(message));
   countable_ = false;
@@ -177,7 +177,7 @@ bool CommandFile::is_known() {
 
 void CommandFile::read_command() {
   pass_numbers_ = !has_its_numbers(*row_);
-  feed_told_ = feed_told_ || (pass_numbers_ && row_->kind == CommandRow::Kind::feed);
+  feed_reported_ = feed_reported_ || (pass_numbers_ && row_->kind == CommandRow::Kind::feed);
   if (!pass_numbers_) act(row_->kind);
 }
 
@@ -259,27 +259,27 @@ void CommandFile::move(Path path) {
 void CommandFile::set_feed() {
   const double feed = mm_s_from_mm_min(number(0));
   if (feed <= 0) {
-    feed_told_ = true;  // that there is none is a consequence
+    feed_reported_ = true;  // that there is none is a consequence
     return report(Code::SC2007, pos_of(numbers_[0]), "f, the feed in mm/min, must be above 0");
   }
   if (feed < mm_s_from_mm_min(kLeastFeed)) {
-    feed_told_ = true;
+    feed_reported_ = true;
     return report(Code::SC2007, pos_of(numbers_[0]), "a feed below 0.000001 mm/min");
   }
   const double limit = machine_.limits.feed;
   feed_ = limit > 0 ? std::min(feed, limit) : feed;
-  if (feed_ < feed && !std::exchange(limit_told_, true))
+  if (feed_ < feed && !std::exchange(limit_reported_, true))
     report(Code::SC2201, pos_of(numbers_[0]), above_limit("f " + number_text(number(0)), limit));
 }
 
-/// The paper's input has no feed: without f the machine's largest is meant, and that is told.
+/// The paper's input has no feed: without f the machine's largest is meant, and that is reported.
 double CommandFile::cutting_feed() {
   if (feed_ > 0) return feed_;
   double largest = machine_.limits.feed;
   if (largest <= 0)
     for (const Axis& axis : machine_.axes)
       if (axis.present) largest = largest > 0 ? std::min(largest, axis.velocity) : axis.velocity;
-  if (!std::exchange(feed_told_, true)) {
+  if (!std::exchange(feed_reported_, true)) {
     const std::string message = "no f before it: the machine's " +
                                 number_text(mm_min_from_mm_s(largest)) +
                                 " mm/min is used from here on";
@@ -289,14 +289,14 @@ double CommandFile::cutting_feed() {
   return largest;
 }
 
-/// False, and told, where a place lies too far off to compute with.
+/// False, after a report, where a place lies too far off to compute with.
 bool CommandFile::is_near_enough(const AxisVector& place, SourcePos pos) {
   if (is_near(place)) return true;
   report(Code::SC3008, pos, leads_far(spline_ ? spline_->head.name : head_.name));
   return false;
 }
 
-/// False, and told, where a step asks for an axis that is not there.
+/// False, after a report, where a step asks for an axis that is not there.
 bool CommandFile::has_axes(const AxisVector& step) {
   for (int i = 0; i < kAxes; ++i) {
     const auto axis = static_cast<std::size_t>(i);

@@ -46,7 +46,7 @@ class CommandFile {
       : reader_(reader), machine_(machine), diagnostics_(diagnostics) {}
 
   /// The next block, the last being Action::Kind::end. As every place counts from the one before,
-  /// nothing moves behind a line with an error; reading goes on to tell what else is wrong.
+  /// nothing moves after a line with an error; reading goes on to show what else is wrong.
   std::optional<Block> next() { return read_on() ? take() : std::nullopt; }
   /// Reads until there is one; false at the end, and where a pipe has nothing more yet (the reader
   /// is waiting() then).
@@ -106,7 +106,7 @@ class CommandFile {
 
   AxisVector position_ = AxisVector::Zero();  // mm
   double feed_ = 0;                           // mm/s; 0: not set
-  bool feed_told_ = false, limit_told_ = false;
+  bool feed_reported_ = false, limit_reported_ = false;
   bool lost_ = false;  // an error has left the position unknown
   bool ended_ = false;
   int line_ = 0, blocks_ = 0;

@@ -86,8 +86,8 @@ bool is_stray(const Shape& line) {
   return alone && (any || kBeginners.find(line.name.front()) == std::string_view::npos);
 }
 
-/// `f 1M00`, `S6000 03`, `s N`, `/F 600`, `903` behind S1000: a feed or a speed, or what is left of
-/// a command or a code. The lines behind it decide, if one does.
+/// `f 1M00`, `S6000 03`, `s N`, `/F 600`, `903` after S1000: a feed or a speed, or what is left of
+/// a command or a code. The lines after it decide, if one does.
 bool is_weak(const Shape& line, Format decided) {
   if (decided == Format::gcode) {
     const bool of_both = line.name == "f" || line.name == "l";
@@ -100,7 +100,7 @@ bool is_weak(const Shape& line, Format decided) {
 /// Looks at lines until one decides.
 class Detector {
  public:
-  /// `text` begins with what has been looked at before; its last line may go on behind it.
+  /// `text` begins with what has been looked at before; its last line may go on after it.
   void look(std::string_view text) {
     for (std::size_t end = text.find_first_of("\r\n", at_);
          end != std::string_view::npos && format_ == Format::automatic;
@@ -112,7 +112,7 @@ class Detector {
   void look_at_last(std::string_view text) {
     if (format_ == Format::automatic) decide(line(text, text.size()));
   }
-  /// As far as the lines tell, which may be weak.
+  /// As far as the lines show, which may be weak.
   Format format() const noexcept { return format_ == Format::automatic ? weak_ : format_; }
 
  private:
@@ -123,7 +123,7 @@ class Detector {
   }
 
   void decide(std::string_view text) {
-    const Shape line = shape_of(text.substr(0, text.find('\0')));  // behind it the file is damaged
+    const Shape line = shape_of(text.substr(0, text.find('\0')));  // after it the file is damaged
     const Format decided = known_by(line);
     const bool weak = decided != Format::automatic && is_weak(line, decided);
     if (!weak || weak_lines_++ == kMostWeakLines)

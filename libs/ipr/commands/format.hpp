@@ -11,7 +11,7 @@ class Reader;
 /// Gcode or commands, by the first line that can be only one of them; nothing is taken from the
 /// reader. A feed alone and the first line of a spline whose points are on the next could be both.
 /// Where no line within the reader's buffer decides it is G-code; where the reader is waiting
-/// behind it, nothing is known yet.
+/// after it, nothing is known yet.
 Format detect_format(Reader& reader);
 
 }  // namespace softcnc::ipr

@@ -35,7 +35,7 @@ bool same_height(const Path& before, const Path& behind, const PlaneAxes& axes) 
   return is_level(end(before)) && is_level(start(behind)) && is_level(end(behind));
 }
 
-/// What lies between two curves behind a point in which they cross at a small angle, is at most
+/// What lies between two curves after a point in which they cross at a small angle, is at most
 /// sin^2 / 2c wide, c being how much more the one bends than the other.
 bool grazes(const PlaneCurve& before, const PlaneCurve& behind, const PlaneVector& at) {
   const PlaneVector a = before.direction_at(at), b = behind.direction_at(at);
@@ -103,7 +103,7 @@ std::optional<Block> Compensation::pop() {
   return block;
 }
 
-/// Until the next move of the contour tells where the one before ends.
+/// Until the next move of the contour shows where the one before ends.
 void Compensation::wait(Block block, std::string_view text) {
   if (waiting_.size() < kMostWaiting) return waiting_.push_back(std::move(block));
   report(Code::SC2151, block, text,
@@ -201,7 +201,7 @@ void Compensation::cut_corner(Along& next) {
   let_out(corner->at, corner->cut_before);
 }
 
-/// Behind an error: what comes next is judged by itself.
+/// After an error: what comes next is judged by itself.
 void Compensation::begin_at(const PlaneCurve& parallel) {
   before_.reset();
   tool_[axes_.first] = parallel.from().x();
@@ -216,7 +216,7 @@ void Compensation::turn_around(const Along& next) {
 void Compensation::let_out_whole() { let_out(held_->parallel.to(), 0); }
 
 /// Where the parallels of neighbours cross elsewhere than at the corner, the tool cuts into both
-/// contours; where one behind an outside corner crosses the contour of the other, into that. Moves
+/// contours; where one after an outside corner crosses the contour of the other, into that. Moves
 /// at other heights may pass over each other, and the entry is no contour.
 void Compensation::check_gouge() {
   if (!before_ || before_->entry) return;
@@ -245,7 +245,7 @@ bool Compensation::cuts_behind_outside_corner() const {
          });
 }
 
-/// The held move as far as this point, and what has waited behind it.
+/// The held move as far as this point, and what has waited after it.
 void Compensation::let_out(const PlaneVector& to, double cut) {
   held_->cut_end = cut;
   check_gouge();
@@ -276,7 +276,7 @@ void Compensation::move_to(const Block& like, const PlaneVector& to, double acro
   tool_ = end;
 }
 
-/// On an arc about the centre; `sweep` tells its direction and how often it goes round, rad.
+/// On an arc about the centre; `sweep` gives its direction and how often it goes round, rad.
 void Compensation::turn_to(const Block& like, const PlaneVector& to, double across,
                            const PlaneVector& center, double sweep) {
   const bool closed = (to - in_plane(tool_, axes_)).norm() < kShortest;

@@ -15,7 +15,7 @@
 namespace softcnc::ipr {
 
 /// Between what handlers emit and what the interpreter gives out. It holds the last move of the
-/// contour, and what stands behind it, until the next one tells where the move ends.
+/// contour, and what stands after it, until the next one shows where the move ends.
 class Compensation {
  public:
   Compensation(Diagnostics& diagnostics, DialectDifferences& differences)
@@ -39,7 +39,7 @@ class Compensation {
     PlaneCurve contour, parallel;
     double across;       // mm: where it ends across the plane
     double cut = 0;      // mm: what the corner before takes off the parallel
-    double cut_end = 0;  // mm: what the corner behind takes off it
+    double cut_end = 0;  // mm: what the corner after takes off it
     bool entry = false;
 
     bool keeps(double at) const noexcept;
@@ -73,7 +73,7 @@ class Compensation {
   AxisVector tool_ = AxisVector::Zero();        // mm: the end of the last move let out
   std::optional<Along> held_;
   std::optional<Along> before_;  // the one let out last
-  std::vector<Block> waiting_;   // behind the held move
+  std::vector<Block> waiting_;   // after the held move
   std::deque<Block> ready_;
 };
 

@@ -34,7 +34,7 @@ Points line_and_line(const PlaneCurve& a, const PlaneCurve& b) {
   return points;
 }
 
-/// Both points at `half` on either side of the middle; none if its square is below 0 but for
+/// Both points at `half` on either side of the middle; none if its square is below 0 except for
 /// rounding.
 Points pair(const PlaneVector& middle, const PlaneVector& direction, double half_squared,
             double radius) {

@@ -90,7 +90,7 @@ void emit_bezier(Task& task, std::vector<AxisVector> control) {
 }
 
 /// From the position to the first control point: as written, or on from the G05 before. Nothing,
-/// and told, if neither leads anywhere.
+/// after a report, if neither leads anywhere.
 std::optional<AxisVector> first_handle(Task& task, const PlaneAxes& axes, bool goes_on) {
   const Pair start = start_letters(axes);
   const Letters words = task.values.letters();

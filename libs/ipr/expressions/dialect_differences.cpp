@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of differences, and how they are told.
+// The table of differences, and how they are reported.
 #include "ipr/expressions/dialect_differences.hpp"
 
 #include <algorithm>

@@ -18,7 +18,7 @@
 namespace softcnc::ipr {
 
 /// What both dialects take, each for something of its own. What one of them refuses is none: there
-/// it is an error, and told as such.
+/// it is an error, and reported as such.
 enum class DialectDifference : std::uint8_t {
   logic,
   modulo,
@@ -61,7 +61,7 @@ struct ContradictionRow {
 /// By kind.
 std::span<const ContradictionRow> contradiction_table() noexcept;
 
-/// Gathers such lines, and tells each kind once.
+/// Gathers such lines, and reports each kind once.
 class DialectDifferences {
  public:
   DialectDifferences(Diagnostics& diagnostics, Dialect dialect, bool watching)

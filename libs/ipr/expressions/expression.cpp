@@ -18,7 +18,7 @@ constexpr int kLargestNumber = 1000000;
 constexpr std::size_t kLongestShown = 100;  // bytes of a name
 constexpr std::string_view kOperand = "a number, '#', '[' or a function";
 
-/// A character that tells by itself what is wrong.
+/// A character that shows by itself what is wrong.
 bool is_strange(Lexer lexer) {
   using Kind = Token::Kind;
   const Token next = lexer.next();
@@ -26,7 +26,7 @@ bool is_strange(Lexer lexer) {
          next.kind == Kind::nested_comment || next.kind == Kind::unknown;
 }
 
-/// Behind a number: 'E' and digits.
+/// After a number: 'E' and digits.
 bool is_exponent(Lexer lexer) {
   if (!lexer.take('E')) return false;
   const char next = lexer.peek();

@@ -63,7 +63,7 @@ class Expression {
   double bracketed();
   /// What may stand in brackets, without them.
   double unbracketed();
-  /// What stands behind '#'. Nothing: see fault(), or its number rests on an earlier error.
+  /// What stands after '#'. Nothing: see fault(), or its number rests on an earlier error.
   std::optional<Variable> variable();
   /// The fault that something else is expected than what comes next; it is passed.
   void refuse_next(Code code, std::string_view expected) { stop_at_next(code, expected); }
@@ -76,7 +76,7 @@ class Expression {
 
   /// The first fault.
   const std::optional<Fault>& fault() const noexcept { return fault_; }
-  /// What follows cannot be trusted. Without a fault the lexer's next token tells why.
+  /// What follows cannot be trusted. Without a fault the lexer's next token shows why.
   bool broke_off() const noexcept { return broke_off_; }
 
  private:

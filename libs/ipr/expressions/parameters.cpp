@@ -95,7 +95,7 @@ const Parameters::Names& Parameters::names_of(std::string_view name) const noexc
   return name.starts_with('_') ? global_ : levels_.back().named;
 }
 
-/// The variables that tell of calls and lines.
+/// The variables that describe calls and lines.
 std::optional<double> Parameters::own(std::string_view name) const noexcept {
   if (name == "_line") return line_;
   if (name == "_call_level") return level();

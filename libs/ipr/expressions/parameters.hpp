@@ -129,7 +129,7 @@ class Parameters {
   Dialect dialect_;
   int locals_, first_system_;
   SystemVariables* system_ = nullptr;
-  std::vector<double> numbered_;  // by number, unset_ behind the last; local ones lie in levels_
+  std::vector<double> numbered_;  // by number, unset_ after the last; local ones lie in levels_
   double unset_ = kVacant;
   std::set<int> kept_, refused_;
   std::vector<Level> levels_;

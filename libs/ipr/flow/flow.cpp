@@ -52,7 +52,7 @@ std::optional<ProgramLine> Flow::next() {
   return std::nullopt;
 }
 
-/// Behind a branch that has run an elseif is passed over: its condition is not read.
+/// After a branch that has run an elseif is passed over: its condition is not read.
 void Flow::remember(const ProgramLine& line) {
   const bool elseif = line.statement != nullptr && line.statement->kind == Kind::else_if;
   if (parser_.file() != 0 || elseif) return;

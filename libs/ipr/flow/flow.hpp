@@ -19,7 +19,7 @@
 
 namespace softcnc::ipr {
 
-/// Is told where calls begin and end.
+/// Learns where calls begin and end.
 class CallObserver {
  public:
   virtual ~CallObserver() = default;
@@ -105,7 +105,7 @@ class Flow {
     SourcePos pos;
     std::string text;         // of the line that began it
     Spot round;               // where a round begins
-    std::optional<Spot> end;  // behind it, once that is known
+    std::optional<Spot> end;  // after it, once that is known
     std::int64_t rounds = 0;  // of a repeat: how many are left
     std::int64_t since = 0;   // executed_ at its beginning
     bool had_else = false;
@@ -113,7 +113,7 @@ class Flow {
   /// The main program, or a call.
   struct Call {
     Subprogram sub;
-    Spot back;      // where to go on behind it
+    Spot back;      // where to go on after it
     SourcePos pos;  // of the call
     std::string text;
     std::size_t opens = 0;   // those of its callers
@@ -231,10 +231,10 @@ class Flow {
   Spot before_;                           // before the line that pass_to() has found
   bool new_round_ = false;                // the next line is the head of the loop on top
   bool ended_ = false, broken_ = false;
-  std::set<int> entered_;             // behind which lines of the program calls have begun
+  std::set<int> entered_;             // after which lines of the program calls have begun
   std::vector<Subprogram> uncalled_;  // still to be read, the first in work
   bool reading_uncalled_ = false;
-  bool moved_ = false;    // the next line is not the one behind the last
+  bool moved_ = false;    // the next line is not the one after the last
   SkippedLines skipped_;  // of the program's own file
   std::set<int> leaves_;  // lines of the file that end it, or a subprogram, by a code
   std::deque<SkippedLines::Stretch> unread_;  // still to be read, the first in work

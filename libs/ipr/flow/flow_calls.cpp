@@ -23,7 +23,7 @@ void Flow::report_sub_again(const std::string& label, SourcePos pos, std::string
 }
 
 /// A definition is passed over where it stands. Without its end nobody knows which of the lines
-/// behind it are the program's.
+/// after it are the program's.
 void Flow::pass_definition() {
   const Subprogram& within = calls_.back().sub;
   const bool twice =
@@ -83,7 +83,7 @@ void Flow::end_definition(const Spot& from, const std::optional<Spot>& next) {
   if (!ended_) go(*next);
 }
 
-/// The O of the main program, or of the one behind it.
+/// The O of the main program, or of the one after it.
 void Flow::begin_program() {
   if (in_subprogram()) {
     const std::string name = name_of(calls_.back().sub);

@@ -186,7 +186,7 @@ void Flow::report_not_begun() {
                    jump->text);
 }
 
-/// Reported if so: its end could not be told from the other's.
+/// Reported if so: its end could not be distinguished from the other's.
 bool Flow::is_open_already() {
   for (std::size_t i = opens_.size(); i-- > calls_.back().opens;) {
     const Open& open = opens_[i];

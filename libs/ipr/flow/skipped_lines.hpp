@@ -12,19 +12,19 @@ namespace softcnc::ipr {
 
 class SkippedLines {
  public:
-  /// Lines behind a place, up to this one; never empty.
+  /// Lines after a place, up to this one; never empty.
   struct Stretch {
     Reader::Place begin;
     int last = 0;
   };
   static constexpr std::size_t kMost = 10'000;  // stretches; more are not kept
 
-  /// This line has been read, and the reader stands behind it. `moved`: it is not the next one
-  /// behind the line read before.
+  /// This line has been read, and the reader stands after it. `moved`: it is not the next one
+  /// after the line read before.
   void read(int line, const Reader::Place& behind, bool moved);
   int last_read() const noexcept { return last_read_; }
 
-  /// In the order of the text; none are left. `rest`: behind them what follows all lines read.
+  /// In the order of the text; none are left. `rest`: after them what follows all lines read.
   std::deque<Stretch> take(bool rest);
 
  private:

@@ -133,7 +133,7 @@ std::optional<ProgramLine> Flow::next_passed() {
   return std::nullopt;
 }
 
-/// Behind the end of a program stands nothing of it up to the next one.
+/// After the end of a program stands nothing of it up to the next one.
 bool Flow::go_to(const SkippedLines::Stretch& stretch) {
   if (!go({0, stretch.begin})) return false;
   bool outside = !rest_is_program_ && leaves_.contains(stretch.begin.line);

@@ -13,7 +13,7 @@ namespace {
 constexpr int kOldForm = 10000;  // M98 P51000: five times O1000
 
 /// The number of the program, 0 of one that is called by name; nothing if it is missing or bad,
-/// which is told.
+/// which is reported.
 std::optional<int> program_number(Task& task) {
   if (!task.command.called().empty()) {
     if (task.values.has('P'))
@@ -82,7 +82,7 @@ void leave_program(Task& task) {
   jump.kind = Jump::Kind::leave;
   jump.line_number = optional_number(task, 'P');
   jump.pos = task.word.pos;
-  const bool nowhere = task.values.has('P') && !jump.line_number;  // told
+  const bool nowhere = task.values.has('P') && !jump.line_number;  // reported
   if (nowhere && !task.flow.in_subprogram())
     task.modal.ended = true;
   else

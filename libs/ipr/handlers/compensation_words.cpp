@@ -149,7 +149,7 @@ bool is_curve(const Task& task) {
          task.values.letters().has_any(task.code.words);
 }
 
-/// The move behind G40 begins beside the contour, where no arc or curve was meant to begin: not
+/// The move after G40 begins beside the contour, where no arc or curve was meant to begin: not
 /// even where G41 or G42 follows.
 void report_beside(Task& task) {
   task.out.report(Code::SC2149, task.word.pos,

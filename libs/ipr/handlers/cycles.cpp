@@ -46,7 +46,7 @@ bool in_row(const Modal& modal) {
 }
 
 /// Words stay in force from hole to hole as long as the cycle does, in the fanuc dialect as long
-/// as any cycle does. Behind a code that is not known they may.
+/// as any cycle does. After a code that is not known they may.
 void keep_words(Task& task, const PlaneAxes& axes) {
   CycleWords& words = task.modal.cycle;
   const Modal& modal = task.modal;
@@ -313,7 +313,7 @@ void drill_all(Task& task, const Holes& holes, const AxisVector& from) {
   task.flow.count_more_blocks(std::max(path.blocks() - 1, 0));
 }
 
-/// The motion that stands before a cycle has ended the row before, and comes back behind G80.
+/// The motion that stands before a cycle has ended the row before, and comes back after G80.
 void lay_below(Task& task) {
   const GCode* below = task.command.below_cycle();
   if (below != nullptr) task.modal.motion = task.modal.motion_below = below;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What codes do. A handler acts where all that it reads is known (see state/operands.hpp).
+// What codes do. A handler acts where all that it reads is known (see lines/operands.hpp).
 #pragma once
 
 #include <cstdint>
@@ -59,7 +59,7 @@ void retract_to_r(Task& task);
 
 // nurbs_words.cpp
 void nurbs(Task& task);
-/// Tells codes of a line that do not belong into the pending curve, and ends it at some.
+/// Reports codes of a line that do not belong into the pending curve, and ends it at some.
 void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, Output& out);
 /// Ends a pending curve at the end of the program.
 void end_pending_curve(Modal& modal, Output& out);
@@ -109,7 +109,7 @@ void switch_input(Task& task);
 void control_points(Task& task);
 void end_control_points(Task& task);
 void spline(Task& task);
-/// Tells codes of a line that do not belong among the pending points, and ends them at others.
+/// Reports codes of a line that do not belong among the pending points, and ends them at others.
 void check_pending_points(const Command& command, Modal& modal, Output& out);
 /// Ends the pending points of a spline, which has no code of its own to end it.
 void end_pending_spline(Modal& modal, Output& out);
@@ -121,7 +121,7 @@ void ask_for_surface(Task& task);
 void cancel_surface(Task& task);
 /// The words of G06.4 in the first block of G06.2.
 void ask_for_surface_of_curve(Task& task);
-/// False, and told once, if a roughness is asked for while the spindle rests. `word` and `line`:
+/// False, after one report, if a roughness is asked for while the spindle rests. `word` and `line`:
 /// the move's.
 bool has_surface_speed(Modal& modal, Output& out, SourcePos word, std::string_view line);
 /// The roughness in force, at the speed of the spindle.
@@ -160,7 +160,7 @@ void compensate(Task& task);
 void select_radius(Task& task);
 void end_compensation(Task& task);
 /// Refuses codes that would move the contour or the tool while G41 or G42 is in force, or that
-/// cannot lead away behind G40. Motion acts all the same, so that it is known where it leads.
+/// cannot lead away after G40. Motion acts all the same, so that it is known where it leads.
 bool may_act(Task& task);
 
 // calls.cpp
@@ -171,18 +171,18 @@ void leave_program(Task& task);
 
 inline constexpr double kLongestDwell = 1e9;  // s
 
-// reach.cpp: what lies too far off is told at its word
-/// The place, where it is near enough; otherwise told, and what of it is.
+// coordinate_range.cpp: what lies too far off is reported at its word
+/// The place, where it is near enough; otherwise what of it is, after a report.
 AxisVector near_place(const Task& task, const AxisVector& place);
 std::string leads_far(const std::string& who);
-/// Sets an offset. False, and told, where it is too large: then it stays.
+/// Sets an offset. False, after a report, where it is too large: then it stays.
 bool keep_offset(Task& task, AxisVector& offset, const AxisVector& wanted);
 bool keep_offset(Task& task, char letter, double& offset, double wanted);
-/// False, and told, where one of these words gives a length that is too large: of the radius or the
-/// centre of an arc, or a handle of a curve.
+/// False, after a report, where one of these words gives a length that is too large: of the radius
+/// or the centre of an arc, or a handle of a curve.
 bool has_near_lengths(Task& task, std::string_view letters);
 
-// words.cpp: what several handlers need
+// handler_utilities.cpp: what several handlers need
 /// Of the word with this letter, or of the code where the line has none.
 SourcePos place_of(const Task& task, char letter);
 /// Whether the word is written with a decimal point.
@@ -204,7 +204,7 @@ void emit_move(Task& task, Path&& path, bool rapid = false);
 /// A cutting move by the modes in force.
 Move cutting_move(const Modal& modal, Path&& path, double feed);
 bool is_of_fanuc(Task& task);
-/// False, and told, if the machine lacks an axis of the plane.
+/// False, after a report, if the machine lacks an axis of the plane.
 bool has_plane_axes(Task& task, const PlaneAxes& axes);
 /// What a curve over several lines keeps of its first one.
 CurveHead curve_head(Task& task);
@@ -215,7 +215,7 @@ void report_too_many(Task& task);
 double start_tolerance(const Machine& machine);
 /// Whether the line has another motion code, or one that stops or ends the program.
 bool ends_curve(const Command& command, const GCode& curve) noexcept;
-/// False, and told or muted, if there is no feed. In G95 sets that of the spindle's speed.
+/// False, after a report, if there is no feed. In G95 sets that of the spindle's speed.
 bool has_feed(Task& task);
 /// mm/s, held at the machine's limit with one warning.
 double held_feed(Task& task, double feed);
@@ -225,11 +225,11 @@ bool fanuc_goes_home(const Command& command, Dialect dialect) noexcept;
 void begin_motion(Task& task);
 /// Reports at the word with this letter, or at the code where the line has none.
 void report_word(const Task& task, char letter, Code code, std::string message);
-/// The value as a whole number from 0; otherwise told, and nothing.
+/// The value as a whole number from 0; otherwise nothing, after a report.
 std::optional<int> whole_number(Task& task, const Word& word);
 /// The same of a word that is a code, whatever else the line says.
 std::optional<int> whole_number(Output& out, const Word& word);
-/// False, and told, whatever else the line says, if the value is negative.
+/// False, after a report, if the value is negative.
 bool is_not_negative(Output& out, const Word& word);
 /// The value as a whole number of nine digits at most; nothing where it is none, or below `least`.
 std::optional<int> whole_from(double least, double value) noexcept;

@@ -66,7 +66,7 @@ std::optional<std::vector<double>> macro_arguments(Task& task) {
                           : "one argument too many: there is no local #" + std::to_string(number));
       good = false;
       if (number == 0) continue;
-      break;  // so are those behind it
+      break;  // so are those after it
     }
     const auto index = static_cast<std::size_t>(number) - 1;
     if (index >= values.size()) values.resize(index + 1, kVacant);

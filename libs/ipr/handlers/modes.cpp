@@ -28,7 +28,7 @@ double tolerance(Task& task, char letter, double otherwise) {
   return otherwise;
 }
 
-/// False, and told, if no machine could keep it.
+/// False, after a report, if no machine could keep it.
 bool is_possible_feed(Task& task, double feed) {
   constexpr double kLeast = 1e-6, kMost = 1e9;  // mm/min
   const double per_minute = mm_min_from_mm_s(feed);

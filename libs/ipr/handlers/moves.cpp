@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kShortest = 1e-9;  // mm: a shorter way is none
 
-/// Behind G40, a move across the plane alone: the tool stays beside the contour.
+/// After G40, a move across the plane alone: the tool stays beside the contour.
 bool stays_beside(const Task& task) {
   if (!task.modal.beside) return false;
   return !task.values.letters().has_any(plane_letters(plane_axes(task.modal.beside->plane)));

@@ -25,7 +25,7 @@ bool check_point(Task& task) {
   return false;
 }
 
-/// The axes that go: those named; all of them where none is, but for the fanuc dialect.
+/// The axes that go: those named; all of them where none is, except in the fanuc dialect.
 Letters going(Task& task) {
   Letters named, present;
   for (std::size_t i = 0; i < kAxes; ++i) {

@@ -31,7 +31,7 @@ void refuse_thread(Task& task) {
   task.modal.unknown.add(Part::motion);
 }
 
-/// M29. Whether the spindle would turn behind it is not known.
+/// M29. Whether the spindle would turn after it is not known.
 void refuse_rigid_tapping(Task& task) {
   report(task,
          "rigid tapping needs a spindle in step with the axis; G74 and G84 without M29 take a "

@@ -40,11 +40,13 @@ void follow_spindle(const Modes& before, const Modal& modal, Output& out, const 
 void follow_coolant(const Modes& before, const Modal& modal, Output& out, const SourcePos& source) {
   constexpr int kMist = 7, kFlood = 8, kOff = 9;
   if (before.mist == modal.mist && before.flood == modal.flood) return;
-  const auto tell = [&](int code) { out.emit(Action{Action::Kind::coolant, code, 0}, source); };
+  const auto emit_coolant = [&](int code) {
+    out.emit(Action{Action::Kind::coolant, code, 0}, source);
+  };
   const bool off = (before.mist && !modal.mist) || (before.flood && !modal.flood);
-  if (off) tell(kOff);
-  if (modal.mist && (off || !before.mist)) tell(kMist);
-  if (modal.flood && (off || !before.flood)) tell(kFlood);
+  if (off) emit_coolant(kOff);
+  if (modal.mist && (off || !before.mist)) emit_coolant(kMist);
+  if (modal.flood && (off || !before.flood)) emit_coolant(kFlood);
 }
 
 /// What M70 saves.

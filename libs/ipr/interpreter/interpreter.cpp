@@ -90,7 +90,7 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
 }
 
 /// Before the first line: G-code is read here, commands by their own reader. False: what a pipe has
-/// given so far does not tell which they are.
+/// given so far does not show which they are.
 bool Interpreter::choose_format() {
   Reader& reader = parser_.reader();
   if (options_.format == Format::automatic) {

@@ -84,7 +84,7 @@ class Interpreter {
   Command command_;
   std::optional<CommandFile> commands_;  // where the text is not G-code
   bool entering_data_ = false;           // up to G11 lines are passed over
-  std::optional<ProgramLine> next_;      // waits for what its blocks come behind
+  std::optional<ProgramLine> next_;      // waits for what its blocks come after
 };
 
 }  // namespace softcnc::ipr

@@ -62,7 +62,7 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
   out.report(Code::SC2002, word.pos, code_name(*code) + " beside another code of the same group");
 }
 
-/// Behind G65 and its like only P and L are words of the line's own.
+/// After G65 and its like only P and L are words of the line's own.
 void Command::read_arguments(std::span<const Word> words, Output& out) {
   arguments_ = words;
   for (const Word& word : words)

@@ -63,7 +63,7 @@ class Command {
   const GCode* below_cycle() const noexcept { return below_cycle_; }
   /// Values that no code of the line takes.
   Letters unused(Dialect dialect) const noexcept;
-  /// The words behind G65.
+  /// The words after G65.
   std::span<const Word> arguments() const noexcept { return arguments_; }
   /// As of Line.
   std::string_view called() const noexcept { return called_; }

@@ -144,7 +144,7 @@ void Library::learn(Text& text, const ProgramLine& line) {
                       line.text);
 }
 
-/// Expects that the parser stands behind its line.
+/// Expects that the parser stands after its line.
 Subprogram Library::begun_by(const Statement& statement) const {
   const SubKind kind =
       statement.kind == StatementKind::program ? SubKind::program : SubKind::o_word;

@@ -28,7 +28,7 @@ enum class SubKind : std::uint8_t {
   program  // `O100` alone, or the beginning of a file of its own; ended by M99
 };
 
-/// A subprogram: its name, and what lies behind its first line.
+/// A subprogram: its name, and what lies after its first line.
 struct Subprogram {
   SubKind kind = SubKind::o_word;
   std::string label;

@@ -47,7 +47,7 @@ class Parser {
  public:
   Parser(Reader& reader, Diagnostics& diagnostics) : reader_(&reader), diagnostics_(diagnostics) {}
 
-  /// Expects that no line has been read. Variables begin anew.
+  /// Expects that no line has been read. Variables begin without values.
   void configure(const ParserOptions& options);
 
   /// The next line that has words or a statement or is broken; nothing at the end of the program,
@@ -76,11 +76,11 @@ class Parser {
   /// After an error it is not known which lines are executed: from here on an alarm of the program
   /// is passed over, since it may be that nothing leads to it.
   void lose_order() noexcept { order_unknown_ = true; }
-  /// From here on lines are read for what is wrong with them alone: what stands behind a THEN too,
+  /// From here on lines are read for what is wrong with them alone: what stands after a THEN too,
   /// whatever its condition.
   void only_read() noexcept { only_read_ = true; }
-  /// Lines that say nothing, but for what stands behind a THEN that does not count, are handed out
-  /// as well.
+  /// Lines that say nothing, except for what stands after a THEN that does not count, are handed
+  /// out as well.
   void show_passed_over() noexcept { passed_over_too_ = true; }
 
   /// Bytes of all lines read; a line that is read again counts again.

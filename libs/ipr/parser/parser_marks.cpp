@@ -44,7 +44,7 @@ std::string meant_by(std::string_view mark, Lexer lexer) {
   return corner ? "; chamfers and roundings within a line are not supported" : "";
 }
 
-/// FANUC's orders to a device that takes down what a program tells.
+/// FANUC's orders to a device that takes down what a program says.
 bool writes_to_device(std::string_view letters) {
   constexpr std::array<std::string_view, 4> kOrders{"POPEN", "BPRNT", "DPRNT", "PCLOS"};
   std::string upper(letters);

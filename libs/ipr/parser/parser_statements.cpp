@@ -124,7 +124,7 @@ bool Parser::refuse_late_statement(Lexer& lexer, const Token& letter) {
   return true;
 }
 
-/// IF, WHILE and the like: returns what is to be read behind it. Nothing: there is no such keyword.
+/// IF, WHILE and the like: returns what is to be read after it. Nothing: there is no such keyword.
 std::optional<Token> Parser::read_keyword(Lexer& lexer, const Token& letter) {
   if (!only_line_number()) return std::nullopt;
   Lexer ahead = lexer;

@@ -25,7 +25,7 @@ bool take_operator(Lexer& lexer) {
          lexer.take('/');
 }
 
-/// Whether an operator comes next, and behind it what it would apply to.
+/// Whether an operator comes next, and after it what it would apply to.
 bool is_operation(Lexer lexer) {
   if (!take_operator(lexer)) return false;
   const char operand = lexer.peek();

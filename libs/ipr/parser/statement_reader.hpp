@@ -39,7 +39,7 @@ class StatementReader {
   const std::optional<Fault>& fault() const noexcept { return fault_; }
   /// The first expression that has another value in the other dialect.
   const std::optional<OtherValue>& other_value() const noexcept { return other_; }
-  /// The rest of the line cannot be understood. Without a fault the lexer's next token tells why.
+  /// The rest of the line cannot be understood. Without a fault the lexer's next token shows why.
   bool broke_off() const noexcept { return broke_off_; }
 
  private:

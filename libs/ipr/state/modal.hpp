@@ -91,7 +91,7 @@ struct Modal : Modes {
   bool machine_coordinates = false;     // on this line: G53
   bool stops_once = false;              // on this line: G09
   const GCode* motion = nullptr;        // the motion code in force
-  const GCode* motion_below = nullptr;  // G00 to G03: in force but for a cycle
+  const GCode* motion_below = nullptr;  // G00 to G03: in force unless a cycle is
   std::optional<int> tool;              // as selected by T
   std::optional<int> loaded_tool;       // in the spindle
   std::optional<Beside> beside;

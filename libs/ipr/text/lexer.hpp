@@ -33,7 +33,7 @@ struct Token {
   int end_column() const noexcept { return column + length; }
 };
 
-/// A letter and the number right behind it.
+/// A letter and the number right after it.
 struct PlainWord {
   char letter = 0;  // upper case
   double value = 0;
@@ -56,7 +56,7 @@ class Lexer {
   char peek() noexcept;
   /// Column of what peek() shows.
   int column() noexcept;
-  /// Column behind what was passed last.
+  /// Column after what was passed last.
   int end() const noexcept { return static_cast<int>(at_) + 1; }
   /// The very next character, no blank before it, is a letter.
   bool at_letter() const noexcept;
@@ -76,7 +76,7 @@ class Lexer {
   std::string_view take_letters() noexcept;
   /// Passes a number without a sign: what looks like one, from the next character on.
   Token take_number();
-  /// Passes what stands before the next '[', and all to its ']'; false, and somewhere behind, if
+  /// Passes what stands before the next '[', and all to its ']'; false, and somewhere after, if
   /// one of them is missing.
   bool pass_brackets() noexcept;
   /// Passes what stands before '>', and the '>'; nothing if there is none.

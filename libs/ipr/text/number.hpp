@@ -17,7 +17,7 @@ enum class NumberFault : std::uint8_t { none, no_digits, sign_inside, two_points
 
 struct Number {
   double value = 0;        // nearest to what is written; 0 if there is a fault
-  std::size_t length = 0;  // bytes read, without blanks behind
+  std::size_t length = 0;  // bytes read, without blanks after
   NumberFault fault = NumberFault::none;
 };
 
@@ -55,7 +55,7 @@ struct EightCharacters {
     values ^= kEach * '0';
   }
   /// How many are digits before the first that is none. Beyond 9, or with the highest bit, is none;
-  /// a carry only goes to bytes behind it.
+  /// a carry only goes to bytes after it.
   std::size_t digits() const noexcept {
     const std::uint64_t others = ((values + kEach * (0x7F - 9)) | values) & (kEach * 0x80);
     return static_cast<std::size_t>(std::countr_zero(others)) / 8;
@@ -88,7 +88,7 @@ inline const char* pass_digits(const char* at, const char* end, std::uint64_t& d
   return at;
 }
 
-/// Whether a number that seems to end here goes on, behind blanks or as what is none.
+/// Whether a number that seems to end here goes on, after blanks or as what is none.
 inline bool goes_on(const char* at, const char* end) noexcept {
   while (at != end && is_blank(*at)) ++at;
   return at != end && is_number_part(*at);

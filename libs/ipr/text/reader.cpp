@@ -152,7 +152,7 @@ std::optional<std::string_view> Reader::take_marked(std::size_t line_end) {
   return line;
 }
 
-/// Whether nothing but blanks, line ends and end marks come behind the next `length` bytes; so many
+/// Whether nothing but blanks, line ends and end marks come after the next `length` bytes; so many
 /// of them that they do not fit into the buffer are no end.
 bool Reader::only_blanks_follow(std::size_t length) {
   const auto is_blank_so_far = [&] {
@@ -185,7 +185,7 @@ std::size_t Reader::find_line_end(std::size_t from) noexcept {
   return find('\r', from, line_feed_);
 }
 
-/// Reads more behind what is there. False at the end of the text.
+/// Reads more after what is there. False at the end of the text.
 bool Reader::fill() {
   if (descriptor_ < 0 || failure_) return false;
   std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);

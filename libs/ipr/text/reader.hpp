@@ -50,7 +50,7 @@ class Reader {
   /// after failure().
   std::optional<std::string_view> next();
 
-  /// Behind the line last read.
+  /// After the line last read.
   Place place() const noexcept;
   /// Before it, given what next() has returned.
   Place place_before(std::string_view last) const noexcept;

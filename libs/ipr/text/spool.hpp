@@ -17,7 +17,7 @@ class Spool {
   Spool& operator=(Spool&& other) noexcept;
   ~Spool();
 
-  /// Appends. After a failure, which failure() tells, nothing more is kept.
+  /// Appends. After a failure, which failure() returns, nothing more is kept.
   void add(const char* bytes, std::size_t size);
   std::uint64_t size() const noexcept { return size_; }
   /// Why not everything is kept: SC6032.

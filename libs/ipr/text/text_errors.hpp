@@ -25,7 +25,7 @@ std::string_view wide_encoding(std::string_view first_line);
 /// The same by what surrounds the first zero byte of a text.
 std::string_view wide_encoding_at(std::string_view text, std::size_t nul);
 
-/// Follows the text of what is told of a letter O that makes no sense.
+/// Follows the text of what is reported of a letter O that makes no sense.
 inline constexpr const char* kLetterForDigit = "; is the digit 0 meant?";
 
 struct TextFault {
