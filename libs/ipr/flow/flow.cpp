@@ -190,8 +190,8 @@ void Flow::report(Code code, SourcePos pos, std::string message) {
 /// Of a label once: where something of its is missing, what belongs to that fits nowhere.
 void Flow::report_structure(const std::string& label, Code code, SourcePos pos, std::string message,
                             std::string_view text) {
-  const bool known = unknown_labels_.insert(label).second && !structure_unknown_;
-  if (known && !is_stopped()) diagnostics_.report(code, pos, std::move(message), text);
+  const bool is_new = unknown_labels_.insert(label).second && !structure_unknown_;
+  if (is_new && !is_stopped()) diagnostics_.report(code, pos, std::move(message), text);
   lose_order();
 }
 
