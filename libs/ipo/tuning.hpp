@@ -201,7 +201,7 @@ inline constexpr std::size_t kSpansOfPart = 128;
 }  // namespace path
 
 // -------------------------------------------------------------------------------------------------
-// libs/ipo/optimum
+// libs/ipo/acceleration_limited
 
 namespace optimum {
 
@@ -258,7 +258,7 @@ inline constexpr double kToBoundary = 0.99;
 }  // namespace solver
 
 // -------------------------------------------------------------------------------------------------
-// libs/ipo/jerk/speed_guess
+// libs/ipo/jerk_limited/speed_guess
 
 namespace guess {
 
@@ -285,21 +285,21 @@ inline constexpr double kHardly = 0.1;
 }  // namespace guess
 
 // -------------------------------------------------------------------------------------------------
-// libs/ipo/jerk/plan_nodes
+// libs/ipo/jerk_limited/plan_nodes
 
 namespace nodes {
 
 // Nodes. Choice: a plan with more does not fit in bounded memory; normally none exists.
 inline constexpr std::size_t kMost = 100'000;
 // rad. Choice: between two nodes.
-// Test, x 3: "a stop that needs all of the way to a corner ends there, not behind it".
+// Test, x 3: "a stop that needs all of the way to a corner ends there, not after it".
 inline constexpr double kTurn = 0.06;
 // Of q. Choice: change of a roughness limit between two nodes.
 inline constexpr double kLimitChange = 0.04;
 // Choice: change of the spacing along the path.
 inline constexpr double kGrading = 0.15;
 // Periods. Choice: what turns faster is not resolved.
-// Test, x 4: "a stop that needs all of the way to a corner ends there, not behind it".
+// Test, x 4: "a stop that needs all of the way to a corner ends there, not after it".
 inline constexpr double kShortestTime = 0.35;
 // Of the jerk. Choice: a smaller curvature jump gets no nodes of its own.
 // Test, x 20: "where line and arc meet askew of the axes, jump and jerk share the third
@@ -311,7 +311,7 @@ inline constexpr double kSame = 1e-9;
 }  // namespace nodes
 
 // -------------------------------------------------------------------------------------------------
-// libs/ipo/jerk/rest_ramp
+// libs/ipo/jerk_limited/rest_ramp
 
 namespace rest_ramp {
 
@@ -337,7 +337,7 @@ inline constexpr int kMostShorter = 20;
 }  // namespace rest_ramp
 
 // -------------------------------------------------------------------------------------------------
-// libs/ipo/jerk
+// libs/ipo/jerk_limited
 
 namespace plan {
 
@@ -390,7 +390,7 @@ inline constexpr int kSetUp = 10;
 }  // namespace plan
 
 // -------------------------------------------------------------------------------------------------
-// libs/ipo/jerk/plan_check
+// libs/ipo/jerk_limited/plan_check
 
 namespace check {
 
@@ -416,7 +416,7 @@ inline constexpr int kMostInstants = 16;
 }  // namespace check
 
 // -------------------------------------------------------------------------------------------------
-// libs/ipo/jerk
+// libs/ipo/jerk_limited
 
 namespace horizon {
 

@@ -116,9 +116,9 @@ TEST_CASE("an unknown option is named, whatever follows it", "[apps][cli]") {
     const std::string meant = name == "--real-time" ? "; did you mean '--realtime'?" : "";
     const std::string says =
         name + ": no such option of 'run'" + meant + "\nRun with --help for more information.\n";
-    const Ended behind = call("run $data/square.nc " + all);
-    CHECK(behind.status == 2);
-    CHECK(behind.err == says);
+    const Ended after = call("run $data/square.nc " + all);
+    CHECK(after.status == 2);
+    CHECK(after.err == says);
     CHECK(call("run " + all + " $data/square.nc").err == says);
   }
   CHECK(call("run $data/square.nc x.nc --feed-override -5").err.find("no such option") ==

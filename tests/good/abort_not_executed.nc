@@ -10,4 +10,4 @@ o2 endif
 ; (ABORT,not within a comment to the end of the line)
 G00 X5
 M2
-(ABORT,not behind the end)
+(ABORT,not after the end)

@@ -51,10 +51,10 @@ std::string refused(const std::string& text) {
 
 TEST_CASE("the start state is written out in full", "[hal][state]") {
   const std::string text = state_toml({});
-  CHECK(text.starts_with(
-      "# What programs have left behind on the machine. softcnc run --state writes it.\n"
-      "schema = 1\nactive = \"G54\"\ng92_in_force = \"no\"\n\n"
-      "[g92]\nx_mm = 0\ny_mm = 0\nz_mm = 0\n\n[g28]\n"));
+  CHECK(
+      text.starts_with("# What programs have left on the machine. softcnc run --state writes it.\n"
+                       "schema = 1\nactive = \"G54\"\ng92_in_force = \"no\"\n\n"
+                       "[g92]\nx_mm = 0\ny_mm = 0\nz_mm = 0\n\n[g28]\n"));
   CHECK(text.find("\n[work.\"G59.3\"]\nx_mm = 0\ny_mm = 0\nz_mm = 0\nrotation_deg = 0\n") !=
         std::string::npos);
   const auto state = parse_state(text, "mill.state");

@@ -45,13 +45,16 @@ TEST_CASE("folders of the application form no circle", "[house]") {
 
 TEST_CASE("a planted circle of folders is found, with its arrows alone", "[house]") {
   const std::vector<Source> sources{
-      planted("ipo/path/grid.cpp", "#include \"ipo/path/grid.hpp\"\n#include \"ipo/jerk/a.hpp\""),
-      planted("ipo/jerk/a.hpp", "#include <cmath>\n#include \"ipo/solver/b.hpp\""),
+      planted("ipo/path/grid.cpp",
+              "#include \"ipo/path/grid.hpp\"\n#include \"ipo/jerk_limited/a.hpp\""),
+      planted("ipo/jerk_limited/a.hpp", "#include <cmath>\n#include \"ipo/solver/b.hpp\""),
       planted("ipo/solver/b.hpp", "#include \"ipo/path/grid.hpp\""),
       planted("ipo/planner/c.hpp", "#include \"ipo/path/grid.hpp\"")};
   CHECK(arrows_of_circles(folder_arrows(sources)) ==
-        Faults{"ipo/path -> ipo/jerk by ipo/path/grid.cpp:2: #include \"ipo/jerk/a.hpp\"",
-               "ipo/jerk -> ipo/solver by ipo/jerk/a.hpp:2: #include \"ipo/solver/b.hpp\"",
+        Faults{"ipo/path -> ipo/jerk_limited by ipo/path/grid.cpp:2: #include "
+               "\"ipo/jerk_limited/a.hpp\"",
+               "ipo/jerk_limited -> ipo/solver by ipo/jerk_limited/a.hpp:2: #include "
+               "\"ipo/solver/b.hpp\"",
                "ipo/solver -> ipo/path by ipo/solver/b.hpp:1: #include \"ipo/path/grid.hpp\""});
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/limits/constraints.hpp"
+#include "ipo/limits/constraint_list.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -118,7 +118,7 @@ TEST_CASE("an axis may be too fast between two points where it is not", "[constr
 
 TEST_CASE("the three-point method is left to limit the chord error itself", "[constraint]") {
   Machine machine;
-  CHECK(Constraints(machine, 1).velocity_limits().size() == 4);
+  CHECK(ConstraintList(machine, 1).velocity_limits().size() == 4);
   machine.control.interpolation = Method::curvature3p;
-  CHECK(Constraints(machine, 1).velocity_limits().size() == 3);
+  CHECK(ConstraintList(machine, 1).velocity_limits().size() == 3);
 }

@@ -13,7 +13,7 @@ namespace {
 
 std::vector<Interval> grid_of(const Machine& machine, const Path& path, double feed) {
   std::vector<Interval> grid;
-  make_grid({path, false, feed, PathMode::follow}, Constraints(machine, 1), grid, [](double) {});
+  make_grid({path, false, feed, PathMode::follow}, ConstraintList(machine, 1), grid, [](double) {});
   return grid;
 }
 
@@ -21,7 +21,7 @@ std::vector<Interval> grid_of(const Machine& machine, const Path& path, double f
 
 TEST_CASE("derivatives between two nodes are as good as linear", "[grid]") {
   const Machine machine;
-  const AxisVector limits = Constraints(machine, 1).limits().acceleration;
+  const AxisVector limits = ConstraintList(machine, 1).limits().acceleration;
   const Path path = test::curve("butterfly");
   const auto grid = grid_of(machine, path, 100);
   // No machine is faster at an interval than this, since it is as slow as the limits around it

@@ -102,7 +102,7 @@ TEST_CASE("a stop at any moment of a jerk-limited program ends at rest on the pa
       programs() / 3);
 }
 
-TEST_CASE("a stop that needs all of the way to a corner ends there, not behind it",
+TEST_CASE("a stop that needs all of the way to a corner ends there, not after it",
           "[ipo][jerk][stop]") {
   // Rounding may put the sum of front and distance a trace beyond the corner.
   std::mt19937 random(633717988);

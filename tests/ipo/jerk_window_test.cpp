@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Jerk-limited plans from outside: limits in every sample, times against closed forms and against
 // the independent optimum.
-#include "ipo/jerk/jerk_window.hpp"
+#include "ipo/jerk_limited/jerk_window.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

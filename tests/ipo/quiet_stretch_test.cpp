@@ -73,7 +73,7 @@ TEST_CASE("lines are quiet up to a quarter of the velocity of their axes", "[qui
   CHECK(quiet_from(at_speed(Line({0, 0, 0}, {60, 80, 0}), 77), 0, machine).quiet);
 }
 
-TEST_CASE("a stretch ends where the machine brakes, and begins again behind that", "[quiet]") {
+TEST_CASE("a stretch ends where the machine brakes, and begins again after that", "[quiet]") {
   TimedBlock timed = at_speed(Line({0, 0, 0}, {100, 0, 0}), 10);
   timed.profile = {};
   timed.profile.add_piece(0, 50, 10, 10, Limit::feed);

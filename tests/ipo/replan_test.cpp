@@ -299,7 +299,7 @@ TEST_CASE("rows on a hairpin of a spline are found on it", "[ipo][replan]") {
   CHECK(exceeded(random.machine, random.run) == "");
 }
 
-TEST_CASE("an arc on which the machine brakes keeps its acceleration behind an override as well",
+TEST_CASE("an arc on which the machine brakes keeps its acceleration after an override as well",
           "[ipo][replan]") {
   const RandomRun random = run_random(659084377, 2, 1, true, 2.5e-4);
   CHECK(exceeded(random.machine, random.run) == "");

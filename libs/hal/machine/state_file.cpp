@@ -259,8 +259,7 @@ StateOrErrors parse_state(const std::string& text, const std::string& name) {
 }
 
 std::string state_toml(const MachineState& state) {
-  std::string text =
-      "# What programs have left behind on the machine. softcnc run --state writes it.\n";
+  std::string text = "# What programs have left on the machine. softcnc run --state writes it.\n";
   text += number_line("schema", kStateSchema);
   text += "active = " + quoted(kWorkNames[static_cast<std::size_t>(state.active)]) + '\n';
   text += "g92_in_force = " + quoted(kNoYes[state.shift_on ? 1 : 0]) + '\n';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Acceleration limits of the axes: |x'' q + x' u| <= A on every axis.
-#include "ipo/limits/constraints.hpp"
+#include "ipo/limits/constraint_list.hpp"
 
 namespace softcnc::ipo {
 namespace {
@@ -13,7 +13,8 @@ class AxisAcceleration final : public Constraint {
 
   AxisVector centripetal_limits() const noexcept override { return limits_; }
 
-  void bound_acceleration(const PathPoint& point, Inequalities& out) const noexcept override {
+  void add_acceleration_inequalities(const PathPoint& point,
+                                     Inequalities& out) const noexcept override {
     for (int i = 0; i < kAxes; ++i)
       if (limits_[i] < kUnlimited)
         out.add({i, point.dq[i], point.ddq[i], point.dddq[i], limits_[i]});
@@ -52,7 +53,7 @@ class AxisAcceleration final : public Constraint {
 
 }  // namespace
 
-std::unique_ptr<Constraint> make_axis_acceleration(const MachineLimits& limits) {
+std::unique_ptr<Constraint> make_axis_acceleration(const PlannerLimits& limits) {
   return std::make_unique<AxisAcceleration>(limits.acceleration);
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ipo/limits/constraints.hpp"
+#include "ipo/limits/constraint_list.hpp"
 #include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {

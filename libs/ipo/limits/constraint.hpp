@@ -9,7 +9,7 @@
 
 #include "ipo/limits/directions.hpp"
 #include "ipo/limits/inequality.hpp"
-#include "ipo/limits/machine_limits.hpp"
+#include "ipo/limits/planner_limits.hpp"
 #include "motion/model/block.hpp"
 #include "motion/model/setpoint.hpp"
 
@@ -66,7 +66,7 @@ class Constraint {
 
   // As inequalities of acceleration ---------------------------------------------------------------
 
-  virtual void bound_acceleration(const PathPoint&, Inequalities&) const noexcept {}
+  virtual void add_acceleration_inequalities(const PathPoint&, Inequalities&) const noexcept {}
 
   /// Returns a bound on q that the inequalities imply: no q is larger, whatever the path
   /// acceleration u.
@@ -85,7 +85,7 @@ class Constraint {
 
   // As inequalities of jerk -----------------------------------------------------------------------
 
-  virtual void bound_jerk(const PathPoint&, Inequalities&) const noexcept {}
+  virtual void add_jerk_inequalities(const PathPoint&, Inequalities&) const noexcept {}
 };
 
 }  // namespace softcnc::ipo

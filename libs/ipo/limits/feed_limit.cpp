@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The programmed feed, with its override, and the machine's own limit on cutting moves.
-#include "ipo/limits/constraints.hpp"
+#include "ipo/limits/constraint_list.hpp"
 
 namespace softcnc::ipo {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The acceleration across the path, v^2 / rho, that whatever is carried along may be exposed to.
-#include "ipo/limits/constraints.hpp"
+#include "ipo/limits/constraint_list.hpp"
 #include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {

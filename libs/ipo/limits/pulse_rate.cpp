@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reference pulses: the clocks of a staircase come no faster than pulses may.
-#include "ipo/limits/constraints.hpp"
+#include "ipo/limits/constraint_list.hpp"
 #include "ipo/tuning.hpp"
 #include "motion/model/step_rate.hpp"
 

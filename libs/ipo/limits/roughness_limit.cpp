@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The roughness that a program requests: feed per tooth x teeth x spindle speed (paper 004), in
 // planes of any kind, since the tool is upright.
-#include "ipo/limits/constraints.hpp"
+#include "ipo/limits/constraint_list.hpp"
 #include "ipo/tuning.hpp"
 #include "motion/roughness/roughness.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How fast the speed along the path may change: |u| <= A.
-#include "ipo/limits/constraints.hpp"
+#include "ipo/limits/constraint_list.hpp"
 #include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
@@ -12,7 +12,7 @@ class TangentialAcceleration final : public Constraint {
 
   Limit limit(const Move&) const noexcept override { return Limit::tangential; }
 
-  void bound_acceleration(const PathPoint&, Inequalities& out) const noexcept override {
+  void add_acceleration_inequalities(const PathPoint&, Inequalities& out) const noexcept override {
     out.add({Inequality::kPath, 1, 0, 0, limit_});
   }
 
@@ -31,7 +31,7 @@ class TangentialAcceleration final : public Constraint {
 
 }  // namespace
 
-std::unique_ptr<Constraint> make_tangential_acceleration(const MachineLimits& limits) {
+std::unique_ptr<Constraint> make_tangential_acceleration(const PlannerLimits& limits) {
   if (limits.tangential == kUnlimited) return nullptr;
   return std::make_unique<TangentialAcceleration>(limits.tangential);
 }

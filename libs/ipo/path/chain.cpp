@@ -28,7 +28,7 @@ Halves cut(const Interval& interval, double s) {
 }
 
 /// Returns how far, mm, the speed matters at which a tangent jump that stands alone may be passed.
-double step_over(const AxisVector& tangent_jump, const Constraints& constraints) {
+double step_over(const AxisVector& tangent_jump, const ConstraintList& constraints) {
   const double period = constraints.limits().fine_period;
   const double by_acceleration =
       period / tangent_jump.cwiseQuotient(constraints.limits().acceleration).maxCoeff() * period;
@@ -72,7 +72,7 @@ PathPoint point_inside(const Interval& interval, double s) noexcept {
   return {mix(a.q, b.q), mix(a.dq, b.dq), mix(a.ddq, b.ddq), mix(a.dddq, b.dddq)};
 }
 
-void Chain::append(const Move& move, const Constraints& constraints, RestBefore rest) {
+void Chain::append(const Move& move, const ConstraintList& constraints, RestBefore rest) {
   if (nodes.empty()) nodes.emplace_back();
   const double whole = length(move.path);
   // What lies further ahead of the joint is not limited by it.
@@ -97,7 +97,7 @@ void Chain::append(const Move& move, const Constraints& constraints, RestBefore 
 /// Splits the last move if it is a line from rest that is long enough. After the first node so made
 /// the machine can still come to rest before the second one; what follows the line matters only
 /// after the second.
-void Chain::split_at_cruise(const Constraints& constraints) {
+void Chain::split_at_cruise(const ConstraintList& constraints) {
   std::size_t first = intervals.size() - 1;
   while (intervals[first].s0 > 0) --first;
   if (nodes[first].own.q > 0) return;
@@ -133,7 +133,8 @@ void Chain::reserve_for(double more) {
 }
 
 /// Adds the first of `ahead`; the others are those that are known to follow it.
-void Chain::add(std::span<const Interval> ahead, const Constraints& constraints, RestBefore rest) {
+void Chain::add(std::span<const Interval> ahead, const ConstraintList& constraints,
+                RestBefore rest) {
   const Interval& interval = ahead.front();
   const double period = constraints.limits().period;
   double step = kUnlimited;
@@ -178,7 +179,7 @@ void Chain::add(std::span<const Interval> ahead, const Constraints& constraints,
 
 /// Notes how x'' jumps at the last node, and returns how far, mm, that matters.
 double Chain::note_curvature_jump(const Interval& before, const Interval& interval,
-                                  const Constraints& constraints) {
+                                  const ConstraintList& constraints) {
   if (!constraints.limits_jerk()) return kUnlimited;
   const AxisVector jump = interval.left.ddq - before.right.ddq;
   if (jump.cwiseAbs().maxCoeff() <=

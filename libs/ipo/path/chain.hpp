@@ -57,7 +57,7 @@ struct Chain {
   /// Appends a move. `rest` says why the machine rests where it begins, if it does. Intervals are
   /// split towards a joint until the velocity limit that it imposes across the joint does not slow
   /// down long stretches.
-  void append(const Move& move, const Constraints& constraints, RestBefore rest);
+  void append(const Move& move, const ConstraintList& constraints, RestBefore rest);
 
   /// Splits interval i at `s` mm of its move. The velocity limits must be derived again afterwards.
   void split(std::size_t i, double s);
@@ -88,11 +88,11 @@ struct Chain {
 
  private:
   void reserve_for(double more);
-  void add(std::span<const Interval> ahead, const Constraints& constraints, RestBefore rest);
+  void add(std::span<const Interval> ahead, const ConstraintList& constraints, RestBefore rest);
   double note_curvature_jump(const Interval& before, const Interval& interval,
-                             const Constraints& constraints);
+                             const ConstraintList& constraints);
   void push(const Interval& interval);
-  void split_at_cruise(const Constraints& constraints);
+  void split_at_cruise(const ConstraintList& constraints);
   void split_move_at(double s);
 
   std::vector<Interval> grid_;  // of a part of the move being appended; kept for its capacity
@@ -101,7 +101,7 @@ struct Chain {
 /// Finds Node::velocity_limit and Inside: spreads what each interval requires of the steps that
 /// touch it, and what joints require of the speed, the acceleration and the jerk around them. Nodes
 /// left of `first` already have their limits.
-void derive_velocity_limits(Chain& chain, const Constraints& constraints, std::size_t first = 0);
+void derive_velocity_limits(Chain& chain, const ConstraintList& constraints, std::size_t first = 0);
 
 /// Whether a single step can touch the node together with a curve or with another corner at which
 /// the machine stops.

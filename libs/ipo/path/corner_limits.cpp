@@ -13,7 +13,7 @@ namespace {
 
 class CornerLimits {
  public:
-  CornerLimits(Chain& chain, const Constraints& constraints, const std::vector<double>& times)
+  CornerLimits(Chain& chain, const ConstraintList& constraints, const std::vector<double>& times)
       : chain_(chain),
         constraints_(constraints),
         times_(times),
@@ -255,14 +255,14 @@ class CornerLimits {
   }
 
   Chain& chain_;
-  const Constraints& constraints_;
+  const ConstraintList& constraints_;
   const std::vector<double>& times_;
   double period_, fine_period_;
 };
 
 }  // namespace
 
-void apply_corner_limits(Chain& chain, const Constraints& constraints,
+void apply_corner_limits(Chain& chain, const ConstraintList& constraints,
                          const std::vector<double>& times, std::size_t first) {
   CornerLimits(chain, constraints, times).apply(first);
 }

@@ -11,7 +11,7 @@ namespace softcnc::ipo {
 /// Lowers the velocity limits around the joints from node `first` on that the machine passes with a
 /// jump of velocity or acceleration, and notes what the jumps leave of the axis limits to the
 /// curve. `times` are the shortest times of the intervals, s.
-void apply_corner_limits(Chain& chain, const Constraints& constraints,
+void apply_corner_limits(Chain& chain, const ConstraintList& constraints,
                          const std::vector<double>& times, std::size_t first);
 
 }  // namespace softcnc::ipo

@@ -27,14 +27,15 @@ struct Look {
 };
 
 /// The lowest velocity limit for every step that touches the point.
-VelocityLimit step_limit(const PathPoint& point, const Move& move, const Constraints& constraints) {
+VelocityLimit step_limit(const PathPoint& point, const Move& move,
+                         const ConstraintList& constraints) {
   VelocityLimit bound;
   for (const Constraint* constraint : constraints.step_limits())
     bound.lower_to({constraint->velocity_limit(point, move), constraint->limit(move)});
   return bound;
 }
 
-Look look_at(const PathPoint& point, const Move& move, const Constraints& constraints) {
+Look look_at(const PathPoint& point, const Move& move, const ConstraintList& constraints) {
   Look look{point, {}, {}, step_limit(point, move, constraints)};
   for (const Constraint* constraint : constraints.point_limits())
     if (const double q = constraint->velocity_limit(point, move); q < look.asked.q)
@@ -68,7 +69,7 @@ VelocityLimit lowest_step_limit(const Look& left, const Look& mid, const Look& r
 
 /// The lowest strict velocity limit.
 VelocityLimit strict_limit(const PathPoint& point, const Move& move,
-                           const Constraints& constraints) {
+                           const ConstraintList& constraints) {
   VelocityLimit bound;
   for (const Constraint* constraint : constraints.strict_limits())
     bound.lower_to({constraint->velocity_limit(point, move), constraint->limit(move)});
@@ -77,7 +78,7 @@ VelocityLimit strict_limit(const PathPoint& point, const Move& move,
 
 /// Lowers the ends of an interval until the line between them lies nowhere above a strict velocity
 /// limit.
-void keep_everywhere(Interval& interval, const Move& move, const Constraints& constraints) {
+void keep_everywhere(Interval& interval, const Move& move, const ConstraintList& constraints) {
   const VelocityLimit left = strict_limit(interval.left, move, constraints);
   if (left.q == kUnlimited) return;
   const VelocityLimit right = strict_limit(interval.right, move, constraints);
@@ -101,7 +102,7 @@ void keep_everywhere(Interval& interval, const Move& move, const Constraints& co
 bool is_rough(const Move& move) { return move.surface && move.surface->tooth_rate() > 0; }
 
 /// Returns a length, mm, below which a third difference over samples sees almost no jerk.
-double unfelt(const Constraints& constraints, const Directions& directions) {
+double unfelt(const ConstraintList& constraints, const Directions& directions) {
   return tuning::grid::kUnfelt * directions.least(constraints.limits().jerk) *
          std::pow(constraints.limits().period, 3);
 }
@@ -109,7 +110,7 @@ double unfelt(const Constraints& constraints, const Directions& directions) {
 /// Splits intervals until the constraints are nearly linear on each.
 class Refiner {
  public:
-  Refiner(const Move& move, const Constraints& constraints, std::vector<Interval>& out)
+  Refiner(const Move& move, const ConstraintList& constraints, std::vector<Interval>& out)
       : move_(move),
         constraints_(constraints),
         out_(out),
@@ -364,7 +365,7 @@ class Refiner {
   }
 
   const Move& move_;
-  const Constraints& constraints_;
+  const ConstraintList& constraints_;
   std::vector<Interval>& out_;
   int least_depth_;
   bool evenly_;              // split so; for steep roughness limits, and for jerk, it halves
@@ -380,7 +381,7 @@ class Refiner {
 /// follows it is known. What follows matters only after the last node; after the first one, or
 /// after what can be reached from rest before it, the machine can slow down to rest. With jerk
 /// limits this requires that the line begins at rest: Chain::append().
-std::vector<double> line_nodes(const Interval& whole, const Constraints& constraints) {
+std::vector<double> line_nodes(const Interval& whole, const ConstraintList& constraints) {
   const double top = whole.left_limit.q;
   const double period_distance = std::sqrt(top) * constraints.limits().period;
   const double felt = felt_from(whole, whole.s1, constraints.limits().period);
@@ -389,7 +390,7 @@ std::vector<double> line_nodes(const Interval& whole, const Constraints& constra
   return {std::max(felt - braking, 0.5 * felt), felt};
 }
 
-void lay_line(const Move& move, double to, const Constraints& constraints,
+void lay_line(const Move& move, double to, const ConstraintList& constraints,
               std::vector<Interval>& grid) {
   const Look begin = look_at(at(move.path, 0), move, constraints);
   Look end = begin;
@@ -414,7 +415,7 @@ double felt_from(const Interval& line, double end, double period) noexcept {
              : end - (tuning::grid::kFeltPeriods + 1) * period_distance;
 }
 
-void make_grid(const Move& move, const Constraints& constraints, std::vector<Interval>& grid,
+void make_grid(const Move& move, const ConstraintList& constraints, std::vector<Interval>& grid,
                const std::function<void(double s)>& take) {
   grid.clear();
   const double to = length(move.path);

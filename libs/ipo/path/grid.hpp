@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "ipo/limits/constraints.hpp"
+#include "ipo/limits/constraint_list.hpp"
 #include "motion/model/block.hpp"
 
 namespace softcnc::ipo {
@@ -71,7 +71,7 @@ double felt_from(const Interval& line, double end, double period) noexcept;
 /// velocity limits, and the accelerations that x' and x'' cause, exceed their linear interpolation
 /// by less than tuning::grid::kTolerance of the limits. Every break of the path is a node. Strict
 /// velocity limits are nowhere exceeded at all.
-void make_grid(const Move& move, const Constraints& constraints, std::vector<Interval>& grid,
+void make_grid(const Move& move, const ConstraintList& constraints, std::vector<Interval>& grid,
                const std::function<void(double s)>& take);
 
 }  // namespace softcnc::ipo

@@ -86,7 +86,7 @@ Ramp cruise(double s0, double s1, double v, Limit limit) {
 }  // namespace
 
 LineLimits line_limits(const Interval& line, const VelocityLimit& bound,
-                       const Constraints& constraints) {
+                       const ConstraintList& constraints) {
   return {std::sqrt(bound.q) * (1 - tuning::path::kSpeedRounding),
           constraints.straight_u(line.left.dq), along(constraints.limits().jerk, line.left.dq)};
 }

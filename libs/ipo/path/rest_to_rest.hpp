@@ -16,7 +16,7 @@ struct LineLimits {
 
 /// Returns the limits on a straight interval under a velocity limit.
 LineLimits line_limits(const Interval& line, const VelocityLimit& bound,
-                       const Constraints& constraints);
+                       const ConstraintList& constraints);
 
 /// Returns the fastest motion from rest at s0 to rest at s1 > s0, mm: up to seven phases of
 /// constant jerk, symmetric in time. `cruising` names what limits the speed while cruising.

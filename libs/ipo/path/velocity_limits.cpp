@@ -17,7 +17,7 @@ namespace {
 
 class VelocityLimitDerivation {
  public:
-  VelocityLimitDerivation(Chain& chain, const Constraints& constraints)
+  VelocityLimitDerivation(Chain& chain, const ConstraintList& constraints)
       : chain_(chain), constraints_(constraints), period_(constraints.limits().period) {}
 
   void run(std::size_t first) {
@@ -92,7 +92,7 @@ class VelocityLimitDerivation {
   }
 
   Chain& chain_;
-  const Constraints& constraints_;
+  const ConstraintList& constraints_;
   double period_;
   std::vector<double> tops_;        // the highest q that any interval of a group allows
   std::vector<std::size_t> group_;  // by interval
@@ -102,7 +102,7 @@ class VelocityLimitDerivation {
 
 }  // namespace
 
-void derive_velocity_limits(Chain& chain, const Constraints& constraints, std::size_t first) {
+void derive_velocity_limits(Chain& chain, const ConstraintList& constraints, std::size_t first) {
   VelocityLimitDerivation(chain, constraints).run(first);
 }
 

@@ -32,7 +32,8 @@ struct PlanEffort {
 class Window {
  public:
   /// `share` is the part of the axis accelerations and jerks that may be used; 1 for all.
-  Window(const Constraints& constraints, double share) : constraints_(constraints), share_(share) {}
+  Window(const ConstraintList& constraints, double share)
+      : constraints_(constraints), share_(share) {}
   virtual ~Window() = default;
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
@@ -121,7 +122,7 @@ class Window {
   /// Derives all velocity limits, once intervals have been split or lowered.
   void derive_all();
 
-  const Constraints& constraints_;
+  const ConstraintList& constraints_;
   double share_;
   Chain chain_;
   CornerNaming corner_naming_;

@@ -4,14 +4,14 @@
 
 #include <memory>
 
-#include "ipo/jerk/horizon.hpp"
+#include "ipo/jerk_limited/horizon.hpp"
 #include "ipo/path/window.hpp"
 
 namespace softcnc::ipo {
 
 /// Makes the kind of window that the limits of the machine ask for: with the exact optimum where no
 /// axis has a jerk limit, with near-optimal plans where one has.
-std::unique_ptr<Window> make_window(const Constraints& constraints, double share = 1,
+std::unique_ptr<Window> make_window(const ConstraintList& constraints, double share = 1,
                                     const Horizon& horizon = {});
 
 }  // namespace softcnc::ipo

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "ipo/jerk/horizon.hpp"
+#include "ipo/jerk_limited/horizon.hpp"
 #include "ipo/path/window.hpp"
 #include "ipo/planner/feed_control.hpp"
 #include "ipo/planner/stop.hpp"
@@ -85,7 +85,7 @@ class Planner {
 
   const Machine& machine_;
   Diagnostics& diagnostics_;
-  Constraints constraints_;
+  ConstraintList constraints_;
   const Horizon horizon_;
   PulseStage pulses_;
   CornerStage corners_;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ipo/jerk/plan_problem.hpp"
+#include "ipo/jerk_limited/plan_problem.hpp"
 #include "ipo/planner/make_window.hpp"
 #include "ipo/tuning.hpp"
 
@@ -33,7 +33,7 @@ std::size_t run_move(Window& window, std::size_t intervals, Profile& profile, Li
 
 }  // namespace
 
-StopPlan plan_stop(const Constraints& constraints, const BlocksAround& around, const State& now,
+StopPlan plan_stop(const ConstraintList& constraints, const BlocksAround& around, const State& now,
                    Limit as) {
   const std::unique_ptr<Window> window =
       make_window(constraints, tuning::planner::kAccelerationShare);
@@ -59,7 +59,7 @@ StopPlan plan_stop(const Constraints& constraints, const BlocksAround& around, c
   return plan;
 }
 
-double longest_stop(const State& now, const Constraints& constraints,
+double longest_stop(const State& now, const ConstraintList& constraints,
                     const Directions& directions) noexcept {
   const double a = std::max(now.a, 0.0), j = directions.least(constraints.limits().jerk);
   const double v = now.v + 0.5 * a * a / j;

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "ipo/limits/constraints.hpp"
+#include "ipo/limits/constraint_list.hpp"
 #include "ipo/path/window.hpp"
 #include "ipo/queue/block_queue.hpp"
 
@@ -24,12 +24,12 @@ struct BlocksAround {
 /// Returns the shortest stop on the path, under the same constraints, from the state `now` inside
 /// the first block not passed; the last profile ends at rest. `as` is the limit that the profiles
 /// name. Returns no profiles should rounding leave no way to stop.
-StopPlan plan_stop(const Constraints& constraints, const BlocksAround& around, const State& now,
+StopPlan plan_stop(const ConstraintList& constraints, const BlocksAround& around, const State& now,
                    Limit as);
 
 /// Returns a distance, mm, that a stop from this state need not exceed on a straight line of these
 /// directions.
-double longest_stop(const State& now, const Constraints& constraints,
+double longest_stop(const State& now, const ConstraintList& constraints,
                     const Directions& directions) noexcept;
 
 }  // namespace softcnc::ipo

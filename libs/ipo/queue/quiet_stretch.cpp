@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ipo/limits/chord_error.hpp"
-#include "ipo/limits/machine_limits.hpp"
+#include "ipo/limits/planner_limits.hpp"
 #include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {

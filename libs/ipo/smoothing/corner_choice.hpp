@@ -8,7 +8,7 @@
 // feed.
 #pragma once
 
-#include "ipo/limits/machine_limits.hpp"
+#include "ipo/limits/planner_limits.hpp"
 #include "motion/model/machine.hpp"
 
 namespace softcnc::ipo {

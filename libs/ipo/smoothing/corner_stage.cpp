@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ipo/limits/machine_limits.hpp"
+#include "ipo/limits/planner_limits.hpp"
 #include "ipo/tuning.hpp"
 #include "motion/geometry/section.hpp"
 

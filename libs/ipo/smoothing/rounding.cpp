@@ -33,9 +33,9 @@ void add(Cubic& cubic, const Turn& turn) {
   cubic.c[1] += side * 3 * e * e * k;
   cubic.c[2] += 3 * e * k;
   cubic.c[3] += side * k;
-  const bool is_behind_peak = side < 0, is_behind_turn = cubic.origin >= turn.t;
-  if (is_behind_peak == is_behind_turn) return;
-  const double sign = is_behind_peak ? 1 : -1;
+  const bool is_past_peak = side < 0, is_past_turn = cubic.origin >= turn.t;
+  if (is_past_peak == is_past_turn) return;
+  const double sign = is_past_peak ? 1 : -1;
   cubic.c[0] += sign * (cubic.origin - turn.t) * turn.tangent_jump;
   cubic.c[1] += sign * turn.tangent_jump;
 }

@@ -163,8 +163,8 @@ void CommandFile::report_stray(Code code, const CommandField& field, std::string
 
 /// `J0` among the points of a spline, for 10: a letter right before a number.
 bool CommandFile::stands_for_digit(const CommandField& name) const noexcept {
-  const auto behind = static_cast<std::size_t>(name.column + name.length) - 1;
-  return name.length == 1 && behind < text_.size() && is_digit(text_[behind]);
+  const auto after = static_cast<std::size_t>(name.column + name.length) - 1;
+  return name.length == 1 && after < text_.size() && is_digit(text_[after]);
 }
 
 bool CommandFile::is_known() {
@@ -333,7 +333,7 @@ void CommandFile::add_to_spline(std::span<const CommandField> numbers) {
       continue;
     }
     if (!pass_numbers_)
-      report(Code::SC2353, pos_of(number), "a number behind the last point of the spline");
+      report(Code::SC2353, pos_of(number), "a number after the last point of the spline");
     pass_numbers_ = true;
     break;
   }

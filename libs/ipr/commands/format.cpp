@@ -15,13 +15,13 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 struct Shape {
   std::string name;
   int numbers = 0;
-  double number = 0;            // the first one
-  bool other = false;           // something else is on it
-  std::string other_name;       // what it begins with
-  bool command_behind = false;  // and that can only be a command
-  bool fault = false;           // what no language has
-  bool of_gcode = false;        // but G-code: a variable, a '%', a '/'
-  bool skipped = false;         // begins with '/'
+  double number = 0;           // the first one
+  bool other = false;          // something else is on it
+  std::string other_name;      // what it begins with
+  bool command_after = false;  // and that can only be a command
+  bool fault = false;          // what no language has
+  bool of_gcode = false;       // but G-code: a variable, a '%', a '/'
+  bool skipped = false;        // begins with '/'
 };
 
 bool is_arc_command(std::string_view name) {
@@ -60,7 +60,7 @@ Shape shape_of(std::string_view line) {
     } else {
       shape.other = true;
       shape.other_name = field.name;
-      shape.command_behind = is_command(field.name, fields);
+      shape.command_after = is_command(field.name, fields);
     }
     if (shape.other || shape.fault) break;
   }
@@ -136,7 +136,7 @@ class Detector {
     const std::string& name = line.name;
     const bool alone = line.numbers == 1 && !line.other;
     const bool of_both = name == "s" || name == "f" || name == "l";
-    if (is_arc_command(name) || (of_both && line.command_behind)) return Format::commands;
+    if (is_arc_command(name) || (of_both && line.command_after)) return Format::commands;
     if (name.empty() && line.numbers == 0 && !line.other && !line.fault) return Format::automatic;
     if (name.empty() && spline_ && !line.fault && !line.other) return Format::commands;
     const bool empty = of_both && line.numbers == 0 && !line.other;

@@ -2,7 +2,6 @@
 // Moves along the contour come in, moves of the tool beside it go out, one move late.
 #include "ipr/compensation/compensation.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -10,6 +9,7 @@
 
 #include "ipr/compensation/corner.hpp"
 #include "ipr/compensation/entry.hpp"
+#include "ipr/compensation/gouge.hpp"
 #include "ipr/text/number.hpp"
 
 namespace softcnc::ipr {
@@ -18,39 +18,11 @@ namespace {
 constexpr double kSamePoint = 1e-9;  // mm
 constexpr double kShortest = 1e-6;   // mm: less of a move is none
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kAtEnd = 1e-3;  // mm: parallels that meet so near an end do so at the corner
 constexpr std::size_t kMostWaiting = 10'000;
-constexpr double kGrazing = 5e-3;  // mm: programs are rounded to less
 
 bool stays_in_plane(const Path& path, const PlaneAxes& axes) {
   if (!std::holds_alternative<softcnc::Line>(path)) return false;
   return (in_plane(end(path), axes) - in_plane(start(path), axes)).norm() < kSamePoint;
-}
-
-bool same_height(const Path& before, const Path& behind, const PlaneAxes& axes) {
-  const double height = start(before)[axes.across];
-  const auto is_level = [&](const AxisVector& point) {
-    return std::abs(point[axes.across] - height) < kSamePoint;
-  };
-  return is_level(end(before)) && is_level(start(behind)) && is_level(end(behind));
-}
-
-/// What lies between two curves after a point in which they cross at a small angle, is at most
-/// sin^2 / 2c wide, c being how much more the one bends than the other.
-bool grazes(const PlaneCurve& before, const PlaneCurve& behind, const PlaneVector& at) {
-  const PlaneVector a = before.direction_at(at), b = behind.direction_at(at);
-  const double sine = cross(a, b);
-  const double bend = (before.curvature() * left_of(a) - behind.curvature() * left_of(b)).norm();
-  return sine * sine < 2 * bend * kGrazing;
-}
-
-/// Whether they do, and not just touch, in a point that counts.
-template <typename Counts>
-bool cross_at(const PlaneCurve& before, const PlaneCurve& behind, Counts counts) {
-  const Meetings all = meetings(before, behind);
-  return std::any_of(
-      all.of.begin(), all.of.begin() + static_cast<std::ptrdiff_t>(all.count),
-      [&](const Meeting& at) { return counts(at) && !grazes(before, behind, at.at); });
 }
 
 const Path& path_of(const Block& block) { return std::get<Move>(block.what).path; }
@@ -64,14 +36,7 @@ SourcePos place_of(const Block& block, std::string_view text) {
   return place;
 }
 
-std::string tool_text(double radius) { return "the tool, radius " + number_text(radius) + " mm, "; }
-
 }  // namespace
-
-/// Whether the tool passes there, mm from the parallel's start, and not just by its ends.
-bool Compensation::Along::keeps(double at) const noexcept {
-  return at > cut + kAtEnd && at < parallel.length() - cut_end - kAtEnd;
-}
 
 void Compensation::start(const CutterSide& mode) {
   mode_ = mode;
@@ -81,7 +46,7 @@ void Compensation::start(const CutterSide& mode) {
 }
 
 std::optional<AxisVector> Compensation::stop() {
-  if (held_) let_out_whole();
+  if (held_) emit_whole();
   const bool beside = on() && entered_;
   mode_.reset();
   return beside ? std::optional(tool_) : std::nullopt;
@@ -109,7 +74,7 @@ void Compensation::wait(Block block, std::string_view text) {
   report(Code::SC2151, block, text,
          "more than " + std::to_string(kMostWaiting) +
              " blocks without a move in the plane of the contour");
-  let_out_whole();
+  emit_whole();
   before_.reset();
 }
 
@@ -123,11 +88,11 @@ void Compensation::follow_move(Block block, std::string_view text) {
     return move_to(block, in_plane(tool_, axes_), to[axes_.across]);
   }
   const bool first = !std::exchange(entered_, true);
-  if (held_ && broken) let_out_whole();
+  if (held_ && broken) emit_whole();
   if (broken) before_.reset();
   if (first || !held_) tool_ = from;
   if (first) return enter(std::move(block), text);
-  go_on(std::move(block), text);
+  follow_contour(std::move(block), text);
 }
 
 /// The first move leads from wherever the tool is to the side of its end.
@@ -144,109 +109,81 @@ void Compensation::enter(Block block, std::string_view text) {
   if (!parallel)
     return report(Code::SC2144, block, text,
                   "no arc leads from here to the side of the end of this arc");
-  held_.emplace(Along{std::move(block), std::string(text), contour, *parallel, across});
+  held_.emplace(OffsetMove{std::move(block), std::string(text), contour, *parallel, across});
   held_->entry = true;
 }
 
-void Compensation::go_on(Block block, std::string_view text) {
+void Compensation::follow_contour(Block block, std::string_view text) {
   const PlaneCurve contour = plane_curve(path_of(block), axes_);
   const auto parallel = contour.parallel(offset());
   if (!parallel) {
-    if (held_) let_out_whole();
-    return report(Code::SC2145, block, text,
-                  tool_text(mode_->radius) + "does not fit into an arc of radius " +
-                      number_text(contour.start_radius()) + " mm");
+    if (held_) emit_whole();
+    const Gouge gouge = gouge_on_arc(contour, mode_->radius);
+    return report(gouge.code, block, text, gouge.message);
   }
   const double across = programmed_[axes_.across];
-  Along next{std::move(block), std::string(text), contour, *parallel, across};
+  OffsetMove next{std::move(block), std::string(text), contour, *parallel, across};
   if (held_)
-    meet(next);
+    pass_corner(next);
   else
-    begin_at(*parallel);
+    restart_at(*parallel);
   held_.emplace(std::move(next));
 }
 
-void Compensation::meet(Along& next) {
+void Compensation::pass_corner(OffsetMove& next) {
   const Corner corner = corner_between(held_->contour, next.contour, mode_->side, mode_->radius);
   if (held_->entry && !held_->contour.is_arc() && corner != Corner::none) {
     differences_.note(DialectDifference::entry, held_->block.source, held_->text);
-    if (mode_->square_entry) return let_out(next.parallel.from(), 0);
+    if (mode_->square_entry) return emit(next.parallel.from(), 0);
   }
   switch (corner) {
     case Corner::none:
-      return let_out_whole();
+      return emit_whole();
     case Corner::outside:
-      let_out_whole();
-      return turn_around(next);
+      emit_whole();
+      return go_round_corner(next);
     case Corner::inside:
       return cut_corner(next);
   }
 }
 
-void Compensation::cut_corner(Along& next) {
+void Compensation::cut_corner(OffsetMove& next) {
   const auto corner = meeting(held_->parallel, next.parallel);
   if (!corner) {
-    report(Code::SC2146, next.block, next.text,
-           tool_text(mode_->radius) + "does not fit into the inside corner before this move");
-    let_out_whole();
-    return begin_at(next.parallel);
+    reject(gouge_in_corner(mode_->radius), next);
+    emit_whole();
+    return restart_at(next.parallel);
   }
-  if (held_->cut + corner->cut_before > held_->parallel.length() + kShortest) {
-    report(Code::SC2147, held_->block, held_->text,
-           tool_text(mode_->radius) + "does not fit between the inside corners of this move");
-    let_out_whole();
-    return begin_at(next.parallel);
+  if (const auto gouge = gouge_between_corners(*held_, *corner, mode_->radius)) {
+    reject(*gouge, *held_);
+    emit_whole();
+    return restart_at(next.parallel);
   }
-  next.cut = corner->cut_behind;
-  let_out(corner->at, corner->cut_before);
+  next.cut = corner->cut_after;
+  emit(corner->at, corner->cut_before);
 }
 
 /// After an error: what comes next is judged by itself.
-void Compensation::begin_at(const PlaneCurve& parallel) {
+void Compensation::restart_at(const PlaneCurve& parallel) {
   before_.reset();
   tool_[axes_.first] = parallel.from().x();
   tool_[axes_.second] = parallel.from().y();
 }
 
-void Compensation::turn_around(const Along& next) {
+void Compensation::go_round_corner(const OffsetMove& next) {
   turn_to(next.block, next.parallel.from(), tool_[axes_.across], next.contour.from(),
           -mode_->side * std::numbers::pi);
 }
 
-void Compensation::let_out_whole() { let_out(held_->parallel.to(), 0); }
+void Compensation::emit_whole() { emit(held_->parallel.to(), 0); }
 
-/// Where the parallels of neighbours cross elsewhere than at the corner, the tool cuts into both
-/// contours; where one after an outside corner crosses the contour of the other, into that. Moves
-/// at other heights may pass over each other, and the entry is no contour.
 void Compensation::check_gouge() {
-  if (!before_ || before_->entry) return;
-  if (!same_height(path_of(before_->block), path_of(held_->block), axes_)) return;
-  if (parallels_cross() || cuts_behind_outside_corner())
-    report(Code::SC2150, held_->block, held_->text,
-           tool_text(mode_->radius) + "does not fit between this move and the one before");
-}
-
-bool Compensation::parallels_cross() const {
-  const PlaneCurve &before = before_->parallel, &behind = held_->parallel;
-  return cross_at(before, behind, [&](const Meeting& at) {
-    return before_->keeps(before.length() - at.cut_before) && held_->keeps(at.cut_behind);
-  });
-}
-
-bool Compensation::cuts_behind_outside_corner() const {
-  const PlaneCurve &before = before_->contour, &behind = held_->contour;
-  if (corner_between(before, behind, mode_->side, mode_->radius) != Corner::outside) return false;
-  const bool into_before = cross_at(before, held_->parallel, [&](const Meeting& at) {
-    return at.cut_before > kAtEnd && held_->keeps(at.cut_behind);
-  });
-  return into_before || cross_at(before_->parallel, behind, [&](const Meeting& at) {
-           return before_->keeps(before_->parallel.length() - at.cut_before) &&
-                  at.cut_behind > kAtEnd;
-         });
+  if (!before_) return;
+  if (const auto gouge = gouge_of_neighbours(*before_, *held_, *mode_)) reject(*gouge, *held_);
 }
 
 /// The held move as far as this point, and what has waited after it.
-void Compensation::let_out(const PlaneVector& to, double cut) {
+void Compensation::emit(const PlaneVector& to, double cut) {
   held_->cut_end = cut;
   check_gouge();
   const PlaneCurve& beside = held_->parallel;
@@ -298,6 +235,10 @@ void Compensation::turn_to(const Block& like, const PlaneVector& to, double acro
   ready_.push_back(like);
   std::get<Move>(ready_.back().what).path = std::move(*arc);
   tool_ = spec.to;
+}
+
+void Compensation::reject(const Gouge& gouge, const OffsetMove& move) {
+  report(gouge.code, move.block, move.text, gouge.message);
 }
 
 void Compensation::report(Code code, const Block& block, std::string_view text,

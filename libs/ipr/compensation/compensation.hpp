@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "ipr/codes/modes.hpp"
+#include "ipr/compensation/gouge.hpp"
+#include "ipr/compensation/offset_move.hpp"
 #include "ipr/compensation/plane_curve.hpp"
 #include "ipr/expressions/dialect_differences.hpp"
 
@@ -32,36 +34,22 @@ class Compensation {
   std::optional<Block> pop();
 
  private:
-  /// A move along the contour, and beside it.
-  struct Along {
-    Block block;
-    std::string text;  // of its line
-    PlaneCurve contour, parallel;
-    double across;       // mm: where it ends across the plane
-    double cut = 0;      // mm: what the corner before takes off the parallel
-    double cut_end = 0;  // mm: what the corner after takes off it
-    bool entry = false;
-
-    bool keeps(double at) const noexcept;
-  };
-
   void wait(Block block, std::string_view text);
   void follow_move(Block block, std::string_view text);
   void enter(Block block, std::string_view text);
-  void go_on(Block block, std::string_view text);
-  void meet(Along& next);
-  void cut_corner(Along& next);
-  void begin_at(const PlaneCurve& parallel);
-  void turn_around(const Along& next);
-  void let_out(const PlaneVector& to, double cut);
+  void follow_contour(Block block, std::string_view text);
+  void pass_corner(OffsetMove& next);
+  void cut_corner(OffsetMove& next);
+  void restart_at(const PlaneCurve& parallel);
+  void go_round_corner(const OffsetMove& next);
+  void emit(const PlaneVector& to, double cut);
   void check_gouge();
-  bool parallels_cross() const;
-  bool cuts_behind_outside_corner() const;
-  void let_out_whole();
+  void emit_whole();
   void move_to(const Block& like, const PlaneVector& to, double across);
   void turn_to(const Block& like, const PlaneVector& to, double across, const PlaneVector& center,
                double sweep);
   double offset() const noexcept { return mode_->side * mode_->radius; }
+  void reject(const Gouge& gouge, const OffsetMove& move);
   void report(Code code, const Block& block, std::string_view text, std::string message);
 
   Diagnostics& diagnostics_;
@@ -70,10 +58,10 @@ class Compensation {
   PlaneAxes axes_{};
   bool entered_ = false;                        // the first move in the plane has been seen
   AxisVector programmed_ = AxisVector::Zero();  // mm: the end of the last move that came in
-  AxisVector tool_ = AxisVector::Zero();        // mm: the end of the last move let out
-  std::optional<Along> held_;
-  std::optional<Along> before_;  // the one let out last
-  std::vector<Block> waiting_;   // after the held move
+  AxisVector tool_ = AxisVector::Zero();        // mm: the end of the last move emitted
+  std::optional<OffsetMove> held_;
+  std::optional<OffsetMove> before_;  // the one emitted last
+  std::vector<Block> waiting_;        // after the held move
   std::deque<Block> ready_;
 };
 

@@ -13,6 +13,6 @@ enum class Corner : std::uint8_t {
 };
 
 /// `side`: 1 left, -1 right; `radius`: of the tool, mm.
-Corner corner_between(const PlaneCurve& before, const PlaneCurve& behind, int side, double radius);
+Corner corner_between(const PlaneCurve& before, const PlaneCurve& after, int side, double radius);
 
 }  // namespace softcnc::ipr

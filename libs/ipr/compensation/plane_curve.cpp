@@ -134,20 +134,20 @@ PlaneCurve plane_curve(const Path& path, const PlaneAxes& axes) {
   return PlaneCurve::line(in_plane(start(path), axes), in_plane(end(path), axes));
 }
 
-Meetings meetings(const PlaneCurve& before, const PlaneCurve& behind) {
+Meetings meetings(const PlaneCurve& before, const PlaneCurve& after) {
   Meetings all;
-  const Points points = common_points(before, behind);
+  const Points points = common_points(before, after);
   for (std::size_t i = 0; i < points.count; ++i) {
     const PlaneVector& at = points.at[i];
-    const Meeting found{at, before.before_end(at), behind.ahead_of_start(at)};
-    if (within(found.cut_before, before) && within(found.cut_behind, behind)) all.add(found);
+    const Meeting found{at, before.before_end(at), after.ahead_of_start(at)};
+    if (within(found.cut_before, before) && within(found.cut_after, after)) all.add(found);
   }
   return all;
 }
 
-std::optional<Meeting> meeting(const PlaneCurve& before, const PlaneCurve& behind) {
-  const auto cut = [](const Meeting& at) { return at.cut_before + at.cut_behind; };
-  const Meetings all = meetings(before, behind);
+std::optional<Meeting> meeting(const PlaneCurve& before, const PlaneCurve& after) {
+  const auto cut = [](const Meeting& at) { return at.cut_before + at.cut_after; };
+  const Meetings all = meetings(before, after);
   if (all.count == 0) return std::nullopt;
   return all.count == 2 && cut(all.of[1]) < cut(all.of[0]) ? all.of[1] : all.of[0];
 }

@@ -39,7 +39,7 @@ class PlaneCurve {
   /// have no radius any more.
   std::optional<PlaneCurve> parallel(double left) const;
 
-  /// How far along the curve a point of its line or circle lies, mm: ahead of the start, or behind
+  /// How far along the curve a point of its line or circle lies, mm: ahead of the start, or after
   /// the end; on an arc at most once round.
   double ahead_of_start(const PlaneVector& point) const noexcept;
   double before_end(const PlaneVector& point) const noexcept;
@@ -69,7 +69,7 @@ PlaneCurve plane_curve(const Path& path, const PlaneAxes& axes);
 /// A point of two curves, mm from the end of the one and from the start of the other.
 struct Meeting {
   PlaneVector at;
-  double cut_before, cut_behind;
+  double cut_before, cut_after;
 };
 
 struct Meetings {
@@ -79,10 +79,10 @@ struct Meetings {
 };
 
 /// Every point in which both meet.
-Meetings meetings(const PlaneCurve& before, const PlaneCurve& behind);
+Meetings meetings(const PlaneCurve& before, const PlaneCurve& after);
 
 /// The one nearest to the corner, where the curves are cut off at each other; nothing, if they do
 /// not meet.
-std::optional<Meeting> meeting(const PlaneCurve& before, const PlaneCurve& behind);
+std::optional<Meeting> meeting(const PlaneCurve& before, const PlaneCurve& after);
 
 }  // namespace softcnc::ipr

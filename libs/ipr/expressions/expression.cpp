@@ -224,7 +224,7 @@ double Expression::call(const Function& function, int begin) {
   };
   const int name_end = lexer_.last_column() + 1;
   const int open = lexer_.column();
-  if (!lexer_.take('[')) return missing(name_end, " needs '[' behind it");
+  if (!lexer_.take('[')) return missing(name_end, " needs '[' after it");
   if (function.kind == FunctionKind::exists) return exists(open);
   std::array<double, 2> values{};
   std::size_t count = 1;

@@ -161,12 +161,12 @@ bool Flow::leads_into(const Landing& landing, StatementKind begin, const Spot& h
   int begun = 0;  // the line of the beginning that has no end before the landing
   if (!go(calls_.back().sub.begin)) return false;
   pass_to([&](const ProgramLine& line) {
-    const bool behind = line.number > last;
-    if (!behind && line.statement && line.statement->label == statement_.label) {
+    const bool after = line.number > last;
+    if (!after && line.statement && line.statement->label == statement_.label) {
       if (line.statement->kind == begin) begun = line.number;
       if (line.statement->kind == statement_.kind) begun = 0;
     }
-    return behind;
+    return after;
   });
   const int from = landing.pos.line;
   return go(here) && begun > 0 && (from < begun || from > here.place.line);

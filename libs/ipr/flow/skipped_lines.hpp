@@ -21,14 +21,14 @@ class SkippedLines {
 
   /// This line has been read, and the reader stands after it. `moved`: it is not the next one
   /// after the line read before.
-  void read(int line, const Reader::Place& behind, bool moved);
+  void read(int line, const Reader::Place& after, bool moved);
   int last_read() const noexcept { return last_read_; }
 
   /// In the order of the text; none are left. `rest`: after them what follows all lines read.
   std::deque<Stretch> take(bool rest);
 
  private:
-  void cut_out(int first, int line, const Reader::Place& behind);
+  void cut_out(int first, int line, const Reader::Place& after);
 
   int last_read_ = 0;
   Reader::Place known_;  // lines before it have been read, or are in a stretch

@@ -153,7 +153,7 @@ bool is_curve(const Task& task) {
 /// even where G41 or G42 follows.
 void report_beside(Task& task) {
   task.out.report(Code::SC2149, task.word.pos,
-                  code_name(task.code) + " behind G40; the first move leads away on a line");
+                  code_name(task.code) + " after G40; the first move leads away on a line");
   task.modal.beside.reset();
 }
 

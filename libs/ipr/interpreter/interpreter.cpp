@@ -218,7 +218,7 @@ bool Interpreter::fanuc_goes_to_machine_point() const noexcept {
   return options_.dialect == Dialect::fanuc && code != nullptr && code->number == kG53;
 }
 
-const GCode* Interpreter::behind_g80() const noexcept {
+const GCode* Interpreter::after_g80() const noexcept {
   return options_.dialect == Dialect::fanuc ? modal_.motion_below : nullptr;
 }
 
@@ -227,7 +227,7 @@ void Interpreter::find_motion() {
   const Letters unused = command_.unused(options_.dialect);
   if (unused.empty()) return;
   if (modal_.unknown.has(Part::motion)) return follow_axes(command_, modal_, unused);
-  const GCode* motion = command_.has(Group::cycle) ? behind_g80() : modal_.motion;
+  const GCode* motion = command_.has(Group::cycle) ? after_g80() : modal_.motion;
   if (motion == nullptr && fanuc_goes_to_machine_point()) motion = find_gcode('G', 0);
   if (motion != nullptr && unused.has_any(motion->words))
     return command_.add_modal_motion(*motion, *first_of(command_.values(), motion->words));

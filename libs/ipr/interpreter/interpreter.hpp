@@ -53,7 +53,7 @@ class Interpreter {
   bool choose_format();
   void interpret(const ProgramLine& line);
   /// The motion in force on a line with G80.
-  const GCode* behind_g80() const noexcept;
+  const GCode* after_g80() const noexcept;
   void find_motion();
   void check_axes();
   void check_axis_codes();

@@ -113,7 +113,7 @@ class Parser {
   Token read_consequence(Lexer& lexer, bool known);
   Token read_assignment(Lexer& lexer, const Token& sign);
   Token read_order(Lexer& lexer, const Token& sign, int number);
-  std::string comment_behind(const Lexer& lexer) const;
+  std::string comment_after(const Lexer& lexer) const;
   bool may_assign(const Variable& variable, SourcePos at);
   double within_limit(const Variable& variable, double value, SourcePos at);
   void assign(Variable variable, double value);

@@ -27,9 +27,9 @@ std::string_view letters_at(std::string_view line, const Token& letter) {
 /// WHILE, sub and the like: three letters in a row, or two before a bracket.
 bool is_name(std::string_view line, const Token& letter, std::string_view letters) {
   if (letters.size() != 2) return letters.size() > 2;
-  const std::size_t behind =
+  const std::size_t following =
       line.find_first_not_of(" \t", static_cast<std::size_t>(letter.column) + 1);
-  return behind != std::string_view::npos && line[behind] == '[';
+  return following != std::string_view::npos && line[following] == '[';
 }
 
 /// Of FANUC's ,C and ,R; LinuxCNC's polar coordinates, and the number of a spindle; dashes of

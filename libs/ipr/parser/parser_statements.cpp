@@ -219,7 +219,7 @@ Token Parser::read_order(Lexer& lexer, const Token& sign, int number) {
   if (is_unknown(value))
     line_.broken = true;
   else if (number == kAlarm)
-    end_by_alarm(sign.column, length, "alarm of the program" + comment_behind(lexer));
+    end_by_alarm(sign.column, length, "alarm of the program" + comment_after(lexer));
   else
     words_.push_back({'M', 0, {line_.number, sign.column, length}});
   return lexer.next();
@@ -229,8 +229,8 @@ Token Parser::read_order(Lexer& lexer, const Token& sign, int number) {
 void Parser::obey_comment(int column) {
   const bool passed_over = line_.broken || line_.statement != nullptr || ended_;
   if (passed_over || options_.dialect != Dialect::linuxcnc) return;
-  const std::string_view behind = line_.text.substr(static_cast<std::size_t>(column));
-  const std::string_view comment = behind.substr(0, behind.find(')'));
+  const std::string_view after = line_.text.substr(static_cast<std::size_t>(column));
+  const std::string_view comment = after.substr(0, after.find(')'));
   const auto text = text_of_abort(comment);
   if (!text) return;
   end_by_alarm(column, static_cast<int>(comment.size()) + 2,
@@ -248,7 +248,7 @@ void Parser::end_by_alarm(int column, int length, std::string message) {
 }
 
 /// ": text" of the comment that follows, if there is one.
-std::string Parser::comment_behind(const Lexer& lexer) const {
+std::string Parser::comment_after(const Lexer& lexer) const {
   const std::size_t open = line_.text.find('(', static_cast<std::size_t>(lexer.end()) - 1);
   if (open == std::string_view::npos) return {};
   const std::size_t close = line_.text.find(')', open);

@@ -261,7 +261,7 @@ bool Reader::seek(const Place& place) {
   }
   line_feed_ = kUnknown;
   line_ = place.line;
-  line_feed_belongs_to_cr_ = place.behind_cr;
+  line_feed_belongs_to_cr_ = place.after_cr;
   return true;
 }
 

@@ -26,7 +26,7 @@ class Reader {
   struct Place {
     std::uint64_t offset = 0;  // bytes from where reading began
     int line = 0;              // number of the line before
-    bool behind_cr = false;    // an LF that follows belongs to the line before
+    bool after_cr = false;     // an LF that follows belongs to the line before
   };
 
   /// "-" is standard input. Errors: SC6001 with the reason.

@@ -64,10 +64,10 @@ TextFault wide_fault(std::string_view encoding) {
   return {Code::SC1013, "the file is in " + std::string(encoding) + "; save it as UTF-8 or ASCII"};
 }
 
-TextFault number_fault(NumberFault fault, std::string_view written, std::string_view behind) {
+TextFault number_fault(NumberFault fault, std::string_view written, std::string_view after) {
   switch (fault) {
     case NumberFault::no_digits:
-      return {Code::SC1002, "no number after " + std::string(behind) + ", only " + quoted(written)};
+      return {Code::SC1002, "no number after " + std::string(after) + ", only " + quoted(written)};
     case NumberFault::sign_inside:
       return {Code::SC1003, "a sign inside the number " + quoted(written)};
     case NumberFault::two_points:

@@ -36,8 +36,8 @@ struct TextFault {
 /// `encoding` is one of those above.
 TextFault wide_fault(std::string_view encoding);
 
-/// A number that could not be read, as it is written; `behind` is what it belongs to. Expects a
+/// A number that could not be read, as it is written; `after` is what it belongs to. Expects a
 /// fault.
-TextFault number_fault(NumberFault fault, std::string_view written, std::string_view behind);
+TextFault number_fault(NumberFault fault, std::string_view written, std::string_view after);
 
 }  // namespace softcnc::ipr

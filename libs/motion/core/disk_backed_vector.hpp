@@ -25,7 +25,7 @@ class OverflowFile {
   Status add(std::span<const std::byte> bytes);
   /// Over what has been added at `place`. Errors: SC6003.
   Status put(std::size_t place, std::span<const std::byte> bytes);
-  /// Nothing may be added behind it. Errors: SC6003.
+  /// Nothing may be added after it. Errors: SC6003.
   Status map();
 
   bool is_open() const noexcept { return descriptor_ >= 0; }

@@ -7,30 +7,10 @@
 #include <string_view>
 
 #include "motion/core/axes.hpp"
+#include "motion/model/limit.hpp"
 #include "motion/pulses/pulse.hpp"
 
 namespace softcnc {
-
-/// What limits the feed; its name() is the trace column and the key in reports.
-enum class Limit : std::uint8_t {
-  feed,
-  rapid,
-  chord,
-  corner,
-  roughness,
-  axis_velocity,
-  acceleration,
-  jerk,
-  pulse_rate,
-  tangential,
-  normal,
-  override_,
-  hold,
-  stop,
-};
-inline constexpr int kLimits = 14;
-
-std::string_view name(Limit limit) noexcept;
 
 /// A clock of a staircase, and when it comes: as a part of the period that the setpoint ends.
 struct TimedStep {

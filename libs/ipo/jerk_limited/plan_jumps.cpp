@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/jerk_limited/plan_jumps.hpp"
+#include "ipo/tuning.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace softcnc::ipo {
+namespace {
+
+double felt_time(const PlanSpan& span) noexcept {
+  return tuning::joints::kJumpPeriods * span.constraints.limits().fine_period;
+}
+
+/// Returns a distance, mm: nothing that passes the joint is further away while the jump matters.
+double farthest(const PlanSpan& span, const CurvatureJump& jump) noexcept {
+  const double t = felt_time(span);
+  return (jump.fastest + 0.5 * jump.most_u * t) * t;
+}
+
+/// Returns the least number of periods in which anything that passes the joint covers a distance.
+double fewest_periods(const PlanSpan& span, const CurvatureJump& jump, double distance) noexcept {
+  const double v = jump.fastest;
+  return 2 * distance / (v + std::sqrt(v * v + 2 * jump.most_u * distance)) /
+         span.constraints.limits().fine_period;
+}
+
+CurvatureJump jump_at(const PlanSpan& span, std::size_t n) noexcept {
+  const Node& node = span.chain.nodes[n];
+  const Directions around = span.chain.directions_around(n, felt_time(span));
+  return {node.s, std::sqrt(node.velocity_limit.q), span.constraints.most_u(around),
+          node.curvature_jump, std::nullopt};
+}
+
+}  // namespace
+
+std::vector<CurvatureJump> find_jumps(const PlanSpan& span, const std::vector<PlanNode>& nodes) {
+  const auto& chain = span.chain.nodes;
+  std::vector<CurvatureJump> jumps;
+  for (std::size_t n = span.first + 1; n-- > 0;) {
+    const CurvatureJump jump = jump_at(span, n);
+    if (nodes.front().s - jump.s > farthest(span, jump)) break;
+    if (chain[n].passes_curvature_jump()) jumps.push_back(jump);
+  }
+  std::reverse(jumps.begin(), jumps.end());
+  for (std::size_t p = 1; p + 1 < nodes.size(); ++p) {
+    const Node& node = chain[nodes[p].interval];
+    if (!nodes[p].joint || !node.passes_curvature_jump()) continue;
+    jumps.push_back(jump_at(span, nodes[p].interval));
+    jumps.back().node = p;
+  }
+  return jumps;
+}
+
+std::vector<CurvatureJumpLoad> curvature_jump_loads(const PlanSpan& span,
+                                                    const std::vector<PlanNode>& nodes,
+                                                    const std::vector<CurvatureJump>& jumps) {
+  std::vector<CurvatureJumpLoad> loads(nodes.size());
+  for (const CurvatureJump& jump : jumps) {
+    const double most = farthest(span, jump);
+    const auto first = std::partition_point(
+        nodes.begin(), nodes.end(), [&](const PlanNode& node) { return node.s < jump.s - most; });
+    for (auto node = first; node != nodes.end() && node->s <= jump.s + most; ++node) {
+      const double periods = fewest_periods(span, jump, std::abs(node->s - jump.s));
+      const double weight = jump_weight(std::max(periods - tuning::joints::kJumpNearer, 0.0));
+      loads[static_cast<std::size_t>(node - nodes.begin())].add(
+          jump.ddq * (weight / span.constraints.limits().fine_period));
+    }
+  }
+  return loads;
+}
+
+PassedJumps::PassedJumps(const PlanSpan& span, const std::vector<CurvatureJump>& jumps,
+                         double start_s, const SpeedSquare& start, const std::vector<Ramp>& ramps)
+    : period_(span.constraints.limits().fine_period) {
+  passed_.reserve(jumps.size());
+  double t = 0;
+  std::size_t p = 0;
+  const auto pass = [&](const CurvatureJump& jump, double at, double q) {
+    passed_.push_back({at, jump.ddq * (q / period_)});
+  };
+  for (const CurvatureJump& jump : jumps) {
+    if (!jump.node) {
+      const double distance = start_s - jump.s, most = jump.fastest * jump.fastest;
+      pass(jump, -distance / std::sqrt(start.q),
+           std::clamp(start.q - distance * start.dq, 0.0, most));
+      continue;
+    }
+    for (; p < *jump.node; ++p) t += ramps[p].duration;
+    pass(jump, t, ramps[p].v0 * ramps[p].v0);
+  }
+}
+
+CurvatureJumpLoad PassedJumps::at(double t) noexcept {
+  const double felt = tuning::joints::kJumpPeriods * period_;
+  while (first_ < passed_.size() && passed_[first_].t < t - felt) ++first_;
+  CurvatureJumpLoad load;
+  for (std::size_t k = first_; k < passed_.size() && passed_[k].t < t + felt; ++k)
+    load.add(passed_[k].jump * jump_weight(std::abs(t - passed_[k].t) / period_));
+  return load;
+}
+
+}  // namespace softcnc::ipo
