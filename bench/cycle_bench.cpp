@@ -6,7 +6,7 @@
 #include <string>
 
 #include "hal/backends/backend.hpp"
-#include "session/simulate.hpp"
+#include "runtime/session/simulate.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -28,7 +28,7 @@ std::string butterflies(int times) {
 }
 
 /// Ends a run when there are enough samples.
-class Enough final : public RowSink {
+class Enough final : public runtime::RowSink {
  public:
   bool row(const Setpoint&, std::span<const double>) override { return ++rows_ < kSetpoints; }
 
@@ -40,15 +40,15 @@ void cycle(benchmark::State& state) {
   Machine machine;
   machine.control.backend = BackendKind::none;
   const std::string text = butterflies(20);
-  Outcome::Cpu cpu;
+  runtime::Outcome::Cpu cpu;
   double setpoints = 0;
   for (auto _ : state) {
     auto backend = hal::open_backend(machine);
     Diagnostics diagnostics;
     ipr::Reader reader = ipr::Reader::from_text(text);
     Enough enough;
-    const Outcome outcome =
-        simulate(reader, -1, machine, {}, **backend, diagnostics, &enough, nullptr);
+    const runtime::Outcome outcome =
+        runtime::simulate(reader, -1, machine, {}, **backend, diagnostics, &enough, nullptr);
     if (diagnostics.errors() > 0 || outcome.setpoints < kSetpoints) {
       state.SkipWithError("the butterfly does not run as it should");
       return;

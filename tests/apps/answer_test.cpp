@@ -15,7 +15,7 @@
 #include "hal/backends/backend.hpp"
 #include "messages/messages.hpp"
 #include "process/signals.hpp"
-#include "session/simulate.hpp"
+#include "runtime/session/simulate.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;
@@ -67,11 +67,11 @@ int end_of_child(int signal, Do&& act) {
 }
 
 /// Asks for a stop when rows have come, and then none for a while.
-class StopWhenStalled final : public Watcher {
+class StopWhenStalled final : public runtime::Watcher {
  public:
   bool wants_stop() override { return stop_.stop_requested(); }
   void sees(const Setpoint& latest) override { rows_ = latest.period; }
-  void pause(const Pause&) override {}
+  void pause(const runtime::Pause&) override {}
   void wait_for_input(int) override {}
   std::stop_token token() const { return stop_.get_token(); }
 
@@ -155,12 +155,12 @@ TEST_CASE("a machine that moves comes to rest while its program is in a loop", "
   machine.program.block_limit = std::numeric_limits<int>::max();
   const auto backend = hal::open_backend(machine);
   REQUIRE(backend);
-  ChannelOptions options;
+  runtime::ChannelOptions options;
   options.interpreter.stop = watcher.token();
   Diagnostics diagnostics;
-  const Outcome outcome =
-      simulate(reader, -1, machine, options, **backend, diagnostics, nullptr, &watcher);
-  CHECK(outcome.end == Outcome::End::stopped);
+  const runtime::Outcome outcome =
+      runtime::simulate(reader, -1, machine, options, **backend, diagnostics, nullptr, &watcher);
+  CHECK(outcome.end == runtime::Outcome::End::stopped);
   CHECK(diagnostics.all().empty());
   CHECK(outcome.last.v == 0);
   CHECK(outcome.last.block > 1);

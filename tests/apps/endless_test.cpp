@@ -13,10 +13,10 @@ namespace {
 using test::Folder;
 using test::write;
 
-struct Stopping final : Watcher {
+struct Stopping final : runtime::Watcher {
   bool wants_stop() override { return true; }
   void sees(const Setpoint&) override {}
-  void pause(const Pause&) override {}
+  void pause(const runtime::Pause&) override {}
   void wait_for_input(int) override {}
 };
 
@@ -24,9 +24,9 @@ struct Stopping final : Watcher {
 
 TEST_CASE("a program without an end is read in a moment, and found out", "[apps][endless]") {
   const Folder folder;
-  const auto is_found = [&](const std::string& text, Watcher* watcher = nullptr) {
+  const auto is_found = [&](const std::string& text, runtime::Watcher* watcher = nullptr) {
     write(folder / "part.nc", text);
-    auto program = Program::open(folder / "part.nc");
+    auto program = runtime::Program::open(folder / "part.nc");
     REQUIRE(program);
     Machine machine;
     machine.program.block_limit = 5000;

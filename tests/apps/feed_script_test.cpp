@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // --at: override, hold and resume at given moments of a run, the same in its replay.
-#include "session/feed_script.hpp"
+#include "runtime/session/feed_script.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
 
+using namespace softcnc;
 using namespace softcnc::app;
 using namespace softcnc::app::test;
 
@@ -81,8 +82,8 @@ TEST_CASE("events that say nothing, or hold for ever, are wrong usage", "[apps][
 
 TEST_CASE("the text of an event reads back as the same", "[apps][replan]") {
   for (const char* text : {"0.1:override=57", "0:hold", "12.345:resume", "1e-05:override=0.3"}) {
-    const auto event = parse_event(text);
+    const auto event = runtime::parse_event(text);
     REQUIRE(event);
-    CHECK(event_text(*event) == text);
+    CHECK(runtime::event_text(*event) == text);
   }
 }

@@ -4,16 +4,17 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
-#include "realtime/lateness.hpp"
-#include "realtime/realtime.hpp"
+#include "runtime/realtime/lateness.hpp"
+#include "runtime/realtime/realtime.hpp"
 #include "support/sanitized.hpp"
 #include "support/shown.hpp"
 
+using namespace softcnc;
 using namespace softcnc::app;
 using namespace softcnc::app::test;
 
 TEST_CASE("percentiles, overruns and the shortest period follow from the wake-ups", "[apps]") {
-  Lateness lateness(50'000);
+  runtime::Lateness lateness(50'000);
   for (std::int64_t i = 1; i <= 1000; ++i) lateness.add(i * 10);  // 10 ns to 10 us
   CHECK(lateness.percentile(0.5) == 5'000);
   CHECK(lateness.percentile(0.9) == 9'000);
@@ -38,7 +39,7 @@ TEST_CASE("percentiles describe lateness of any size", "[apps]") {
   constexpr std::int64_t kMs = 1'000'000;
   for (const std::int64_t unit : {kMs, 100 * kMs, 3'600'000 * kMs}) {
     CAPTURE(unit);
-    Lateness lateness(kMs);
+    runtime::Lateness lateness(kMs);
     for (std::int64_t i = 1; i <= 1000; ++i) lateness.add(i * unit);
     for (const double part : {0.001, 0.5, 0.9, 0.999}) {
       const double exact = 1000 * part * static_cast<double>(unit);
@@ -48,7 +49,7 @@ TEST_CASE("percentiles describe lateness of any size", "[apps]") {
     }
     CHECK(lateness.percentile(1) == 1000 * unit);
   }
-  Lateness exact(kMs);
+  runtime::Lateness exact(kMs);
   for (std::int64_t us = 1; us <= 131'071; ++us) exact.add(us * 1000);
   CHECK(exact.percentile(0.5) == 65'536'000);
   CHECK(exact.percentile(0.999) == 130'940'000);
@@ -56,9 +57,10 @@ TEST_CASE("percentiles describe lateness of any size", "[apps]") {
 
 TEST_CASE("the time to measure is a bound, however short the period", "[apps]") {
   const Folder folder;
-  const std::int64_t begin = now_ns();
+  const std::int64_t begin = runtime::now_ns();
   const Ended ended = call("latency --seconds 0.3 --period-us 1 --report " + (folder / "r.json"));
-  CHECK(now_ns() - begin < 5'000'000'000);  // 0.3 s, and whatever this computer does besides
+  CHECK(runtime::now_ns() - begin <
+        5'000'000'000);  // 0.3 s, and whatever this computer does besides
   CHECK(ended.status == 0);
   const auto report = nlohmann::json::parse(read(folder / "r.json"));
   CHECK(report["wakeups"].get<int>() + report["left_out"].get<int>() == 300'000);
@@ -68,10 +70,10 @@ TEST_CASE("the time to measure is a bound, however short the period", "[apps]") 
 }
 
 TEST_CASE("the clock is waited for", "[apps]") {
-  const std::int64_t begin = now_ns();
-  sleep_until(begin + 2'000'000);
-  CHECK(now_ns() >= begin + 2'000'000);
-  sleep_until(begin);  // past: at once
+  const std::int64_t begin = runtime::now_ns();
+  runtime::sleep_until(begin + 2'000'000);
+  CHECK(runtime::now_ns() >= begin + 2'000'000);
+  runtime::sleep_until(begin);  // past: at once
 }
 
 TEST_CASE("latency reports wake-ups, rates and the feed of each axis", "[apps]") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Programs that move for longer than a run may last.
-#include "session/motion_limit.hpp"
+#include "runtime/session/motion_limit.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -30,11 +30,12 @@ Block line(double x, double feed, bool rapid = false) {
 
 TEST_CASE("the least time of a block is that at its feed", "[apps][limit]") {
   const Machine machine;
-  CHECK(least_time(line(100, 20), machine, 1) == Approx(5));
-  CHECK(least_time(line(100, 20), machine, 0.5) == Approx(10));
-  CHECK(least_time(line(100, 0, true), machine, 0.5) == Approx(100 / (250 * std::sqrt(3.0))));
-  CHECK(least_time({Dwell{7}, {}, 1}, machine, 0.5) == 7);
-  CHECK(least_time({Action{Action::Kind::stop}, {}, 1}, machine, 1) == 0);
+  CHECK(runtime::least_time(line(100, 20), machine, 1) == Approx(5));
+  CHECK(runtime::least_time(line(100, 20), machine, 0.5) == Approx(10));
+  CHECK(runtime::least_time(line(100, 0, true), machine, 0.5) ==
+        Approx(100 / (250 * std::sqrt(3.0))));
+  CHECK(runtime::least_time({Dwell{7}, {}, 1}, machine, 0.5) == 7);
+  CHECK(runtime::least_time({Action{Action::Kind::stop}, {}, 1}, machine, 1) == 0);
 }
 
 TEST_CASE("a move of years is refused at once, at its line", "[apps][limit]") {

@@ -6,7 +6,7 @@
 #include "messages/duration_text.hpp"
 #include "messages/messages.hpp"
 #include "recording/row_comparison.hpp"
-#include "session/verification.hpp"
+#include "runtime/session/verification.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;
@@ -27,9 +27,9 @@ TEST_CASE("corners that are rounded by more than G64 allows are an error", "[app
   const Machine machine;  // chords may add 1 um
   Diagnostics diagnostics;
   diagnostics.set_file("part.nc");
-  report_excess({}, {0.0509, 0.05}, machine, diagnostics);
+  runtime::report_excess({}, {0.0509, 0.05}, machine, diagnostics);
   CHECK(diagnostics.all().empty());
-  report_excess({}, {0.0512, 0.05}, machine, diagnostics);
+  runtime::report_excess({}, {0.0512, 0.05}, machine, diagnostics);
   REQUIRE(diagnostics.all().size() == 1);
   CHECK(render(diagnostics.all()[0]) ==
         "part.nc: error: the motion leaves the programmed path by 51.2 um, where G64 allows "
@@ -44,7 +44,7 @@ TEST_CASE("rows above a limit are an error that names axis, value and limit", "[
   measured.chord_error = 0.0011;
   Diagnostics diagnostics;
   diagnostics.set_file("part.nc");
-  report_excess(measured, {}, machine, diagnostics);
+  runtime::report_excess(measured, {}, machine, diagnostics);
   REQUIRE(diagnostics.all().size() == 3);
   CHECK(diagnostics.status() == 3);
   CHECK(render(diagnostics.all()[0]) ==
@@ -63,7 +63,7 @@ TEST_CASE("the same excess by a method of the literature is a note", "[apps][par
   Measured measured;
   measured.chord_error = 0.0011;
   Diagnostics diagnostics;
-  report_excess(measured, {}, machine, diagnostics);
+  runtime::report_excess(measured, {}, machine, diagnostics);
   REQUIRE(diagnostics.all().size() == 1);
   CHECK(diagnostics.status() == 0);
   CHECK(render(diagnostics.all()[0]) ==
@@ -77,7 +77,7 @@ TEST_CASE("a large excess is reported in plain digits", "[apps][parts]") {
   Measured measured;
   measured.chord_error = 0.0156;
   Diagnostics diagnostics;
-  report_excess(measured, {}, machine, diagnostics);
+  runtime::report_excess(measured, {}, machine, diagnostics);
   REQUIRE(diagnostics.all().size() == 1);
   CHECK(diagnostics.all()[0].message ==
         "taylor1: the chord error reaches 15.6 um, 1460 % above its limit of 1 um");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A run by the clock: the same rows, in their time; and what is reported when that was not kept.
-#include "realtime/realtime_cycle.hpp"
+#include "runtime/realtime/realtime_cycle.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -29,7 +29,7 @@ class Fickle final : public hal::Backend {
   std::int64_t exchanges = 0;
 
   Feedback exchange(const Setpoint& setpoint) noexcept override {
-    if (exchanges == slow_at) sleep_until(now_ns() + slow_for);
+    if (exchanges == slow_at) runtime::sleep_until(runtime::now_ns() + slow_for);
     const bool alarms = exchanges++ == alarm_at;
     position_ = setpoint.position;
     pulses_ = 0;
@@ -49,7 +49,7 @@ class Fickle final : public hal::Backend {
   double pulses_ = 0;
 };
 
-struct Kept final : RowSink {
+struct Kept final : runtime::RowSink {
   std::vector<double> x, actual, pulses;
   std::size_t most = SIZE_MAX;
   bool row(const Setpoint& setpoint, std::span<const double> values) override {
@@ -67,7 +67,7 @@ Setpoint at(int i) {
   return setpoint;
 }
 
-void drive(RealtimeCycle& cycle, int count, int begin = 0) {
+void drive(runtime::RealtimeCycle& cycle, int count, int begin = 0) {
   for (int i = begin; i < begin + count; ++i) cycle.exchange(at(i));
 }
 
@@ -91,7 +91,7 @@ void check_told(const Ended& ended, const json& report, double seconds) {
 
 TEST_CASE("periods missed are an error with real-time rights, a warning without",
           "[apps][realtime][code]") {
-  Punctuality punctuality{Lateness(1'000'000), 1, {true, true, {}}};
+  runtime::Punctuality punctuality{runtime::Lateness(1'000'000), 1, {true, true, {}}};
   for (const std::int64_t late : {20'000, 1'500'000, 30'000}) punctuality.lateness.add(late);
   CHECK(render(missed_periods(punctuality, "part.nc")) ==
         "part.nc: error: 2 of 3 periods were missed; the latest came 1500.0 us late [SC5040]\n");
@@ -104,11 +104,11 @@ TEST_CASE("periods missed are an error with real-time rights, a warning without"
 TEST_CASE("every setpoint is exchanged once, in order, in its period", "[apps][realtime]") {
   Fickle backend;
   Kept rows;
-  const std::int64_t begin = now_ns();
-  RealtimeCycle cycle(backend, kPeriod, &rows);
+  const std::int64_t begin = runtime::now_ns();
+  runtime::RealtimeCycle cycle(backend, kPeriod, &rows);
   drive(cycle, 700);
   cycle.rest();
-  CHECK(now_ns() - begin >= 699'000'000);
+  CHECK(runtime::now_ns() - begin >= 699'000'000);
   REQUIRE(rows.x.size() == 700);
   for (int i = 0; i < 700; ++i) {
     REQUIRE(rows.x[static_cast<std::size_t>(i)] == 0.5 * i);
@@ -123,7 +123,7 @@ TEST_CASE("every setpoint is exchanged once, in order, in its period", "[apps][r
 TEST_CASE("pulses of a setpoint reach the backend, though theirs are gone", "[apps][realtime]") {
   Fickle backend;
   Kept rows;
-  RealtimeCycle cycle(backend, kPeriod, &rows);
+  runtime::RealtimeCycle cycle(backend, kPeriod, &rows);
   std::vector<TimedStep> steps;
   for (int i = 0; i < 20; ++i) {
     steps.assign(static_cast<std::size_t>(i), {0.5, Step(0, 1)});
@@ -138,10 +138,10 @@ TEST_CASE("pulses of a setpoint reach the backend, though theirs are gone", "[ap
 TEST_CASE("where the program waits the clock goes on, and nothing is missed", "[apps][realtime]") {
   Fickle backend;
   Kept rows;
-  RealtimeCycle cycle(backend, kPeriod, &rows);
+  runtime::RealtimeCycle cycle(backend, kPeriod, &rows);
   drive(cycle, 10);
   cycle.rest();
-  sleep_until(now_ns() + 30'000'000);
+  runtime::sleep_until(runtime::now_ns() + 30'000'000);
   drive(cycle, 10, 10);
   cycle.rest();
   cycle.stop();
@@ -153,7 +153,7 @@ TEST_CASE("a backend that takes too long is an overrun, and so is a plan", "[app
   Fickle backend;
   backend.slow_at = 100;
   backend.slow_for = 20'000'000;
-  RealtimeCycle slow(backend, kPeriod, nullptr);
+  runtime::RealtimeCycle slow(backend, kPeriod, nullptr);
   drive(slow, 300);
   slow.rest();
   slow.stop();
@@ -162,9 +162,9 @@ TEST_CASE("a backend that takes too long is an overrun, and so is a plan", "[app
   CHECK(slow.punctuality().lateness.largest() >= 18'000'000);
 
   Fickle quick;
-  RealtimeCycle starved(quick, kPeriod, nullptr);
+  runtime::RealtimeCycle starved(quick, kPeriod, nullptr);
   drive(starved, 400);  // enough to begin with
-  sleep_until(now_ns() + 1'500'000'000);
+  runtime::sleep_until(runtime::now_ns() + 1'500'000'000);
   drive(starved, 10, 400);
   starved.rest();
   starved.stop();
@@ -176,7 +176,7 @@ TEST_CASE("after an alarm nothing is exchanged any more", "[apps][realtime]") {
   Fickle backend;
   backend.alarm_at = 50;
   Kept rows;
-  RealtimeCycle cycle(backend, kPeriod, &rows);
+  runtime::RealtimeCycle cycle(backend, kPeriod, &rows);
   drive(cycle, 400);
   cycle.rest();
   cycle.stop();
@@ -191,7 +191,7 @@ TEST_CASE("rows that nobody wants any more are reported", "[apps][realtime]") {
   Fickle backend;
   Kept rows;
   rows.most = 5;
-  RealtimeCycle cycle(backend, kPeriod, &rows);
+  runtime::RealtimeCycle cycle(backend, kPeriod, &rows);
   drive(cycle, 20);
   cycle.rest();
   CHECK_FALSE(cycle.collect());
@@ -199,7 +199,7 @@ TEST_CASE("rows that nobody wants any more are reported", "[apps][realtime]") {
 }
 
 TEST_CASE("a queue between two threads loses nothing and keeps its bound", "[apps][realtime]") {
-  RealtimeQueue<int> queue(100);
+  runtime::RealtimeQueue<int> queue(100);
   constexpr int kItems = 300'000;
   std::thread planner([&] {
     for (int i = 0; i < kItems;) i += queue.push(i) ? 1 : 0;
@@ -207,11 +207,11 @@ TEST_CASE("a queue between two threads loses nothing and keeps its bound", "[app
   });
   int expected = 0;
   for (int item = -1; expected < kItems;)
-    if (queue.take(item) == RealtimeQueue<int>::Next::item && item == expected) ++expected;
+    if (queue.take(item) == runtime::RealtimeQueue<int>::Next::item && item == expected) ++expected;
   planner.join();
   CHECK(expected == kItems);
   int item = 0;
-  CHECK(queue.take(item) == RealtimeQueue<int>::Next::stands);
+  CHECK(queue.take(item) == runtime::RealtimeQueue<int>::Next::stands);
   for (int i = 0; i < 100; ++i) REQUIRE(queue.push(i));
   CHECK_FALSE(queue.push(100));
 }
@@ -225,11 +225,11 @@ TEST_CASE("a run by the clock gives the same rows and files, in its time", "[app
   app::test::write(folder / "p.nc", "G01 X5 Y3 F1500\nM00\nG02 X5 Y3 I1 J0\nM30\n");
   std::string traces[2], outs[2];
   for (const int paced : {0, 1}) {
-    const std::int64_t begin = now_ns();
+    const std::int64_t begin = runtime::now_ns();
     const Ended ended = app::test::shell(
         "f=" + (folder / ".") + "; $softcnc run $f/p.nc " + (paced ? "--realtime " : "") +
         "--trace $f/t.csv --report $f/r.json --backend " + backend);
-    const double seconds = static_cast<double>(now_ns() - begin) / 1e9;
+    const double seconds = static_cast<double>(runtime::now_ns() - begin) / 1e9;
     CAPTURE(ended.err, backend);
     const json report = json::parse(app::test::read(folder / "r.json"));
     traces[paced] = app::test::read(folder / "t.csv");

@@ -30,7 +30,7 @@ Machine on_port() {
   return machine;
 }
 
-std::unique_ptr<RealtimePlayer> open(const Machine& machine, PortRecord& record) {
+std::unique_ptr<runtime::RealtimePlayer> open(const Machine& machine, PortRecord& record) {
   auto player = open_player(machine, std::make_unique<RecordedPort>(record));
   REQUIRE(player);
   return std::move(*player);
@@ -68,10 +68,10 @@ TEST_CASE("all words are written, in order, and no sooner than they may", "[apps
   PortRecord record;
   {
     auto player = open(on_port(), record);
-    const std::int64_t begin = now_ns();
+    const std::int64_t begin = runtime::now_ns();
     for (int i = 0; i < 200; ++i) CHECK(player->play(words(100, 100 * i)) == Alarm::none);
     REQUIRE(player->finish());
-    CHECK(now_ns() - begin >= 20'000 * 50'000LL);
+    CHECK(runtime::now_ns() - begin >= 20'000 * 50'000LL);
   }
   CHECK(data_of(record) == expected(20'000));
 }
@@ -82,9 +82,9 @@ TEST_CASE("where the program waits the port stands, and goes on", "[apps][parpor
     auto player = open(on_port(), record);
     CHECK(player->play(words(48)) == Alarm::none);
     player->rest();
-    sleep_until(now_ns() + 50'000'000);
+    runtime::sleep_until(runtime::now_ns() + 50'000'000);
     CHECK(player->play(words(48)) == Alarm::none);
-    sleep_until(now_ns() + 50'000'000);
+    runtime::sleep_until(runtime::now_ns() + 50'000'000);
     CHECK(player->play(words(48)) == Alarm::none);  // too few yet to begin with
     REQUIRE(player->finish());
   }
@@ -96,7 +96,7 @@ TEST_CASE("words that come too late are an alarm, and the port is at rest", "[ap
   auto player = open(on_port(), record);
   CHECK(player->play(words(6'000)) == Alarm::none);  // enough to begin with
   for (int i = 0; i < 1000 && player->play({}) == Alarm::none; ++i)
-    sleep_until(now_ns() + 10'000'000);
+    runtime::sleep_until(runtime::now_ns() + 10'000'000);
   CHECK(player->play(words(10)) == Alarm::overrun);
   const Status finished = player->finish();
   REQUIRE_FALSE(finished);
@@ -108,7 +108,7 @@ TEST_CASE("an input that comes on ends it at rest, at once", "[apps][parport]") 
   PortRecord record;
   auto player = open(on_port(), record);
   CHECK(player->play(words(6'000)) == Alarm::none);
-  sleep_until(now_ns() + 20'000'000);
+  runtime::sleep_until(runtime::now_ns() + 20'000'000);
   record.status = 0x20;
   const Status finished = player->finish();
   REQUIRE_FALSE(finished);
@@ -142,7 +142,7 @@ TEST_CASE("a player that goes away leaves the port at rest", "[apps][parport]") 
   {
     auto player = open(on_port(), record);
     player->play(words(6'000));
-    sleep_until(now_ns() + 20'000'000);
+    runtime::sleep_until(runtime::now_ns() + 20'000'000);
   }
   CHECK(is_at_rest(record));
 }
@@ -154,7 +154,7 @@ class SlowPort final : public hal::PortRegisters {
  public:
   explicit SlowPort(std::atomic<int>& written) : written_(written) {}
   bool write_data(std::uint8_t bits) noexcept override {
-    if (bits != 0) sleep_until(now_ns() + 5'000'000);
+    if (bits != 0) runtime::sleep_until(runtime::now_ns() + 5'000'000);
     ++written_;
     return true;
   }
@@ -173,11 +173,11 @@ TEST_CASE("after an abandoned player nothing is written any more", "[apps][parpo
   auto player = open_player(on_port(), std::make_unique<SlowPort>(written));
   REQUIRE(player);
   (*player)->play(words(6'000));
-  for (int i = 0; i < 1000 && written < 5; ++i) sleep_until(now_ns() + 1'000'000);
+  for (int i = 0; i < 1000 && written < 5; ++i) runtime::sleep_until(runtime::now_ns() + 1'000'000);
   REQUIRE(written >= 5);
   (*player)->abandon();
   const int before = written;
-  sleep_until(now_ns() + 20'000'000);
+  runtime::sleep_until(runtime::now_ns() + 20'000'000);
   CHECK(written == before);
 }
 
@@ -208,7 +208,7 @@ TEST_CASE("a signal that ends the process leaves the port at rest", "[apps][parp
     auto player = open_player(on_port(), std::make_unique<TellingPort>(pipe[1]));
     if (!player) ::_exit(1);
     (*player)->play(words(6'000));
-    sleep_until(now_ns() + 30'000'000);
+    runtime::sleep_until(runtime::now_ns() + 30'000'000);
     ::raise(signal);
     ::_exit(2);
   }

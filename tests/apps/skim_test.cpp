@@ -6,8 +6,8 @@
 #include "apps/shell.hpp"
 #include "hal/backends/backend.hpp"
 #include "job/preflight.hpp"
-#include "session/simulate.hpp"
-#include "session/verification.hpp"
+#include "runtime/session/simulate.hpp"
+#include "runtime/session/verification.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;
@@ -16,21 +16,21 @@ using test::write;
 
 namespace {
 
-Outcome outcome_of(const std::string& text, const Machine& machine, bool skims) {
+runtime::Outcome outcome_of(const std::string& text, const Machine& machine, bool skims) {
   const Folder folder;
   write(folder / "part.nc", text);
-  auto program = Program::open(folder / "part.nc");
+  auto program = runtime::Program::open(folder / "part.nc");
   REQUIRE(program);
   Diagnostics diagnostics;
   const auto backend = hal::open_backend(without_backend(machine));
   REQUIRE(backend);
-  ChannelOptions options;
+  runtime::ChannelOptions options;
   options.skims = skims;
   ipr::Reader reader = program->reader();
-  Outcome outcome = simulate(reader, program->descriptor(), machine, options, **backend,
-                             diagnostics, nullptr, nullptr);
+  runtime::Outcome outcome = runtime::simulate(reader, program->descriptor(), machine, options,
+                                               **backend, diagnostics, nullptr, nullptr);
   CHECK(diagnostics.errors() == 0);
-  report_excess(outcome.measured, outcome.deviation, machine, diagnostics);
+  runtime::report_excess(outcome.measured, outcome.deviation, machine, diagnostics);
   CHECK(diagnostics.all().empty());
   return outcome;
 }
@@ -58,7 +58,8 @@ TEST_CASE("rows that are passed over change nothing that is measured at limits",
       CAPTURE(text, jerk);
       Machine machine;
       for (Axis& axis : machine.axes) axis.jerk = jerk;
-      const Outcome all = outcome_of(text, machine, false), some = outcome_of(text, machine, true);
+      const runtime::Outcome all = outcome_of(text, machine, false),
+                             some = outcome_of(text, machine, true);
       CHECK(some.setpoints == all.setpoints);
       CHECK(some.measured.samples == all.measured.samples);
       CHECK(some.time == all.time);

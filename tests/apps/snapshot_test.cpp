@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "apps/shell.hpp"
-#include "program/program.hpp"
+#include "runtime/program/program.hpp"
 
 using namespace softcnc;
 using namespace softcnc::app;
@@ -67,7 +67,7 @@ TEST_CASE("a program that is read more than once is what it was when it was open
   const Folder folder;
   const std::string name = folder / "p.nc";
   write(name, "G00 X1\nX2\n");
-  auto program = Program::open(name);
+  auto program = runtime::Program::open(name);
   REQUIRE(program);
   write(name, "G00 Y1000\nY2000\n");
   ipr::Reader reader = program->reader();

@@ -9,8 +9,8 @@
 #include "apps/talk.hpp"
 #include "hal/backends/backend.hpp"
 #include "hal/files/hash.hpp"
-#include "program/stream_memory.hpp"
-#include "session/simulate.hpp"
+#include "runtime/program/stream_memory.hpp"
+#include "runtime/session/simulate.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc;
@@ -24,7 +24,7 @@ const std::string kExactly = "control.corner_tolerance_um=0";
 
 /// Writes the first line of a program at once, and the next one whenever the run looks up, or waits
 /// for one.
-class LineWriter final : public Watcher {
+class LineWriter final : public runtime::Watcher {
  public:
   LineWriter(int pipe, std::vector<std::string> lines) : pipe_(pipe), lines_(std::move(lines)) {
     write_line();  // the format of the program follows from it
@@ -32,7 +32,7 @@ class LineWriter final : public Watcher {
 
   bool wants_stop() override { return false; }
   void sees(const Setpoint&) override { write_line(); }
-  void pause(const Pause&) override {}
+  void pause(const runtime::Pause&) override {}
   void wait_for_input(int) override { write_line(); }
 
  private:
@@ -48,7 +48,7 @@ class LineWriter final : public Watcher {
   std::size_t next_ = 0;
 };
 
-struct Positions final : RowSink {
+struct Positions final : runtime::RowSink {
   std::vector<AxisVector> all;
   bool row(const Setpoint& setpoint, std::span<const double>) override {
     all.push_back(setpoint.position);
@@ -56,17 +56,17 @@ struct Positions final : RowSink {
   }
 };
 
-Positions rows_of(ipr::Reader& reader, int input, Watcher* watcher,
-                  const ChannelOptions& options = {}) {
+Positions rows_of(ipr::Reader& reader, int input, runtime::Watcher* watcher,
+                  const runtime::ChannelOptions& options = {}) {
   Machine machine;
   machine.control.backend = BackendKind::none;
   const auto backend = hal::open_backend(machine);
   REQUIRE(backend);
   Diagnostics diagnostics;
   Positions rows;
-  const Outcome outcome =
-      simulate(reader, input, machine, options, **backend, diagnostics, &rows, watcher);
-  CHECK(outcome.end == Outcome::End::done);
+  const runtime::Outcome outcome =
+      runtime::simulate(reader, input, machine, options, **backend, diagnostics, &rows, watcher);
+  CHECK(outcome.end == runtime::Outcome::End::done);
   CHECK(diagnostics.errors() == 0);
   return rows;
 }
@@ -237,10 +237,11 @@ TEST_CASE("an override or a hold falls on the same way, however slowly the lines
           "[apps][stream]") {
   const std::vector<std::string> lines{"G61 F600\n", "G1 X5\n", "X10\n", "Y10\n",
                                        "X0\n",       "Y0\n",    "M30\n"};
-  ChannelOptions options;
-  using Kind = FeedEvent::Kind;
-  options.events = GENERATE(std::vector<FeedEvent>{{0.1, Kind::override_, 50}},
-                            std::vector<FeedEvent>{{0.1, Kind::hold}, {0.4, Kind::resume}});
+  runtime::ChannelOptions options;
+  using Kind = runtime::FeedEvent::Kind;
+  options.events =
+      GENERATE(std::vector<runtime::FeedEvent>{{0.1, Kind::override_, 50}},
+               std::vector<runtime::FeedEvent>{{0.1, Kind::hold}, {0.4, Kind::resume}});
   std::string text;
   for (const std::string& line : lines) text += line;
   ipr::Reader whole = ipr::Reader::from_text(text);
@@ -282,7 +283,7 @@ TEST_CASE("a named pipe is a program as any other", "[apps][stream]") {
 }
 
 TEST_CASE("a stream is remembered by its hash and its latest lines", "[apps][stream]") {
-  StreamMemory memory;
+  runtime::StreamMemory memory;
   std::string text;
   for (int i = 1; i <= 200000; ++i)
     text += "line " + std::to_string(i) + (i % 3 == 0 ? "\r\n" : i % 3 == 1 ? "\n" : "\r");

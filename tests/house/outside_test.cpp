@@ -20,7 +20,7 @@ const Keepers kKeepers{
     {"xxhash.h", {"hal/files"}},
     {"zip.h", {"hal/files"}},
     {"linux/", {"hal/ports"}},
-    {"thread", {"surface"}},
+    {"thread", {"surface", "runtime/realtime"}},
     {"spdlog/", {}},
     {"CLI/", {}},
     {"nlohmann/", {}},

@@ -6,7 +6,7 @@
 #include "messages/repeated_errors.hpp"
 #include "messages/standard_output.hpp"
 #include "output/block_json.hpp"
-#include "program/each_block.hpp"
+#include "runtime/program/each_block.hpp"
 #include "settings/machine_choice.hpp"
 #include "settings/machine_memory.hpp"
 
@@ -14,7 +14,7 @@ namespace softcnc::app {
 namespace {
 
 /// Streams: reads no further than it writes, and shows errors as it meets them.
-int write_blocks(Program& program, const Machine& machine, const Options& options) {
+int write_blocks(runtime::Program& program, const Machine& machine, const Options& options) {
   Messages messages;
   auto state = open_state(options.state, messages);
   if (!state) return messages.fail(state.error());
@@ -33,10 +33,10 @@ int write_blocks(Program& program, const Machine& machine, const Options& option
   };
   const auto wait = [&] {
     out.flush();
-    if (out.ok()) wait_for_input(program.descriptor());
+    if (out.ok()) runtime::wait_for_input(program.descriptor());
     return out.ok();
   };
-  each_block(interpreter, take, wait);
+  runtime::each_block(interpreter, take, wait);
   shown.finish();
   return worse_status(diagnostics.status(), out.finish());
 }
@@ -47,7 +47,7 @@ int blocks(const Options& options) {
   Messages messages;
   const auto choice = choose_machine(options.files.front(), options, messages);
   if (!choice) return failed(choice.error());
-  auto program = Program::open(options.files.front(), Readings::one);
+  auto program = runtime::Program::open(options.files.front(), runtime::Readings::one);
   if (!program) return failed(program.error());
   return write_blocks(*program, choice->machine, options);
 }

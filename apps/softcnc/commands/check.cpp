@@ -22,13 +22,13 @@ namespace softcnc::app {
 namespace {
 
 /// Breaks a check off when a signal comes.
-class SignalWatcher final : public Watcher {
+class SignalWatcher final : public runtime::Watcher {
  public:
   explicit SignalWatcher(StopSignals& signals) : signals_(signals) {}
   bool wants_stop() override { return signals_.poll() != 0; }
   std::stop_token token() const noexcept { return signals_.token(); }
   void sees(const Setpoint&) override {}
-  void pause(const Pause&) override {}
+  void pause(const runtime::Pause&) override {}
   void wait_for_input(int descriptor) override { signals_.wait_for_input(descriptor); }
 
  private:
@@ -59,13 +59,13 @@ class Shown {
 
 /// The files that the program has called, and would have called if they were there, are added to
 /// `called`.
-int check_program(const std::string& name, const Machine& machine, const ChannelOptions& options,
-                  Shown& out, Messages& messages, Watcher* watcher,
-                  std::vector<std::string>& called) {
-  auto program = Program::open(name, Readings::one);
+int check_program(const std::string& name, const Machine& machine,
+                  const runtime::ChannelOptions& options, Shown& out, Messages& messages,
+                  runtime::Watcher* watcher, std::vector<std::string>& called) {
+  auto program = runtime::Program::open(name, runtime::Readings::one);
   if (!program) return messages.fail(program.error());
   out.set_streaming(program->streamed());
-  ChannelOptions beside = options;
+  runtime::ChannelOptions beside = options;
   beside.interpreter.folder = program->folder();
   beside.interpreter.called = &program->called();
   const Preflight checked =
@@ -89,7 +89,7 @@ int check_all(const Options& options, Shown& out, Messages& messages, SignalWatc
   auto state = open_state(options.state, messages);
   if (!state) return messages.fail(state.error());
   MachineCache machines(options, messages);
-  ChannelOptions channel = channel_options(options, {});
+  runtime::ChannelOptions channel = channel_options(options, {});
   channel.interpreter.compare_dialects = true;
   channel.state = std::move(*state);
   if (watcher) channel.interpreter.stop = watcher->token();

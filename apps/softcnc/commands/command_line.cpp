@@ -27,7 +27,7 @@ constexpr int kWrongUsage = 2;
 /// Returns whether the last event leaves the machine at rest.
 bool ends_in_hold(const Options& options) {
   ipo::FeedControl control;
-  for (const FeedEvent& event : options.events) control = after(event, control);
+  for (const runtime::FeedEvent& event : options.events) control = after(event, control);
   return control.halts();
 }
 

@@ -15,8 +15,8 @@
 #include "motion/core/units.hpp"
 #include "motion/model/step_rate.hpp"
 #include "process/signals.hpp"
-#include "realtime/lateness.hpp"
-#include "realtime/realtime.hpp"
+#include "runtime/realtime/lateness.hpp"
+#include "runtime/realtime/realtime.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -41,18 +41,18 @@ std::int64_t wakeups_in(double seconds, std::int64_t period) noexcept {
 
 /// Wakes once a period for the given time, s, or until a signal comes. Where it cannot keep up, it
 /// makes fewer wake-ups.
-Lateness measure(double seconds, std::int64_t period, StopSignals& signals) {
-  Lateness lateness(period);
+runtime::Lateness measure(double seconds, std::int64_t period, StopSignals& signals) {
+  runtime::Lateness lateness(period);
   const std::int64_t wakeups = wakeups_in(seconds, period);
-  std::int64_t now = now_ns(), look = now;
+  std::int64_t now = runtime::now_ns(), look = now;
   const std::int64_t begin = now + period, end = now + to_ns(seconds) + kGrace;
   for (std::int64_t i = 0; i < wakeups && now < end; ++i) {
     if (now >= look) {
       if (signals.poll() != 0) break;
       look = now + kLook;
     }
-    sleep_until(begin + i * period);
-    now = now_ns();
+    runtime::sleep_until(begin + i * period);
+    now = runtime::now_ns();
     lateness.add(now - begin - i * period);
   }
   return lateness;
@@ -65,7 +65,7 @@ struct Pace {
   bool driver_limit;  // it is the driver that takes no more
 };
 
-Pace pace_of(const Lateness& lateness, const Machine& machine) {
+Pace pace_of(const runtime::Lateness& lateness, const Machine& machine) {
   const double period = static_cast<double>(lateness.shortest_period()) / kNsPerSecond;
   const double steps = 1 / (kPeriodsPerStep * period);
   const double most = step_rate(machine.step_port);
@@ -74,11 +74,11 @@ Pace pace_of(const Lateness& lateness, const Machine& machine) {
 
 double feed_of(const Pace& pace, const Axis& axis) { return pace.steps * axis.blu; }
 
-std::string figures(const Lateness& lateness, std::int64_t period, std::int64_t left_out,
-                    const RealtimeRights& rights) {
+std::string figures(const runtime::Lateness& lateness, std::int64_t period, std::int64_t left_out,
+                    const runtime::RealtimeRights& rights) {
   std::string text = fmt::format("{} wake-ups, one every {:.6g} us: {}\n\n  late by, us",
-                                 lateness.wakeups(), us(period), app::text(rights));
-  for (const auto& [name, part] : kPercentiles)
+                                 lateness.wakeups(), us(period), runtime::text(rights));
+  for (const auto& [name, part] : runtime::kPercentiles)
     text += fmt::format("   {} {:.1f}", name, us(lateness.percentile(part)));
   text += fmt::format("\n  overruns      {}\n", lateness.overruns());
   return left_out > 0 ? text + fmt::format("  skipped       {}\n", left_out) : text;
@@ -102,14 +102,14 @@ std::string consequences(const Pace& pace, const Machine& machine) {
   return text;
 }
 
-std::string report_of(const Lateness& lateness, std::int64_t period, std::int64_t left_out,
-                      const RealtimeRights& rights, const Machine& machine) {
+std::string report_of(const runtime::Lateness& lateness, std::int64_t period, std::int64_t left_out,
+                      const runtime::RealtimeRights& rights, const Machine& machine) {
   const Pace pace = pace_of(lateness, machine);
   Json report{{"wakeups", lateness.wakeups()},
               {"period_us", us(period)},
               {"scheduled_first", rights.first},
               {"memory_locked", rights.locked}};
-  for (const auto& [name, part] : kPercentiles)
+  for (const auto& [name, part] : runtime::kPercentiles)
     report["late_us"][name] = us(lateness.percentile(part));
   report["overruns"] = lateness.overruns();
   report["left_out"] = left_out;
@@ -130,9 +130,9 @@ int latency(const Options& options) {
   const std::int64_t period = to_ns(asked);
   StopSignals signals;
   spdlog::info("measuring for {:.6g} s", options.seconds);
-  const RealtimeRights rights = become_realtime();
-  const Lateness lateness = measure(options.seconds, period, signals);
-  become_ordinary();
+  const runtime::RealtimeRights rights = runtime::become_realtime();
+  const runtime::Lateness lateness = measure(options.seconds, period, signals);
+  runtime::become_ordinary();
   if (!rights.all())
     Messages().show({.code = Code::SC6075, .message = "no real-time rights: " + rights.refusal});
   int status = signals.poll() != 0 ? kSignalled + signals.poll() : 0;

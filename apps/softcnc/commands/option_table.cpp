@@ -195,7 +195,7 @@ void events(CLI::App& app, const OptionEntry& entry, Options& options) {
          entry.names,
          [&options](const std::vector<std::string>& texts) {
            for (const std::string& text : texts) {
-             const auto event = parse_event(text);
+             const auto event = runtime::parse_event(text);
              if (!event)
                throw CLI::ValidationError(
                    "--at",
@@ -204,7 +204,7 @@ void events(CLI::App& app, const OptionEntry& entry, Options& options) {
                        text + "'");
              options.events.push_back(*event);
            }
-           sort_events(options.events);
+           runtime::sort_events(options.events);
          },
          entry.help)
       ->type_name(entry.value)

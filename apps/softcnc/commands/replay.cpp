@@ -12,9 +12,9 @@
 #include "messages/standard_output.hpp"
 #include "recording/recording.hpp"
 #include "recording/trace_comparison.hpp"
-#include "rows/contour_rows.hpp"
-#include "rows/trace_rows.hpp"
-#include "session/simulate.hpp"
+#include "runtime/session/simulate.hpp"
+#include "runtime/sinks/contour_rows.hpp"
+#include "runtime/sinks/trace_rows.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -33,7 +33,7 @@ std::string folder_of_called(const std::string& name) { return name + ":called";
 struct Material {
   Recording recording;
   Machine machine;
-  Program program;
+  runtime::Program program;
   std::unique_ptr<hal::Backend> backend;
   TraceComparison comparison;
 };
@@ -58,23 +58,24 @@ Result<Material> open_material(const std::string& name, const Options& options) 
 /// Runs the program; its rows go to the comparison. Returns the exit status of the run.
 int run_again(const std::string& name, Material& material, Terminal& terminal) {
   const Machine& machine = material.machine;
-  TraceRows rows(hal::csv_trace(comparison_sink(material.comparison),
-                                trace_header(material.program, machine), machine,
-                                row_columns(*material.backend)));
+  runtime::TraceRows rows(hal::csv_trace(comparison_sink(material.comparison),
+                                         runtime::trace_header(material.program, machine), machine,
+                                         runtime::row_columns(*material.backend)));
   Messages messages([&terminal] { terminal.end(); });
   Diagnostics diagnostics([&, show = messages.sink(material.program)](const Diagnostic& d) {
     if (d.severity() == Severity::error) show(d);  // the rest was reported when it was recorded
   });
   diagnostics.set_file(material.program.name());
   ipr::Reader reader = material.program.reader();
-  ChannelOptions options = material.recording.meta().options;
+  runtime::ChannelOptions options = material.recording.meta().options;
   options.interpreter.folder = folder_of_called(name);
   options.interpreter.called = &material.program.called();
   options.interpreter.stop = terminal.stop();
-  const Outcome outcome = simulate(reader, material.program.descriptor(), machine, options,
-                                   *material.backend, diagnostics, &rows, &terminal);
+  const runtime::Outcome outcome =
+      runtime::simulate(reader, material.program.descriptor(), machine, options, *material.backend,
+                        diagnostics, &rows, &terminal);
   terminal.end();
-  const bool stopped = outcome.end == Outcome::End::stopped;
+  const bool stopped = outcome.end == runtime::Outcome::End::stopped;
   if (!stopped && rows.finish()) material.comparison.finish();
   return worse_status(diagnostics.status(), stopped ? kSignalled + terminal.signal() : 0);
 }

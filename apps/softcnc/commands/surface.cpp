@@ -8,9 +8,6 @@
 #include <thread>
 
 #include "commands/commands.hpp"
-#include "cutting/cutting_rows.hpp"
-#include "cutting/surface_grid.hpp"
-#include "figures/cpu_clock.hpp"
 #include "job/job.hpp"
 #include "job/preflight.hpp"
 #include "job/run_diagnostics.hpp"
@@ -22,9 +19,12 @@
 #include "output/summary.hpp"
 #include "output/surface_file.hpp"
 #include "output/surface_report.hpp"
-#include "rows/contour_rows.hpp"
-#include "session/simulate.hpp"
-#include "session/verification.hpp"
+#include "runtime/cutting/cutting_rows.hpp"
+#include "runtime/cutting/surface_grid.hpp"
+#include "runtime/figures/cpu_clock.hpp"
+#include "runtime/session/simulate.hpp"
+#include "runtime/session/verification.hpp"
+#include "runtime/sinks/contour_rows.hpp"
 #include "surface/ideal_surface.hpp"
 
 namespace softcnc::app {
@@ -46,7 +46,7 @@ class SurfaceJob {
   int fail(const Diagnostic& diagnostic) { return messages_.fail(diagnostic); }
   int read();
   int move();
-  int judge(const Outcome& outcome, Diagnostics& diagnostics);
+  int judge(const runtime::Outcome& outcome, Diagnostics& diagnostics);
   int report(const surface::RoughnessMap& map);
   int cut(hal::OutputFile& output);
   int stopped() { return kSignalled + terminal_.signal(); }
@@ -56,7 +56,7 @@ class SurfaceJob {
   const Options& options_;
   Terminal terminal_;
   Messages messages_;
-  Cutting cutting_;
+  runtime::Cutting cutting_;
   surface::ToolTrack track_;
   surface::StockGrid grid_;
   std::int64_t updates_ = 0;
@@ -69,7 +69,8 @@ int SurfaceJob::read() {
   ShownOnce shown(job_.program, messages_.sink(job_.program));
   Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(job_.program.name());
-  cutting_ = read_cutting(job_.program, job_.machine, job_.options, diagnostics, terminal_);
+  cutting_ =
+      runtime::read_cutting(job_.program, job_.machine, job_.options, diagnostics, terminal_);
   shown.finish();
   return terminal_.signal() != 0 ? stopped() : diagnostics.status();
 }
@@ -86,12 +87,13 @@ int SurfaceJob::move() {
     if (static_cast<int>(diagnostic.code) >= kOfPlanning) show(diagnostic);
   });
   diagnostics.set_file(job_.program.name());
-  CuttingRows rows(cutting_, machine.surfacing.phase, machine.control.period,
-                   row_columns(**backend));
+  runtime::CuttingRows rows(cutting_, machine.surfacing.phase, machine.control.period,
+                            runtime::row_columns(**backend));
   ipr::Reader reader = job_.program.reader();
   terminal_.begin("running", 0);
-  const Outcome outcome = simulate(reader, job_.program.descriptor(), machine, job_.options,
-                                   **backend, diagnostics, &rows, &terminal_);
+  const runtime::Outcome outcome =
+      runtime::simulate(reader, job_.program.descriptor(), machine, job_.options, **backend,
+                        diagnostics, &rows, &terminal_);
   terminal_.end();
   auto track = rows.finish();
   if (!track) return fail(track.error());
@@ -99,25 +101,25 @@ int SurfaceJob::move() {
   return judge(outcome, diagnostics);
 }
 
-int SurfaceJob::judge(const Outcome& outcome, Diagnostics& diagnostics) {
+int SurfaceJob::judge(const runtime::Outcome& outcome, Diagnostics& diagnostics) {
   if (is_of_axis(outcome.feedback.alarm)) diagnostics.report(alarm_diagnostic(outcome));
-  if (outcome.end == Outcome::End::done && diagnostics.errors() == 0)
-    report_excess(outcome.measured, outcome.deviation, job_.machine, diagnostics);
-  if (outcome.end == Outcome::End::stopped) return stopped();
+  if (outcome.end == runtime::Outcome::End::done && diagnostics.errors() == 0)
+    runtime::report_excess(outcome.measured, outcome.deviation, job_.machine, diagnostics);
+  if (outcome.end == runtime::Outcome::End::stopped) return stopped();
   spdlog::debug("{} of machine time: CPU {:.3f} s planning, {:.3f} s cycle",
                 duration_text(outcome.time), outcome.cpu.planning, outcome.cpu.cycle);
   return diagnostics.status();
 }
 
 int SurfaceJob::cut(hal::OutputFile& output) {
-  const int side = region_side(cutting_, grid_.step);
+  const int side = runtime::region_side(cutting_, grid_.step);
   auto file = open_surface_file(options_.output, output, grid_, side);
   if (!file) return fail(file.error());
   surface::RoughnessMap map(
       grid_, side, options_.actual ? surface::HeightFrom::lowest : surface::HeightFrom::ideal);
   const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   const auto begin = std::chrono::steady_clock::now();
-  const double cpu = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
+  const double cpu = runtime::cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
   const auto updates = surface::cut_bands(
       surface::Workpiece(track_, grid_), threads,
       [&](const surface::SurfaceBand& band) -> Result<bool> {
@@ -128,7 +130,7 @@ int SurfaceJob::cut(hal::OutputFile& output) {
       },
       [&] { return terminal_.signal() != 0; });
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  const double cpu_taken = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
+  const double cpu_taken = runtime::cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
   if (!updates) return fail(updates.error());
   if (terminal_.signal() != 0) return stopped();
   updates_ = *updates;
@@ -158,7 +160,8 @@ double memory_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-std::string roughness_text(const surface::RoughnessMap& map, double step, const Cutting& cutting) {
+std::string roughness_text(const surface::RoughnessMap& map, double step,
+                           const runtime::Cutting& cutting) {
   const surface::RegionFigures sum = surface::figures(map.rmax());
   if (sum.regions == 0 && cutting.pick_feed > surface::IdealSurface::kWidestPick * cutting.radius)
     return fmt::format("unknown: the pick-feed exceeds {:.2g} of the tool radius",
@@ -210,7 +213,7 @@ void SurfaceJob::log_summary(const surface::RoughnessMap& map, double seconds, d
 
 int SurfaceJob::run() {
   if (const int status = read(); status != 0) return status;
-  auto grid = stock_grid(job_.machine.stock, cutting_);
+  auto grid = runtime::stock_grid(job_.machine.stock, cutting_);
   if (!grid) return fail(grid.error());
   grid_ = *grid;
   const auto output = hal::OutputFile::open(options_.output);  // before the long work

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "motion/core/units.hpp"
-#include "program/each_block.hpp"
+#include "runtime/program/each_block.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -33,9 +33,9 @@ void round_corners(Block& block, double tolerance) {
 }
 
 /// Nothing if the watcher wants to stop, or the plan fails.
-std::optional<PlannedTimes> plan_rounded(Program& program, const Machine& machine,
-                                         const ChannelOptions& options, double tolerance,
-                                         Watcher* watcher) {
+std::optional<PlannedTimes> plan_rounded(runtime::Program& program, const Machine& machine,
+                                         const runtime::ChannelOptions& options, double tolerance,
+                                         runtime::Watcher* watcher) {
   Diagnostics silent([](const Diagnostic&) {});
   ipr::Reader reader = program.reader();
   ipr::Parser parser(reader, silent);
@@ -43,7 +43,7 @@ std::optional<PlannedTimes> plan_rounded(Program& program, const Machine& machin
   reading.compare_dialects = reading.unreachable_too = false;
   ipr::Interpreter interpreter(parser, machine, silent, reading, options.state);
   ipo::Planner planner(machine, options.feed_override, silent);
-  TimeKeeper keeper;
+  runtime::TimeKeeper keeper;
   PlannedTimes times;
   const auto take_timed = [&] {
     while (const auto timed = planner.pop()) {
@@ -60,7 +60,7 @@ std::optional<PlannedTimes> plan_rounded(Program& program, const Machine& machin
     stopped = watcher != nullptr && ++blocks % kBlocksBetweenLooks == 0 && watcher->wants_stop();
     return !stopped;
   };
-  each_block(interpreter, take, [] { return false; });
+  runtime::each_block(interpreter, take, [] { return false; });
   planner.finish();
   if (!stopped) take_timed();
   if (stopped || silent.errors() > 0) return std::nullopt;
@@ -75,7 +75,7 @@ std::string seconds_text(double seconds) {
                                 : fmt::format("{:.1f} s", seconds);
 }
 
-bool asks_for_exact_path(const CornerRests& rests) {
+bool asks_for_exact_path(const runtime::CornerRests& rests) {
   return rests.exact_seconds > 0.5 * rests.roundable_seconds;
 }
 
@@ -88,7 +88,8 @@ std::string remedy(double tolerance, bool exact) {
 
 class CornerJudge {
  public:
-  CornerJudge(const ChannelOptions& options, const Outcome& outcome, Diagnostics& diagnostics)
+  CornerJudge(const runtime::ChannelOptions& options, const runtime::Outcome& outcome,
+              Diagnostics& diagnostics)
       : options_(options), outcome_(outcome), diagnostics_(diagnostics) {}
 
   /// Whether rounding may win back a tenth of the time.
@@ -97,18 +98,18 @@ class CornerJudge {
            is_much(rests().roundable_seconds);
   }
 
-  std::optional<CornerCost> plan_again(Program& program, const Machine& machine,
-                                       Watcher* watcher) const {
+  std::optional<runtime::CornerCost> plan_again(runtime::Program& program, const Machine& machine,
+                                                runtime::Watcher* watcher) const {
     for (const double tolerance : kTolerances) {
       const auto rounded = plan_rounded(program, machine, options_, tolerance, watcher);
       if (!rounded) return std::nullopt;
       const double won = outcome_.time - rounded->time;
-      if (is_much(won)) return CornerCost{rests().count - rounded->rests, won, tolerance};
+      if (is_much(won)) return runtime::CornerCost{rests().count - rounded->rests, won, tolerance};
     }
     return std::nullopt;
   }
 
-  void report(const CornerCost& cost, std::string_view about) const {
+  void report(const runtime::CornerCost& cost, std::string_view about) const {
     const bool exact = asks_for_exact_path(rests());
     diagnostics_.report(
         exact ? Code::SC4031 : Code::SC4030, {},
@@ -118,20 +119,21 @@ class CornerJudge {
                     remedy(cost.tolerance, exact), about.empty() ? "that" : "most of that"));
   }
 
-  const CornerRests& rests() const { return outcome_.time_sheet.corners; }
+  const runtime::CornerRests& rests() const { return outcome_.time_sheet.corners; }
 
  private:
   bool is_much(double seconds) const { return seconds > kMuch * outcome_.time; }
 
-  const ChannelOptions& options_;
-  const Outcome& outcome_;
+  const runtime::ChannelOptions& options_;
+  const runtime::Outcome& outcome_;
   Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
-void report_corner_cost(Program& program, const Machine& machine, const ChannelOptions& options,
-                        Outcome& outcome, Watcher* watcher, Diagnostics& diagnostics) {
+void report_corner_cost(runtime::Program& program, const Machine& machine,
+                        const runtime::ChannelOptions& options, runtime::Outcome& outcome,
+                        runtime::Watcher* watcher, Diagnostics& diagnostics) {
   const CornerJudge judge(options, outcome, diagnostics);
   if (!judge.is_worth_a_plan(machine)) return;
   if (program.streamed() || !options.events.empty())

@@ -2,10 +2,10 @@
 // The time that rests at corners cost, and the tolerance that would save it.
 #pragma once
 
-#include "program/program.hpp"
-#include "session/channel_options.hpp"
-#include "session/outcome.hpp"
-#include "session/watcher.hpp"
+#include "runtime/program/program.hpp"
+#include "runtime/session/channel_options.hpp"
+#include "runtime/session/outcome.hpp"
+#include "runtime/session/watcher.hpp"
 
 namespace softcnc::app {
 
@@ -16,7 +16,8 @@ namespace softcnc::app {
 /// whose feed is changed while it runs, are not planned again; what is reported is their loss
 /// against the feed. Nothing is reported where every block is to end at rest, by --single-block or
 /// a clock of pulses. The outcome is that of a run that came to its end without errors.
-void report_corner_cost(Program& program, const Machine& machine, const ChannelOptions& options,
-                        Outcome& outcome, Watcher* watcher, Diagnostics& diagnostics);
+void report_corner_cost(runtime::Program& program, const Machine& machine,
+                        const runtime::ChannelOptions& options, runtime::Outcome& outcome,
+                        runtime::Watcher* watcher, Diagnostics& diagnostics);
 
 }  // namespace softcnc::app

@@ -29,12 +29,12 @@ Result<Job> open_job(const Options& options) {
         Diagnostic{.code = Code::SC7072, .message = clash, .file = options.machine_file});
   for (const std::string& file : written_files(options, moves(options) ? machine : Machine()))
     clear_leftovers(file);
-  auto program =
-      Program::open(options.files.front(), options.dry_run ? Readings::one : Readings::any);
+  auto program = runtime::Program::open(
+      options.files.front(), options.dry_run ? runtime::Readings::one : runtime::Readings::any);
   if (!program) return tl::make_unexpected(std::move(program.error()));
   auto state = open_state(options.state, messages);
   if (!state) return tl::make_unexpected(std::move(state.error()));
-  const ChannelOptions channel = channel_options(options, program->folder());
+  const runtime::ChannelOptions channel = channel_options(options, program->folder());
   Job job{std::move(*program), std::move(choice->machine), std::move(choice->file_beside), channel};
   job.options.state = std::move(*state);
   job.options.interpreter.called = &job.program.called();

@@ -10,20 +10,20 @@
 #include <vector>
 
 #include "hal/backends/backend.hpp"
-#include "program/program.hpp"
-#include "realtime/realtime_cycle.hpp"
-#include "session/channel_options.hpp"
-#include "session/outcome.hpp"
+#include "runtime/program/program.hpp"
+#include "runtime/realtime/realtime_cycle.hpp"
+#include "runtime/session/channel_options.hpp"
+#include "runtime/session/outcome.hpp"
 #include "settings/options.hpp"
 
 namespace softcnc::app {
 
 /// A program and what it runs on.
 struct Job {
-  Program program;
+  runtime::Program program;
   Machine machine;
   std::string machine_file;  // beside the program; empty: its machine is another one
-  ChannelOptions options;
+  runtime::ChannelOptions options;
 };
 Result<Job> open_job(const Options& options);
 
@@ -41,11 +41,11 @@ struct JobResult {
   Ending ending = Ending::error;
   int status = 0;      // exit status
   bool moved = false;  // false: refused before anything moved; the rest means nothing
-  Outcome outcome;
-  std::array<double, kAxes> following_error{};  // mm, largest; NaN: not measured
-  AxisVector settled = AxisVector::Zero();      // mm, where a following error is measured
-  std::optional<hal::Backend::Tally> tally;     // of rows sent elsewhere
-  std::optional<Punctuality> punctuality;       // of a run in real time
+  runtime::Outcome outcome;
+  std::array<double, kAxes> following_error{};      // mm, largest; NaN: not measured
+  AxisVector settled = AxisVector::Zero();          // mm, where a following error is measured
+  std::optional<hal::Backend::Tally> tally;         // of rows sent elsewhere
+  std::optional<runtime::Punctuality> punctuality;  // of a run in real time
   std::vector<Diagnostic> diagnostics;
   std::vector<WrittenFile> written;
 };

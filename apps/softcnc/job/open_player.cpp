@@ -16,9 +16,9 @@ Result<std::unique_ptr<hal::PortPlayer>> open_player(const Machine& machine) {
       .map([](auto&& player) -> std::unique_ptr<hal::PortPlayer> { return std::move(player); });
 }
 
-Result<std::unique_ptr<RealtimePlayer>> open_player(const Machine& machine,
-                                                    std::unique_ptr<hal::PortRegisters> registers) {
-  return RealtimePlayer::open(
+Result<std::unique_ptr<runtime::RealtimePlayer>> open_player(
+    const Machine& machine, std::unique_ptr<hal::PortRegisters> registers) {
+  return runtime::RealtimePlayer::open(
       machine, std::move(registers),
       {.holds_port = clean_up_port_on_signal,
        .report = [](const Diagnostic& diagnostic) { Messages().show(diagnostic); }});

@@ -8,7 +8,7 @@
 #include "hal/ports/port_registers.hpp"
 #include "motion/core/result.hpp"
 #include "motion/model/machine.hpp"
-#include "realtime/realtime_player.hpp"
+#include "runtime/realtime/realtime_player.hpp"
 
 namespace softcnc::app {
 
@@ -18,7 +18,7 @@ namespace softcnc::app {
 Result<std::unique_ptr<hal::PortPlayer>> open_player(const Machine& machine);
 
 /// The same on registers that are open already.
-Result<std::unique_ptr<RealtimePlayer>> open_player(const Machine& machine,
-                                                    std::unique_ptr<hal::PortRegisters> registers);
+Result<std::unique_ptr<runtime::RealtimePlayer>> open_player(
+    const Machine& machine, std::unique_ptr<hal::PortRegisters> registers);
 
 }  // namespace softcnc::app

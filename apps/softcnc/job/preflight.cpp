@@ -6,8 +6,8 @@
 #include "job/corner_cost.hpp"
 #include "job/endless.hpp"
 #include "messages/repeated_errors.hpp"
-#include "session/simulate.hpp"
-#include "session/verification.hpp"
+#include "runtime/session/simulate.hpp"
+#include "runtime/session/verification.hpp"
 
 namespace softcnc::app {
 
@@ -32,8 +32,8 @@ ipr::InterpreterOptions interpreter_options(const Options& options, const std::s
   return interpreter;
 }
 
-ChannelOptions channel_options(const Options& options, const std::string& folder) {
-  ChannelOptions channel;
+runtime::ChannelOptions channel_options(const Options& options, const std::string& folder) {
+  runtime::ChannelOptions channel;
   channel.feed_override = options.feed_override;
   channel.interpreter = interpreter_options(options, folder);
   channel.single_block = options.single_block;
@@ -48,15 +48,16 @@ Machine without_backend(Machine machine) {
 }
 
 /// By exact interpolation nothing depends on the rows before.
-ChannelOptions skimming(ChannelOptions options, const Machine& machine) {
+runtime::ChannelOptions skimming(runtime::ChannelOptions options, const Machine& machine) {
   options.skims = machine.control.interpolation == Method::arc_length && options.events.empty();
   return options;
 }
 
-Preflight preflight(Program& program, const Machine& machine, const ChannelOptions& options,
-                    Messages& messages, Watcher* watcher, PreflightNotes notes) {
+Preflight preflight(runtime::Program& program, const Machine& machine,
+                    const runtime::ChannelOptions& options, Messages& messages,
+                    runtime::Watcher* watcher, PreflightNotes notes) {
   auto backend = hal::open_backend(without_backend(machine));
-  if (!backend) return {messages.fail(backend.error()), Outcome()};
+  if (!backend) return {messages.fail(backend.error()), runtime::Outcome()};
   ShownOnce errors(program, messages.sink(program));
   Diagnostics diagnostics(errors.sink());
   diagnostics.set_file(program.name());
@@ -71,16 +72,16 @@ Preflight preflight(Program& program, const Machine& machine, const ChannelOptio
     return result;
   }
   ipr::Reader reader = program.reader();
-  ChannelOptions running = skimming(options, machine);
+  runtime::ChannelOptions running = skimming(options, machine);
   if (program.streamed())
     running.is_endless = [&] {
       ipr::Reader again = reader.again();
       return is_endless(again, machine, options, watcher);
     };
-  result.outcome = simulate(reader, program.descriptor(), machine, running, **backend, diagnostics,
-                            nullptr, watcher);
-  if (diagnostics.errors() == 0 && result.outcome.end == Outcome::End::done) {
-    report_excess(result.outcome.measured, result.outcome.deviation, machine, diagnostics);
+  result.outcome = runtime::simulate(reader, program.descriptor(), machine, running, **backend,
+                                     diagnostics, nullptr, watcher);
+  if (diagnostics.errors() == 0 && result.outcome.end == runtime::Outcome::End::done) {
+    runtime::report_excess(result.outcome.measured, result.outcome.deviation, machine, diagnostics);
     if (notes == PreflightNotes::surface_too) result.outcome.surface.report_blocks(diagnostics);
     result.outcome.surface.warn(diagnostics);
     report_corner_cost(program, machine, options, result.outcome, watcher, diagnostics);

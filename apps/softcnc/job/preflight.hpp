@@ -3,32 +3,33 @@
 #pragma once
 
 #include "messages/messages.hpp"
-#include "program/program.hpp"
-#include "session/channel_options.hpp"
-#include "session/outcome.hpp"
-#include "session/watcher.hpp"
+#include "runtime/program/program.hpp"
+#include "runtime/session/channel_options.hpp"
+#include "runtime/session/outcome.hpp"
+#include "runtime/session/watcher.hpp"
 #include "settings/options.hpp"
 
 namespace softcnc::app {
 
 /// `folder` is where the program finds the files that it calls.
 ipr::InterpreterOptions interpreter_options(const Options& options, const std::string& folder);
-ChannelOptions channel_options(const Options& options, const std::string& folder);
+runtime::ChannelOptions channel_options(const Options& options, const std::string& folder);
 
 /// The machine with a backend that goes nowhere.
 Machine without_backend(Machine machine);
 
 struct Preflight {
-  int status = 0;   // 0: it may run
-  Outcome outcome;  // of the run without backend; of interest if status is 0
+  int status = 0;            // 0: it may run
+  runtime::Outcome outcome;  // of the run without backend; of interest if status is 0
 };
 
 enum class PreflightNotes : std::uint8_t { errors, surface_too };
 
 /// Runs the program without backend and shows all that is wrong with it; and what surface it
 /// leaves, where it asks for one.
-Preflight preflight(Program& program, const Machine& machine, const ChannelOptions& options,
-                    Messages& messages, Watcher* watcher = nullptr,
+Preflight preflight(runtime::Program& program, const Machine& machine,
+                    const runtime::ChannelOptions& options, Messages& messages,
+                    runtime::Watcher* watcher = nullptr,
                     PreflightNotes notes = PreflightNotes::errors);
 
 }  // namespace softcnc::app

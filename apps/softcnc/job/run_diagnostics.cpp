@@ -12,7 +12,7 @@ bool is_of_axis(Alarm alarm) noexcept {
          alarm == Alarm::lost_pulses;
 }
 
-Diagnostic alarm_diagnostic(const Outcome& outcome) {
+Diagnostic alarm_diagnostic(const runtime::Outcome& outcome) {
   const int axis = outcome.feedback.alarm_axis;
   if (outcome.feedback.alarm == Alarm::lost_pulses)
     return {.code = Code::SC5020,
@@ -29,7 +29,7 @@ Diagnostic alarm_diagnostic(const Outcome& outcome) {
                                  kAxisLetters[static_cast<std::size_t>(axis)], std::abs(lag))};
 }
 
-Diagnostic missed_periods(const Punctuality& punctuality, const std::string& program) {
+Diagnostic missed_periods(const runtime::Punctuality& punctuality, const std::string& program) {
   const std::int64_t overruns = punctuality.overruns();
   return {
       .code = punctuality.rights.all() ? Code::SC5040 : Code::SC5041,

@@ -14,9 +14,9 @@
 #include "job/terminal.hpp"
 #include "messages/messages.hpp"
 #include "messages/repeated_errors.hpp"
-#include "rows/trace_rows.hpp"
-#include "session/simulate.hpp"
-#include "session/verification.hpp"
+#include "runtime/session/simulate.hpp"
+#include "runtime/session/verification.hpp"
+#include "runtime/sinks/trace_rows.hpp"
 #include "settings/file_clash.hpp"
 
 namespace softcnc::app {
@@ -52,13 +52,13 @@ class JobRunner {
   JobResult refused(const Diagnostic& diagnostic) const;
   void note_missing_fifo();
   Diagnostics::Sink sink();
-  void run(hal::Backend& backend, TraceRows& rows);
+  void run(hal::Backend& backend, runtime::TraceRows& rows);
   bool in_real_time() const;
   hal::Patience patience() const;
   void judge(Diagnostics& diagnostics);
   void judge_punctuality();
   bool is_dropped(const std::string& file) const;
-  void close(TraceRows& rows, const std::string& trace);
+  void close(runtime::TraceRows& rows, const std::string& trace);
   void close(hal::Backend& backend);
   void settle(const Status& finished, WrittenFile file);
   void failed_to_write(const Diagnostic& diagnostic);
@@ -93,9 +93,10 @@ JobResult JobRunner::move(const TraceTarget& trace, double total) {
   auto backend = hal::open_backend(options_.dry_run ? without_backend(job_.machine) : job_.machine,
                                    open_player);
   if (!backend) return refused(backend.error());
-  auto rows = trace.compressed
-                  ? compressed_trace(*trace.compressed, job_.program, job_.machine, **backend)
-                  : open_trace(trace.file, job_.program, job_.machine, **backend, patience());
+  auto rows =
+      trace.compressed
+          ? runtime::compressed_trace(*trace.compressed, job_.program, job_.machine, **backend)
+          : runtime::open_trace(trace.file, job_.program, job_.machine, **backend, patience());
   if (!rows) return refused(rows.error());
   if (!options_.dry_run) terminal_.begin_motion(is_real(job_.machine.control.backend));
   terminal_.begin(options_.dry_run ? "planning" : "running", total);
@@ -113,15 +114,16 @@ Diagnostics::Sink JobRunner::sink() {
   };
 }
 
-void JobRunner::run(hal::Backend& backend, TraceRows& rows) {
+void JobRunner::run(hal::Backend& backend, runtime::TraceRows& rows) {
   ShownOnce shown(job_.program, sink());
   Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(job_.program.name());
   ipr::Reader reader = job_.program.reader();
-  std::optional<RealtimeCycle> realtime;
+  std::optional<runtime::RealtimeCycle> realtime;
   if (in_real_time()) realtime.emplace(backend, job_.machine.control.period, &rows);
-  result_.outcome = simulate(reader, job_.program.descriptor(), job_.machine, job_.options, backend,
-                             diagnostics, &rows, &terminal_, realtime ? &*realtime : nullptr);
+  result_.outcome =
+      runtime::simulate(reader, job_.program.descriptor(), job_.machine, job_.options, backend,
+                        diagnostics, &rows, &terminal_, realtime ? &*realtime : nullptr);
   terminal_.end();
   shown.finish();
   if (realtime) result_.punctuality = realtime->punctuality();
@@ -145,31 +147,32 @@ hal::Patience JobRunner::patience() const {
 }
 
 void JobRunner::judge(Diagnostics& diagnostics) {
-  const Outcome& outcome = result_.outcome;
+  const runtime::Outcome& outcome = result_.outcome;
   if (is_of_axis(outcome.feedback.alarm)) diagnostics.report(alarm_diagnostic(outcome));
-  const bool at_rest = outcome.end == Outcome::End::done || outcome.end == Outcome::End::stopped;
+  const bool at_rest =
+      outcome.end == runtime::Outcome::End::done || outcome.end == runtime::Outcome::End::stopped;
   if (at_rest && diagnostics.errors() == 0)
-    report_excess(outcome.measured, outcome.deviation, job_.machine, diagnostics);
-  if (options_.dry_run && outcome.end == Outcome::End::done && diagnostics.errors() == 0)
+    runtime::report_excess(outcome.measured, outcome.deviation, job_.machine, diagnostics);
+  if (options_.dry_run && outcome.end == runtime::Outcome::End::done && diagnostics.errors() == 0)
     report_corner_cost(job_.program, job_.machine, job_.options, result_.outcome, &terminal_,
                        diagnostics);
   result_.status = diagnostics.status();
-  if (outcome.end == Outcome::End::alarm)
+  if (outcome.end == runtime::Outcome::End::alarm)
     result_.ending = Ending::alarm;
-  else if (diagnostics.errors() > 0 || outcome.end == Outcome::End::broken_off)
+  else if (diagnostics.errors() > 0 || outcome.end == runtime::Outcome::End::broken_off)
     result_.ending = Ending::error;
-  else if (outcome.end == Outcome::End::stopped)
+  else if (outcome.end == runtime::Outcome::End::stopped)
     result_.ending = Ending::stopped;
   else
     result_.ending = Ending::done;
-  if (outcome.end == Outcome::End::stopped)
+  if (outcome.end == runtime::Outcome::End::stopped)
     result_.status = worse_status(result_.status, kSignalled + terminal_.signal());
 }
 
 /// Without the rights nothing was promised.
 void JobRunner::judge_punctuality() {
-  const Punctuality& punctuality = *result_.punctuality;
-  const RealtimeRights& rights = punctuality.rights;
+  const runtime::Punctuality& punctuality = *result_.punctuality;
+  const runtime::RealtimeRights& rights = punctuality.rights;
   if (!rights.all())
     messages_.show({.code = Code::SC6075, .message = "no real-time rights: " + rights.refusal});
   if (punctuality.overruns() == 0) return;
@@ -184,9 +187,9 @@ bool JobRunner::is_dropped(const std::string& file) const {
   return result_.ending == Ending::error && hal::is_replaced(file);
 }
 
-void JobRunner::close(TraceRows& rows, const std::string& trace) {
+void JobRunner::close(runtime::TraceRows& rows, const std::string& trace) {
   if (is_dropped(trace) && rows.ok()) return;  // otherwise its error is still to be shown
-  if (result_.outcome.end == Outcome::End::done) rows.add_hash_of(job_.program);
+  if (result_.outcome.end == runtime::Outcome::End::done) rows.add_hash_of(job_.program);
   settle(rows.finish(), {"trace", trace});
 }
 
@@ -206,7 +209,7 @@ void JobRunner::failed_to_write(const Diagnostic& diagnostic) {
   result_.status = worse_status(result_.status, messages_.fail(diagnostic));
 }
 
-void explain(std::string_view what, const Outcome& outcome) {
+void explain(std::string_view what, const runtime::Outcome& outcome) {
   spdlog::debug(
       "{}: {} nodes planned in {} passes; CPU {:.3f} s planning, {:.3f} s cycle, {:.3f} s "
       "verification, {:.3f} s output",
@@ -215,14 +218,15 @@ void explain(std::string_view what, const Outcome& outcome) {
 }
 
 /// The pre-flight; `expected` becomes its outcome.
-JobResult check_first(Job& job, Messages& messages, Terminal& terminal, Outcome& expected) {
+JobResult check_first(Job& job, Messages& messages, Terminal& terminal,
+                      runtime::Outcome& expected) {
   terminal.begin("checking", 0);
   Preflight checked = preflight(job.program, job.machine, job.options, messages, &terminal);
   terminal.end();
   explain("pre-flight", checked.outcome);
   JobResult result;
   result.status = checked.status;
-  if (checked.outcome.end == Outcome::End::stopped) {
+  if (checked.outcome.end == runtime::Outcome::End::stopped) {
     result.status = worse_status(checked.status, kSignalled + terminal.signal());
     if (checked.status == 0) result.ending = Ending::stopped;
   }
@@ -236,7 +240,7 @@ JobResult run_job(Job& job, const Options& options, const TraceTarget& trace) {
   Terminal terminal(options.progress, on_terminal(trace.file), job.machine.control.period);
   Messages messages([&terminal] { terminal.end(); });
   job.options.interpreter.stop = terminal.stop();
-  Outcome expected;
+  runtime::Outcome expected;
   JobResult result;
   if (!options.dry_run) result = check_first(job, messages, terminal, expected);
   if (result.status == 0) {

@@ -21,7 +21,7 @@ void Terminal::sees(const Setpoint& latest) {
 }
 
 /// What was typed before the question is no answer to it, and neither is the end of the input.
-void Terminal::pause(const Pause& pause) {
+void Terminal::pause(const runtime::Pause& pause) {
   const std::string text = instruction(pause);
   if (!waits_ || text.empty() || signals_.poll() != 0) return;
   progress_.clear();
@@ -33,7 +33,7 @@ void Terminal::pause(const Pause& pause) {
   if (::read(STDIN_FILENO, ignored.data(), ignored.size()) <= 0) signals_.interrupt();
 }
 
-std::string instruction(const Pause& pause) {
+std::string instruction(const runtime::Pause& pause) {
   const int line = pause.block.source.line;
   if (pause.before) return fmt::format("line {}", line);
   const auto* action = std::get_if<Action>(&pause.block.what);

@@ -7,11 +7,11 @@
 
 #include "messages/progress.hpp"
 #include "process/signals.hpp"
-#include "session/watcher.hpp"
+#include "runtime/session/watcher.hpp"
 
 namespace softcnc::app {
 
-class Terminal final : public Watcher {
+class Terminal final : public runtime::Watcher {
  public:
   /// `data_on_terminal`: rows appear on the same screen. `period` in s.
   Terminal(ProgressMode progress, bool data_on_terminal, double period);
@@ -29,7 +29,7 @@ class Terminal final : public Watcher {
   /// The same for loops that know of no terminal.
   std::stop_token stop() const noexcept { return signals_.token(); }
   void sees(const Setpoint& latest) override;
-  void pause(const Pause& pause) override;
+  void pause(const runtime::Pause& pause) override;
   void wait_for_input(int descriptor) override { signals_.wait_for_input(descriptor); }
 
   /// Clears the screen for words.
@@ -46,6 +46,6 @@ class Terminal final : public Watcher {
 };
 
 /// Returns what a person has to do before the program goes on; empty: nothing.
-std::string instruction(const Pause& pause);
+std::string instruction(const runtime::Pause& pause);
 
 }  // namespace softcnc::app

@@ -78,7 +78,7 @@ void Messages::show(const Diagnostic& diagnostic) {
   if (kept_.size() < kKept) kept_.push_back(diagnostic);
 }
 
-Diagnostics::Sink Messages::sink(Program& program) {
+Diagnostics::Sink Messages::sink(runtime::Program& program) {
   return [this, &program](const Diagnostic& diagnostic) {
     Diagnostic full = diagnostic;
     if (full.source_line.empty() && full.pos.line > 0)

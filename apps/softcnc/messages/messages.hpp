@@ -13,7 +13,7 @@
 #include "hal/files/output_file.hpp"
 #include "messages/diagnostic_document.hpp"
 #include "motion/core/diagnostic.hpp"
-#include "program/program.hpp"
+#include "runtime/program/program.hpp"
 
 namespace softcnc::app {
 
@@ -47,7 +47,7 @@ class Messages {
   Diagnostic show_but_last(std::vector<Diagnostic> errors);
 
   /// Returns the sink for the stages. `program` supplies the text of lines and must outlive it.
-  Diagnostics::Sink sink(Program& program);
+  Diagnostics::Sink sink(runtime::Program& program);
 
   /// How many have been shown.
   int count(Severity severity) const noexcept {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "motion/core/diagnostic.hpp"
-#include "program/program.hpp"
+#include "runtime/program/program.hpp"
 
 namespace softcnc::app {
 
@@ -17,7 +17,7 @@ namespace softcnc::app {
 class RepeatedErrors {
  public:
   /// `program` supplies its first lines and must outlive it; without one no language is looked for.
-  explicit RepeatedErrors(Program* program = nullptr) : program_(program) {}
+  explicit RepeatedErrors(runtime::Program* program = nullptr) : program_(program) {}
 
   /// Counts an error whose cause has been shown, and returns whether it is not to be shown. The
   /// first error of a program in another control's language becomes one that says so.
@@ -34,7 +34,7 @@ class RepeatedErrors {
   };
   bool is_foreign(Diagnostic& error);
 
-  Program* program_;
+  runtime::Program* program_;
   std::vector<Cause> causes_;
   bool looked_ = false, foreign_ = false;
 };
@@ -42,7 +42,8 @@ class RepeatedErrors {
 /// Shows what `errors` does not take, and with finish() its notes.
 class ShownOnce {
  public:
-  ShownOnce(Program& program, Diagnostics::Sink show) : errors_(&program), show_(std::move(show)) {}
+  ShownOnce(runtime::Program& program, Diagnostics::Sink show)
+      : errors_(&program), show_(std::move(show)) {}
   Diagnostics::Sink sink();
   void finish();
 

@@ -25,7 +25,7 @@ void write_report(Job& job, const Options& options, JobResult& result) {
 }
 
 /// The summary; with -v its time sheet, too, and the worst lines where they are asked for.
-void say(const Outcome& outcome, const Options& options, const std::string& summary) {
+void say(const runtime::Outcome& outcome, const Options& options, const std::string& summary) {
   spdlog::info("{}", summary);
   spdlog::debug("{}", time_sheet_text(outcome.time_sheet));
   if (options.worst > 0) spdlog::info("{}", worst_lines_text(outcome.worst_lines));
@@ -41,7 +41,7 @@ int finish_job(Job& job, const Options& options, JobResult& result) {
   for (std::size_t i = job.options.events.size() - left;
        result.moved && result.ending == Ending::done && i < job.options.events.size(); ++i)
     spdlog::warn("--at {} was not reached: the program ended first",
-                 event_text(job.options.events[i]));
+                 runtime::event_text(job.options.events[i]));
   if (!result.moved && result.ending == Ending::stopped)
     spdlog::info("stopped before anything moved");
   return result.status;

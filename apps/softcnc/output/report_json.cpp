@@ -4,7 +4,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "figures/cpu_clock.hpp"
 #include "hal/files/axis_name.hpp"
 #include "hal/files/hash.hpp"
 #include "hal/machine/machine_file.hpp"
@@ -12,6 +11,7 @@
 #include "motion/pulses/counts.hpp"
 #include "output/contour_text.hpp"
 #include "output/time_text.hpp"
+#include "runtime/figures/cpu_clock.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -36,7 +36,7 @@ Json counts(const Machine& machine, const AxisVector& position) {
   });
 }
 
-Json time_by_limit(const Outcome& outcome) {
+Json time_by_limit(const runtime::Outcome& outcome) {
   Json object = Json::object();
   for (std::size_t i = 0; i < outcome.time_by_limit.size(); ++i)
     if (outcome.time_by_limit[i] > 0)
@@ -56,7 +56,7 @@ Json diagnostics(const JobResult& result) {
   return list;
 }
 
-void add_measured(Json& report, const Machine& machine, const Outcome& outcome) {
+void add_measured(Json& report, const Machine& machine, const runtime::Outcome& outcome) {
   const Measured& measured = outcome.measured;
   const auto axes = [&](const AxisVector& value) {
     return by_axis(machine, [&](int i) { return value[i]; });
@@ -90,19 +90,19 @@ void add_axes(Json& report, const Machine& machine, const JobResult& result) {
   report["settled_counts"] = counts(machine, result.settled);
 }
 
-void add_punctuality(Json& report, const Punctuality& punctuality) {
-  const Lateness& lateness = punctuality.lateness;
+void add_punctuality(Json& report, const runtime::Punctuality& punctuality) {
+  const runtime::Lateness& lateness = punctuality.lateness;
   Json figures{{"periods", lateness.wakeups()},
                {"scheduled_first", punctuality.rights.first},
                {"memory_locked", punctuality.rights.locked}};
-  for (const auto& [name, part] : kPercentiles)
+  for (const auto& [name, part] : runtime::kPercentiles)
     figures["late_us"][name] = static_cast<double>(lateness.percentile(part)) / 1e3;
   figures["overruns"] = punctuality.overruns();
   report["realtime"] = std::move(figures);
 }
 
-void add_cpu(Json& report, const Outcome::Cpu& cpu) {
-  report["cpu_s"] = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
+void add_cpu(Json& report, const runtime::Outcome::Cpu& cpu) {
+  report["cpu_s"] = runtime::cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
   report["cpu_planning_s"] = cpu.planning;
   report["cpu_interpolation_s"] = cpu.cycle;
   report["cpu_verification_s"] = cpu.verification;
@@ -112,7 +112,7 @@ void add_cpu(Json& report, const Outcome::Cpu& cpu) {
 }  // namespace
 
 std::string report_json(Job& job, const JobResult& result) {
-  const Outcome& outcome = result.outcome;
+  const runtime::Outcome& outcome = result.outcome;
   Json report;
   report["status"] = name(result.ending);
   report["program"] = job.program.name();

@@ -8,12 +8,12 @@
 #include <numeric>
 #include <vector>
 
-#include "figures/cpu_clock.hpp"
 #include "messages/duration_text.hpp"
 #include "motion/core/units.hpp"
 #include "motion/pulses/counts.hpp"
 #include "output/contour_text.hpp"
 #include "output/time_text.hpp"
+#include "runtime/figures/cpu_clock.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -40,7 +40,7 @@ std::string closeness(const Machine& machine, const Measured& measured) {
                      um_from_mm(machine.control.chord_tolerance));
 }
 
-std::string sizes(const Job& job, const Outcome& outcome) {
+std::string sizes(const Job& job, const runtime::Outcome& outcome) {
   return fmt::format(
       "\n  time         {}\n  path         {:.3f} mm in {} block{}\n"
       "  rows         {}, one every {:.6g} ms\n  {}{}",
@@ -51,7 +51,7 @@ std::string sizes(const Job& job, const Outcome& outcome) {
 }
 
 /// The limits that held the feed down, longest first.
-std::string held_by(const Outcome& outcome) {
+std::string held_by(const runtime::Outcome& outcome) {
   if (!(outcome.time > 0)) return {};
   std::vector<std::size_t> order(outcome.time_by_limit.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -72,7 +72,7 @@ std::string held_by(const Outcome& outcome) {
 
 std::string axis_row(const Machine& machine, const JobResult& result, int i) {
   const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
-  const Outcome& outcome = result.outcome;
+  const runtime::Outcome& outcome = result.outcome;
   const double following = result.following_error[static_cast<std::size_t>(i)];
   return fmt::format("\n  {}     {:>8.2f} / {:<8.6g} {:>8.1f} / {:<8.6g} {:>12} {:>12.4f} {:>9}",
                      kAxisLetters[static_cast<std::size_t>(i)], outcome.measured.velocity[i],
@@ -121,14 +121,14 @@ std::string left(const std::vector<WrittenFile>& files) {
 
 std::string punctuality(const JobResult& result) {
   if (!result.punctuality) return {};
-  const Punctuality& kept = *result.punctuality;
+  const runtime::Punctuality& kept = *result.punctuality;
   return fmt::format("\n\n  {} of {} periods missed, at most {:.1f} us late: {}", kept.overruns(),
                      kept.lateness.wakeups(), static_cast<double>(kept.lateness.largest()) / 1e3,
                      text(kept.rights));
 }
 
-std::string cost(const Outcome& outcome) {
-  const double cpu = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
+std::string cost(const runtime::Outcome& outcome) {
+  const double cpu = runtime::cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
   return fmt::format("\n\n  CPU {:.3f} s: {:.0f} times faster than real time", cpu,
                      outcome.time / cpu);
 }
@@ -141,7 +141,7 @@ std::string machine_line(const Job& job) {
 }
 
 std::string summary(const Job& job, const JobResult& result) {
-  const Outcome& outcome = result.outcome;
+  const runtime::Outcome& outcome = result.outcome;
   return head(job, result) + machine_line(job) + sizes(job, outcome) +
          rests_line(outcome.time_sheet) + held_by(outcome) + axes(job.machine, result) +
          (outcome.contour ? contour_paragraph(*outcome.contour, job.machine) : "") +

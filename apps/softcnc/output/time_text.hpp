@@ -5,21 +5,21 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "session/outcome.hpp"
+#include "runtime/session/outcome.hpp"
 
 namespace softcnc::app {
 
 /// One line of the summary, with a newline before it: how often the machine rests, and why. Empty
 /// where it never does.
-std::string rests_line(const TimeSheet& sheet);
+std::string rests_line(const runtime::TimeSheet& sheet);
 
 /// Lines without a newline at the end: what each tool did with its time, and the rests by cause.
-std::string time_sheet_text(const TimeSheet& sheet);
+std::string time_sheet_text(const runtime::TimeSheet& sheet);
 
 /// Likewise: the lines that lose most, with the limit and the seconds.
-std::string worst_lines_text(const std::vector<WorstLine>& lines);
+std::string worst_lines_text(const std::vector<runtime::WorstLine>& lines);
 
 /// The keys `rests`, `time_sheet` and `worst_lines`: docs/cli.md.
-void add_times(nlohmann::ordered_json& report, const Outcome& outcome);
+void add_times(nlohmann::ordered_json& report, const runtime::Outcome& outcome);
 
 }  // namespace softcnc::app

@@ -43,7 +43,7 @@ bool is_readable(int descriptor, int timeout) {
 }  // namespace
 
 Result<FileWatch> FileWatch::open(std::span<const std::string> files) {
-  FileWatch watch(Descriptor(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)));
+  FileWatch watch(runtime::Descriptor(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)));
   if (*watch.queue_ < 0) return unwatched(files.front());
   for (const std::string& file : files)
     if (Status added = watch.add(file); !added)

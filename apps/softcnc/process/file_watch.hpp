@@ -9,7 +9,7 @@
 #include <string>
 
 #include "process/signals.hpp"
-#include "program/descriptor.hpp"
+#include "runtime/program/descriptor.hpp"
 
 namespace softcnc::app {
 
@@ -37,14 +37,14 @@ class FileWatch {
   bool wait(StopSignals& signals);
 
  private:
-  explicit FileWatch(Descriptor queue) : queue_(std::move(queue)) {}
+  explicit FileWatch(runtime::Descriptor queue) : queue_(std::move(queue)) {}
   Status add(const std::string& file);
   bool has_changed();
   void look();
   bool looks_changed();
   void watch_again();
 
-  Descriptor queue_;
+  runtime::Descriptor queue_;
   std::map<int, std::set<std::string>> names_;  // in each watched folder
   struct Seen {
     FileStamp reported, last;  // what wait() has returned for; what was there a second ago

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "hal/files/unfinished_file.hpp"
-#include "realtime/realtime_player.hpp"
+#include "runtime/realtime/realtime_player.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -19,8 +19,8 @@ namespace {
 constexpr int kEnding[] = {SIGINT, SIGTERM, SIGQUIT, SIGHUP,  SIGSEGV, SIGBUS,
                            SIGFPE, SIGILL,  SIGABRT, SIGXCPU, SIGALRM};
 
-std::atomic<RealtimePlayer*> playing{nullptr};
-static_assert(std::atomic<RealtimePlayer*>::is_always_lock_free);
+std::atomic<runtime::RealtimePlayer*> playing{nullptr};
+static_assert(std::atomic<runtime::RealtimePlayer*>::is_always_lock_free);
 
 std::atomic<bool> removes_unfinished{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
@@ -76,7 +76,7 @@ void handle_signals() {
 
 void end_by(int signal) { clean_up_then_end(signal); }
 
-void clean_up_port_on_signal(RealtimePlayer* player) {
+void clean_up_port_on_signal(runtime::RealtimePlayer* player) {
   playing = player;
   handle_signals();
 }
@@ -87,7 +87,7 @@ void clean_up_files_on_signal() {
 }
 
 void clean_up_now() noexcept {
-  if (RealtimePlayer* player = playing.exchange(nullptr)) player->abandon();
+  if (runtime::RealtimePlayer* player = playing.exchange(nullptr)) player->abandon();
   if (removes_unfinished) remove_unfinished_files();
 }
 

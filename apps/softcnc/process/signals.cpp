@@ -21,9 +21,11 @@ bool is_ignored(int signal) {
   return ::sigaction(signal, nullptr, &present) == 0 && present.sa_handler == SIG_IGN;
 }
 
-Descriptor event() { return Descriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)); }
+runtime::Descriptor event() {
+  return runtime::Descriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
+}
 
-void set(const Descriptor& event) noexcept {
+void set(const runtime::Descriptor& event) noexcept {
   constexpr std::uint64_t kOne = 1;
   constexpr int kAttempts = 10;
   for (int i = 0; i < kAttempts; ++i)
@@ -39,7 +41,7 @@ bool wait_for(int a, int b, int c, int time) noexcept {
 
 bool wait_for(int descriptor, int time) noexcept { return wait_for(descriptor, -1, -1, time); }
 
-int read_signal(const Descriptor& descriptor) noexcept {
+int read_signal(const runtime::Descriptor& descriptor) noexcept {
   signalfd_siginfo info{};
   return ::read(*descriptor, &info, sizeof info) == sizeof info ? static_cast<int>(info.ssi_signo)
                                                                 : 0;
@@ -54,7 +56,7 @@ StopSignals::StopSignals() : descriptor_(-1), came_(event()), ended_(event()) {
   sigaddset(&signals_, SIGQUIT);
   if (!is_ignored(SIGHUP)) sigaddset(&signals_, SIGHUP);
   sigprocmask(SIG_BLOCK, &signals_, &before_);
-  descriptor_ = Descriptor(::signalfd(-1, &signals_, SFD_NONBLOCK | SFD_CLOEXEC));
+  descriptor_ = runtime::Descriptor(::signalfd(-1, &signals_, SFD_NONBLOCK | SFD_CLOEXEC));
   if (*descriptor_ < 0 || *came_ < 0 || *ended_ < 0) {  // signals have their usual effect, then
     sigprocmask(SIG_SETMASK, &before_, nullptr);
     return;

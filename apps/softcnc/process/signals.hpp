@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "program/descriptor.hpp"
+#include "runtime/program/descriptor.hpp"
 
 namespace softcnc::app {
 
@@ -50,9 +50,9 @@ class StopSignals {
   int take(int otherwise) noexcept;
 
   sigset_t signals_{}, before_{};
-  Descriptor descriptor_;  // gives signals
-  Descriptor came_;        // can be read when one has come,
-  Descriptor ended_;       // and when the thread is to end
+  runtime::Descriptor descriptor_;  // gives signals
+  runtime::Descriptor came_;        // can be read when one has come,
+  runtime::Descriptor ended_;       // and when the thread is to end
   std::mutex taking_;
   std::atomic<int> received_{0};
   std::atomic<int> patience_{kPatience};  // ms; -1: without end

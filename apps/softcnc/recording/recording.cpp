@@ -11,8 +11,8 @@
 #include "hal/files/hash.hpp"
 #include "hal/machine/machine_file.hpp"
 #include "hal/machine/state_file.hpp"
-#include "program/descriptor.hpp"
 #include "recording/recording_meta.hpp"
+#include "runtime/program/descriptor.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -57,7 +57,7 @@ Result<std::string> hash_of(const hal::TemporaryFile& file) {
   return hasher.hex();
 }
 
-Result<hal::TemporaryFile> copy_of(Program& program) {
+Result<hal::TemporaryFile> copy_of(runtime::Program& program) {
   auto copy = hal::TemporaryFile::make();
   program.for_each_piece([&](std::string_view piece) {
     if (!copy) return;
@@ -74,13 +74,13 @@ std::string path_in(const std::string& folder, const CalledFile& called) {
 }
 
 /// Where that lies which has been run, whatever has become of the file itself.
-std::string path_of(const Program& program, const CalledFile& called) {
+std::string path_of(const runtime::Program& program, const CalledFile& called) {
   const std::string path = path_in(program.folder(), called);
   const auto& text = program.called().find(path);
   return text && *text ? (*text)->name() : path;
 }
 
-Status hash_called(const Program& program, std::vector<CalledFile>& files) {
+Status hash_called(const runtime::Program& program, std::vector<CalledFile>& files) {
   for (CalledFile& called : files) {
     auto hash = hash_of_file(path_of(program, called));
     if (!hash) return tl::make_unexpected(std::move(hash.error()));
@@ -91,7 +91,7 @@ Status hash_called(const Program& program, std::vector<CalledFile>& files) {
 
 }  // namespace
 
-Status write_recording(hal::OutputFile& file, Program& program, const Machine& machine,
+Status write_recording(hal::OutputFile& file, runtime::Program& program, const Machine& machine,
                        RecordingMeta meta, const hal::TemporaryFile& trace) {
   auto trace_hash = hash_of(trace);
   if (!trace_hash) return tl::make_unexpected(std::move(trace_hash.error()));
@@ -173,15 +173,15 @@ Status Recording::check_hash(const std::string& name, const std::string& expecte
                  .file = file_});
 }
 
-Result<Program> Recording::program() const {
+Result<runtime::Program> Recording::program() const {
   auto entry = zip_.entry("program");
   if (!entry) return tl::make_unexpected(std::move(entry.error()));
-  auto file = unlinked_file();
+  auto file = runtime::unlinked_file();
   if (!file) return tl::make_unexpected(std::move(file.error()));
   const Status copied = for_each_piece(
-      std::move(*entry), [&](std::string_view piece) { return write_all(*file, piece); });
+      std::move(*entry), [&](std::string_view piece) { return runtime::write_all(*file, piece); });
   if (!copied) return tl::make_unexpected(copied.error());
-  return Program::in_file(meta_.program_name, std::move(*file));
+  return runtime::Program::in_file(meta_.program_name, std::move(*file));
 }
 
 Status Recording::put_called(const std::string& folder, ipr::CalledTexts& texts) const {

@@ -12,8 +12,8 @@
 #include "hal/files/output_file.hpp"
 #include "hal/files/temporary_file.hpp"
 #include "hal/files/zip_file.hpp"
-#include "program/program.hpp"
-#include "session/channel_options.hpp"
+#include "runtime/program/program.hpp"
+#include "runtime/session/channel_options.hpp"
 
 namespace softcnc::app {
 
@@ -31,12 +31,12 @@ struct RecordingMeta {
   std::string state_hash;  // empty: the start state, and there is no such entry
   std::int64_t rows = 0;
   std::vector<CalledFile> called;
-  ChannelOptions options;  // the state in it is that of state.toml
+  runtime::ChannelOptions options;  // the state in it is that of state.toml
 };
 
 /// Writes a recording of a run whose trace is `trace`, as trace.csv.zst. The hashes of `meta`
 /// are filled in; the names of called files must be there. Errors: SC6003, SC6012, SC6013.
-Status write_recording(hal::OutputFile& file, Program& program, const Machine& machine,
+Status write_recording(hal::OutputFile& file, runtime::Program& program, const Machine& machine,
                        RecordingMeta meta, const hal::TemporaryFile& trace);
 
 class Recording {
@@ -49,7 +49,7 @@ class Recording {
   /// machine.toml
   const std::string& machine() const noexcept { return machine_; }
   /// The program, in an unlinked file of its own.
-  Result<Program> program() const;
+  Result<runtime::Program> program() const;
   /// Makes the files that the program called, and no others, those that are found in `folder`.
   /// Errors: SC6003, SC6021.
   Status put_called(const std::string& folder, ipr::CalledTexts& texts) const;

@@ -89,14 +89,14 @@ Result<ipr::Format> read_format(const Json& options) {
   return error(Code::SC6022, "was made in a format this version does not know: '" + word + "'");
 }
 
-Result<std::vector<FeedEvent>> read_events(const Json& options) {
-  std::vector<FeedEvent> events;
+Result<std::vector<runtime::FeedEvent>> read_events(const Json& options) {
+  std::vector<runtime::FeedEvent> events;
   for (const std::string text : options.value("at", Json::array())) {
-    const auto event = parse_event(text);
+    const auto event = runtime::parse_event(text);
     if (!event) return error(Code::SC6022, "has an unknown feed event: '" + text + "'");
     events.push_back(*event);
   }
-  sort_events(events);
+  runtime::sort_events(events);
   return events;
 }
 
@@ -149,8 +149,8 @@ std::string meta_json(const RecordingMeta& meta) {
               {"format", name(meta.options.interpreter.format)}}},
             {"start", {{"position_mm", {0, 0, 0}}, {"tool", nullptr}}}};
   if (meta.options.single_block) json["options"]["single_block"] = true;
-  for (const FeedEvent& event : meta.options.events)
-    json["options"]["at"].push_back(event_text(event));
+  for (const runtime::FeedEvent& event : meta.options.events)
+    json["options"]["at"].push_back(runtime::event_text(event));
   for (const CalledFile& file : meta.called)
     json["called"].push_back({{"name", file.name}, {"hash", file.hash}});
   return sealed_meta(dumped(json));

@@ -10,7 +10,7 @@
 #include "ipr/expressions/dialect.hpp"
 #include "messages/diagnostic_document.hpp"
 #include "messages/progress.hpp"
-#include "session/feed_script.hpp"
+#include "runtime/session/feed_script.hpp"
 
 namespace softcnc::app {
 
@@ -36,8 +36,8 @@ struct Options {
   std::vector<std::string> settings;  // KEY=VALUE, on top of it
   std::string state;                  // file; empty: none
 
-  double feed_override = 1;       // of the programmed feed
-  std::vector<FeedEvent> events;  // in the order of time
+  double feed_override = 1;                // of the programmed feed
+  std::vector<runtime::FeedEvent> events;  // in the order of time
   bool block_skip = false, optional_stop = false, single_block = false;
   ipr::Dialect dialect = ipr::Dialect::linuxcnc;
   ipr::Format format = ipr::Format::automatic;

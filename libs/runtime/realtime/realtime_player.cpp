@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/realtime/realtime_player.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hal/ports/tick_pace.hpp"
+
+namespace softcnc::runtime {
+namespace {
+
+constexpr double kAhead = 0.5;                  // s of words in the queue
+constexpr std::int64_t kLook = 1'000'000;       // ns from one look at the inputs to the next
+constexpr std::int64_t kBreath = 1'000'000;     // ns between two tries to fill the queue
+constexpr std::int64_t kPatience = 20'000'000;  // ns for the thread to end by itself
+constexpr double kNsPerSecond = 1e9;
+
+std::size_t words_ahead(const hal::PortTiming& timing) {
+  return static_cast<std::size_t>(kAhead * kNsPerSecond / static_cast<double>(timing.base)) + 16;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<RealtimePlayer>> RealtimePlayer::open(
+    const Machine& machine, std::unique_ptr<hal::PortRegisters> registers, Listener listener) {
+  std::unique_ptr<RealtimePlayer> player(
+      new RealtimePlayer(machine, std::move(registers), std::move(listener)));
+  if (const Alarm alarm = player->output_.look(); alarm != Alarm::none)
+    return tl::make_unexpected(player->output_.diagnostic(alarm));
+  player->thread_ = std::thread([raw = player.get()] { raw->run(); });
+  return player;
+}
+
+RealtimePlayer::RealtimePlayer(const Machine& machine,
+                               std::unique_ptr<hal::PortRegisters> registers, Listener listener)
+    : timing_(hal::port_timing(machine)),
+      tolerance_(std::llround(machine.control.period * kNsPerSecond)),
+      ticks_to_look_(std::max<std::int64_t>(kLook / timing_.base, 1)),
+      output_(std::move(registers), machine),
+      words_(words_ahead(timing_)),
+      listener_(std::move(listener)) {
+  listener_.holds_port(this);
+}
+
+RealtimePlayer::~RealtimePlayer() {
+  abandoned_ = true;
+  if (thread_.joinable()) thread_.join();
+  listener_.holds_port(nullptr);
+}
+
+Alarm RealtimePlayer::play(std::span<const hal::PortWord> words) noexcept {
+  for (const hal::PortWord& word : words)
+    while (!words_.push(word)) {
+      if (ended_) return alarm_;
+      sleep_until(now_ns() + kBreath);
+    }
+  return alarm_;
+}
+
+void RealtimePlayer::rest() noexcept { words_.rest(); }
+
+Status RealtimePlayer::finish() {
+  rest();
+  finishing_ = true;
+  if (thread_.joinable()) thread_.join();
+  if (!rights_.all())
+    listener_.report({.code = Code::SC6075, .message = "no real-time rights: " + rights_.refusal});
+  if (alarm_ == Alarm::none) return {};
+  return tl::make_unexpected(output_.diagnostic(alarm_));
+}
+
+/// The thread writes no more once it has ended. It is waited for, unless the signal is its own or
+/// something holds it up.
+void RealtimePlayer::abandon() noexcept {
+  abandoned_ = true;
+  const bool own = thread_.get_id() == std::this_thread::get_id();
+  const std::int64_t patience = now_ns() + std::max(2 * timing_.base, kPatience);
+  while (!ended_ && !own && now_ns() < patience) sleep_until(now_ns() + kBreath / 10);
+  output_.rest();
+}
+
+void RealtimePlayer::run() noexcept {
+  rights_ = become_realtime();
+  alarm_ = play_all();
+  output_.rest();
+  ended_ = true;
+}
+
+/// A word, if it moves and there is one. Where it may stand it waits for more.
+Alarm RealtimePlayer::write_next() noexcept {
+  using Next = RealtimeQueue<hal::PortWord>::Next;
+  hal::PortWord word;
+  const Next next = words_.take(word);
+  if (next == Next::item) return output_.write(word);
+  return next == Next::stands ? Alarm::none : Alarm::overrun;
+}
+
+Alarm RealtimePlayer::play_all() noexcept {
+  Alarm alarm = output_.write(output_.pins().enabled());
+  hal::TickPace pace(timing_.base, timing_.shortest, now_ns() + timing_.base);
+  for (std::int64_t tick = 0; alarm == Alarm::none && !abandoned_; ++tick) {
+    if (finishing_ && words_.all_taken()) break;
+    sleep_until(pace.due());
+    const bool late = pace.come(now_ns()) > tolerance_;
+    if (tick % ticks_to_look_ == 0) alarm = output_.look();
+    if (alarm == Alarm::none && late && words_.moves()) alarm = Alarm::overrun;
+    if (alarm == Alarm::none) alarm = write_next();
+  }
+  return alarm;
+}
+
+}  // namespace softcnc::runtime

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/session/channel.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace softcnc::runtime {
+namespace {
+
+/// How far ahead of its need the queue is filled, in periods.
+constexpr double kAhead = 256;
+constexpr double kSameInstant = 1e-9;  // periods: rounding of sums
+constexpr double kMostRows = 1e15;     // that are counted ahead
+/// How far ahead in time the path is looked for, s.
+constexpr double kSight = 4;
+
+}  // namespace
+
+Channel::Channel(ipr::Reader& reader, int input, const Machine& machine,
+                 const ChannelOptions& options, Diagnostics& diagnostics)
+    : machine_(machine),
+      events_(options.events),
+      control_{options.feed_override, false, false},
+      feeder_(reader, input, machine, options, diagnostics),
+      queue_(10 * machine.control.period),
+      follows_plan_(follows_time(machine.control.interpolation)),
+      interpolator_(queue_, machine.control),
+      times_(options.worst_lines > 0, follows_plan_) {
+  interpolator_.set_feed_override(options.feed_override);
+}
+
+/// Plans what the next step may reach. False where an exception has broken that off.
+bool Channel::plan_ahead() noexcept {
+  if (broken_) return false;
+  try {
+    const double needed = interpolator_.needs_until();
+    if (queue_.t_end() <= needed || feeder_.needs_more_first())
+      feeder_.fill(queue_, needed + kAhead * machine_.control.period);
+    if (replanned_ && !queue_.empty()) interpolator_.replanned();
+    replanned_ = replanned_ && queue_.empty();
+  } catch (...) {
+    broken_ = std::current_exception();
+  }
+  return !broken_;
+}
+
+void Channel::see_path_to(double s) noexcept {
+  if (broken_) return;
+  try {
+    feeder_.look_ahead(queue_, s, interpolator_.needs_until() + kSight);
+  } catch (...) {
+    broken_ = std::current_exception();
+  }
+}
+
+const Pause* Channel::pause_ahead() noexcept {
+  if (!plan_ahead() || feeder_.pauses().empty()) return nullptr;
+  const Pause& next = feeder_.pauses().front();
+  return next.time <= interpolator_.needs_until() ? &next : nullptr;
+}
+
+std::optional<Setpoint> Channel::step(const Panel& panel) noexcept {
+  if (!plan_ahead()) return std::nullopt;
+  if (panel.stop && started_ && !std::exchange(stopping_, true)) {
+    control_.stop = true;
+    replan();
+    if (!plan_ahead()) return std::nullopt;
+  }
+  if (panel.stop && waiting()) feeder_.finish(queue_);
+  if (waiting()) return std::nullopt;
+  started_ = true;
+  auto next = interpolator_.step();
+  if (!follows_plan_ && next) add_period(*next);
+  return next;
+}
+
+/// What held the feed down where the period began.
+void Channel::add_period(const Setpoint& next) noexcept {
+  if (next.period > 0) times_.add_row(limit_before_, machine_.control.period);
+  limit_before_ = next.limit;
+}
+
+Channel::Quiet Channel::quiet_ahead() {
+  if (!started_ || queue_.empty()) return {};
+  const ipo::TimedBlock& present = queue_.front();
+  const double t = interpolator_.time_in_block(), period = machine_.control.period;
+  if (quiet_start_ != present.t_start || t >= quiet_.until)
+    quiet_ = quiet_from(present, t, machine_);
+  quiet_start_ = present.t_start;
+  if (!quiet_.quiet) return {};
+  const auto periods = [period](double time) {
+    return static_cast<std::int64_t>(std::min(time / period, kMostRows));
+  };
+  return {periods(quiet_.until - t), std::max(periods(quiet_.step), std::int64_t{1})};
+}
+
+bool Channel::event_due() const noexcept {
+  return answered_ < events_.size() && started_ && !stopping_ && !queue_.empty() &&
+         interpolator_.time() >= events_[answered_].time - kSameInstant * machine_.control.period;
+}
+
+void Channel::answer_events() noexcept {
+  if (!event_due()) return;
+  for (; event_due(); ++answered_) control_ = after(events_[answered_], control_);
+  replan();
+}
+
+void Channel::replan() noexcept {
+  if (queue_.empty() || broken_) return;
+  try {
+    const double now = interpolator_.time();
+    add_present();
+    feeder_.replan(queue_, interpolator_.state(), now, control_);
+    interpolator_.set_feed_override(control_.feed_override);
+    replanned_ = true;
+  } catch (...) {
+    broken_ = std::current_exception();
+  }
+}
+
+void Channel::forget_passed() {
+  const auto* present = queue_.empty() ? nullptr : &queue_.front();
+  queue_.for_each_recent([&](const ipo::TimedBlock& timed) {
+    if (&timed != present)
+      times_.add(timed, timed.profile.duration(), interpolator_.feed_override());
+  });
+  queue_.trim();
+}
+
+void Channel::rethrow() const {
+  if (broken_) std::rethrow_exception(broken_);
+}
+
+double Channel::time() const noexcept {
+  return queue_.empty() && follows_plan_ ? queue_.t_end() : interpolator_.time();
+}
+
+/// What has passed of the block in which the machine is.
+void Channel::add_present() {
+  if (!queue_.empty())
+    times_.add(queue_.front(), time() - queue_.front().t_start, interpolator_.feed_override());
+}
+
+const RunTimes& Channel::end_times() {
+  add_present();
+  return times_;
+}
+
+}  // namespace softcnc::runtime

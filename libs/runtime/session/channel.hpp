@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// THE PIPELINE: part program -> blocks -> timed blocks -> setpoints -> backend -> rows.
+//
+//   Reader -> Parser -> Interpreter -> Planner ==queue==> Interpolator -> run_cycle -> Backend
+//   '---------------- Feeder -----------------'
+//   '---------------------- Channel -----------------------'
+#pragma once
+
+#include <cstddef>
+#include <exception>
+#include <optional>
+#include <vector>
+
+#include "ipo/queue/block_queue.hpp"
+#include "ipo/queue/interpolator.hpp"
+#include "ipo/queue/quiet_stretch.hpp"
+#include "motion/model/cycle.hpp"
+#include "runtime/figures/run_times.hpp"
+#include "runtime/session/channel_options.hpp"
+#include "runtime/session/feed_script.hpp"
+#include "runtime/session/feeder.hpp"
+#include "runtime/session/watcher.hpp"
+
+namespace softcnc::runtime {
+
+/// A Source of setpoints for one thread: it plans whenever the queue runs low.
+class Channel {
+ public:
+  Channel(ipr::Reader& reader, int input, const Machine& machine, const ChannelOptions& options,
+          Diagnostics& diagnostics);
+
+  /// Returns whether an event of the script is to be answered before the next step.
+  bool event_due() const noexcept;
+  /// Plans the rest of the path again for the events that are due; right after forget_passed().
+  void answer_events() noexcept;
+
+  /// Returns the next setpoint; nothing at the end. On a stop by the panel the rest of the path is
+  /// planned again, to rest as soon as the limits allow; it must not ask between two calls of
+  /// forget_passed().
+  std::optional<Setpoint> step(const Panel& panel) noexcept;
+
+  /// Returns the pause that the next step passes, if there is one; resume() lets it pass.
+  const Pause* pause_ahead() noexcept;
+  void resume() noexcept { feeder_.pauses().pop_front(); }
+
+  /// Returns whether there is no next setpoint until more of the program comes.
+  bool waiting() const noexcept {
+    return feeder_.needs_more_first() ||
+           (feeder_.waiting() && queue_.t_end() <= interpolator_.needs_until());
+  }
+
+  /// Rows that follow the last one within a stretch where none can come near a limit, and how many
+  /// of them there are to one that still draws the path.
+  struct Quiet {
+    std::int64_t rows = 0, to_next = 0;
+  };
+  Quiet quiet_ahead();
+  /// The next step is `rows` later than it would be; they must be quiet.
+  void pass_over(std::int64_t rows) noexcept { interpolator_.pass_over(rows); }
+
+  /// Blocks from the one of the last forget_passed() to the present one.
+  const ipo::BlockQueue& queue() const noexcept { return queue_; }
+  void forget_passed();
+  /// Fills the queue with the path up to `s` mm along the program, as far as that is known and the
+  /// machine comes there within seconds.
+  void see_path_to(double s) noexcept;
+
+  /// Passes on what an exception has broken off.
+  void rethrow() const;
+
+  /// The instant of the plan that has been reached, s: at the end, its duration. Of methods that go
+  /// their own path through the curves, the instant of the last row.
+  double time() const noexcept;
+  /// What it was spent on. Nothing may be run after that.
+  const RunTimes& end_times();
+
+  /// Events that the run has not reached.
+  std::size_t events_left() const noexcept { return events_.size() - answered_; }
+
+  Feeder& feeder() noexcept { return feeder_; }
+
+ private:
+  bool plan_ahead() noexcept;
+  void replan() noexcept;
+  void add_period(const Setpoint& next) noexcept;
+  void add_present();
+
+  const Machine& machine_;
+  std::vector<FeedEvent> events_;
+  std::size_t answered_ = 0;  // of the events
+  ipo::FeedControl control_;
+  Feeder feeder_;
+  ipo::BlockQueue queue_;
+  bool follows_plan_;  // the rows lie where the plan is at their instants
+  ipo::Interpolator interpolator_;
+  RunTimes times_;                    // of what has been forgotten
+  Limit limit_before_ = Limit::stop;  // of the last row
+  bool started_ = false, stopping_ = false;
+  bool replanned_ = false;   // the interpolator does not know of it yet
+  double quiet_start_ = -1;  // s: when that block begins
+  ipo::QuietStretch quiet_;  // of the present block, from the instant on at which it was looked at
+  std::exception_ptr broken_;
+};
+
+}  // namespace softcnc::runtime

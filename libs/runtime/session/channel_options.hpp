@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// How a part program is run.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "ipr/interpreter/interpreter.hpp"
+#include "motion/model/machine_state.hpp"
+#include "runtime/session/feed_script.hpp"
+
+namespace softcnc::runtime {
+
+/// How a part program runs, beside the machine.
+struct ChannelOptions {
+  double feed_override = 1;  // of the programmed feed, as it begins
+  ipr::InterpreterOptions interpreter;
+  MachineState state;             // with which the program begins
+  bool keeps_state = false;       // Outcome::state is asked for
+  bool single_block = false;      // every move ends at rest, every line waits for a person
+  std::vector<FeedEvent> events;  // in the order of time
+  bool skims = false;             // rows that cannot come near a limit are not looked at one by one
+  std::size_t worst_lines = 0;    // Outcome::worst_lines: so many are asked for
+  /// Whether the program never ends as far as it is known; asked for where much has been read
+  /// again. Such a program is not planned further. May be empty.
+  std::function<bool()> is_endless = {};
+};
+
+}  // namespace softcnc::runtime

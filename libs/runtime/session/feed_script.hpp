@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Changes of the feed at given moments of a run: --at.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ipo/planner/feed_control.hpp"
+
+namespace softcnc::runtime {
+
+struct FeedEvent {
+  enum class Kind : std::uint8_t { override_, hold, resume };
+
+  double time = 0;  // s of the run
+  Kind kind = Kind::resume;
+  double percent = 100;  // of an override
+};
+
+/// "1.5:override=50", "2:hold", "3:resume"; nothing if it is none of them.
+std::optional<FeedEvent> parse_event(std::string_view text);
+
+/// Returns the text that parse_event() reads as this event.
+std::string event_text(const FeedEvent& event);
+
+/// Returns what is asked for from the event on.
+ipo::FeedControl after(const FeedEvent& event, ipo::FeedControl control) noexcept;
+
+/// Sorts events by time; those of one moment keep their order.
+void sort_events(std::vector<FeedEvent>& events);
+
+}  // namespace softcnc::runtime

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/session/feeder.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "runtime/figures/cpu_clock.hpp"
+#include "runtime/program/descriptor.hpp"
+
+namespace softcnc::runtime {
+namespace {
+
+bool is_pause(const Block& block) {
+  const auto* action = std::get_if<Action>(&block.what);
+  if (action == nullptr) return false;
+  constexpr int kM06 = 6;
+  return action->kind == Action::Kind::stop ||
+         (action->kind == Action::Kind::tool && action->code == kM06);
+}
+
+void end_at_rest(Block& block) {
+  if (Move* move = std::get_if<Move>(&block.what)) move->path_mode = PathMode::stop;
+}
+
+double largest_override(const ChannelOptions& options) {
+  double largest = options.feed_override;
+  for (const FeedEvent& event : options.events)
+    if (event.kind == FeedEvent::Kind::override_) largest = std::max(largest, event.percent / 100);
+  return largest;
+}
+
+}  // namespace
+
+Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
+               const ChannelOptions& options, Diagnostics& diagnostics)
+    : input_(input),
+      machine_(machine),
+      options_(options),
+      diagnostics_(diagnostics),
+      unplanned_travel_(machine, diagnostics),
+      parser_(reader, diagnostics),
+      interpreter_(parser_, machine, diagnostics, options.interpreter, options.state),
+      planner_(machine, options.feed_override, diagnostics),
+      states_(options.state),
+      patient_(!options.events.empty()),
+      limit_(machine, largest_override(options)) {}
+
+void Feeder::fill(ipo::BlockQueue& queue, double until) {
+  CpuLaps cpu;
+  until_ = std::exchange(waiting_, false) && patient_ ? until_ : until;
+  while (queue.t_end() <= until_) {
+    auto part = planner_.pop_part();
+    if (!part && ended_) break;
+    if (!part && read_block()) continue;
+    if (!part && !patient_) part = planner_.pop_part_now();
+    waiting_ = !part;
+    if (waiting_) break;
+    take(queue, std::move(*part));
+  }
+  cpu_ += cpu.lap();
+}
+
+void Feeder::look_ahead(ipo::BlockQueue& queue, double s, double t) {
+  CpuLaps cpu;
+  while (!waiting_ && queue.s_end().value_or(0) < s && queue.t_end() < t) {
+    auto part = planner_.pop_part();
+    if (!part && (ended_ || !read_block())) break;
+    if (part) take(queue, std::move(*part));
+  }
+  cpu_ += cpu.lap();
+}
+
+void Feeder::take(ipo::BlockQueue& queue, ipo::TimedPart part) {
+  const auto* timed = std::get_if<ipo::TimedBlock>(&part);
+  std::optional<Diagnostic> late;
+  if (timed != nullptr) find_pauses(*timed);
+  if (timed != nullptr && diagnostics_.errors() == 0)
+    late = limit_.check_end(timed->block, timed->t_end());
+  queue.push(std::move(part));
+  planned_ = queue.t_end();
+  if (!late) return;
+  diagnostics_.report(std::move(*late));
+  if (ended_) return;
+  end_at_last_block();
+  read_on(std::nullopt);
+}
+
+void Feeder::end_at_last_block() {
+  planner_.finish();
+  ended_ = true;
+}
+
+/// With single block before every block but the first, and those that wait by themselves.
+void Feeder::find_pauses(const ipo::TimedBlock& timed) {
+  const Block& block = timed.block;
+  const bool is_next = last_block_ && *last_block_ != block.number;
+  if (options_.single_block && is_next && !is_pause(block))
+    pauses_.push_back({block, timed.t_start, true});
+  last_block_ = block.number;
+  if (is_pause(block)) pauses_.push_back({block, timed.t_end(), false});
+}
+
+void Feeder::replan(ipo::BlockQueue& queue, const ipo::State& now, double t,
+                    const ipo::FeedControl& asked) {
+  CpuLaps cpu;
+  pauses_.clear();
+  ended_ = ended_ || asked.stop;
+  last_block_ = queue.front().block.number;
+  queue.begin_again(planner_.replan(queue.take_rest(), now, t, asked), t);
+  cpu_ += cpu.lap();
+}
+
+void Feeder::finish(ipo::BlockQueue& queue) {
+  waiting_ = false;
+  if (!std::exchange(ended_, true)) planner_.finish();
+  while (auto part = planner_.pop_part()) queue.push(std::move(*part));
+}
+
+/// False if that would have to wait.
+bool Feeder::read_block() {
+  auto block = interpreter_.next();
+  if (!block && interpreter_.waiting()) return false;
+  if (block && options_.keeps_state) states_.add(block->number, interpreter_.state());
+  if (block && diagnostics_.errors() == 0)
+    if (auto late = limit_.check(*block, planned_)) diagnostics_.report(std::move(*late));
+  if (is_endless()) {
+    end_at_last_block();
+    read_unplanned(std::move(block));
+    return true;
+  }
+  const bool good = block && diagnostics_.errors() == 0;
+  if (good && options_.single_block) end_at_rest(*block);
+  if (good && programmed_) programmed_->add(*block);
+  if (good) planner_.push(*std::exchange(block, std::nullopt));
+  if (good && diagnostics_.errors() == 0) return true;
+  end_at_last_block();
+  read_on(std::move(block));
+  return true;
+}
+
+/// Asked for seldom enough not to count.
+bool Feeder::is_endless() {
+  constexpr std::int64_t kSeldom = 4;
+  if (!options_.is_endless || parser_.reader().bytes() == 0) return false;
+  const std::int64_t again = parser_.bytes_read() - parser_.reader().bytes();
+  if (again < read_again_) return false;
+  read_again_ = kSeldom * again;
+  return options_.is_endless();
+}
+
+/// The next block, however long it takes to come.
+std::optional<Block> Feeder::wait_for_block() {
+  auto block = interpreter_.next();
+  const std::stop_token& stop = options_.interpreter.stop;
+  for (; !block && interpreter_.waiting() && !stop.stop_requested(); block = interpreter_.next())
+    wait_for_input(input_, stop);
+  return block;
+}
+
+/// Reads to the end of a program that has none: planning what it does would take long.
+void Feeder::read_unplanned(std::optional<Block> block) {
+  for (; block; block = wait_for_block())
+    if (const Move* move = std::get_if<Move>(&block->what))
+      unplanned_travel_.check(*move, block->source);
+}
+
+/// Reads to the end of the program only to find what else is wrong.
+void Feeder::read_on(std::optional<Block> block) {
+  if (diagnostics_.errors() == 0) return;
+  ipo::Planner rest(machine_, options_.feed_override, diagnostics_);
+  if (!block) block = wait_for_block();
+  for (; block; block = wait_for_block()) {
+    rest.push(std::move(*block));
+    while (rest.pop()) {
+    }
+  }
+}
+
+}  // namespace softcnc::runtime

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// The planning side of a run: from text to timed blocks in a queue.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ipo/planner/planner.hpp"
+#include "ipo/queue/block_queue.hpp"
+#include "ipr/interpreter/interpreter.hpp"
+#include "motion/verification/programmed_path.hpp"
+#include "runtime/session/channel_options.hpp"
+#include "runtime/session/motion_limit.hpp"
+#include "runtime/session/state_history.hpp"
+#include "runtime/session/unplanned_travel.hpp"
+#include "runtime/session/watcher.hpp"
+
+namespace softcnc::runtime {
+
+/// The planning side: reads, interprets and plans as far as the queue needs it.
+class Feeder {
+ public:
+  /// What is referred to must outlive the feeder.
+  Feeder(ipr::Reader& reader, int input, const Machine& machine, const ChannelOptions& options,
+         Diagnostics& diagnostics);
+
+  /// Times blocks until the queue reaches beyond `until`, or holds all there are. After an error
+  /// the motion ends with the last good block, and the rest is read only to report what else is
+  /// wrong.
+  void fill(ipo::BlockQueue& queue, double until);
+  /// Times what there is of the path up to `s` mm, but no further than until `t`. What may
+  /// still change when more of a program comes is left as it is.
+  void look_ahead(ipo::BlockQueue& queue, double s, double t);
+  /// Returns whether fill() has ended because the program's pipe has nothing more yet.
+  bool waiting() const noexcept { return waiting_; }
+  /// Returns whether the queue must be filled further before anything is taken from it: where the
+  /// rest of the path will be planned again, as much of it must be known as of a program in a file.
+  bool needs_more_first() const noexcept { return waiting_ && patient_; }
+
+  /// Plans the queue again from the state `now` in its first block, at program time `t`; fill()
+  /// adds what follows. After a stop nothing more is read.
+  void replan(ipo::BlockQueue& queue, const ipo::State& now, double t,
+              const ipo::FeedControl& asked);
+
+  /// Reads no further; the queue gets what has been read.
+  void finish(ipo::BlockQueue& queue);
+
+  /// The pauses up to the end of the queue; the caller removes the one it has waited at.
+  std::deque<Pause>& pauses() noexcept { return pauses_; }
+
+  /// The states of the machine as far as has been read.
+  StateHistory& states() noexcept { return states_; }
+
+  /// Passes every block to `programmed` before the planner gets it.
+  void show(ProgrammedPath& programmed) noexcept { programmed_ = &programmed; }
+
+  std::vector<std::string> called_files() const { return interpreter_.called_files(); }
+  const std::set<std::string>& missing_files() const noexcept {
+    return interpreter_.missing_files();
+  }
+  ipo::PlannerCounts counts() const noexcept { return planner_.counts(); }
+  double cpu() const noexcept { return cpu_; }  // s
+
+ private:
+  bool read_block();
+  void take(ipo::BlockQueue& queue, ipo::TimedPart part);
+  void end_at_last_block();
+  bool is_endless();
+  void read_unplanned(std::optional<Block> block);
+  void find_pauses(const ipo::TimedBlock& timed);
+  std::optional<Block> wait_for_block();
+  void read_on(std::optional<Block> block);
+
+  int input_;  // where it reads
+  const Machine& machine_;
+  const ChannelOptions options_;
+  Diagnostics& diagnostics_;
+  UnplannedTravel unplanned_travel_;
+  ipr::Parser parser_;
+  ipr::Interpreter interpreter_;
+  ipo::Planner planner_;
+  ProgrammedPath* programmed_ = nullptr;
+  std::deque<Pause> pauses_;
+  std::optional<int> last_block_;  // the number of the last one in the queue
+  StateHistory states_;
+  bool ended_ = false, waiting_ = false;
+  bool patient_;
+  MotionLimit limit_;
+  double planned_ = 0;               // s: the end of the queue
+  std::int64_t read_again_ = 65536;  // bytes: where more have been, it is asked for an end
+  double until_ = 0;                 // what fill() was asked for
+  double cpu_ = 0;
+};
+
+}  // namespace softcnc::runtime

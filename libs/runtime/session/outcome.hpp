@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The result of a run.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ipo/planner/planner.hpp"
+#include "motion/model/cycle.hpp"
+#include "motion/model/machine_state.hpp"
+#include "motion/model/setpoint.hpp"
+#include "motion/verification/contour_report.hpp"
+#include "motion/verification/programmed_path.hpp"
+#include "motion/verification/verify.hpp"
+#include "runtime/figures/surface_notes.hpp"
+#include "runtime/figures/time_sheet.hpp"
+#include "runtime/figures/worst_lines.hpp"
+
+namespace softcnc::runtime {
+
+/// The result of a run. CPU times are those of this thread.
+struct Outcome {
+  enum class End : std::uint8_t { done, stopped, alarm, broken_off };
+  struct Cpu {
+    double planning = 0, cycle = 0, verification = 0, output = 0;  // s
+  };
+
+  End end = End::done;
+  Setpoint last;
+  Feedback feedback;
+  std::int64_t setpoints = 0;
+  double time = 0;  // s: Channel::time()
+  std::array<double, kLimits> time_by_limit{};
+  TimeSheet time_sheet;
+  std::vector<WorstLine> worst_lines;  // as many as are asked for
+  Measured measured;
+  double corner_deviation = 0;          // mm: of rounded corners from the programmed path, largest;
+  ProgrammedPath::Deviation deviation;  // and that which comes nearest to what is allowed
+  std::optional<ContourReport> contour;  // where the backend knows where the axes are
+  SurfaceNotes surface;
+  std::size_t events_left = 0;  // of the script: their moments were never reached
+  MachineState state;           // where the machine rests, if ChannelOptions::keeps_state
+  ipo::PlannerCounts planner;
+  std::vector<std::string> called_files;  // their names in the folder
+  std::set<std::string> missing_files;    // names in the folder under which calls have found none
+  Cpu cpu;
+};
+
+}  // namespace softcnc::runtime

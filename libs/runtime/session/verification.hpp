@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Every row of a run against the curves and limits it should keep.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ipo/queue/block_queue.hpp"
+#include "motion/verification/programmed_path.hpp"
+#include "motion/verification/verify.hpp"
+#include "runtime/figures/surface_notes.hpp"
+
+namespace softcnc::runtime {
+
+/// Hands rows to the verifier together with the paths between them.
+class Verification {
+ public:
+  explicit Verification(const Machine& machine) noexcept : verifier_(machine), surface_(machine) {}
+
+  /// `queue` still holds every block from that of the row before.
+  void add(std::span<const Setpoint> rows, const ipo::BlockQueue& queue);
+  /// A row of a stretch in which none can come near a limit, and those left out before it.
+  void pass_over(const Setpoint& row) noexcept;
+  void finish() noexcept;
+
+  const Measured& measured() const noexcept { return verifier_.measured(); }
+  /// Sees every block as it is programmed.
+  ProgrammedPath& programmed() noexcept { return programmed_; }
+  const ProgrammedPath& programmed() const noexcept { return programmed_; }
+  const SurfaceNotes& surface() const noexcept { return surface_; }
+
+ private:
+  Verifier verifier_;
+  ProgrammedPath programmed_;
+  SurfaceNotes surface_;
+  int block_before_ = 0;                        // number of the block of the row before
+  std::vector<PathStretch> stretches_;          // of the blocks in the queue,
+  std::vector<const ipo::TimedBlock*> blocks_;  // those blocks,
+  struct Numbers {
+    int first, last;
+  };
+  std::vector<Numbers> block_numbers_;  // and the numbers that each stands for
+};
+
+/// Reports where the rows have exceeded a limit of the machine: SC4002, or SC4003 for an
+/// interpolation method that does not promise to keep it.
+void report_excess(const Measured& measured, const ProgrammedPath::Deviation& worst,
+                   const Machine& machine, Diagnostics& diagnostics);
+
+}  // namespace softcnc::runtime

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The observer of a run, and the places where a run waits for a person.
+#pragma once
+
+#include "motion/model/block.hpp"
+#include "motion/model/setpoint.hpp"
+
+namespace softcnc::runtime {
+
+/// A place where the program waits for a person, and its time.
+struct Pause {
+  Block block;
+  double time = 0;      // s of the plan
+  bool before = false;  // the block, which is the next one; or after it: M00, M01 or M06
+};
+
+/// Observes a run from outside, every now and then.
+class Watcher {
+ public:
+  virtual ~Watcher() = default;
+  virtual bool wants_stop() = 0;
+  virtual void sees(const Setpoint& latest) = 0;
+  /// Called before M00, M01, M06 or a single block is passed. Returns when the program may go on,
+  /// or is to stop.
+  virtual void pause(const Pause& pause) = 0;
+  /// Returns when there is something to read, or the run is to stop.
+  virtual void wait_for_input(int descriptor) = 0;
+};
+
+}  // namespace softcnc::runtime

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The rows of a run as a trace.
+#pragma once
+
+#include <memory>
+
+#include "hal/backends/backend.hpp"
+#include "hal/files/temporary_file.hpp"
+#include "hal/trace/trace.hpp"
+#include "runtime/program/program.hpp"
+#include "runtime/sinks/row_sink.hpp"
+
+namespace softcnc::runtime {
+
+/// Passes rows to a trace writer, or nowhere if it is null.
+class TraceRows final : public RowSink {
+ public:
+  explicit TraceRows(std::unique_ptr<hal::TraceWriter> writer) : writer_(std::move(writer)) {}
+
+  bool row(const Setpoint& setpoint, std::span<const double> backend_values) override {
+    if (writer_) writer_->row(setpoint, backend_values);
+    return ok();
+  }
+  void rest() override {
+    if (writer_) writer_->rest();
+  }
+  void flush() override {
+    if (writer_) writer_->flush();
+  }
+  /// Adds the hash, after the last row, of a program whose hash was not known to the header.
+  void add_hash_of(Program& program) {
+    if (writer_ && program.streamed()) writer_->add_program_hash(program.hash());
+  }
+  bool ok() const noexcept { return !writer_ || writer_->ok(); }
+  Status finish() { return writer_ ? writer_->finish() : Status(); }
+
+ private:
+  std::unique_ptr<hal::TraceWriter> writer_;
+};
+
+hal::TraceHeader trace_header(Program& program, const Machine& machine);
+
+/// Writes compressed CSV into a temporary file, which must outlive the rows.
+Result<TraceRows> compressed_trace(hal::TemporaryFile& file, Program& program,
+                                   const Machine& machine, const hal::Backend& backend);
+
+/// Writes into a file; nowhere if its name is empty. `patience` limits the wait for a reader.
+/// Errors: those of hal::TraceWriter::open(), SC6002.
+Result<TraceRows> open_trace(const std::string& file, Program& program, const Machine& machine,
+                             const hal::Backend& backend, hal::Patience patience);
+
+}  // namespace softcnc::runtime
