@@ -196,3 +196,10 @@ TEST_CASE("check reports a loop without an end, and once where it leads", "[apps
         Codes{"SC2310", "SC4001", "SC4001"});
   CHECK(told("F100 G91\no2 repeat [11]\nG1 X100\no2 endrepeat\nM30\n") == Codes{"SC4001"});
 }
+
+TEST_CASE("check looks at moves on both sides of lines that are missing", "[apps][check]") {
+  const Ended ended = call("check -", "G21 G90 F100\nG1 X10\nX0 Q5\nX10\nX0 Q5\nX10\nM2\n");
+  CHECK(ended.status == 1);
+  CHECK(shows(ended.out, "<stdin>:3:4: error: ... [SC2004]"));
+  CHECK(shows(ended.out, "<stdin>:5:4: error: ... [SC2004]"));
+}

@@ -32,6 +32,7 @@ Planner::Planner(const Machine& machine, double feed_override, Diagnostics& diag
 }
 
 void Planner::push(Block block) {
+  resting_ = false;
   if (const Move* move = std::get_if<Move>(&block.what)) {
     if (auto outside = check_travel(*move, machine_))
       return leave_out(std::move(*outside), block.source);
@@ -40,6 +41,14 @@ void Planner::push(Block block) {
   if (corners_.passes(block)) return accept({std::move(block), {}, 0});
   corners_.push(std::move(block));
   while (auto piece = corners_.pop()) accept(std::move(*piece));
+}
+
+void Planner::come_to_rest() {
+  flush_corners();
+  while (lay_ahead()) {
+  }
+  rest_ = Limit::stop;
+  resting_ = true;
 }
 
 void Planner::finish() {
@@ -169,7 +178,7 @@ void Planner::report_no_speed(Profile& profile) {
 
 /// Where nothing more was found, it is worth planning again only when the window has grown.
 bool Planner::settle() {
-  const bool ended = finished_ && (ahead_.empty() || to_rest_);
+  const bool ended = resting_ || (finished_ && (ahead_.empty() || to_rest_));
   if (!ended && !hurried_ &&
       window_->size() < std::max(tuning::planner::kFewIntervals, 2 * last_size_))
     return false;

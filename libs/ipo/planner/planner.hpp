@@ -36,6 +36,9 @@ class Planner {
   /// A move that leaves the travel of an axis (SC4001), or that its pulses cannot make (SC7080), is
   /// reported and skipped: what came before it ends at rest.
   void push(Block block);
+  /// What has been pushed ends at rest, as at the end of a program, and no longer waits for what
+  /// follows; more may be pushed. Corners that wait for the next move stay sharp.
+  void come_to_rest();
   /// Ends the program: the machine rests at the end of the last block.
   void finish();
 
@@ -104,6 +107,7 @@ class Planner {
   double last_rest_ = -1;          // when the machine last rested at a turn
   RestBefore rest_ = Limit::stop;  // before the next move
   bool finished_ = false;
+  bool resting_ = false;  // at the end of what has been pushed
   bool to_rest_ = false;  // at the end of what is pending, whatever follows
   FeedControl feed_;
   double running_;                      // feed override with which the machine last continued

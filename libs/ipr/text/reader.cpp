@@ -48,6 +48,7 @@ Reader& Reader::operator=(Reader&& other) noexcept {
   close();
   descriptor_ = std::exchange(other.descriptor_, -1);
   owned_ = other.owned_;
+  fed_ = other.fed_;
   origin_ = other.origin_;
   spool_ = std::move(other.spool_);
   first_ = other.first_;
@@ -100,6 +101,19 @@ Reader Reader::again() const {
   reader.descriptor_ = descriptor_;
   reader.buffer_.resize(kBufferSize);
   return reader;
+}
+
+Reader Reader::fed() {
+  Reader reader;
+  reader.fed_ = true;
+  reader.buffer_.resize(kBufferSize);
+  return reader;
+}
+
+Status Reader::feed(std::string_view text) {
+  spool_.add(text.data(), text.size());
+  if (spool_.failure()) return tl::make_unexpected(*spool_.failure());
+  return {};
 }
 
 Reader Reader::from_text(std::string text) {
@@ -160,7 +174,7 @@ bool Reader::only_blanks_follow(std::size_t length) {
   };
   while (is_blank_so_far() && read_ahead()) {
   }
-  const bool all_is_there = descriptor_ < 0 || end_ - begin_ < buffer_.size() / 2;
+  const bool all_is_there = is_in_memory() || end_ - begin_ < buffer_.size() / 2;
   return all_is_there && is_blank_so_far();
 }
 
@@ -187,7 +201,7 @@ std::size_t Reader::find_line_end(std::size_t from) noexcept {
 
 /// Reads more after what is there. False at the end of the text.
 bool Reader::fill() {
-  if (descriptor_ < 0 || failure_) return false;
+  if (is_in_memory() || failure_) return false;
   std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
   intact_ -= std::min(intact_, begin_);
   end_ -= std::exchange(begin_, 0);
@@ -209,7 +223,7 @@ bool Reader::has_nothing_yet(int timeout) const noexcept {
 
 /// Whether a pipe has nothing, and nobody is to wait for it, or not any longer.
 bool Reader::is_to_wait() const noexcept {
-  if (first_ != nullptr) return true;
+  if (first_ != nullptr || fed_) return true;
   if (!waits_) return has_nothing_yet(0);
   while (stop_.stop_possible() && has_nothing_yet(kBetweenLooks))
     if (stop_.stop_requested()) return true;

@@ -38,6 +38,13 @@ class Reader {
   /// read one descriptor. Closing it is left to the caller.
   static Reader of_file(int descriptor, std::int64_t begin);
 
+  /// Reads what feed() will bring: where that is not enough for a line, next() gives nothing and
+  /// waiting() is true, until more comes or end_feed() says that nothing more will. Errors of
+  /// feed(): SC6032, where nothing more can be kept.
+  static Reader fed();
+  Status feed(std::string_view text);
+  void end_feed() noexcept { pipe_ended_ = true; }
+
   /// Another reading from the beginning of what this one, which must outlive it, has got from its
   /// pipe so far; after that it is waiting(). Where the pipe could not be kept it reads nothing.
   Reader again() const;
@@ -105,6 +112,7 @@ class Reader {
   bool has_nothing_yet(int timeout) const noexcept;
   bool is_to_wait() const noexcept;
   bool is_pipe() const noexcept { return origin_ < 0; }
+  bool is_in_memory() const noexcept { return descriptor_ < 0 && !fed_; }
   const Spool& kept() const noexcept { return first_ != nullptr ? first_->spool_ : spool_; }
   std::string_view take(std::size_t line_end) noexcept;
   bool ends_in_end_mark(std::size_t line_end) const noexcept;
@@ -116,6 +124,7 @@ class Reader {
 
   int descriptor_ = -1;  // -1: all there is lies in the buffer
   bool owned_ = false;
+  bool fed_ = false;               // all there is has been fed, and lies in the spool
   std::int64_t origin_ = -1;       // where in the file reading began; -1: a pipe
   Spool spool_;                    // what a pipe has given so far
   const Reader* first_ = nullptr;  // whose spool is read again

@@ -106,6 +106,20 @@ void Channel::answer_events() noexcept {
   replan();
 }
 
+void Channel::ask(const ipo::FeedControl& control) noexcept {
+  control_ = control;
+  replan();
+}
+
+void Channel::come_to_rest() noexcept {
+  if (broken_ || stopping_) return;
+  try {
+    feeder_.come_to_rest(queue_);
+  } catch (...) {
+    broken_ = std::current_exception();
+  }
+}
+
 void Channel::replan() noexcept {
   if (queue_.empty() || broken_) return;
   try {

@@ -39,6 +39,15 @@ class Channel {
   /// forget_passed().
   std::optional<Setpoint> step(const Panel& panel) noexcept;
 
+  /// Returns whether there is a path that ask() can plan again.
+  bool can_be_asked() const noexcept { return started_ && !stopping_ && !queue_.empty(); }
+  /// Plans the rest of the path again for what is asked for from now on; right after
+  /// forget_passed().
+  void ask(const ipo::FeedControl& control) noexcept;
+
+  /// Ends the path at rest where what has come so far ends: see Feeder::come_to_rest().
+  void come_to_rest() noexcept;
+
   /// Returns the pause that the next step passes, if there is one; resume() lets it pass.
   const Pause* pause_ahead() noexcept;
   void resume() noexcept { feeder_.pauses().pop_front(); }

@@ -13,7 +13,8 @@ namespace softcnc::runtime {
 
 /// How a part program runs, beside the machine.
 struct ChannelOptions {
-  double feed_override = 1;  // of the programmed feed, as it begins
+  double feed_override = 1;     // of the programmed feed, as it begins
+  double largest_override = 1;  // that may be asked for while it runs
   ipr::InterpreterOptions interpreter;
   MachineState state;             // with which the program begins
   bool keeps_state = false;       // Outcome::state is asked for

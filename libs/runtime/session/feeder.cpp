@@ -23,7 +23,7 @@ void end_at_rest(Block& block) {
 }
 
 double largest_override(const ChannelOptions& options) {
-  double largest = options.feed_override;
+  double largest = std::max(options.feed_override, options.largest_override);
   for (const FeedEvent& event : options.events)
     if (event.kind == FeedEvent::Kind::override_) largest = std::max(largest, event.percent / 100);
   return largest;
@@ -57,6 +57,20 @@ void Feeder::fill(ipo::BlockQueue& queue, double until) {
     if (waiting_) break;
     take(queue, std::move(*part));
   }
+  cpu_ += cpu.lap();
+}
+
+void Feeder::come_to_rest(ipo::BlockQueue& queue) {
+  CpuLaps cpu;
+  constexpr double kPeriods = 2;  // so that a row at rest lies before the end of the queue
+  while (!ended_ && read_block())
+    while (auto part = planner_.pop_part()) take(queue, std::move(*part));
+  if (!ended_) {
+    planner_.push({Dwell{kPeriods * machine_.control.period}, last_place_, last_number_});
+    planner_.come_to_rest();
+  }
+  while (auto part = planner_.pop_part_now()) take(queue, std::move(*part));
+  waiting_ = !ended_;
   cpu_ += cpu.lap();
 }
 
@@ -116,9 +130,16 @@ void Feeder::finish(ipo::BlockQueue& queue) {
   while (auto part = planner_.pop_part()) queue.push(std::move(*part));
 }
 
+std::optional<Block> Feeder::next_block() {
+  if (pushed_.empty()) return interpreter_.next();
+  std::optional<Block> block(std::move(pushed_.front()));
+  pushed_.pop_front();
+  return block;
+}
+
 /// False if that would have to wait.
 bool Feeder::read_block() {
-  auto block = interpreter_.next();
+  auto block = next_block();
   if (!block && interpreter_.waiting()) return false;
   if (block && options_.keeps_state) states_.add(block->number, interpreter_.state());
   if (block && diagnostics_.errors() == 0)
@@ -131,6 +152,10 @@ bool Feeder::read_block() {
   const bool good = block && diagnostics_.errors() == 0;
   if (good && options_.single_block) end_at_rest(*block);
   if (good && programmed_) programmed_->add(*block);
+  if (good) {
+    last_place_ = block->source;
+    last_number_ = block->number;
+  }
   if (good) planner_.push(*std::exchange(block, std::nullopt));
   if (good && diagnostics_.errors() == 0) return true;
   end_at_last_block();
@@ -148,12 +173,14 @@ bool Feeder::is_endless() {
   return options_.is_endless();
 }
 
-/// The next block, however long it takes to come.
+/// The next block, however long it takes to come; a program that is fed has nobody to wait for.
 std::optional<Block> Feeder::wait_for_block() {
   auto block = interpreter_.next();
   const std::stop_token& stop = options_.interpreter.stop;
-  for (; !block && interpreter_.waiting() && !stop.stop_requested(); block = interpreter_.next())
+  for (; !block && interpreter_.waiting() && !stop.stop_requested(); block = interpreter_.next()) {
+    if (input_ < 0) break;
     wait_for_input(input_, stop);
+  }
   return block;
 }
 
@@ -164,12 +191,18 @@ void Feeder::read_unplanned(std::optional<Block> block) {
       unplanned_travel_.check(*move, block->source);
 }
 
-/// Reads to the end of the program only to find what else is wrong.
+/// Reads to the end of the program only to find what else is wrong. A move that is missing leaves a
+/// gap, which no corner may round.
 void Feeder::read_on(std::optional<Block> block) {
   if (diagnostics_.errors() == 0) return;
   ipo::Planner rest(machine_, options_.feed_override, diagnostics_);
+  std::optional<AxisVector> end;  // of the move before
   if (!block) block = wait_for_block();
   for (; block; block = wait_for_block()) {
+    if (const Move* move = std::get_if<Move>(&block->what)) {
+      if (end && *end != start(move->path)) rest.push({Dwell{0}, block->source});
+      end = softcnc::end(move->path);
+    }
     rest.push(std::move(*block));
     while (rest.pop()) {
     }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ipo/planner/planner.hpp"
@@ -24,7 +25,8 @@ namespace softcnc::runtime {
 /// The planning side: reads, interprets and plans as far as the queue needs it.
 class Feeder {
  public:
-  /// What is referred to must outlive the feeder.
+  /// What is referred to must outlive the feeder. `input`: the descriptor of the reader; -1: none,
+  /// the text is fed.
   Feeder(ipr::Reader& reader, int input, const Machine& machine, const ChannelOptions& options,
          Diagnostics& diagnostics);
 
@@ -35,6 +37,11 @@ class Feeder {
   /// Times what there is of the path up to `s` mm, but no further than until `t`. What may
   /// still change when more of a program comes is left as it is.
   void look_ahead(ipo::BlockQueue& queue, double s, double t);
+  /// The path in the queue ends at rest where what has come so far ends, and the machine stays
+  /// there for two periods; more may come.
+  void come_to_rest(ipo::BlockQueue& queue);
+  /// The next block of the program, before lines that have not been read.
+  void push(Block block) { pushed_.push_back(std::move(block)); }
   /// Returns whether fill() has ended because the program's pipe has nothing more yet.
   bool waiting() const noexcept { return waiting_; }
   /// Returns whether the queue must be filled further before anything is taken from it: where the
@@ -67,6 +74,7 @@ class Feeder {
 
  private:
   bool read_block();
+  std::optional<Block> next_block();
   void take(ipo::BlockQueue& queue, ipo::TimedPart part);
   void end_at_last_block();
   bool is_endless();
@@ -85,6 +93,9 @@ class Feeder {
   ipo::Planner planner_;
   ProgrammedPath* programmed_ = nullptr;
   std::deque<Pause> pauses_;
+  std::deque<Block> pushed_;  // and not yet planned
+  SourcePos last_place_;      // of the block planned last
+  int last_number_ = 0;
   std::optional<int> last_block_;  // the number of the last one in the queue
   StateHistory states_;
   bool ended_ = false, waiting_ = false;

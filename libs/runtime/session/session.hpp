@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// A run that its user drives: lines or blocks in, a row per period out, and an operator's requests.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "hal/backends/backend.hpp"
+#include "ipo/planner/feed_control.hpp"
+#include "ipr/text/reader.hpp"
+#include "motion/core/diagnostic.hpp"
+#include "motion/verification/contour_error.hpp"
+#include "runtime/session/channel.hpp"
+#include "runtime/session/channel_options.hpp"
+#include "runtime/session/verification.hpp"
+#include "runtime/sinks/row_sink.hpp"
+
+namespace softcnc::runtime {
+
+enum class SessionStatus : std::uint8_t {
+  running,  // step() gives the next row
+  waiting,  // for more of the program
+  paused,   // at M00, M01 or M06: resume() goes on
+  done,     // the program, or what abort() has left of it, has come to its end
+  alarm,    // of the backend: nothing moves any more
+};
+
+/// One period of a session.
+struct Row {
+  Setpoint setpoint;               // its spans are valid until the next step()
+  Feedback feedback;               // of the backend
+  std::span<const double> values;  // of row_columns(), valid until the next step()
+};
+
+/// Runs a program that comes line by line or block by block. The session has no clock: each step()
+/// is one period of the machine, and whoever calls it decides when. A session is not thread-safe,
+/// and stays where it was made.
+class Session {
+ public:
+  /// `machine`, `backend` and `sink` must outlive the session; `sink` takes every row and may be
+  /// null. What is wrong with the program goes to `report`, or is kept in diagnostics().
+  Session(const Machine& machine, const ChannelOptions& options, hal::Backend& backend,
+          RowSink* sink = nullptr, Diagnostics::Sink report = {});
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Adds text to the program; a line counts once its end has come. Errors: SC6032.
+  Status feed(std::string_view text);
+  /// Adds a block to the program, before lines that have not been read yet. Its number is one more
+  /// than that of the block before, if it is 0.
+  void feed(Block block);
+  /// Says that nothing more is fed.
+  void end() noexcept { reader_.end_feed(); }
+  /// Lets the machine come to rest where what has been fed so far ends, instead of waiting there
+  /// for more; more may be fed. Lines that an open curve or cutter compensation still holds stay
+  /// where they are.
+  void rest() noexcept { channel_.come_to_rest(); }
+
+  /// Moves the machine by one period and returns the row; nothing unless the status is then
+  /// `running`. Throws only std::bad_alloc.
+  std::optional<Row> step();
+  SessionStatus status() const noexcept { return status_; }
+
+  /// Lets the machine come to rest on the path, and stay there until resume().
+  void hold() noexcept { asked_.hold = ask_ = true; }
+  /// Ends a hold or a pause.
+  void resume() noexcept;
+  /// Multiplies the programmed feed, 0 to 2; 0 holds.
+  void set_feed_override(double feed_override) noexcept;
+  /// Lets the machine come to rest on the path, and ends the program there.
+  void abort() noexcept { panel_.stop = true; }
+
+  /// What was reported without a `report`. After an error the motion ends with the last good block.
+  std::span<const Diagnostic> diagnostics() const noexcept { return diagnostics_.all(); }
+  int errors() const noexcept { return diagnostics_.errors(); }
+
+  /// What the rows so far have reached, and how far they were from the path.
+  const Measured& measured() const noexcept { return verification_.measured(); }
+  std::optional<ContourReport> contour() const;
+  /// Offsets, modes and position as programs that follow find them.
+  const MachineState& state() noexcept { return channel_.feeder().states().present(); }
+
+ private:
+  bool is_to_pause() noexcept;
+  void answer_requests() noexcept;
+  Row exchange(const Setpoint& setpoint);
+
+  hal::Backend& backend_;
+  RowSink* sink_;
+  Diagnostics diagnostics_;
+  ipr::Reader reader_ = ipr::Reader::fed();
+  Panel panel_;
+  Channel channel_;
+  Verification verification_;
+  std::optional<Contour> contour_;
+  std::vector<double> values_;
+  ipo::FeedControl asked_;
+  bool ask_ = false;      // and the channel does not know of it yet
+  double planned_s_ = 0;  // mm: of the last row
+  int pushed_ = 0;        // the number of the last block that was fed
+  SessionStatus status_ = SessionStatus::waiting;
+};
+
+}  // namespace softcnc::runtime

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// Sessions: programs that come line by line, and requests of an operator.
+#include "runtime/session/session.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "runtime/session/simulate.hpp"
+
+using namespace softcnc;
+using namespace softcnc::runtime;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+std::string part(const std::string& name) {
+  std::stringstream text;
+  text << std::ifstream(SOFTCNC_SOURCE_DIR "/programs/" + name).rdbuf();
+  REQUIRE(text.str().size() > 0);
+  return text.str();
+}
+
+Machine machine_without_backend() {
+  Machine machine;
+  machine.control.backend = BackendKind::none;
+  return machine;
+}
+
+/// A session with what it needs, and all of its rows.
+struct Shop {
+  Machine machine = machine_without_backend();
+  std::unique_ptr<hal::Backend> backend = std::move(*hal::open_backend(machine));
+  Session session{machine, {}, *backend};
+  std::vector<Setpoint> rows;
+
+  explicit Shop(const std::function<void(Machine&)>& change = [](Machine&) {})
+      : machine([&] {
+          Machine changed = machine_without_backend();
+          change(changed);
+          return changed;
+        }()) {}
+
+  /// Steps until the session gives no row; returns how many there were.
+  std::size_t run() {
+    const std::size_t before = rows.size();
+    while (const auto row = session.step()) rows.push_back(row->setpoint);
+    return rows.size() - before;
+  }
+  void run(int periods) {
+    for (int i = 0; i < periods; ++i) {
+      const auto row = session.step();
+      REQUIRE(row);
+      rows.push_back(row->setpoint);
+    }
+  }
+  double x() const { return rows.back().position[0]; }
+  double v() const { return rows.back().v; }
+  bool keeps_limits() {
+    Diagnostics excess;
+    report_excess(session.measured(), {}, machine, excess);
+    return excess.all().empty();
+  }
+};
+
+struct Kept final : RowSink {
+  std::vector<Setpoint> rows;
+  std::vector<std::vector<double>> values;
+  bool row(const Setpoint& setpoint, std::span<const double> backend_values) override {
+    rows.push_back(setpoint);
+    values.emplace_back(backend_values.begin(), backend_values.end());
+    return true;
+  }
+};
+
+double largest_difference(const std::vector<std::vector<double>>& a,
+                          const std::vector<std::vector<double>>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t k = 0; k < a[i].size(); ++k)
+      largest = std::max(largest, std::abs(a[i][k] - b[i][k]));
+  return largest;
+}
+
+bool same(const Setpoint& a, const Setpoint& b) {
+  return a.period == b.period && a.line == b.line && a.block == b.block && a.s == b.s &&
+         a.v == b.v && a.a == b.a && a.feed == b.feed && a.limit == b.limit &&
+         a.position == b.position;
+}
+
+}  // namespace
+
+TEST_CASE("a program that is fed moves as it does from a file, in every row",
+          "[runtime][session]") {
+  for (const char* name : {"01_line.nc", "03_arc.nc", "08_butterfly.nc"}) {
+    INFO(name);
+    const std::string text = part(name);
+    for (const BackendKind kind : {BackendKind::none, BackendKind::sim}) {
+      Machine machine;
+      machine.control.backend = kind;
+      const auto expected_backend = hal::open_backend(machine);
+      Diagnostics diagnostics;
+      Kept expected;
+      ipr::Reader reader = ipr::Reader::from_text(text);
+      simulate(reader, -1, machine, {}, **expected_backend, diagnostics, &expected, nullptr);
+
+      const auto backend = hal::open_backend(machine);
+      Kept fed;
+      Session session(machine, {}, **backend, &fed);
+      for (std::size_t at = 0; at < text.size(); at += 700)
+        REQUIRE(session.feed(std::string_view(text).substr(at, 700)));
+      session.end();
+      while (session.step()) {
+      }
+      CHECK(session.status() == SessionStatus::done);
+      CHECK(session.errors() == 0);
+      REQUIRE(fed.rows.size() == expected.rows.size());
+      CHECK(std::equal(fed.rows.begin(), fed.rows.end(), expected.rows.begin(), same));
+      // contour errors, um: the path they are measured from is laid in batches
+      CHECK(largest_difference(fed.values, expected.values) < 2e-3);
+    }
+  }
+}
+
+TEST_CASE("a line waits for the next one until the session is told to rest", "[runtime][session]") {
+  Shop shop;
+  REQUIRE(shop.session.feed("G01 X10 F3000\n"));
+  shop.run();
+  CHECK(shop.session.status() == SessionStatus::waiting);
+  const double stuck = shop.rows.empty() ? 0 : shop.x();
+  CHECK(stuck < 10);
+  shop.session.rest();
+  CHECK(shop.run() > 0);
+  CHECK(shop.session.status() == SessionStatus::waiting);
+  CHECK(shop.x() == 10);
+  CHECK(shop.v() == 0);
+  REQUIRE(shop.session.feed("X20 Y5\n"));
+  shop.session.rest();
+  shop.run();
+  CHECK(shop.x() == 20);
+  CHECK(shop.v() == 0);
+  shop.session.end();
+  shop.run();
+  CHECK(shop.session.status() == SessionStatus::done);
+  CHECK(shop.x() == 20);
+  CHECK(shop.session.errors() == 0);
+  CHECK(shop.keeps_limits());
+}
+
+TEST_CASE("rests between the lines of a program keep every limit", "[runtime][session]") {
+  const std::string text = part("08_butterfly.nc");
+  for (const double jerk : {0.0, 50'000.0}) {
+    INFO("jerk " << jerk);
+    Shop shop([jerk](Machine& machine) {
+      for (Axis& axis : machine.axes) axis.jerk = jerk;
+    });
+    std::stringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      REQUIRE(shop.session.feed(line + "\n"));
+      shop.session.rest();
+      shop.run();
+    }
+    shop.session.end();
+    shop.run();
+    CHECK(shop.session.status() == SessionStatus::done);
+    CHECK(shop.session.errors() == 0);
+    CHECK(shop.keeps_limits());
+    CHECK(shop.session.measured().path_deviation < 1e-5);
+  }
+}
+
+TEST_CASE("a hold rests on the path, and resume goes on to the end", "[runtime][session]") {
+  Shop shop;
+  REQUIRE(shop.session.feed("G01 X100 F3000\n"));
+  shop.session.end();
+  shop.run(50);
+  shop.session.hold();
+  shop.run(100);
+  CHECK(shop.v() == 0);
+  const double held = shop.x();
+  CHECK(held > 1);
+  CHECK(held < 99);
+  shop.run(100);
+  CHECK(shop.x() == held);
+  CHECK(shop.rows.back().limit == Limit::hold);
+  shop.session.resume();
+  shop.run();
+  CHECK(shop.x() == 100);
+  CHECK(shop.session.status() == SessionStatus::done);
+  CHECK(shop.keeps_limits());
+}
+
+TEST_CASE("a hold before the first move lets nothing move", "[runtime][session]") {
+  Shop shop;
+  shop.session.hold();
+  REQUIRE(shop.session.feed("G01 X100 F3000\n"));
+  shop.session.end();
+  shop.run(200);
+  CHECK(std::all_of(shop.rows.begin(), shop.rows.end(),
+                    [](const Setpoint& row) { return row.position[0] < 1e-9; }));
+  shop.session.resume();
+  shop.run();
+  CHECK(shop.x() == 100);
+}
+
+TEST_CASE("an override changes the feed while the machine moves", "[runtime][session]") {
+  Shop shop;
+  REQUIRE(shop.session.feed("G01 X100 F1200\n"));
+  shop.session.end();
+  shop.run(80);
+  CHECK_THAT(shop.v(), WithinAbs(20, 1e-9));
+  shop.session.set_feed_override(0.5);
+  shop.run(80);
+  CHECK_THAT(shop.v(), WithinAbs(10, 1e-9));
+  shop.session.set_feed_override(2);
+  shop.run(60);
+  CHECK_THAT(shop.v(), WithinAbs(40, 1e-9));
+  shop.run();
+  CHECK(shop.x() == 100);
+  CHECK(shop.keeps_limits());
+}
+
+TEST_CASE("an abort rests on the path and ends the session", "[runtime][session]") {
+  Shop shop;
+  REQUIRE(shop.session.feed("G01 X100 F3000\n"));
+  shop.run(0);
+  shop.session.end();
+  shop.run(50);
+  shop.session.abort();
+  shop.run();
+  CHECK(shop.session.status() == SessionStatus::done);
+  CHECK(shop.v() == 0);
+  CHECK(shop.x() < 99);
+  CHECK(shop.keeps_limits());
+}
+
+TEST_CASE("a session pauses at M00 until it is resumed", "[runtime][session]") {
+  Shop shop;
+  REQUIRE(shop.session.feed("G01 X10 F3000\nM00\nX20\nM30\n"));
+  shop.session.end();
+  shop.run();
+  CHECK(shop.session.status() == SessionStatus::paused);
+  CHECK(shop.x() <= 10);
+  CHECK_FALSE(shop.session.step());
+  shop.session.resume();
+  shop.run();
+  CHECK(shop.session.status() == SessionStatus::done);
+  CHECK(shop.x() == 20);
+}
+
+TEST_CASE("blocks can be fed instead of lines", "[runtime][session]") {
+  Shop shop;
+  const AxisVector origin = AxisVector::Zero(), corner(10, 0, 0), end(10, 10, 0);
+  shop.session.feed({Move{Line(origin, corner), false, 20, PathMode::follow}});
+  shop.session.feed({Move{Line(corner, end), false, 20, PathMode::follow}});
+  shop.session.rest();
+  shop.run();
+  CHECK(shop.session.status() == SessionStatus::waiting);
+  CHECK(shop.rows.back().position == end);
+  CHECK(shop.rows.back().block == 2);
+  CHECK(shop.keeps_limits());
+}
+
+TEST_CASE("an error ends the motion with the last good block", "[runtime][session]") {
+  Shop shop;
+  REQUIRE(shop.session.feed("G01 X10 F3000\nG01 X\nX30\n"));
+  shop.session.end();
+  shop.run();
+  CHECK(shop.session.status() == SessionStatus::done);
+  CHECK(shop.session.errors() == 1);
+  CHECK(shop.session.diagnostics()[0].pos.line == 2);
+  CHECK(shop.x() == 10);
+}
