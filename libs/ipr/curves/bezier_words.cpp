@@ -100,7 +100,7 @@ std::optional<AxisVector> first_handle(Task& task, const PlaneAxes& axes, bool g
   }
   if (goes_on) return task.modal.curve_end->handle;
   task.out.report(Code::SC3118, task.word.pos,
-                  "G05 without " + names(start) + " goes on from no G05");
+                  "G05 without " + names(start) + " must follow a G05");
   return std::nullopt;
 }
 
@@ -177,7 +177,7 @@ void quadratic(Task& task) {
   for (const char letter : {'Q', 'R'})  // of FANUC's switch
     if (task.values.has(letter))
       task.out.report(Code::SC2004, task.values.word(letter).pos,
-                      std::string(1, letter) + " is used by no code of this line");
+                      std::string("unused word ") + letter);
   draw(task, quadratic_curve);
 }
 

@@ -110,7 +110,7 @@ std::optional<AxisVector> center_by_radius(Task& task, const PlaneAxes& axes, co
   const SourcePos pos = task.values.word('R').pos;
   if (chord <= kSamePoint) {
     task.out.report(Code::SC2108, pos,
-                    code_name(task.code) + " ends where it starts; R cannot tell its centre");
+                    code_name(task.code) + " ends where it starts; R does not define a centre");
     return std::nullopt;
   }
   if (chord / 2 > std::abs(radius) + kReach) {

@@ -42,7 +42,7 @@ std::string used_by_none(Letters letters) {
     names.insert(0, count == 0 ? "" : count == 1 ? " and " : ", ").insert(0, 1, letter);
     ++count;
   }
-  return names + (count > 1 ? " are" : " is") + " used by no code of this line";
+  return (count > 1 ? "unused words " : "unused word ") + names;
 }
 
 /// Among parameters and their values there are no codes.

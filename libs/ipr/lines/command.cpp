@@ -59,7 +59,8 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
   if (dialect == Dialect::fanuc && put_above(*code, word)) return;
   unknown_ |= settled(*code);
   if (code->number == kAnyNumber) return report_twice(word, out);
-  out.report(Code::SC2002, word.pos, code_name(*code) + " beside another code of the same group");
+  out.report(Code::SC2002, word.pos,
+             code_name(*code) + " conflicts with another code of its group on this line");
 }
 
 /// After G65 and its like only P and L are words of the line's own.

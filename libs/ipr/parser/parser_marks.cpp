@@ -270,7 +270,7 @@ bool Parser::goes_on_after_end() {
     return false;
   report(Code::SC1012, first.column, first.length,
          "the '%' on line " + std::to_string(lone_percent_.line) +
-             " ends the program, and no '%' has begun it: this would be lost");
+             " ends the program without an opening '%'; the lines after it would be ignored");
   ended_ = broke_off_ = true;
   return true;
 }
