@@ -17,7 +17,7 @@ InterpreterOptions in(Dialect dialect) {
   return options;
 }
 
-/// The X of every move, of a program that must be without fault.
+/// The X of every move, of a program that must be without error.
 Positions way(const std::string& text, Dialect dialect = Dialect::linuxcnc) {
   Positions all;
   for (const Block& block : blocks_of(text, {}, in(dialect)))

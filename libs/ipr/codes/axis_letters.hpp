@@ -21,8 +21,8 @@ constexpr char offset_letter(int axis) noexcept {
 }
 
 /// The two coordinates along a plane.
-constexpr Letters plane_letters(const PlaneAxes& axes) noexcept {
-  Letters letters;
+constexpr LetterSet plane_letters(const PlaneAxes& axes) noexcept {
+  LetterSet letters;
   letters.add(axis_letter(axes.first));
   letters.add(axis_letter(axes.second));
   return letters;

@@ -82,11 +82,11 @@ std::string_view group_name(Group group) noexcept;
 const GCode* find_gcode(char letter, double value) noexcept;
 
 /// Whether a word of this letter is a code, rather than a value for one.
-inline constexpr Letters kCodeLetters{"GMFSTNO"};
+inline constexpr LetterSet kCodeLetters{"GMFSTNO"};
 constexpr bool is_code_letter(char letter) noexcept { return kCodeLetters.has(letter); }
 
 /// In the fanuc dialect these are codes too, where no other code of the line takes them.
-inline constexpr Letters kLoneLetters{"DH"};
+inline constexpr LetterSet kLoneLetters{"DH"};
 
 /// G00 to G03.
 constexpr bool is_line_or_arc(const GCode& code) noexcept {

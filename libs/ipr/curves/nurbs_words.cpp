@@ -177,7 +177,7 @@ void read_chopping(Task& task) {
 /// Reports words that count for the whole curve.
 void refuse_words_of_first(Task& task, const PendingCurve& curve) {
   const Values& values = task.values;
-  Letters first = kSurfaceWords;
+  LetterSet first = kSurfaceWords;
   const bool again = curve.repeats && values.has('P') && values['P'] == curve.order_word;
   if (!again) first.add('P');
   for (const char letter : std::string_view("PDJHL"))

@@ -16,7 +16,7 @@ constexpr std::string_view kSurfaceWords = "DJHLRQ";
 /// D, J, H, L, R and Q are the surface's: no other code of the line may take them.
 bool is_alone(Task& task) {
   for (const auto& [code, word] : task.command.codes()) {
-    if (code == &task.code || !Letters(code->words).has_any(kSurfaceWords)) continue;
+    if (code == &task.code || !LetterSet(code->words).has_any(kSurfaceWords)) continue;
     task.out.report(Code::SC3123, task.word.pos,
                     code_name(task.code) + " beside " + code_name(*code) +
                         ", which takes D, J, H, L, R or Q too");
@@ -183,11 +183,11 @@ const char* rest_of_spindle(const Modal& modal) noexcept {
 void ask_for_surface(Task& task) {
   if (!is_alone(task)) return;
   Surface surface = read_surface(task);
-  const auto bend = read_transverse_curvature(task, surface.tool_radius);
+  const auto curvature = read_transverse_curvature(task, surface.tool_radius);
   const auto slope = read_slope_across(task);
-  surface.transverse_curvature = bend.value_or(0);
+  surface.transverse_curvature = curvature.value_or(0);
   surface.slope_across = slope.value_or(0);
-  if (bend && slope)
+  if (curvature && slope)
     keep_surface(task, surface);
   else
     has_close_passes(task, surface);

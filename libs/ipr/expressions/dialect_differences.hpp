@@ -49,9 +49,9 @@ enum class DialectDifference : std::uint8_t {
   exact_stop,
   named_shift,
 };
-inline constexpr std::size_t kContradictions = 28;
+inline constexpr std::size_t kDialectDifferences = 28;
 
-struct ContradictionRow {
+struct DialectDifferenceRow {
   DialectDifference kind;
   Code code;
   std::string_view what;             // as written in a program
@@ -59,7 +59,7 @@ struct ContradictionRow {
 };
 
 /// By kind.
-std::span<const ContradictionRow> contradiction_table() noexcept;
+std::span<const DialectDifferenceRow> dialect_difference_table() noexcept;
 
 /// Gathers such lines, and reports each kind once.
 class DialectDifferences {
@@ -83,12 +83,12 @@ class DialectDifferences {
     std::set<std::pair<int, int>> lines;  // file and line
   };
 
-  std::string text_of(const ContradictionRow& row, const Met& met) const;
+  std::string text_of(const DialectDifferenceRow& row, const Met& met) const;
 
   Diagnostics& diagnostics_;
   Dialect dialect_;
   bool watching_;
-  std::array<Met, kContradictions> met_;
+  std::array<Met, kDialectDifferences> met_;
 };
 
 }  // namespace softcnc::ipr

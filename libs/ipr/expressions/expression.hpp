@@ -15,7 +15,7 @@
 namespace softcnc::ipr {
 
 /// What is wrong with a part of a line.
-struct Fault {
+struct LineError {
   Code code;
   int column;
   int length;
@@ -55,7 +55,7 @@ class Expression {
       : Expression(lexer, parameters, parameters.dialect()) {}
 
   /// A number, '#' and what follows, '[...]' or a function, each with signs before it.
-  /// kUnknown: see fault(), or it rests on an earlier error.
+  /// kUnknown: see error(), or it rests on an earlier error.
   double value();
   /// FANUC: ROUND gives multiples of 1 / `per_unit` instead of whole numbers.
   void round_to(double per_unit) noexcept { rounding_ = per_unit; }
@@ -63,9 +63,9 @@ class Expression {
   double bracketed();
   /// What may stand in brackets, without them.
   double unbracketed();
-  /// What stands after '#'. Nothing: see fault(), or its number rests on an earlier error.
+  /// What stands after '#'. Nothing: see error(), or its number rests on an earlier error.
   std::optional<Variable> variable();
-  /// The fault that something else is expected than what comes next; it is passed.
+  /// The error that something else is expected than what comes next; it is passed.
   void refuse_next(Code code, std::string_view expected) { stop_at_next(code, expected); }
 
   /// In the other dialect these variables hold these values, the last of each counts.
@@ -74,9 +74,9 @@ class Expression {
   /// something of its own; looked for where the parameters say so.
   const std::optional<OtherValue>& other_value() const noexcept { return other_; }
 
-  /// The first fault.
-  const std::optional<Fault>& fault() const noexcept { return fault_; }
-  /// What follows cannot be trusted. Without a fault the lexer's next token shows why.
+  /// The first error.
+  const std::optional<LineError>& error() const noexcept { return error_; }
+  /// What follows cannot be trusted. Without an error the lexer's next token shows why.
   bool broke_off() const noexcept { return broke_off_; }
 
  private:
@@ -128,7 +128,7 @@ class Expression {
   std::optional<DialectDifference> why_;  // in the other dialect: the first thing that differs
   bool differs_whatever_its_value_ = false;
   const Operator* operator_ = nullptr;  // read, but not yet used
-  std::optional<Fault> fault_;
+  std::optional<LineError> error_;
   int depth_ = 0;
   double rounding_ = 1;
   bool broke_off_ = false;

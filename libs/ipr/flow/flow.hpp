@@ -54,7 +54,7 @@ struct Jump {
 class Flow {
  public:
   /// Calls within each other, at most.
-  static constexpr std::size_t kDeepest = 64;
+  static constexpr std::size_t kMaxDepth = 64;
   /// Loops and branches within each other, those of all calls together, at most.
   static constexpr std::size_t kMostLevels = 10'000;
 
@@ -176,7 +176,7 @@ class Flow {
   void check_order(const ProgramLine& line);
   void close(Kind begin);
   std::optional<ProgramLine> read_unreachable();
-  std::optional<ProgramLine> next_passed();
+  std::optional<ProgramLine> next_skipped();
   bool go_to(const SkippedLines::Stretch& stretch);
 
   // flow_loops.cpp

@@ -160,9 +160,9 @@ void Flow::enter(Subprogram sub, Jump jump, bool has_level) {
   });
   if (order_unknown_ && by_itself > 0)
     return miss_call(has_level);  // what ends it may be what is lost
-  if (calls_.size() > kDeepest)
+  if (calls_.size() > kMaxDepth)
     return break_off(Code::SC2309, jump.pos,
-                     "more than " + std::to_string(kDeepest) + " calls within each other; " +
+                     "more than " + std::to_string(kMaxDepth) + " calls within each other; " +
                          name_of(sub) + " is among them " + std::to_string(by_itself) + " times",
                      text_);
   if (in_subprogram()) {

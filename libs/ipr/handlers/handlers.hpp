@@ -40,7 +40,7 @@ void cancel_motion(Task& task);
 bool follow_unmade_move(Task& task);
 /// Keeps for each axis with a word of these letters whether it is known where that leads, and
 /// where.
-void follow_axes(const Command& command, Modal& modal, Letters letters);
+void follow_axes(const Command& command, Modal& modal, LetterSet letters);
 /// Along a line to a place in machine coordinates; a line of no length gives no block.
 void move_straight(Task& task, const AxisVector& to, bool rapid);
 

@@ -114,7 +114,7 @@ bool Command::put_above(const GCode& cycle, const Word& word) {
 
 void Command::add_lone_letters(Dialect dialect) {
   if (dialect != Dialect::fanuc || !values_.letters().has_any(kLoneLetters)) return;
-  const Letters lone = unused(dialect);
+  const LetterSet lone = unused(dialect);
   for (const char letter : {'D', 'H'})
     if (lone.has(letter)) add(*find_gcode(letter, 0), values_.word(letter));
 }
@@ -133,11 +133,11 @@ const Word& Command::find_word(Group group) const noexcept {
           })->word;
 }
 
-[[gnu::hot]] Letters Command::unused(Dialect dialect) const noexcept {
-  Letters used;
+[[gnu::hot]] LetterSet Command::unused(Dialect dialect) const noexcept {
+  LetterSet used;
   for (const CodeWord& code : codes()) {
-    used |= Letters(code.code->words);
-    if (dialect == Dialect::fanuc) used |= Letters(code.code->fanuc_words);
+    used |= LetterSet(code.code->words);
+    if (dialect == Dialect::fanuc) used |= LetterSet(code.code->fanuc_words);
   }
   return values_.letters().without(used);
 }

@@ -19,7 +19,7 @@ namespace softcnc::ipr {
 /// The words that are not codes, by letter.
 class Values {
  public:
-  Letters letters() const noexcept { return letters_; }
+  LetterSet letters() const noexcept { return letters_; }
   bool has(char letter) const noexcept { return letters_.has(letter); }
   /// Expects has(letter).
   const Word& word(char letter) const noexcept { return *words_[index(letter)]; }
@@ -32,7 +32,7 @@ class Values {
   friend class Command;
   static std::size_t index(char letter) noexcept { return static_cast<std::size_t>(letter - 'A'); }
 
-  Letters letters_;
+  LetterSet letters_;
   std::array<const Word*, 26> words_{};
 };
 
@@ -62,13 +62,13 @@ class Command {
   /// The G00 to G03 that stands before a cycle; nullptr if none does.
   const GCode* below_cycle() const noexcept { return below_cycle_; }
   /// Values that no code of the line takes.
-  Letters unused(Dialect dialect) const noexcept;
+  LetterSet unused(Dialect dialect) const noexcept;
   /// The words after G65.
   std::span<const Word> arguments() const noexcept { return arguments_; }
   /// As of Line.
   std::string_view called() const noexcept { return called_; }
   /// Words of the line whose value is not known: they could not be read, or are given twice.
-  Letters unread() const noexcept { return unread_; }
+  LetterSet unread() const noexcept { return unread_; }
   /// What the errors of the line's words have left open.
   Unknown unknown() const noexcept { return unknown_; }
   /// Whether one of its codes was a probing move, which is not supported.
@@ -90,7 +90,7 @@ class Command {
   const GCode* below_cycle_ = nullptr;
   std::span<const Word> arguments_;
   std::string_view called_;
-  Letters unread_;
+  LetterSet unread_;
   Unknown unknown_;
   bool probes_ = false;
 };

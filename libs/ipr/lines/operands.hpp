@@ -18,6 +18,6 @@ Unknown results(const GCode& code, const Command& command) noexcept;
 Unknown settled(const GCode& code) noexcept;
 
 /// What words would have set that could not be read, by their letters.
-Unknown set_by(Letters letters) noexcept;
+Unknown set_by(LetterSet letters) noexcept;
 
 }  // namespace softcnc::ipr

@@ -32,8 +32,8 @@ struct ProgramLine {
   const Statement* statement = nullptr;  // what it says about the order of lines, if anything
   bool skip = false;                     // begins with '/'
   bool broken = false;                   // reported already; `words` are those that could be read
-  Letters unread;                        // letters of words whose value is not known
-  bool passed_over = false;              // what stands after a THEN: it does not count
+  LetterSet unread;                      // letters of words whose value is not known
+  bool skipped = false;                  // what stands after a THEN: it does not count
   std::string_view called;               // FANUC: the program that it calls by name, in lower case
 };
 
@@ -81,7 +81,7 @@ class Parser {
   void only_read() noexcept { only_read_ = true; }
   /// Lines that say nothing, except for what stands after a THEN that does not count, are handed
   /// out as well.
-  void show_passed_over() noexcept { passed_over_too_ = true; }
+  void show_skipped() noexcept { skipped_too_ = true; }
 
   /// Bytes of all lines read; a line that is read again counts again.
   std::int64_t bytes_read() const noexcept { return bytes_read_; }
@@ -144,9 +144,9 @@ class Parser {
   bool only_line_number() const noexcept;
   void give_up(Code code, int column, int length, std::string message);
   void give_up(Code code, const Token& token, std::string message);
-  void give_up(const std::optional<Fault>& fault, Lexer& lexer);
+  void give_up(const std::optional<LineError>& error, Lexer& lexer);
   void report(Code code, int column, int length, std::string message);
-  void report(const std::optional<Fault>& fault);
+  void report(const std::optional<LineError>& error);
   void lose_rest();
 
   void name_file() noexcept;
@@ -170,7 +170,7 @@ class Parser {
   std::int64_t bytes_read_ = 0;
   int begin_ = 0;               // the column of the word in work
   bool order_unknown_ = false;  // which lines are executed
-  bool only_read_ = false, passed_over_too_ = false;
+  bool only_read_ = false, skipped_too_ = false;
 };
 
 }  // namespace softcnc::ipr

@@ -30,7 +30,7 @@ struct PendingCurve {
   NurbsSpec spec;  // what has been read so far
   int order = 0;
   int closing_knots = 0;  // read so far
-  Letters axes;           // of the curve; empty until a block names one
+  LetterSet axes;         // of the curve; empty until a block names one
   bool repeats = false;   // LinuxCNC's form: G06.2 in its second block too
   double order_word = 0;  // P as written; 0: left out
 };
@@ -45,7 +45,7 @@ struct PendingPoints {
   int blocks = 0;                  // that named a point
 };
 
-/// The end of a curve of G05: the next one may go on from it without a bend.
+/// The end of a curve of G05: the next one may go on from it without a jump of its direction.
 struct CurveEnd {
   AxisVector position;  // mm, machine coordinates
   AxisVector handle;    // mm: from there to the first control point of the curve that goes on

@@ -25,7 +25,7 @@ struct Token {
   };
   Kind kind = Kind::end;
   char letter = 0;  // upper case
-  NumberFault fault = NumberFault::none;
+  NumberError error = NumberError::none;
   double value = 0;  // of a number
   int column = 1;    // of the first byte
   int length = 1;    // bytes

@@ -13,15 +13,15 @@
 
 namespace softcnc::ipr {
 
-enum class NumberFault : std::uint8_t { none, no_digits, sign_inside, two_points, too_large };
+enum class NumberError : std::uint8_t { none, no_digits, sign_inside, two_points, too_large };
 
 struct Number {
-  double value = 0;        // nearest to what is written; 0 if there is a fault
+  double value = 0;        // nearest to what is written; 0 if there is an error
   std::size_t length = 0;  // bytes read, without blanks after
-  NumberFault fault = NumberFault::none;
+  NumberError error = NumberError::none;
 };
 
-inline constexpr int kIntegerDigits = 9;  // before the point; more is NumberFault::too_large
+inline constexpr int kIntegerDigits = 9;  // before the point; more is NumberError::too_large
 
 inline constexpr std::string_view kBlanks = " \t\v\f";
 constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }

@@ -28,16 +28,16 @@ std::string_view wide_encoding_at(std::string_view text, std::size_t nul);
 /// Follows the text of what is reported of a letter O that makes no sense.
 inline constexpr const char* kLetterForDigit = "; is the digit 0 meant?";
 
-struct TextFault {
+struct TextError {
   Code code;
   std::string message;
 };
 
 /// `encoding` is one of those above.
-TextFault wide_fault(std::string_view encoding);
+TextError wide_error(std::string_view encoding);
 
 /// A number that could not be read, as it is written; `after` is what it belongs to. Expects a
-/// fault.
-TextFault number_fault(NumberFault fault, std::string_view written, std::string_view after);
+/// error.
+TextError number_error(NumberError error, std::string_view written, std::string_view after);
 
 }  // namespace softcnc::ipr
