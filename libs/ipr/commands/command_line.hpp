@@ -22,12 +22,12 @@ struct CommandField {
   bool stands_for_number = false;  // what cannot be read is one
 };
 
-/// Blanks and commas part fields; `;` and parentheses hold comments.
+/// Splits a line into fields. Blanks and commas separate them; `;` and parentheses hold comments.
 class CommandLine {
  public:
   explicit CommandLine(std::string_view line) noexcept : line_(line) {}
 
-  /// After the last field: Kind::end, again and again.
+  /// Returns the next field. After the last one it returns Kind::end, however often it is called.
   CommandField next();
 
  private:

@@ -31,15 +31,16 @@ class StatementReader {
   StatementReader(Lexer& lexer, const Parameters& parameters, Statement& statement, Depth depth)
       : lexer_(lexer), parameters_(parameters), statement_(statement), depth_(depth) {}
 
-  /// Reads what follows an O; `at` is the place of the O.
+  /// Reads what follows an O, which is at `at`.
   Found read_o_word(SourcePos at);
-  /// Reads from the first letter of a line on, whose place is `at`.
+  /// Reads a line from its first letter on, which is at `at`.
   Found read_keyword(SourcePos at);
 
   const std::optional<LineError>& error() const noexcept { return error_; }
-  /// The first expression that has another value in the other dialect.
+  /// Returns the first expression that has another value in the other dialect.
   const std::optional<OtherValue>& other_value() const noexcept { return other_; }
-  /// The rest of the line cannot be understood. Without an error the lexer's next token shows why.
+  /// Returns whether the rest of the line cannot be understood. If there is no error() then, the
+  /// lexer's next token shows why.
   bool broke_off() const noexcept { return broke_off_; }
 
  private:

@@ -8,7 +8,7 @@
 
 namespace softcnc::ipr {
 
-/// Expects upper-case letters everywhere.
+/// A set of letters. Requires upper-case letters everywhere.
 class LetterSet : public SmallSet<LetterSet, char, 'A'> {
  public:
   constexpr LetterSet() = default;
