@@ -119,7 +119,7 @@ TEST_CASE("check reports of an endless loop all that it reports of others", "[ap
                          "    6 | G00 X2000\n"
                          "      | ^~~\n" +
                          part + ":2:1: note: called from here\n" + part +
-                         ":7:4: error: Q is used by no code of this line [SC2004]\n"
+                         ":7:4: error: unused word Q [SC2004]\n"
                          "    7 | X0 Q1\n"
                          "      |    ^~\n" +
                          part + ":2:1: note: called from here\n" + part +

@@ -52,6 +52,14 @@ class CheckNames(unittest.TestCase):
             "libs/ipo/mesh.hpp: type KinkLoad: the field says tangent jump, corner, not kink"])
         self.assertEqual(len(self.found("apps")), 1)
 
+    def test_constants_are_checked_too_and_passed_only_where_lines_are_skipped(self):
+        text = "namespace a { constexpr int kBehindSign{1}; struct Passed {}; int faults(); }"
+        self.write("libs/ipr/one.cpp", text)
+        self.write("libs/ipo/two.cpp", text.replace("kBehindSign", "kAfterSign"))
+        self.assertEqual([line.split(": ")[1] for line in self.found("libs/ipr")],
+                         ["constant kBehindSign", "function faults", "type Passed"])
+        self.assertEqual(len([line for line in self.found() if "passed" in line]), 1)
+
     def test_rows_are_samples_or_constraints_where_motion_is_planned(self):
         text = "namespace a { struct SpeedRow {}; }"
         self.write("libs/ipo/speed.hpp", text)

@@ -64,11 +64,11 @@ std::string deeds(const Interpreted& result) {
 }
 
 /// Or a dwell that by its looks is of the other dialect.
-bool is_contradiction(const Diagnostic& diagnostic) {
+bool is_dialect_difference(const Diagnostic& diagnostic) {
   if (diagnostic.code == Code::SC2210) return true;
-  const auto rows = contradiction_table();
+  const auto rows = dialect_difference_table();
   return std::any_of(rows.begin(), rows.end(),
-                     [&](const ContradictionRow& row) { return row.code == diagnostic.code; });
+                     [&](const DialectDifferenceRow& row) { return row.code == diagnostic.code; });
 }
 
 bool has_errors(const Interpreted& result) {
@@ -144,7 +144,7 @@ const std::vector<Case> kCases{
     {C::feed_out, "S500 M3 G0 Z20\nG99 G84 X1 Z-1 R2 F100\nM30", "", ""},
 };
 
-std::string words_of(const ContradictionRow& row, Dialect dialect) {
+std::string words_of(const DialectDifferenceRow& row, Dialect dialect) {
   const bool fanuc = dialect == Dialect::fanuc;
   return std::string(row.what) + ' ' + std::string(fanuc ? row.fanuc : row.linuxcnc) +
          (fanuc ? "; in the linuxcnc dialect: " : "; in the fanuc dialect: ") +
@@ -156,7 +156,8 @@ std::string words_of(const ContradictionRow& row, Dialect dialect) {
 TEST_CASE("what means something else in the other dialect is reported, and is something else",
           "[ipr][differences]") {
   for (const Case& example : kCases) {
-    const ContradictionRow& row = contradiction_table()[static_cast<std::size_t>(example.kind)];
+    const DialectDifferenceRow& row =
+        dialect_difference_table()[static_cast<std::size_t>(example.kind)];
     for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc}) {
       CAPTURE(name(dialect), example.program);
       const Interpreted result = run(example.program, dialect);
@@ -183,14 +184,15 @@ TEST_CASE("what means something else in the other dialect is reported, and is so
   }
 }
 
-TEST_CASE("every contradiction has an example", "[ipr][differences]") {
+TEST_CASE("every dialect difference has an example", "[ipr][differences]") {
   std::set<DialectDifference> seen;
   for (const Case& example : kCases)
     if (!example.place.empty()) seen.insert(example.kind);
-  CHECK(seen.size() == contradiction_table().size());
+  CHECK(seen.size() == dialect_difference_table().size());
 }
 
-TEST_CASE("a contradiction is reported once, with the number of its lines", "[ipr][differences]") {
+TEST_CASE("a dialect difference is reported once, with the number of its lines",
+          "[ipr][differences]") {
   const Interpreted result = run(
       "G4 P1\nG53 G1 X1 F100\nG4 P2\no1 repeat [3]\nG4 P3\no1 endrepeat\nM30", Dialect::linuxcnc);
   CHECK(places(result) == Places{"SC2120 1:4", "SC2127 2:1"});
@@ -206,7 +208,7 @@ TEST_CASE("nothing is compared unless it is asked for", "[ipr][differences]") {
   }
 }
 
-TEST_CASE("what one dialect refuses is no contradiction", "[ipr][differences]") {
+TEST_CASE("what one dialect refuses is no dialect difference", "[ipr][differences]") {
   for (const char* text :
        {"G04 X1\nM30", "#1=1+1\nM30", "G28\nM30", "G10 L20 P1 X0\nM30", "G1 F100 X[#0+1]\nM30",
         "G0 X[1 EQ 1 AND 2 EQ 2]\nM30", "G0 X[1.5 AND 1]\nM30", "G10 L12 P1 R1\nM30",
@@ -235,8 +237,8 @@ TEST_CASE("a program that the dialects read otherwise is reported", "[ipr][diffe
       CAPTURE(entry.path().string());
       ++differ;
       for (const Interpreted* result : {&linuxcnc, &fanuc})
-        CHECK(
-            std::any_of(result->diagnostics.begin(), result->diagnostics.end(), is_contradiction));
+        CHECK(std::any_of(result->diagnostics.begin(), result->diagnostics.end(),
+                          is_dialect_difference));
     }
   CHECK(differ > 0);
 }
@@ -245,7 +247,7 @@ TEST_CASE("docs/gcode.md shows the table of differences as it is", "[ipr][differ
   std::ifstream stream(std::string(SOFTCNC_SOURCE_DIR) + "/docs/gcode.md");
   const std::string page{std::istreambuf_iterator<char>(stream), {}};
   std::string table = "| what | linuxcnc | fanuc | code |\n|---|---|---|---|\n";
-  for (const ContradictionRow& row : contradiction_table())
+  for (const DialectDifferenceRow& row : dialect_difference_table())
     table += "| " + std::string(row.what) + " | " + std::string(row.linuxcnc) + " | " +
              std::string(row.fanuc) + " | " + code_name(row.code) + " |\n";
   INFO("expected in docs/gcode.md:\n" << table);

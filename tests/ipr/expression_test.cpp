@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values of expressions, precedence in both dialects, and where a fault is reported.
+// Values of expressions, precedence in both dialects, and where an error is reported.
 #include "ipr/expressions/expression.hpp"
 
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@ double value_of(std::string_view text, const Parameters& parameters) {
   Expression expression(lexer, parameters);
   const double value = expression.value();
   INFO(text);
-  CHECK_FALSE(expression.fault());
+  CHECK_FALSE(expression.error());
   CHECK(lexer.peek() == 0);
   return value;
 }
@@ -27,17 +27,17 @@ double value_of(std::string_view text, const Parameters& parameters) {
 double linuxcnc(std::string_view text) { return value_of(text, Parameters(Dialect::linuxcnc)); }
 double fanuc(std::string_view text) { return value_of(text, Parameters(Dialect::fanuc)); }
 
-/// "SC1021 4+1": code, column and length of the fault.
+/// "SC1021 4+1": code, column and length of the error.
 std::string fault_of(std::string_view text, Dialect dialect = Dialect::linuxcnc) {
   const Parameters parameters(dialect);
   Lexer lexer(text);
   Expression expression(lexer, parameters);
   const double value = expression.value();
-  if (!expression.fault()) return expression.broke_off() ? "mark" : "none";
+  if (!expression.error()) return expression.broke_off() ? "mark" : "none";
   CHECK(is_unknown(value));
-  const Fault& fault = *expression.fault();
-  return "SC" + std::to_string(static_cast<int>(fault.code)) + " " + std::to_string(fault.column) +
-         "+" + std::to_string(fault.length);
+  const LineError& error = *expression.error();
+  return "SC" + std::to_string(static_cast<int>(error.code)) + " " + std::to_string(error.column) +
+         "+" + std::to_string(error.length);
 }
 
 /// An expression as a tree, whose value is worked out at its joints and not from its text.
@@ -108,7 +108,7 @@ TEST_CASE("an expression has the value of its tree", "[ipr][expression]") {
       Expression expression(lexer, parameters);
       RC_LOG() << text;
       RC_ASSERT(expression.value() == tree.value);
-      RC_ASSERT(!expression.fault());
+      RC_ASSERT(!expression.error());
     });
 }
 
@@ -233,7 +233,7 @@ TEST_CASE("a vacant variable equals only what is vacant", "[ipr][expression]") {
   CHECK(fanuc("EXISTS[#1]") == 0);
 }
 
-TEST_CASE("a fault has the place of its cause", "[ipr][expression]") {
+TEST_CASE("an error has the place of its cause", "[ipr][expression]") {
   CHECK(fault_of("[1/0]") == "SC1021 4+1");
   CHECK(fault_of("[1/[2-2]+1]") == "SC1021 4+5");
   CHECK(fault_of("[5 MOD 0]") == "SC1021 8+1");
@@ -288,7 +288,7 @@ TEST_CASE("brackets nest to a limit, not to the end of the stack", "[ipr][expres
   CHECK(fault_of(std::string(5000, '#')) == "SC1027 65+1");
 }
 
-TEST_CASE("what rests on an earlier error is no fault again", "[ipr][expression]") {
+TEST_CASE("what rests on an earlier error is no error again", "[ipr][expression]") {
   Parameters parameters;
   parameters.write(1, kUnknown);
   for (const std::string text : {"#1", "[1/#1]", "-#1", "##1", "SQRT[-#1]", "ATAN[1]/[#1]"}) {
@@ -296,7 +296,7 @@ TEST_CASE("what rests on an earlier error is no fault again", "[ipr][expression]
     Expression expression(lexer, parameters);
     INFO(text);
     CHECK(is_unknown(expression.value()));
-    CHECK_FALSE(expression.fault());
+    CHECK_FALSE(expression.error());
     CHECK_FALSE(expression.broke_off());
   }
 }

@@ -17,7 +17,7 @@ InterpreterOptions in(Dialect dialect) {
   return options;
 }
 
-/// The X of every move, of a program that must be without fault.
+/// The X of every move, of a program that must be without error.
 Positions way(const std::string& text, Dialect dialect = Dialect::linuxcnc) {
   Positions all;
   for (const Block& block : blocks_of(text, {}, in(dialect)))
@@ -306,8 +306,7 @@ TEST_CASE("an alarm to which an error may have led is not reported", "[ipr][flow
 
 TEST_CASE("an alarm after an M code that could not be read is not reported", "[ipr][flow]") {
   CHECK(reported("M..9\n(ABORT,x)\nG0 Q1\nM2") ==
-        Told{"1:2 SC1004 two decimal points in '..9'",
-             "3:4 SC2004 Q is used by no code of this line"});
+        Told{"1:2 SC1004 two decimal points in '..9'", "3:4 SC2004 unused word Q"});
   CHECK(reported("G0 X1 ? m30\n(ABORT,x)\nM2") == Told{"1:7 SC1001 unknown character '?'"});
   CHECK(reported("G0 X--1\n(ABORT,x)\nM2") ==
         Told{"1:5 SC1003 a sign inside the number '--1'", "2:1 SC1031 the program aborts: x"});
@@ -430,8 +429,7 @@ TEST_CASE("a subprogram whose beginning cannot be read is not missed", "[ipr][fl
 
 TEST_CASE("an error in a loop is reported once", "[ipr][flow]") {
   CHECK(reported("o1 repeat [100]\nG1 X1\nG0 X1 Q1\no1 endrepeat\nM2") ==
-        Told{"2:1 SC2102 G01 needs a feed, and F is not set",
-             "3:7 SC2004 Q is used by no code of this line"});
+        Told{"2:1 SC2102 G01 needs a feed, and F is not set", "3:7 SC2004 unused word Q"});
   CHECK(reported("N1 G0 X1 Q1\nGOTO 1\nM2").size() == 2);
 }
 

@@ -53,12 +53,12 @@ TEST_CASE("the commands of paper 003 are known by their first line", "[ipr][form
     CHECK(format_of(text) == "commands");
   }
   CHECK(format_of(std::string("l 1 1\0\nf 600\n", 13)) == "commands");
-  for (const char* fault :
+  for (const char* error :
        {"f 300?\n", "xx 10\n", "l 1 ? 2\n", "s 2 $\n", "k 10 10\n", "10 10\n", "x 600\n",
         "F 600 700\n", "f3 00\n", "O 1200\n", "(open\n", "of arcs and (so on)\n", "9of arcs)\n"}) {
-    INFO(fault);
-    CHECK(format_of(std::string(fault) + "l 1 1\n") == "commands");
-    CHECK(format_of(std::string(fault) + "G00 X1\n") == "gcode");
+    INFO(error);
+    CHECK(format_of(std::string(error) + "l 1 1\n") == "commands");
+    CHECK(format_of(std::string(error) + "G00 X1\n") == "gcode");
   }
 }
 

@@ -33,7 +33,7 @@ inline Interpreted interpret(std::string text, const Machine& machine = {},
   return interpret(Reader::from_text(std::move(text)), machine, options);
 }
 
-/// The blocks of a program that has to be without any fault.
+/// The blocks of a program that has to be without any error.
 inline std::vector<Block> blocks_of(std::string text, const Machine& machine = {},
                                     InterpreterOptions options = {}) {
   Interpreted result = interpret(std::move(text), machine, options);

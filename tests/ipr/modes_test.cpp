@@ -58,7 +58,7 @@ TEST_CASE("a feed above the limit is held at it, with one warning a file", "[ipr
   const auto message = [&](const std::string& program) {
     return interpret(program, machine).diagnostics.front().message;
   };
-  const std::string held = " is above the machine's 3000 mm/min; from here on 3000 is used";
+  const std::string held = " exceeds the machine's 3000 mm/min; 3000 is used from here on";
   CHECK(message("F6000\nM30\n") == "F6000" + held);
   CHECK(message("G20 F200\nM30\n") == "F200, 5080 mm/min," + held);
   CHECK(message("G93 G01 X1000 F9\nM30\n") == "a feed of 9000 mm/min" + held);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Decimal numbers: value, length, faults.
+// Decimal numbers: value, length, errors.
 #include "ipr/text/number.hpp"
 
 #include <catch2/catch.hpp>
@@ -40,25 +40,25 @@ TEST_CASE("whatever byte follows a number, near or far from the end of the text"
     for (const std::string digits : {"7", "1234567", "12345678", "123456789"})
       for (const std::string after : {"", "1", "99999999999"}) {
         const Number number = read_number("-" + digits + ".25" + c + after);
-        CHECK(number.fault == NumberFault::none);
+        CHECK(number.error == NumberError::none);
         CHECK(number.length == digits.size() + 4);
         CHECK(number.value == -(std::stod(digits) + 0.25));
       }
   }
 }
 
-TEST_CASE("every fault of a number has its name", "[ipr][number]") {
-  CHECK(read_number("-").fault == NumberFault::no_digits);
-  CHECK(read_number(".").fault == NumberFault::no_digits);
-  CHECK(read_number("--1").fault == NumberFault::sign_inside);
-  CHECK(read_number("1-2").fault == NumberFault::sign_inside);
-  CHECK(read_number("1.2.3").fault == NumberFault::two_points);
-  CHECK(read_number("..").fault == NumberFault::two_points);
-  CHECK(read_number("1234567890").fault == NumberFault::too_large);
-  CHECK(read_number("0000000000001").fault == NumberFault::none);
+TEST_CASE("every error of a number has its name", "[ipr][number]") {
+  CHECK(read_number("-").error == NumberError::no_digits);
+  CHECK(read_number(".").error == NumberError::no_digits);
+  CHECK(read_number("--1").error == NumberError::sign_inside);
+  CHECK(read_number("1-2").error == NumberError::sign_inside);
+  CHECK(read_number("1.2.3").error == NumberError::two_points);
+  CHECK(read_number("..").error == NumberError::two_points);
+  CHECK(read_number("1234567890").error == NumberError::too_large);
+  CHECK(read_number("0000000000001").error == NumberError::none);
 }
 
-TEST_CASE("a number with a fault is passed over whole", "[ipr][number]") {
+TEST_CASE("a number with an error is passed over whole", "[ipr][number]") {
   CHECK(read_number("1.2.3Y").length == 5);
   CHECK(read_number("--1 X").length == 3);
 }
@@ -74,7 +74,7 @@ TEST_CASE("numbers agree with strtod to the last bit", "[ipr][number]") {
   for (int i = 0; i < 200000; ++i) {
     const std::string sign = random() % 2 == 0 ? "-" : "";
     const std::string text = sign + digits(9) + "." + digits(i % 10 == 0 ? 40 : 10);
-    REQUIRE(read_number(text).fault == NumberFault::none);
+    REQUIRE(read_number(text).error == NumberError::none);
     REQUIRE(read_number(text).value == std::strtod(text.c_str(), nullptr));
   }
 }
@@ -92,7 +92,7 @@ TEST_CASE("a plain number is what it is with blanks inside", "[ipr][number]") {
     if (length == 0) continue;
     ++plain;
     REQUIRE(length == text.size());
-    REQUIRE(read_number(blanks).fault == NumberFault::none);
+    REQUIRE(read_number(blanks).error == NumberError::none);
     REQUIRE(value == read_number(blanks).value);
   }
   CHECK(plain > 10000);
@@ -101,7 +101,7 @@ TEST_CASE("a plain number is what it is with blanks inside", "[ipr][number]") {
 TEST_CASE("a number too small for a double is zero", "[ipr][number]") {
   const std::string text = "0." + std::string(400, '0') + "1";
   CHECK(read_number(text).value == 0.0);
-  CHECK(read_number(text).fault == NumberFault::none);
+  CHECK(read_number(text).error == NumberError::none);
 }
 
 }  // namespace softcnc::ipr

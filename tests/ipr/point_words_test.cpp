@@ -105,7 +105,7 @@ TEST_CASE("a spline ends at any other motion code, at a stop and at the end", "[
   check_spline(nurbs_of(open.blocks[0]));
 }
 
-TEST_CASE("a fault of the line that ends a spline is not the spline's", "[ipr][points]") {
+TEST_CASE("an error of the line that ends a spline is not the spline's", "[ipr][points]") {
   const Interpreted result = interpret(std::string(kSpline) + "G01 X5 Q1\nM30\n");
   CHECK(places(result) == Places{"SC2004 7:8"});
   REQUIRE(result.blocks.size() == 2);

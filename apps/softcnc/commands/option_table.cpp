@@ -289,7 +289,7 @@ constexpr OptionEntry kOptions[] = {
      events},
     {kPrograms, "--block-skip", "", "Skip lines that begin with '/'", flag<&Options::block_skip>},
     {kPrograms, "--optional-stop", "", "Stop at M01", flag<&Options::optional_stop>},
-    {kPrograms, "--dialect", "", "The dialect that counts where controls differ (default linuxcnc)",
+    {kPrograms, "--dialect", "", "Dialect to use where controls differ (default linuxcnc)",
      dialect},
     {kPrograms, "--format", "",
      "Format of the program: G-code, the commands of paper 003 (l, pcw, s ...), or whichever the "
@@ -301,7 +301,7 @@ constexpr OptionEntry kOptions[] = {
     {{run},
      "--dry-run",
      "",
-     "Without backend and pre-flight; the trace goes to stdout as CSV",
+     "Run without backend or pre-flight and write the trace to stdout as CSV",
      flag<&Options::dry_run>},
     {kRuns, "--realtime", "", "Run in real time and report missed periods",
      flag<&Options::realtime>},

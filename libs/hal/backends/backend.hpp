@@ -19,29 +19,32 @@ class Backend {
  public:
   virtual ~Backend() = default;
 
-  /// Carries the machine over one period to the setpoint; the first one says where it stands.
+  /// Moves the machine over one period to the setpoint; the first setpoint says where it stands.
   /// Realtime.
   virtual Feedback exchange(const Setpoint& setpoint) noexcept = 0;
 
-  /// Further columns of the trace, such as "x_act_mm".
+  /// Returns the names of further columns of the trace, such as "x_act_mm".
   virtual std::span<const std::string> columns() const noexcept { return {}; }
 
-  /// Their values after the last exchange; `out` is as long as columns(). Realtime.
+  /// Writes the values of columns() after the last exchange to `out`, which is as long as
+  /// columns(). Realtime.
   virtual void values(std::span<double> out) const noexcept { static_cast<void>(out); }
 
-  /// Where the axes really were in the period of the last exchange, mm: evenly spaced instants of
-  /// the position loop, the last one that of the setpoint. The first exchange has one. Empty where
-  /// the backend does not know. Realtime.
+  /// Returns where the axes really were in the period of the last exchange, mm: at evenly spaced
+  /// instants of the position loop, the last one that of the setpoint. The first exchange has one.
+  /// Returns an empty span if the backend does not know. Realtime.
   virtual std::span<const AxisVector> actual() const noexcept { return {}; }
 
-  /// How many of them a period has; 0: the backend does not know where the axes are.
+  /// Returns how many such instants a period has; 0 if the backend does not know where the axes
+  /// are.
   virtual std::size_t instants() const noexcept { return 0; }
 
-  /// Largest distance between command and axis over all exchanges so far, in mm by axis. NaN where
-  /// nothing is measured: axes the machine lacks, backends without feedback.
+  /// Returns the largest distance between command and axis over all exchanges so far, in mm by
+  /// axis; NaN where nothing is measured: for axes that the machine does not have, and backends
+  /// without feedback.
   virtual std::array<double, kAxes> following_error_max() const noexcept;
 
-  /// Called where the machine is at rest and the next exchange may take long.
+  /// Is called where the machine is at rest and the next exchange may take long.
   virtual void rest() noexcept {}
 
   /// Writes what is left. Call once after the last exchange; without it a backend that writes a
@@ -49,14 +52,15 @@ class Backend {
   /// PortPlayer::finish().
   virtual Status finish() { return {}; }
 
-  /// Rows that have gone to another program, so that it can be seen whether it got them all.
+  /// The rows that have gone to another program, so that it can be seen whether it got them all.
   struct Tally {
     std::int64_t rows = 0;
     std::string checksum;  // hash_hex() of their lines
   };
   virtual std::optional<Tally> tally() const { return std::nullopt; }
 
-  /// Where the axes come to rest if the last command stands, in mm. Leaves the backend as it is.
+  /// Returns where the axes come to rest if the last command stands, in mm. Leaves the backend as
+  /// it is.
   virtual AxisVector settle() const noexcept = 0;
 };
 

@@ -38,11 +38,11 @@ class ServoAxis {
 
   ServoAxis(const Axis& axis, double servo_period);
 
-  /// At rest at `position`, which is also commanded. Realtime.
+  /// Puts the drive at rest at `position`, which is also commanded. Realtime.
   void reset(double position) noexcept;
 
-  /// Runs one servo period in which these command pulses come, in order of time. Every n-th
-  /// is lost before the counter where the drive says so, which is an alarm. Realtime.
+  /// Runs one servo period in which these command pulses come, in order of time. If the drive says
+  /// so, every n-th pulse is lost before the counter, which is an alarm. Realtime.
   void advance(std::span<const CommandPulse> pulses) noexcept;
 
   double position() const noexcept { return angle_ * mm_per_rad_; }         // mm

@@ -19,7 +19,8 @@ class SimulatedMill final : public Backend {
 
   Feedback exchange(const Setpoint& setpoint) noexcept override;
 
-  /// For each axis: actual position (mm), command minus actual (um), motor current (A).
+  /// Returns, for each axis, the columns of actual position (mm), command minus actual (um) and
+  /// motor current (A).
   std::span<const std::string> columns() const noexcept override { return columns_; }
   void values(std::span<double> out) const noexcept override;
   std::span<const AxisVector> actual() const noexcept override {
@@ -28,7 +29,8 @@ class SimulatedMill final : public Backend {
   std::size_t instants() const noexcept override { return actual_.size(); }
   std::array<double, kAxes> following_error_max() const noexcept override { return error_max_; }
 
-  /// Runs a copy on until no encoder moves any more, for kSettleTime at most.
+  /// Returns where a copy that runs on comes to rest: until no encoder moves any more, for at most
+  /// kSettleTime.
   AxisVector settle() const noexcept override;
   static constexpr double kSettleTime = 10.0;  // s
 

@@ -17,15 +17,15 @@ namespace softcnc::hal {
 /// where they have been sent.
 class StepDir final : public Backend {
  public:
-  /// Into a file. An empty name: pulses are counted and not kept. Errors: those of
-  /// EdgeWriter::open().
+  /// Opens a backend that writes to a file. With an empty name, pulses are counted and not kept.
+  /// Errors: those of EdgeWriter::open().
   static Result<std::unique_ptr<StepDir>> open(const Machine& machine);
-  /// Where the edges go, which may be null, and the rules that they keep.
+  /// Makes a backend that writes edges to `out`, which may be null, under the rules of `timing`.
   StepDir(const Machine& machine, const StepTiming& timing, std::unique_ptr<EdgeSink> out);
 
   Feedback exchange(const Setpoint& setpoint) noexcept override;
 
-  /// For each axis the pulses so far, as counts of its position.
+  /// Returns, for each axis, the column of the pulses so far, as counts of its position.
   std::span<const std::string> columns() const noexcept override { return columns_; }
   void values(std::span<double> out) const noexcept override;
   AxisVector settle() const noexcept override { return position(); }

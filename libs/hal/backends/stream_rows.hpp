@@ -18,7 +18,7 @@ namespace softcnc::hal {
 /// cfg=fffbu. Lines that begin with '#' are comments.
 class StreamRows {
  public:
-  /// `lead`: bytes that are reserved at once.
+  /// Makes the rows; `lead` is how many bytes are reserved at once.
   StreamRows(const Machine& machine, std::size_t lead);
 
   std::string head() const;
@@ -30,7 +30,7 @@ class StreamRows {
   /// Signals to HAL that no more rows come for a while.
   void rest() noexcept;
 
-  /// Rows that wait to be passed on; pass() forgets and counts them.
+  /// Returns the rows that wait to be passed on; pass() forgets and counts them.
   std::string_view bytes() const noexcept { return bytes_; }
   void pass() noexcept;
 

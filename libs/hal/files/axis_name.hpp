@@ -8,7 +8,7 @@
 
 namespace softcnc::hal {
 
-/// "x", "y", "z"; 0 <= axis < kAxes.
+/// Returns "x", "y" or "z". Requires 0 <= axis < kAxes.
 inline std::string axis_name(int axis) {
   const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
   return {static_cast<char>(letter - 'A' + 'a')};

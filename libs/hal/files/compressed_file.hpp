@@ -16,7 +16,7 @@ namespace softcnc::hal {
 
 class CompressedFile {
  public:
-  /// "-": standard input. Errors: `unreadable`.
+  /// Opens a file, or standard input if its name is "-". Errors: `unreadable`.
   static Result<CompressedFile> open(const std::string& file, Code unreadable, Code damaged);
 
   /// Returns the next piece, empty at the end; valid until the next call. Errors: `unreadable`, or

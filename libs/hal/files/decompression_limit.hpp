@@ -6,11 +6,11 @@
 
 namespace softcnc::hal {
 
-/// Bytes that any file may decompress to: they are read in a second.
+/// The number of bytes that any file may decompress to: they are read in a second.
 inline constexpr std::uint64_t kFreelyDecompressed = std::uint64_t{1} << 26U;
 
-/// Beyond them, the most bytes that a byte of a file may stand for. Deflate makes 1032 of one; a
-/// trace, whose times go up from row to row, less than a hundred.
+/// The largest number of bytes, beyond those, that a byte of a file may stand for. Deflate makes
+/// 1032 of one; a trace, whose times go up from row to row, less than a hundred.
 inline constexpr std::uint64_t kMostDecompressedPerByte = 2000;
 
 /// Returns whether so many compressed bytes may decompress to this size.

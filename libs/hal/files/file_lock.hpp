@@ -13,8 +13,8 @@ namespace softcnc::hal {
 /// carries no lock over. One that a killed process has left is taken over.
 class FileLock {
  public:
-  /// Of what is no regular file, nothing is locked. Errors: SC6017 (another process has it; it is
-  /// named), SC6011 (there can be no file beside it).
+  /// Locks a file; does nothing if it is not a regular file. Errors: SC6017 (another process has
+  /// it; it is named), SC6011 (there can be no file beside it).
   static Result<FileLock> take(const std::string& file);
 
   FileLock(FileLock&& other) noexcept

@@ -8,7 +8,8 @@
 
 namespace softcnc::hal {
 
-/// XXH3, 128 bits, as 32 hexadecimal digits in canonical (big-endian) order.
+/// Returns the XXH3 hash of `bytes`, 128 bits, as 32 hexadecimal digits in canonical (big-endian)
+/// order.
 std::string hash_hex(std::string_view bytes);
 
 /// The same for bytes that come piece by piece.

@@ -24,10 +24,10 @@ class NpyWriter {
  public:
   NpyWriter(std::int64_t rows, std::int64_t columns);
 
-  /// Errors: SC6003.
+  /// Appends values. Errors: SC6003.
   Status add(std::span<const float> values);
 
-  /// Where it stands, in a file without a name.
+  /// Returns the descriptor of the file without a name that holds the array.
   int descriptor() const noexcept { return file_.descriptor(); }
 
  private:

@@ -23,7 +23,7 @@ class ByteSink {
   virtual Status finish() = 0;
 };
 
-/// How long a pipe may have no reader, or one that takes nothing; longer is an error.
+/// How long a pipe may have no reader, or one that takes nothing. Longer is an error.
 struct Patience {
   static constexpr int kAfterStop = 300;  // ms
 

@@ -14,14 +14,16 @@ bool is_pipe(const std::string& file);
 
 class PipeSink final : public ByteSink {
  public:
-  /// `patience`, s: timeout for a full pipe. Errors: SC6011, SC6070 (nobody reads).
+  /// Opens a pipe; `patience` is the timeout for a full pipe, s. Errors: SC6011, SC6070 (nobody
+  /// reads).
   static Result<std::unique_ptr<PipeSink>> open(const std::string& file, double patience);
 
   PipeSink(const PipeSink&) = delete;
   PipeSink& operator=(const PipeSink&) = delete;
   ~PipeSink() override;
 
-  /// Errors: SC6071 (full for too long), SC6013 (closed; only where SIGPIPE is ignored), SC6012.
+  /// Writes bytes. Errors: SC6071 (full for too long), SC6013 (closed; only where SIGPIPE is
+  /// ignored), SC6012.
   Status write(std::string_view bytes) override;
   Status finish() override;
 

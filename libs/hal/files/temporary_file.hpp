@@ -38,7 +38,7 @@ class TemporaryFile {
   int descriptor_;
 };
 
-/// Bytes into a temporary file, which must outlive it. Errors: SC6003.
+/// Writes bytes into a temporary file, which must outlive it. Errors: SC6003.
 class TemporarySink final : public ByteSink {
  public:
   explicit TemporarySink(TemporaryFile& file) noexcept : file_(file) {}

@@ -20,17 +20,19 @@ struct UnfinishedFile {
 /// long as the descriptor is open, where the file system knows locks. `mode` is less the umask.
 UnfinishedFile make_unfinished(const std::string& target, mode_t mode);
 
-/// Hexadecimal digits at the end of its name: so many that nobody else gives a file such a name.
+/// The number of hexadecimal digits at the end of its name: so many that nobody else gives a file
+/// such a name.
 inline constexpr std::size_t kUnfinishedEnding = 12;
 
-/// `.NAME.softcnc-ENDING` in the folder of `target`; a long NAME is cut, so that it is a name.
+/// Returns `.NAME.softcnc-ENDING` in the folder of `target`; a long NAME is cut, so that the file
+/// system takes it.
 std::string name_beside_target(const std::string& target, std::string_view ending);
 
-/// Whether an open file still bears a name: somebody may have removed it there.
+/// Returns whether an open file still has a name: somebody may have removed it there.
 bool bears(int descriptor, const std::string& name);
 
-/// Whether a path ends in such a name, of an unfinished file or of a lock. Calls nothing that a
-/// signal handler may not.
+/// Returns whether a path ends in such a name, of an unfinished file or of a lock. Calls nothing
+/// that a signal handler must not call.
 bool is_name_beside_target(std::string_view path) noexcept;
 
 }  // namespace softcnc::hal

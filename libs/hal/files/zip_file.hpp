@@ -21,24 +21,25 @@ class ZipDestination;
 
 class ZipWriter {
  public:
-  /// Into a file that is made or emptied.
+  /// Makes a writer into a file, which is made or emptied.
   explicit ZipWriter(std::string file);
-  /// Into an open file, over all that is in it.
+  /// Makes a writer into an open file, over all that is in it.
   explicit ZipWriter(int descriptor);
   ~ZipWriter();
   ZipWriter(const ZipWriter&) = delete;
   ZipWriter& operator=(const ZipWriter&) = delete;
 
-  /// Entries stand in the zip in the order in which they are added, all with one fixed date.
+  /// Adds an entry. Entries stand in the zip in the order in which they are added, all with one
+  /// fixed date.
   void add_text(const std::string& name, std::string text);
-  /// `path` is read by finish().
+  /// Adds a file as an entry; finish() reads `path`.
   void add_file(const std::string& name, const std::string& path, Compression packing);
   /// The same of a file that is open, from its beginning.
   void add_descriptor(const std::string& name, int descriptor, Compression packing);
-  /// Of the zip as a whole.
+  /// Sets the comment of the zip as a whole.
   void set_comment(const std::string& text);
 
-  /// Errors: SC6012.
+  /// Writes the zip. Errors: SC6012.
   Status finish();
 
  private:
@@ -58,10 +59,10 @@ class ZipEntry {
  public:
   ZipEntry(zip_file* entry, std::string file, std::uint64_t file_size) noexcept;
 
-  /// Up to `size` bytes; 0 at the end. Errors: SC6021.
+  /// Reads up to `size` bytes and returns how many; 0 at the end. Errors: SC6021.
   Result<std::size_t> read(char* to, std::size_t size);
 
-  /// Bytes of the zip that it stands in.
+  /// Returns the number of bytes of the zip that holds the entry.
   std::uint64_t file_size() const noexcept { return file_size_; }
 
  private:
@@ -70,22 +71,24 @@ class ZipEntry {
   std::uint64_t file_size_;
 };
 
-/// No zip that is read has more entries: a recording has one for each file that its program calls.
+/// The largest number of entries of a zip that is read: a recording has one for each file that its
+/// program calls.
 inline constexpr std::int64_t kMostEntries = 10'000;
 
 class ZipReader {
  public:
-  /// "-": standard input, which must be a regular file like any other. Errors: SC6021.
+  /// Opens a zip, or standard input if its name is "-", which must be a regular file like any
+  /// other. Errors: SC6021.
   static Result<ZipReader> open(const std::string& file);
 
-  /// Errors: SC6021.
+  /// Returns an entry. Errors: SC6021.
   Result<ZipEntry> entry(const std::string& name) const;
 
   /// Reads all entries against their checksums. Errors: SC6021; SC6024 where there are more than
   /// kMostEntries, or more comes out of them than may_decompress().
   Status check() const;
 
-  /// All of an entry that is known to be short.
+  /// Returns all of an entry that is known to be short.
   Result<std::string> text(const std::string& name) const;
 
  private:

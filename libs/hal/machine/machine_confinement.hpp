@@ -14,7 +14,8 @@ namespace softcnc::hal {
 /// in the file.
 std::vector<Diagnostic> confine(LoadedMachine& loaded);
 
-/// Whether the backend in force writes a file under a name that neither a file nor a setting gives.
+/// Returns whether the backend in force writes a file under a name that neither a file nor a
+/// setting gives.
 bool writes_default_file(const LoadedMachine& loaded);
 
 }  // namespace softcnc::hal

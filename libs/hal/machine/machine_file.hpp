@@ -26,7 +26,7 @@ MachineOrErrors load_machine(const std::string& file, std::span<const std::strin
 MachineOrErrors parse_machine(const std::string& text, const std::string& name,
                               std::span<const std::string> settings);
 
-/// Where the machine of a program comes from.
+/// The source of the machine of a program.
 struct MachineSource {
   std::string file;       // empty: the built-in machine
   bool confined = false;  // found beside the program: nothing in it reaches outside softcnc
@@ -39,8 +39,9 @@ struct FoundMachine {
   bool default_file = false;        // the backend writes a file under a name that nobody has given
 };
 
-/// As load_machine(), but a confined machine must be in a regular file (SC7003). It keeps its
-/// backend, but files of backends and ports count only where settings name them.
+/// Loads a machine as load_machine() does, but a confined machine must be in a regular file
+/// (SC7003). It keeps its backend, but files of backends and ports count only where settings name
+/// them.
 tl::expected<FoundMachine, std::vector<Diagnostic>> find_machine(
     const MachineSource& source, std::span<const std::string> settings);
 
@@ -53,7 +54,7 @@ struct EffectiveValue {
   std::string meaning;  // in a few words
 };
 
-/// Every value of the machine that load_machine() returns, in the order of the table.
+/// Returns every value of the machine that load_machine() returns, in the order of the table.
 tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_values(
     const std::string& file, std::span<const std::string> settings);
 

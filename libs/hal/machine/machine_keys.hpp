@@ -67,7 +67,7 @@ struct KeyRef {
 /// The key with this full name, as in "axis.x.blu_um".
 std::optional<KeyRef> find_key(std::string_view path);
 
-/// True for the names of tables: "axis", "axis.x", "axis.x.motor".
+/// Returns whether a path is the name of a table: "axis", "axis.x", "axis.x.motor".
 bool is_section(std::string_view path);
 
 bool is_axis_key(const MachineKey& key) noexcept;

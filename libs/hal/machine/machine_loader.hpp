@@ -18,7 +18,7 @@ namespace softcnc::hal {
 /// The file that diagnostics of settings name.
 inline constexpr std::string_view kSettingFile = "--set";
 
-/// Where a value was given.
+/// The place where a value was given.
 struct GivenAt {
   std::string file;
   SourcePos pos;
@@ -39,7 +39,7 @@ class MachineLoader {
   void read(std::string_view text, const std::string& name);
   void set(const std::string& setting);  // "KEY=VALUE"
 
-  /// Fills in what was left out and checks values against one another. Call once.
+  /// Fills in what was left out and checks values against one another. To be called once.
   LoadedOrErrors finish();
 
  private:

@@ -19,8 +19,8 @@ struct OtherTomlValue {
 using FileValue =
     std::variant<double, std::int64_t, std::string, std::vector<double>, OtherTomlValue>;
 
-/// After so many errors nothing more is reported of a machine or state file: each of them keeps its
-/// line, and a hostile file may have millions.
+/// The number of errors after which nothing more is reported of a machine or state file: each of
+/// them keeps its line, and a hostile file may have millions.
 inline constexpr std::size_t kMostErrors = 1000;
 
 /// Checks `value` against type and range of the key and stores it in internal units.

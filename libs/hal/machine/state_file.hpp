@@ -10,16 +10,16 @@
 
 namespace softcnc::hal {
 
-/// Raised when a key changes its meaning.
+/// The schema of state files. It is raised when a key changes its meaning.
 inline constexpr int kStateSchema = 1;
 
-/// Numbers of the parameters that a state may hold.
+/// The numbers of the parameters that a state may hold, from first to last.
 inline constexpr int kFirstParameter = 31, kLastParameter = 5999;
 
 /// A state, or all errors of its file, line by line.
 using StateOrErrors = tl::expected<MachineState, std::vector<Diagnostic>>;
 
-/// Errors: SC7004 to SC7006, SC7012 to SC7016, SC7022.
+/// Reads a state file. Errors: SC7004 to SC7006, SC7012 to SC7016, SC7022.
 StateOrErrors load_state(const std::string& file);
 
 /// The same for a text that is already in memory; `name` stands for the file in diagnostics.

@@ -21,11 +21,11 @@ struct TomlEntry {
   SourcePos value_pos;
 };
 
-/// Every table and value of `text`. Errors: SC7002 (no TOML), SC7012 (a key given twice), SC7022
-/// (nested deeper than kMaxTomlDepth).
+/// Returns every table and value of `text`. Errors: SC7002 (no TOML), SC7012 (a key given twice),
+/// SC7022 (nested deeper than kMaxTomlDepth).
 Result<std::vector<TomlEntry>> read_toml(std::string_view text);
 
-/// One value as TOML spells it; what is no TOML value is taken as a string.
+/// Returns one value as TOML spells it; what is not a TOML value is taken as a string.
 FileValue read_toml_value(const std::string& text);
 
 /// The lines of a text, found once, so that reading many of them does not search from its
@@ -34,7 +34,8 @@ class TextLines {
  public:
   explicit TextLines(std::string_view text);
 
-  /// Line `number` (from 1), without its end; empty where there is none. As long as the text lives.
+  /// Returns line `number` (from 1), without its end; an empty view if there is none. The view is
+  /// valid as long as the text lives.
   std::string_view operator[](int number) const noexcept;
 
  private:

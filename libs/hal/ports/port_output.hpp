@@ -28,7 +28,7 @@ class PortOutput {
   /// Sets steps low and disables the drives, whatever was written before. Safe in signal handlers.
   void rest() noexcept;
 
-  /// Describes an alarm.
+  /// Returns the diagnostic of an alarm.
   Diagnostic diagnostic(Alarm alarm) const;
 
  private:

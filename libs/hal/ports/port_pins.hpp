@@ -13,7 +13,7 @@
 
 namespace softcnc::hal {
 
-/// What stands in both registers that are written.
+/// The bits of both registers that are written.
 struct PortWord {
   std::uint8_t data = 0, control = 0;
   bool operator==(const PortWord&) const = default;
@@ -28,7 +28,7 @@ class PortPins {
  public:
   explicit PortPins(const Machine& machine);
 
-  /// Steps low, drives disabled, charge pump low.
+  /// Returns the word with steps low, drives disabled and charge pump low.
   const PortWord& rest() const noexcept { return rest_; }
   /// The same with the drives enabled.
   PortWord enabled() const noexcept;
@@ -37,9 +37,9 @@ class PortPins {
   void set(PortWord& word, int axis, Wire wire, bool high) const noexcept;
   void turn_charge_pump(PortWord& word) const noexcept { flip(word, charge_pump_); }
 
-  /// Whether there is anything to see in the status register.
+  /// Returns whether there is anything to see in the status register.
   bool looks() const noexcept;
-  /// What it means. Realtime.
+  /// Returns what the status register means. Realtime.
   Alarm alarm(std::uint8_t status) const noexcept;
 
  private:

@@ -9,19 +9,23 @@
 
 namespace softcnc::hal {
 
-/// Bits as they stand in the registers. Any call may fail, and all after it; failure() says why.
+/// The registers of a port, by their bits. Any call may fail, and then all after it; failure() says
+/// why.
 class PortRegisters {
  public:
   virtual ~PortRegisters() = default;
 
-  /// Pins 2 to 9 are bits 0 to 7. Realtime.
+  /// Writes the data register; pins 2 to 9 are bits 0 to 7. Returns false after a failure.
+  /// Realtime.
   virtual bool write_data(std::uint8_t bits) noexcept = 0;
-  /// Pins 1, 14, 16, 17 are bits 0 to 3; all but 16 are inverted on their way. Realtime.
+  /// Writes the control register; pins 1, 14, 16 and 17 are bits 0 to 3, and all but 16 are
+  /// inverted by the port. Returns false after a failure. Realtime.
   virtual bool write_control(std::uint8_t bits) noexcept = 0;
-  /// Pins 15, 13, 12, 10, 11 are bits 3 to 7; 11 is inverted on its way. Realtime.
+  /// Returns the status register; pins 15, 13, 12, 10 and 11 are bits 3 to 7, and 11 is inverted by
+  /// the port. Returns nothing after a failure. Realtime.
   virtual std::optional<std::uint8_t> read_status() noexcept = 0;
 
-  /// Why a call failed: SC6074.
+  /// Returns why a call failed: SC6074.
   virtual Diagnostic failure() const = 0;
 };
 

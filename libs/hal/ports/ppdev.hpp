@@ -33,7 +33,7 @@ class Ppdev final : public PortRegisters {
   int error_ = 0;  // errno of the first call that failed
 };
 
-/// What a refusal by the system means, by its errno: SC6072, SC6073.
+/// Returns what a refusal by the system means, by its errno: SC6072, SC6073.
 Diagnostic port_refusal(const std::string& device, const char* call, int error);
 
 }  // namespace softcnc::hal

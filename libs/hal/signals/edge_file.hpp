@@ -26,15 +26,15 @@ class EdgeFormat {
 /// the direction line, plus 1 for high.
 class EdgeWriter final : public EdgeSink {
  public:
-  /// Errors: SC6011, SC6050 (unknown suffix).
+  /// Opens a file for edges. Errors: SC6011, SC6050 (unknown suffix).
   static Result<EdgeWriter> open(const std::string& file);
-  /// Into `out`, as VCD.
+  /// Returns a writer into `out`, as VCD.
   static EdgeWriter vcd(std::unique_ptr<ByteSink> out);
 
-  /// After an error, Alarm::port, edges are dropped.
+  /// Writes edges. After an error, which returns Alarm::port, edges are dropped.
   Alarm take(std::span<const SignalEdge> edges, std::int64_t until) noexcept override;
 
-  /// Without it no file is left. Errors: SC6012, SC6013.
+  /// Completes the file; without this call no file is left. Errors: SC6012, SC6013.
   Status finish() override;
 
  private:

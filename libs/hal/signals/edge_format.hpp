@@ -21,10 +21,10 @@ constexpr SignalEdge edge_of(unsigned line, std::int64_t time, bool high) noexce
   return {time, static_cast<std::uint8_t>(line / 4), line & 2U ? Wire::direction : Wire::step,
           high};
 }
-/// All lines have smaller numbers, every other of which is one.
+/// The bound of the numbers of lines, of which every second one is a line.
 inline constexpr unsigned kLineNumbers = 4 * kAxes;
 
-/// What a line is called: x_step, x_direction.
+/// Returns the name of a line: x_step, x_direction.
 inline std::string line_name(unsigned line) {
   return axis_name(static_cast<int>(line / 4)) + (line & 2U ? "_direction" : "_step");
 }

@@ -29,7 +29,7 @@ class EdgeParser {
   virtual ~EdgeParser() = default;
   /// The next piece, cut anywhere.
   virtual Status read(std::string_view bytes) = 0;
-  /// After the last piece.
+  /// Ends the text, after its last piece.
   virtual Status finish() = 0;
 };
 

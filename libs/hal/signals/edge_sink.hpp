@@ -15,14 +15,14 @@ class EdgeSink {
  public:
   virtual ~EdgeSink() = default;
 
-  /// All edges before `until`, ns, that have not been taken yet, in order of time. Returns what is
-  /// wrong, if anything is; then finish() describes it. Realtime.
+  /// Takes all edges before `until`, ns, that have not been taken yet, in order of time. Returns
+  /// what is wrong, if anything is; then finish() describes it. Realtime.
   virtual Alarm take(std::span<const SignalEdge> edges, std::int64_t until) noexcept = 0;
 
-  /// Called where the machine is at rest and more edges may take long.
+  /// Is called where the machine is at rest and more edges may take long.
   virtual void rest() noexcept {}
 
-  /// Call once after the last edge.
+  /// Ends the edges. To be called once, after the last one.
   virtual Status finish() = 0;
 };
 

@@ -16,7 +16,7 @@ namespace softcnc::hal {
 /// the counts of the position.
 class FinePulses {
  public:
-  /// blu in mm; `position`, mm, is where the counts begin.
+  /// Makes pulses of `blu` mm whose counts begin at `position`, mm.
   FinePulses(double blu, double position) noexcept
       : blu_(blu), counts_of_(blu), position_(position), counts_(counts_of_(position)) {}
 

@@ -44,20 +44,20 @@ struct BrokenRule {
   std::int64_t is, least;  // ns
 };
 
-/// Describes it, with axis and time.
+/// Returns a description with axis and time.
 std::string text(const BrokenRule& broken);
 
 /// Checks edges as a driver would see them on its lines, all of which begin low.
 class PulseRules {
  public:
-  /// What is measured on the lines of an axis.
+  /// The figures that are measured on the lines of an axis.
   struct Figures {
     std::int64_t steps = 0, broken = 0;
     std::array<std::optional<std::int64_t>, kTimedRules> shortest;  // ns, by rule
   };
   using Report = std::function<void(const BrokenRule&)>;
 
-  /// Every broken rule is reported.
+  /// Makes the rules; every broken rule goes to `report`.
   explicit PulseRules(const StepTiming& timing, Report report = {})
       : timing_(timing), report_(std::move(report)) {}
 
@@ -65,21 +65,21 @@ class PulseRules {
   void read(const SignalEdge& edge);
   /// A line does not begin low.
   void begin(const SignalEdge& level) noexcept;
-  /// No more edges come: steps have ended. Call once, last, if at all.
+  /// Ends the edges: steps have ended. To be called once, last, if at all.
   void finish();
 
   /// The first rule that was broken, in words.
   const std::optional<std::string>& broken() const noexcept { return first_broken_; }
-  /// Steps so far, those in negative direction counting -1.
+  /// Returns the steps so far; those in negative direction count -1.
   const GridPoint& counts() const noexcept { return counts_; }
   const Figures& figures(int axis) const noexcept {
     return figures_[static_cast<std::size_t>(axis)];
   }
   std::int64_t steps() const noexcept;
-  /// ns, between two steps of one axis; 0 if there were none.
+  /// Returns the shortest interval between two steps of one axis, ns; 0 if there were none.
   std::int64_t shortest_interval() const noexcept;
   std::int64_t edges() const noexcept { return edges_; }
-  /// ns, of the last edge.
+  /// Returns the time of the last edge, ns.
   std::int64_t time() const noexcept { return time_; }
 
  private:

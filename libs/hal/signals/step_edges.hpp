@@ -28,17 +28,17 @@ class StepEdges {
  public:
   explicit StepEdges(const StepTiming& timing) : timing_(timing) {}
 
-  /// `direction` 1 or -1; `time` in ns, not before that of the axis' last pulse, nor before the end
-  /// of what release() has handed out.
+  /// Adds a pulse; `direction` is 1 or -1. `time`, ns, must not be before that of the axis' last
+  /// pulse, nor before the end of what release() has returned.
   void add(int axis, std::int64_t time, int direction);
 
-  /// Hands out the edges before `until` in order of time, and forgets them. Valid until the next
-  /// call.
+  /// Returns the edges before `until`, ns, in order of time, and forgets them. The span is valid
+  /// until the next call.
   std::span<const SignalEdge> release(std::int64_t until);
-  /// All that are left.
+  /// Returns all edges that are left.
   std::span<const SignalEdge> release_all();
 
-  /// When the last edge comes, ns.
+  /// Returns the time of the last edge, ns.
   std::int64_t end() const noexcept { return end_; }
 
  private:

@@ -14,8 +14,8 @@
 
 namespace softcnc::hal {
 
-/// Raised when columns change their meaning or order, or the lines of a CSV their places: in
-/// schema 1 the comments stood before the names.
+/// The schema of traces. It is raised when columns change their meaning or order, or the lines of a
+/// CSV their places: in schema 1 the comments stood before the names.
 inline constexpr int kTraceSchema = 2;
 
 struct TraceHeader {
@@ -26,8 +26,9 @@ struct TraceHeader {
 
 class TraceWriter {
  public:
-  /// Known suffixes are those of trace_suffixes(); "-" and what is no regular file and has none of
-  /// them take CSV. `patience` limits the wait for the reader of a pipe. Errors: SC6011, SC6014.
+  /// Opens a trace. Known suffixes are those of trace_suffixes(); "-", and what is not a regular
+  /// file and has none of them, gets CSV. `patience` limits the wait for the reader of a pipe.
+  /// Errors: SC6011, SC6014.
   static Result<std::unique_ptr<TraceWriter>> open(const std::string& file,
                                                    const TraceHeader& header,
                                                    const Machine& machine,
@@ -39,8 +40,8 @@ class TraceWriter {
   /// error rows are dropped, and finish() returns it.
   virtual void row(const Setpoint& setpoint, std::span<const double> backend_values) noexcept = 0;
 
-  /// Called where the machine is at rest and the next row may take long: before the program waits
-  /// for a person.
+  /// Is called where the machine is at rest and the next row may take long: before the program
+  /// waits for a person.
   virtual void rest() noexcept {}
 
   /// Writes what there is, for a reader that waits, where the format allows it.
@@ -49,14 +50,14 @@ class TraceWriter {
   /// Adds, after the last row, a program's hash that the header did not know.
   virtual void add_program_hash(const std::string& hash) = 0;
 
-  /// False once writing has failed: a caller may stop early.
+  /// Returns false once writing has failed: a caller may stop early.
   virtual bool ok() const noexcept = 0;
 
   /// Writes what is left; without it no file is left. Errors: SC6003, SC6012, SC6013.
   virtual Status finish() = 0;
 };
 
-/// ".csv, .npz, ...": for messages and help.
+/// Returns ".csv, .npz, ..." for messages and help.
 std::string trace_suffixes();
 
 }  // namespace softcnc::hal

@@ -14,7 +14,7 @@ std::unique_ptr<TraceWriter> csv_trace(std::unique_ptr<ByteSink> out, const Trac
                                        const Machine& machine,
                                        std::span<const std::string> backend_columns);
 
-/// What the comments between the names and the rows say: schema, period, fingerprints.
+/// Returns the comments between the names and the rows: schema, period, fingerprints.
 std::string trace_comment(const TraceHeader& header);
 
 /// The instant of a period in seconds, as the double nearest to the decimal number: period 3 of

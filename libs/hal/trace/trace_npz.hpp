@@ -10,8 +10,8 @@
 
 namespace softcnc::hal {
 
-/// Columns grow in temporary files without names. What the comments of the CSV say is the comment
-/// of the zip.
+/// Returns a writer whose columns grow in temporary files without names. The comment of the zip
+/// holds what the comments of a CSV hold.
 std::unique_ptr<TraceWriter> npz_trace(std::unique_ptr<ByteSink> out, const TraceHeader& header,
                                        const Machine& machine,
                                        std::span<const std::string> backend_columns);

@@ -10,9 +10,10 @@
 
 namespace softcnc::hal {
 
-/// Where softcnc makes the pulses of the drives, by a backend with step and direction lines or by
-/// an interpolation by pulses: the edges of these lines, the same bytes as the backend stepdir
-/// writes. Otherwise the commanded position of each axis in mm, as a real variable.
+/// Returns a writer of signals. Where softcnc makes the pulses of the drives, by a backend with
+/// step and direction lines or by an interpolation by pulses, it writes the edges of these lines,
+/// the same bytes as the backend stepdir. Otherwise it writes the commanded position of each axis
+/// in mm, as a real variable.
 std::unique_ptr<TraceWriter> vcd_trace(std::unique_ptr<ByteSink> out, const TraceHeader& header,
                                        const Machine& machine,
                                        std::span<const std::string> backend_columns);

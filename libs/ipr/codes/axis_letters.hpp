@@ -11,7 +11,8 @@
 
 namespace softcnc::ipr {
 
-/// The letters of coordinate `axis`, and of the distance from the start beside it.
+/// The letters of the distances from the start, by axis. axis_letter() returns the letter of
+/// coordinate `axis` (0 is X), and offset_letter() that of the distance along it.
 inline constexpr std::string_view kOffsetLetters = "IJK";
 constexpr char axis_letter(int axis) noexcept {
   return kAxisLetters[static_cast<std::size_t>(axis)];
@@ -20,9 +21,9 @@ constexpr char offset_letter(int axis) noexcept {
   return kOffsetLetters[static_cast<std::size_t>(axis)];
 }
 
-/// The two coordinates along a plane.
-constexpr Letters plane_letters(const PlaneAxes& axes) noexcept {
-  Letters letters;
+/// Returns the letters of the two coordinates along a plane.
+constexpr LetterSet plane_letters(const PlaneAxes& axes) noexcept {
+  LetterSet letters;
   letters.add(axis_letter(axes.first));
   letters.add(axis_letter(axes.second));
   return letters;

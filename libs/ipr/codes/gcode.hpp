@@ -14,9 +14,9 @@ namespace softcnc::ipr {
 
 struct Task;
 
-/// Codes of one group exclude each other on a line. The groups of RS274, but that G80 may stand
-/// beside a motion code, as in FANUC's first lines; and one for each word that is a code of its
-/// own.
+/// The group of a code: codes of one group exclude each other on a line. The groups are those of
+/// RS274, except that G80 may stand beside a motion code, as in FANUC's first lines; and one for
+/// each word that is a code of its own.
 enum class Group : std::uint8_t {
   non_modal,
   motion,
@@ -71,47 +71,50 @@ struct GCode {
   std::string_view fanuc_words = {};  // letters that it takes in the fanuc dialect beside
 };
 
-/// In the order of G, M, and the other letters; within a letter by number.
+/// Returns the table of codes: G, M, then the other letters, each letter by number.
 std::span<const GCode> gcode_table() noexcept;
 
-/// What acts on a line, in this order: by GCode::order.
+/// Returns names for the steps in which a line acts, by GCode::order.
 std::span<const std::string_view> order_names() noexcept;
 std::string_view group_name(Group group) noexcept;
 
-/// The row of a word; nullptr if softcnc does not know the code.
+/// Returns the row of a word, or nullptr if softcnc does not know the code.
 const GCode* find_gcode(char letter, double value) noexcept;
 
-/// Whether a word of this letter is a code, rather than a value for one.
-inline constexpr Letters kCodeLetters{"GMFSTNO"};
+/// The letters of words that are codes; is_code_letter() returns whether a word of this letter is a
+/// code, rather than a value for one.
+inline constexpr LetterSet kCodeLetters{"GMFSTNO"};
 constexpr bool is_code_letter(char letter) noexcept { return kCodeLetters.has(letter); }
 
-/// In the fanuc dialect these are codes too, where no other code of the line takes them.
-inline constexpr Letters kLoneLetters{"DH"};
+/// The letters that are codes in the fanuc dialect too, where no other code of the line takes them.
+inline constexpr LetterSet kLoneLetters{"DH"};
 
-/// G00 to G03.
+/// Returns whether the code is one of G00 to G03.
 constexpr bool is_line_or_arc(const GCode& code) noexcept {
   return code.letter == 'G' && code.number <= 30;
 }
 
-/// G73, G74, G76, G81 to G89, refused ones among them.
+/// Returns whether the code is one of G73, G74, G76 and G81 to G89, the refused ones included.
 constexpr bool is_canned_cycle(const GCode& code) noexcept {
   return code.group == Group::motion && code.number >= 730 && code.number <= 890;
 }
 
-/// G05.2, G05.3, G06.1 and G06.2: curves whose points or knots stand one on a line.
+/// Returns whether the code is one of G05.2, G05.3, G06.1 and G06.2: curves whose points or knots
+/// stand one on a line.
 constexpr bool is_curve_of_lines(const GCode& code) noexcept {
   return code.group == Group::motion && code.number >= 52 && code.number <= 62;
 }
 
-/// Known, and not supported: it reports why.
+/// Returns whether the code is known but not supported. Its handler reports why.
 constexpr bool is_refused(const GCode& code) noexcept { return code.says.starts_with("Refused"); }
 
-/// G65, G66 and G66.1: what stands after them on the line are arguments, no codes.
+/// Returns whether the code is G65, G66 or G66.1: the words after it on the line are arguments, not
+/// codes.
 constexpr bool calls_macro(const GCode& code) noexcept {
   return code.letter == 'G' && (code.number == 650 || code.number == 660 || code.number == 661);
 }
 
-/// "G02", "G06.2", "M30", "F".
+/// Returns the name of a code as messages have it: "G02", "G06.2", "M30", "F".
 std::string code_name(const GCode& code);
 std::string code_name(char letter, double value);
 

@@ -10,10 +10,10 @@
 
 namespace softcnc::ipr {
 
-/// What F means: G94, G93, G95.
+/// The meaning of F: G94, G93, G95.
 enum class FeedMode : std::uint8_t { per_minute, inverse_time, per_turn };
 
-/// What G41 and G42 ask for.
+/// The cutter compensation that G41 and G42 ask for.
 struct CutterSide {
   int side = 1;       // 1: the tool runs left of the contour, -1: right of it
   double radius = 0;  // mm, from 0; at 0 moves stay as they are
@@ -23,7 +23,7 @@ struct CutterSide {
   friend bool operator==(const CutterSide&, const CutterSide&) = default;
 };
 
-/// The start state is that of new Modes.
+/// The modes; new Modes are those at the start of a program.
 struct Modes {
   Plane plane = Plane::xy;
   double mm_per_unit = 1;  // of programmed lengths

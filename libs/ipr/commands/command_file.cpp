@@ -102,8 +102,8 @@ bool CommandFile::is_readable() {
   const auto encoding = line_ == 1 ? wide_encoding(text_) : std::string_view{};
   if (!encoding.empty()) {
     text_ = {};  // nothing that could be shown
-    TextFault fault = wide_fault(encoding);
-    report(fault.code, {1, 1, 1}, std::move(fault.message));
+    TextError error = wide_error(encoding);
+    report(error.code, {1, 1, 1}, std::move(error.message));
     finish();
     return false;
   }
@@ -131,14 +131,14 @@ bool CommandFile::split() {
 /// False, after a report, if it is none of a line, or out of its place.
 bool CommandFile::take(CommandField&& field) {
   if (field.kind == FieldKind::name) return take_name(std::move(field));
-  if (field.kind == FieldKind::fault && !field.stands_for_number) {
-    report_stray(field.fault.code, field, std::move(field.fault.message));
+  if (field.kind == FieldKind::error && !field.stands_for_number) {
+    report_stray(field.error.code, field, std::move(field.error.message));
     return false;
   }
   const bool good = field.kind == FieldKind::number;
   if (!good) {
-    countable_ = countable_ && field.fault.code != Code::SC1002;  // `-o0`: what follows is of it
-    report(field.fault.code, pos_of(field), std::move(field.fault.message));
+    countable_ = countable_ && field.error.code != Code::SC1002;  // `-o0`: what follows is of it
+    report(field.error.code, pos_of(field), std::move(field.error.message));
   }
   numbers_.push_back(std::move(field));
   return good;

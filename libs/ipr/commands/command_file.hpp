@@ -16,7 +16,7 @@
 
 namespace softcnc::ipr {
 
-/// What may stand at the beginning of a line.
+/// A command: what may stand at the beginning of a line.
 struct CommandRow {
   enum class Kind : std::uint8_t { line, arc_by_center, arc_by_degrees, spline, feed };
   Kind kind;
@@ -41,17 +41,17 @@ struct CommandSpline {
 
 class CommandFile {
  public:
-  /// What is referred to must outlive it.
+  /// Makes an interpreter of commands. Everything referred to must outlive it.
   CommandFile(Reader& reader, const Machine& machine, Diagnostics& diagnostics)
       : reader_(reader), machine_(machine), diagnostics_(diagnostics) {}
 
-  /// The next block, the last being Action::Kind::end. As every place counts from the one before,
-  /// nothing moves after a line with an error; reading goes on to show what else is wrong.
+  /// Returns the next block; the last one is Action::Kind::end. As every place is relative to the
+  /// one before, nothing moves after a line with an error; reading goes on to show further errors.
   std::optional<Block> next() { return read_on() ? take() : std::nullopt; }
-  /// Reads until there is one; false at the end, and where a pipe has nothing more yet (the reader
-  /// is waiting() then).
+  /// Reads until there is a block. Returns false at the end, and where a pipe has nothing more yet
+  /// (the reader is then waiting()).
   bool read_on();
-  /// Expects that read_on() has found one.
+  /// Returns the next block. Requires that read_on() has found one.
   std::optional<Block> take();
 
  private:

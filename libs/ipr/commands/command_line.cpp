@@ -28,7 +28,7 @@ CommandField CommandLine::next() {
     if (is_separator(c)) continue;
     if (is_letter(c)) return read_name();
     if (is_number_part(c)) return read_number_field();
-    if (c != '(' || !pass_comment()) return read_fault();
+    if (c != '(' || !pass_comment()) return read_error();
   }
   at_ = line_.size();
   return field(CommandField::Kind::end, 0);
@@ -51,14 +51,14 @@ CommandField CommandLine::field(CommandField::Kind kind, std::size_t length) noe
   return field;
 }
 
-CommandField CommandLine::faulty(std::size_t length, TextFault fault) {
-  CommandField faulty = field(CommandField::Kind::fault, length);
-  faulty.fault = std::move(fault);
+CommandField CommandLine::faulty(std::size_t length, TextError error) {
+  CommandField faulty = field(CommandField::Kind::error, length);
+  faulty.error = std::move(error);
   return faulty;
 }
 
-CommandField CommandLine::faulty_number(std::size_t length, TextFault fault) {
-  CommandField number = faulty(length, std::move(fault));
+CommandField CommandLine::faulty_number(std::size_t length, TextError error) {
+  CommandField number = faulty(length, std::move(error));
   number.stands_for_number = true;
   return number;
 }
@@ -81,14 +81,14 @@ CommandField CommandLine::read_number_field() {
                          {Code::SC1006, quoted(whole) + " has an exponent; write the number out"});
   }
   const Number number = read_number(written);
-  if (number.fault != NumberFault::none)
-    return faulty_number(written.size(), number_fault(number.fault, written, "the command"));
+  if (number.error != NumberError::none)
+    return faulty_number(written.size(), number_error(number.error, written, "the command"));
   CommandField read = field(CommandField::Kind::number, written.size());
   read.value = number.value;
   return read;
 }
 
-CommandField CommandLine::read_fault() {
+CommandField CommandLine::read_error() {
   const std::string_view rest = line_.substr(at_);
   if (rest.front() == '(') return faulty(rest.size(), {Code::SC1009, "the comment has no ')'"});
   if (rest.front() == '\0')

@@ -12,22 +12,22 @@
 namespace softcnc::ipr {
 
 struct CommandField {
-  enum class Kind : std::uint8_t { end, name, number, fault };
+  enum class Kind : std::uint8_t { end, name, number, error };
   Kind kind = Kind::end;
   std::string name;                // in lower case
   double value = 0;                // of a number
   int column = 1;                  // of the first byte
   int length = 1;                  // bytes
-  TextFault fault{};               // what is wrong here
+  TextError error{};               // what is wrong here
   bool stands_for_number = false;  // what cannot be read is one
 };
 
-/// Blanks and commas part fields; `;` and parentheses hold comments.
+/// Splits a line into fields. Blanks and commas separate them; `;` and parentheses hold comments.
 class CommandLine {
  public:
   explicit CommandLine(std::string_view line) noexcept : line_(line) {}
 
-  /// After the last field: Kind::end, again and again.
+  /// Returns the next field. After the last one it returns Kind::end, however often it is called.
   CommandField next();
 
  private:
@@ -35,9 +35,9 @@ class CommandLine {
   CommandField field(CommandField::Kind kind, std::size_t length) noexcept;
   CommandField read_name();
   CommandField read_number_field();
-  CommandField read_fault();
-  CommandField faulty(std::size_t length, TextFault fault);
-  CommandField faulty_number(std::size_t length, TextFault fault);
+  CommandField read_error();
+  CommandField faulty(std::size_t length, TextError error);
+  CommandField faulty_number(std::size_t length, TextError error);
 
   std::string_view line_;
   std::size_t at_ = 0;

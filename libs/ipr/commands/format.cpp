@@ -19,7 +19,7 @@ struct Shape {
   bool other = false;          // something else is on it
   std::string other_name;      // what it begins with
   bool command_after = false;  // and that can only be a command
-  bool fault = false;          // what no language has
+  bool error = false;          // what no language has
   bool of_gcode = false;       // but G-code: a variable, a '%', a '/'
   bool skipped = false;        // begins with '/'
 };
@@ -32,9 +32,9 @@ bool is_arc_command(std::string_view name) {
 /// so.
 bool begins_gcode(std::string_view text) {
   if (text.starts_with('%') || text.starts_with('/') || text.starts_with('$')) return true;
-  constexpr std::string_view kBehindSign{"0123456789<[#"};
+  constexpr std::string_view kAfterSign{"0123456789<[#"};
   return text.size() > 1 && text.front() == '#' &&
-         kBehindSign.find(text[1]) != std::string_view::npos;
+         kAfterSign.find(text[1]) != std::string_view::npos;
 }
 
 /// A second name on a line, with what follows it: no word has that many numbers.
@@ -54,15 +54,15 @@ Shape shape_of(std::string_view line) {
       if (shape.numbers++ == 0) shape.number = field.value;
     } else if (field.kind == CommandField::Kind::name && shape.name.empty() && shape.numbers == 0) {
       shape.name = field.name;
-    } else if (field.kind == CommandField::Kind::fault) {
-      shape.fault = true;
+    } else if (field.kind == CommandField::Kind::error) {
+      shape.error = true;
       shape.of_gcode = begins_gcode(line.substr(static_cast<std::size_t>(field.column) - 1));
     } else {
       shape.other = true;
       shape.other_name = field.name;
       shape.command_after = is_command(field.name, fields);
     }
-    if (shape.other || shape.fault) break;
+    if (shape.other || shape.error) break;
   }
   return shape;
 }
@@ -78,7 +78,7 @@ bool is_stray(const Shape& line) {
   if (line.name == "f" && line.other && line.other_name.size() == 1 &&
       kBesideNoFeed.find(line.other_name) != std::string_view::npos)
     return true;
-  const bool alone = !line.other && !line.fault && line.numbers > 0;
+  const bool alone = !line.other && !line.error && line.numbers > 0;
   constexpr double kLargeCode = 200;  // no control has codes from here on: `M300` may be F300
   const bool no_code = (line.name == "m" || line.name == "g") && line.number >= kLargeCode;
   const bool several = line.numbers > 1 && (line.name == "f" || line.name == "g");  // `f3 00`
@@ -137,10 +137,10 @@ class Detector {
     const bool alone = line.numbers == 1 && !line.other;
     const bool of_both = name == "s" || name == "f" || name == "l";
     if (is_arc_command(name) || (of_both && line.command_after)) return Format::commands;
-    if (name.empty() && line.numbers == 0 && !line.other && !line.fault) return Format::automatic;
-    if (name.empty() && spline_ && !line.fault && !line.other) return Format::commands;
+    if (name.empty() && line.numbers == 0 && !line.other && !line.error) return Format::automatic;
+    if (name.empty() && spline_ && !line.error && !line.other) return Format::commands;
     const bool empty = of_both && line.numbers == 0 && !line.other;
-    if (empty || is_stray(line) || (of_both && line.fault)) return Format::automatic;
+    if (empty || is_stray(line) || (of_both && line.error)) return Format::automatic;
     if ((name == "l" || name == "s") && line.numbers > 1 && !line.other) return Format::commands;
     if (!alone || !of_both) return Format::gcode;
     spline_ = name == "s";

@@ -8,10 +8,10 @@ namespace softcnc::ipr {
 
 class Reader;
 
-/// Gcode or commands, by the first line that can be only one of them; nothing is taken from the
-/// reader. A feed alone and the first line of a spline whose points are on the next could be both.
-/// Where no line within the reader's buffer decides it is G-code; where the reader is waiting
-/// after it, nothing is known yet.
+/// Returns gcode or commands, by the first line that can be only one of them; takes nothing from
+/// the reader. A feed alone, and the first line of a spline whose points are on the next, could be
+/// both. Returns gcode where no line within the reader's buffer decides it. If the reader is
+/// waiting() after the call, the result is not known yet.
 Format detect_format(Reader& reader);
 
 }  // namespace softcnc::ipr

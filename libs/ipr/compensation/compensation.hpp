@@ -16,7 +16,7 @@
 
 namespace softcnc::ipr {
 
-/// Between what handlers emit and what the interpreter gives out. It holds the last move of the
+/// Turns what handlers emit into what the interpreter returns. It holds the last move of the
 /// contour, and what stands after it, until the next one shows where the move ends.
 class Compensation {
  public:
@@ -25,10 +25,11 @@ class Compensation {
 
   bool on() const noexcept { return mode_.has_value(); }
   void start(const CutterSide& mode);
-  /// Lets everything out. Where the tool then is, mm, if that is beside the programmed position.
+  /// Releases all blocks. Returns where the tool then is, mm, if that is beside the programmed
+  /// position.
   std::optional<AxisVector> stop();
 
-  /// The next block of the program, from a line of this text.
+  /// Takes the next block of the program, from a line of this text.
   void follow(Block block, std::string_view text);
   bool has_block() const noexcept { return !ready_.empty(); }
   std::optional<Block> pop();

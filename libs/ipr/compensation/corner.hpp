@@ -12,7 +12,8 @@ enum class Corner : std::uint8_t {
   inside,   // the parallels are cut off where they meet
 };
 
-/// `side`: 1 left, -1 right; `radius`: of the tool, mm.
+/// Returns the kind of the corner between two moves. `side` is 1 for a tool on the left and -1 for
+/// one on the right; `radius` is that of the tool, mm.
 Corner corner_between(const PlaneCurve& before, const PlaneCurve& after, int side, double radius);
 
 }  // namespace softcnc::ipr

@@ -6,9 +6,9 @@
 
 namespace softcnc::ipr {
 
-/// Ends at this distance to the left of the move's end (negative: to the right), mm, in the same
-/// direction: of a line the parallel; of an arc the one that begins where the move does. Nothing,
-/// if there is none.
+/// Returns the first move of the tool, which ends `left` mm to the left of the end of `move`
+/// (negative: to the right), in the same direction: for a line its parallel, for an arc the one
+/// that begins where the move does. Returns nothing if there is none.
 std::optional<PlaneCurve> entry_beside(const PlaneCurve& move, double left);
 
 }  // namespace softcnc::ipr

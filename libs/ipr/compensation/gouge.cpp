@@ -29,12 +29,13 @@ bool same_height(const Path& before, const Path& next, const PlaneAxes& axes) {
 }
 
 /// What lies between two curves after a point in which they cross at a small angle, is at most
-/// sin^2 / 2c wide, c being how much more the one bends than the other.
+/// sin^2 / 2c wide, c being the difference of their curvatures.
 bool grazes(const PlaneCurve& before, const PlaneCurve& next, const PlaneVector& at) {
   const PlaneVector a = before.direction_at(at), b = next.direction_at(at);
   const double sine = cross(a, b);
-  const double bend = (before.curvature() * left_of(a) - next.curvature() * left_of(b)).norm();
-  return sine * sine < 2 * bend * kGrazing;
+  const double difference =
+      (before.curvature() * left_of(a) - next.curvature() * left_of(b)).norm();
+  return sine * sine < 2 * difference * kGrazing;
 }
 
 /// Whether they do, and not just touch, in a point that counts.

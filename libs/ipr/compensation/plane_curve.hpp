@@ -15,9 +15,9 @@ using PlaneVector = Eigen::Vector2d;  // mm, along the first and the second axis
 
 class PlaneCurve {
  public:
-  /// Expects from != to.
+  /// Returns a line. Requires from != to.
   static PlaneCurve line(const PlaneVector& from, const PlaneVector& to);
-  /// `sweep`: rad, signed, all turns. Expects both ends off the centre.
+  /// Returns an arc; `sweep` is in rad, signed, with all turns. Requires both ends off the centre.
   static PlaneCurve arc(const PlaneVector& from, const PlaneVector& to, const PlaneVector& center,
                         double sweep);
 
@@ -35,12 +35,12 @@ class PlaneCurve {
   PlaneVector end_direction() const noexcept;
   PlaneVector direction_at(const PlaneVector& point) const noexcept;
 
-  /// The curve at this distance to the left (negative: to the right), mm. Nothing, if an arc would
-  /// have no radius any more.
+  /// Returns the curve `left` mm to the left (negative: to the right); nothing if an arc would have
+  /// no radius any more.
   std::optional<PlaneCurve> parallel(double left) const;
 
-  /// How far along the curve a point of its line or circle lies, mm: ahead of the start, or after
-  /// the end; on an arc at most once round.
+  /// Returns how far past the start, or before the end, a point of the curve's line or circle lies
+  /// along the curve, mm. On an arc that is at most one turn.
   double ahead_of_start(const PlaneVector& point) const noexcept;
   double before_end(const PlaneVector& point) const noexcept;
 
@@ -63,10 +63,12 @@ inline PlaneVector in_plane(const AxisVector& point, const PlaneAxes& axes) noex
   return {point[axes.first], point[axes.second]};
 }
 
-/// The path as seen in the plane. Expects a line that moves in it, or an arc of this plane.
+/// Returns the path as seen in the plane. Requires a line that moves in it, or an arc of this
+/// plane.
 PlaneCurve plane_curve(const Path& path, const PlaneAxes& axes);
 
-/// A point of two curves, mm from the end of the one and from the start of the other.
+/// A common point of two curves, with its distances from the end of the first and from the start of
+/// the second, mm.
 struct Meeting {
   PlaneVector at;
   double cut_before, cut_after;
@@ -78,11 +80,11 @@ struct Meetings {
   void add(const Meeting& meeting) noexcept { of[count++] = meeting; }
 };
 
-/// Every point in which both meet.
+/// Returns every point in which both curves meet, at most two.
 Meetings meetings(const PlaneCurve& before, const PlaneCurve& after);
 
-/// The one nearest to the corner, where the curves are cut off at each other; nothing, if they do
-/// not meet.
+/// Returns the meeting nearest to the corner, where the curves are cut off at each other; nothing
+/// if they do not meet.
 std::optional<Meeting> meeting(const PlaneCurve& before, const PlaneCurve& after);
 
 }  // namespace softcnc::ipr

@@ -28,7 +28,7 @@ bool has_both(const Values& values, Pair pair) {
 /// G05 P10000, G05.1 Q1: what FANUC's switches of the look-ahead look like.
 bool is_switch(const Task& task) {
   constexpr int kG05 = 50;
-  const Letters words = task.values.letters();
+  const LetterSet words = task.values.letters();
   if (words.has_any("IJK")) return false;
   if (task.code.number == kG05)
     return words.has('P') && !words.has('Q') && !words.has_any(kAxisWords);
@@ -93,14 +93,14 @@ void emit_bezier(Task& task, std::vector<AxisVector> control) {
 /// after a report, if neither leads anywhere.
 std::optional<AxisVector> first_handle(Task& task, const PlaneAxes& axes, bool goes_on) {
   const Pair start = start_letters(axes);
-  const Letters words = task.values.letters();
+  const LetterSet words = task.values.letters();
   if (words.has(start.first) || words.has(start.second)) {
     if (!needs_both(task, start)) return std::nullopt;
     return offset_of(task, axes, start);
   }
   if (goes_on) return task.modal.curve_end->handle;
   task.out.report(Code::SC3118, task.word.pos,
-                  "G05 without " + names(start) + " goes on from no G05");
+                  "G05 without " + names(start) + " must follow a G05");
   return std::nullopt;
 }
 
@@ -177,7 +177,7 @@ void quadratic(Task& task) {
   for (const char letter : {'Q', 'R'})  // of FANUC's switch
     if (task.values.has(letter))
       task.out.report(Code::SC2004, task.values.word(letter).pos,
-                      std::string(1, letter) + " is used by no code of this line");
+                      std::string("unused word ") + letter);
   draw(task, quadratic_curve);
 }
 

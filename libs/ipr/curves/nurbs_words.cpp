@@ -123,8 +123,9 @@ void check_curve_axes(Task& task, PendingCurve& curve) {
 AxisVector first_point(Task& task) {
   const double off = (end_point(task) - task.modal.position).norm();
   if (off > start_tolerance(task.machine))
-    task.out.report(Code::SC3109, span_of(task.values, "XYZ"),
-                    "the curve begins " + number_text(off) + " mm off the position");
+    task.out.report(
+        Code::SC3109, span_of(task.values, "XYZ"),
+        "the first control point is " + number_text(off) + " mm from the current position");
   return task.modal.position;
 }
 
@@ -166,7 +167,7 @@ void read_chopping(Task& task) {
   if (!task.values.has('Q')) return;
   const Word& word = task.values.word('Q');
   if (task.options.dialect == Dialect::fanuc)
-    return task.out.report(Code::SC2004, word.pos, "Q is used by no code of this line");
+    return task.out.report(Code::SC2004, word.pos, "unused word Q");
   if (task.modal.chopping_reported) return;
   task.modal.chopping_reported = true;
   task.out.report(Code::SC3114, word.pos,
@@ -176,7 +177,7 @@ void read_chopping(Task& task) {
 /// Reports words that count for the whole curve.
 void refuse_words_of_first(Task& task, const PendingCurve& curve) {
   const Values& values = task.values;
-  Letters first = kSurfaceWords;
+  LetterSet first = kSurfaceWords;
   const bool again = curve.repeats && values.has('P') && values['P'] == curve.order_word;
   if (!again) first.add('P');
   for (const char letter : std::string_view("PDJHL"))

@@ -133,7 +133,7 @@ void add_spline_point(Task& task, PendingPoints& curve) {
   task.modal.position = point;
   if (same)
     task.out.report(Code::SC2351, span_of(task.values, "XYZ"),
-                    "the point of the spline is the one before it");
+                    "the spline repeats its previous point");
   if (curve.points.size() < kMaxSplinePoints) return curve.points.push_back(point);
   task.out.report(Code::SC3120, span_of(task.values, "XYZ"),
                   "a spline goes through " + std::to_string(kMaxSplinePoints) +

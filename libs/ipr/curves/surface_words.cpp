@@ -16,7 +16,7 @@ constexpr std::string_view kSurfaceWords = "DJHLRQ";
 /// D, J, H, L, R and Q are the surface's: no other code of the line may take them.
 bool is_alone(Task& task) {
   for (const auto& [code, word] : task.command.codes()) {
-    if (code == &task.code || !Letters(code->words).has_any(kSurfaceWords)) continue;
+    if (code == &task.code || !LetterSet(code->words).has_any(kSurfaceWords)) continue;
     task.out.report(Code::SC3123, task.word.pos,
                     code_name(task.code) + " beside " + code_name(*code) +
                         ", which takes D, J, H, L, R or Q too");
@@ -89,8 +89,8 @@ double read_rmax(Task& task) {
   return 0;
 }
 
-/// 1/mm, from the radius by which the surface bends square to the feed; nothing, after a report, if
-/// no ball touches it.
+/// 1/mm, from the radius of the surface across the feed; nothing, after a report, if no ball
+/// touches it.
 std::optional<double> read_transverse_curvature(Task& task, double tool_radius) {
   if (!task.values.has('R')) return 0;
   const Word& word = task.values.word('R');
@@ -141,10 +141,9 @@ bool has_possible_rmax(Task& task, const Surface& surface) {
   if (surface.rmax > least) return true;
   task.out.report(Code::SC3126, task.values.word('H').pos,
                   "an Rmax of " + number_text(um_from_mm(surface.rmax)) +
-                      " um is out of reach: it must be more than the " +
-                      number_text(um_from_mm(least)) + " um that this pick-feed" +
-                      (surface.slope_across > 0 ? ", slope" : "") +
-                      " and radius leave however slow the feed");
+                      " um is unreachable: this pick-feed" +
+                      (surface.slope_across > 0 ? ", slope" : "") + " and radius leave " +
+                      number_text(um_from_mm(least)) + " um at any feed");
   return false;
 }
 
@@ -156,7 +155,7 @@ void check_feed(Task& task, const Surface& surface) {
   task.out.report(Code::SC3129, word.pos,
                   "an Rmax of " + number_text(um_from_mm(surface.rmax)) +
                       " um asks for less than " + number_text(um_from_mm(kLeastFeedPerTooth)) +
-                      " um per tooth, where teeth rub; it is not held there");
+                      " um per tooth, where teeth rub; the target is not met there");
 }
 
 void keep_surface(Task& task, const Surface& surface) {
@@ -184,11 +183,11 @@ const char* rest_of_spindle(const Modal& modal) noexcept {
 void ask_for_surface(Task& task) {
   if (!is_alone(task)) return;
   Surface surface = read_surface(task);
-  const auto bend = read_transverse_curvature(task, surface.tool_radius);
+  const auto curvature = read_transverse_curvature(task, surface.tool_radius);
   const auto slope = read_slope_across(task);
-  surface.transverse_curvature = bend.value_or(0);
+  surface.transverse_curvature = curvature.value_or(0);
   surface.slope_across = slope.value_or(0);
-  if (bend && slope)
+  if (curvature && slope)
     keep_surface(task, surface);
   else
     has_close_passes(task, surface);

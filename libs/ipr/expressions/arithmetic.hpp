@@ -28,7 +28,7 @@ enum class OperatorKind : std::uint8_t {
   logic_xor,
 };
 
-/// A higher level binds tighter; operators of one level group from the left.
+/// An operator. A higher level binds tighter; operators of one level group from the left.
 struct Operator {
   std::string_view name;
   OperatorKind kind;
@@ -70,7 +70,7 @@ struct Function {
 std::span<const Operator> operators() noexcept;
 std::span<const Function> functions() noexcept;
 
-/// Why there is no value.
+/// The reason why there is no value.
 enum class Trouble : std::uint8_t { none, zero_divisor, not_taken, too_large };
 
 struct Computed {
@@ -78,9 +78,11 @@ struct Computed {
   Trouble trouble = Trouble::none;
 };
 
-/// Operands may be kVacant, which is 0 for all but EQ and NE.
+/// Returns the value of an operation. Operands may be kVacant, which counts as 0 except for EQ and
+/// NE.
 Computed compute(OperatorKind kind, double left, double right, Dialect dialect) noexcept;
-/// One argument, or two for POW and ATAN. Angles are in degrees.
+/// Returns the value of a function. Requires two arguments for POW, one or two for ATAN, and one
+/// for all others. Angles are in degrees.
 Computed compute(FunctionKind kind, std::span<const double> arguments, Dialect dialect) noexcept;
 
 }  // namespace softcnc::ipr

@@ -62,13 +62,13 @@ double Expression::compared(Read read) {
   shadow.rounding_ = rounding_;
   shadow.there_ = there_;
   const double there = read(shadow);
-  if (!fault_ && !broke_off_) compare(start, here, there, shadow);
+  if (!error_ && !broke_off_) compare(start, here, there, shadow);
   return here;
 }
 
 /// `shadow` has read the same in the other dialect, if that takes it.
 void Expression::compare(const Lexer& start, double here, double there, const Expression& shadow) {
-  if (shadow.fault_ || shadow.broke_off_ || shadow.end() != end()) return;
+  if (shadow.error_ || shadow.broke_off_ || shadow.end() != end()) return;
   if (is_unknown(here) || is_unknown(there)) return;
   if (is_same(here, there) && !shadow.differs_whatever_its_value_) return;
   Lexer first = start;

@@ -11,7 +11,7 @@ namespace {
 
 using C = DialectDifference;
 
-constexpr std::array<ContradictionRow, kContradictions> kTable{{
+constexpr std::array<DialectDifferenceRow, kDialectDifferences> kTable{{
     {C::logic, Code::SC1032, "AND, OR, XOR", "ask whether numbers are 0",
      "join the bits of whole numbers"},
     {C::modulo, Code::SC1032, "MOD", "is never negative",
@@ -57,11 +57,11 @@ constexpr std::array<ContradictionRow, kContradictions> kTable{{
     {C::old_call, Code::SC2128, "M98 P of five digits or more without L", "calls the program O P",
      "calls the program of the last four digits, as often as those before them say"},
     {C::retract, Code::SC2129, "a canned cycle before any G98 or G99", "goes out to R",
-     "goes out to where the first of the row began"},
+     "goes out to the height at which the first of the series started"},
     {C::feed_out, Code::SC2131, "G74, G84, G89 with G98", "go out at the feed all the way",
      "go out at the feed to R, where the spindle of a tap turns back, and on as a rapid"},
-    {C::entry, Code::SC2132, "the line on which cutter compensation begins", "leads beside its end",
-     "leads square to the beginning of the next move"},
+    {C::entry, Code::SC2132, "the line on which cutter compensation begins",
+     "ends offset from its programmed end", "ends perpendicular to the next move"},
     {C::exact_stop, Code::SC2133, "G61", "follows the path exactly, without a stop",
      "stops at the end of every block"},
     {C::named_shift, Code::SC2134, "G92.1 with axes",
@@ -78,7 +78,7 @@ static_assert(in_order());
 
 }  // namespace
 
-std::span<const ContradictionRow> contradiction_table() noexcept { return kTable; }
+std::span<const DialectDifferenceRow> dialect_difference_table() noexcept { return kTable; }
 
 void DialectDifferences::note(DialectDifference kind, SourcePos pos, std::string_view line,
                               const std::string& detail) {
@@ -93,7 +93,7 @@ void DialectDifferences::note(DialectDifference kind, SourcePos pos, std::string
 }
 
 /// "G04 P counts seconds; in the fanuc dialect: counts milliseconds (here and on 2 more lines)"
-std::string DialectDifferences::text_of(const ContradictionRow& row, const Met& met) const {
+std::string DialectDifferences::text_of(const DialectDifferenceRow& row, const Met& met) const {
   const bool fanuc = dialect_ == Dialect::fanuc;
   std::string text = std::string(row.what) + ' ';
   text += fanuc ? row.fanuc : row.linuxcnc;
@@ -107,19 +107,19 @@ std::string DialectDifferences::text_of(const ContradictionRow& row, const Met& 
 }
 
 void DialectDifferences::report() {
-  std::vector<const ContradictionRow*> found;
-  const auto met_by = [this](const ContradictionRow& row) -> Met& {
+  std::vector<const DialectDifferenceRow*> found;
+  const auto met_by = [this](const DialectDifferenceRow& row) -> Met& {
     return met_[static_cast<std::size_t>(row.kind)];
   };
-  for (const ContradictionRow& row : kTable)
+  for (const DialectDifferenceRow& row : kTable)
     if (!met_by(row).lines.empty()) found.push_back(&row);
-  const auto place = [&](const ContradictionRow* row) {
+  const auto place = [&](const DialectDifferenceRow* row) {
     const SourcePos& pos = met_by(*row).pos;
     return std::tuple(pos.file, pos.line, pos.column);
   };
   std::stable_sort(found.begin(), found.end(),
                    [&](const auto* a, const auto* b) { return place(a) < place(b); });
-  for (const ContradictionRow* row : found) {
+  for (const DialectDifferenceRow* row : found) {
     Met& met = met_by(*row);
     diagnostics_.report(row->code, met.pos, text_of(*row, met), met.line);
     met = {};

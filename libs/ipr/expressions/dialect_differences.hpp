@@ -17,8 +17,8 @@
 
 namespace softcnc::ipr {
 
-/// What both dialects take, each for something of its own. What one of them refuses is none: there
-/// it is an error, and reported as such.
+/// A kind of line that both dialects accept with different meanings. What one of them refuses is
+/// not a difference: there it is an error, and reported as such.
 enum class DialectDifference : std::uint8_t {
   logic,
   modulo,
@@ -49,29 +49,30 @@ enum class DialectDifference : std::uint8_t {
   exact_stop,
   named_shift,
 };
-inline constexpr std::size_t kContradictions = 28;
+inline constexpr std::size_t kDialectDifferences = 28;
 
-struct ContradictionRow {
+struct DialectDifferenceRow {
   DialectDifference kind;
   Code code;
   std::string_view what;             // as written in a program
   std::string_view linuxcnc, fanuc;  // what it means
 };
 
-/// By kind.
-std::span<const ContradictionRow> contradiction_table() noexcept;
+/// Returns the table of dialect differences, in the order of their kinds.
+std::span<const DialectDifferenceRow> dialect_difference_table() noexcept;
 
-/// Gathers such lines, and reports each kind once.
+/// Collects the lines that mean something else in the other dialect, and reports each kind once.
 class DialectDifferences {
  public:
   DialectDifferences(Diagnostics& diagnostics, Dialect dialect, bool watching)
       : diagnostics_(diagnostics), dialect_(dialect), watching_(watching) {}
 
   bool watching() const noexcept { return watching_; }
-  /// `detail` follows the text of the table.
+  /// Records a line of this kind, if watching(); `detail` follows the text of the table.
   void note(DialectDifference kind, SourcePos pos, std::string_view line,
             const std::string& detail = {});
-  /// At the end of the program: in the order of where each kind was met first.
+  /// Reports all kinds recorded, in the order of where each was met first, and forgets them. To be
+  /// called at the end of the program.
   void report();
 
  private:
@@ -83,12 +84,12 @@ class DialectDifferences {
     std::set<std::pair<int, int>> lines;  // file and line
   };
 
-  std::string text_of(const ContradictionRow& row, const Met& met) const;
+  std::string text_of(const DialectDifferenceRow& row, const Met& met) const;
 
   Diagnostics& diagnostics_;
   Dialect dialect_;
   bool watching_;
-  std::array<Met, kContradictions> met_;
+  std::array<Met, kDialectDifferences> met_;
 };
 
 }  // namespace softcnc::ipr

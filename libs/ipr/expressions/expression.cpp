@@ -12,7 +12,7 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr int kDeepest = 64;     // brackets, signs and '#' within one another
+constexpr int kMaxDepth = 64;    // brackets, signs and '#' within one another
 constexpr double kWhole = 1e-4;  // how far from a whole number the number of a variable may be
 constexpr int kLargestNumber = 1000000;
 constexpr std::size_t kLongestShown = 100;  // bytes of a name
@@ -135,9 +135,9 @@ Expression::Operand Expression::combine(const Operator& op, const Operand& left,
 Expression::Operand Expression::operand() {
   const int begin = lexer_.column();
   const char first = lexer_.peek();
-  if (++depth_ > kDeepest && first != 0)
+  if (++depth_ > kMaxDepth && first != 0)
     stop(Code::SC1027, begin, begin + 1,
-         "more than " + std::to_string(kDeepest) + " brackets, signs or '#' within one another");
+         "more than " + std::to_string(kMaxDepth) + " brackets, signs or '#' within one another");
   const double value = broke_off_ ? kUnknown : unsigned_operand(first, begin);
   --depth_;
   return {value, begin, end()};
@@ -159,13 +159,13 @@ double Expression::unsigned_operand(char first, int begin) {
 double Expression::number() {
   const Token token = lexer_.take_number();
   const int begin = token.column, end = token.end_column();
-  if (token.fault == NumberFault::two_points)
+  if (token.error == NumberError::two_points)
     return stop(Code::SC1004, begin, end, "two decimal points in a number");
-  if (token.fault == NumberFault::too_large)
+  if (token.error == NumberError::too_large)
     return stop(Code::SC1005, begin, end,
                 "a number has more than " + std::to_string(kIntegerDigits) +
                     " digits before the decimal point");
-  if (token.fault != NumberFault::none)
+  if (token.error != NumberError::none)
     return stop(Code::SC1016, begin, end, "a decimal point without digits");
   if (is_exponent(lexer_))
     return stop(Code::SC1006, begin, end + 1, "a number has an exponent; write it out");
@@ -292,7 +292,7 @@ double Expression::exists(int open) {
 
 /// There is no value, but what follows can be read.
 double Expression::note(Code code, int begin, int end, std::string message) {
-  if (!fault_) fault_ = Fault{code, begin, end - begin, std::move(message)};
+  if (!error_) error_ = LineError{code, begin, end - begin, std::move(message)};
   return kUnknown;
 }
 

@@ -14,8 +14,8 @@
 
 namespace softcnc::ipr {
 
-/// What is wrong with a part of a line.
-struct Fault {
+/// An error in a part of a line; column and length are in bytes.
+struct LineError {
   Code code;
   int column;
   int length;
@@ -30,9 +30,9 @@ struct Variable {
 
 std::string name_of(const Variable& variable);
 
-/// That there is no such variable, and why.
+/// Returns the message that there is no such variable, and why.
 std::string lacks_variable(const Variable& variable, Dialect dialect);
-/// A name as it is known: in lower case, without blanks.
+/// Returns a name in the form in which it is looked up: in lower case, without blanks.
 std::string lower_case(std::string_view name);
 
 /// An expression that has another value in the other dialect.
@@ -42,7 +42,8 @@ struct OtherValue {
   double here, there;
 };
 
-/// What a variable holds on the other side of an assignment of the same line.
+/// The value that a variable has in the other dialect after or before an assignment of the same
+/// line.
 struct Assigned {
   Variable variable;
   double value;
@@ -50,33 +51,38 @@ struct Assigned {
 
 class Expression {
  public:
-  /// Reads from where the lexer stands. What is referred to must outlive the expression.
+  /// Makes an expression that is read from where the lexer stands. Lexer and parameters must
+  /// outlive it.
   Expression(Lexer& lexer, const Parameters& parameters) noexcept
       : Expression(lexer, parameters, parameters.dialect()) {}
 
-  /// A number, '#' and what follows, '[...]' or a function, each with signs before it.
-  /// kUnknown: see fault(), or it rests on an earlier error.
+  /// Reads a number, '#' and what follows, '[...]' or a function, each with signs before it, and
+  /// returns its value. Returns kUnknown after an error (see error()), or where the value depends
+  /// on an earlier one.
   double value();
-  /// FANUC: ROUND gives multiples of 1 / `per_unit` instead of whole numbers.
+  /// Makes ROUND of the fanuc dialect return multiples of 1 / `per_unit` instead of whole numbers.
   void round_to(double per_unit) noexcept { rounding_ = per_unit; }
-  /// '[...]'
+  /// Reads '[...]' and returns its value, as value() does.
   double bracketed();
-  /// What may stand in brackets, without them.
+  /// Reads what may stand in brackets, without them, and returns its value, as value() does.
   double unbracketed();
-  /// What stands after '#'. Nothing: see fault(), or its number rests on an earlier error.
+  /// Reads what stands after '#' and returns the variable. Returns nothing after an error (see
+  /// error()), or where its number depends on an earlier one.
   std::optional<Variable> variable();
-  /// The fault that something else is expected than what comes next; it is passed.
+  /// Passes what comes next, and makes it the error that something else is expected.
   void refuse_next(Code code, std::string_view expected) { stop_at_next(code, expected); }
 
-  /// In the other dialect these variables hold these values, the last of each counts.
+  /// Sets the values that these variables have in the other dialect; the last one of each counts.
   void compare_with(std::span<const Assigned> there) noexcept { there_ = there; }
-  /// If both dialects take what value(), bracketed() or unbracketed() has read, and each for
-  /// something of its own; looked for where the parameters say so.
+  /// Returns the two values of what value(), bracketed() or unbracketed() has read, if both
+  /// dialects accept it and its values differ. They are compared only if the parameters are
+  /// watching().
   const std::optional<OtherValue>& other_value() const noexcept { return other_; }
 
-  /// The first fault.
-  const std::optional<Fault>& fault() const noexcept { return fault_; }
-  /// What follows cannot be trusted. Without a fault the lexer's next token shows why.
+  /// Returns the first error.
+  const std::optional<LineError>& error() const noexcept { return error_; }
+  /// Returns whether the rest of the line cannot be understood. If there is no error() then, the
+  /// lexer's next token shows why.
   bool broke_off() const noexcept { return broke_off_; }
 
  private:
@@ -128,7 +134,7 @@ class Expression {
   std::optional<DialectDifference> why_;  // in the other dialect: the first thing that differs
   bool differs_whatever_its_value_ = false;
   const Operator* operator_ = nullptr;  // read, but not yet used
-  std::optional<Fault> fault_;
+  std::optional<LineError> error_;
   int depth_ = 0;
   double rounding_ = 1;
   bool broke_off_ = false;

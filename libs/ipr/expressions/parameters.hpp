@@ -18,9 +18,9 @@
 
 namespace softcnc::ipr {
 
-/// What a variable holds that has no value: #0 of FANUC. A word with it counts as not written.
+/// The value of a variable without a value, as #0 of FANUC. A word with it counts as not written.
 inline constexpr double kVacant = std::numeric_limits<double>::quiet_NaN();
-/// What a variable holds whose value an error has made unknown: what rests on it is not reported.
+/// The value of a variable that an error has made unknown: what depends on it is not reported.
 inline constexpr double kUnknown = std::numeric_limits<double>::infinity();
 inline bool is_vacant(double value) noexcept { return std::isnan(value); }
 inline bool is_unknown(double value) noexcept { return std::isinf(value); }
@@ -30,17 +30,20 @@ class SystemVariables {
  public:
   virtual ~SystemVariables() = default;
 
-  /// Nothing: no variable of the system has this number or name (lower case, without blanks).
+  /// Returns the value of a variable; nothing if the system has none of this number or name (lower
+  /// case, without blanks).
   virtual std::optional<double> read(int number) const = 0;
-  /// Whether there is one of this number in a dialect.
+  /// Returns whether the system has a variable of this number in a dialect.
   virtual bool has(int number, Dialect dialect) const = 0;
   virtual std::optional<double> read(std::string_view name) const = 0;
   virtual bool is_read_only(int number) const = 0;
-  /// How far from 0 an assigned value may lie.
+  /// Returns how far from 0 an assigned value may lie.
   virtual double limit(int number) const = 0;
-  /// Mm in the unit in which the fanuc dialect counts what linuxcnc counts in mm; otherwise 1.
+  /// Returns the unit, in mm, in which the fanuc dialect counts what linuxcnc counts in mm; 1 for
+  /// all other variables.
   virtual double fanuc_unit(int number) const = 0;
-  /// False: no variable of the system has this number. Expects one that may be written.
+  /// Assigns a value. Returns false if the system has no variable of this number. Requires one that
+  /// may be written.
   virtual bool write(int number, double value) = 0;
   /// Remembers the value of an ordinary variable for the next program.
   virtual void keep(int number, double value) = 0;
@@ -53,62 +56,70 @@ class Parameters {
   explicit Parameters(Dialect dialect = Dialect::linuxcnc);
 
   Dialect dialect() const noexcept { return dialect_; }
-  /// Must outlive its use here; nullptr: the system has no variables.
+  /// Sets the variables of the system, which must outlive these parameters; nullptr if there are
+  /// none.
   void set_system(SystemVariables* system) noexcept { system_ = system; }
-  /// Ordinary variables with what an earlier program has left in them: what is assigned to them is
-  /// kept by the system. Others, and those local to a call, are passed over.
+  /// Sets ordinary variables to what an earlier program has left in them, and makes the system keep
+  /// what is assigned to them. Others, and those local to a call, are skipped.
   void keep(const std::map<int, double>& values);
 
-  /// Nothing: there is no such variable, or, of a name, none has been assigned.
+  /// Returns the value of a variable; nothing if there is no such variable, or none of this name
+  /// has been assigned.
   std::optional<double> read(int number) const;
-  /// Names are in lower case and without blanks; those that begin with '_' are global.
+  /// Returns the same by name. Names are in lower case and without blanks; those that begin with
+  /// '_' are global.
   std::optional<double> read(std::string_view name) const;
   bool exists(int number) const { return read(number).has_value(); }
   bool exists(std::string_view name) const { return read(name).has_value(); }
 
-  /// What the other dialect would read. Expects one that is not of FANUC's system alone.
+  /// Returns what the other dialect would read. Requires a variable that does not belong to FANUC's
+  /// system alone.
   std::optional<double> read_as(int number, Dialect other) const;
-  /// Whether it is the system's in the fanuc dialect, and a variable like others in linuxcnc.
+  /// Returns whether the variable belongs to the system in the fanuc dialect, and is one like
+  /// others in linuxcnc.
   bool is_fanuc_system(int number) const;
-  /// As of SystemVariables.
+  /// Returns what SystemVariables::fanuc_unit() returns; 1 if there is no system.
   double fanuc_unit(int number) const;
-  /// Whether it is local in the fanuc dialect alone.
+  /// Returns whether the variable is local in the fanuc dialect alone.
   static bool is_fanuc_local(int number) noexcept;
 
-  /// Whether expressions are to be compared with what they mean in the other dialect.
+  /// Makes expressions compare what they mean in both dialects; watching() returns whether they do.
   void watch() noexcept { watching_ = true; }
   bool watching() const noexcept { return watching_; }
 
-  /// Whether an assignment is possible.
+  /// Returns whether an assignment is possible.
   Access access(int number) const;
   Access access(std::string_view name) const;
-  /// How far from 0 a value may lie that is assigned.
+  /// Returns how far from 0 an assigned value may lie.
   double limit(int number) const;
-  /// Expects that access is granted, and a value within the limit.
+  /// Assigns a value. Requires that access is granted, and a value within the limit.
   void write(int number, double value);
   void write(std::string_view name, double value);
 
-  /// An assignment has been lost by an error, and with it, whose it was.
+  /// Records that an error has lost an assignment, and to which variable: from then on a name that
+  /// has not been assigned is kUnknown.
   void lose() noexcept { lost_ = true; }
-  /// An assignment to this one of the system has been refused: what the program would go on with is
-  /// not known.
+  /// Records that an assignment to this variable of the system has been refused: the value with
+  /// which the program would continue is unknown.
   void lose(int number) { refused_.insert(number); }
   void lose(std::string_view name) { write(name, kUnknown); }
-  /// So have been all that a subprogram might have done; `locals`: to those of its caller too.
+  /// Makes unknown whatever a subprogram might have assigned; with `locals`, the local variables of
+  /// its caller too.
   void lose_all(bool locals);
-  /// A probing move has been refused: where it would have ended, #5061 to #5070, is not known.
+  /// Records that a probing move has been refused: #5061 to #5070, where it would have ended, are
+  /// unknown.
   void lose_probed_point();
 
-  /// Begins a level of calls: local variables of its own, the arguments in #1 and up.
+  /// Begins a level of calls with local variables of its own; the arguments are its #1 and up.
   void push(std::span<const double> arguments);
-  /// Ends it. Expects a level above 0.
+  /// Ends a level of calls. Requires a level above 0.
   void pop();
   int level() const noexcept { return static_cast<int>(levels_.size()) - 1; }
-  /// What the last subprogram has given back, for #<_value> and #<_value_returned>.
+  /// Sets what the last subprogram has returned, for #<_value> and #<_value_returned>.
   void give_back(std::optional<double> value) noexcept { given_back_ = value; }
-  /// Number of the line that is read, for #<_line>.
+  /// Sets the number of the line that is read, for #<_line>.
   void set_line(int line) noexcept { line_ = line; }
-  /// How many numbered variables are local to a level: #1 and up.
+  /// Returns how many numbered variables are local to a level, from #1 on.
   int locals() const noexcept { return locals_; }
 
  private:

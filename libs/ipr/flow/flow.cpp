@@ -24,7 +24,7 @@ Flow::Flow(Parser& parser, Diagnostics& diagnostics, FlowOptions options)
       diagnostics_(diagnostics),
       options_(std::move(options)),
       library_(parser, diagnostics, options_.folder, options_.called) {
-  if (options_.unreachable_too) parser_.show_passed_over();
+  if (options_.unreachable_too) parser_.show_skipped();
   Call main;
   main.sub.kind = SubKind::program;
   main.sub.begin = library_.here();
@@ -45,7 +45,7 @@ std::optional<ProgramLine> Flow::next() {
     ++executed_;
     if (options_.unreachable_too) remember(*line);
     if (line->broken) note_unread(*line);
-    if (line->passed_over && line->words.empty()) continue;
+    if (line->skipped && line->words.empty()) continue;
     const bool plain = line->statement == nullptr && !new_round_;
     if (plain || obey(*line)) return line;
   }
@@ -56,8 +56,8 @@ std::optional<ProgramLine> Flow::next() {
 void Flow::remember(const ProgramLine& line) {
   const bool elseif = line.statement != nullptr && line.statement->kind == Kind::else_if;
   if (parser_.file() != 0 || elseif) return;
-  moved_ = moved_ || line.passed_over;
-  if (line.passed_over) return;
+  moved_ = moved_ || line.skipped;
+  if (line.skipped) return;
   skipped_.read(line.number, parser_.reader().place(), std::exchange(moved_, false));
 }
 

@@ -19,15 +19,15 @@
 
 namespace softcnc::ipr {
 
-/// Learns where calls begin and end.
+/// An observer that learns where calls begin and end.
 class CallObserver {
  public:
   virtual ~CallObserver() = default;
 
   virtual void begin_call() = 0;
-  /// `pos`: of what ends it.
+  /// Is called at the end of a call; `pos` is the place of what ends it.
   virtual void end_call(const SourcePos& pos) = 0;
-  /// What is called is missing, and with it all that it would have done.
+  /// Is called where the called program is missing: nothing that it would have done is known.
   virtual void miss_call() = 0;
 };
 
@@ -39,7 +39,7 @@ struct FlowOptions {
   bool unreachable_too = false;      // remember which lines are not run
 };
 
-/// What a code asks for that leads to other lines; done when its line is.
+/// A jump that a code asks for. It is done after the line of the code.
 struct Jump {
   enum class Kind : std::uint8_t { call, call_macro, leave };
   Kind kind = Kind::call;
@@ -53,46 +53,50 @@ struct Jump {
 
 class Flow {
  public:
-  /// Calls within each other, at most.
-  static constexpr std::size_t kDeepest = 64;
-  /// Loops and branches within each other, those of all calls together, at most.
+  /// The largest number of calls within each other.
+  static constexpr std::size_t kMaxDepth = 64;
+  /// The largest number of loops and branches within each other, over all calls.
   static constexpr std::size_t kMostLevels = 10'000;
 
-  /// What is referred to must outlive the flow. Expects that the parser has not read a line.
+  /// Makes the flow of a program. Everything referred to must outlive it. Requires that the parser
+  /// has not read a line.
   Flow(Parser& parser, Diagnostics& diagnostics, FlowOptions options);
 
-  /// The next line that has words or is broken; nothing at the end of the program, and while the
-  /// parser waits for a pipe.
+  /// Returns the next line that has words or is broken; nothing at the end of the program, and
+  /// while the parser waits for a pipe.
   std::optional<ProgramLine> next();
-  /// Asks for a jump before the next line; `text` is that of the line that asks.
+  /// Requests a jump before the next line; `text` is that of the line that asks for it.
   void jump(Jump jump, std::string_view text);
-  /// What is called is missing, which is reported: nothing is known that it might have changed.
-  /// `has_level`: it would have had variables of its own.
+  /// Makes unknown what a called program might have changed that is missing, which has been
+  /// reported. `has_level` says that it would have had variables of its own.
   void miss_call(bool has_level);
-  /// Blocks that a line has made beside the first: each counts as a line.
+  /// Counts the blocks that a line has made in addition to its first: each counts as a line.
   void count_more_blocks(std::int64_t blocks) noexcept {
     executed_ += blocks;
     made_since_jump_ += blocks;
   }
-  /// The program has ended: reports what is still open and has no end.
+  /// Reports what is still open at the end of the program.
   void finish();
-  /// After it: goes through the lines of the program's file that have not been run: first the
-  /// subprograms that nothing has called, then what has been passed over. Expects unreachable_too.
+  /// Begins to read the lines of the program's file that have not been run: first the subprograms
+  /// that nothing has called, then the lines that have been skipped. Requires a call of finish()
+  /// before, and FlowOptions::unreachable_too.
   void begin_unreachable();
-  /// The next of them that has words or is broken; of variables nothing is known there.
+  /// Returns the next unreachable line that has words or is broken; nothing at their end. The
+  /// values of variables are unknown there.
   std::optional<ProgramLine> next_unreachable();
 
-  /// True inside a subprogram.
+  /// Returns whether the flow is inside a subprogram.
   bool in_subprogram() const noexcept { return calls_.size() > 1; }
-  /// An error that has been reported ends the program.
+  /// Returns whether an error that has been reported ends the program.
   bool broke_off() const noexcept { return broken_ || parser_.broke_off(); }
-  /// After an error it is not known which lines are executed, or whether the program has ended.
+  /// Records that an error has left open which lines are executed, or whether the program has
+  /// ended.
   void lose_order() noexcept;
   bool order_unknown() const noexcept { return order_unknown_; }
   const Parameters& parameters() const noexcept { return parser_.parameters(); }
-  /// Files that have been called: their names in the folder.
+  /// Returns the names, in the folder, of the files that have been called.
   std::vector<std::string> called_files() const { return library_.files(); }
-  /// Names in the folder under which no called file has been found.
+  /// Returns the names, in the folder, under which no called file has been found.
   const std::set<std::string>& missing_files() const noexcept { return library_.missing_files(); }
 
  private:
@@ -123,7 +127,7 @@ class Flow {
     std::int64_t since = 0;
   };
 
-  /// Where a jump has led, and from where.
+  /// The target of a jump, and its origin.
   struct Landing {
     SourcePos pos;  // of the jump
     std::string text;
@@ -176,7 +180,7 @@ class Flow {
   void check_order(const ProgramLine& line);
   void close(Kind begin);
   std::optional<ProgramLine> read_unreachable();
-  std::optional<ProgramLine> next_passed();
+  std::optional<ProgramLine> next_skipped();
   bool go_to(const SkippedLines::Stretch& stretch);
 
   // flow_loops.cpp

@@ -18,7 +18,7 @@ std::string name_of(const Subprogram& sub) {
 }  // namespace
 
 void Flow::report_sub_again(const std::string& label, SourcePos pos, std::string_view text) {
-  diagnostics_.report(Code::SC2314, pos, o_word(label, "sub") + " stands in this file before",
+  diagnostics_.report(Code::SC2314, pos, o_word(label, "sub") + " is already defined in this file",
                       text);
 }
 
@@ -89,7 +89,7 @@ void Flow::begin_program() {
     const std::string name = name_of(calls_.back().sub);
     if (calls_.back().sub.label ==
         statement_.label)  // its own, twice: the library has reported that
-      return report(Code::SC2314, statement_.pos, name + " stands in this file before");
+      return report(Code::SC2314, statement_.pos, name + " is already defined in this file");
     if (!order_unknown_)
       report_structure(calls_.back().sub.label, Code::SC2303, statement_.pos,
                        name + " has no end before " + program_name(statement_.label), text_);
@@ -160,9 +160,9 @@ void Flow::enter(Subprogram sub, Jump jump, bool has_level) {
   });
   if (order_unknown_ && by_itself > 0)
     return miss_call(has_level);  // what ends it may be what is lost
-  if (calls_.size() > kDeepest)
+  if (calls_.size() > kMaxDepth)
     return break_off(Code::SC2309, jump.pos,
-                     "more than " + std::to_string(kDeepest) + " calls within each other; " +
+                     "more than " + std::to_string(kMaxDepth) + " calls within each other; " +
                          name_of(sub) + " is among them " + std::to_string(by_itself) + " times",
                      text_);
   if (in_subprogram()) {

@@ -6,8 +6,8 @@
 
 namespace softcnc::ipr {
 
-/// Passes lines until `wanted` is one; before_ is the spot before it. False at the end of the
-/// subprogram or program.
+/// Skips lines until `wanted` returns true for one; before_ is then the spot before it. Returns
+/// false at the end of the subprogram or program.
 template <typename Wanted>
 bool Flow::pass_to(Wanted wanted) {
   moved_ = true;

@@ -12,19 +12,20 @@ namespace softcnc::ipr {
 
 class SkippedLines {
  public:
-  /// Lines after a place, up to this one; never empty.
+  /// The lines after a place, up to and including line `last`; never empty.
   struct Stretch {
     Reader::Place begin;
     int last = 0;
   };
   static constexpr std::size_t kMost = 10'000;  // stretches; more are not kept
 
-  /// This line has been read, and the reader stands after it. `moved`: it is not the next one
-  /// after the line read before.
+  /// Records that this line has been read; the reader stands after it. `moved` says that it is not
+  /// the one after the line read before.
   void read(int line, const Reader::Place& after, bool moved);
   int last_read() const noexcept { return last_read_; }
 
-  /// In the order of the text; none are left. `rest`: after them what follows all lines read.
+  /// Returns all stretches in the order of the text, and forgets them. With `rest`, what follows
+  /// all lines read is the last one.
   std::deque<Stretch> take(bool rest);
 
  private:

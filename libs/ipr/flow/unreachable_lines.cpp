@@ -28,7 +28,7 @@ void Flow::begin_unreachable() {
 std::optional<ProgramLine> Flow::next_unreachable() {
   if (broke_off()) return std::nullopt;
   auto line = next_uncalled();
-  return line ? line : next_passed();
+  return line ? line : next_skipped();
 }
 
 std::optional<ProgramLine> Flow::next_uncalled() {
@@ -117,7 +117,7 @@ void Flow::close(Kind begin) {
 
 /// Of statements only what they say is read, not how they nest: a stretch may begin within a branch
 /// and end within another.
-std::optional<ProgramLine> Flow::next_passed() {
+std::optional<ProgramLine> Flow::next_skipped() {
   if (unread_.empty()) unread_ = skipped_.take(rest_is_program_);
   while (!unread_.empty()) {
     const SkippedLines::Stretch& stretch = unread_.front();

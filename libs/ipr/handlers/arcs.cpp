@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSamePoint = 1e-9;  // mm
 constexpr int kMostTurns = 10'000;
-constexpr double kReach = 0.00127;  // mm (0.00005 inch): how much R may fall short, as in RS274
+constexpr double kShortfall = 0.00127;  // mm (0.00005 inch): how much R may fall short, as in RS274
 
 /// mm. As LinuxCNC, which allows for the fewer decimals of inches.
 double radius_tolerance(const Modal& modal) {
@@ -23,7 +23,7 @@ double radius_tolerance(const Modal& modal) {
 
 /// FANUC takes a 0 across the plane, beside a letter of the centre.
 bool may_pass_over(const Task& task, const PlaneAxes& axes) {
-  const Letters centre{kOffsetLetters};
+  const LetterSet centre{kOffsetLetters};
   const char across = offset_letter(axes.across);
   return task.options.dialect == Dialect::fanuc && task.values[across] == 0 &&
          task.values.letters().has_any(centre.without(std::string_view(&across, 1)));
@@ -110,10 +110,10 @@ std::optional<AxisVector> center_by_radius(Task& task, const PlaneAxes& axes, co
   const SourcePos pos = task.values.word('R').pos;
   if (chord <= kSamePoint) {
     task.out.report(Code::SC2108, pos,
-                    code_name(task.code) + " ends where it starts; R cannot tell its centre");
+                    code_name(task.code) + " ends where it starts; R does not define a centre");
     return std::nullopt;
   }
-  if (chord / 2 > std::abs(radius) + kReach) {
+  if (chord / 2 > std::abs(radius) + kShortfall) {
     task.out.report(Code::SC2109, pos,
                     "a radius of " + number_text(std::abs(radius)) + " mm does not reach an end " +
                         number_text(chord) + " mm away");

@@ -32,7 +32,7 @@ void report_far(const Task& task, const AxisVector& place, Describe describe) {
 }
 
 AxisVector refuse_place(const Task& task, AxisVector place) {
-  Letters far;
+  LetterSet far;
   for (int i = 0; i < kAxes; ++i)
     if (!is_near(place[i])) far.add(axis_letter(i));
   report_far(task, place, leads_far);

@@ -197,7 +197,7 @@ std::optional<int> repeats(Task& task) {
   const Word& word = task.values.word(letter);
   const auto count = whole_number(task, word);
   if (!count || *count > 0 || fanuc) return count;
-  refuse(task, letter, Code::SC2007, "L, how often the cycle is repeated, is 1 at least");
+  refuse(task, letter, Code::SC2007, "L, the repeat count, must be at least 1");
   return std::nullopt;
 }
 
@@ -351,9 +351,10 @@ void canned_cycle(Task& task) {
 }
 
 void refuse_cycle(Task& task) {
-  const std::string why = task.code.number == 880 ? "a hand that leads the tool out of the hole"
-                                                  : "a spindle that can be oriented";
-  task.out.report(Code::SC2161, task.word.pos, code_name(task.code) + " needs " + why);
+  const std::string why = task.code.number == 880
+                              ? " requires the operator to retract the tool by hand"
+                              : " needs a spindle that can be oriented";
+  task.out.report(Code::SC2161, task.word.pos, code_name(task.code) + why);
   lay_below(task);
   if (is_fanuc(task)) keep_words(task, plane_axes(task.modal.plane));
   task.modal.motion = nullptr;

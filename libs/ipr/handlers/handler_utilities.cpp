@@ -171,9 +171,9 @@ bool has_plane_axes(Task& task, const PlaneAxes& axes) {
   for (const int axis : {axes.first, axes.second}) {
     const auto index = static_cast<std::size_t>(axis);
     if (task.machine.axes[index].present) continue;
-    task.out.report(
-        Code::SC2008, task.word.pos,
-        code_name(task.code) + " needs axis " + kAxisLetters[index] + ", which the machine lacks");
+    task.out.report(Code::SC2008, task.word.pos,
+                    code_name(task.code) + " needs axis " + kAxisLetters[index] +
+                        ", which the machine does not have");
     return false;
   }
   return true;
@@ -270,7 +270,7 @@ SourcePos span_of(const Values& values, std::string_view letters) noexcept {
 
 std::string above_limit(const std::string& feed, double limit) {
   const std::string most = number_text(mm_min_from_mm_s(limit));
-  return feed + " is above the machine's " + most + " mm/min; from here on " + most + " is used";
+  return feed + " exceeds the machine's " + most + " mm/min; " + most + " is used from here on";
 }
 
 }  // namespace softcnc::ipr

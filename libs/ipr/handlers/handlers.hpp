@@ -18,7 +18,7 @@
 
 namespace softcnc::ipr {
 
-/// One code of one line, at work.
+/// One code of one line, as its handler sees it.
 struct Task {
   const GCode& code;
   const Word& word;  // what called for it; for a modal motion the first coordinate
@@ -35,13 +35,13 @@ struct Task {
 void rapid(Task& task);
 void feed_line(Task& task);
 void cancel_motion(Task& task);
-/// Of a move that cannot be made, for something is unknown: keeps for each axis whether it is known
-/// where it leads. False: the code moves on more than its own line, or in a cycle.
+/// Records for each axis of a move that cannot be made, since something is unknown, whether its end
+/// is known. Returns false if the code moves on more than its own line, or in a cycle.
 bool follow_unmade_move(Task& task);
-/// Keeps for each axis with a word of these letters whether it is known where that leads, and
-/// where.
-void follow_axes(const Command& command, Modal& modal, Letters letters);
-/// Along a line to a place in machine coordinates; a line of no length gives no block.
+/// Records for each axis with a word of these letters whether the end of its move is known, and
+/// where it is.
+void follow_axes(const Command& command, Modal& modal, LetterSet letters);
+/// Moves along a line to a place in machine coordinates, mm. A line of no length gives no block.
 void move_straight(Task& task, const AxisVector& to, bool rapid);
 
 // arcs.cpp
@@ -59,7 +59,8 @@ void retract_to_r(Task& task);
 
 // nurbs_words.cpp
 void nurbs(Task& task);
-/// Reports codes of a line that do not belong into the pending curve, and ends it at some.
+/// Reports codes of a line that do not belong to the pending curve, and ends the curve at some of
+/// them.
 void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, Output& out);
 /// Ends a pending curve at the end of the program.
 void end_pending_curve(Modal& modal, Output& out);
@@ -119,12 +120,12 @@ void end_pending_points(Modal& modal, Output& out);
 // surface_words.cpp
 void ask_for_surface(Task& task);
 void cancel_surface(Task& task);
-/// The words of G06.4 in the first block of G06.2.
+/// Reads the words of G06.4 in the first block of G06.2.
 void ask_for_surface_of_curve(Task& task);
-/// False, after one report, if a roughness is asked for while the spindle rests. `word` and `line`:
-/// the move's.
+/// Returns false, after one report, if a roughness is asked for while the spindle is at rest.
+/// `word` and `line` are those of the move.
 bool has_surface_speed(Modal& modal, Output& out, SourcePos word, std::string_view line);
-/// The roughness in force, at the speed of the spindle.
+/// Returns the roughness in force, at the speed of the spindle; nothing if none is asked for.
 std::optional<Surface> surface_at_speed(const Modal& modal) noexcept;
 
 // modes.cpp
@@ -159,8 +160,9 @@ void end_program(Task& task);
 void compensate(Task& task);
 void select_radius(Task& task);
 void end_compensation(Task& task);
-/// Refuses codes that would move the contour or the tool while G41 or G42 is in force, or that
-/// cannot lead away after G40. Motion acts all the same, so that it is known where it leads.
+/// Returns false, after a report, for codes that would move the contour or the tool while G41 or
+/// G42 is in force, or that cannot lead away after G40. Motion acts all the same, so that its end
+/// is known.
 bool may_act(Task& task);
 
 // calls.cpp
@@ -172,24 +174,25 @@ void leave_program(Task& task);
 inline constexpr double kLongestDwell = 1e9;  // s
 
 // coordinate_range.cpp: what lies too far off is reported at its word
-/// The place, where it is near enough; otherwise what of it is, after a report.
+/// Returns the place, mm, if it is near enough. Otherwise reports it, and returns it with the
+/// position in place of the coordinates that are too far.
 AxisVector near_place(const Task& task, const AxisVector& place);
 std::string leads_far(const std::string& who);
-/// Sets an offset. False, after a report, where it is too large: then it stays.
+/// Sets an offset, mm. Returns false, after a report, if it is too large; it then stays as it was.
 bool keep_offset(Task& task, AxisVector& offset, const AxisVector& wanted);
 bool keep_offset(Task& task, char letter, double& offset, double wanted);
-/// False, after a report, where one of these words gives a length that is too large: of the radius
-/// or the centre of an arc, or a handle of a curve.
+/// Returns false, after a report, if one of these words gives a length that is too large: the
+/// radius or the centre of an arc, or a handle of a curve.
 bool has_near_lengths(Task& task, std::string_view letters);
 
 // handler_utilities.cpp: what several handlers need
-/// Of the word with this letter, or of the code where the line has none.
+/// Returns the place of the word with this letter, or of the code if the line has none.
 SourcePos place_of(const Task& task, char letter);
-/// Whether the word is written with a decimal point.
+/// Returns whether the word is written with a decimal point.
 bool has_point(const Task& task, const Word& word);
-/// Where the axis words lead, in mm and machine coordinates, from the position in force.
+/// Returns where the axis words lead from the position, in mm and machine coordinates.
 AxisVector end_point(const Task& task);
-/// Notes where an offset that has been assigned to makes a difference between the dialects.
+/// Records where an offset that has been assigned to makes a difference between the dialects.
 void compare_offsets(const Task& task);
 /// Calls use(axis, mm) for every axis word of the line.
 template <typename Use>
@@ -199,43 +202,46 @@ void for_named_axes(const Task& task, Use&& use) {
     if (task.values.has(letter)) use(i, task.values[letter] * task.modal.mm_per_unit);
   }
 }
-/// Moves along the path from the position, at the feed in force or as a rapid.
+/// Emits a move along the path from the position, at the feed in force or as a rapid.
 void emit_move(Task& task, Path&& path, bool rapid = false);
-/// A cutting move by the modes in force.
+/// Returns a cutting move by the modes in force; `feed` is in mm/s.
 Move cutting_move(const Modal& modal, Path&& path, double feed);
 bool is_of_fanuc(Task& task);
-/// False, after a report, if the machine lacks an axis of the plane.
+/// Returns false, after a report, if the machine does not have an axis of the plane.
 bool has_plane_axes(Task& task, const PlaneAxes& axes);
-/// What a curve over several lines keeps of its first one.
+/// Returns what a curve over several lines keeps of its first one.
 CurveHead curve_head(Task& task);
-/// As many control points as a curve can have: all of it is held until its end.
+/// The largest number of control points of a curve: all of it is held in memory until its end.
 inline constexpr std::size_t kMostCurvePoints = 10'000;
 void report_too_many(Task& task);
-/// How far the first point of a curve may lie off the position, mm.
+/// Returns how far the first point of a curve may be from the position, mm.
 double start_tolerance(const Machine& machine);
-/// Whether the line has another motion code, or one that stops or ends the program.
+/// Returns whether the line has another motion code, or one that stops or ends the program.
 bool ends_curve(const Command& command, const GCode& curve) noexcept;
-/// False, after a report, if there is no feed. In G95 sets that of the spindle's speed.
+/// Returns false, after a report, if there is no feed. In G95 also sets the feed from the spindle's
+/// speed.
 bool has_feed(Task& task);
-/// mm/s, held at the machine's limit with one warning.
+/// Returns the feed, mm/s, limited to that of the machine with one warning.
 double held_feed(Task& task, double feed);
-/// FANUC: with G28 or G30, beside which G00 and G01 come into force and do not move.
+/// Returns whether the line has G28 or G30 in the fanuc dialect: G00 and G01 beside it come into
+/// force and do not move.
 bool fanuc_goes_home(const Command& command, Dialect dialect) noexcept;
-/// Makes the code the motion in force.
+/// Makes the code of the task the motion in force.
 void begin_motion(Task& task);
-/// Reports at the word with this letter, or at the code where the line has none.
+/// Reports at the word with this letter, or at the code if the line has none.
 void report_word(const Task& task, char letter, Code code, std::string message);
-/// The value as a whole number from 0; otherwise nothing, after a report.
+/// Returns the value as a whole number from 0; nothing, after a report, if it is not one.
 std::optional<int> whole_number(Task& task, const Word& word);
-/// The same of a word that is a code, whatever else the line says.
+/// Returns the same for a word that is a code, whatever else the line says.
 std::optional<int> whole_number(Output& out, const Word& word);
-/// False, after a report, if the value is negative.
+/// Returns false, after a report, if the value is negative.
 bool is_not_negative(Output& out, const Word& word);
-/// The value as a whole number of nine digits at most; nothing where it is none, or below `least`.
+/// Returns the value as a whole number of at most nine digits; nothing if it is not one, or is
+/// below `least`.
 std::optional<int> whole_from(double least, double value) noexcept;
-/// From the first to the last of these words.
+/// Returns the range from the first to the last of these words.
 SourcePos span_of(const Values& values, std::string_view letters) noexcept;
-/// What is reported of a feed above the machine's `limit`, mm/s.
+/// Returns the message about a feed above the machine's `limit`, mm/s.
 std::string above_limit(const std::string& feed, double limit);
 
 }  // namespace softcnc::ipr

@@ -40,7 +40,7 @@ class Numbering {
 };
 
 /// Those that could not be read: of I, J and K nobody knows which set of three they belong to.
-void lose_unread(std::vector<double>& values, Letters unread, int locals) {
+void lose_unread(std::vector<double>& values, LetterSet unread, int locals) {
   if (unread.empty()) return;
   values.resize(static_cast<std::size_t>(locals), kVacant);
   for (double& value : values)

@@ -9,8 +9,9 @@
 
 namespace softcnc::ipr {
 
-/// The values of #1 and up that the words after G65 give, by FANUC's lists I (a letter each) and
-/// II (A B C, then I J K again and again). Nothing, after a report, where one is wrong.
+/// Returns the values of #1 and up that the words after G65 give, by FANUC's lists I (a letter
+/// each) and II (A B C, then I J K again and again). Returns nothing, after a report, if one is
+/// wrong.
 std::optional<std::vector<double>> macro_arguments(Task& task);
 
 }  // namespace softcnc::ipr

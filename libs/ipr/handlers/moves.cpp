@@ -57,7 +57,7 @@ double place_along(const Command& command, const Modal& modal, int axis) {
 
 }  // namespace
 
-void follow_axes(const Command& command, Modal& modal, Letters letters) {
+void follow_axes(const Command& command, Modal& modal, LetterSet letters) {
   for (int axis = 0; axis < kAxes; ++axis) {
     if (!letters.has(axis_letter(axis))) continue;
     const bool known = is_known(command, modal, axis);
@@ -76,7 +76,7 @@ bool follow_unmade_move(Task& task) {
   if (is_refused(task.code) || is_curve_of_lines(task.code)) return false;
   if (cycle) task.modal.unknown.add(Part::cycle_words);
   task.out.fail();
-  Letters named = task.values.letters();
+  LetterSet named = task.values.letters();
   named |= task.command.unread();
   const char across = axis_letter(plane_axes(task.modal.plane).across);
   if (cycle) named.remove(across);

@@ -17,14 +17,14 @@ bool is_fanuc(const Task& task) { return task.options.dialect == Dialect::fanuc;
 
 std::string form(const Task& task) { return "G10 L" + number_text(task.values['L']); }
 
-bool needs(Task& task, Letters letters, std::string_view text) {
+bool needs(Task& task, LetterSet letters, std::string_view text) {
   if (task.values.letters().has_any(letters)) return true;
   task.out.report(Code::SC2005, task.word.pos, form(task) + " needs " + std::string(text));
   return false;
 }
 
 /// Words that G10 takes in another form only.
-bool lacks(Task& task, Letters letters) {
+bool lacks(Task& task, LetterSet letters) {
   bool good = true;
   for (const char letter : {'X', 'Y', 'Z', 'R'}) {
     if (!letters.has(letter) || !task.values.has(letter)) continue;

@@ -26,8 +26,8 @@ bool check_point(Task& task) {
 }
 
 /// The axes that go: those named; all of them where none is, except in the fanuc dialect.
-Letters going(Task& task) {
-  Letters named, present;
+LetterSet going(Task& task) {
+  LetterSet named, present;
   for (std::size_t i = 0; i < kAxes; ++i) {
     const char letter = kAxisLetters[i];
     if (task.values.has(letter)) named.add(letter);
@@ -40,7 +40,7 @@ Letters going(Task& task) {
 }
 
 /// In coordinates of the program, where a rotated work system turns the axes.
-AxisVector reached(const Task& task, const AxisVector& home, Letters axes) {
+AxisVector reached(const Task& task, const AxisVector& home, LetterSet axes) {
   const Coordinates& coordinates = task.modal.coordinates;
   const bool turned = coordinates.rotated();
   const AxisVector& position = task.modal.position;
@@ -56,7 +56,7 @@ AxisVector reached(const Task& task, const AxisVector& home, Letters axes) {
 /// By way of the point that the axis words name, both moves being rapids.
 void go_home(Task& task) {
   Modal& modal = task.modal;
-  const Letters axes = going(task);
+  const LetterSet axes = going(task);
   if (!check_point(task) || axes.empty()) return;
   if (modal.beside && !task.values.letters().has_any(kAxisWords)) {
     modal.position = modal.beside->tool;

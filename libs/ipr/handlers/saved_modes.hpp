@@ -8,10 +8,11 @@
 
 namespace softcnc::ipr {
 
-/// Every call has a level of its own, at whose end what M73 has saved in it is restored.
+/// The saved modes, with a level for every call. At the end of a call, what M73 has saved in its
+/// level is restored.
 class SavedLevels final : public CallObserver {
  public:
-  /// `modal` must outlive the levels.
+  /// Makes the levels; `modal` must outlive them.
   explicit SavedLevels(Modal& modal) : modal_(modal) {}
 
   void begin_call() override { modal_.saved.emplace_back(); }
@@ -22,7 +23,8 @@ class SavedLevels final : public CallObserver {
   Modal& modal_;
 };
 
-/// Lets spindle, coolant and cutter compensation follow modes that have been restored.
+/// Emits blocks that make spindle, coolant and cutter compensation follow modes that have been
+/// restored.
 void follow_restored(const Modes& before, Modal& modal, Output& out, const SourcePos& source);
 
 }  // namespace softcnc::ipr

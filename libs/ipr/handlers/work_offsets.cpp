@@ -61,7 +61,7 @@ void use_machine_coordinates(Task& task) {
                     "G53 moves by G00 or G01 only, written beside it or in force");
   } else if (modal.incremental) {
     task.out.report(Code::SC2111, task.word.pos,
-                    "G53 in G91: a place in machine coordinates is no distance");
+                    "G53 requires G90: machine coordinates are absolute");
   }
 }
 

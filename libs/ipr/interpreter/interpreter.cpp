@@ -13,11 +13,11 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr Letters kActing{"GM"};         // of codes that take words
-constexpr Letters kOtherAxes{"ABCUVW"};  // which no machine of softcnc has
+constexpr LetterSet kActing{"GM"};         // of codes that take words
+constexpr LetterSet kOtherAxes{"ABCUVW"};  // which no machine of softcnc has
 
 /// The first word of these letters on the line.
-const Word* first_of(const Values& values, Letters letters) noexcept {
+const Word* first_of(const Values& values, LetterSet letters) noexcept {
   const Word* first = nullptr;
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     if (!letters.has(letter) || !values.has(letter)) continue;
@@ -34,7 +34,7 @@ std::string lacks_axis(char letter) {
 }
 
 /// All of them in one: it may be their code that is missing.
-std::string used_by_none(Letters letters) {
+std::string used_by_none(LetterSet letters) {
   std::string names;
   int count = 0;
   for (char letter = 'Z'; letter >= 'A'; --letter) {
@@ -42,7 +42,7 @@ std::string used_by_none(Letters letters) {
     names.insert(0, count == 0 ? "" : count == 1 ? " and " : ", ").insert(0, 1, letter);
     ++count;
   }
-  return names + (count > 1 ? " are" : " is") + " used by no code of this line";
+  return (count > 1 ? "unused words " : "unused word ") + names;
 }
 
 /// Among parameters and their values there are no codes.
@@ -224,7 +224,7 @@ const GCode* Interpreter::after_g80() const noexcept {
 
 /// Words that no code of the line takes may be meant for the motion in force.
 void Interpreter::find_motion() {
-  const Letters unused = command_.unused(options_.dialect);
+  const LetterSet unused = command_.unused(options_.dialect);
   if (unused.empty()) return;
   if (modal_.unknown.has(Part::motion)) return follow_axes(command_, modal_, unused);
   const GCode* motion = command_.has(Group::cycle) ? after_g80() : modal_.motion;
@@ -262,7 +262,7 @@ void Interpreter::check_axis_codes() {
   entering_data_ = begins_data_input();
   const GCode* user = nullptr;
   for (const auto& [code, word] : command_.codes()) {
-    if (!Letters(code->words).has_any(kAxisWords)) continue;
+    if (!LetterSet(code->words).has_any(kAxisWords)) continue;
     if (is_straight(*code) && fanuc_goes_home(command_, options_.dialect)) continue;
     if (user != nullptr) {
       out_.report(Code::SC2110, word->pos,
@@ -276,7 +276,7 @@ void Interpreter::check_axis_codes() {
 
 /// Where a line has failed, or the motion in force is not known, other codes might take them.
 void Interpreter::check_unused() {
-  const Letters unused = command_.unused(options_.dialect);
+  const LetterSet unused = command_.unused(options_.dialect);
   if (unused.empty() || out_.failed()) return;
   if (modal_.unknown.has(Part::motion) && !command_.has(Group::motion)) return;
   for (char letter = 'A'; letter <= 'Z'; ++letter)

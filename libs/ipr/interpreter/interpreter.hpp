@@ -25,34 +25,36 @@ namespace softcnc::ipr {
 
 class Interpreter {
  public:
-  /// What is referred to must outlive the interpreter. `state`: what earlier programs left behind.
+  /// Makes the interpreter of a program. Everything referred to must outlive it. `state` is what
+  /// earlier programs have left behind.
   Interpreter(Parser& parser, const Machine& machine, Diagnostics& diagnostics,
               InterpreterOptions options = {}, MachineState state = {});
   Interpreter(const Interpreter&) = delete;
   Interpreter& operator=(const Interpreter&) = delete;
 
-  /// The next block of the program, the last being Action::Kind::end. A line with an error is
-  /// reported, once, and gives no block; reading goes on after it, and what it leaves open is
-  /// unknown (Modal::unknown): whatever depends on that is not reported.
+  /// Returns the next block of the program; the last one is Action::Kind::end. A line with an error
+  /// is reported once and gives no block. Reading goes on after it; what it leaves open is unknown
+  /// (Modal::unknown), and what depends on that is not reported.
   std::optional<Block> next();
 
-  /// Files that have been called so far: their names in the folder.
+  /// Returns the names, in the folder, of the files that have been called so far.
   std::vector<std::string> called_files() const { return flow_.called_files(); }
-  /// Names in the folder under which calls have found none.
+  /// Returns the names, in the folder, under which calls have found no file.
   const std::set<std::string>& missing_files() const noexcept { return flow_.missing_files(); }
 
-  /// Whether next() has given nothing because a pipe has nothing more yet, and may be asked again
-  /// when it has; or because a stop has been requested.
+  /// Returns whether next() has returned nothing because a pipe has nothing more yet, so that it
+  /// may be called again when there is more; or because a stop has been requested.
   bool waiting() const noexcept { return parser_.waiting(); }
 
-  /// Offsets and the like as the lines read so far leave them; at the end, what is to be kept.
+  /// Returns offsets, tools and parameters as the lines read so far leave them; at the end, what is
+  /// to be kept.
   const MachineState& state() const noexcept { return modal_.state; }
 
  private:
   bool read_on();
   bool choose_format();
   void interpret(const ProgramLine& line);
-  /// The motion in force on a line with G80.
+  /// Returns the motion in force on a line with G80.
   const GCode* after_g80() const noexcept;
   void find_motion();
   void check_axes();

@@ -59,7 +59,8 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
   if (dialect == Dialect::fanuc && put_above(*code, word)) return;
   unknown_ |= settled(*code);
   if (code->number == kAnyNumber) return report_twice(word, out);
-  out.report(Code::SC2002, word.pos, code_name(*code) + " beside another code of the same group");
+  out.report(Code::SC2002, word.pos,
+             code_name(*code) + " conflicts with another code of its group on this line");
 }
 
 /// After G65 and its like only P and L are words of the line's own.
@@ -113,7 +114,7 @@ bool Command::put_above(const GCode& cycle, const Word& word) {
 
 void Command::add_lone_letters(Dialect dialect) {
   if (dialect != Dialect::fanuc || !values_.letters().has_any(kLoneLetters)) return;
-  const Letters lone = unused(dialect);
+  const LetterSet lone = unused(dialect);
   for (const char letter : {'D', 'H'})
     if (lone.has(letter)) add(*find_gcode(letter, 0), values_.word(letter));
 }
@@ -132,11 +133,11 @@ const Word& Command::find_word(Group group) const noexcept {
           })->word;
 }
 
-[[gnu::hot]] Letters Command::unused(Dialect dialect) const noexcept {
-  Letters used;
+[[gnu::hot]] LetterSet Command::unused(Dialect dialect) const noexcept {
+  LetterSet used;
   for (const CodeWord& code : codes()) {
-    used |= Letters(code.code->words);
-    if (dialect == Dialect::fanuc) used |= Letters(code.code->fanuc_words);
+    used |= LetterSet(code.code->words);
+    if (dialect == Dialect::fanuc) used |= LetterSet(code.code->fanuc_words);
   }
   return values_.letters().without(used);
 }

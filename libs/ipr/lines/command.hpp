@@ -16,12 +16,12 @@
 
 namespace softcnc::ipr {
 
-/// The words that are not codes, by letter.
+/// The words of a line that are not codes, by letter.
 class Values {
  public:
-  Letters letters() const noexcept { return letters_; }
+  LetterSet letters() const noexcept { return letters_; }
   bool has(char letter) const noexcept { return letters_.has(letter); }
-  /// Expects has(letter).
+  /// Returns the word with this letter. Requires has(letter).
   const Word& word(char letter) const noexcept { return *words_[index(letter)]; }
   double operator[](char letter) const noexcept { return word(letter).value; }
   double value_or(char letter, double otherwise) const noexcept {
@@ -32,7 +32,7 @@ class Values {
   friend class Command;
   static std::size_t index(char letter) noexcept { return static_cast<std::size_t>(letter - 'A'); }
 
-  Letters letters_;
+  LetterSet letters_;
   std::array<const Word*, 26> words_{};
 };
 
@@ -43,35 +43,38 @@ class Command {
     const Word* word;
   };
 
-  /// Sorts the words; reports codes that are unknown or exclude each other, and words given twice.
+  /// Sorts the words of a line. Reports codes that are unknown or exclude each other, and words
+  /// given twice.
   void read(const ProgramLine& line, Dialect dialect, Output& out);
 
-  /// Adds the motion in force, if words of the line are meant for it.
+  /// Adds the motion in force, for words of the line that are meant for it.
   void add_modal_motion(const GCode& motion, const Word& word) { add(motion, word); }
-  /// Adds the codes that D and H are where no code of the line takes them.
+  /// Adds D and H as codes of their own where no code of the line takes them.
   void add_lone_letters(Dialect dialect);
 
   const Values& values() const noexcept { return values_; }
-  /// In the order in which they act.
+  /// Returns the codes in the order in which they act.
   std::span<const CodeWord> codes() const noexcept { return {codes_.data(), count_}; }
   bool has(Group group) const noexcept { return groups_.has(group); }
-  /// The code of a group; nullptr if the line has none.
+  /// Returns the code of a group, or nullptr if the line has none.
   const GCode* find(Group group) const noexcept;
-  /// Its word. Expects has(group).
+  /// Returns the word of the code of a group. Requires has(group).
   const Word& find_word(Group group) const noexcept;
-  /// The G00 to G03 that stands before a cycle; nullptr if none does.
+  /// Returns the code of G00 to G03 that stands before a cycle on the line, or nullptr if none
+  /// does.
   const GCode* below_cycle() const noexcept { return below_cycle_; }
-  /// Values that no code of the line takes.
-  Letters unused(Dialect dialect) const noexcept;
-  /// The words after G65.
+  /// Returns the letters of the values that no code of the line takes.
+  LetterSet unused(Dialect dialect) const noexcept;
+  /// Returns the words after G65.
   std::span<const Word> arguments() const noexcept { return arguments_; }
-  /// As of Line.
+  /// Returns ProgramLine::called.
   std::string_view called() const noexcept { return called_; }
-  /// Words of the line whose value is not known: they could not be read, or are given twice.
-  Letters unread() const noexcept { return unread_; }
-  /// What the errors of the line's words have left open.
+  /// Returns the letters of the words whose value is unknown: they could not be read, or are given
+  /// twice.
+  LetterSet unread() const noexcept { return unread_; }
+  /// Returns the parts of the state that the errors of the line's words have left open.
   Unknown unknown() const noexcept { return unknown_; }
-  /// Whether one of its codes was a probing move, which is not supported.
+  /// Returns whether one of the codes was a probing move, which is not supported.
   bool probes() const noexcept { return probes_; }
 
  private:
@@ -90,7 +93,7 @@ class Command {
   const GCode* below_cycle_ = nullptr;
   std::span<const Word> arguments_;
   std::string_view called_;
-  Letters unread_;
+  LetterSet unread_;
   Unknown unknown_;
   bool probes_ = false;
 };

@@ -21,7 +21,7 @@ Unknown named_axes(const Command& command) noexcept {
 /// Whether it may be a further line of a curve that an earlier one has begun.
 bool may_go_on(const GCode& code, const Command& command) noexcept {
   constexpr int kG052 = 52, kG061 = 61, kG062 = 62;
-  const Letters given = command.values().letters();
+  const LetterSet given = command.values().letters();
   return (code.number == kG062 && !given.has('P')) || (code.number == kG052 && !given.has('L')) ||
          code.number == kG061;
 }
@@ -170,7 +170,7 @@ Unknown settled(const GCode& code) noexcept {
   }
 }
 
-Unknown set_by(Letters letters) noexcept {
+Unknown set_by(LetterSet letters) noexcept {
   Unknown parts;
   for (int i = 0; i < kAxes; ++i)
     if (letters.has(axis_letter(i))) parts.add(position_part(i));

@@ -8,16 +8,19 @@
 
 namespace softcnc::ipr {
 
-/// What must be known for a code of a line to act.
+/// Returns the parts of the state that must be known for a code of a line to act.
 Unknown operands(const GCode& code, const Command& command, const Modal& modal) noexcept;
 
-/// What a code of a line sets: unknown where it could not act, or has reported an error.
+/// Returns the parts of the state that a code of a line sets. They are unknown where it could not
+/// act, or has reported an error.
 Unknown results(const GCode& code, const Command& command) noexcept;
 
-/// What of it is known once the code has acted. A shift stays unknown, whatever is added to it.
+/// Returns which of these parts are known once the code has acted. A shift stays unknown, whatever
+/// is added to it.
 Unknown settled(const GCode& code) noexcept;
 
-/// What words would have set that could not be read, by their letters.
-Unknown set_by(Letters letters) noexcept;
+/// Returns the parts of the state that words with these letters would have set, had they been
+/// readable.
+Unknown set_by(LetterSet letters) noexcept;
 
 }  // namespace softcnc::ipr

@@ -21,7 +21,7 @@ constexpr std::string_view name(Format format) noexcept {
   return kFormatNames[static_cast<std::size_t>(format)];
 }
 
-/// What a user chooses about the reading of a program.
+/// The choices of a user about the reading of a program.
 struct InterpreterOptions {
   bool block_skip = false;     // leave out lines that begin with '/'
   bool optional_stop = false;  // M01 stops

@@ -24,26 +24,27 @@ class Output {
 
   void begin(const ProgramLine& line);
   void end();
-  /// The program has ended: lines after it are only read, and give no block.
+  /// Records that the program has ended: lines after it are only read, and give no block.
   void close() noexcept { closed_ = true; }
 
-  /// Reports with the text of the line. An error makes the line fail.
+  /// Reports a diagnostic with the text of the line. An error makes the line fail.
   void report(Code code, SourcePos pos, std::string message);
-  /// Reports a place on an earlier line, on which this one does not depend: it does not fail.
+  /// Reports a diagnostic of an earlier line, on which this one does not depend: this line does not
+  /// fail.
   void report(Code code, SourcePos pos, std::string message, std::string_view source_line);
 
-  /// The line means something else in the other dialect.
+  /// Records that the line means something else in the other dialect.
   void note_difference(DialectDifference kind, SourcePos pos) {
     if (!failed_) differences_.note(kind, pos, text_);
   }
 
-  /// The line gives no block.
+  /// Makes the line fail: it gives no block.
   void fail() noexcept { failed_ = true; }
   bool failed() const noexcept { return failed_; }
-  /// How many errors the line has reported.
+  /// Returns how many errors the line has reported.
   int errors() const noexcept { return errors_; }
 
-  /// A block that begins with the line.
+  /// Emits a block whose source is the line.
   template <typename What>
   void emit(What&& what) {
     emit(std::forward<What>(what), source_);
@@ -53,8 +54,8 @@ class Output {
     blocks_.emplace_back(std::forward<What>(what), source);
   }
 
-  /// A block of the lines before, which stays whatever becomes of this one. Expects that this one
-  /// has emitted nothing yet.
+  /// Emits a block of the lines before, which stays even if this line fails. Requires that this
+  /// line has emitted nothing yet.
   template <typename What>
   void emit_before(What&& what, SourcePos source) {
     blocks_.emplace_back(std::forward<What>(what), source);
@@ -62,19 +63,20 @@ class Output {
   }
 
   bool has_block() const noexcept { return next_ != blocks_.size() || compensation_.has_block(); }
-  /// The next block, numbered. Expects that there is one.
+  /// Returns the next block, numbered. Requires has_block().
   std::optional<Block> pop();
 
   bool compensating() const noexcept { return compensation_.on(); }
   void start_compensation(const CutterSide& mode) { compensation_.start(mode); }
-  /// Where the tool is, if cutter compensation has led it beside the programmed position.
+  /// Ends cutter compensation. Returns where the tool is, if compensation has led it beside the
+  /// programmed position.
   std::optional<AxisVector> stop_compensation();
 
   SourcePos source() const noexcept { return source_; }
   std::string_view text() const noexcept { return text_; }
 
  private:
-  /// A block that is made in the place where it stays: most programs are nothing but blocks.
+  /// A block that is constructed in the place where it stays: most programs are nothing but blocks.
   struct Made : Block {
     template <typename Does>
     Made(Does&& does, SourcePos at) : Block{std::forward<Does>(does), at, 0} {}

@@ -140,7 +140,7 @@ void Library::learn(Text& text, const ProgramLine& line) {
   if (added) return;
   const std::string name =
       program ? program_name(statement->label) : o_word(statement->label, "sub");
-  diagnostics_.report(Code::SC2314, statement->pos, name + " stands in this file before",
+  diagnostics_.report(Code::SC2314, statement->pos, name + " is already defined in this file",
                       line.text);
 }
 

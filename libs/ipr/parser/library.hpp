@@ -16,13 +16,13 @@
 
 namespace softcnc::ipr {
 
-/// Between two lines of one of the texts.
+/// A place between two lines of one of the texts.
 struct Spot {
   int file = 0;  // SourcePos::file
   Reader::Place place;
 };
 
-/// How a subprogram is begun.
+/// The two ways in which a subprogram begins.
 enum class SubKind : std::uint8_t {
   o_word,  // `o100 sub`, ended by `o100 endsub`
   program  // `O100` alone, or the beginning of a file of its own; ended by M99
@@ -35,42 +35,45 @@ struct Subprogram {
   Spot begin;
 };
 
-/// "o100 sub", "o<name> call": a statement as it is written.
+/// Returns a statement as it is written: "o100 sub", "o<name> call".
 std::string o_word(std::string_view label, std::string_view keyword = {});
-/// "O1000", "O<name>"
+/// Returns the name of a program: "O1000", "O<name>".
 std::string program_name(std::string_view label);
 
 class Library {
  public:
-  /// `folder` is where files are looked for that a program calls; empty: nowhere. Their texts are
-  /// kept in `called`, which must outlive it; by itself if that is nullptr.
+  /// Makes a library that looks for called files in `folder`; nowhere if that is empty. Their texts
+  /// are kept in `called`, which must outlive the library, or in the library itself if `called` is
+  /// nullptr.
   Library(Parser& parser, Diagnostics& diagnostics, std::string folder,
           CalledTexts* called = nullptr);
 
-  /// Where the parser stands.
+  /// Returns where the parser stands.
   Spot here() const;
-  /// Lets the parser read on at a spot. False, and reported, where that cannot be.
+  /// Makes the parser read on at a spot. Returns false, and reports it, where that is not possible.
   bool go(const Spot& spot);
 
-  /// The subprogram that a call means, looked for in the file of the call, in the main program and
-  /// in the folder. `program`: by M98 or G65. Nothing: there is none, or its file cannot be read,
-  /// which is reported at `call`. The parser's place is left alone; its line is gone.
+  /// Returns the subprogram that a call means, looked for in the file of the call, in the main
+  /// program and in the folder. `program` says that the call is M98 or G65. Returns nothing if
+  /// there is none, or if its file cannot be read, which is reported at `call`. The parser's place
+  /// stays; its line is lost.
   std::optional<Subprogram> find(const std::string& label, bool program, const SourcePos& call,
                                  std::string_view line);
-  /// All of the program's own file, in the order of their lines, those of one name too. The
-  /// parser's place is lost.
+  /// Returns all subprograms of the program's own file, in the order of their lines, including
+  /// several of one name. The parser's place is lost.
   std::vector<Subprogram> all_of_program();
-  /// A line has been seen whose label or keyword cannot be read: it may begin any subprogram.
+  /// Returns whether a line had a label or keyword that cannot be read: it may begin any
+  /// subprogram.
   bool has_unread_label() const noexcept { return unread_label_; }
-  /// The known label that resembles one that is not; empty if none does.
+  /// Returns the known label that resembles an unknown one; an empty string if none does.
   std::string nearest(const std::string& label) const;
 
-  /// Names, in the folder, of the files that have been called.
+  /// Returns the names, in the folder, of the files that have been called.
   std::vector<std::string> files() const;
-  /// Names, in the folder, under which calls have looked for a file that is not there: 1000 at
-  /// most.
+  /// Returns the names, in the folder, under which calls have looked for a file that is not there;
+  /// 1000 at most.
   const std::set<std::string>& missing_files() const noexcept { return missing_; }
-  /// A go() has failed: the parser stands nowhere in particular.
+  /// Returns whether a go() has failed: the parser then stands nowhere in particular.
   bool is_lost() const noexcept { return lost_; }
   const std::string& folder() const noexcept { return folder_; }
 

@@ -68,7 +68,7 @@ std::optional<ProgramLine> Parser::next_line(Read read) {
     if (lone_percent_.line > 0 && goes_on_after_end()) break;
     read();
     if (ended_) break;
-    const bool shown = line_.passed_over && passed_over_too_;
+    const bool shown = line_.skipped && skipped_too_;
     const bool says_nothing = words_.empty() && line_.statement == nullptr && !shown;
     if (says_nothing && !line_.broken) continue;
     if (!line_.broken) started_ = true;
@@ -120,8 +120,8 @@ bool Parser::is_readable() {
 /// No line of it can be read, or shown.
 void Parser::refuse_file(std::string_view encoding) {
   line_.text = {};
-  TextFault fault = wide_fault(encoding);
-  give_up(fault.code, 1, 1, std::move(fault.message));
+  TextError error = wide_error(encoding);
+  give_up(error.code, 1, 1, std::move(error.message));
   ended_ = broke_off_ = true;
 }
 
@@ -149,9 +149,9 @@ Token Parser::read_word(Lexer& lexer, const Token& letter) {
   }
   if (letter.letter == 'O' && read_o_word(lexer, letter)) return {};
   const Token number = lexer.next();
-  if (number.kind != Token::Kind::number || number.fault == NumberFault::no_digits)
+  if (number.kind != Token::Kind::number || number.error == NumberError::no_digits)
     return read_value(lexer, letter, number);
-  if (number.fault != NumberFault::none) {
+  if (number.error != NumberError::none) {
     refuse_number(letter, number);
     return {};
   }

@@ -24,7 +24,7 @@ struct Word {
   SourcePos pos;
 };
 
-/// What a line says. Views are valid until the parser's next line.
+/// A line and what it says. Views are valid until the parser reads its next line.
 struct ProgramLine {
   int number = 0;
   std::string_view text;
@@ -32,8 +32,8 @@ struct ProgramLine {
   const Statement* statement = nullptr;  // what it says about the order of lines, if anything
   bool skip = false;                     // begins with '/'
   bool broken = false;                   // reported already; `words` are those that could be read
-  Letters unread;                        // letters of words whose value is not known
-  bool passed_over = false;              // what stands after a THEN: it does not count
+  LetterSet unread;                      // letters of words whose value is not known
+  bool skipped = false;                  // what stands after a THEN: it does not count
   std::string_view called;               // FANUC: the program that it calls by name, in lower case
 };
 
@@ -47,47 +47,48 @@ class Parser {
  public:
   Parser(Reader& reader, Diagnostics& diagnostics) : reader_(&reader), diagnostics_(diagnostics) {}
 
-  /// Expects that no line has been read. Variables begin without values.
+  /// Sets the options. Requires that no line has been read. Variables begin without values.
   void configure(const ParserOptions& options);
 
-  /// The next line that has words or a statement or is broken; nothing at the end of the program,
-  /// which is the end of the text or a second '%'. Assignments take effect, conditions are
-  /// evaluated; the condition of an elseif is not.
+  /// Returns the next line that has words or a statement or is broken; nothing at the end of the
+  /// program, which is the end of the text or a second '%'. Assignments take effect and conditions
+  /// are evaluated, except the condition of an elseif.
   std::optional<ProgramLine> next();
-  /// The same, but that it does not wait for a pipe: then waiting() is true.
+  /// Returns the same, but does not wait for a pipe: where it would have to, it returns nothing and
+  /// waiting() is true.
   std::optional<ProgramLine> next_if_there();
   bool waiting() const noexcept { return !ended_ && reader_->waiting(); }
 
-  /// The next line that has a line number or a statement, of which only kind and label are read:
-  /// for lines that are passed over. Nothing is evaluated, assigned or reported.
+  /// Returns the next line that has a line number or a statement, of which only kind and label are
+  /// read: for lines that are skipped. Evaluates, assigns and reports nothing.
   std::optional<ProgramLine> next_statement();
-  /// The line last read once more, as by next(), the condition of an elseif included. Expects that
-  /// the Reader has not gone on.
+  /// Reads the line last read once more, as next() does, including the condition of an elseif.
+  /// Requires that the Reader has not gone on.
   ProgramLine evaluate();
 
-  /// Reads on from where this reader stands, as if the program went on there. `file` is the
-  /// SourcePos::file of its text; at its beginning a '%' does not end it.
+  /// Reads on from where this reader stands, as if the program continued there. `file` is the
+  /// SourcePos::file of its text; at the beginning of that a '%' does not end it.
   void read_on(Reader& reader, int file, bool at_beginning) noexcept;
   Reader& reader() const noexcept { return *reader_; }
   int file() const noexcept { return file_; }
 
   Parameters& parameters() noexcept { return parameters_; }
 
-  /// After an error it is not known which lines are executed: from here on an alarm of the program
-  /// is passed over, since it may be that nothing leads to it.
+  /// Records that an error has left open which lines are executed. From then on an alarm of the
+  /// program is skipped, since it may be unreachable.
   void lose_order() noexcept { order_unknown_ = true; }
-  /// From here on lines are read for what is wrong with them alone: what stands after a THEN too,
+  /// Makes the parser read lines only for their errors, including what stands after a THEN,
   /// whatever its condition.
   void only_read() noexcept { only_read_ = true; }
-  /// Lines that say nothing, except for what stands after a THEN that does not count, are handed
-  /// out as well.
-  void show_passed_over() noexcept { passed_over_too_ = true; }
+  /// Makes next() also return lines that are empty except for what stands after a THEN whose
+  /// condition is false.
+  void show_skipped() noexcept { skipped_too_ = true; }
 
-  /// Bytes of all lines read; a line that is read again counts again.
+  /// Returns the number of bytes of all lines read; a line that is read again counts again.
   std::int64_t bytes_read() const noexcept { return bytes_read_; }
-  /// Number of the line last read.
+  /// Returns the number of the line last read.
   int line() const noexcept { return reader_->line(); }
-  /// The text could not be read to its end: that has been reported.
+  /// Returns whether the text could not be read to its end, which has been reported.
   bool broke_off() const noexcept { return broke_off_; }
 
  private:
@@ -144,9 +145,9 @@ class Parser {
   bool only_line_number() const noexcept;
   void give_up(Code code, int column, int length, std::string message);
   void give_up(Code code, const Token& token, std::string message);
-  void give_up(const std::optional<Fault>& fault, Lexer& lexer);
+  void give_up(const std::optional<LineError>& error, Lexer& lexer);
   void report(Code code, int column, int length, std::string message);
-  void report(const std::optional<Fault>& fault);
+  void report(const std::optional<LineError>& error);
   void lose_rest();
 
   void name_file() noexcept;
@@ -170,7 +171,7 @@ class Parser {
   std::int64_t bytes_read_ = 0;
   int begin_ = 0;               // the column of the word in work
   bool order_unknown_ = false;  // which lines are executed
-  bool only_read_ = false, passed_over_too_ = false;
+  bool only_read_ = false, skipped_too_ = false;
 };
 
 }  // namespace softcnc::ipr

@@ -63,9 +63,9 @@ constexpr const char* kFanucName = "; the name of a program is read in the fanuc
 constexpr bool is_acting(char letter) noexcept { return letter == 'G' || letter == 'M'; }
 
 /// The letters of the words in a text, comments left out; all of them where it begins with none.
-Letters letters_in(std::string_view text) noexcept {
+LetterSet letters_in(std::string_view text) noexcept {
   if (text.empty() || !is_letter(text.front())) return kAllLetters;
-  Letters letters;
+  LetterSet letters;
   for (std::size_t at = 0; at < text.size() && text[at] != ';'; ++at) {
     if (text[at] == '(') at = std::min(text.find(')', at), text.size() - 1);
     if (is_letter(text[at])) letters.add(upper_case(text[at]));
@@ -122,10 +122,10 @@ bool Parser::has_word_before(int column) const noexcept {
 }
 
 void Parser::refuse_number(const Token& letter, const Token& number) {
-  TextFault fault = number_fault(number.fault, text_of(line_.text, number), {&letter.letter, 1});
-  if (letter.letter == 'O' && number.fault == NumberFault::no_digits)
-    fault.message += kLetterForDigit;
-  give_up(fault.code, number.column, number.length, std::move(fault.message));
+  TextError error = number_error(number.error, text_of(line_.text, number), {&letter.letter, 1});
+  if (letter.letter == 'O' && number.error == NumberError::no_digits)
+    error.message += kLetterForDigit;
+  give_up(error.code, number.column, number.length, std::move(error.message));
 }
 
 /// Whatever does not begin a word.
@@ -217,7 +217,7 @@ Token Parser::read_called(Lexer& lexer, const Token& mark) {
   Expression name(lexer, parameters_);
   const auto named = name.variable();
   if (!named) {
-    give_up(name.fault(), lexer);
+    give_up(name.error(), lexer);
     return {};
   }
   line_.called = called_ = named->name;
@@ -270,7 +270,7 @@ bool Parser::goes_on_after_end() {
     return false;
   report(Code::SC1012, first.column, first.length,
          "the '%' on line " + std::to_string(lone_percent_.line) +
-             " ends the program, and no '%' has begun it: this would be lost");
+             " ends the program without an opening '%'; the lines after it would be ignored");
   ended_ = broke_off_ = true;
   return true;
 }
@@ -316,20 +316,20 @@ void Parser::give_up(Code code, const Token& token, std::string message) {
   give_up(code, token.column, token.length, std::move(message));
 }
 
-/// For a fault after which nothing of the line can be trusted.
+/// For an error after which nothing of the line can be trusted.
 void Parser::give_up(Code code, int column, int length, std::string message) {
   report(code, column, length, std::move(message));
   lose_rest();
 }
 
-void Parser::report(const std::optional<Fault>& fault) {
-  if (fault) report(fault->code, fault->column, fault->length, fault->message);
+void Parser::report(const std::optional<LineError>& error) {
+  if (error) report(error->code, error->column, error->length, error->message);
 }
 
-/// The same for a fault in an expression; without one the next token shows what is wrong.
-void Parser::give_up(const std::optional<Fault>& fault, Lexer& lexer) {
-  if (fault)
-    report(fault);
+/// The same for an error in an expression; without one the next token shows what is wrong.
+void Parser::give_up(const std::optional<LineError>& error, Lexer& lexer) {
+  if (error)
+    report(error);
   else
     read_mark(lexer, lexer.next());
   lose_rest();

@@ -74,7 +74,7 @@ void Parser::read_outline() {
   token = pass_slash(lexer, token);
   if (token.kind == Token::Kind::letter && token.letter == 'N') {
     const Token number = lexer.next();
-    line_.broken = number.kind != Token::Kind::number || number.fault != NumberFault::none;
+    line_.broken = number.kind != Token::Kind::number || number.error != NumberError::none;
     if (line_.broken) return;
     const int length = number.end_column() - token.column;
     words_.push_back({'N', number.value, {line_.number, token.column, length}});
@@ -135,8 +135,8 @@ std::optional<Token> Parser::read_keyword(Lexer& lexer, const Token& letter) {
   if (found == Found::nothing) return std::nullopt;
   lexer = ahead;
   if (found != Found::statement && depth_ != Depth::outline) {
-    report(reader.fault());
-    const bool known = !reader.fault() && !statement_.unknown;
+    report(reader.error());
+    const bool known = !reader.error() && !statement_.unknown;
     return known && found == Found::then_true ? lexer.next() : read_consequence(lexer, known);
   }
   if (found == Found::statement) settle(reader, lexer);
@@ -147,7 +147,7 @@ std::optional<Token> Parser::read_keyword(Lexer& lexer, const Token& letter) {
 /// known, nor is what the line does.
 Token Parser::read_consequence(Lexer& lexer, bool known) {
   if (only_read_) return lexer.next();
-  line_.passed_over = known;
+  line_.skipped = known;
   if (!known) lose_rest();
   return {};
 }
@@ -159,8 +159,8 @@ void Parser::settle(const StatementReader& reader, Lexer& lexer) {
     line_.broken = reader.broke_off();
     return;
   }
-  if (reader.broke_off()) return give_up(reader.fault(), lexer);
-  report(reader.fault());
+  if (reader.broke_off()) return give_up(reader.error(), lexer);
+  report(reader.error());
   if (statement_.unknown) line_.broken = true;
 }
 
@@ -192,14 +192,14 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
   if (!variable || (computed && !assignable)) parameters_.lose_all(true);
   if (expression.broke_off()) {
     if (assignable) assign(std::move(*variable), kUnknown);
-    give_up(expression.fault(), lexer);
+    give_up(expression.error(), lexer);
     return {};
   }
   if (refuse_operation(lexer, begin)) {
     if (assignable) assign(std::move(*variable), kUnknown);
     return {};
   }
-  report(expression.fault());
+  report(expression.error());
   if (is_unknown(value) || !variable) line_.broken = true;
   if (assignable) assign(*variable, only_read_ ? kUnknown : within_limit(*variable, value, at));
   return lexer.next();
@@ -211,10 +211,10 @@ Token Parser::read_order(Lexer& lexer, const Token& sign, int number) {
   if (!lexer.take('=')) expression.refuse_next(Code::SC1028, "'=' and a value");
   const double value = expression.broke_off() ? kUnknown : expression.value();
   if (expression.broke_off()) {
-    give_up(expression.fault(), lexer);
+    give_up(expression.error(), lexer);
     return {};
   }
-  report(expression.fault());
+  report(expression.error());
   const int length = lexer.end() - sign.column;
   if (is_unknown(value))
     line_.broken = true;
@@ -227,8 +227,8 @@ Token Parser::read_order(Lexer& lexer, const Token& sign, int number) {
 
 /// LinuxCNC's (ABORT,text), as the last comment of a line that is no statement.
 void Parser::obey_comment(int column) {
-  const bool passed_over = line_.broken || line_.statement != nullptr || ended_;
-  if (passed_over || options_.dialect != Dialect::linuxcnc) return;
+  const bool skipped = line_.broken || line_.statement != nullptr || ended_;
+  if (skipped || options_.dialect != Dialect::linuxcnc) return;
   const std::string_view after = line_.text.substr(static_cast<std::size_t>(column));
   const std::string_view comment = after.substr(0, after.find(')'));
   const auto text = text_of_abort(comment);

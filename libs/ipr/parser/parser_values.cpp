@@ -7,7 +7,7 @@ namespace softcnc::ipr {
 namespace {
 
 // FANUC: in a length ROUND keeps the digits of its least increment.
-constexpr Letters kLengths{"ABCIJKQRUVWXYZ"};
+constexpr LetterSet kLengths{"ABCIJKQRUVWXYZ"};
 constexpr double kPerMm = 1000, kPerInch = 10000;
 
 /// A function's name, followed by its bracket.
@@ -83,11 +83,11 @@ Token Parser::read_expression(Lexer& lexer, const Token& letter) {
   note(expression.other_value());
   const int length = lexer.end() - letter.column;
   if (expression.broke_off()) {
-    give_up(expression.fault(), lexer);
+    give_up(expression.error(), lexer);
     return {};
   }
   if (refuse_operation(lexer, begin)) return {};
-  report(expression.fault());
+  report(expression.error());
   if (is_unknown(value)) {
     line_.unread.add(letter.letter);
     line_.broken = true;

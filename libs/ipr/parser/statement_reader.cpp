@@ -105,7 +105,7 @@ bool StatementReader::read_label() {
   }
   if (is_digit(first)) {
     const Token number = lexer_.take_number();
-    if (number.fault != NumberFault::none) return false;
+    if (number.error != NumberError::none) return false;
     set_label(number.value, begin);
     return !broke_off_;
   }
@@ -290,7 +290,7 @@ StatementReader::Found StatementReader::read_jump() {
 StatementReader::Found StatementReader::read_loop(StatementKind kind) {
   statement_.kind = kind;
   const Token number = lexer_.take_number();
-  if (number.fault == NumberFault::none)
+  if (number.error == NumberError::none)
     set_label(number.value, number.column);
   else
     stop(Code::SC1029, number.column, number.end_column(), kLabel);
@@ -311,7 +311,7 @@ bool StatementReader::condition() {
 
 /// The value of an expression, after what is to be known about it.
 double StatementReader::keep(const Expression& expression, double value) {
-  if (!fault_) fault_ = expression.fault();
+  if (!error_) error_ = expression.error();
   if (!other_) other_ = expression.other_value();
   broke_off_ = broke_off_ || expression.broke_off();
   statement_.unknown = statement_.unknown || is_unknown(value);
@@ -329,7 +329,7 @@ StatementReader::Found StatementReader::finish() {
 }
 
 void StatementReader::stop(Code code, int begin, int end, std::string message) {
-  if (!fault_) fault_ = Fault{code, begin, end - begin, std::move(message)};
+  if (!error_) error_ = LineError{code, begin, end - begin, std::move(message)};
   broke_off_ = true;
 }
 

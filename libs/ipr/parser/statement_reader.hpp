@@ -23,7 +23,7 @@ class StatementReader {
   enum class Found : std::uint8_t {
     nothing,     // no statement: the lexer stands where it stood
     program,     // O and a number alone: likewise
-    statement,   // the whole line, or as much as fault() lets be read
+    statement,   // the whole line, or as much as error() lets be read
     then_true,   // IF [..] THEN: what follows counts
     then_false,  // what follows does not count
   };
@@ -31,15 +31,16 @@ class StatementReader {
   StatementReader(Lexer& lexer, const Parameters& parameters, Statement& statement, Depth depth)
       : lexer_(lexer), parameters_(parameters), statement_(statement), depth_(depth) {}
 
-  /// Reads what follows an O; `at` is the place of the O.
+  /// Reads what follows an O, which is at `at`.
   Found read_o_word(SourcePos at);
-  /// Reads from the first letter of a line on, whose place is `at`.
+  /// Reads a line from its first letter on, which is at `at`.
   Found read_keyword(SourcePos at);
 
-  const std::optional<Fault>& fault() const noexcept { return fault_; }
-  /// The first expression that has another value in the other dialect.
+  const std::optional<LineError>& error() const noexcept { return error_; }
+  /// Returns the first expression that has another value in the other dialect.
   const std::optional<OtherValue>& other_value() const noexcept { return other_; }
-  /// The rest of the line cannot be understood. Without a fault the lexer's next token shows why.
+  /// Returns whether the rest of the line cannot be understood. If there is no error() then, the
+  /// lexer's next token shows why.
   bool broke_off() const noexcept { return broke_off_; }
 
  private:
@@ -67,7 +68,7 @@ class StatementReader {
   const Parameters& parameters_;
   Statement& statement_;
   Depth depth_;
-  std::optional<Fault> fault_;
+  std::optional<LineError> error_;
   std::optional<OtherValue> other_;
   bool broke_off_ = false;
 };

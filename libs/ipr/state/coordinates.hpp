@@ -6,7 +6,8 @@
 
 namespace softcnc::ipr {
 
-/// machine = tool + origin + R (program + shift), with R the rotation of the work system about Z.
+/// The conversion machine = tool + origin + R (program + shift), in mm, with R the rotation of the
+/// work system about Z.
 class Coordinates {
  public:
   Coordinates() = default;
@@ -14,11 +15,11 @@ class Coordinates {
 
   AxisVector to_machine(const AxisVector& program) const noexcept;
   AxisVector to_program(const AxisVector& machine) const noexcept;
-  /// Of a distance: only the rotation counts.
+  /// Returns a programmed distance in machine axes: only the rotation counts.
   AxisVector direction(const AxisVector& program) const noexcept;
 
   bool rotated() const noexcept { return sine_ != 0 || cosine_ != 1; }
-  /// What is added to a coordinate where nothing is rotated, mm.
+  /// Returns what is added to a coordinate where nothing is rotated, mm.
   const AxisVector& sum() const noexcept { return sum_; }
 
  private:

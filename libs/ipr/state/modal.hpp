@@ -16,7 +16,7 @@
 
 namespace softcnc::ipr {
 
-/// Where a curve over several lines began.
+/// The beginning of a curve over several lines.
 struct CurveHead {
   double feed = 0;   // mm/s
   SourcePos source;  // of its first line
@@ -30,7 +30,7 @@ struct PendingCurve {
   NurbsSpec spec;  // what has been read so far
   int order = 0;
   int closing_knots = 0;  // read so far
-  Letters axes;           // of the curve; empty until a block names one
+  LetterSet axes;         // of the curve; empty until a block names one
   bool repeats = false;   // LinuxCNC's form: G06.2 in its second block too
   double order_word = 0;  // P as written; 0: left out
 };
@@ -45,26 +45,26 @@ struct PendingPoints {
   int blocks = 0;                  // that named a point
 };
 
-/// The end of a curve of G05: the next one may go on from it without a bend.
+/// The end of a curve of G05. The next one may go on from it without a jump of its direction.
 struct CurveEnd {
   AxisVector position;  // mm, machine coordinates
   AxisVector handle;    // mm: from there to the first control point of the curve that goes on
   Plane plane;          // in which it lies
 };
 
-/// Where G40 has left the tool: beside the programmed position, until a move leads away.
+/// The place where G40 has left the tool: beside the programmed position, until a move leads away.
 struct Beside {
   AxisVector tool;  // mm, machine coordinates
   Plane plane;      // of the contour
 };
 
-/// Words of a canned cycle that stay in force with it: mm, s; as programmed.
+/// The words of a canned cycle that stay in force with it: mm, s; as programmed.
 struct CycleWords {
   std::optional<double> retract, bottom, dwell, peck;
   double start = 0;  // mm, programmed: the height before the first cycle of a row
 };
 
-/// What M70 or M73 has saved.
+/// The modes that M70 or M73 has saved.
 struct SavedModes {
   Modes modes;
   int work_system = 0;  // index, of G54 to G59.3
@@ -79,14 +79,14 @@ struct Restored {
   SourcePos pos;  // of the end of the call
 };
 
-/// The start state is that of a new Modal.
+/// The state from line to line; a new Modal is that at the start of a program.
 struct Modal : Modes {
   AxisVector position = AxisVector::Zero();     // mm, machine coordinates: the end of the last move
   MachineState state;                           // offsets and what else outlives the program
   AxisVector local_shift = AxisVector::Zero();  // mm: of G52 in the fanuc dialect
   AxisVector shift_of_g52 = AxisVector::Zero();  // mm: in linuxcnc, what of the shift G52 has set
   Coordinates coordinates;                       // made of these by update_coordinates()
-  /// What the other dialect goes by, once an offset has been assigned to.
+  /// The coordinates of the other dialect, once an offset has been assigned to.
   std::optional<Coordinates> coordinates_there;
   bool machine_coordinates = false;     // on this line: G53
   bool stops_once = false;              // on this line: G09
@@ -117,12 +117,13 @@ struct Modal : Modes {
   AxisVector shift() const noexcept {
     return state.shift_on ? AxisVector(state.shift + local_shift) : local_shift;
   }
-  /// After a change of an offset. The position of the machine stays.
+  /// Recomputes the coordinates after a change of an offset. The position of the machine stays.
   void update_coordinates() noexcept {
     coordinates = Coordinates(work(), shift(), tool_offset);
     coordinates_there.reset();
   }
-  /// After an assignment to an offset, which counts at once or when coordinates are updated next.
+  /// Recomputes the coordinates after an assignment to an offset, which counts at once or when
+  /// coordinates are updated next.
   void assign_offset(bool at_once) noexcept {
     const Coordinates assigned(work(), shift(), tool_offset);
     if (!coordinates_there) coordinates_there = coordinates;

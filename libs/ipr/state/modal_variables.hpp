@@ -10,12 +10,12 @@
 
 namespace softcnc::ipr {
 
-/// What an error has made unknown is kUnknown. Offsets, lengths and radii are in mm, as a machine
-/// keeps them, in the fanuc dialect in the units of the program; rotations are in degrees, the rest
-/// is in the units of the program.
+/// The variables of position, offsets and modes. What an error has made unknown is kUnknown.
+/// Offsets, lengths and radii are in mm, as a machine keeps them; in the fanuc dialect they are in
+/// the units of the program. Rotations are in degrees, the rest is in the units of the program.
 class ModalVariables final : public SystemVariables {
  public:
-  /// What is referred to must outlive the variables.
+  /// Makes the variables. Everything referred to must outlive them.
   ModalVariables(Modal& modal, const Machine& machine, Dialect dialect)
       : modal_(modal), machine_(machine), dialect_(dialect) {}
 

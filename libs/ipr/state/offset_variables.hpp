@@ -18,7 +18,8 @@ struct OffsetVariable {
   double limit = kFarthest;
 };
 
-/// Reference points, the shift of G92, work systems.
+/// Returns the variable of a reference point, the shift of G92 or a work system; nothing if the
+/// number is of none of them.
 std::optional<OffsetVariable> offset_variable(int number, MachineState& state, Dialect dialect);
 
 /// A value of one tool, mm.
@@ -27,10 +28,12 @@ struct ToolVariable {
   double& (*of)(ToolOffset&);
 };
 
-/// Lengths, radii and their wear, as FANUC numbers them.
+/// Returns the variable of a length, a radius or its wear, as FANUC numbers them; nothing if the
+/// number is of none of them.
 std::optional<ToolVariable> tool_variable(int number);
 
-/// Index of an axis if `number` is that of the range that begins at `first`; otherwise -1.
+/// Returns the index of an axis if `number` is in the range of one number per axis that begins at
+/// `first`; otherwise -1.
 constexpr int axis_in(int number, int first) noexcept {
   return number >= first && number < first + kAxes ? number - first : -1;
 }

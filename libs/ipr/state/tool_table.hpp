@@ -10,18 +10,18 @@
 
 namespace softcnc::ipr {
 
-/// Where tools are looked up; what is referred to must outlive it.
+/// The tools of G10 and of the machine file. Everything referred to must outlive the table.
 struct ToolTable {
   MachineState& state;
   const Machine& machine;
   Dialect dialect;
 
-  /// Nothing if there is a tool table without it.
+  /// Returns the offsets of a tool; nothing if there are tools, but not this one.
   std::optional<ToolOffset> find(int number) const;
-  /// Its row, which may be new.
+  /// Returns the row of a tool, and makes it if there is none.
   ToolOffset& row(int number) const;
-  /// mm, with its wear: as G10 has set it, or else as the machine file says; nothing if neither
-  /// does.
+  /// Returns the radius of a tool with its wear, mm: as G10 has set it, otherwise as the machine
+  /// file states it; nothing if neither does.
   std::optional<double> radius(int number) const;
 };
 

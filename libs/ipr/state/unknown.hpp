@@ -41,13 +41,13 @@ class Unknown : public SmallSet<Unknown, Part> {
 };
 
 inline constexpr Unknown kPosition{Part::x, Part::y, Part::z};
-/// What lies between programmed and machine coordinates.
+/// The parts between programmed and machine coordinates.
 inline constexpr Unknown kOffsets{Part::tool_length, Part::work_system, Part::shift};
-/// What a programmed coordinate is read by.
+/// The parts by which a programmed coordinate is read.
 inline constexpr Unknown kCoordinates = kOffsets | Unknown{Part::units, Part::distance};
 inline constexpr Unknown kEverything = Unknown::up_to(Part::end);
 
-/// The position along an axis: 0 is X.
+/// Returns the part that is the position along an axis; 0 is X.
 constexpr Part position_part(int axis) noexcept {
   return static_cast<Part>(static_cast<int>(Part::x) + axis);
 }

@@ -16,14 +16,15 @@ class CalledTexts {
  public:
   static constexpr std::int64_t kLongest = std::int64_t{1} << 30;  // bytes
 
-  /// What the file held when it was first asked for; nothing where there was none then. A folder
-  /// without a suffix is none. Errors: SC6031; SC6033 for what is no regular file, to which a link
-  /// may lead; SC6034; SC6003 where it cannot be kept.
+  /// Returns what the file held when it was first asked for, or nothing where there was none then;
+  /// a folder without a suffix counts as none. Errors: SC6031; SC6033 if the path, or where it
+  /// links to, is not a regular file; SC6034 if it is longer than kLongest; SC6003 if its text
+  /// cannot be kept.
   const Result<std::optional<Snapshot>>& find(const std::string& path);
 
-  /// From now on `path` is found to hold this text.
+  /// Makes later calls of find() return this text for `path`.
   void put(const std::string& path, Snapshot text);
-  /// From now on no file is looked for.
+  /// Makes later calls of find() look for no file that has not been found before.
   void close() noexcept { is_closed_ = true; }
 
  private:

@@ -8,17 +8,17 @@
 
 namespace softcnc::ipr {
 
-/// Expects upper-case letters everywhere.
-class Letters : public SmallSet<Letters, char, 'A'> {
+/// A set of letters. Requires upper-case letters everywhere.
+class LetterSet : public SmallSet<LetterSet, char, 'A'> {
  public:
-  constexpr Letters() = default;
-  constexpr Letters(std::string_view letters) noexcept {
+  constexpr LetterSet() = default;
+  constexpr LetterSet(std::string_view letters) noexcept {
     for (const char letter : letters) add(letter);
   }
-  constexpr Letters(const char* letters) noexcept : Letters(std::string_view(letters)) {}
+  constexpr LetterSet(const char* letters) noexcept : LetterSet(std::string_view(letters)) {}
 };
 
-inline constexpr Letters kAxisWords{"XYZ"};
-inline constexpr Letters kAllLetters = Letters::up_to('Z');
+inline constexpr LetterSet kAxisWords{"XYZ"};
+inline constexpr LetterSet kAllLetters = LetterSet::up_to('Z');
 
 }  // namespace softcnc::ipr

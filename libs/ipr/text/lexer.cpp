@@ -120,7 +120,7 @@ Token Lexer::take_number() {
   const Number number = read_number(rest.substr(0, rest.find_first_not_of("0123456789. \t\v\f")));
   Token read = token(Token::Kind::number, number.length);
   read.value = number.value;
-  read.fault = number.fault;
+  read.error = number.error;
   return read;
 }
 
@@ -155,7 +155,7 @@ Token Lexer::read_number_token() {
   const Number number = read_number(line_.substr(at_));
   Token read = token(Token::Kind::number, number.length);
   read.value = number.value;
-  read.fault = number.fault;
+  read.error = number.error;
   return read;
 }
 

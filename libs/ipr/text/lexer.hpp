@@ -25,7 +25,7 @@ struct Token {
   };
   Kind kind = Kind::end;
   char letter = 0;  // upper case
-  NumberFault fault = NumberFault::none;
+  NumberError error = NumberError::none;
   double value = 0;  // of a number
   int column = 1;    // of the first byte
   int length = 1;    // bytes
@@ -33,7 +33,7 @@ struct Token {
   int end_column() const noexcept { return column + length; }
 };
 
-/// A letter and the number right after it.
+/// A word as most are written: a letter and the number right after it.
 struct PlainWord {
   char letter = 0;  // upper case
   double value = 0;
@@ -44,42 +44,44 @@ class Lexer {
  public:
   explicit Lexer(std::string_view line) noexcept : line_(line) {}
 
-  /// After the last token: Kind::end, again and again.
+  /// Returns the next token. After the last one it returns Kind::end, however often it is called.
   Token next();
 
-  /// Passes the word that is next if it is written as most are; false if it is not. E and O can be
-  /// more than the letter of a word.
+  /// Passes the next word if it is written as most are, and returns whether it is. E and O are
+  /// refused, since they can be more than the letter of a word.
   bool take_plain_word(PlainWord& word) noexcept;
 
   // The same text by characters, for expressions and statements.
-  /// The next character in upper case, blanks and comments passed over; 0 at the end.
+  /// Returns the next character in upper case, after blanks and comments; 0 at the end.
   char peek() noexcept;
-  /// Column of what peek() shows.
+  /// Returns the column of what peek() shows.
   int column() noexcept;
-  /// Column after what was passed last.
+  /// Returns the column after what was passed last.
   int end() const noexcept { return static_cast<int>(at_) + 1; }
-  /// The very next character, no blank before it, is a letter.
+  /// Returns whether the very next character, with no blank before it, is a letter.
   bool at_letter() const noexcept;
-  /// Column of the last character passed that is no blank.
+  /// Returns the column of the last character passed that is not a blank.
   int last_column() const noexcept;
-  /// Column of the comment in ( ) that was passed last; 0: none was.
+  /// Returns the column of the comment in parentheses that was passed last; 0 if none was.
   int comment_column() const noexcept { return comment_column_; }
   /// Goes back to before a token.
   void back_to(const Token& token) noexcept { at_ = static_cast<std::size_t>(token.column) - 1; }
   /// Passes the character that peek() has shown.
   void pass() noexcept { ++at_; }
-  /// Passes the character, or the letters (upper case, blanks between them allowed), if they are
-  /// next.
+  /// Passes the character, or the letters (upper case; blanks between them are allowed), if they
+  /// are next, and returns whether they are.
   bool take(char wanted) noexcept;
   bool take(std::string_view wanted) noexcept;
   /// Passes the letters that are next and returns them.
   std::string_view take_letters() noexcept;
-  /// Passes a number without a sign: what looks like one, from the next character on.
+  /// Passes a number without a sign and returns it: whatever looks like one, from the next
+  /// character on.
   Token take_number();
-  /// Passes what stands before the next '[', and all to its ']'; false, and somewhere after, if
-  /// one of them is missing.
+  /// Passes everything up to the next '[' and its ']'. Returns false if one of them is missing; the
+  /// lexer then stands somewhere after.
   bool pass_brackets() noexcept;
-  /// Passes what stands before '>', and the '>'; nothing if there is none.
+  /// Passes everything up to and including '>' and returns what stands before it. Returns nothing,
+  /// and passes nothing, if there is no '>'.
   std::optional<std::string_view> take_name() noexcept;
 
  private:
@@ -93,7 +95,8 @@ class Lexer {
   int comment_column_ = 0;
 };
 
-/// Bytes of the UTF-8 character at the beginning of `text`; 1 if it is none. Expects some text.
+/// Returns the number of bytes of the UTF-8 character at the beginning of `text`; 1 if there is no
+/// valid one. Requires a `text` that is not empty.
 std::size_t character_length(std::string_view text) noexcept;
 
 }  // namespace softcnc::ipr

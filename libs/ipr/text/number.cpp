@@ -11,8 +11,8 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr std::uint64_t kExact = std::uint64_t{1} << 53U;       // integers below are doubles
-constexpr std::uint64_t kRoomForDigit = (UINT64_MAX - 9) / 10;  // one digit more fits below
+constexpr std::uint64_t kExact = std::uint64_t{1} << 53U;          // integers below are doubles
+constexpr std::uint64_t kMostBeforeDigit = (UINT64_MAX - 9) / 10;  // one digit more fits below
 
 struct Scan {
   std::uint64_t digits = 0;  // all digits as one integer, as long as they fit
@@ -25,7 +25,7 @@ struct Scan {
       ++decimals;
     else if (digits != 0 || c != '0')
       ++integer_digits;
-    if (digits > kRoomForDigit)
+    if (digits > kMostBeforeDigit)
       overflow = true;
     else
       digits = digits * 10 + static_cast<std::uint64_t>(c - '0');
@@ -63,20 +63,20 @@ Number read_number(std::string_view text) {
     if (is_digit(c)) {
       scan.take_digit(c);
     } else if (c == '.') {
-      if (scan.point) number.fault = NumberFault::two_points;
+      if (scan.point) number.error = NumberError::two_points;
       scan.point = true;
     } else if (c == '-' || c == '+') {
-      if (number.length > 0) number.fault = NumberFault::sign_inside;
+      if (number.length > 0) number.error = NumberError::sign_inside;
       scan.negative = c == '-';
     } else {
       break;
     }
     number.length = i + 1;
   }
-  if (number.fault != NumberFault::none) return number;
-  if (!scan.any_digit) number.fault = NumberFault::no_digits;
-  if (scan.integer_digits > kIntegerDigits) number.fault = NumberFault::too_large;
-  if (number.fault == NumberFault::none)
+  if (number.error != NumberError::none) return number;
+  if (!scan.any_digit) number.error = NumberError::no_digits;
+  if (scan.integer_digits > kIntegerDigits) number.error = NumberError::too_large;
+  if (number.error == NumberError::none)
     number.value = value_of(scan, text.substr(0, number.length));
   return number;
 }

@@ -13,15 +13,15 @@
 
 namespace softcnc::ipr {
 
-enum class NumberFault : std::uint8_t { none, no_digits, sign_inside, two_points, too_large };
+enum class NumberError : std::uint8_t { none, no_digits, sign_inside, two_points, too_large };
 
 struct Number {
-  double value = 0;        // nearest to what is written; 0 if there is a fault
+  double value = 0;        // nearest to what is written; 0 if there is an error
   std::size_t length = 0;  // bytes read, without blanks after
-  NumberFault fault = NumberFault::none;
+  NumberError error = NumberError::none;
 };
 
-inline constexpr int kIntegerDigits = 9;  // before the point; more is NumberFault::too_large
+inline constexpr int kIntegerDigits = 9;  // before the point; more is NumberError::too_large
 
 inline constexpr std::string_view kBlanks = " \t\v\f";
 constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
@@ -43,7 +43,7 @@ inline constexpr std::array<double, 23> kPowersOfTen{1e0,  1e1,  1e2,  1e3,  1e4
                                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-/// Eight characters at once, the first one in the lowest byte.
+/// Reads eight characters at once, the first one in the lowest byte.
 struct EightCharacters {
   static constexpr bool kFits = std::endian::native == std::endian::little;
   static constexpr std::uint64_t kEach = 0x0101'0101'0101'0101;  // one in each byte
@@ -54,13 +54,14 @@ struct EightCharacters {
     std::memcpy(&values, at, sizeof values);
     values ^= kEach * '0';
   }
-  /// How many are digits before the first that is none. Beyond 9, or with the highest bit, is none;
-  /// a carry only goes to bytes after it.
+  /// Returns how many digits precede the first character that is not one. A byte beyond 9, or with
+  /// its highest bit set, is not a digit; a carry goes only to bytes after it.
   std::size_t digits() const noexcept {
     const std::uint64_t others = ((values + kEach * (0x7F - 9)) | values) & (kEach * 0x80);
     return static_cast<std::size_t>(std::countr_zero(others)) / 8;
   }
-  /// The number that the first `count` are, 1 to 8: by pairs, by fours, by eights.
+  /// Returns the number that the first `count` digits form: by pairs, by fours, by eights. Requires
+  /// a `count` from 1 to 8.
   std::uint64_t number(std::size_t count) const noexcept {
     const std::uint64_t aligned = values << (64 - 8 * count);
     const std::uint64_t pairs = aligned * 10 + (aligned >> 8U);
@@ -71,7 +72,8 @@ struct EightCharacters {
   }
 };
 
-/// Passes digits, which are added to `digits`; more than fit are lost.
+/// Appends the digits at `at` to the number `digits` and returns where they end. Digits that do not
+/// fit into 64 bits are lost.
 inline const char* pass_digits(const char* at, const char* end, std::uint64_t& digits) noexcept {
   constexpr std::array<std::uint64_t, 9> kTens{1,      10,      100,      1000,     10000,
                                                100000, 1000000, 10000000, 100000000};
@@ -88,14 +90,16 @@ inline const char* pass_digits(const char* at, const char* end, std::uint64_t& d
   return at;
 }
 
-/// Whether a number that seems to end here goes on, after blanks or as what is none.
+/// Returns whether a number that seems to end at `at` goes on, after blanks or with characters that
+/// make it an error.
 inline bool goes_on(const char* at, const char* end) noexcept {
   while (at != end && is_blank(*at)) ++at;
   return at != end && is_number_part(*at);
 }
 
-/// Reads a number as most are: at most 15 digits in a row. Returns its bytes; 0: it is another.
-/// Both operands are doubles exactly, so that one division rounds once (Clinger 1990).
+/// Reads a number as most are written, of at most 15 digits in a row, and returns its number of
+/// bytes; 0 if it is written otherwise. Both operands are doubles exactly, so that one division
+/// rounds once (Clinger 1990).
 inline std::size_t read_plain_number(std::string_view text, double& value) noexcept {
   constexpr std::ptrdiff_t kFew = 15;
   const char* const end = text.data() + text.size();
@@ -113,10 +117,11 @@ inline std::size_t read_plain_number(std::string_view text, double& value) noexc
   return static_cast<std::size_t>(at - text.data());
 }
 
-/// Reads everything at the beginning of `text` that looks like one number.
+/// Reads everything at the beginning of `text` that looks like one number. Number::error says what
+/// is wrong with it.
 Number read_number(std::string_view text);
 
-/// A number for a message: at most three decimals, no trailing zeros.
+/// Returns a number for a message, with at most three decimals and no trailing zeros.
 std::string number_text(double value);
 
 }  // namespace softcnc::ipr

@@ -26,7 +26,7 @@ constexpr int kMostLines = std::numeric_limits<int>::max() - 1;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr char kEndMark = '\x1A';
 constexpr std::string_view kBlanksAndEndMarks = " \t\v\f\x1A";
-constexpr std::string_view kBehindEndMark = " \t\v\f\x1A\r\n";
+constexpr std::string_view kAfterEndMark = " \t\v\f\x1A\r\n";
 
 Diagnostic cannot_read(Code code, const std::string& what, int error) {
   return {code, {}, "cannot read " + what + ": " + std::generic_category().message(error), {}, {}};
@@ -170,7 +170,7 @@ std::optional<std::string_view> Reader::take_marked(std::size_t line_end) {
 /// of them that they do not fit into the buffer are no end.
 bool Reader::only_blanks_follow(std::size_t length) {
   const auto is_blank_so_far = [&] {
-    return unread().find_first_not_of(kBehindEndMark, length) == std::string_view::npos;
+    return unread().find_first_not_of(kAfterEndMark, length) == std::string_view::npos;
   };
   while (is_blank_so_far() && read_ahead()) {
   }

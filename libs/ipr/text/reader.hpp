@@ -16,87 +16,91 @@
 
 namespace softcnc::ipr {
 
-/// Lines end with LF, CRLF or a lone CR; the last one may end without. A UTF-8 byte order mark is
-/// left out, and so are bytes of 0x1A (Ctrl-Z, by which DOS ended a text) at the end of the text.
+/// Reads a text line by line. Lines end with LF, CRLF or a lone CR; the last one may end without. A
+/// UTF-8 byte order mark is left out, and so are bytes of 0x1A (Ctrl-Z, by which DOS ended a text)
+/// at the end of the text.
 class Reader {
  public:
   static constexpr std::size_t kLongestLine = 16384;  // bytes
 
-  /// Between two lines.
+  /// A place between two lines.
   struct Place {
     std::uint64_t offset = 0;  // bytes from where reading began
     int line = 0;              // number of the line before
     bool after_cr = false;     // an LF that follows belongs to the line before
   };
 
-  /// "-" is standard input. Errors: SC6001 with the reason.
+  /// Opens a file, or standard input if its name is "-". Errors: SC6001 with the reason.
   static Result<Reader> open(const std::string& file);
   static Reader from_text(std::string text);
-  /// Reads on from where the descriptor stands; closing it is left to the caller.
+  /// Reads from where the descriptor stands. The caller closes the descriptor.
   explicit Reader(int descriptor) : Reader(descriptor, false) {}
-  /// Reads a regular file from `begin` on, in bytes, wherever the descriptor stands: several may
-  /// read one descriptor. Closing it is left to the caller.
+  /// Returns a reader of a regular file from `begin` on, in bytes, wherever the descriptor stands:
+  /// several readers may share one descriptor. The caller closes it.
   static Reader of_file(int descriptor, std::int64_t begin);
 
-  /// Reads what feed() will bring: where that is not enough for a line, next() gives nothing and
-  /// waiting() is true, until more comes or end_feed() says that nothing more will. Errors of
-  /// feed(): SC6032, where nothing more can be kept.
+  /// Returns a reader of what feed() will bring. Where that is not enough for a line, next()
+  /// returns nothing and waiting() is true, until more comes or end_feed() says that nothing more
+  /// will. Errors of feed(): SC6032, where nothing more can be kept.
   static Reader fed();
   Status feed(std::string_view text);
   void end_feed() noexcept { pipe_ended_ = true; }
 
-  /// Another reading from the beginning of what this one, which must outlive it, has got from its
-  /// pipe so far; after that it is waiting(). Where the pipe could not be kept it reads nothing.
+  /// Returns another reader, which begins with what this one has got from its pipe so far and is
+  /// then waiting(). This reader must outlive it. Where the pipe could not be kept the new reader
+  /// reads nothing.
   Reader again() const;
 
   Reader(Reader&& other) noexcept;
   Reader& operator=(Reader&& other) noexcept;
   ~Reader();
 
-  /// The next line without its end, valid until the next call; nothing at the end of the text or
-  /// after failure().
+  /// Returns the next line without its end; the view is valid until the next call. Returns nothing
+  /// at the end of the text or after failure(), and while waiting().
   std::optional<std::string_view> next();
 
-  /// After the line last read.
+  /// Returns the place after the line last read.
   Place place() const noexcept;
-  /// Before it, given what next() has returned.
+  /// Returns the place before the line last read; `last` is what next() has returned.
   Place place_before(std::string_view last) const noexcept;
-  /// Goes back, or on, to a place of this text. False where that cannot be: seek_failure().
+  /// Goes back, or on, to a place of this text. Returns false where that is not possible;
+  /// seek_failure() has the reason.
   bool seek(const Place& place);
-  /// Why the last seek() failed: SC6002, or SC6032 where a pipe could not be kept.
+  /// Returns why the last seek() failed: SC6002, or SC6032 where a pipe could not be kept.
   Diagnostic seek_failure() const;
 
-  /// What comes next and is in memory, as it is written; read_ahead() adds to it. False: no more,
-  /// or no more fits.
+  /// Returns the part of the text after the line last read that is in memory, as it is written;
+  /// read_ahead() adds to it, and returns false if nothing more comes or fits.
   std::string_view unread() const noexcept { return {buffer_.data() + begin_, end_ - begin_}; }
-  /// From the line last read on, given what next() has returned.
+  /// Returns the part of the text in memory from the line last read on; `last` is what next() has
+  /// returned.
   std::string_view text_from(std::string_view last) const noexcept {
     return {last.data(), static_cast<std::size_t>(buffer_.data() + end_ - last.data())};
   }
   bool read_ahead() { return end_ - begin_ < buffer_.size() / 2 && fill(); }
-  /// From here on next() gives nothing, and waiting() is true, where a pipe has nothing more yet.
+  /// Makes next() return nothing, with waiting() true, where a pipe has nothing more yet.
   void do_not_wait() noexcept { waits_ = false; }
-  /// From here on next() waits for whoever writes; so it is at the beginning.
+  /// Makes next() wait for whoever writes, as it does at first.
   void wait() noexcept { waits_ = true; }
   bool waiting() const noexcept { return waiting_; }
 
-  /// From the moment on at which a stop is requested, next() gives nothing, and waiting() is true,
-  /// also where it has been waiting for whoever writes.
+  /// Makes next() return nothing, with waiting() true, from the moment on at which a stop is
+  /// requested; a call that is waiting for whoever writes returns then too.
   void set_stop(std::stop_token stop) noexcept { stop_ = std::move(stop); }
   const std::stop_token& stop() const noexcept { return stop_; }
 
-  /// Takes what is read for the first time, piece by piece.
+  /// Receives each piece of the text when it is read for the first time.
   using Tap = std::function<void(std::string_view)>;
   void set_tap(Tap tap) { tap_ = std::move(tap); }
 
-  /// Bytes that have come through a pipe so far; 0 of a file.
+  /// Returns how many bytes have come through a pipe so far; 0 for a file.
   std::int64_t bytes() const noexcept { return static_cast<std::int64_t>(kept().size()); }
 
-  /// Number of the line last read, from 1; 0 before the first.
+  /// Returns the number of the line last read, from 1; 0 before the first.
   int line() const noexcept { return line_; }
-  /// The line last read was longer than kLongestLine and has been cut there.
+  /// Returns whether the line last read was longer than kLongestLine and has been cut there.
   bool line_was_cut() const noexcept { return line_was_cut_; }
-  /// Why reading broke off before the end: SC6002.
+  /// Returns why reading broke off before the end: SC6002.
   const std::optional<Diagnostic>& failure() const noexcept { return failure_; }
 
  private:

@@ -16,7 +16,7 @@ class SmallSet {
   constexpr SmallSet(std::initializer_list<Item> items) noexcept {
     for (const Item item : items) add(item);
   }
-  /// All from the first to `last`.
+  /// Returns the set of all items from the first to `last`, which is included.
   static constexpr Self up_to(Item last) noexcept {
     Self all;
     all.bits_ = bit(last) | (bit(last) - 1);

@@ -17,8 +17,8 @@ class Snapshot {
  public:
   static constexpr std::int64_t kLongestInMemory = std::int64_t{1} << 20;  // bytes
 
-  /// Copies what a regular file holds from `begin` on, in bytes. What is appended while it is
-  /// copied is not part of it. Errors: SC6002, SC6003.
+  /// Copies what a regular file holds from `begin` on, in bytes. What is appended during the copy
+  /// is not part of it. Errors: SC6002, SC6003.
   static Result<Snapshot> of(int file, std::int64_t begin);
   /// Keeps a text. Errors: SC6003.
   static Result<Snapshot> of(std::string_view text);
@@ -31,9 +31,9 @@ class Snapshot {
   ~Snapshot();
 
   int descriptor() const noexcept { return descriptor_; }
-  /// The caller closes it.
+  /// Returns the descriptor, which the caller then has to close.
   int release() noexcept { return std::exchange(descriptor_, -1); }
-  /// A name under which this process can open it as long as it lives.
+  /// Returns a name under which this process can open the snapshot as long as it lives.
   std::string name() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
 
  private:

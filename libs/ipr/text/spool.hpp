@@ -17,13 +17,14 @@ class Spool {
   Spool& operator=(Spool&& other) noexcept;
   ~Spool();
 
-  /// Appends. After a failure, which failure() returns, nothing more is kept.
+  /// Appends `size` bytes. After a failure, which failure() returns, nothing more is kept.
   void add(const char* bytes, std::size_t size);
   std::uint64_t size() const noexcept { return size_; }
-  /// Why not everything is kept: SC6032.
+  /// Returns why not everything is kept: SC6032.
   const std::optional<Diagnostic>& failure() const noexcept { return failure_; }
 
-  /// Reads at most `size` bytes from `offset`; 0 at the end, and -1 with errno on an error.
+  /// Reads at most `size` bytes from `offset` into `to` and returns how many; 0 at the end, and -1
+  /// with errno on an error.
   std::ptrdiff_t read(std::uint64_t offset, char* to, std::size_t size) const;
 
  private:

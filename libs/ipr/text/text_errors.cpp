@@ -60,17 +60,17 @@ std::string_view wide_encoding_at(std::string_view text, std::size_t nul) {
   return zeros == 1 ? kUtf16 : zeros == kZerosOfUtf32 ? kUtf32 : std::string_view{};
 }
 
-TextFault wide_fault(std::string_view encoding) {
+TextError wide_error(std::string_view encoding) {
   return {Code::SC1013, "the file is in " + std::string(encoding) + "; save it as UTF-8 or ASCII"};
 }
 
-TextFault number_fault(NumberFault fault, std::string_view written, std::string_view after) {
-  switch (fault) {
-    case NumberFault::no_digits:
+TextError number_error(NumberError error, std::string_view written, std::string_view after) {
+  switch (error) {
+    case NumberError::no_digits:
       return {Code::SC1002, "no number after " + std::string(after) + ", only " + quoted(written)};
-    case NumberFault::sign_inside:
+    case NumberError::sign_inside:
       return {Code::SC1003, "a sign inside the number " + quoted(written)};
-    case NumberFault::two_points:
+    case NumberError::two_points:
       return {Code::SC1004, "two decimal points in " + quoted(written)};
     default:
       return {Code::SC1005, quoted(written) + " has more than " + std::to_string(kIntegerDigits) +

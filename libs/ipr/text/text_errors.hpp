@@ -10,34 +10,36 @@
 
 namespace softcnc::ipr {
 
-/// At most so many bytes of a text, cut between characters; "..." follows what is cut.
+/// Returns at most `most` bytes of a text, cut between characters; "..." follows where it is cut.
 std::string shortened(std::string_view text, std::size_t most);
 
-/// In quotes, cut where it is long.
+/// Returns the text in quotes, cut where it is long.
 std::string quoted(std::string_view text);
 
-/// A character by its looks, its code point or its byte.
+/// Returns the name of a character for a message: itself in quotes, with its code point beyond
+/// ASCII, or the value of its byte.
 std::string character_name(std::string_view character);
 
-/// "UTF-16" or "UTF-32" if the text shows its byte order mark, or a zero byte beside its first
-/// character; otherwise empty.
+/// Returns "UTF-16" or "UTF-32" if the text shows its byte order mark, or a zero byte beside its
+/// first character; otherwise an empty view.
 std::string_view wide_encoding(std::string_view first_line);
-/// The same by what surrounds the first zero byte of a text.
+/// Returns the same, judged by what surrounds the first zero byte of a text, which is at index
+/// `nul`.
 std::string_view wide_encoding_at(std::string_view text, std::size_t nul);
 
-/// Follows the text of what is reported of a letter O that makes no sense.
+/// A hint that follows the message about a letter O that makes no sense.
 inline constexpr const char* kLetterForDigit = "; is the digit 0 meant?";
 
-struct TextFault {
+struct TextError {
   Code code;
   std::string message;
 };
 
-/// `encoding` is one of those above.
-TextFault wide_fault(std::string_view encoding);
+/// Returns SC1013 for a text in `encoding`, which is one of the names above.
+TextError wide_error(std::string_view encoding);
 
-/// A number that could not be read, as it is written; `after` is what it belongs to. Expects a
-/// fault.
-TextFault number_fault(NumberFault fault, std::string_view written, std::string_view after);
+/// Returns what is wrong with a number; `written` is the number as it stands in the text, and
+/// `after` what it belongs to. Requires an error other than none.
+TextError number_error(NumberError error, std::string_view written, std::string_view after);
 
 }  // namespace softcnc::ipr

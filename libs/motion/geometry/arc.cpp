@@ -66,7 +66,7 @@ std::string off_circle(const Rays& rays) {
 }
 
 /// Returns what is wrong with the arc, if anything.
-std::optional<Diagnostic> fault(const Rays& rays, double tolerance, std::string_view name) {
+std::optional<Diagnostic> arc_error(const Rays& rays, double tolerance, std::string_view name) {
   const auto error = [&](Code code, std::string_view what) {
     return Diagnostic{code, {}, fmt::format("{} {}", name, what), {}, {}};
   };
@@ -88,7 +88,7 @@ Result<Arc> Arc::make(const ArcSpec& spec) {
   assert(spec.turns >= 0);
   const PlaneAxes axes = plane_axes(spec.plane);
   const Rays rays = rays_of(spec);
-  if (auto found = fault(rays, spec.radius_tolerance, spec.ccw ? "G03" : "G02"))
+  if (auto found = arc_error(rays, spec.radius_tolerance, spec.ccw ? "G03" : "G02"))
     return tl::unexpected(std::move(*found));
   Arc arc;
   arc.plane_ = spec.plane;

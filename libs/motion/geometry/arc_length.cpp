@@ -9,7 +9,7 @@ namespace softcnc {
 namespace {
 
 constexpr int kFew = 8;              // samples that may suffice for a span
-constexpr int kDeepest = 200;        // halvings of a span
+constexpr int kMaxDepth = 200;       // halvings of a span
 constexpr double kShortest = 1e-14;  // of the length: cells below are taken linear
 constexpr int kNewtonSteps = 8;
 constexpr double kTrifle = 0.02;       // of a tolerance: terms that change nothing
@@ -148,7 +148,7 @@ void ArcLengthMap::Builder::cover(const SpanPlace& first, double width, int dept
     return;
   }
   const double half = 0.5 * width;
-  failed_ = !std::isfinite(f.length) || depth >= kDeepest || map_.cells_.size() >= most_cells_;
+  failed_ = !std::isfinite(f.length) || depth >= kMaxDepth || map_.cells_.size() >= most_cells_;
   SpanPlace middle = first;
   middle.offset += half;
   if (depth == 0) middle = {first.span, 1, -0.5};  // from here on counted from the end

@@ -11,14 +11,14 @@ namespace softcnc::runtime {
 
 class CuttingRows final : public RowSink {
  public:
-  /// `columns` of the backend: the tool is where it was measured, if any are; otherwise where it is
-  /// commanded to be. `period` in s.
+  /// Makes the rows. `columns` are those of the backend: the tool is where it was measured, if any
+  /// are measured; otherwise where it is commanded to be. `period` is in s.
   CuttingRows(const Cutting& cutting, SpindlePhase phase, double period,
               std::span<const std::string> columns);
 
   bool row(const Setpoint& setpoint, std::span<const double> backend_values) override;
 
-  /// Call after the last row. Errors: SC6003.
+  /// Returns the track of the tool. To be called after the last row. Errors: SC6003.
   Result<surface::ToolTrack> finish();
 
  private:

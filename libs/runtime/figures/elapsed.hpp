@@ -8,8 +8,8 @@
 
 namespace softcnc::runtime {
 
-/// How long ago a move began that has come so far, s: exact from rest at a constant acceleration or
-/// a constant jerk, and at a constant speed.
+/// Returns how long ago a move began that has come so far, s: exact from rest at a constant
+/// acceleration or a constant jerk, and at a constant speed.
 inline double elapsed(double distance, const Setpoint& now) noexcept {
   if (!(now.v > 0)) return 0;
   const double gained = distance * std::max(0.0, now.a) / (now.v * now.v);  // 1/2, 2/3, 0

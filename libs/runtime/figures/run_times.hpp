@@ -12,8 +12,9 @@ namespace softcnc::runtime {
 
 class RunTimes {
  public:
-  /// `by_line`: losses of lines are asked for. `of_plan`: rows lie where the plan is at their
-  /// instants; otherwise add_row() counts what limits hold, and the rest is that of the plan.
+  /// Makes the times. `by_line` asks for losses of lines. With `of_plan`, rows lie where the plan
+  /// is at their instants; otherwise add_row() counts what limits hold, and the rest is that of the
+  /// plan.
   RunTimes(bool by_line, bool of_plan) noexcept : by_line_(by_line), of_plan_(of_plan) {}
 
   /// The first `until` s of a block; `feed_override` is what counts in it. Blocks come in the order
@@ -23,7 +24,7 @@ class RunTimes {
   /// A period, s, in which `limit` has held the feed down.
   void add_row(Limit limit, double period) noexcept;
 
-  /// How long each limit has held the feed down, s.
+  /// Returns how long each limit has held the feed down, s.
   const std::array<double, kLimits>& by_limit() const noexcept { return by_limit_; }
   const TimeSheet& sheet() const noexcept { return keeper_.sheet(); }
   const LineLosses& lines() const noexcept { return lines_; }

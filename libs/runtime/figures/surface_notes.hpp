@@ -23,11 +23,11 @@ class SurfaceNotes {
   /// the machine.
   void add(const ipo::TimedBlock& timed, const Setpoint& row, double rmax);
 
-  /// SC4010 for each block, of many for the first ones and the roughest.
+  /// Reports SC4010 for each block; of many, for the first ones and the roughest.
   void report_blocks(Diagnostics& diagnostics) const;
-  /// SC4011 for the block that by simulated edges may exceed its target most; SC4012 where passes
-  /// side by side are not in phase, and SC4042 where the surface slopes from one to the next, if
-  /// the feed knows of neither.
+  /// Reports SC4011 for the block that by simulated edges may exceed its target most; SC4012 where
+  /// passes side by side are not in phase, and SC4042 where the surface slopes from one to the
+  /// next, if the feed knows of neither.
   void warn(Diagnostics& diagnostics) const;
 
  private:

@@ -12,7 +12,7 @@
 
 namespace softcnc::runtime {
 
-/// Why the machine came to a rest between its start and its end.
+/// The reason why the machine came to a rest between its start and its end.
 enum class RestCause : std::uint8_t {
   corner,    // the path turns, or every block ends at rest (G61.1)
   dwell,     // G04
@@ -25,7 +25,7 @@ enum class RestCause : std::uint8_t {
 };
 inline constexpr std::size_t kRestCauses = 8;
 
-/// "corner", "dwell", ...: the report's word.
+/// Returns the report's word: "corner", "dwell", ...
 std::string_view name(RestCause cause) noexcept;
 
 /// The seconds of one tool.
@@ -36,8 +36,9 @@ struct ToolTime {
   double all() const noexcept { return cutting + rapid + dwell + rest; }
 };
 
-/// What rests at corners take: their ramps, and the wait for the next row, in s beyond the time
-/// that the same path takes at the programmed feed; in rapids at the speed where the ramp ends.
+/// The time that rests at corners take: their ramps, and the wait for the next row, in s beyond the
+/// time that the same path takes at the programmed feed; in rapids at the speed where the ramp
+/// ends.
 struct CornerRests {
   std::int64_t count = 0;
   double seconds = 0;

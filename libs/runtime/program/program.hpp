@@ -23,8 +23,9 @@ enum class Readings : std::uint8_t { one, any };
 
 class Program {
  public:
-  /// "-" is standard input. What is to be read more than once is copied first, so that every
-  /// reading finds the same; otherwise a pipe is streamed. Errors: SC6001, SC6002, SC6003.
+  /// Opens a program, or standard input if its name is "-". What is to be read more than once is
+  /// copied first, so that every reading finds the same; otherwise a pipe is streamed. Errors:
+  /// SC6001, SC6002, SC6003.
   static Result<Program> open(const std::string& name, Readings readings = Readings::any);
   /// A program that lies in `file` already.
   static Program in_file(std::string name, Descriptor file);
@@ -46,11 +47,11 @@ class Program {
   bool streamed() const noexcept { return stream_ != nullptr; }
   int descriptor() const noexcept { return *file_; }
 
-  /// hash_hex() of the text. Of a streamed one what has not been read yet is read first.
+  /// Returns hash_hex() of the text. What has not been read yet of a streamed text is read first.
   const std::string& hash();
 
-  /// Whether all that was asked for by hash() and for_each_piece() could be read: what could not
-  /// looks like the end of the text. Errors: SC6002.
+  /// Returns whether all that was asked for by hash() and for_each_piece() could be read: what
+  /// could not looks like the end of the text. Errors: SC6002.
   Status read_status() const;
 
   /// Returns the text of a line, from 1; empty after the end, and where a stream has long passed

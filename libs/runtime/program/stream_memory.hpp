@@ -13,10 +13,10 @@ class StreamMemory {
  public:
   void add(std::string_view bytes);
 
-  /// hash_hex() of all so far.
+  /// Returns hash_hex() of all so far.
   std::string hash() const { return hasher_.hex(); }
 
-  /// Text of a line, from 1; empty where it is not, or no longer, remembered.
+  /// Returns the text of a line, from 1; an empty string if it is not remembered, or no longer.
   std::string line(int number) const;
 
  private:

@@ -17,7 +17,7 @@ inline constexpr Percentile kPercentiles[] = {
 
 class Lateness {
  public:
-  /// `period` of the loop, ns.
+  /// Makes an empty count; `period` is that of the loop, ns.
   explicit Lateness(std::int64_t period);
 
   /// Counts a wake-up that came `late` ns after its instant. Realtime.
@@ -25,10 +25,10 @@ class Lateness {
 
   std::int64_t wakeups() const noexcept { return wakeups_; }
   std::int64_t largest() const noexcept { return largest_; }  // ns
-  /// Wake-ups that came no sooner than the next one was due.
+  /// Returns the number of wake-ups that came no sooner than the next one was due.
   std::int64_t overruns() const noexcept { return overruns_; }
-  /// ns, rounded up to whole us, beyond 0.1 s by at most one part in 2048: `part` of the wake-ups,
-  /// 0 to 1, were no later; at most the largest.
+  /// Returns the lateness, ns, that `part` of the wake-ups, 0 to 1, did not exceed: rounded up to
+  /// whole us, beyond 0.1 s by at most one part in 2048, and at most the largest.
   std::int64_t percentile(double part) const noexcept;
 
   /// The shortest period, ns, that would have been kept: whole us, and above the largest lateness.

@@ -22,7 +22,7 @@ RealtimeRights become_realtime();
 /// Returns both to the system.
 void become_ordinary() noexcept;
 
-/// Describes the rights: "SCHED_FIFO, memory locked".
+/// Returns a description of the rights: "SCHED_FIFO, memory locked".
 std::string text(const RealtimeRights& rights);
 
 /// Returns the time in ns of a clock that is never set.

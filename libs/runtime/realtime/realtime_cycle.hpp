@@ -21,13 +21,13 @@ class Contour;
 
 namespace softcnc::runtime {
 
-/// How punctual a run in real time was.
+/// The punctuality of a run in real time.
 struct Punctuality {
   Lateness lateness;           // of the periods in which it moved
   std::int64_t unplanned = 0;  // periods for which no setpoint had been planned in time
   RealtimeRights rights;
 
-  /// Periods missed: later than a whole one, or without a setpoint.
+  /// Returns the number of periods missed: later than a whole one, or without a setpoint.
   std::int64_t overruns() const noexcept { return lateness.overruns() + unplanned; }
 };
 
@@ -58,12 +58,13 @@ class RealtimeCycle {
   /// Ends the thread: no setpoint comes any more.
   void stop() noexcept;
 
-  /// Rows that have been exchanged and written, and the last of them.
+  /// Returns the number of rows that have been exchanged and written; last() returns the last of
+  /// them.
   std::int64_t rows() const noexcept { return written_; }
   const Setpoint& last() const noexcept { return last_; }
   const Feedback& feedback() const noexcept { return feedback_; }
 
-  /// After stop().
+  /// Returns the punctuality of the run. To be called after stop().
   const Punctuality& punctuality() const noexcept { return punctuality_; }
 
  private:

@@ -22,7 +22,7 @@ class RealtimePlayer final : public hal::PortPlayer {
  public:
   /// The one that the player keeps informed.
   struct Listener {
-    /// Called with the player before it can write to the port, and with null once it never will
+    /// Is called with the player before it can write to the port, and with null once it never will
     /// again: until then an end of softcnc calls abandon() first.
     std::function<void(RealtimePlayer*)> holds_port;
     /// Takes SC6075 where the system has refused the real-time rights.

@@ -39,7 +39,7 @@ class RealtimeQueue {
   }
   bool moves() const noexcept { return moves_; }
 
-  /// Whether all that came before the last rest has been taken.
+  /// Returns whether all that came before the last rest has been taken.
   bool all_taken() const noexcept { return queue_.taken() == rest_at_.load(); }
 
  private:

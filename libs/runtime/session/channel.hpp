@@ -31,7 +31,8 @@ class Channel {
 
   /// Returns whether an event of the script is to be answered before the next step.
   bool event_due() const noexcept;
-  /// Plans the rest of the path again for the events that are due; right after forget_passed().
+  /// Plans the rest of the path again for the events that are due. To be called right after
+  /// forget_passed().
   void answer_events() noexcept;
 
   /// Returns the next setpoint; nothing at the end. On a stop by the panel the rest of the path is
@@ -41,7 +42,7 @@ class Channel {
 
   /// Returns whether there is a path that ask() can plan again.
   bool can_be_asked() const noexcept { return started_ && !stopping_ && !queue_.empty(); }
-  /// Plans the rest of the path again for what is asked for from now on; right after
+  /// Plans the rest of the path again for what is asked for from now on. To be called right after
   /// forget_passed().
   void ask(const ipo::FeedControl& control) noexcept;
 
@@ -67,7 +68,7 @@ class Channel {
   /// The next step is `rows` later than it would be; they must be quiet.
   void pass_over(std::int64_t rows) noexcept { interpolator_.pass_over(rows); }
 
-  /// Blocks from the one of the last forget_passed() to the present one.
+  /// Returns the blocks from the one of the last forget_passed() to the present one.
   const ipo::BlockQueue& queue() const noexcept { return queue_; }
   void forget_passed();
   /// Fills the queue with the path up to `s` mm along the program, as far as that is known and the
@@ -80,10 +81,10 @@ class Channel {
   /// The instant of the plan that has been reached, s: at the end, its duration. Of methods that go
   /// their own path through the curves, the instant of the last row.
   double time() const noexcept;
-  /// What it was spent on. Nothing may be run after that.
+  /// Returns what the time was spent on. Nothing may be run after this call.
   const RunTimes& end_times();
 
-  /// Events that the run has not reached.
+  /// Returns the number of events that the run has not reached.
   std::size_t events_left() const noexcept { return events_.size() - answered_; }
 
   Feeder& feeder() noexcept { return feeder_; }

@@ -11,7 +11,7 @@
 
 namespace softcnc::runtime {
 
-/// How a part program runs, beside the machine.
+/// The options of the run of a part program, apart from the machine.
 struct ChannelOptions {
   double feed_override = 1;     // of the programmed feed, as it begins
   double largest_override = 1;  // that may be asked for while it runs
@@ -22,8 +22,8 @@ struct ChannelOptions {
   std::vector<FeedEvent> events;  // in the order of time
   bool skims = false;             // rows that cannot come near a limit are not looked at one by one
   std::size_t worst_lines = 0;    // Outcome::worst_lines: so many are asked for
-  /// Whether the program never ends as far as it is known; asked for where much has been read
-  /// again. Such a program is not planned further. May be empty.
+  /// Returns whether the program never ends as far as it is known; is called where much has been
+  /// read again. Such a program is not planned further. May be empty.
   std::function<bool()> is_endless = {};
 };
 

@@ -20,7 +20,8 @@ struct FeedEvent {
   double percent = 100;  // of an override
 };
 
-/// "1.5:override=50", "2:hold", "3:resume"; nothing if it is none of them.
+/// Returns the event of "1.5:override=50", "2:hold" or "3:resume" (times in s); nothing if it is
+/// none of them.
 std::optional<FeedEvent> parse_event(std::string_view text);
 
 /// Returns the text that parse_event() reads as this event.

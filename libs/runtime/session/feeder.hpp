@@ -25,8 +25,8 @@ namespace softcnc::runtime {
 /// The planning side: reads, interprets and plans as far as the queue needs it.
 class Feeder {
  public:
-  /// What is referred to must outlive the feeder. `input`: the descriptor of the reader; -1: none,
-  /// the text is fed.
+  /// Makes a feeder. Everything referred to must outlive it. `input` is the descriptor of the
+  /// reader; -1 if there is none and the text is fed.
   Feeder(ipr::Reader& reader, int input, const Machine& machine, const ChannelOptions& options,
          Diagnostics& diagnostics);
 

@@ -22,7 +22,7 @@ class MotionLimit {
   /// Takes the next block of the program; the motion is planned up to `planned`, s. SC4050 if the
   /// block ends too late however fast it and those before it are.
   std::optional<Diagnostic> check(const Block& block, double planned);
-  /// SC4050 at a block that is planned to end at `end`, s, if that is too late.
+  /// Returns SC4050 for a block that is planned to end at `end`, s, if that is too late.
   std::optional<Diagnostic> check_end(const Block& block, double end) const;
 
  private:

@@ -40,8 +40,8 @@ struct Row {
 /// and stays where it was made.
 class Session {
  public:
-  /// `machine`, `backend` and `sink` must outlive the session; `sink` takes every row and may be
-  /// null. What is wrong with the program goes to `report`, or is kept in diagnostics().
+  /// Makes a session. `machine`, `backend` and `sink` must outlive it; `sink` takes every row and
+  /// may be null. What is wrong with the program goes to `report`, or is kept in diagnostics().
   Session(const Machine& machine, const ChannelOptions& options, hal::Backend& backend,
           RowSink* sink = nullptr, Diagnostics::Sink report = {});
   Session(const Session&) = delete;
@@ -52,7 +52,7 @@ class Session {
   /// Adds a block to the program, before lines that have not been read yet. Its number is one more
   /// than that of the block before, if it is 0.
   void feed(Block block);
-  /// Says that nothing more is fed.
+  /// Records that nothing more is fed.
   void end() noexcept { reader_.end_feed(); }
   /// Lets the machine come to rest where what has been fed so far ends, instead of waiting there
   /// for more; more may be fed. Lines that an open curve or cutter compensation still holds stay
@@ -73,14 +73,15 @@ class Session {
   /// Lets the machine come to rest on the path, and ends the program there.
   void abort() noexcept { panel_.stop = true; }
 
-  /// What was reported without a `report`. After an error the motion ends with the last good block.
+  /// Returns what was reported without a `report`. After an error the motion ends with the last
+  /// good block.
   std::span<const Diagnostic> diagnostics() const noexcept { return diagnostics_.all(); }
   int errors() const noexcept { return diagnostics_.errors(); }
 
-  /// What the rows so far have reached, and how far they were from the path.
+  /// Returns what the rows so far have reached, and how far they were from the path.
   const Measured& measured() const noexcept { return verification_.measured(); }
   std::optional<ContourReport> contour() const;
-  /// Offsets, modes and position as programs that follow find them.
+  /// Returns offsets, modes and position as programs that follow find them.
   const MachineState& state() noexcept { return channel_.feeder().states().present(); }
 
  private:

@@ -13,7 +13,7 @@ namespace {
 /// What differences of rows may exceed a limit by.
 constexpr double kAxisTolerance = 1e-3;
 constexpr double kJerkTolerance = 5e-3;
-/// What a roughness may exceed its target by: as little as the cap of a plan may be exceeded.
+/// What a roughness may exceed its target by: as little as the limit of a plan may be exceeded.
 constexpr double kRoughnessTolerance = 1e-3;
 /// What rounding may add to a chord error.
 constexpr double kChordTolerance = 1e-6;

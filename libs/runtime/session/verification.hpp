@@ -17,14 +17,14 @@ class Verification {
  public:
   explicit Verification(const Machine& machine) noexcept : verifier_(machine), surface_(machine) {}
 
-  /// `queue` still holds every block from that of the row before.
+  /// Adds rows. Requires that `queue` still holds every block from that of the row before.
   void add(std::span<const Setpoint> rows, const ipo::BlockQueue& queue);
   /// A row of a stretch in which none can come near a limit, and those left out before it.
   void pass_over(const Setpoint& row) noexcept;
   void finish() noexcept;
 
   const Measured& measured() const noexcept { return verifier_.measured(); }
-  /// Sees every block as it is programmed.
+  /// Returns the path that sees every block as it is programmed.
   ProgrammedPath& programmed() noexcept { return programmed_; }
   const ProgrammedPath& programmed() const noexcept { return programmed_; }
   const SurfaceNotes& surface() const noexcept { return surface_; }

@@ -20,8 +20,8 @@ class Watcher {
   virtual ~Watcher() = default;
   virtual bool wants_stop() = 0;
   virtual void sees(const Setpoint& latest) = 0;
-  /// Called before M00, M01, M06 or a single block is passed. Returns when the program may go on,
-  /// or is to stop.
+  /// Is called before M00, M01, M06 or a single block is passed. Returns when the program may go
+  /// on, or is to stop.
   virtual void pause(const Pause& pause) = 0;
   /// Returns when there is something to read, or the run is to stop.
   virtual void wait_for_input(int descriptor) = 0;

@@ -14,7 +14,7 @@
 
 namespace softcnc::runtime {
 
-/// Whether the backend knows where the axes are.
+/// Returns whether the backend knows where the axes are.
 inline bool knows_contour(const hal::Backend& backend) noexcept { return backend.instants() > 0; }
 
 /// The columns of a row after the axes: those of the backend, then "contour_um" where it knows

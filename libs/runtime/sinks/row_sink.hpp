@@ -12,11 +12,11 @@ namespace softcnc::runtime {
 class RowSink {
  public:
   virtual ~RowSink() = default;
-  /// False: no more rows are wanted.
+  /// Takes a row. Returns false if no more rows are wanted.
   virtual bool row(const Setpoint& setpoint, std::span<const double> backend_values) = 0;
   /// The machine stands before the program waits for a person.
   virtual void rest() {}
-  /// Hands on what there is: the next row may take long.
+  /// Passes on what there is: the next row may take long.
   virtual void flush() {}
 };
 
