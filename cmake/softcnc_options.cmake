@@ -3,7 +3,8 @@
 add_library(softcnc_options INTERFACE)
 target_include_directories(softcnc_options INTERFACE ${PROJECT_SOURCE_DIR}/libs)
 target_compile_options(softcnc_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${SOFTCNC_WERROR}>:-Werror>
+  -fvisibility=hidden -fvisibility-inlines-hidden  # the library shows include/softcnc alone
   -ffp-contract=off)  # one build, one family of CPUs: the same bytes
 if(SOFTCNC_SANITIZE)
   target_compile_options(softcnc_options INTERFACE
@@ -34,6 +35,17 @@ function(softcnc_for_link_time target)
   endif()
 endfunction()
 
+# softcnc_precompile(TARGET [HEADER...]): compiles what nearly every file includes, and further
+# headers, once for the target.
+function(softcnc_precompile target)
+  target_precompile_headers(${target} PRIVATE
+    <algorithm> <array> <cmath> <cstdint> <deque> <functional> <map> <memory> <optional> <span>
+    <string> <string_view> <utility> <variant> <vector> <Eigen/Core> <tl/expected.hpp> ${ARGN})
+  # g++ 12 takes strings out of a precompiled header for code of ours, and warns falsely.
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow>)
+endfunction()
+
 # softcnc_library(NAME [COMPUTES] STANDS_ON targets...): a library of the sources below its folder. One
 # that COMPUTES has its loops over axes and terms unrolled; readers and writers would only grow by
 # that.
@@ -42,7 +54,9 @@ function(softcnc_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   add_library(softcnc_${name} STATIC ${sources})
   add_library(softcnc::${name} ALIAS softcnc_${name})
+  set_target_properties(softcnc_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(softcnc_${name} PUBLIC softcnc_options ${LIBRARY_STANDS_ON})
+  softcnc_precompile(softcnc_${name})
   softcnc_for_link_time(softcnc_${name})
   if(LIBRARY_COMPUTES)
     target_compile_options(softcnc_${name} PRIVATE $<$<CONFIG:Release>:-O3>)

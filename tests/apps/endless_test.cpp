@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Programs that never end are found by reading alone.
-#include "job/endless.hpp"
+#include "runtime/check/endless.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -30,7 +30,7 @@ TEST_CASE("a program without an end is read in a moment, and found out", "[apps]
     REQUIRE(program);
     Machine machine;
     machine.program.block_limit = 5000;
-    return is_endless(*program, machine, {}, watcher);
+    return runtime::is_endless(*program, machine, {}, watcher);
   };
   const std::string loop = "o1 while [1]\nG00 X1\nX0\no1 endwhile\nM30\n";
   CHECK(is_found(loop));

@@ -22,7 +22,7 @@ runtime::Outcome outcome_of(const std::string& text, const Machine& machine, boo
   auto program = runtime::Program::open(folder / "part.nc");
   REQUIRE(program);
   Diagnostics diagnostics;
-  const auto backend = hal::open_backend(without_backend(machine));
+  const auto backend = hal::open_backend(runtime::without_backend(machine));
   REQUIRE(backend);
   runtime::ChannelOptions options;
   options.skims = skims;

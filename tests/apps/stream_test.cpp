@@ -295,3 +295,22 @@ TEST_CASE("a stream is remembered by its hash and its latest lines", "[apps][str
   CHECK(memory.line(1).empty());
   CHECK(memory.line(200001).empty());
 }
+
+TEST_CASE("a dry run comes to rest where its pipe pauses, if it is told so", "[apps][stream]") {
+  const std::vector<std::string> rests{"run", "--dry-run", "--rest-at-pauses", "-"};
+  Talk talk(rests);
+  talk.say("G01 X10 F3000\n");
+  talk.hear(",10,0,0,");  // the end of the line, though nothing follows yet
+  talk.say("X20 Y5\n");
+  talk.hear(",20,5,0,");
+  talk.say("M30\n");
+  talk.finish();
+  CHECK(talk.status() == 0);
+}
+
+TEST_CASE("rests at pauses leave a pipe that does not pause as it is", "[apps][stream]") {
+  const std::string cat = "cat $programs/08_butterfly.nc | $softcnc run --dry-run - ";
+  const Ended plain = shell(cat), told = shell(cat + "--rest-at-pauses");
+  CHECK(plain.status == 0);
+  CHECK(told.out == plain.out);
+}

@@ -69,7 +69,7 @@ int check_program(const std::string& name, const Machine& machine,
   beside.interpreter.folder = program->folder();
   beside.interpreter.called = &program->called();
   const Preflight checked =
-      preflight(*program, machine, beside, messages, watcher, PreflightNotes::surface_too);
+      preflight(*program, machine, beside, messages, watcher, runtime::CheckNotes::surface_too);
   const std::filesystem::path folder = program->folder();
   for (const std::string& file : checked.outcome.called_files) called.push_back(folder / file);
   for (const std::string& file : checked.outcome.missing_files) called.push_back(folder / file);

@@ -299,6 +299,12 @@ constexpr OptionEntry kOptions[] = {
      flag<&Options::single_block>},
 
     {{run},
+     "--rest-at-pauses",
+     "",
+     "With --dry-run -: come to rest where the pipe pauses, instead of waiting there for the next "
+     "line",
+     flag<&Options::rest_at_pauses>},
+    {{run},
      "--dry-run",
      "",
      "Run without backend or pre-flight and write the trace to stdout as CSV",

@@ -78,7 +78,7 @@ int SurfaceJob::read() {
 /// The run. What the first reading has reported is not reported again.
 int SurfaceJob::move() {
   constexpr int kOfPlanning = 4000;
-  Machine machine = without_backend(job_.machine);
+  Machine machine = runtime::without_backend(job_.machine);
   if (options_.actual) machine.control.backend = BackendKind::sim;
   auto backend = hal::open_backend(machine);
   if (!backend) return fail(backend.error());

@@ -3,11 +3,7 @@
 
 #include <utility>
 
-#include "job/corner_cost.hpp"
-#include "job/endless.hpp"
 #include "messages/repeated_errors.hpp"
-#include "runtime/session/simulate.hpp"
-#include "runtime/session/verification.hpp"
 
 namespace softcnc::app {
 
@@ -37,55 +33,20 @@ runtime::ChannelOptions channel_options(const Options& options, const std::strin
   channel.feed_override = options.feed_override;
   channel.interpreter = interpreter_options(options, folder);
   channel.single_block = options.single_block;
+  channel.rests_at_pauses = options.rest_at_pauses;
   channel.events = options.events;
   channel.worst_lines = worst_lines(options);
   return channel;
 }
 
-Machine without_backend(Machine machine) {
-  machine.control.backend = BackendKind::none;
-  return machine;
-}
-
-/// By exact interpolation nothing depends on the rows before.
-runtime::ChannelOptions skimming(runtime::ChannelOptions options, const Machine& machine) {
-  options.skims = machine.control.interpolation == Method::arc_length && options.events.empty();
-  return options;
-}
-
 Preflight preflight(runtime::Program& program, const Machine& machine,
                     const runtime::ChannelOptions& options, Messages& messages,
-                    runtime::Watcher* watcher, PreflightNotes notes) {
-  auto backend = hal::open_backend(without_backend(machine));
-  if (!backend) return {messages.fail(backend.error()), runtime::Outcome()};
+                    runtime::Watcher* watcher, runtime::CheckNotes notes) {
   ShownOnce errors(program, messages.sink(program));
   Diagnostics diagnostics(errors.sink());
   diagnostics.set_file(program.name());
   Preflight result;
-  if (!program.streamed() && is_endless(program, machine, options, watcher)) {
-    ipr::Reader reader = program.reader();
-    Unplanned read = read_unplanned(reader, machine, options, diagnostics, watcher);
-    result.outcome.called_files = std::move(read.called_files);
-    result.outcome.missing_files = std::move(read.missing_files);
-    errors.finish();
-    result.status = diagnostics.status();
-    return result;
-  }
-  ipr::Reader reader = program.reader();
-  runtime::ChannelOptions running = skimming(options, machine);
-  if (program.streamed())
-    running.is_endless = [&] {
-      ipr::Reader again = reader.again();
-      return is_endless(again, machine, options, watcher);
-    };
-  result.outcome = runtime::simulate(reader, program.descriptor(), machine, running, **backend,
-                                     diagnostics, nullptr, watcher);
-  if (diagnostics.errors() == 0 && result.outcome.end == runtime::Outcome::End::done) {
-    runtime::report_excess(result.outcome.measured, result.outcome.deviation, machine, diagnostics);
-    if (notes == PreflightNotes::surface_too) result.outcome.surface.report_blocks(diagnostics);
-    result.outcome.surface.warn(diagnostics);
-    report_corner_cost(program, machine, options, result.outcome, watcher, diagnostics);
-  }
+  result.outcome = runtime::check(program, machine, options, diagnostics, watcher, notes);
   errors.finish();
   result.status = diagnostics.status();
   return result;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "messages/messages.hpp"
+#include "runtime/check/check.hpp"
 #include "runtime/program/program.hpp"
 #include "runtime/session/channel_options.hpp"
 #include "runtime/session/outcome.hpp"
@@ -15,21 +16,16 @@ namespace softcnc::app {
 ipr::InterpreterOptions interpreter_options(const Options& options, const std::string& folder);
 runtime::ChannelOptions channel_options(const Options& options, const std::string& folder);
 
-/// The machine with a backend that goes nowhere.
-Machine without_backend(Machine machine);
-
 struct Preflight {
   int status = 0;            // 0: it may run
   runtime::Outcome outcome;  // of the run without backend; of interest if status is 0
 };
-
-enum class PreflightNotes : std::uint8_t { errors, surface_too };
 
 /// Runs the program without backend and shows all that is wrong with it; and what surface it
 /// leaves, where it asks for one.
 Preflight preflight(runtime::Program& program, const Machine& machine,
                     const runtime::ChannelOptions& options, Messages& messages,
                     runtime::Watcher* watcher = nullptr,
-                    PreflightNotes notes = PreflightNotes::errors);
+                    runtime::CheckNotes notes = runtime::CheckNotes::errors);
 
 }  // namespace softcnc::app

@@ -7,13 +7,13 @@
 
 #include <filesystem>
 
-#include "job/corner_cost.hpp"
 #include "job/open_player.hpp"
 #include "job/preflight.hpp"
 #include "job/run_diagnostics.hpp"
 #include "job/terminal.hpp"
 #include "messages/messages.hpp"
 #include "messages/repeated_errors.hpp"
+#include "runtime/check/corner_cost.hpp"
 #include "runtime/session/simulate.hpp"
 #include "runtime/session/verification.hpp"
 #include "runtime/sinks/trace_rows.hpp"
@@ -90,8 +90,8 @@ void JobRunner::note_missing_fifo() {
 
 JobResult JobRunner::move(const TraceTarget& trace, double total) {
   note_missing_fifo();
-  auto backend = hal::open_backend(options_.dry_run ? without_backend(job_.machine) : job_.machine,
-                                   open_player);
+  auto backend = hal::open_backend(
+      options_.dry_run ? runtime::without_backend(job_.machine) : job_.machine, open_player);
   if (!backend) return refused(backend.error());
   auto rows =
       trace.compressed
@@ -154,8 +154,8 @@ void JobRunner::judge(Diagnostics& diagnostics) {
   if (at_rest && diagnostics.errors() == 0)
     runtime::report_excess(outcome.measured, outcome.deviation, job_.machine, diagnostics);
   if (options_.dry_run && outcome.end == runtime::Outcome::End::done && diagnostics.errors() == 0)
-    report_corner_cost(job_.program, job_.machine, job_.options, result_.outcome, &terminal_,
-                       diagnostics);
+    runtime::report_corner_cost(job_.program, job_.machine, job_.options, result_.outcome,
+                                &terminal_, diagnostics);
   result_.status = diagnostics.status();
   if (outcome.end == runtime::Outcome::End::alarm)
     result_.ending = Ending::alarm;

@@ -39,6 +39,7 @@ struct Options {
   double feed_override = 1;                // of the programmed feed
   std::vector<runtime::FeedEvent> events;  // in the order of time
   bool block_skip = false, optional_stop = false, single_block = false;
+  bool rest_at_pauses = false;
   ipr::Dialect dialect = ipr::Dialect::linuxcnc;
   ipr::Format format = ipr::Format::automatic;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A reason to be slow. Every one is a Constraint in a file of its own; constraint_list.cpp lists them.
+// A reason to be slow. Every one is a Constraint in a file of its own; constraint_list.cpp lists
+// them.
 //
 // A constraint acts in one of three ways: as a velocity limit, an upper bound on q = v^2 at a
 // point; as inequalities of acceleration; or as inequalities of jerk (Inequality).

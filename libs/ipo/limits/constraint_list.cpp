@@ -14,12 +14,29 @@ double least_of(const List& list, Allowed allowed) noexcept {
   return least;
 }
 
+/// A constraint that someone else keeps.
+class Borrowed final : public Constraint {
+ public:
+  explicit Borrowed(const Constraint& constraint) : constraint_(constraint) {}
+  Limit limit(const Move& move) const noexcept override { return constraint_.limit(move); }
+  double velocity_limit(const PathPoint& point, const Move& move) const noexcept override {
+    return constraint_.velocity_limit(point, move);
+  }
+  bool is_even(const PathPoint& a, const PathPoint& b, const Move& move) const noexcept override {
+    return constraint_.is_even(a, b, move);
+  }
+
+ private:
+  const Constraint& constraint_;
+};
+
 }  // namespace
 
 /// The list: whoever adds a reason to be slow adds a line. A constraint that the machine does not
 /// have is null. Corners are the one reason that no point of the path shows:
 /// path/corner_limits.cpp.
-ConstraintList::ConstraintList(const Machine& machine, double feed_override)
+ConstraintList::ConstraintList(const Machine& machine, double feed_override,
+                               const FurtherConstraints& further)
     : limits_(limits_of(machine)) {
   const auto add = [](List& list, std::unique_ptr<Constraint> constraint) {
     if (constraint) list.push_back(std::move(constraint));
@@ -30,6 +47,8 @@ ConstraintList::ConstraintList(const Machine& machine, double feed_override)
   add(velocities_, make_chord_error(machine));
   add(velocities_, make_roughness_limit(machine));
   add(velocities_, make_normal_acceleration(machine));
+  for (const Constraint* constraint : further)
+    add(velocities_, std::make_unique<Borrowed>(*constraint));
   add(accelerations_, make_tangential_acceleration(limits_));
   add(accelerations_, make_axis_acceleration(limits_));
   add(jerks_, make_axis_jerk(limits_));

@@ -9,10 +9,14 @@
 
 namespace softcnc::ipo {
 
+/// Velocity limits beyond those of the machine; they must outlive what uses them.
+using FurtherConstraints = std::vector<const Constraint*>;
+
 class ConstraintList {
  public:
   /// `feed_override` multiplies the programmed feed (1: as programmed), never a machine limit.
-  ConstraintList(const Machine& machine, double feed_override);
+  ConstraintList(const Machine& machine, double feed_override,
+                 const FurtherConstraints& further = {});
 
   /// Takes effect for everything that is evaluated from now on.
   void set_feed_override(const Machine& machine, double feed_override);

@@ -18,10 +18,10 @@ double sample_at(double t, double period) { return std::floor(t / period) * peri
 }  // namespace
 
 Planner::Planner(const Machine& machine, double feed_override, Diagnostics& diagnostics,
-                 const Horizon& horizon)
+                 const Horizon& horizon, const FurtherConstraints& further)
     : machine_(machine),
       diagnostics_(diagnostics),
-      constraints_(machine, feed_override),
+      constraints_(machine, feed_override, further),
       horizon_(horizon),
       pulses_(machine),
       corners_(machine),

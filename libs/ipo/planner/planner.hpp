@@ -27,9 +27,9 @@ struct PlannerCounts {
 
 class Planner {
  public:
-  /// `machine` must outlive the planner.
+  /// `machine` and the further constraints must outlive the planner.
   Planner(const Machine& machine, double feed_override, Diagnostics& diagnostics,
-          const Horizon& horizon = {});
+          const Horizon& horizon = {}, const FurtherConstraints& further = {});
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;
 

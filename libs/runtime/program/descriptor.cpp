@@ -41,6 +41,11 @@ void wait_for_input(int descriptor, const std::stop_token& stop) {
   }
 }
 
+bool has_input(int descriptor, int timeout) noexcept {
+  pollfd source{descriptor, POLLIN, 0};
+  return ::poll(&source, 1, timeout) != 0;
+}
+
 Result<Descriptor> unlinked_file() {
   Descriptor file(open_unnamed_file());
   if (*file < 0) return no_temporary_file();

@@ -26,6 +26,9 @@ class Descriptor {
 /// Returns when there is something to read, or a stop has been requested.
 void wait_for_input(int descriptor, const std::stop_token& stop = {});
 
+/// Returns whether there is something to read, or the end of the text, within `timeout` ms.
+bool has_input(int descriptor, int timeout) noexcept;
+
 /// Makes an empty file that vanishes with its descriptor. Errors: SC6003.
 Result<Descriptor> unlinked_file();
 

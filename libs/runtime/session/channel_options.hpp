@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "ipo/limits/constraint_list.hpp"
 #include "ipr/interpreter/interpreter.hpp"
 #include "motion/model/machine_state.hpp"
 #include "runtime/session/feed_script.hpp"
@@ -16,9 +17,13 @@ struct ChannelOptions {
   double feed_override = 1;     // of the programmed feed, as it begins
   double largest_override = 1;  // that may be asked for while it runs
   ipr::InterpreterOptions interpreter;
-  MachineState state;             // with which the program begins
-  bool keeps_state = false;       // Outcome::state is asked for
-  bool single_block = false;      // every move ends at rest, every line waits for a person
+  MachineState state;                   // with which the program begins
+  bool keeps_state = false;             // Outcome::state is asked for
+  ipo::FurtherConstraints constraints;  // beyond those of the machine
+  bool single_block = false;            // every move ends at rest, every line waits for a person
+  /// Where a pipe pauses, the machine comes to rest instead of waiting there for the next line;
+  /// without events only.
+  bool rests_at_pauses = false;
   std::vector<FeedEvent> events;  // in the order of time
   bool skims = false;             // rows that cannot come near a limit are not looked at one by one
   std::size_t worst_lines = 0;    // Outcome::worst_lines: so many are asked for

@@ -40,7 +40,7 @@ Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
       unplanned_travel_(machine, diagnostics),
       parser_(reader, diagnostics),
       interpreter_(parser_, machine, diagnostics, options.interpreter, options.state),
-      planner_(machine, options.feed_override, diagnostics),
+      planner_(machine, options.feed_override, diagnostics, {}, options.constraints),
       states_(options.state),
       patient_(!options.events.empty()),
       limit_(machine, largest_override(options)) {}

@@ -21,6 +21,7 @@ namespace {
 constexpr std::size_t kBatch = 256;      // rows
 constexpr double kLongestBatch = 0.256;  // s: a backend may run in real time
 constexpr std::size_t kFelt = 3;         // rows before one that its differences depend on
+constexpr int kPause = 20;               // ms: where a pipe gives nothing for so long, it pauses
 constexpr std::int64_t kFewQuiet = 32;   // rows: fewer are not worth passing over
 
 std::size_t batch_of(const Machine& machine) {
@@ -121,6 +122,7 @@ class Simulation {
         buffer_(realtime ? nullptr : &backend),
         batch_(batch_of(machine)),
         skims_(options.skims && !realtime),
+        rests_at_pauses_(options.rests_at_pauses && options.events.empty()),
         verification_(machine),
         diagnostics_(diagnostics),
         worst_lines_(options.worst_lines) {
@@ -143,7 +145,7 @@ class Simulation {
 
  private:
   void wait(RowSink* rows, Watcher* watcher);
-  void wait_for_more(RowSink* rows, Watcher* watcher) const;
+  void wait_for_more(RowSink* rows, Watcher* watcher);
   bool run_batch(RowSink* rows, Watcher* watcher);
   void pass_quiet_rows(Watcher* watcher);
   void verify();
@@ -161,7 +163,8 @@ class Simulation {
   RowBuffer buffer_;
   std::size_t batch_;           // rows
   bool skims_, quiet_ = false;  // what follows
-  bool wanted_ = true;          // rows
+  bool rests_at_pauses_, rested_ = false;
+  bool wanted_ = true;  // rows
   Verification verification_;
   const Diagnostics& diagnostics_;
   std::size_t worst_lines_;
@@ -183,7 +186,12 @@ void Simulation::wait(RowSink* rows, Watcher* watcher) {
 }
 
 /// A reader of the rows gets what there is, however long the next line of the program takes.
-void Simulation::wait_for_more(RowSink* rows, Watcher* watcher) const {
+void Simulation::wait_for_more(RowSink* rows, Watcher* watcher) {
+  if (rests_at_pauses_ && !rested_ && !has_input(input_, kPause)) {
+    rested_ = true;
+    return channel_.come_to_rest();
+  }
+  rested_ = false;
   if (realtime_) realtime_->rest();
   if (rows) rows->flush();
   if (watcher)

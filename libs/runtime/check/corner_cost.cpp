@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "job/corner_cost.hpp"
+#include "runtime/check/corner_cost.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "motion/core/units.hpp"
 #include "runtime/program/each_block.hpp"
 
-namespace softcnc::app {
+namespace softcnc::runtime {
 namespace {
 
 constexpr double kMuch = 0.1;                   // of the time
@@ -33,17 +33,17 @@ void round_corners(Block& block, double tolerance) {
 }
 
 /// Nothing if the watcher wants to stop, or the plan fails.
-std::optional<PlannedTimes> plan_rounded(runtime::Program& program, const Machine& machine,
-                                         const runtime::ChannelOptions& options, double tolerance,
-                                         runtime::Watcher* watcher) {
+std::optional<PlannedTimes> plan_rounded(Program& program, const Machine& machine,
+                                         const ChannelOptions& options, double tolerance,
+                                         Watcher* watcher) {
   Diagnostics silent([](const Diagnostic&) {});
   ipr::Reader reader = program.reader();
   ipr::Parser parser(reader, silent);
   ipr::InterpreterOptions reading = options.interpreter;
   reading.compare_dialects = reading.unreachable_too = false;
   ipr::Interpreter interpreter(parser, machine, silent, reading, options.state);
-  ipo::Planner planner(machine, options.feed_override, silent);
-  runtime::TimeKeeper keeper;
+  ipo::Planner planner(machine, options.feed_override, silent, {}, options.constraints);
+  TimeKeeper keeper;
   PlannedTimes times;
   const auto take_timed = [&] {
     while (const auto timed = planner.pop()) {
@@ -60,7 +60,7 @@ std::optional<PlannedTimes> plan_rounded(runtime::Program& program, const Machin
     stopped = watcher != nullptr && ++blocks % kBlocksBetweenLooks == 0 && watcher->wants_stop();
     return !stopped;
   };
-  runtime::each_block(interpreter, take, [] { return false; });
+  each_block(interpreter, take, [] { return false; });
   planner.finish();
   if (!stopped) take_timed();
   if (stopped || silent.errors() > 0) return std::nullopt;
@@ -75,7 +75,7 @@ std::string seconds_text(double seconds) {
                                 : fmt::format("{:.1f} s", seconds);
 }
 
-bool asks_for_exact_path(const runtime::CornerRests& rests) {
+bool asks_for_exact_path(const CornerRests& rests) {
   return rests.exact_seconds > 0.5 * rests.roundable_seconds;
 }
 
@@ -88,8 +88,7 @@ std::string remedy(double tolerance, bool exact) {
 
 class CornerJudge {
  public:
-  CornerJudge(const runtime::ChannelOptions& options, const runtime::Outcome& outcome,
-              Diagnostics& diagnostics)
+  CornerJudge(const ChannelOptions& options, const Outcome& outcome, Diagnostics& diagnostics)
       : options_(options), outcome_(outcome), diagnostics_(diagnostics) {}
 
   /// Whether rounding may win back a tenth of the time.
@@ -98,18 +97,18 @@ class CornerJudge {
            is_much(rests().roundable_seconds);
   }
 
-  std::optional<runtime::CornerCost> plan_again(runtime::Program& program, const Machine& machine,
-                                                runtime::Watcher* watcher) const {
+  std::optional<CornerCost> plan_again(Program& program, const Machine& machine,
+                                       Watcher* watcher) const {
     for (const double tolerance : kTolerances) {
       const auto rounded = plan_rounded(program, machine, options_, tolerance, watcher);
       if (!rounded) return std::nullopt;
       const double won = outcome_.time - rounded->time;
-      if (is_much(won)) return runtime::CornerCost{rests().count - rounded->rests, won, tolerance};
+      if (is_much(won)) return CornerCost{rests().count - rounded->rests, won, tolerance};
     }
     return std::nullopt;
   }
 
-  void report(const runtime::CornerCost& cost, std::string_view about) const {
+  void report(const CornerCost& cost, std::string_view about) const {
     const bool exact = asks_for_exact_path(rests());
     diagnostics_.report(
         exact ? Code::SC4031 : Code::SC4030, {},
@@ -119,21 +118,20 @@ class CornerJudge {
                     remedy(cost.tolerance, exact), about.empty() ? "that" : "most of that"));
   }
 
-  const runtime::CornerRests& rests() const { return outcome_.time_sheet.corners; }
+  const CornerRests& rests() const { return outcome_.time_sheet.corners; }
 
  private:
   bool is_much(double seconds) const { return seconds > kMuch * outcome_.time; }
 
-  const runtime::ChannelOptions& options_;
-  const runtime::Outcome& outcome_;
+  const ChannelOptions& options_;
+  const Outcome& outcome_;
   Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
-void report_corner_cost(runtime::Program& program, const Machine& machine,
-                        const runtime::ChannelOptions& options, runtime::Outcome& outcome,
-                        runtime::Watcher* watcher, Diagnostics& diagnostics) {
+void report_corner_cost(Program& program, const Machine& machine, const ChannelOptions& options,
+                        Outcome& outcome, Watcher* watcher, Diagnostics& diagnostics) {
   const CornerJudge judge(options, outcome, diagnostics);
   if (!judge.is_worth_a_plan(machine)) return;
   if (program.streamed() || !options.events.empty())
@@ -143,4 +141,4 @@ void report_corner_cost(runtime::Program& program, const Machine& machine,
   if (outcome.time_sheet.corner_cost) judge.report(*outcome.time_sheet.corner_cost, "");
 }
 
-}  // namespace softcnc::app
+}  // namespace softcnc::runtime

@@ -1,35 +1,35 @@
 // SPDX-License-Identifier: MIT
-#include "job/endless.hpp"
+#include "runtime/check/endless.hpp"
 
 #include "runtime/program/each_block.hpp"
 #include "runtime/session/unplanned_travel.hpp"
 
-namespace softcnc::app {
+namespace softcnc::runtime {
 namespace {
 
 constexpr int kBlocksBetweenLooks = 1024;
 
 /// Hands every block of the program to take(block), unless the watcher wants to stop.
 template <typename Take>
-void read(ipr::Interpreter& interpreter, runtime::Watcher* watcher, Take&& take) {
+void read(ipr::Interpreter& interpreter, Watcher* watcher, Take&& take) {
   int blocks = 0;
   const auto take_watched = [&](const Block& block) {
     take(block);
     return watcher == nullptr || ++blocks % kBlocksBetweenLooks != 0 || !watcher->wants_stop();
   };
-  runtime::each_block(interpreter, take_watched, [] { return false; });
+  each_block(interpreter, take_watched, [] { return false; });
 }
 
 }  // namespace
 
-bool is_endless(runtime::Program& program, const Machine& machine,
-                const runtime::ChannelOptions& options, runtime::Watcher* watcher) {
+bool is_endless(Program& program, const Machine& machine, const ChannelOptions& options,
+                Watcher* watcher) {
   ipr::Reader reader = program.reader();
   return is_endless(reader, machine, options, watcher);
 }
 
-bool is_endless(ipr::Reader& reader, const Machine& machine, const runtime::ChannelOptions& options,
-                runtime::Watcher* watcher) {
+bool is_endless(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+                Watcher* watcher) {
   bool endless = false;
   Diagnostics silent(
       [&](const Diagnostic& diagnostic) { endless |= diagnostic.code == Code::SC2310; });
@@ -41,10 +41,9 @@ bool is_endless(ipr::Reader& reader, const Machine& machine, const runtime::Chan
   return endless;
 }
 
-Unplanned read_unplanned(ipr::Reader& reader, const Machine& machine,
-                         const runtime::ChannelOptions& options, Diagnostics& diagnostics,
-                         runtime::Watcher* watcher) {
-  runtime::UnplannedTravel travel(machine, diagnostics);
+Unplanned read_unplanned(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+                         Diagnostics& diagnostics, Watcher* watcher) {
+  UnplannedTravel travel(machine, diagnostics);
   ipr::Parser parser(reader, diagnostics);
   ipr::Interpreter interpreter(parser, machine, diagnostics, options.interpreter, options.state);
   read(interpreter, watcher, [&](const Block& block) {
@@ -53,4 +52,4 @@ Unplanned read_unplanned(ipr::Reader& reader, const Machine& machine,
   return {interpreter.called_files(), interpreter.missing_files()};
 }
 
-}  // namespace softcnc::app
+}  // namespace softcnc::runtime

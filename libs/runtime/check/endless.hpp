@@ -10,15 +10,15 @@
 #include "runtime/session/channel_options.hpp"
 #include "runtime/session/watcher.hpp"
 
-namespace softcnc::app {
+namespace softcnc::runtime {
 
 /// Returns whether reading the program ends in an endless loop. False where the watcher wants to
 /// stop before that is known, and where a pipe has nothing more yet.
-bool is_endless(ipr::Reader& reader, const Machine& machine, const runtime::ChannelOptions& options,
-                runtime::Watcher* watcher);
+bool is_endless(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+                Watcher* watcher);
 /// The same for a program that can be read again.
-bool is_endless(runtime::Program& program, const Machine& machine,
-                const runtime::ChannelOptions& options, runtime::Watcher* watcher);
+bool is_endless(Program& program, const Machine& machine, const ChannelOptions& options,
+                Watcher* watcher);
 
 struct Unplanned {
   std::vector<std::string> called_files;  // as of Outcome
@@ -26,8 +26,7 @@ struct Unplanned {
 };
 
 /// Reports what reading a program reports, and where its moves would leave the travel.
-Unplanned read_unplanned(ipr::Reader& reader, const Machine& machine,
-                         const runtime::ChannelOptions& options, Diagnostics& diagnostics,
-                         runtime::Watcher* watcher);
+Unplanned read_unplanned(ipr::Reader& reader, const Machine& machine, const ChannelOptions& options,
+                         Diagnostics& diagnostics, Watcher* watcher);
 
-}  // namespace softcnc::app
+}  // namespace softcnc::runtime

@@ -7,7 +7,7 @@
 #include "runtime/session/outcome.hpp"
 #include "runtime/session/watcher.hpp"
 
-namespace softcnc::app {
+namespace softcnc::runtime {
 
 /// Where rests at corners take more than a tenth of the time by what they lose against the feed,
 /// the program is planned once more with its corners rounded, twice at most. If that wins a tenth
@@ -16,8 +16,7 @@ namespace softcnc::app {
 /// whose feed is changed while it runs, are not planned again; what is reported is their loss
 /// against the feed. Nothing is reported where every block is to end at rest, by --single-block or
 /// a clock of pulses. The outcome is that of a run that came to its end without errors.
-void report_corner_cost(runtime::Program& program, const Machine& machine,
-                        const runtime::ChannelOptions& options, runtime::Outcome& outcome,
-                        runtime::Watcher* watcher, Diagnostics& diagnostics);
+void report_corner_cost(Program& program, const Machine& machine, const ChannelOptions& options,
+                        Outcome& outcome, Watcher* watcher, Diagnostics& diagnostics);
 
-}  // namespace softcnc::app
+}  // namespace softcnc::runtime

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Where setpoints go: a machine that softcnc does not know.
+#pragma once
+
+#include <softcnc/export.hpp>
+#include <softcnc/setpoint.hpp>
+
+namespace softcnc::api {
+
+/// Moves a machine. A session calls it from the thread that calls Session::step().
+class SOFTCNC_API Backend {
+ public:
+  Backend() = default;
+  Backend(const Backend&) = delete;
+  Backend& operator=(const Backend&) = delete;
+  virtual ~Backend();
+
+  /// Carries the machine over one period to the setpoint, and returns where it is then; the first
+  /// setpoint says where it stands.
+  virtual Feedback exchange(const Setpoint& setpoint) noexcept = 0;
+  /// Is called where the machine is at rest and the next exchange may take long.
+  virtual void rest() noexcept {}
+};
+
+}  // namespace softcnc::api

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// A part program, and what is wrong with it on a machine.
+#pragma once
+
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <softcnc/constraint.hpp>
+#include <softcnc/diagnostic.hpp>
+#include <softcnc/machine.hpp>
+
+namespace softcnc::api {
+
+/// A program can be read any number of times.
+class SOFTCNC_API Program {
+ public:
+  /// Opens a file; programs that it calls lie in the same folder. Errors: SC6001, SC6002.
+  static Expected<Program> open(const std::string& file);
+  /// Takes a text; `name` stands for the file in diagnostics. It can call no files. Errors: SC6003,
+  /// where the text cannot be kept.
+  static Expected<Program> from_text(const std::string& text, const std::string& name = "program");
+  /// Does the same for all that a stream has.
+  static Expected<Program> from_stream(std::istream& in, const std::string& name = "program");
+
+  Program(Program&& other) noexcept;
+  Program& operator=(Program&& other) noexcept;
+  ~Program();
+
+  const std::string& name() const noexcept;
+
+  struct Data;
+  Data& data() const noexcept { return *data_; }
+
+ private:
+  explicit Program(std::unique_ptr<Data> data) noexcept;
+  std::unique_ptr<Data> data_;
+};
+
+enum class Dialect : std::uint8_t { linuxcnc, fanuc };
+
+/// How a program is run.
+struct RunOptions {
+  double feed_override = 1;  // of the programmed feed, as it begins: 0 to 2
+  Dialect dialect = Dialect::linuxcnc;
+  bool block_skip = false;     // leave out lines that begin with '/'
+  bool optional_stop = false;  // M01 stops
+  /// Limits beyond those of the machine.
+  std::vector<std::shared_ptr<const Constraint>> constraints;
+};
+
+/// Returns all that is wrong with a program on a machine, as `softcnc check` reports it: errors,
+/// warnings and notes in the order in which they are found. The program is planned and verified to
+/// its end; nothing moves.
+SOFTCNC_API std::vector<Diagnostic> check(const Program& program, const Machine& machine,
+                                          const RunOptions& options = {});
+
+}  // namespace softcnc::api

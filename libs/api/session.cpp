@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/session/session.hpp"
+
+#include <softcnc/session.hpp>
+#include <utility>
+
+#include "api/convert.hpp"
+#include "api/data.hpp"
+#include "runtime/sinks/contour_rows.hpp"
+
+namespace softcnc::api {
+namespace {
+
+/// A backend of the user as one of the runtime's.
+class Custom final : public hal::Backend {
+ public:
+  Custom(std::shared_ptr<api::Backend> backend, double period)
+      : backend_(std::move(backend)), period_(period) {}
+
+  softcnc::Feedback exchange(const softcnc::Setpoint& setpoint) noexcept override {
+    const api::Feedback feedback = backend_->exchange(setpoint_of(setpoint, period_));
+    last_ = feedback.position;
+    return {last_, feedback.alarm ? Alarm::driver_fault : Alarm::none};
+  }
+  void rest() noexcept override { backend_->rest(); }
+  softcnc::AxisVector settle() const noexcept override { return last_; }
+
+ private:
+  std::shared_ptr<api::Backend> backend_;
+  double period_;
+  softcnc::AxisVector last_ = softcnc::AxisVector::Zero();
+};
+
+SessionStatus status_of(runtime::SessionStatus status) noexcept {
+  switch (status) {
+    case runtime::SessionStatus::running:
+      return SessionStatus::running;
+    case runtime::SessionStatus::waiting:
+      return SessionStatus::waiting;
+    case runtime::SessionStatus::paused:
+      return SessionStatus::paused;
+    case runtime::SessionStatus::done:
+      return SessionStatus::done;
+    case runtime::SessionStatus::alarm:
+      break;
+  }
+  return SessionStatus::alarm;
+}
+
+}  // namespace
+
+struct Session::Data {
+  Data(const softcnc::Machine& on, const RunOptions& options, std::unique_ptr<hal::Backend> with)
+      : machine(on),
+        setup(options, nullptr),
+        backend(std::move(with)),
+        session(machine, setup.channel(), *backend),
+        columns(runtime::row_columns(*backend)),
+        values(columns.size()) {}
+
+  softcnc::Machine machine;
+  RunSetup setup;
+  std::unique_ptr<hal::Backend> backend;
+  runtime::Session session;
+  std::vector<std::string> columns;
+  std::vector<double> values;
+};
+
+Session::Session(std::unique_ptr<Data> data) noexcept : data_(std::move(data)) {}
+Session::Session(Session&& other) noexcept = default;
+Session& Session::operator=(Session&& other) noexcept = default;
+Session::~Session() = default;
+
+Expected<Session> Session::open(const Machine& machine, const RunOptions& options) {
+  auto backend = hal::open_backend(machine.data().machine);
+  if (!backend) return error_of(backend.error());
+  return Session(std::make_unique<Data>(machine.data().machine, options, std::move(*backend)));
+}
+
+Session Session::on(std::shared_ptr<Backend> backend, const Machine& machine,
+                    const RunOptions& options) {
+  return Session(
+      std::make_unique<Data>(machine.data().machine, options,
+                             std::make_unique<Custom>(std::move(backend), machine.period())));
+}
+
+bool Session::feed(std::string_view text) { return data_->session.feed(text).has_value(); }
+void Session::end() noexcept { data_->session.end(); }
+void Session::rest() noexcept { data_->session.rest(); }
+
+std::optional<Row> Session::step() {
+  const auto row = data_->session.step();
+  if (!row) return std::nullopt;
+  data_->values.assign(row->values.begin(), row->values.end());
+  return Row{setpoint_of(row->setpoint, data_->machine.control.period),
+             {row->feedback.position, row->feedback.alarm != Alarm::none}};
+}
+
+SessionStatus Session::status() const noexcept { return status_of(data_->session.status()); }
+void Session::hold() noexcept { data_->session.hold(); }
+void Session::resume() noexcept { data_->session.resume(); }
+void Session::set_feed_override(double feed_override) noexcept {
+  data_->session.set_feed_override(feed_override);
+}
+void Session::abort() noexcept { data_->session.abort(); }
+
+std::vector<Diagnostic> Session::diagnostics() const {
+  return diagnostics_of(data_->session.diagnostics());
+}
+
+const std::vector<std::string>& Session::columns() const noexcept { return data_->columns; }
+const std::vector<double>& Session::values() const noexcept { return data_->values; }
+
+}  // namespace softcnc::api
