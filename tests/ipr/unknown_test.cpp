@@ -82,6 +82,17 @@ TEST_CASE("an error within a curve leaves it, and the rest of its lines report n
         Places{"SC2005 3:1", "SC2004 6:8"});
 }
 
+TEST_CASE("an error within G05 leaves the tangent at its end unknown until the next motion",
+          "[ipr][unknown]") {
+  const std::string failed = kFeed + "G05 X5 Y0 II1 J2 P-1 Q-2\n";
+  CHECK(reported(failed + "G05 X10 Y0 P1 Q1\nX15 Y0 P1 Q1") == Places{"SC1002 2:11"});
+  CHECK(reported(kFeed + "G05 X5 Y0 I1 J2 P-1\nX10 Y0 P1 Q1") == Places{"SC2005 2:1"});
+  CHECK(reported(failed + "M70\nM72\nG05 X10 Y0 P1 Q1") == Places{"SC1002 2:11"});
+  CHECK(reported(failed + "G01 X1\nG05 X10 Y0 P1 Q1") == Places{"SC1002 2:11", "SC3118 4:1"});
+  CHECK(reported(failed + "G05 X9 Y0 I1 J1 P1 Q1\nX1 Y1 P1 Q1\nG01 X2 Q1") ==
+        Places{"SC1002 2:11", "SC2004 5:8"});
+}
+
 TEST_CASE("an unknown length leaves Z unknown until the length is known", "[ipr][unknown]") {
   const std::string tools = "G10 L1 P1 Z3\n";
   CHECK(reported(tools + "G43 H9\nG00 Z1\n" + kFeed + "G18 G02 X9 Z9 R1") == Places{"SC2112 2:5"});

@@ -307,7 +307,7 @@ void Interpreter::act(Task& task) {
   if (has_unknown_operand(code)) {
     const bool begins = code.group == Group::motion && !settled(code).empty();
     if (begins) begin_motion(task);
-    if (begins) modal_.unknown.remove(Part::motion);
+    if (begins) modal_.unknown = modal_.unknown.without(settled(code));
     return skip(task);
   }
   if (!modal_.unknown.empty()) modal_.unknown = modal_.unknown.without(settled(code));
@@ -322,8 +322,9 @@ void Interpreter::act(Task& task) {
 
 /// A code that cannot act, or has reported an error; of a move it may be known where it ends.
 [[gnu::cold]] void Interpreter::skip(Task& task) {
-  if (task.code.group == Group::motion && follow_unmade_move(task)) return;
-  modal_.unknown |= results(task.code, command_);
+  Unknown parts = results(task.code, command_);
+  if (task.code.group == Group::motion && follow_unmade_move(task)) parts = parts.without(kPosition);
+  modal_.unknown |= parts;
 }
 
 /// Reports what reading alone finds in lines that are never run.

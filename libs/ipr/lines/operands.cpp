@@ -26,6 +26,11 @@ bool may_go_on(const GCode& code, const Command& command) noexcept {
          code.number == kG061;
 }
 
+/// A G05 that goes on from the one before, if there is one.
+bool follows_tangent(const GCode& code, const Command& command) noexcept {
+  return code.number == kG05 && !command.values().letters().has_any("IJK");
+}
+
 bool goes_to_machine_point(const Command& command) noexcept {
   const GCode* code = command.find(Group::non_modal);
   return code != nullptr && code->number == kG53;
@@ -40,6 +45,7 @@ Unknown of_feed(const Modal& modal) noexcept {
 Unknown operands_of_motion(const GCode& code, const Command& command, const Modal& modal) noexcept {
   Unknown parts = kPosition | Unknown{Part::units, Part::distance, Part::cutter};
   if (code.number == kG053 || may_go_on(code, command)) parts.add(Part::motion);
+  if (follows_tangent(code, command)) parts |= {Part::motion, Part::tangent};
   if (!goes_to_machine_point(command)) parts |= kOffsets;
   if (code.number != kG00) parts |= of_feed(modal);
   const bool in_plane = code.number == kG02 || code.number == kG03 || is_canned_cycle(code) ||
@@ -113,6 +119,8 @@ Unknown results(const GCode& code, const Command& command) noexcept {
     case Group::motion: {
       Unknown parts = named_axes(command);
       if (is_curve_of_lines(code)) parts.add(Part::motion);
+      if (is_canned_cycle(code)) parts.add(Part::cycle_words);
+      if (code.number == kG05) parts.add(Part::tangent);
       return parts;
     }
     case Group::non_modal:
@@ -131,8 +139,8 @@ Unknown results(const GCode& code, const Command& command) noexcept {
 Unknown settled(const GCode& code) noexcept {
   switch (code.group) {
     case Group::motion:
-      if (is_canned_cycle(code)) return {Part::motion, Part::cycle_words};
-      return is_curve_of_lines(code) ? Unknown{} : Unknown{Part::motion};
+      if (is_canned_cycle(code)) return {Part::motion, Part::tangent, Part::cycle_words};
+      return is_curve_of_lines(code) ? Unknown{} : Unknown{Part::motion, Part::tangent};
     case Group::cycle:
       return {Part::motion};
     case Group::plane:

@@ -30,6 +30,7 @@ enum class Part : std::uint8_t {
   y,
   z,
   cycle_words,  // what a canned cycle keeps from hole to hole
+  tangent,      // at the end of G05, where a G05 without I and J goes on
   end,          // whether the program has ended: M02, M30
 };
 
