@@ -82,6 +82,12 @@ TEST_CASE("an error within a curve leaves it, and the rest of its lines report n
         Places{"SC2005 3:1", "SC2004 6:8"});
 }
 
+TEST_CASE("a curve that begins after an unknown one is read to its end", "[ipr][unknown]") {
+  const std::string points = "K0 X5 Y5\nK0 X10 Y0\nK1\nK1\nK1\n";
+  CHECK(reported(kFeed + "G00 X..0 Y0\nG06.2 P3 K0 X0 Y0\n" + points + "G06.2 P3 K0 X10 Y0\n" +
+                 points + "G01 X1") == Places{"SC1004 2:6"});
+}
+
 TEST_CASE("an error within G05 leaves the tangent at its end unknown until the next motion",
           "[ipr][unknown]") {
   const std::string failed = kFeed + "G05 X5 Y0 II1 J2 P-1 Q-2\n";

@@ -305,7 +305,7 @@ bool Interpreter::has_unknown_operand(const GCode& code) const noexcept {
 void Interpreter::act(Task& task) {
   const GCode& code = task.code;
   if (has_unknown_operand(code)) {
-    const bool begins = code.group == Group::motion && !settled(code).empty();
+    const bool begins = code.group == Group::motion && !is_curve_of_lines(code);
     if (begins) begin_motion(task);
     if (begins) modal_.unknown = modal_.unknown.without(settled(code));
     return skip(task);
@@ -323,7 +323,8 @@ void Interpreter::act(Task& task) {
 /// A code that cannot act, or has reported an error; of a move it may be known where it ends.
 [[gnu::cold]] void Interpreter::skip(Task& task) {
   Unknown parts = results(task.code, command_);
-  if (task.code.group == Group::motion && follow_unmade_move(task)) parts = parts.without(kPosition);
+  if (task.code.group == Group::motion && follow_unmade_move(task))
+    parts = parts.without(kPosition);
   modal_.unknown |= parts;
 }
 

@@ -140,7 +140,7 @@ Unknown settled(const GCode& code) noexcept {
   switch (code.group) {
     case Group::motion:
       if (is_canned_cycle(code)) return {Part::motion, Part::tangent, Part::cycle_words};
-      return is_curve_of_lines(code) ? Unknown{} : Unknown{Part::motion, Part::tangent};
+      return {Part::motion, Part::tangent};
     case Group::cycle:
       return {Part::motion};
     case Group::plane:
