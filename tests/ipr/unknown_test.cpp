@@ -27,7 +27,8 @@ Places after_a_missing_call(const std::string& lines, Dialect dialect = Dialect:
 std::string line_of(const GCode& code) {
   std::string line =
       code.number == kAnyNumber ? std::string(1, code.letter) + "1" : code_name(code);
-  for (const char letter : code.words) line += std::string(" ") + letter + "1";
+  for (const char letter : code.words)
+    if (letter != code.letter) line += std::string(" ") + letter + "1";
   return line;
 }
 
@@ -106,6 +107,16 @@ TEST_CASE("an unknown length leaves Z unknown until the length is known", "[ipr]
         "SC2109 6:15");
 }
 
+TEST_CASE("an error in a table leaves its values unknown", "[ipr][unknown]") {
+  const std::string tool = "G10 L1 PL R5\n";
+  CHECK(reported(tool + "G41 D1\nG40\nG00 X1 Q1") == Places{"SC1002 1:8", "SC2004 4:8"});
+  CHECK(reported("G10 L1 P0 R5\nG41 D1\nG40\nG43 H1\nT1\nM06") == Places{"SC2007 1:8"});
+  CHECK(reported("G10 L1 P0 R5\n" + kFeed + "G02 X9 Y9 R1") == Places{"SC2007 1:8", "SC2109 3:11"});
+  CHECK(reported("G10 L2 P99 X5\n" + kFeed + "G02 X9 Y9 R1\nG41 D1").size() == 2);
+  CHECK(reported("G10 L3 P1 R5\nG41 D1") == Places{"SC2007 1:5"});
+  CHECK(reported("#2001=[1\nG43 H1", Dialect::fanuc) == Places{"SC1017 1:7"});
+}
+
 TEST_CASE("modes are restored with what was unknown of them", "[ipr][unknown]") {
   CHECK(reported(kFeed + "G..18\nM70\nG17 G90 G91.1 G94 G40\nM72\nG02 X10 I5 K5") ==
         Places{"SC1004 2:2"});
@@ -140,7 +151,7 @@ TEST_CASE("a code settles what it sets whole", "[ipr][unknown]") {
     CHECK(results(code, Command{})
               .without(kPosition)
               .without(settled(code))
-              .without({Part::motion, Part::shift})
+              .without({Part::motion, Part::shift, Part::tool_data})
               .has_any(kEverything) == (code.letter == 'G' && code.number == 650));
   }
 }

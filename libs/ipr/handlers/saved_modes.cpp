@@ -18,8 +18,8 @@ double turning(const Modes& modes) {
 
 void restore(Modal& modal, const SavedModes& saved) {
   constexpr Unknown kNotSaved =
-      kPosition |
-      Unknown{Part::motion, Part::tool, Part::shift, Part::cycle_words, Part::tangent, Part::end};
+      kPosition | Unknown{Part::motion,      Part::tool,    Part::shift, Part::tool_data,
+                          Part::cycle_words, Part::tangent, Part::end};
   constexpr Unknown kSaved = kEverything.without(kNotSaved);
   const Unknown unknown = saved.unknown.without(kNotSaved) | modal.unknown.without(kSaved);
   static_cast<Modes&>(modal) = saved.modes;
