@@ -117,6 +117,12 @@ TEST_CASE("an error in a table leaves its values unknown", "[ipr][unknown]") {
   CHECK(reported("#2001=[1\nG43 H1", Dialect::fanuc) == Places{"SC1017 1:7"});
 }
 
+TEST_CASE("a code that is refused leaves open what it would have set", "[ipr][unknown]") {
+  CHECK(reported("G08 P1\nX2\nG00 X2 Q1") == Places{"SC2001 1:1", "SC2004 3:8"});
+  CHECK(reported("G87 X1 YO Z-1\nX2\nX3") == Places{"SC2161 1:1"});
+  CHECK(reported("G33 X..1\nX2") == Places{"SC2114 1:1"});
+}
+
 TEST_CASE("modes are restored with what was unknown of them", "[ipr][unknown]") {
   CHECK(reported(kFeed + "G..18\nM70\nG17 G90 G91.1 G94 G40\nM72\nG02 X10 I5 K5") ==
         Places{"SC1004 2:2"});

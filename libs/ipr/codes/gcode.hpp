@@ -106,6 +106,9 @@ constexpr bool is_curve_of_lines(const GCode& code) noexcept {
 /// Known, and not supported: it reports why.
 constexpr bool is_refused(const GCode& code) noexcept { return code.says.starts_with("Refused"); }
 
+/// Not known to LinuxCNC.
+constexpr bool is_of_fanuc(const GCode& code) noexcept { return code.says.starts_with("fanuc:"); }
+
 /// G65, G66 and G66.1: what stands after them on the line are arguments, no codes.
 constexpr bool calls_macro(const GCode& code) noexcept {
   return code.letter == 'G' && (code.number == 650 || code.number == 660 || code.number == 661);

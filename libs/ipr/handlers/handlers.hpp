@@ -84,9 +84,7 @@ void use_tool_length(Task& task);
 void use_given_length(Task& task);
 void add_tool_length(Task& task);
 void use_no_tool_length(Task& task);
-void cancel_nothing(Task& task);
 void switch_look_ahead(Task& task);
-void end_data_input(Task& task);
 void stop_once(Task& task);
 void select_length(Task& task);
 
@@ -203,7 +201,6 @@ void for_named_axes(const Task& task, Use&& use) {
 void emit_move(Task& task, Path&& path, bool rapid = false);
 /// A cutting move by the modes in force.
 Move cutting_move(const Modal& modal, Path&& path, double feed);
-bool is_of_fanuc(Task& task);
 /// False, after a report, if the machine lacks an axis of the plane.
 bool has_plane_axes(Task& task, const PlaneAxes& axes);
 /// What a curve over several lines keeps of its first one.

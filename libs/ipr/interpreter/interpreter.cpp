@@ -295,8 +295,10 @@ void Interpreter::execute() {
   modal_.machine_coordinates = modal_.stops_once = false;
 }
 
+/// A code that is refused is so whatever its words.
 bool Interpreter::has_unknown_operand(const GCode& code) const noexcept {
   if (command_.unread().empty() && modal_.unknown.empty()) return false;
+  if (is_refused(code)) return false;
   return command_.unread().has_any(code.words) ||
          modal_.unknown.has_any(operands(code, command_, modal_));
 }

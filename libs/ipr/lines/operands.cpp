@@ -145,6 +145,7 @@ Unknown operands(const GCode& code, const Command& command, const Modal& modal) 
 Unknown results(const GCode& code, const Command& command) noexcept {
   switch (code.group) {
     case Group::motion: {
+      if (is_refused(code)) return kPosition | Unknown{Part::motion};
       Unknown parts = named_axes(command);
       if (is_curve_of_lines(code)) parts.add(Part::motion);
       if (is_canned_cycle(code)) parts.add(Part::cycle_words);
