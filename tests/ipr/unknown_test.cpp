@@ -32,6 +32,14 @@ std::string line_of(const GCode& code) {
   return line;
 }
 
+/// What is reported where lines that are never run are read as well.
+Places reported_of_all(const std::string& text, Dialect dialect = Dialect::linuxcnc) {
+  InterpreterOptions options;
+  options.dialect = dialect;
+  options.unreachable_too = true;
+  return places(interpret(text + "\nM30\n", Machine{}, options));
+}
+
 }  // namespace
 
 TEST_CASE("a line reports its first error by column", "[ipr][unknown]") {
@@ -118,9 +126,28 @@ TEST_CASE("an error in a table leaves its values unknown", "[ipr][unknown]") {
 }
 
 TEST_CASE("a code that is refused leaves open what it would have set", "[ipr][unknown]") {
+  CHECK(reported("G8L X1 Y1 Z-1 R1\nX2") == Places{"SC1002 1:3"});
   CHECK(reported("G08 P1\nX2\nG00 X2 Q1") == Places{"SC2001 1:1", "SC2004 3:8"});
   CHECK(reported("G87 X1 YO Z-1\nX2\nX3") == Places{"SC2161 1:1"});
   CHECK(reported("G33 X..1\nX2") == Places{"SC2114 1:1"});
+}
+
+TEST_CASE("a letter without a number, right after a number, may be meant for a digit",
+          "[ipr][unknown]") {
+  CHECK(reported(kFeed + "G01 Y5 X1O\nG02 X9 Y9 R1") == Places{"SC1002 2:10"});
+  CHECK(reported(kFeed + "G01 Y5 X1 O\nG02 X9 Y9 R1") == Places{"SC1002 2:11", "SC2109 3:11"});
+  CHECK(reported(kFeed + "G9O\nG91 X1\nG1B\nG02 X10 I5 K5").size() == 2);
+  CHECK(reported(kFeed + "G1B\nG02 X10 I5 K5") == Places{"SC1002 2:3"});
+  CHECK(reported("S100 M3\nM7O\n" + kFeed + "G81 X1 Z-1 R1").size() == 1);
+}
+
+TEST_CASE("a line number that cannot be read may be the one that is missing", "[ipr][unknown]") {
+  const Dialect fanuc = Dialect::fanuc;
+  CHECK(reported_of_all("GOTO 10\nN1O G00 X1", fanuc) == Places{"SC1002 2:3"});
+  CHECK(reported_of_all("N1l G00 X1\nGOTO 10", fanuc) == Places{"SC1002 1:3"});
+  CHECK(reported_of_all("GOTO 10\nNIO G00 X1", fanuc) == Places{"SC1020 2:1"});
+  CHECK(reported_of_all("GOTO 10\nN1X[SIN[30]]", fanuc).front() == "SC2308 1:1");
+  CHECK(reported("GOTO 2\nN1O\nN2\nGOTO 10", fanuc).front() == "SC2308 4:1");
 }
 
 TEST_CASE("modes are restored with what was unknown of them", "[ipr][unknown]") {

@@ -69,6 +69,7 @@ void Flow::remember_end() {
 
 /// What cannot be read may have begun or ended something.
 void Flow::note_unread(const ProgramLine& line) {
+  if (line.unread.has('N')) line_numbers_unknown_ = true;
   const bool names_label = line.unread.has('O') && line.unread != kAllLetters;
   if (line.statement == nullptr && !looks_like_statement(line.text) && !names_label) return;
   lose_order();

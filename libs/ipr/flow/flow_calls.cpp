@@ -266,9 +266,10 @@ void Flow::go_to_line(int number, const SourcePos& pos) {
     return go_back(here, before_, pos);
   }
   lose_order();
-  report(Code::SC2308, pos,
-         "no line N" + std::to_string(number) + " in " +
-             (in_subprogram() ? name_of(calls_.back().sub) : "the program"));
+  if (!line_numbers_unknown_)
+    report(Code::SC2308, pos,
+           "no line N" + std::to_string(number) + " in " +
+               (in_subprogram() ? name_of(calls_.back().sub) : "the program"));
   vain_ += end;
   sought_in_vain(here, pos);
 }

@@ -17,6 +17,7 @@ bool Flow::pass_to(Wanted wanted) {
     if (!line) return false;
     const Kind kind = line->statement ? line->statement->kind : Kind::none;
     if (line->broken && kind == Kind::none) structure_unknown_ = true;
+    if (line->unread.has('N') && options_.unreachable_too) line_numbers_unknown_ = true;
     if (!definition.empty()) {
       if (kind == Kind::end_sub && line->statement->label == definition) definition.clear();
     } else if (wanted(*line)) {
