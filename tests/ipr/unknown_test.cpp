@@ -150,6 +150,17 @@ TEST_CASE("a line number that cannot be read may be the one that is missing", "[
   CHECK(reported("GOTO 2\nN1O\nN2\nGOTO 10", fanuc).front() == "SC2308 4:1");
 }
 
+TEST_CASE("an end that cannot be read may be the one that is missing", "[ipr][unknown]") {
+  CHECK(reported_of_all("o100 sub\no100 e]dsub") == Places{"SC1002 2:6"});
+  CHECK(reported_of_all("o1 sub\no1 e8dsub\no1 call") == Places{"SC2006 2:4"});
+  CHECK(reported_of_all("o110 if [0]\no110 e8dif") == Places{"SC2006 2:6"});
+  CHECK(reported_of_all("o110 if [1]\no110 e8dif") == Places{"SC2006 2:6"});
+  CHECK(reported_of_all("o110 if [1]\noN10 endif") == Places{"SC1002 2:1"});
+  CHECK(reported_of_all("o110 if [0]\noN10 endif") == Places{"SC1002 2:1"});
+  // where the lines after it are not read, what is missing is reported instead
+  CHECK(reported("o100 sub\no100 endsbu") == Places{"SC2303 1:1"});
+}
+
 TEST_CASE("modes are restored with what was unknown of them", "[ipr][unknown]") {
   CHECK(reported(kFeed + "G..18\nM70\nG17 G90 G91.1 G94 G40\nM72\nG02 X10 I5 K5") ==
         Places{"SC1004 2:2"});

@@ -36,7 +36,7 @@ void Flow::pass_definition() {
   moved_ = true;
   while (const auto line = parser_.next_statement()) {
     const Statement* inner = line->statement;
-    if (line->broken && inner == nullptr) structure_unknown_ = true;
+    if (line->broken && inner == nullptr && options_.unreachable_too) structure_unknown_ = true;
     if (inner == nullptr) continue;
     if (inner->kind == Kind::program && inner->label == statement_.label && nested.line == 0 &&
         !next) {

@@ -7,11 +7,13 @@
 namespace softcnc::ipr {
 
 /// Passes lines until `wanted` is one; before_ is the spot before it. False at the end of the
-/// subprogram or program.
+/// subprogram or program. What cannot be read may have begun or ended something: that counts where
+/// it will be reported, since reading goes back after false, and all is read if unreachable_too.
 template <typename Wanted>
 bool Flow::pass_to(Wanted wanted) {
   moved_ = true;
   std::string definition;  // of a subprogram, which is passed over as a whole
+  const bool structure_was_unknown = structure_unknown_;
   for (;;) {
     const auto line = parser_.next_statement();
     if (!line) return false;
@@ -21,6 +23,7 @@ bool Flow::pass_to(Wanted wanted) {
     if (!definition.empty()) {
       if (kind == Kind::end_sub && line->statement->label == definition) definition.clear();
     } else if (wanted(*line)) {
+      if (!options_.unreachable_too) structure_unknown_ = structure_was_unknown;
       before_ = {parser_.file(), parser_.reader().place_before(line->text)};
       return true;
     } else if (kind == Kind::sub) {

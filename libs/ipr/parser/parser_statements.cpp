@@ -104,6 +104,8 @@ bool Parser::read_o_word(Lexer& lexer, const Token& letter) {
   StatementReader reader(lexer, parameters_, statement_, depth_);
   const Found found = reader.read_o_word({line_.number, letter.column, letter.length});
   if (depth_ != Depth::outline) note(reader.other_value());
+  if (depth_ == Depth::outline && found == Found::nothing)
+    line_.broken = !statement_.label.empty() || lacks_value(lexer);
   if (found == Found::program) line_.statement = &statement_;
   if (found != Found::statement) return false;
   settle(reader, lexer);
