@@ -161,6 +161,13 @@ TEST_CASE("an end that cannot be read may be the one that is missing", "[ipr][un
   CHECK(reported("o100 sub\no100 endsbu") == Places{"SC2303 1:1"});
 }
 
+TEST_CASE("nothing is added at the end of the program to what a line has reported",
+          "[ipr][unknown]") {
+  CHECK(reported(kFeed + "o1 if 1\nG01 X1") == Places{"SC1017 2:7"});
+  CHECK(reported("o1 sub 5\nG00 X1") == Places{"SC1029 1:8"});
+  CHECK(reported("G00 X[\no1 if [1]\nG00 X1").size() == 2);
+}
+
 TEST_CASE("modes are restored with what was unknown of them", "[ipr][unknown]") {
   CHECK(reported(kFeed + "G..18\nM70\nG17 G90 G91.1 G94 G40\nM72\nG02 X10 I5 K5") ==
         Places{"SC1004 2:2"});

@@ -34,6 +34,7 @@ Flow::Flow(Parser& parser, Diagnostics& diagnostics, FlowOptions options)
 std::optional<ProgramLine> Flow::next() {
   if (jump_) jump_now();
   while (!ended_) {
+    errors_before_ = diagnostics_.errors();
     auto line = parser_.next_if_there();
     if (!line && parser_.waiting()) return std::nullopt;
     if (!line) {
@@ -99,6 +100,7 @@ void Flow::take(const ProgramLine& line) {
   statement_ = *line.statement;
   statement_.unknown = statement_.unknown || line.broken;
   text_ = line.text;
+  if (diagnostics_.errors() > errors_before_) erroneous_.emplace(parser_.file(), line.number);
   head_ = {parser_.file(), parser_.reader().place_before(line.text)};
 }
 

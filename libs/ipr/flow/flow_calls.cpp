@@ -65,6 +65,8 @@ void Flow::pass_definition() {
     nested_text = line->text;
   }
   const std::string& label = statement_.label;
+  if (erroneous_.contains({statement_.pos.file, statement_.pos.line}))
+    unknown_labels_.insert(label);
   report_structure(label, Code::SC2303, statement_.pos,
                    "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'",
                    text_);
