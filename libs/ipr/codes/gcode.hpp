@@ -108,6 +108,9 @@ constexpr bool is_curve_of_lines(const GCode& code) noexcept {
 /// Returns whether the code is known but not supported. Its handler reports why.
 constexpr bool is_refused(const GCode& code) noexcept { return code.says.starts_with("Refused"); }
 
+/// Returns whether the code is one that LinuxCNC does not know.
+constexpr bool is_of_fanuc(const GCode& code) noexcept { return code.says.starts_with("fanuc:"); }
+
 /// Returns whether the code is G65, G66 or G66.1: the words after it on the line are arguments, not
 /// codes.
 constexpr bool calls_macro(const GCode& code) noexcept {

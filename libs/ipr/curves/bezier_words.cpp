@@ -158,7 +158,6 @@ void draw(Task& task, Draw draw_curve) {
 
 /// G08 P1 and P0.
 void switch_look_ahead(Task& task) {
-  if (!is_of_fanuc(task)) return;
   const double wanted = task.values.value_or('P', -1);
   if (wanted == 0 || wanted == 1) return note_switch(task);
   task.out.report(Code::SC2007, task.word.pos, "G08 takes P1 or P0");

@@ -34,6 +34,7 @@ Flow::Flow(Parser& parser, Diagnostics& diagnostics, FlowOptions options)
 std::optional<ProgramLine> Flow::next() {
   if (jump_) jump_now();
   while (!ended_) {
+    errors_before_ = diagnostics_.errors();
     auto line = parser_.next_if_there();
     if (!line && parser_.waiting()) return std::nullopt;
     if (!line) {
@@ -69,6 +70,7 @@ void Flow::remember_end() {
 
 /// What cannot be read may have begun or ended something.
 void Flow::note_unread(const ProgramLine& line) {
+  if (line.unread.has('N')) line_numbers_unknown_ = true;
   const bool names_label = line.unread.has('O') && line.unread != kAllLetters;
   if (line.statement == nullptr && !looks_like_statement(line.text) && !names_label) return;
   lose_order();
@@ -98,6 +100,7 @@ void Flow::take(const ProgramLine& line) {
   statement_ = *line.statement;
   statement_.unknown = statement_.unknown || line.broken;
   text_ = line.text;
+  if (diagnostics_.errors() > errors_before_) erroneous_.emplace(parser_.file(), line.number);
   head_ = {parser_.file(), parser_.reader().place_before(line.text)};
 }
 

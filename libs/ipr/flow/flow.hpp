@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "ipr/flow/skipped_lines.hpp"
@@ -224,12 +225,15 @@ class Flow {
   std::vector<Call> calls_;  // the main program first
   std::vector<Open> opens_;  // of all calls
   std::optional<Jump> jump_;
-  std::vector<Landing> landings_;         // of the last jumps, the latest last
-  Statement statement_;                   // in work
-  std::string text_;                      // of its line, or of the one that asked for a jump
-  Spot head_;                             // before it
-  bool order_unknown_ = false;            // after an error: which lines are executed
-  bool structure_unknown_ = false;        // nor what is open
+  std::vector<Landing> landings_;   // of the last jumps, the latest last
+  Statement statement_;             // in work
+  std::string text_;                // of its line, or of the one that asked for a jump
+  Spot head_;                       // before it
+  bool order_unknown_ = false;      // after an error: which lines are executed
+  bool structure_unknown_ = false;  // nor what is open
+  bool line_numbers_unknown_ = false;
+  int errors_before_ = 0;                    // reported before the line in work was read
+  std::set<std::pair<int, int>> erroneous_;  // file and line of statements with errors
   std::set<std::string> unknown_labels_;  // of which something is missing, which is reported once
   std::set<std::string> missing_;         // labels of subprograms that are, which is reported once
   Spot before_;                           // before the line that pass_to() has found

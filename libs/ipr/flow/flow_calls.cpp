@@ -36,7 +36,7 @@ void Flow::pass_definition() {
   moved_ = true;
   while (const auto line = parser_.next_statement()) {
     const Statement* inner = line->statement;
-    if (line->broken && inner == nullptr) structure_unknown_ = true;
+    if (line->broken && inner == nullptr && options_.unreachable_too) structure_unknown_ = true;
     if (inner == nullptr) continue;
     if (inner->kind == Kind::program && inner->label == statement_.label && nested.line == 0 &&
         !next) {
@@ -65,6 +65,8 @@ void Flow::pass_definition() {
     nested_text = line->text;
   }
   const std::string& label = statement_.label;
+  if (erroneous_.contains({statement_.pos.file, statement_.pos.line}))
+    unknown_labels_.insert(label);
   report_structure(label, Code::SC2303, statement_.pos,
                    "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'",
                    text_);
@@ -266,9 +268,10 @@ void Flow::go_to_line(int number, const SourcePos& pos) {
     return go_back(here, before_, pos);
   }
   lose_order();
-  report(Code::SC2308, pos,
-         "no line N" + std::to_string(number) + " in " +
-             (in_subprogram() ? name_of(calls_.back().sub) : "the program"));
+  if (!line_numbers_unknown_)
+    report(Code::SC2308, pos,
+           "no line N" + std::to_string(number) + " in " +
+               (in_subprogram() ? name_of(calls_.back().sub) : "the program"));
   vain_ += end;
   sought_in_vain(here, pos);
 }

@@ -123,7 +123,9 @@ void Flow::close_within(const Open& open, bool reports) {
   opens_.resize(wanted + 1);
 }
 
+/// Nothing, where its beginning has reported an error.
 void Flow::report_open(const Open& open) {
+  if (erroneous_.contains({open.pos.file, open.pos.line})) unknown_labels_.insert(open.label);
   report_structure(
       open.label, Code::SC2302, open.pos,
       spelled(open.kind, open.label) + " has no " + spelled(end_of(open.kind), open.label),

@@ -56,6 +56,7 @@ std::optional<ProgramLine> Flow::next_uncalled() {
 /// The next line, its condition too, as if nothing were known of variables.
 std::optional<ProgramLine> Flow::read_unreachable() {
   parser_.parameters().lose_all(true);
+  errors_before_ = diagnostics_.errors();
   auto line = parser_.next();
   const bool condition = line && line->statement != nullptr;
   return condition && line->statement->kind == Kind::else_if ? parser_.evaluate() : line;

@@ -358,8 +358,6 @@ void refuse_cycle(Task& task) {
   lay_below(task);
   if (is_fanuc(task)) keep_words(task, plane_axes(task.modal.plane));
   task.modal.motion = nullptr;
-  task.modal.unknown |= kPosition;
-  task.modal.unknown.add(Part::motion);
 }
 
 void retract_to_start(Task& task) { task.modal.retract_to_r = false; }

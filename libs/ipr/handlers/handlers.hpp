@@ -85,9 +85,7 @@ void use_tool_length(Task& task);
 void use_given_length(Task& task);
 void add_tool_length(Task& task);
 void use_no_tool_length(Task& task);
-void cancel_nothing(Task& task);
 void switch_look_ahead(Task& task);
-void end_data_input(Task& task);
 void stop_once(Task& task);
 void select_length(Task& task);
 
@@ -206,7 +204,6 @@ void for_named_axes(const Task& task, Use&& use) {
 void emit_move(Task& task, Path&& path, bool rapid = false);
 /// Returns a cutting move by the modes in force; `feed` is in mm/s.
 Move cutting_move(const Modal& modal, Path&& path, double feed);
-bool is_of_fanuc(Task& task);
 /// Returns false, after a report, if the machine does not have an axis of the plane.
 bool has_plane_axes(Task& task, const PlaneAxes& axes);
 /// Returns what a curve over several lines keeps of its first one.

@@ -68,7 +68,7 @@ void follow_exactly(Task& task) {
 void stop_exactly(Task& task) { set_path_mode(task.modal, PathMode::stop, 0, 0, true); }
 
 /// G09.
-void stop_once(Task& task) { task.modal.stops_once = is_of_fanuc(task); }
+void stop_once(Task& task) { task.modal.stops_once = true; }
 
 /// G64 P Q; Q is P where it is missing, whether P is written or the machine's.
 void follow_path_within(Task& task) {

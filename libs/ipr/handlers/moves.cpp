@@ -74,7 +74,6 @@ void follow_axes(const Command& command, Modal& modal, LetterSet letters) {
 bool follow_unmade_move(Task& task) {
   const bool cycle = is_canned_cycle(task.code);
   if (is_refused(task.code) || is_curve_of_lines(task.code)) return false;
-  if (cycle) task.modal.unknown.add(Part::cycle_words);
   task.out.fail();
   LetterSet named = task.values.letters();
   named |= task.command.unread();

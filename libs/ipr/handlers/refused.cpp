@@ -13,22 +13,12 @@ void report(Task& task, const std::string& why) {
 
 }  // namespace
 
-/// False, after a report: LinuxCNC does not know the code.
-bool is_of_fanuc(Task& task) {
-  if (task.options.dialect == Dialect::fanuc) return true;
-  task.out.report(Code::SC2001, task.word.pos,
-                  code_name(task.code) + " is not supported in the linuxcnc dialect");
-  return false;
-}
-
-/// G33, G33.1, G76. Where they would have led is not known.
+/// G33, G33.1, G76.
 void refuse_thread(Task& task) {
   constexpr int kG76 = 760;  // a thread of LinuxCNC's, fine boring of FANUC's
   if (task.code.number == kG76 && task.options.dialect == Dialect::fanuc) return refuse_cycle(task);
   report(task, "threads need a spindle with an encoder, which the axes could follow");
   task.modal.motion = task.modal.motion_below = nullptr;
-  task.modal.unknown |= kPosition;
-  task.modal.unknown.add(Part::motion);
 }
 
 /// M29. Whether the spindle would turn after it is not known.
@@ -38,12 +28,6 @@ void refuse_rigid_tapping(Task& task) {
          "floating holder and a spindle that turns");
   task.modal.unknown.add(Part::spindle);
 }
-
-/// G15, G50 and G69 stand in the first line of many a FANUC program.
-void cancel_nothing(Task& task) { is_of_fanuc(task); }
-
-/// G11. What stood before it has been passed over.
-void end_data_input(Task& task) { is_of_fanuc(task); }
 
 /// M62 to M68.
 void refuse_signal(Task& task) {

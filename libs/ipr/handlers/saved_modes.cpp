@@ -17,10 +17,11 @@ double turning(const Modes& modes) {
 }
 
 void restore(Modal& modal, const SavedModes& saved) {
-  constexpr Unknown kNotSaved{Part::motion, Part::tool, Part::x, Part::y, Part::z, Part::end};
-  Unknown unknown = saved.unknown.without(kNotSaved);
-  for (const Part part : {Part::motion, Part::tool, Part::x, Part::y, Part::z, Part::end})
-    if (modal.unknown.has(part)) unknown.add(part);
+  constexpr Unknown kNotSaved =
+      kPosition | Unknown{Part::motion,      Part::tool,    Part::shift, Part::tool_data,
+                          Part::cycle_words, Part::tangent, Part::end};
+  constexpr Unknown kSaved = kEverything.without(kNotSaved);
+  const Unknown unknown = saved.unknown.without(kNotSaved) | modal.unknown.without(kSaved);
   static_cast<Modes&>(modal) = saved.modes;
   modal.state.active = saved.work_system;
   modal.state.shift_on = saved.shift_on;

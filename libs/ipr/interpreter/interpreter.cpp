@@ -295,8 +295,10 @@ void Interpreter::execute() {
   modal_.machine_coordinates = modal_.stops_once = false;
 }
 
+/// A code that is refused is so whatever its words.
 bool Interpreter::has_unknown_operand(const GCode& code) const noexcept {
   if (command_.unread().empty() && modal_.unknown.empty()) return false;
+  if (is_refused(code)) return false;
   return command_.unread().has_any(code.words) ||
          modal_.unknown.has_any(operands(code, command_, modal_));
 }
@@ -305,9 +307,9 @@ bool Interpreter::has_unknown_operand(const GCode& code) const noexcept {
 void Interpreter::act(Task& task) {
   const GCode& code = task.code;
   if (has_unknown_operand(code)) {
-    const bool begins = code.group == Group::motion && !settled(code).empty();
+    const bool begins = code.group == Group::motion && !is_curve_of_lines(code);
     if (begins) begin_motion(task);
-    if (begins) modal_.unknown.remove(Part::motion);
+    if (begins) modal_.unknown = modal_.unknown.without(settled(code));
     return skip(task);
   }
   if (!modal_.unknown.empty()) modal_.unknown = modal_.unknown.without(settled(code));
@@ -322,8 +324,10 @@ void Interpreter::act(Task& task) {
 
 /// A code that cannot act, or has reported an error; of a move it may be known where it ends.
 [[gnu::cold]] void Interpreter::skip(Task& task) {
-  if (task.code.group == Group::motion && follow_unmade_move(task)) return;
-  modal_.unknown |= results(task.code, command_);
+  Unknown parts = results(task.code, command_);
+  if (task.code.group == Group::motion && follow_unmade_move(task))
+    parts = parts.without(kPosition);
+  modal_.unknown |= parts;
 }
 
 /// Reports what reading alone finds in lines that are never run.

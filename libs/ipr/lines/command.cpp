@@ -48,8 +48,11 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
 [[gnu::always_inline]] inline void Command::read_code(const Word& word, Dialect dialect,
                                                       Output& out) {
   const GCode* code = find_gcode(word.letter, word.value);
-  if (code == nullptr) {
-    out.report(Code::SC2001, word.pos, code_name(word.letter, word.value) + " is not supported");
+  const bool of_other = code != nullptr && dialect != Dialect::fanuc && is_of_fanuc(*code);
+  if (code == nullptr || of_other) {
+    out.report(Code::SC2001, word.pos,
+               code_name(word.letter, word.value) + " is not supported" +
+                   (of_other ? " in the linuxcnc dialect" : ""));
     unknown_ |= word.letter == 'G' ? Unknown{Part::motion} : set_by("M");
     probes_ = probes_ || is_probing(word, dialect);
     return;

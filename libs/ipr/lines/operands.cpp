@@ -7,7 +7,8 @@ namespace softcnc::ipr {
 namespace {
 
 constexpr int kG00 = 0, kG02 = 20, kG03 = 30, kG05 = 50, kG051 = 51, kG053 = 53;
-constexpr int kG10 = 100, kG28 = 280, kG30 = 300, kG43 = 430, kG52 = 520, kG53 = 530, kG65 = 650;
+constexpr int kG10 = 100, kG28 = 280, kG30 = 300, kG40 = 400, kG411 = 411, kG421 = 421, kG43 = 430,
+              kG432 = 432, kG52 = 520, kG53 = 530, kG65 = 650;
 constexpr int kG92 = 920, kG923 = 923, kM72 = 720;
 
 Unknown named_axes(const Command& command) noexcept {
@@ -26,6 +27,11 @@ bool may_go_on(const GCode& code, const Command& command) noexcept {
          code.number == kG061;
 }
 
+/// A G05 that goes on from the one before, if there is one.
+bool follows_tangent(const GCode& code, const Command& command) noexcept {
+  return code.number == kG05 && !command.values().letters().has_any("IJK");
+}
+
 bool goes_to_machine_point(const Command& command) noexcept {
   const GCode* code = command.find(Group::non_modal);
   return code != nullptr && code->number == kG53;
@@ -40,6 +46,7 @@ Unknown of_feed(const Modal& modal) noexcept {
 Unknown operands_of_motion(const GCode& code, const Command& command, const Modal& modal) noexcept {
   Unknown parts = kPosition | Unknown{Part::units, Part::distance, Part::cutter};
   if (code.number == kG053 || may_go_on(code, command)) parts.add(Part::motion);
+  if (follows_tangent(code, command)) parts |= {Part::motion, Part::tangent};
   if (!goes_to_machine_point(command)) parts |= kOffsets;
   if (code.number != kG00) parts |= of_feed(modal);
   const bool in_plane = code.number == kG02 || code.number == kG03 || is_canned_cycle(code) ||
@@ -60,6 +67,14 @@ Unknown operands_of_table(const Command& command) noexcept {
   return parts | kPosition | kOffsets;
 }
 
+/// Into which tables G10 writes.
+Unknown tables(const Command& command) noexcept {
+  const double table = command.unread().has('L') ? 0 : command.values().value_or('L', 0);
+  if (table == 2 || table == 20) return {Part::shift};
+  const bool of_tools = table == 1 || (table >= 10 && table <= 13);
+  return of_tools ? Unknown{Part::tool_data} : Unknown{Part::shift, Part::tool_data};
+}
+
 Unknown operands_of_offset(const GCode& code, const Command& command) noexcept {
   switch (code.number) {
     case kG10:
@@ -78,6 +93,21 @@ Unknown operands_of_offset(const GCode& code, const Command& command) noexcept {
   }
 }
 
+/// G41.1 and G42.1 give the diameter themselves.
+Unknown operands_of_compensation(const GCode& code) noexcept {
+  if (code.number == kG40) return {};
+  if (code.number == kG411 || code.number == kG421) return {Part::plane, Part::units};
+  return {Part::plane, Part::tool, Part::tool_data, Part::units};
+}
+
+/// G43.1 gives the length itself.
+Unknown operands_of_length(const GCode& code, const Command& command) noexcept {
+  Unknown parts{Part::units};
+  if (code.number == kG43) parts |= {Part::tool, Part::tool_data};
+  if (code.number == kG432 && command.values().has('H')) parts.add(Part::tool_data);
+  return parts;
+}
+
 }  // namespace
 
 Unknown operands(const GCode& code, const Command& command, const Modal& modal) noexcept {
@@ -90,9 +120,12 @@ Unknown operands(const GCode& code, const Command& command, const Modal& modal) 
     case Group::feed:
       return {Part::units, Part::feed_mode};
     case Group::cutter_compensation:
-      return code.words.empty() ? Unknown{} : Unknown{Part::plane, Part::tool, Part::units};
+      return operands_of_compensation(code);
     case Group::tool_length:
-      return code.number == kG43 ? Unknown{Part::tool, Part::units} : Unknown{Part::units};
+      return operands_of_length(code, command);
+    case Group::tool:
+    case Group::length_number:
+      return {Part::tool_data};
     case Group::surface:
       return {Part::tool, Part::units};
     case Group::path_control:
@@ -102,7 +135,8 @@ Unknown operands(const GCode& code, const Command& command, const Modal& modal) 
     case Group::saving:
       return code.number == kM72 ? Unknown{Part::saved_modes} : Unknown{};
     case Group::tool_change:
-      return code.words.empty() ? Unknown{Part::tool} : Unknown{};
+      if (code.words.empty()) return {Part::tool};
+      return command.values().has('Q') ? Unknown{Part::tool_data} : Unknown{};
     default:
       return {};
   }
@@ -111,14 +145,18 @@ Unknown operands(const GCode& code, const Command& command, const Modal& modal) 
 Unknown results(const GCode& code, const Command& command) noexcept {
   switch (code.group) {
     case Group::motion: {
+      if (is_refused(code)) return kPosition | Unknown{Part::motion};
       Unknown parts = named_axes(command);
       if (is_curve_of_lines(code)) parts.add(Part::motion);
+      if (is_canned_cycle(code)) parts.add(Part::cycle_words);
+      if (code.number == kG05) parts.add(Part::tangent);
       return parts;
     }
     case Group::non_modal:
       if (code.number == kG28 || code.number == kG30) return kPosition;
       if (code.number == kG53) return named_axes(command);
-      if (code.number == kG10 || code.number == kG52) return {Part::shift};
+      if (code.number == kG10) return tables(command);
+      if (code.number == kG52) return {Part::shift};
       if (code.number >= kG92 && code.number <= kG923) return {Part::shift};
       return code.number == kG65 ? kEverything : Unknown{};
     case Group::saving:
@@ -131,8 +169,8 @@ Unknown results(const GCode& code, const Command& command) noexcept {
 Unknown settled(const GCode& code) noexcept {
   switch (code.group) {
     case Group::motion:
-      if (is_canned_cycle(code)) return {Part::motion, Part::cycle_words};
-      return is_curve_of_lines(code) ? Unknown{} : Unknown{Part::motion};
+      if (is_canned_cycle(code)) return {Part::motion, Part::tangent, Part::cycle_words};
+      return {Part::motion, Part::tangent};
     case Group::cycle:
       return {Part::motion};
     case Group::plane:

@@ -149,6 +149,8 @@ class Parser {
   void report(Code code, int column, int length, std::string message);
   void report(const std::optional<LineError>& error);
   void lose_rest();
+  void lose_word_before();
+  bool lacks_value(Lexer after) const;
 
   void name_file() noexcept;
 

@@ -62,6 +62,11 @@ constexpr const char* kFanucName = "; the name of a program is read in the fanuc
 /// Of a code whose number may go on, so that nobody knows which it is.
 constexpr bool is_acting(char letter) noexcept { return letter == 'G' || letter == 'M'; }
 
+bool begins_no_word(std::string_view line, int column) noexcept {
+  const auto at = static_cast<std::size_t>(column) - 1;
+  return at < line.size() && !is_letter(line[at]);
+}
+
 /// The letters of the words in a text, comments left out; all of them where it begins with none.
 LetterSet letters_in(std::string_view text) noexcept {
   if (text.empty() || !is_letter(text.front())) return kAllLetters;
@@ -78,8 +83,7 @@ LetterSet letters_in(std::string_view text) noexcept {
 /// `X1E5`: an E right after a number was meant as its exponent.
 void Parser::refuse_exponent(Lexer& lexer, const Token& letter) {
   const Word word = words_.back();
-  words_.pop_back();
-  begin_ = word.pos.column;
+  lose_word_before();
   const Token after = lexer.next();
   const int end = after.kind == Token::Kind::number ? after.end_column() : letter.end_column();
   const auto written = line_.text.substr(static_cast<std::size_t>(word.pos.column) - 1,
@@ -100,7 +104,8 @@ bool Parser::refuse_name(const Token& letter) {
   return true;
 }
 
-/// What stands there instead is reported, if it has no place on a line.
+/// What stands there instead is reported, if it has no place on a line. A letter right after a
+/// number may be meant for a digit: then that word is not known either.
 void Parser::refuse_missing_number(const Token& letter, const Token& instead) {
   using Kind = Token::Kind;
   if (instead.kind == Kind::unknown) {
@@ -109,6 +114,7 @@ void Parser::refuse_missing_number(const Token& letter, const Token& instead) {
     after.next();
     return refuse_stranger(after, instead);
   }
+  if (has_word_before(letter.column)) lose_word_before();
   const bool zero = letter.letter == 'O' || instead.letter == 'O';
   give_up(Code::SC1002, letter.column, 1,
           std::string("no number after ") + letter.letter + (zero ? kLetterForDigit : ""));
@@ -340,15 +346,17 @@ void Parser::give_up(const std::optional<LineError>& error, Lexer& lexer) {
 void Parser::lose_rest() {
   if (std::exchange(given_up_, true)) return;
   line_.broken = true;
-  auto rest = line_.text.substr(
-      std::min(static_cast<std::size_t>(std::max(begin_ - 1, 0)), line_.text.size()));
-  const bool of_word = !rest.empty() && !is_letter(rest.front()) && has_word_before(begin_);
-  if (of_word) {
-    rest = line_.text.substr(static_cast<std::size_t>(words_.back().pos.column) - 1);
-    words_.pop_back();
-  }
+  if (has_word_before(begin_) && begins_no_word(line_.text, begin_)) lose_word_before();
+  const auto begin = static_cast<std::size_t>(std::max(begin_ - 1, 0));
+  const auto rest = line_.text.substr(std::min(begin, line_.text.size()));
   line_.unread |= letters_in(rest);
   if (rest.find('=') != rest.npos) parameters_.lose_all(true);
+}
+
+/// The word that ends right before the one in work is not known either.
+void Parser::lose_word_before() {
+  begin_ = words_.back().pos.column;
+  words_.pop_back();
 }
 
 }  // namespace softcnc::ipr

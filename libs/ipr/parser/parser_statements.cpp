@@ -75,6 +75,7 @@ void Parser::read_outline() {
   if (token.kind == Token::Kind::letter && token.letter == 'N') {
     const Token number = lexer.next();
     line_.broken = number.kind != Token::Kind::number || number.error != NumberError::none;
+    if (line_.broken) line_.unread.add('N');
     if (line_.broken) return;
     const int length = number.end_column() - token.column;
     words_.push_back({'N', number.value, {line_.number, token.column, length}});
@@ -84,10 +85,10 @@ void Parser::read_outline() {
   if (line_.skip && options_.block_skip) words_.clear();
   line_.words = words_;
   if (line_.skip && options_.block_skip) return;
-  if (token.kind == Token::Kind::letter && token.letter == 'O')
-    read_o_word(lexer, token);
-  else if (token.kind == Token::Kind::letter)
-    read_keyword(lexer, token);
+  if (token.kind != Token::Kind::letter) return;
+  const bool states =
+      token.letter == 'O' ? read_o_word(lexer, token) : read_keyword(lexer, token).has_value();
+  if (!states && has_word_before(token.column) && lacks_value(lexer)) line_.unread.add('N');
 }
 
 Token Parser::pass_slash(Lexer& lexer, const Token& token) {
@@ -103,6 +104,8 @@ bool Parser::read_o_word(Lexer& lexer, const Token& letter) {
   StatementReader reader(lexer, parameters_, statement_, depth_);
   const Found found = reader.read_o_word({line_.number, letter.column, letter.length});
   if (depth_ != Depth::outline) note(reader.other_value());
+  if (depth_ == Depth::outline && found == Found::nothing)
+    line_.broken = !statement_.label.empty() || lacks_value(lexer);
   if (found == Found::program) line_.statement = &statement_;
   if (found != Found::statement) return false;
   settle(reader, lexer);

@@ -34,6 +34,12 @@ bool is_operation(Lexer lexer) {
 
 }  // namespace
 
+/// Whether nothing that could be the value of a letter comes after it.
+bool Parser::lacks_value(Lexer after) const {
+  const char next = after.peek();
+  return !is_number_part(next) && next != '#' && next != '[' && !is_function(after);
+}
+
 /// A word whose value begins with no digit: `first` is the token after its letter.
 Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) {
   const bool sign = first.kind == Token::Kind::number && first.length == 1;

@@ -269,7 +269,7 @@ std::optional<double> ModalVariables::read_linuxcnc(int number) const {
 
 /// Of the tool in the spindle, mm.
 double ModalVariables::diameter() const {
-  if (modal_.unknown.has(Part::tool)) return kUnknown;
+  if (modal_.unknown.has_any({Part::tool, Part::tool_data})) return kUnknown;
   return 2 * tools().radius(modal_.loaded_tool.value_or(0)).value_or(0);
 }
 
@@ -322,7 +322,8 @@ bool ModalVariables::write(int number, double value) {
   unknown_.erase(number);
   if (is_unknown(value) || (is_offset(number) && !knows_unit())) {
     unknown_.insert(number);
-    if (is_offset(number)) modal_.unknown.add(Part::shift);
+    if (is_offset(number))
+      modal_.unknown.add(tool_variable(number) ? Part::tool_data : Part::shift);
     return true;
   }
   if (!is_offset(number)) return write_fanuc(number, value);

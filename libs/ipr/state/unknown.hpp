@@ -24,12 +24,14 @@ enum class Part : std::uint8_t {
   cutter,       // G40 to G42
   tool_length,  // G43, G49
   work_system,  // G54 to G59.3
-  shift,        // offsets of all work systems, and what tables hold: G10, G52, G92
+  shift,        // offsets of all work systems: G10 L2 and L20, G52, G92
+  tool_data,    // lengths and radii of tools: G10 L1, L10 to L13
   saved_modes,  // M70, M73
   x,            // the position along each axis
   y,
   z,
   cycle_words,  // what a canned cycle keeps from hole to hole
+  tangent,      // at the end of G05, where a G05 without I and J goes on
   end,          // whether the program has ended: M02, M30
 };
 
