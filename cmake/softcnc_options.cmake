@@ -43,7 +43,8 @@ function(softcnc_precompile target)
     <string> <string_view> <utility> <variant> <vector> <Eigen/Core> <tl/expected.hpp> ${ARGN})
   # g++ 12 takes strings out of a precompiled header for code of ours, and warns falsely.
   target_compile_options(${target} PRIVATE
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow>)
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict>
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow;-Wno-stringop-overread>)
 endfunction()
 
 # softcnc_library(NAME [COMPUTES] STANDS_ON targets...): a library of the sources below its folder. One

@@ -10,13 +10,13 @@ int main(int argc, char** argv) {
   const auto program = cnc::Program::open(argv[1]);
   const auto machine = argc > 2 ? cnc::Machine::load(argv[2]) : cnc::Machine();
   for (const auto& error : program ? std::vector<cnc::Diagnostic>() : program.errors())
-    std::cout << cnc::text(error);
+    std::cout << error.text;
   for (const auto& error : machine ? std::vector<cnc::Diagnostic>() : machine.errors())
-    std::cout << cnc::text(error);
+    std::cout << error.text;
   if (!program || !machine) return 2;
   bool good = true;
   for (const cnc::Diagnostic& diagnostic : cnc::check(*program, *machine)) {
-    std::cout << cnc::text(diagnostic);
+    std::cout << diagnostic.text;
     good = good && diagnostic.severity != cnc::Severity::error;
   }
   return good ? 0 : 1;

@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
   if (!program) return 2;
   const auto trajectory = cnc::plan(*program, cnc::Machine());
   if (!trajectory) {
-    for (const cnc::Diagnostic& error : trajectory.errors()) std::cerr << cnc::text(error);
+    for (const cnc::Diagnostic& error : trajectory.errors()) std::cerr << error.text;
     return 1;
   }
   std::cout << "t_s,x_mm,y_mm,z_mm,v_mm_s,limit\n";

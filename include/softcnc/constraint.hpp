@@ -17,9 +17,8 @@ struct PathPoint {
 };
 
 /// A velocity limit: an upper bound of the speed at each point of the path. It is evaluated while
-/// planning, at the nodes of the planner's grid, so a limit that changes abruptly between two
-/// points of a straight line is seen at the line's ends alone. In traces and reports it is
-/// `custom`.
+/// planning, at the nodes of the planner's grid, so a limit that varies along a straight line is
+/// seen at the line's ends alone. In traces and reports it is `custom`.
 class SOFTCNC_API Constraint {
  public:
   Constraint() = default;

@@ -7,9 +7,6 @@
 #include <utility>
 #include <variant>
 #include <vector>
-
-#include <softcnc/export.hpp>
-
 namespace softcnc::api {
 
 enum class Severity : std::uint8_t { note, warning, error };
@@ -23,11 +20,8 @@ struct Diagnostic {
   int length = 1;    // characters
   std::string message;
   std::string source_line;  // empty if unknown
+  std::string text;         // all of it, as softcnc check shows it: with a caret, and a newline
 };
-
-/// Returns "file:line:column: severity: message [code]", the source line, and a caret below its
-/// columns, each with a newline.
-SOFTCNC_API std::string text(const Diagnostic& diagnostic);
 
 /// A value, or the diagnostics that explain why there is none.
 template <typename T>

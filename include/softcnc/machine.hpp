@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <softcnc/diagnostic.hpp>
+#include <softcnc/export.hpp>
 
 namespace softcnc::api {
 

@@ -9,6 +9,7 @@
 
 #include <softcnc/constraint.hpp>
 #include <softcnc/diagnostic.hpp>
+#include <softcnc/export.hpp>
 #include <softcnc/machine.hpp>
 
 namespace softcnc::api {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <softcnc/backend.hpp>
+#include <softcnc/export.hpp>
 #include <softcnc/program.hpp>
 #include <softcnc/setpoint.hpp>
 

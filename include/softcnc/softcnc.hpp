@@ -11,8 +11,8 @@
 //   std::cout << trajectory->duration() << " s, "
 //             << trajectory->at(1.5).position.transpose() << '\n';
 //
-// Versions follow semver.org: what these headers declare changes incompatibly only with the first
-// number of the version that is not zero. Nothing else of softcnc is promised to C++ programs.
+// Versions follow semver.org: what these headers declare changes incompatibly only when the first
+// number of the version that is not zero does. Nothing else of softcnc is promised to C++ programs.
 // Errors are values; functions throw std::bad_alloc alone.
 #pragma once
 

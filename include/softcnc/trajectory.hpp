@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include <softcnc/export.hpp>
 #include <softcnc/program.hpp>
 #include <softcnc/setpoint.hpp>
 

@@ -27,7 +27,8 @@ Diagnostic diagnostic_of(const softcnc::Diagnostic& diagnostic) {
           seen.pos.column,
           seen.pos.length,
           seen.message,
-          seen.source_line};
+          seen.source_line,
+          render(diagnostic)};
 }
 
 std::vector<Diagnostic> diagnostics_of(std::span<const softcnc::Diagnostic> diagnostics) {
@@ -53,23 +54,6 @@ Setpoint setpoint_of(const softcnc::Setpoint& setpoint, double period) noexcept 
           setpoint.feed,
           softcnc::name(setpoint.limit),
           setpoint.position};
-}
-
-std::string text(const Diagnostic& diagnostic) {
-  const char* const severities[] = {"note", "warning", "error"};
-  std::string where = diagnostic.file.empty() ? std::string() : diagnostic.file + ":";
-  if (diagnostic.line > 0) where += std::to_string(diagnostic.line) + ":";
-  if (diagnostic.line > 0 && diagnostic.column > 0)
-    where += std::to_string(diagnostic.column) + ":";
-  std::string text = where + (where.empty() ? "" : " ") +
-                     severities[static_cast<std::size_t>(diagnostic.severity)] + ": " +
-                     diagnostic.message + " [" + diagnostic.code + "]\n";
-  if (diagnostic.source_line.empty()) return text;
-  text += "    " + diagnostic.source_line + "\n";
-  if (diagnostic.column < 1) return text;
-  const auto before = static_cast<std::size_t>(diagnostic.column - 1);
-  const auto marked = static_cast<std::size_t>(diagnostic.length > 1 ? diagnostic.length - 1 : 0);
-  return text + std::string(4 + before, ' ') + "^" + std::string(marked, '~') + "\n";
 }
 
 }  // namespace softcnc::api

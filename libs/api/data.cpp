@@ -7,9 +7,9 @@ namespace softcnc::api {
 namespace {
 
 /// A constraint of the user as one of the planner's.
-class Custom final : public ipo::Constraint {
+class CustomConstraint final : public ipo::Constraint {
  public:
-  explicit Custom(std::shared_ptr<const api::Constraint> constraint)
+  explicit CustomConstraint(std::shared_ptr<const api::Constraint> constraint)
       : constraint_(std::move(constraint)) {}
 
   Limit limit(const Move&) const noexcept override { return Limit::custom; }
@@ -33,7 +33,7 @@ RunSetup::RunSetup(const RunOptions& options, runtime::Program* program) {
   channel_.interpreter.dialect =
       options.dialect == Dialect::fanuc ? ipr::Dialect::fanuc : ipr::Dialect::linuxcnc;
   for (const auto& constraint : options.constraints) {
-    constraints_.push_back(std::make_unique<Custom>(constraint));
+    constraints_.push_back(std::make_unique<CustomConstraint>(constraint));
     channel_.constraints.push_back(constraints_.back().get());
   }
   if (program == nullptr) return;

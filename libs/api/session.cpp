@@ -12,9 +12,9 @@ namespace softcnc::api {
 namespace {
 
 /// A backend of the user as one of the runtime's.
-class Custom final : public hal::Backend {
+class CustomBackend final : public hal::Backend {
  public:
-  Custom(std::shared_ptr<api::Backend> backend, double period)
+  CustomBackend(std::shared_ptr<api::Backend> backend, double period)
       : backend_(std::move(backend)), period_(period) {}
 
   softcnc::Feedback exchange(const softcnc::Setpoint& setpoint) noexcept override {
@@ -79,9 +79,9 @@ Expected<Session> Session::open(const Machine& machine, const RunOptions& option
 
 Session Session::on(std::shared_ptr<Backend> backend, const Machine& machine,
                     const RunOptions& options) {
-  return Session(
-      std::make_unique<Data>(machine.data().machine, options,
-                             std::make_unique<Custom>(std::move(backend), machine.period())));
+  return Session(std::make_unique<Data>(
+      machine.data().machine, options,
+      std::make_unique<CustomBackend>(std::move(backend), machine.period())));
 }
 
 bool Session::feed(std::string_view text) { return data_->session.feed(text).has_value(); }

@@ -31,6 +31,7 @@ LEFT_OUT = {
     "scripts/run programs/08_butterfly.nc": BUILDS + "; the same with softcnc run is run",
     "scripts/run": BUILDS,
     "scripts/test": BUILDS + "; it runs this",
+    "scripts/test_package": BUILDS + "; scripts/test runs it",
     "scripts/test --quick": BUILDS + "; it runs this",
     "scripts/make_recordings": BUILDS + ", and replaces the recordings",
     "scripts/make_programs.py": "writes into the sources; a test of its own runs it with --check",

@@ -300,9 +300,9 @@ TEST_CASE("a dry run comes to rest where its pipe pauses, if it is told so", "[a
   const std::vector<std::string> rests{"run", "--dry-run", "--rest-at-pauses", "-"};
   Talk talk(rests);
   talk.say("G01 X10 F3000\n");
-  talk.hear(",10,0,0,");  // the end of the line, though nothing follows yet
+  talk.hear("0.25,1,1,10,0,0,stop,10,0,0,");  // the end of the line, though nothing follows yet
   talk.say("X20 Y5\n");
-  talk.hear(",20,5,0,");
+  talk.hear("0.521,2,2,21.1803398874989");
   talk.say("M30\n");
   talk.finish();
   CHECK(talk.status() == 0);

@@ -82,6 +82,7 @@ mode_t mode_of(int flags, std::va_list& arguments) {
 
 }  // namespace
 
+#pragma GCC visibility push(default)  // these stand before those of the system
 extern "C" {
 
 void* __libc_malloc(std::size_t);
@@ -177,3 +178,4 @@ int posix_memalign(void** to, std::size_t alignment, std::size_t size) {
 }
 
 }  // extern "C"
+#pragma GCC visibility pop
