@@ -18,7 +18,7 @@ class SOFTCNC_API Backend {
   /// Carries the machine over one period to the setpoint, and returns where it is then; the first
   /// setpoint says where it stands.
   virtual Feedback exchange(const Setpoint& setpoint) noexcept = 0;
-  /// Is called where the machine is at rest and the next exchange may take long.
+  /// Is called where the machine comes to rest within the next period, which may take long to come.
   virtual void rest() noexcept {}
 };
 

@@ -26,8 +26,8 @@ class SOFTCNC_API Constraint {
   Constraint& operator=(const Constraint&) = delete;
   virtual ~Constraint();
 
-  /// Returns the largest speed at this point, mm/s, above 0; infinity where there is no limit. The
-  /// same point must give the same speed each time.
+  /// Returns the largest speed at this point, mm/s; infinity where there is no limit. Less than
+  /// 0.001 mm/s, and NaN, count as 0.001 mm/s. The same point must give the same speed each time.
   virtual double largest_speed(const PathPoint& point) const noexcept = 0;
 };
 

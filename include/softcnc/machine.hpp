@@ -14,7 +14,7 @@ namespace softcnc::api {
 /// A value: copies are independent of each other.
 class SOFTCNC_API Machine {
  public:
-  /// Makes the built-in machine: three axes, 8 ms, a simulated mill.
+  /// Makes the built-in machine: three axes, a period of 1 ms, a simulated mill.
   Machine();
   /// Loads a machine file (TOML). Errors: SC70xx, with line and column.
   static Expected<Machine> load(const std::string& file);

@@ -43,7 +43,7 @@ enum class Dialect : std::uint8_t { linuxcnc, fanuc };
 
 /// How a program is run.
 struct RunOptions {
-  double feed_override = 1;  // of the programmed feed, as it begins: 0 to 2
+  double feed_override = 1;  // of the programmed feed, as it begins: 0.001 to 2
   Dialect dialect = Dialect::linuxcnc;
   bool block_skip = false;     // leave out lines that begin with '/'
   bool optional_stop = false;  // M01 stops

@@ -17,7 +17,7 @@ namespace softcnc::api {
 
 enum class SessionStatus : std::uint8_t {
   running,  // step() gives the next row
-  waiting,  // for more of the program
+  waiting,  // for more of the program; the last row may be at speed, unless rest() was called
   paused,   // at M00, M01 or M06: resume() goes on
   done,     // the program, or what abort() has left of it, has come to its end
   alarm,    // of the backend: nothing moves any more
@@ -43,8 +43,9 @@ class SOFTCNC_API Session {
   Session& operator=(Session&& other) noexcept;
   ~Session();
 
-  /// Adds text to the program; a line counts once its end has come. Returns false where nothing
-  /// more can be kept.
+  /// Adds text to the program; a line counts once its end has come. A subprogram, a loop and what a
+  /// branch leaves out must come as one text. Returns false, and adds nothing, after end(), where
+  /// the session has ended, and where nothing more can be kept.
   bool feed(std::string_view text);
   /// Says that nothing more is fed.
   void end() noexcept;
@@ -61,7 +62,7 @@ class SOFTCNC_API Session {
   void hold() noexcept;
   /// Ends a hold or a pause.
   void resume() noexcept;
-  /// Multiplies the programmed feed, 0 to 2; 0 holds.
+  /// Multiplies the programmed feed, up to 2; what is below 0.001 holds. NaN changes nothing.
   void set_feed_override(double feed_override) noexcept;
   /// Lets the machine come to rest on the path, and ends the program there.
   void abort() noexcept;

@@ -36,6 +36,7 @@ class SOFTCNC_API Trajectory {
 
   /// Calls visit(setpoint) for each period, as `softcnc run` commands them, until it returns false.
   /// The program is planned once more for that; whatever its length, memory stays bounded.
+  /// What visit() throws is passed on.
   void for_each_setpoint(const std::function<bool(const Setpoint&)>& visit) const;
 
   struct Data;

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "api/data.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace softcnc::api {
 namespace {
+
+constexpr double kSlowest = 1e-3;  // mm/s: a constraint that allows less would let a run never end
+constexpr double kSmallestOverride = 1e-3, kLargestOverride = 2;
 
 /// A constraint of the user as one of the planner's.
 class CustomConstraint final : public ipo::Constraint {
@@ -17,7 +22,8 @@ class CustomConstraint final : public ipo::Constraint {
   double velocity_limit(const softcnc::PathPoint& point, const Move& move) const noexcept override {
     const double v =
         constraint_->largest_speed({point.q, point.dq, point.ddq, asked_feed(move, 1), move.rapid});
-    return v * v;
+    const double allowed = v > kSlowest ? v : kSlowest;
+    return allowed * allowed;
   }
 
  private:
@@ -27,12 +33,16 @@ class CustomConstraint final : public ipo::Constraint {
 }  // namespace
 
 RunSetup::RunSetup(const RunOptions& options, runtime::Program* program) {
-  channel_.feed_override = options.feed_override;
+  channel_.feed_override =
+      std::isnan(options.feed_override)
+          ? 1
+          : std::clamp(options.feed_override, kSmallestOverride, kLargestOverride);
   channel_.interpreter.block_skip = options.block_skip;
   channel_.interpreter.optional_stop = options.optional_stop;
   channel_.interpreter.dialect =
       options.dialect == Dialect::fanuc ? ipr::Dialect::fanuc : ipr::Dialect::linuxcnc;
   for (const auto& constraint : options.constraints) {
+    if (!constraint) continue;
     constraints_.push_back(std::make_unique<CustomConstraint>(constraint));
     channel_.constraints.push_back(constraints_.back().get());
   }

@@ -84,7 +84,9 @@ Session Session::on(std::shared_ptr<Backend> backend, const Machine& machine,
       std::make_unique<CustomBackend>(std::move(backend), machine.period())));
 }
 
-bool Session::feed(std::string_view text) { return data_->session.feed(text).has_value(); }
+bool Session::feed(std::string_view text) {
+  return data_->session.takes_more() && data_->session.feed(text).has_value();
+}
 void Session::end() noexcept { data_->session.end(); }
 void Session::rest() noexcept { data_->session.rest(); }
 

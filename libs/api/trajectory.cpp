@@ -126,7 +126,7 @@ Expected<Trajectory> plan(const Program& program, const Machine& machine,
   ipr::Reader reader = data->program->reader();
   ipr::Parser parser(reader, silent);
   ipr::Interpreter interpreter(parser, data->machine, silent, setup.channel().interpreter);
-  ipo::Planner planner(data->machine, options.feed_override, silent, {},
+  ipo::Planner planner(data->machine, setup.channel().feed_override, silent, {},
                        setup.channel().constraints);
   const auto take = [&](const Block& block) {
     planner.push(block);

@@ -275,3 +275,77 @@ TEST_CASE("an error ends the motion with the last good block", "[runtime][sessio
   CHECK(shop.session.diagnostics()[0].pos.line == 2);
   CHECK(shop.x() == 10);
 }
+
+TEST_CASE("an error at the end of what has come ends the session", "[runtime][session]") {
+  Shop shop;
+  REQUIRE(shop.session.feed("G01 X10 F3000\nG01 X\n"));
+  shop.session.rest();
+  shop.run();
+  CHECK(shop.session.status() == SessionStatus::done);
+  CHECK(shop.session.errors() == 1);
+  CHECK(shop.x() == 10);
+  CHECK_FALSE(shop.session.takes_more());
+}
+
+TEST_CASE("a rest where nothing has come since the last one adds no row", "[runtime][session]") {
+  Shop shop;
+  shop.session.rest();
+  shop.session.rest();
+  CHECK(shop.run() <= 1);
+  REQUIRE(shop.session.feed("G01 X10 F3000\n"));
+  shop.session.rest();
+  shop.run();
+  for (int i = 0; i < 100; ++i) shop.session.rest();
+  CHECK(shop.run() == 0);
+}
+
+TEST_CASE("a request during a pause does not bring it back", "[runtime][session]") {
+  Shop shop;
+  REQUIRE(shop.session.feed("G01 X10 F3000\nM00\nX20\nM30\n"));
+  shop.session.end();
+  shop.run();
+  REQUIRE(shop.session.status() == SessionStatus::paused);
+  shop.session.set_feed_override(1.5);
+  shop.session.resume();
+  shop.run();
+  CHECK(shop.session.status() == SessionStatus::done);
+  CHECK(shop.x() == 20);
+}
+
+TEST_CASE("an abort together with an override rests within the limits", "[runtime][session]") {
+  for (int periods = 50; periods < 400; periods += 50) {
+    INFO(periods);
+    Shop shop([](Machine& machine) {
+      for (Axis& axis : machine.axes) axis.jerk = 30'000;
+    });
+    shop.session.set_feed_override(0.01);
+    REQUIRE(
+        shop.session.feed("G21 G90 G17 F2000\nG41.1 D5\nG01 X10 Y10\nX30\nY30\nX10\nY10\nG4\n"));
+    for (int i = 0; i < periods; ++i)
+      if (const auto row = shop.session.step()) shop.rows.push_back(row->setpoint);
+    shop.session.set_feed_override(1);
+    shop.session.abort();
+    shop.run();
+    CHECK(shop.session.status() == SessionStatus::done);
+    CHECK(shop.v() == 0);
+    CHECK(shop.keeps_limits());
+  }
+}
+
+TEST_CASE("an override that is no number changes nothing, and a tiny one holds",
+          "[runtime][session]") {
+  Shop shop;
+  REQUIRE(shop.session.feed("G01 X100 F1200\n"));
+  shop.session.end();
+  shop.run(80);
+  shop.session.set_feed_override(std::nan(""));
+  shop.run(20);
+  CHECK_THAT(shop.v(), WithinAbs(20, 1e-9));
+  shop.session.set_feed_override(1e-300);
+  shop.run(100);
+  CHECK(shop.v() == 0);
+  shop.session.set_feed_override(1);
+  shop.run();
+  CHECK(shop.x() == 100);
+  CHECK(shop.session.errors() == 0);
+}

@@ -44,7 +44,10 @@ class Reader {
   /// will. Errors of feed(): SC6032, where nothing more can be kept.
   static Reader fed();
   Status feed(std::string_view text);
-  void end_feed() noexcept { pipe_ended_ = true; }
+  void end_feed() noexcept {
+    pipe_ended_ = true;
+    waiting_ = false;
+  }
 
   /// Returns another reader, which begins with what this one has got from its pipe so far and is
   /// then waiting(). This reader must outlive it. Where the pipe could not be kept the new reader

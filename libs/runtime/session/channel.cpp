@@ -67,7 +67,10 @@ std::optional<Setpoint> Channel::step(const Panel& panel) noexcept {
     replan();
     if (!plan_ahead()) return std::nullopt;
   }
-  if (panel.stop && waiting()) feeder_.finish(queue_);
+  if (panel.stop && waiting()) {
+    feeder_.finish(queue_);
+    if (std::exchange(replanned_, false)) interpolator_.replanned();
+  }
   if (waiting()) return std::nullopt;
   started_ = true;
   auto next = interpolator_.step();

@@ -51,7 +51,7 @@ class Channel {
 
   /// Returns the pause that the next step passes, if there is one; resume() lets it pass.
   const Pause* pause_ahead() noexcept;
-  void resume() noexcept { feeder_.pauses().pop_front(); }
+  void resume() noexcept { feeder_.pass_pause(); }
 
   /// Returns whether there is no next setpoint until more of the program comes.
   bool waiting() const noexcept {

@@ -65,7 +65,7 @@ void Feeder::come_to_rest(ipo::BlockQueue& queue) {
   constexpr double kPeriods = 2;  // so that a row at rest lies before the end of the queue
   while (!ended_ && read_block())
     while (auto part = planner_.pop_part()) take(queue, std::move(*part));
-  if (!ended_) {
+  if (!ended_ && !std::exchange(at_rest_, true)) {
     planner_.push({Dwell{kPeriods * machine_.control.period}, last_place_, last_number_});
     planner_.come_to_rest();
   }
@@ -111,7 +111,8 @@ void Feeder::find_pauses(const ipo::TimedBlock& timed) {
   if (options_.single_block && is_next && !is_pause(block))
     pauses_.push_back({block, timed.t_start, true});
   last_block_ = block.number;
-  if (is_pause(block)) pauses_.push_back({block, timed.t_end(), false});
+  if (is_pause(block) && block.number != answered_)
+    pauses_.push_back({block, timed.t_end(), false});
 }
 
 void Feeder::replan(ipo::BlockQueue& queue, const ipo::State& now, double t,
@@ -140,7 +141,7 @@ std::optional<Block> Feeder::next_block() {
 /// False if that would have to wait.
 bool Feeder::read_block() {
   auto block = next_block();
-  if (!block && interpreter_.waiting()) return false;
+  if (!block && interpreter_.waiting() && diagnostics_.errors() == 0) return false;
   if (block && options_.keeps_state) states_.add(block->number, interpreter_.state());
   if (block && diagnostics_.errors() == 0)
     if (auto late = limit_.check(*block, planned_)) diagnostics_.report(std::move(*late));
@@ -155,6 +156,7 @@ bool Feeder::read_block() {
   if (good) {
     last_place_ = block->source;
     last_number_ = block->number;
+    at_rest_ = false;
   }
   if (good) planner_.push(*std::exchange(block, std::nullopt));
   if (good && diagnostics_.errors() == 0) return true;

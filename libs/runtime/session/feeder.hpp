@@ -56,8 +56,13 @@ class Feeder {
   /// Reads no further; the queue gets what has been read.
   void finish(ipo::BlockQueue& queue);
 
-  /// The pauses up to the end of the queue; the caller removes the one it has waited at.
-  std::deque<Pause>& pauses() noexcept { return pauses_; }
+  /// Returns the pauses up to the end of the queue.
+  const std::deque<Pause>& pauses() const noexcept { return pauses_; }
+  /// The first of them has been answered.
+  void pass_pause() noexcept {
+    if (!pauses_.front().before) answered_ = pauses_.front().block.number;
+    pauses_.pop_front();
+  }
 
   /// The states of the machine as far as has been read.
   StateHistory& states() noexcept { return states_; }
@@ -96,6 +101,8 @@ class Feeder {
   std::deque<Block> pushed_;  // and not yet planned
   SourcePos last_place_;      // of the block planned last
   int last_number_ = 0;
+  int answered_ = 0;               // the number of the block whose pause has been answered last
+  bool at_rest_ = true;            // where all ends that has come
   std::optional<int> last_block_;  // the number of the last one in the queue
   StateHistory states_;
   bool ended_ = false, waiting_ = false;

@@ -2,6 +2,7 @@
 #include "runtime/session/session.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "runtime/sinks/contour_rows.hpp"
@@ -10,7 +11,7 @@ namespace softcnc::runtime {
 namespace {
 
 constexpr int kNoDescriptor = -1;
-constexpr double kLargestOverride = 2;
+constexpr double kLargestOverride = 2, kSmallestOverride = 1e-3;
 
 /// What is fed may end at rest anywhere and be overridden at any time.
 ChannelOptions of_session(ChannelOptions options) {
@@ -37,16 +38,23 @@ Session::Session(const Machine& machine, const ChannelOptions& options, hal::Bac
 }
 
 Status Session::feed(std::string_view text) {
+  if (!takes_more()) return {};
   if (Status fed = reader_.feed(text); !fed) return fed;
   if (status_ == SessionStatus::waiting) status_ = SessionStatus::running;
   return {};
 }
 
 void Session::feed(Block block) {
+  if (!takes_more()) return;
   if (block.number == 0) block.number = pushed_ + 1;
   pushed_ = block.number;
   channel_.feeder().push(std::move(block));
   if (status_ == SessionStatus::waiting) status_ = SessionStatus::running;
+}
+
+void Session::end() noexcept {
+  fed_ = true;
+  reader_.end_feed();
 }
 
 std::optional<Row> Session::step() {
@@ -71,7 +79,7 @@ bool Session::is_to_pause() noexcept {
 }
 
 void Session::answer_requests() noexcept {
-  if (!ask_ || !channel_.can_be_asked()) return;
+  if (!ask_ || panel_.stop || !channel_.can_be_asked()) return;
   channel_.ask(asked_);
   ask_ = false;
 }
@@ -104,7 +112,9 @@ void Session::resume() noexcept {
 }
 
 void Session::set_feed_override(double feed_override) noexcept {
-  asked_.feed_override = std::clamp(feed_override, 0.0, kLargestOverride);
+  if (std::isnan(feed_override)) return;
+  const bool holds = feed_override < kSmallestOverride;
+  asked_.feed_override = holds ? 0 : std::min(feed_override, kLargestOverride);
   ask_ = true;
 }
 

@@ -22,7 +22,7 @@ namespace softcnc::runtime {
 
 enum class SessionStatus : std::uint8_t {
   running,  // step() gives the next row
-  waiting,  // for more of the program
+  waiting,  // for more of the program; the last row may be at speed, unless rest() was called
   paused,   // at M00, M01 or M06: resume() goes on
   done,     // the program, or what abort() has left of it, has come to its end
   alarm,    // of the backend: nothing moves any more
@@ -47,13 +47,18 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Adds text to the program; a line counts once its end has come. Errors: SC6032.
+  /// Adds text to the program; a line counts once its end has come. A subprogram, a loop and what a
+  /// branch leaves out must come as one text. Ignored where takes_more() is false. Errors: SC6032.
   Status feed(std::string_view text);
   /// Adds a block to the program, before lines that have not been read yet. Its number is one more
   /// than that of the block before, if it is 0.
   void feed(Block block);
   /// Records that nothing more is fed.
-  void end() noexcept { reader_.end_feed(); }
+  void end() noexcept;
+  /// Returns whether more can be fed: neither has end() been called, nor has the session ended.
+  bool takes_more() const noexcept {
+    return !fed_ && status_ != SessionStatus::done && status_ != SessionStatus::alarm;
+  }
   /// Lets the machine come to rest where what has been fed so far ends, instead of waiting there
   /// for more; more may be fed. Lines that an open curve or cutter compensation still holds stay
   /// where they are.
@@ -68,7 +73,7 @@ class Session {
   void hold() noexcept { asked_.hold = ask_ = true; }
   /// Ends a hold or a pause.
   void resume() noexcept;
-  /// Multiplies the programmed feed, 0 to 2; 0 holds.
+  /// Multiplies the programmed feed, up to 2; what is below 0.001 holds. NaN changes nothing.
   void set_feed_override(double feed_override) noexcept;
   /// Lets the machine come to rest on the path, and ends the program there.
   void abort() noexcept { panel_.stop = true; }
@@ -99,6 +104,7 @@ class Session {
   std::optional<Contour> contour_;
   std::vector<double> values_;
   ipo::FeedControl asked_;
+  bool fed_ = false;      // all there is
   bool ask_ = false;      // and the channel does not know of it yet
   double planned_s_ = 0;  // mm: of the last row
   int pushed_ = 0;        // the number of the last block that was fed
