@@ -296,7 +296,8 @@ TEST_CASE("a stream is remembered by its hash and its latest lines", "[apps][str
   CHECK(memory.line(200001).empty());
 }
 
-TEST_CASE("a dry run comes to rest where its pipe pauses, if it is told so", "[apps][stream]") {
+TEST_CASE("a dry run comes to rest where its pipe pauses, with --rest-at-pauses",
+          "[apps][stream]") {
   const std::vector<std::string> rests{"run", "--dry-run", "--rest-at-pauses", "-"};
   Talk talk(rests);
   talk.say("G01 X10 F3000\n");
