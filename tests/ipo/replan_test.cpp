@@ -238,6 +238,36 @@ TEST_CASE("a hold soon after the start of a long line rests soon", "[ipo][jerk][
   CHECK(result.rows[2000].s - result.rows[19].s < 1.5);
 }
 
+TEST_CASE("a higher override counts soon while the machine still slows to a very low one",
+          "[ipo][jerk][replan]") {
+  const Machine machine = machine_with(true);
+  const double low = GENERATE(0.001, 0.01, 0.05);
+  for (int row = 1005; row <= 1150; row += 5) {
+    CAPTURE(low, row);
+    const auto raised = run(machine, long_line(), Controls{{1000, override_of(low)}, {row, kGo}});
+    CHECK(exceeded(machine, raised) == "");
+    CHECK(raised.counts.effort.fallbacks == 0);
+    CHECK(raised.rows.size() < 4600);
+    CHECK(raised.rows.back().position == AxisVector(400, 0, 0));
+  }
+}
+
+TEST_CASE("a hold counts soon while the machine slows to a very low override",
+          "[ipo][jerk][replan]") {
+  const Machine machine = machine_with(true);
+  for (int row = 1095; row <= 1130; ++row) {
+    CAPTURE(row);
+    const auto held =
+        run(machine, long_line(),
+            Controls{{1000, override_of(0.01)}, {row, {0.01, true, false}}, {1400, kGo}});
+    CHECK(exceeded(machine, held) == "");
+    CHECK(held.counts.effort.fallbacks == 0);
+    CHECK(held.rows[1200].v == 0);
+    CHECK(held.rows[1200].limit == Limit::hold);
+    CHECK(held.rows.back().position == AxisVector(400, 0, 0));
+  }
+}
+
 TEST_CASE("a stop is found in few tries", "[ipo][jerk][replan]") {
   const Machine machine = machine_with(true);
   const Arc arc = Arc::make({{0, 0, 0}, {0, 0, 0}, {10, 0, 0}, Plane::xy, true, 3}).value();

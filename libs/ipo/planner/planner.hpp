@@ -60,6 +60,14 @@ class Planner {
  private:
   enum class Found : std::uint8_t { nothing, part, all };
 
+  /// A stop: where it begins, what the machine runs before that in the same block, and the stop
+  /// itself, by block.
+  struct StopAhead {
+    State from;
+    Profile before;
+    std::vector<Profile> profiles;
+  };
+
   void accept(Piece piece);
   bool lay_ahead();
   void lay(Piece piece);
@@ -68,7 +76,8 @@ class Planner {
   void take_back(PartlyPassed& rest, double s, double t);
   void halt(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
   void go_on(PartlyPassed& rest, const State& now, double t, const FeedControl& asked);
-  std::vector<Profile> profiles_to_rest(PartlyPassed& rest, const State& now, double t, Limit as);
+  StopAhead stop_ahead(PartlyPassed& rest, const State& now, double t, Limit as);
+  std::vector<Profile> planned_to_rest(PartlyPassed& rest, const State& now, double t);
   void plan_up_to_rest(PartlyPassed& rest);
   double distance_to_rest(double s) const;
   void lay_out(const std::deque<TimedBlock>& passed, double s);

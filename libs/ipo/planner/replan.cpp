@@ -29,6 +29,11 @@ State without_rounding(State now, const TimedBlock& present) {
   return now;
 }
 
+State end_state(const Profile& profile) {
+  std::size_t hint = 0;
+  return profile.at(profile.duration(), hint);
+}
+
 }  // namespace
 
 std::deque<TimedBlock> Planner::replan(PartlyPassed rest, const State& state, double t,
@@ -59,19 +64,37 @@ void Planner::take_back(PartlyPassed& rest, double s, double t) {
   for (TimedBlock& block : pending_) block.profile = {};
 }
 
-/// Returns profiles from where the machine is to a rest: a stop or, should none be found, what is
-/// planned already, which is a fall-back unless the machine brakes there anyway.
-std::vector<Profile> Planner::profiles_to_rest(PartlyPassed& rest, const State& now, double t,
-                                               Limit as) {
+/// Returns a stop from where the machine is. A machine that brakes to a very low speed may be too
+/// slow to stop before it no longer brakes: the stop then begins there. Should none be found, it is
+/// what is planned already, which is a fall-back unless the machine brakes there anyway.
+Planner::StopAhead Planner::stop_ahead(PartlyPassed& rest, const State& now, double t, Limit as) {
   BlocksAround around{{}, rest.passed};
   const auto add = [&around](const TimedBlock& timed) { around.blocks.push_back(&timed); };
   std::for_each(rest.blocks.begin(), rest.blocks.end(), add);
   std::for_each(ready_.begin(), ready_.end(), add);
   std::for_each(pending_.begin() + (given_ > 0 ? 1 : 0), pending_.end(), add);
-  StopPlan stop = plan_stop(constraints_, around, now, as);
-  counts_.effort += stop.effort;
   rests_anyway_ = false;
-  if (!stop.profiles.empty()) return std::move(stop.profiles);
+  const TimedBlock& present = rest.blocks[rest.passed];
+  Profile planned = present.profile.from(t - present.t_start);
+  planned.end_hold();
+  StopAhead ahead{now, {}, {}};
+  for (std::size_t pieces = 1;; ++pieces) {
+    StopPlan stop = plan_stop(constraints_, around, ahead.from, as);
+    counts_.effort += stop.effort;
+    if (!stop.profiles.empty()) {
+      ahead.profiles = std::move(stop.profiles);
+      return ahead;
+    }
+    if (ahead.from.a >= 0 || pieces > planned.pieces()) break;
+    ahead.before = planned.first(pieces);
+    ahead.from = end_state(ahead.before);
+    if (at_end(present, ahead.from.s)) break;
+  }
+  return {now, {}, planned_to_rest(rest, now, t)};
+}
+
+/// Returns what is planned already from where the machine is, up to where it rests.
+std::vector<Profile> Planner::planned_to_rest(PartlyPassed& rest, const State& now, double t) {
   plan_up_to_rest(rest);
   std::vector<Profile> going_on;
   double distance = -now.s;
@@ -109,10 +132,11 @@ void Planner::plan_up_to_rest(PartlyPassed& rest) {
 /// Stops on the path; what lies after the stop waits.
 void Planner::halt(PartlyPassed& rest, const State& now, double t, const FeedControl& asked) {
   constraints_.set_feed_override(machine_, ceiling_);
-  const auto profiles = profiles_to_rest(rest, now, t, asked.halted_by());
-  take_back(rest, now.s, t);
-  for (const Profile& profile : profiles) {
-    pending_.front().profile = profile;
+  const StopAhead stop = stop_ahead(rest, now, t, asked.halted_by());
+  take_back(rest, stop.from.s, t);
+  pending_.front().profile = stop.before;
+  for (const Profile& profile : stop.profiles) {
+    pending_.front().profile.append(profile);
     ready_.push_back(take());
   }
   stop_profiles_.clear();
@@ -126,17 +150,18 @@ void Planner::go_on(PartlyPassed& rest, const State& now, double t, const FeedCo
   const bool moves = now.v > 0;
   constraints_.set_feed_override(
       machine_, moves ? std::max(ceiling_, asked.feed_override) : asked.feed_override);
-  stop_profiles_.clear();
-  if (moves)
-    stop_profiles_ =
-        profiles_to_rest(rest, now, t, feed_.halts() ? feed_.halted_by() : Limit::override_);
+  StopAhead stop{now, {}, {}};
+  if (moves) stop = stop_ahead(rest, now, t, feed_.halts() ? feed_.halted_by() : Limit::override_);
+  stop_profiles_ = std::move(stop.profiles);
   feed_ = asked;
-  take_back(rest, now.s, t);
+  take_back(rest, stop.from.s, t);
   slower_ = moves ? make_feed_limit(machine_, asked.feed_override) : nullptr;
-  lay_out(rest.blocks, now.s);
-  window_->set_front(now.v, now.a);
-  if (moves) window_->slow_down(distance_to_rest(now.s));
-  if (pending_.front().move()) pending_.front().profile.rest_at(now.s);
+  lay_out(rest.blocks, stop.from.s);
+  window_->set_front(stop.from.v, stop.from.a);
+  if (moves) window_->slow_down(distance_to_rest(stop.from.s));
+  Profile& profile = pending_.front().profile;
+  profile = std::move(stop.before);
+  if (pending_.front().move() && profile.empty()) profile.rest_at(now.s);
   if (pending_.front().move() && at_end(pending_.front(), now.s)) {
     ready_.push_back(take());
     if (!stop_profiles_.empty()) stop_profiles_.erase(stop_profiles_.begin());
@@ -184,7 +209,7 @@ bool Planner::stop_first() {
   for (Profile& profile : stop_profiles) {
     s = profile.end_place();
     if (&profile == &stop_profiles.back()) rest_until_sample(profile);
-    pending_.front().profile = std::move(profile);
+    pending_.front().profile.append(profile);
     if (!at_end(pending_.front(), s)) break;
     ready_.push_back(take());
     s = 0;
