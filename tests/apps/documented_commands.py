@@ -33,7 +33,7 @@ LEFT_OUT = {
     "scripts/test": BUILDS + "; it runs this",
     "scripts/test_package": BUILDS + "; scripts/test runs it",
     "scripts/test --quick": BUILDS + "; it runs this",
-    "scripts/make_recordings": BUILDS + ", and replaces the recordings",
+    "scripts/make_golden": BUILDS + ", and replaces what the tests compare with",
     "scripts/make_programs.py": "writes into the sources; a test of its own runs it with --check",
     "scripts/make_codes.py": "writes into the sources; a test of its own runs it with --check",
     "scripts/make_picture.py": "writes into the sources; it is tried by itself",
