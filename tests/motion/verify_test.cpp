@@ -202,7 +202,7 @@ TEST_CASE("the row that comes nearest to its roughness is found", "[verify][roug
     Setpoint setpoint = at_position(0, {s, 0, 0}, s, 0);
     setpoint.v = v;
     verifier.sample(setpoint, {&stretch, 1});
-    return verifier.sample_rmax();
+    return verifier.period().rmax;
   };
   row(0, 0, asked);
   CHECK(row(1, 65.3, asked) == Approx(0.010674).epsilon(1e-3));  // (6) at 0 degrees

@@ -217,6 +217,34 @@ void worst(CLI::App& app, const OptionEntry& entry, Options& options) {
       ->type_name(entry.value);
 }
 
+/// Names between commas, or "all".
+void columns(CLI::App& app, const OptionEntry& entry, Options& options) {
+  const std::vector<std::string> known(runtime::kCurveColumnNames.begin(),
+                                       runtime::kCurveColumnNames.end());
+  std::vector<std::string> accepted = known;
+  accepted.emplace_back("all");
+  app.add_option_function<std::vector<std::string>>(
+         entry.names,
+         [&options, known](const std::vector<std::string>& asked) {
+           for (const std::string& word : asked) {
+             const auto found = std::find(known.begin(), known.end(), word);
+             if (found == known.end()) {
+               options.columns = runtime::all_curve_columns();
+               return;
+             }
+             const auto column = static_cast<runtime::CurveColumn>(found - known.begin());
+             if (std::find(options.columns.begin(), options.columns.end(), column) ==
+                 options.columns.end())
+               options.columns.push_back(column);
+           }
+         },
+         entry.help)
+      ->delimiter(',')
+      ->check(one_of(accepted))
+      ->type_name(entry.value)
+      ->allow_extra_args(false);
+}
+
 void trace(CLI::App& app, const OptionEntry& entry, Options& options) {
   app.add_option(entry.names, options.trace, entry.help + (" (" + hal::trace_suffixes() + ")"))
       ->type_name(entry.value);
@@ -329,6 +357,13 @@ constexpr OptionEntry kOptions[] = {
      period},
 
     {{run}, "--trace", "FILE", "Write one row per period", trace},
+    {{run},
+     "--columns",
+     "NAME,...",
+     "Further columns of the trace, and their figures in the report: u, curvature_1_mm, "
+     "chord_error_um, feed_fluctuation, inclination_deg, f_tooth_mm, rmax_um, or all; an .npz file "
+     "has all of them",
+     columns},
     {{record},
      "-o,--output",
      "FILE.rec",

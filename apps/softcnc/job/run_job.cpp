@@ -93,10 +93,10 @@ JobResult JobRunner::move(const TraceTarget& trace, double total) {
   auto backend = hal::open_backend(
       options_.dry_run ? runtime::without_backend(job_.machine) : job_.machine, open_player);
   if (!backend) return refused(backend.error());
-  auto rows =
-      trace.compressed
-          ? runtime::compressed_trace(*trace.compressed, job_.program, job_.machine, **backend)
-          : runtime::open_trace(trace.file, job_.program, job_.machine, **backend, patience());
+  auto rows = trace.compressed ? runtime::compressed_trace(*trace.compressed, job_.program,
+                                                           job_.machine, **backend)
+                               : runtime::open_trace(trace.file, job_.program, job_.machine,
+                                                     **backend, options_.columns, patience());
   if (!rows) return refused(rows.error());
   if (!options_.dry_run) terminal_.begin_motion(is_real(job_.machine.control.backend));
   terminal_.begin(options_.dry_run ? "planning" : "running", total);

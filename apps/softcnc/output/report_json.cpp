@@ -72,6 +72,9 @@ void add_measured(Json& report, const Machine& machine, const runtime::Outcome& 
     report["rmax_um_max"] = um_from_mm(measured.rmax);
     report["rmax_target_um"] = um_from_mm(measured.rmax_target);
   }
+  for (const runtime::ColumnFigures& column : outcome.columns)
+    report["columns"][std::string(name(column.column))] = {
+        {"max", column.max}, {"mean", column.mean}, {"rms", column.rms}};
   report["velocity_max"] = axes(measured.velocity);
   report["acceleration_max"] = axes(measured.acceleration);
   report["jerk_max"] = axes(measured.jerk);

@@ -11,6 +11,7 @@
 #include "messages/diagnostic_document.hpp"
 #include "messages/progress.hpp"
 #include "runtime/session/feed_script.hpp"
+#include "runtime/sinks/curve_columns.hpp"
 
 namespace softcnc::app {
 
@@ -46,10 +47,11 @@ struct Options {
   int worst = 0;  // run, check: so many lines that lose most time are named
 
   bool dry_run = false, watch = false;
-  bool realtime = false;      // run, record: as fast as the clock goes
-  std::string trace, report;  // files; empty: none
-  std::string output;         // of record and surface
-  bool actual = false;        // surface: cut by where the simulated mill is
+  bool realtime = false;                      // run, record: as fast as the clock goes
+  std::string trace, report;                  // files; empty: none
+  std::vector<runtime::CurveColumn> columns;  // run: further ones of the trace
+  std::string output;                         // of record and surface
+  bool actual = false;                        // surface: cut by where the simulated mill is
 
   double seconds = 10, period = 0;  // latency: how long, s; of the loop, s; 0: the servo period
 

@@ -28,6 +28,7 @@ void StaircaseError::start(const Setpoint& first, std::span<const PathStretch> s
 
 void StaircaseError::period(const Setpoint& before, const Setpoint& now,
                             std::span<const PathStretch> stretches) noexcept {
+  of_period_ = 0;
   if (stretches.empty()) return;
   AxisVector place = before.position;
   for (const TimedStep& clock : now.pulses) {
@@ -43,6 +44,7 @@ void StaircaseError::add(const AxisVector& place, double s,
   double off = distance(*here, place, s);
   if (here != &stretches.front()) off = std::min(off, distance(here[-1], place, s));
   if (here != &stretches.back()) off = std::min(off, distance(here[1], place, s));
+  of_period_ = std::max(of_period_, off);
   largest_ = std::max(largest_, off);
   sum_ += off;
   ++places_;

@@ -26,6 +26,8 @@ class StaircaseError {
               std::span<const PathStretch> stretches) noexcept;
 
   double largest() const noexcept { return largest_; }  // mm
+  /// Returns the largest error in the last period, mm; 0 where it has no pulses.
+  double largest_of_period() const noexcept { return of_period_; }
   /// Over all clocks, mm; 0 before the first one.
   double mean() const noexcept { return places_ > 0 ? sum_ / static_cast<double>(places_) : 0; }
 
@@ -33,7 +35,7 @@ class StaircaseError {
   void add(const AxisVector& place, double s, std::span<const PathStretch> stretches) noexcept;
 
   AxisVector blu_;  // mm
-  double largest_ = 0, sum_ = 0;
+  double largest_ = 0, of_period_ = 0, sum_ = 0;
   std::int64_t places_ = 0;
 };
 

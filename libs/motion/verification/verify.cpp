@@ -84,7 +84,7 @@ void Verifier::sample(const Setpoint& setpoint, std::span<const PathStretch> str
 
 void Verifier::pass_over(const Setpoint& setpoint) noexcept {
   for_each_instant(setpoint, [this](const FinePoint& point) { push(point); });
-  sample_rmax_ = 0;
+  last_period_ = {};
   measured_.samples += setpoint.period - before_.period;
   before_ = setpoint;
 }
@@ -125,18 +125,19 @@ void Verifier::differences() noexcept {
 
 void Verifier::geometry(const Setpoint& setpoint, std::span<const PathStretch> stretches) noexcept {
   double travelled = 0;
-  sample_rmax_ = 0;
+  last_period_ = {};
   for (const PathStretch& stretch : stretches) {
     const double s_end = softcnc::length(*stretch.path);
     const double s0 = std::clamp(before_.s - stretch.s_start, 0.0, s_end);
     const double s1 = std::clamp(setpoint.s - stretch.s_start, 0.0, s_end);
     if (s1 <= s0) continue;
     if (!by_pulses_)
-      measured_.chord_error =
-          std::max(measured_.chord_error,
+      last_period_.chord_error =
+          std::max(last_period_.chord_error,
                    chord_error(*stretch.path, s0, s1, before_.position, setpoint.position));
     travelled += integrated_length(*stretch.path, s0, s1);
   }
+  measured_.chord_error = std::max(measured_.chord_error, last_period_.chord_error);
   if (!stretches.empty()) {
     const PathStretch& here = stretch_at(stretches, setpoint.s);
     const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
@@ -156,6 +157,7 @@ void Verifier::closeness(const Setpoint& setpoint,
     staircase_.period(before_, setpoint, stretches);
     measured_.path_deviation = measured_.chord_error = staircase_.largest();
     measured_.path_deviation_mean = staircase_.mean();
+    last_period_.chord_error = staircase_.largest_of_period();
     return;
   }
   const PathStretch& here = stretch_at(stretches, setpoint.s);
@@ -166,7 +168,8 @@ void Verifier::closeness(const Setpoint& setpoint,
 
 void Verifier::fluctuation(double travelled, double advance) noexcept {
   if (advance <= kSmallestAdvance) return;
-  const double off = std::abs(travelled / advance - 1);
+  last_period_.feed_fluctuation = travelled / advance - 1;
+  const double off = std::abs(last_period_.feed_fluctuation);
   fluctuations_ += off * off;
   ++advances_;
   measured_.feed_fluctuation = std::max(measured_.feed_fluctuation, off);
@@ -180,12 +183,12 @@ void Verifier::roughness(const Setpoint& setpoint, const PathStretch& here) noex
   const double feed = surface.tooth_rate() > 0 ? setpoint.v / surface.tooth_rate() : 0;
   const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
   const PathPoint point = at(*here.path, s);
-  sample_rmax_ = rmax(model_, surface, feed, point);
+  last_period_.rmax = rmax(model_, surface, feed, point);
   if (feed <= kLeastFeedPerTooth * (1 + kRounding)) return;
-  if (sample_rmax_ * measured_.rmax_target <= measured_.rmax * surface.rmax &&
+  if (last_period_.rmax * measured_.rmax_target <= measured_.rmax * surface.rmax &&
       measured_.rmax_target > 0)
     return;
-  measured_.rmax = sample_rmax_;
+  measured_.rmax = last_period_.rmax;
   measured_.rmax_target = surface.rmax;
 }
 

@@ -32,6 +32,13 @@ struct Measured {
   std::int64_t samples = 0;
 };
 
+/// What one sample adds: of the period that it ends.
+struct MeasuredPeriod {
+  double chord_error = 0;       // mm: curve to chord; by pulses, of the pulse that is farthest off
+  double feed_fluctuation = 0;  // arc length / planned advance - 1; 0 for advances up to 1 um
+  double rmax = 0;              // mm: what it leaves; 0 where there is no roughness target
+};
+
 class Verifier {
  public:
   explicit Verifier(const Machine& machine) noexcept;
@@ -48,8 +55,8 @@ class Verifier {
   void finish() noexcept;
 
   const Measured& measured() const noexcept { return measured_; }
-  /// Returns the Rmax that the last sample leaves, mm; 0 where there is no roughness target.
-  double sample_rmax() const noexcept { return sample_rmax_; }
+  /// Returns what the last sample has added.
+  const MeasuredPeriod& period() const noexcept { return last_period_; }
 
  private:
   template <typename Visit>
@@ -68,7 +75,7 @@ class Verifier {
   StaircaseError staircase_;  // of a method by pulses
   RoughnessModel model_;
   bool limits_normal_;
-  double sample_rmax_ = 0;
+  MeasuredPeriod last_period_;
   std::array<AxisVector, 4> last_;  // positions, newest first
   std::array<double, 3> last_s_{};  // mm along the path, newest first
   Setpoint before_;

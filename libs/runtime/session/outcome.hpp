@@ -19,6 +19,7 @@
 #include "runtime/figures/surface_notes.hpp"
 #include "runtime/figures/time_sheet.hpp"
 #include "runtime/figures/worst_lines.hpp"
+#include "runtime/sinks/curve_columns.hpp"
 
 namespace softcnc::runtime {
 
@@ -42,6 +43,7 @@ struct Outcome {
   ProgrammedPath::Deviation deviation;  // and that which comes nearest to what is allowed
   std::optional<ContourReport> contour;  // where the backend knows where the axes are
   SurfaceNotes surface;
+  std::vector<ColumnFigures> columns;  // of the curve columns of the rows
   std::size_t events_left = 0;  // of the script: their moments were never reached
   MachineState state;           // where the machine rests, if ChannelOptions::keeps_state
   ipo::PlannerCounts planner;

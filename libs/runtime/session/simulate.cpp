@@ -132,6 +132,9 @@ class Simulation {
   }
 
   Outcome run(RowSink* rows, Watcher* watcher) {
+    columns_ = rows ? rows->curve_columns() : nullptr;
+    verification_.fill(columns_);
+    skims_ = skims_ && !columns_;
     do {
       channel_.answer_events();
       wait(rows, watcher);
@@ -166,6 +169,7 @@ class Simulation {
   bool rests_at_pauses_, rested_ = false;
   bool wanted_ = true;  // rows
   Verification verification_;
+  CurveColumns* columns_ = nullptr;  // of the rows
   const Diagnostics& diagnostics_;
   std::size_t worst_lines_;
   std::optional<Contour> contour_;
@@ -300,6 +304,7 @@ Outcome Simulation::finish() {
   outcome_.deviation = verification_.programmed().worst();
   outcome_.surface = verification_.surface();
   if (contour_) outcome_.contour = contour_->report();
+  if (columns_) outcome_.columns = columns_->figures();
   outcome_.events_left = channel_.events_left();
   outcome_.planner = channel_.feeder().counts();
   outcome_.called_files = channel_.feeder().called_files();

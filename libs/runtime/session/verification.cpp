@@ -81,9 +81,10 @@ void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& qu
     const std::span touched = std::span(stretches_).subspan(first, end - first);
     verifier_.sample(row, touched);
     programmed_.sample(row);
-    if (verifier_.sample_rmax() > 0 && row.block <= block_numbers_[end - 1].last) {
+    if (columns_) columns_->add(row, touched, verifier_.period());
+    if (verifier_.period().rmax > 0 && row.block <= block_numbers_[end - 1].last) {
       const auto here = &stretch_at(touched, row.s) - stretches_.data();
-      surface_.add(*blocks_[static_cast<std::size_t>(here)], row, verifier_.sample_rmax());
+      surface_.add(*blocks_[static_cast<std::size_t>(here)], row, verifier_.period().rmax);
     }
     block_before_ = row.block;
   }

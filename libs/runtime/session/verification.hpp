@@ -9,6 +9,7 @@
 #include "motion/verification/programmed_path.hpp"
 #include "motion/verification/verify.hpp"
 #include "runtime/figures/surface_notes.hpp"
+#include "runtime/sinks/curve_columns.hpp"
 
 namespace softcnc::runtime {
 
@@ -16,6 +17,9 @@ namespace softcnc::runtime {
 class Verification {
  public:
   explicit Verification(const Machine& machine) noexcept : verifier_(machine), surface_(machine) {}
+
+  /// Adds what it measures of each row to `columns` from now on; null: no longer.
+  void fill(CurveColumns* columns) noexcept { columns_ = columns; }
 
   /// Adds rows. Requires that `queue` still holds every block from that of the row before.
   void add(std::span<const Setpoint> rows, const ipo::BlockQueue& queue);
@@ -33,6 +37,7 @@ class Verification {
   Verifier verifier_;
   ProgrammedPath programmed_;
   SurfaceNotes surface_;
+  CurveColumns* columns_ = nullptr;
   int block_before_ = 0;                        // number of the block of the row before
   std::vector<PathStretch> stretches_;          // of the blocks in the queue,
   std::vector<const ipo::TimedBlock*> blocks_;  // those blocks,

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "motion/model/setpoint.hpp"
+#include "runtime/sinks/curve_columns.hpp"
 
 namespace softcnc::runtime {
 
@@ -14,6 +15,9 @@ class RowSink {
   virtual ~RowSink() = default;
   /// Takes a row. Returns false if no more rows are wanted.
   virtual bool row(const Setpoint& setpoint, std::span<const double> backend_values) = 0;
+  /// Returns the columns that are computed from the path of the rows, where some are wanted; they
+  /// are filled before the rows come.
+  virtual CurveColumns* curve_columns() { return nullptr; }
   /// The machine stands before the program waits for a person.
   virtual void rest() {}
   /// Passes on what there is: the next row may take long.

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "hal/backends/backend.hpp"
 #include "hal/files/temporary_file.hpp"
@@ -15,12 +18,15 @@ namespace softcnc::runtime {
 /// Passes rows to a trace writer, or nowhere if it is null.
 class TraceRows final : public RowSink {
  public:
-  explicit TraceRows(std::unique_ptr<hal::TraceWriter> writer) : writer_(std::move(writer)) {}
-
-  bool row(const Setpoint& setpoint, std::span<const double> backend_values) override {
-    if (writer_) writer_->row(setpoint, backend_values);
-    return ok();
+  /// `columns` follow those of the backend in each row, in this order.
+  explicit TraceRows(std::unique_ptr<hal::TraceWriter> writer,
+                     const std::vector<CurveColumn>& columns = {})
+      : writer_(std::move(writer)) {
+    if (!columns.empty()) columns_.emplace(columns);
   }
+
+  CurveColumns* curve_columns() override { return columns_ ? &*columns_ : nullptr; }
+  bool row(const Setpoint& setpoint, std::span<const double> backend_values) override;
   void rest() override {
     if (writer_) writer_->rest();
   }
@@ -36,6 +42,8 @@ class TraceRows final : public RowSink {
 
  private:
   std::unique_ptr<hal::TraceWriter> writer_;
+  std::optional<CurveColumns> columns_;
+  std::vector<double> values_;  // of a row, with its curve columns
 };
 
 hal::TraceHeader trace_header(Program& program, const Machine& machine);
@@ -45,8 +53,10 @@ Result<TraceRows> compressed_trace(hal::TemporaryFile& file, Program& program,
                                    const Machine& machine, const hal::Backend& backend);
 
 /// Writes into a file; nowhere if its name is empty. `patience` limits the wait for a reader.
-/// Errors: those of hal::TraceWriter::open(), SC6002.
+/// `columns` are those asked for; an .npz file has all of them. Errors: those of
+/// hal::TraceWriter::open(), SC6002.
 Result<TraceRows> open_trace(const std::string& file, Program& program, const Machine& machine,
-                             const hal::Backend& backend, hal::Patience patience);
+                             const hal::Backend& backend, const std::vector<CurveColumn>& columns,
+                             hal::Patience patience);
 
 }  // namespace softcnc::runtime
