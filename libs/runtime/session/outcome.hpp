@@ -44,8 +44,8 @@ struct Outcome {
   std::optional<ContourReport> contour;  // where the backend knows where the axes are
   SurfaceNotes surface;
   std::vector<ColumnFigures> columns;  // of the curve columns of the rows
-  std::size_t events_left = 0;  // of the script: their moments were never reached
-  MachineState state;           // where the machine rests, if ChannelOptions::keeps_state
+  std::size_t events_left = 0;         // of the script: their moments were never reached
+  MachineState state;                  // where the machine rests, if ChannelOptions::keeps_state
   ipo::PlannerCounts planner;
   std::vector<std::string> called_files;  // their names in the folder
   std::set<std::string> missing_files;    // names in the folder under which calls have found none
