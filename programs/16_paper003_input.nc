@@ -1,7 +1,7 @@
 (SPDX-License-Identifier: MIT)
 (16  THE INPUT OF PAPER 003)
 (Yang and Hong did not write G-code. Table 6 of their paper lists what their mill was)
-(fed with: l for lines, pcw and pccw for arcs by points, dcw and dccw for arcs by)
+(fed with: l for lines, pcw and pccw for arcs by points, dcw and dcaw for arcs by)
 (degrees, s for splines, all in relative coordinates. See docs/commands.md.)
 (The numbers of their workpieces are not printed; these are the shapes of program 13.)
 
@@ -17,7 +17,7 @@ l -20 -10
 l 30 0
 pccw 0 12 0 6
 pcw 0 12 0 6
-dccw -90 90 6
+dcaw -90 90 6
 dcw 270 90 6
 
 (A spline through points, each seen from the one before.)

@@ -20,7 +20,7 @@ namespace {
 Nurbs wave(int points) {
   std::vector<AxisVector> through;
   for (int i = 0; i <= points; ++i) through.emplace_back(0.1 * i, 5 * std::sin(0.3 * i), 0);
-  return Nurbs::make(natural_spline(through).value()).value();
+  return Nurbs::make(cubic_spline(through).value()).value();
 }
 
 Move along(Nurbs curve) { return {Path(std::move(curve)), false, 60, PathMode::stop}; }

@@ -88,7 +88,7 @@ TEST_CASE("arcs of quarters close exactly", "[ipr][commands]") {
 
 TEST_CASE("s is the natural spline from the position through its points", "[ipr][commands]") {
   const std::vector<AxisVector> points{{3, 1, 0}, {13, 5, 0}, {15, 21, 0}, {43, 19, 0}};
-  const auto expected = natural_spline(points);
+  const auto expected = cubic_spline(points);
   for (const char* text : {"l 3 1\ns 3  10 4  2 16  28 -2\n",       // on one line
                            "l 3 1\ns 3\n10 4\n\n2\n(c) 16,28\n-2",  // over several
                            "l 3 1\ns 4 0 0 10 4 2 16 28 -2\n"}) {   // from the position itself
@@ -99,6 +99,41 @@ TEST_CASE("s is the natural spline from the position through its points", "[ipr]
     CHECK(spec.control == expected->control);
     CHECK(spec.knots == expected->knots);
   }
+}
+
+TEST_CASE("dcaw is the paper's word, and dccw means the same", "[ipr][commands]") {
+  check_same_moves(moves_of("f 600\ndcaw -90 90 6\n"), moves_of("f 600\ndccw -90 90 6\n"));
+}
+
+TEST_CASE("t gives the next spline its directions, and only that one", "[ipr][commands]") {
+  const std::vector<AxisVector> points{{0, 0, 0}, {10, 4, 0}, {12, 20, 0}};
+  const auto expected =
+      cubic_spline(points, SplineParameter::chord_length, {std::nullopt, AxisVector(0, 2, 0)});
+  const auto moves = commands("t 0 0 0 2\ns 2 10 4 2 16\ns 2 10 4 2 16\n");
+  REQUIRE(moves.size() == 2);
+  CHECK(std::get<Nurbs>(moves[0].path).spec().control == expected->control);
+  const AxisVector end = points.back();
+  CHECK((std::get<Nurbs>(moves[1].path).spec().control[1] - end - cubic_spline(points)->control[1])
+            .norm() < 1e-12);
+}
+
+TEST_CASE("the parameter of splines is that of the machine", "[ipr][commands]") {
+  const std::vector<AxisVector> points{{0, 0, 0}, {1, 0, 0}, {10, 5, 0}, {12, 20, 0}};
+  Machine machine;
+  machine.program.spline_parameter = SplineParameter::uniform;
+  const auto expected = cubic_spline(points, SplineParameter::uniform);
+  const std::string of_commands = "s 3 1 0 9 5 2 15\n";
+  const std::string of_gcode = "G90 F600\nG06.1 X1\nX10 Y5\nX12 Y20\nG80\nM30\n";
+  const auto spec_of = [&](const std::string& text, Format format) {
+    const auto read = interpret(text, machine, {.format = format});
+    for (const Block& block : read.blocks)
+      if (const auto* move = std::get_if<Move>(&block.what))
+        return std::get<Nurbs>(move->path).spec();
+    FAIL("no move in " + text);
+    return NurbsSpec();
+  };
+  CHECK(spec_of(of_commands, Format::commands).control == expected->control);
+  CHECK(spec_of(of_gcode, Format::gcode).control == expected->control);
 }
 
 TEST_CASE("blocks bear the place of their command", "[ipr][commands]") {

@@ -46,9 +46,9 @@ std::string format_through_pipe(const std::string& text) {
 TEST_CASE("the commands of paper 003 are known by their first line", "[ipr][format]") {
   for (const char* text :
        {"l 10 0\n", "L 10,0", "l 1 2 3 ; c\nG01 X1\n", "pcw 10 0 5 0\n", "PCCW\n", "dcw 0 90 5",
-        "dccw", "s 2 1 1 2 2\n", "s 2\n1 1\n", "s 2\n\n; c\n 1 1\n", "(c)\n\n;d\nl 1 1\n",
-        "f 600\nl 1 1\n", "F600\r\ns 3\r\n1 1\r\n", "\xEF\xBB\xBFl 1 1\n", "f 5\rl 1 1\r", "pcw x",
-        "l 10\npcw 0 0 5 0\n", "f 100\nl 5\nl 1 2\n"}) {
+        "dccw", "dcaw -90 90 6\n", "s 2 1 1 2 2\n", "s 2\n1 1\n", "s 2\n\n; c\n 1 1\n",
+        "(c)\n\n;d\nl 1 1\n", "f 600\nl 1 1\n", "F600\r\ns 3\r\n1 1\r\n", "\xEF\xBB\xBFl 1 1\n",
+        "f 5\rl 1 1\r", "pcw x", "l 10\npcw 0 0 5 0\n", "f 100\nl 5\nl 1 2\n"}) {
     INFO(text);
     CHECK(format_of(text) == "commands");
   }

@@ -14,8 +14,9 @@ namespace {
 
 using Points = std::vector<AxisVector>;
 
-Nurbs spline_of(const Points& points) {
-  const auto spec = natural_spline(points);
+Nurbs spline_of(const Points& points, SplineParameter parameter = SplineParameter::chord_length,
+                const SplineEnds& ends = {}) {
+  const auto spec = cubic_spline(points, parameter, ends);
   REQUIRE(spec);
   auto nurbs = Nurbs::make(*spec);
   REQUIRE(nurbs);
@@ -23,7 +24,7 @@ Nurbs spline_of(const Points& points) {
 }
 
 std::string refusal(const Points& points) {
-  const auto spec = natural_spline(points);
+  const auto spec = cubic_spline(points);
   if (spec) return "good";
   return std::to_string(static_cast<int>(spec.error().code)) + ": " + spec.error().message;
 }
@@ -125,6 +126,59 @@ TEST_CASE("a spline passes through its points, is C2 at its knots and natural at
   }
 }
 
+TEST_CASE("the middle tangent of three points at uniform distances is half of what they span",
+          "[motion][spline]") {
+  const Points points{{0, 0, 0}, {1, 2, 0}, {10, -4, 3}};
+  const Nurbs nurbs = spline_of(points, SplineParameter::uniform);
+  const double step = knot(nurbs, 1);
+  CHECK(knot(nurbs, 2) == Approx(2 * step).epsilon(1e-15));
+  CHECK(2 * step == Approx((points[1] - points[0]).norm() + (points[2] - points[1]).norm()));
+  const AxisVector tangent = (points[2] - points[0]) / (2 * step);
+  for (const Side side : {Side::before, Side::after})
+    CHECK((nurbs.derivatives(step, side)[1] - tangent).norm() < 1e-13);
+  CHECK((nurbs.point(step) - points[1]).norm() < 1e-13);
+}
+
+TEST_CASE("at equal distances both parameters are the same curve", "[motion][spline]") {
+  const Points points{{0, 0, 0}, {3, 4, 0}, {6, 0, 0}, {9, 4, 0}};
+  const Nurbs uniform = spline_of(points, SplineParameter::uniform);
+  CHECK(uniform.spec().knots == spline_of(points).spec().knots);
+  CHECK(uniform.spec().control == spline_of(points).spec().control);
+}
+
+TEST_CASE("between two points with directions the spline is their Hermite piece",
+          "[motion][spline]") {
+  const Points points{{0, 0, 0}, {8, 6, 0}};
+  const Nurbs nurbs =
+      spline_of(points, SplineParameter::chord_length, {AxisVector(0, 3, 0), AxisVector(2, 0, 0)});
+  const double chord = 10;
+  const AxisVector middle =
+      (points[0] + points[1]) / 2 + chord / 8 * (AxisVector(0, 1, 0) - AxisVector(1, 0, 0));
+  CHECK((nurbs.point(0.5 * nurbs.u_last()) - middle).norm() < 1e-13);
+}
+
+TEST_CASE("a spline with given directions leaves in one and arrives in the other, and is C2",
+          "[motion][spline][property]") {
+  test::Random random(5);
+  for (int round = 0; round < 100; ++round) {
+    const Points points = random_points(random, random.integer(3, 20));
+    const AxisVector first(random(-1, 1), random(-1, 1), 1), last(1, random(-1, 1), random(-1, 1));
+    const auto parameter =
+        round % 2 == 0 ? SplineParameter::chord_length : SplineParameter::uniform;
+    const Nurbs nurbs = spline_of(points, parameter, {first, last});
+    double sharpest = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      sharpest = std::max(sharpest, nurbs.derivatives(knot(nurbs, i))[2].norm());
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      const auto before = nurbs.derivatives(knot(nurbs, i), Side::before);
+      const auto after = nurbs.derivatives(knot(nurbs, i), Side::after);
+      CHECK((before[2] - after[2]).norm() < 1e-9 * (1 + sharpest));
+    }
+    CHECK((nurbs.at(0).dq - first.normalized()).norm() < 1e-9);
+    CHECK((nurbs.at(nurbs.length(), Side::before).dq - last.normalized()).norm() < 1e-9);
+  }
+}
+
 TEST_CASE("points of a line give that line", "[motion][spline]") {
   const AxisVector direction = AxisVector(3, -4, 12) / 13;
   Points points;
@@ -171,7 +225,7 @@ TEST_CASE("the most points a spline may have are one curve", "[motion][spline]")
     const auto x = static_cast<double>(i);
     points.emplace_back(x, std::sin(x), 0);
   }
-  const auto spec = natural_spline(points);
+  const auto spec = cubic_spline(points);
   REQUIRE(spec);
   CHECK(spec->control.size() == kMaxSplinePoints + 2);
   CHECK(check(*spec));
@@ -191,7 +245,7 @@ TEST_CASE("two points in a row that are one are refused by number", "[motion][sp
 
 TEST_CASE("numbers beyond working precision are refused when the curve is made",
           "[motion][spline][code]") {
-  const auto spec = natural_spline(Points{{0, 0, 0}, {1e300, 0, 0}, {1e300, 1, 0}});
+  const auto spec = cubic_spline(Points{{0, 0, 0}, {1e300, 0, 0}, {1e300, 1, 0}});
   CHECK((!spec || !Nurbs::make(*spec)));
 }
 

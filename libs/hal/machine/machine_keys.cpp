@@ -233,9 +233,11 @@ const MachineKey kKeys[] = {
      NumberKey{in_part<&Machine::stock, &Stock::grid>, mm_from_um, um_from_mm, {0.1, 1e4}}},
 
     {"program.block_limit", "", "lines that one loop, or one call with all its calls, may run; beyond them the loop counts as endless, which is an error",
-     WholeKey{in_part<&Machine::program, &ProgramLimits::block_limit>, {1, 1e9}}},
+     WholeKey{in_part<&Machine::program, &ProgramReading::block_limit>, {1, 1e9}}},
     {"program.motion_limit_h", "h", "longest motion of a program; a longer one is refused; 0: no limit",
-     NumberKey{in_part<&Machine::program, &ProgramLimits::motion_limit>, s_from_h, h_from_s, at_least_0(1e9)}},
+     NumberKey{in_part<&Machine::program, &ProgramReading::motion_limit>, s_from_h, h_from_s, at_least_0(1e9)}},
+    {"program.spline_parameter", "", "parameter of splines through points: the length of the chords between them, or the same from each point to the next",
+     choice_in<&Machine::program, &ProgramReading::spline_parameter>(kSplineParameterNames)},
 
     {"tool.*.radius_mm", "mm", "radius of the cutter",
      NumberKey{in_tool<&Tool::radius>, same, same, length_or_0(1e4)}},

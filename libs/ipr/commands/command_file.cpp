@@ -28,14 +28,24 @@ constexpr std::array kRows{
                "the same counter-clockwise"},
     CommandRow{CommandRow::Kind::arc_by_degrees, "dcw", 3, 3, "start end radius",
                "an arc clockwise from an angle to an angle"},
-    CommandRow{CommandRow::Kind::arc_by_degrees, "dccw", 3, 3, "start end radius",
+    CommandRow{CommandRow::Kind::arc_by_degrees, "dcaw", 3, 3, "start end radius",
                "the same counter-clockwise"},
     CommandRow{CommandRow::Kind::spline, "s", 1, 1 + 2 * kMaxSplinePoints, "n dx dy ...",
                "a spline through n points"},
+    CommandRow{CommandRow::Kind::tangents, "t", 4, 4, "dx dy dx dy",
+               "directions at both ends of the next spline; 0 0: natural"},
     CommandRow{CommandRow::Kind::feed, "f", 1, 1, "mm/min", "the feed from here on"},
 };
 
+/// Earlier versions called `dcaw` by the name of `pccw`.
+constexpr std::string_view kFormerName = "dccw", kItsName = "dcaw";
+
+bool is_counter_clockwise(std::string_view name) {
+  return name == kItsName || name.ends_with("ccw");
+}
+
 const CommandRow* find_row(std::string_view name) {
+  if (name == kFormerName) name = kItsName;
   const auto* row = std::find_if(kRows.begin(), kRows.end(),
                                  [&](const CommandRow& one) { return one.name == name; });
   return row == kRows.end() ? nullptr : row;
@@ -171,7 +181,7 @@ bool CommandFile::is_known() {
   row_ = find_row(head_.name);
   if (row_ == nullptr)
     report(Code::SC1050, pos_of(head_),
-           quoted(head_.name) + " is no command; there are l, pcw, pccw, dcw, dccw, s and f");
+           quoted(head_.name) + " is no command; there are l, pcw, pccw, dcw, dcaw, s, t and f");
   return row_ != nullptr;
 }
 
@@ -204,6 +214,8 @@ void CommandFile::act(CommandRow::Kind kind) {
       return arc_by_degrees();
     case CommandRow::Kind::spline:
       return begin_spline();
+    case CommandRow::Kind::tangents:
+      return set_tangents();
     case CommandRow::Kind::feed:
       return set_feed();
   }
@@ -231,7 +243,7 @@ void CommandFile::arc_by_degrees() {
     report(Code::SC2007, pos_of(numbers_[2]), "the radius of an arc must be above 0");
   if (!good || radius <= 0) return;
   double sweep = number(1) - number(0);
-  if (!head_.name.ends_with("ccw")) sweep = -sweep;
+  if (!is_counter_clockwise(head_.name)) sweep = -sweep;
   while (sweep <= 0) sweep += kFullTurn;
   const AxisVector center = position_ - radius * direction(number(0));
   arc(center + radius * direction(number(1)), center, sweep > kFullTurn ? 1 : 0);
@@ -239,7 +251,7 @@ void CommandFile::arc_by_degrees() {
 
 void CommandFile::arc(const AxisVector& to, const AxisVector& center, int turns) {
   if (!has_axes({1, 1, 0}) || !is_near_enough(to, whole())) return;
-  const bool ccw = head_.name.ends_with("ccw");
+  const bool ccw = is_counter_clockwise(head_.name);
   Result<Arc> made = Arc::make({position_, to, center, Plane::xy, ccw, turns});
   if (made) return move(std::move(*made));
   std::string& message = made.error().message;
@@ -326,6 +338,15 @@ void CommandFile::begin_spline() {
   pass_numbers_ = true;
 }
 
+/// They count for one spline.
+void CommandFile::set_tangents() {
+  const auto direction = [this](std::size_t i) {
+    const AxisVector given = step_at(i);
+    return given.norm() > 0 ? std::optional(given) : std::nullopt;
+  };
+  if (has_axes({1, 1, 0})) ends_ = {direction(0), direction(2)};
+}
+
 void CommandFile::add_to_spline(std::span<const CommandField> numbers) {
   for (const CommandField& number : numbers) {
     if (spline_ && spline_->given < 2 * spline_->count) {
@@ -365,7 +386,8 @@ void CommandFile::add_point(const AxisVector& step, SourcePos pos) {
 }
 
 void CommandFile::finish_spline() {
-  auto spec = natural_spline(spline_->points);
+  auto spec =
+      cubic_spline(spline_->points, machine_.program.spline_parameter, std::exchange(ends_, {}));
   auto made = std::move(spec).and_then(&Nurbs::make);
   if (made)
     move(std::move(*made));

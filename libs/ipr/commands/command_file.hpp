@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The input of paper 003 (Table 6) to blocks: l, pcw, pccw, dcw, dccw, s, all relative.
+// The input of paper 003 (Table 6) to blocks: l, pcw, pccw, dcw, dcaw, s, all relative.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace softcnc::ipr {
 
 /// A command: what may stand at the beginning of a line.
 struct CommandRow {
-  enum class Kind : std::uint8_t { line, arc_by_center, arc_by_degrees, spline, feed };
+  enum class Kind : std::uint8_t { line, arc_by_center, arc_by_degrees, spline, tangents, feed };
   Kind kind;
   std::string_view name;
   std::size_t least, most;  // how many numbers it takes
@@ -70,6 +70,7 @@ class CommandFile {
   void arc_by_center();
   void arc_by_degrees();
   void begin_spline();
+  void set_tangents();
   void set_feed();
 
   void add_to_spline(std::span<const CommandField> numbers);
@@ -102,6 +103,7 @@ class CommandFile {
   std::vector<CommandField> numbers_;
   bool countable_ = true;  // nothing stands between them that is no number
   std::optional<CommandSpline> spline_;
+  SplineEnds ends_;            // of the next spline
   bool pass_numbers_ = false;  // those of a command with an error, on lines of their own
 
   AxisVector position_ = AxisVector::Zero();  // mm

@@ -25,7 +25,7 @@ struct Shape {
 };
 
 bool is_arc_command(std::string_view name) {
-  return name == "pcw" || name == "pccw" || name == "dcw" || name == "dccw";
+  return name == "pcw" || name == "pccw" || name == "dcw" || name == "dcaw" || name == "dccw";
 }
 
 /// A variable, its assignment, a '%', a '/', a '$' as of grbl: no line of the other language begins
@@ -141,7 +141,8 @@ class Detector {
     if (name.empty() && spline_ && !line.error && !line.other) return Format::commands;
     const bool empty = of_both && line.numbers == 0 && !line.other;
     if (empty || is_stray(line) || (of_both && line.error)) return Format::automatic;
-    if ((name == "l" || name == "s") && line.numbers > 1 && !line.other) return Format::commands;
+    const bool moves = name == "l" || name == "s" || name == "t";
+    if (moves && line.numbers > 1 && !line.other) return Format::commands;
     if (!alone || !of_both) return Format::gcode;
     spline_ = name == "s";
     return Format::automatic;

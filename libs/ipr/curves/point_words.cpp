@@ -18,6 +18,7 @@ PendingPoints& begin_points(Task& task) {
   begin_motion(task);
   PendingPoints& curve = task.modal.points.emplace();
   curve.code = &task.code;
+  curve.parameter = task.machine.program.spline_parameter;
   curve.points.push_back(task.modal.position);
   curve.head = curve_head(task);
   return curve;
@@ -33,7 +34,7 @@ std::string name_of(const PendingPoints& curve) { return code_name(*curve.code);
 /// The curve as it was read, or why it is none.
 Result<Nurbs> make_curve(PendingPoints& curve) {
   if (curve.code->number != kControlPoints)
-    return natural_spline(curve.points).and_then(&Nurbs::make);
+    return cubic_spline(curve.points, curve.parameter).and_then(&Nurbs::make);
   NurbsSpec spec;
   spec.degree = curve.order - 1;
   spec.control = std::move(curve.points);

@@ -12,6 +12,7 @@
 #include "ipr/state/unknown.hpp"
 #include "ipr/text/letter_set.hpp"
 #include "motion/geometry/nurbs.hpp"
+#include "motion/geometry/spline.hpp"
 #include "motion/model/machine_state.hpp"
 
 namespace softcnc::ipr {
@@ -40,6 +41,7 @@ struct PendingPoints {
   CurveHead head;
   const GCode* code = nullptr;
   int order = 0;                   // of G05.2
+  SplineParameter parameter{};     // of G06.1
   std::vector<AxisVector> points;  // mm, machine coordinates; the first is where it begins
   std::vector<double> weights;     // of G05.2
   int blocks = 0;                  // that named a point

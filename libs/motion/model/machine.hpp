@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "motion/core/axes.hpp"
+#include "motion/geometry/spline.hpp"
 #include "motion/pulses/pulse.hpp"
 #include "motion/roughness/roughness_request.hpp"
 
@@ -180,9 +181,10 @@ struct HalStream {
   double patience = 5.0;               // s: timeout for a blocked pipe
 };
 
-struct ProgramLimits {
+struct ProgramReading {
   int block_limit = 2'000'000;  // lines that one loop, or one call with all it calls, may run
   double motion_limit = 3.6e7;  // s: a program that moves for longer is refused; 0: no limit
+  SplineParameter spline_parameter = SplineParameter::chord_length;  // of splines through points
 };
 
 struct Tool {
@@ -207,7 +209,7 @@ struct Machine {
   StepPort step_port;
   ParallelPort parallel_port;
   HalStream hal_stream;
-  ProgramLimits program;
+  ProgramReading program;
   Surfacing surfacing;
   Stock stock;
   std::map<int, Tool> tools;
