@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/shell.hpp"
+#include "motion/model/method.hpp"
 #include "support/shown.hpp"
 
 using namespace softcnc::app::test;
@@ -248,6 +249,42 @@ TEST_CASE("a method that exceeds a limit says by how much and exits with 0", "[a
   const Ended ended = call("run $programs/08_butterfly.nc --set control.interpolation=taylor1");
   CHECK(ended.status == 0);
   CHECK(shows(ended.err, "note: taylor1: the acceleration of X reaches ... [SC4003]"));
+}
+
+TEST_CASE("every method runs a program to its end point, whatever it exceeds", "[apps][run]") {
+  const Folder folder;
+  write(folder / "part.nc",
+        "F3000 G01 X10\nY5\nG04 P0.05\nG02 X20 Y15 I10 J0\nM03 S1000\nG06.2 P3 K0 X20 Y15 R1\n"
+        "K0 X20 Y25 R0.7071067811865476\nK0 X10 Y25 R1\nK1\nK1\nK1\nG00 X0 Y0\nM30\n");
+  for (const std::string_view method : softcnc::kMethodNames) {
+    CAPTURE(method);
+    const std::string choice = " --set control.interpolation=" + std::string(method);
+    const json report = report_of((folder / "part.nc") + choice);
+    CHECK(report["status"] == "done");
+    CHECK(report["counts"] == json::parse(R"({"x":0,"y":0,"z":0})"));
+    CHECK(report["blocks"] == 8);
+    // With the fine rows of the simulated mill, the time by limits is that of the run.
+    CHECK(sum(report["time_by_limit_s"]) == Approx(report["time_s"].get<double>()).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("acceleration after interpolation leaves a circle by its closed form", "[apps][run]") {
+  // R (1 - sinc(w tau / 2)): R 20 mm at 50 mm/s and tau 0.1 s. No step of the loop lies between.
+  const Folder folder;
+  write(folder / "circle.nc", "F3000 G02 X0 Y0 I20 J0\nG02 X0 Y0 I20 J0\nM30\n");
+  const double x = 50.0 / 20 * 0.1 / 2, sinc = std::sin(x) / x;
+  for (const auto& [method, left] :
+       {std::pair{"acc-dec-linear", sinc}, std::pair{"acc-dec-bell", sinc * sinc}}) {
+    const Ended ended = call("run --dry-run " + (folder / "circle.nc") +
+                             " --set control.acc_dec_ms=100 --set control.interpolation=" + method);
+    CHECK(ended.status == 0);
+    CHECK(shows(ended.err, std::string("note: ") + method +
+                               ": the distance of the curve from the motion reaches ... [SC4003]"));
+    const json report =
+        report_of("--dry-run " + (folder / "circle.nc") +
+                  " --set control.acc_dec_ms=100 --set control.interpolation=" + method);
+    CHECK(report["path_deviation_um_max"].get<double>() == Approx(20e3 * (1 - left)).epsilon(0.01));
+  }
 }
 
 TEST_CASE("progress as JSON lines can be read by a program", "[apps][run]") {

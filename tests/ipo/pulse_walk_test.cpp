@@ -50,7 +50,7 @@ Pulsed pulse_run(const Machine& machine, const std::vector<Block>& blocks, doubl
   for (const Block& block : blocks) planner.push(block);
   planner.finish();
   BlockQueue queue(10 * machine.control.period);
-  Interpolator interpolator(queue, machine.control);
+  Interpolator interpolator(queue, machine);
   const auto fill = [&] {
     while (auto timed = planner.pop()) queue.push(std::move(*timed));
   };
@@ -259,7 +259,7 @@ TEST_CASE("a period of pulses allocates nothing", "[ipo][pulse][realtime]") {
   planner.finish();
   BlockQueue queue(1);
   while (auto timed = planner.pop()) queue.push(std::move(*timed));
-  Interpolator interpolator(queue, machine.control);
+  Interpolator interpolator(queue, machine);
   std::size_t pulses = 0;
   CHECK(test::allocations_during([&] {
           while (const auto row = interpolator.step()) pulses += row->pulses.size();

@@ -10,8 +10,8 @@ using namespace softcnc;
 
 TEST_CASE("a period of interpolation allocates nothing", "[interpolator][realtime]") {
   Machine machine;
-  machine.control.interpolation =
-      GENERATE(Method::arc_length, Method::taylor1, Method::taylor2, Method::curvature3p);
+  machine.control.interpolation = static_cast<Method>(GENERATE(range(0, int(Method::sam))));
+  CAPTURE(name(machine.control.interpolation));
   Diagnostics diagnostics;
   ipo::Planner planner(machine, 1, diagnostics);
   for (const Block& block : test::number_blocks(
@@ -19,9 +19,9 @@ TEST_CASE("a period of interpolation allocates nothing", "[interpolator][realtim
             Move{Line({54.492, 52.139, 0}, {0, 0, 0}), true, 0, PathMode::follow}}))
     planner.push(block);
   planner.finish();
-  ipo::BlockQueue queue(1);
+  ipo::BlockQueue queue(1, 1);
   while (auto timed = planner.pop()) queue.push(std::move(*timed));
-  ipo::Interpolator interpolator(queue, machine.control);
+  ipo::Interpolator interpolator(queue, machine);
   int rows = 0;
   CHECK(test::allocations_during([&] {
           while (interpolator.step()) ++rows;

@@ -71,8 +71,9 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
   Run result;
   Diagnostics diagnostics;
   ipo::Planner planner(machine, feed_override, diagnostics);
-  ipo::BlockQueue queue(10 * machine.control.period);
-  ipo::Interpolator interpolator(queue, machine.control);
+  ipo::BlockQueue queue(10 * machine.control.period + ipo::setpoint_lag(machine),
+                        ipo::setpoint_lag(machine));
+  ipo::Interpolator interpolator(queue, machine);
   Verifier verifier(machine);
   ProgrammedPath programmed;
   std::size_t next = 0;
@@ -104,7 +105,7 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
   };
   const auto ask = [&](const ipo::FeedControl& control) {
     stopped = control.stop;
-    const double now = interpolator.time();
+    const double now = interpolator.state_time();
     const ipo::State state = interpolator.state();
     queue.begin_again(planner.replan(queue.take_rest(), state, now, control), now);
     fill();

@@ -202,6 +202,7 @@ LoadedOrErrors MachineLoader::finish() {
         control.backend == BackendKind::stepdir || control.backend == BackendKind::parport;
     if (steps || is_by_pulses(control.interpolation)) check_step_port();
     if (control.backend == BackendKind::parport) check_parallel_port();
+    if (ignores_plan(control.interpolation)) check_method();
   }
   if (errors_.empty()) return std::move(loaded_);
   std::stable_sort(errors_.begin(), errors_.end(), earlier);

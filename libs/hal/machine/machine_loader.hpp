@@ -50,6 +50,9 @@ class MachineLoader {
   void keep_named_axes(const std::vector<TomlEntry>& entries);
   void check_periods();
   void check_travel(int index);
+  void check_method();
+  void check_rough_period();
+  void check_averages();
   void check_step_port();
   void check_pulse_rate(int index);
   void check_feed(double rate, const std::string& in_words);

@@ -38,10 +38,8 @@ double chord_step(double kappa, double tolerance) noexcept {
 
 std::unique_ptr<Constraint> make_chord_error(const Machine& machine) {
   const Control& control = machine.control;
-  // The three-point method of paper 000 limits the chord error itself, at run time; pulses follow
-  // the path between the samples.
-  if (is_by_pulses(control.interpolation) || control.interpolation == Method::curvature3p)
-    return nullptr;
+  // Pulses follow the path between the samples.
+  if (is_by_pulses(control.interpolation) || limits_chord(control.interpolation)) return nullptr;
   return std::make_unique<ChordError>(control.chord_tolerance, control.period);
 }
 

@@ -10,6 +10,7 @@
 
 #include "ipo/jerk_limited/horizon.hpp"
 #include "ipo/path/window.hpp"
+#include "ipo/planner/constant_feed.hpp"
 #include "ipo/planner/feed_control.hpp"
 #include "ipo/planner/stop.hpp"
 #include "ipo/queue/block_queue.hpp"
@@ -99,6 +100,7 @@ class Planner {
   Diagnostics& diagnostics_;
   ConstraintList constraints_;
   const Horizon horizon_;
+  std::optional<ConstantFeed> constant_feed_;  // instead of all that follows
   PulseStage pulses_;
   CornerStage corners_;
   std::unique_ptr<Window> window_;

@@ -53,8 +53,9 @@ struct PartlyPassed {
 /// The reader only advances and frees nothing; the writer frees what the reader has passed.
 class BlockQueue {
  public:
-  /// Blocks are remembered for `memory` s after trim() has removed them.
-  explicit BlockQueue(double memory) : memory_(memory) {}
+  /// Blocks are remembered for `memory` s after trim() has removed them. Where setpoints lag behind
+  /// the plan, trim() leaves those in the queue that ended up to `lag` s ago.
+  explicit BlockQueue(double memory, double lag = 0) : memory_(memory), lag_(lag) {}
 
   void push(TimedBlock block);
   void push(const Continuation& more);  // of the block pushed last
@@ -72,7 +73,21 @@ class BlockQueue {
   PulseWalk* pulses() noexcept { return blocks_[current_].pulses.get(); }  // likewise
   void advance() noexcept { ++current_; }
 
-  /// Calls visit(block) for what has been passed since trim() and for the present block.
+  /// Returns the block that follows the present one; null if the queue holds none. Realtime.
+  const TimedBlock* next() const noexcept {
+    return current_ + 1 < blocks_.size() ? &blocks_[current_ + 1] : nullptr;
+  }
+  /// Returns the last block up to the present one that begins at `s` mm along the program or before
+  /// it; null if the queue holds none. Realtime.
+  const TimedBlock* at_place(double s) const noexcept;
+
+  /// Calls visit(block) for what has been passed since the last trim().
+  template <typename Visit>
+  void for_each_passed(Visit&& visit) const {
+    for (std::size_t i = kept_; i < current_; ++i) visit(blocks_[i]);
+  }
+
+  /// Calls visit(block) for what has been passed and is in the queue, and for the present block.
   template <typename Visit>
   void for_each_recent(Visit&& visit) const {
     for (std::size_t i = 0; i < blocks_.size() && i <= current_; ++i) visit(blocks_[i]);
@@ -96,9 +111,12 @@ class BlockQueue {
   double t_end() const noexcept { return t_end_; }
 
  private:
-  double memory_;
+  bool is_left(const TimedBlock& passed) const noexcept;
+
+  double memory_, lag_;
   std::deque<TimedBlock> blocks_, remembered_;
   std::size_t current_ = 0;
+  std::size_t kept_ = 0;  // blocks that trim() has left, though they are passed
   double t_end_ = 0;
 };
 

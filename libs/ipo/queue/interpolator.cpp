@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/queue/interpolator.hpp"
-#include "ipo/tuning.hpp"
 
 #include <algorithm>
+
+#include "ipo/methods/method_table.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 namespace {
@@ -14,15 +16,28 @@ const Nurbs* nurbs_of(const TimedBlock& timed) noexcept {
 
 }  // namespace
 
+Interpolator::Interpolator(BlockQueue& queue, const Machine& machine)
+    : queue_(queue),
+      control_(machine.control),
+      fine_(fine_points(control_)),
+      spline_(fine_.size()) {
+  if (is_by_pulses(control_.interpolation)) pulses_.reserve(kPulses);
+  if (accelerates_after(control_.interpolation)) acc_dec_.emplace(acc_dec_shape(machine));
+}
+
 std::optional<Setpoint> Interpolator::step() noexcept {
   if (done_) return std::nullopt;
   if (periods_ == 0) enter_block();
   planned_ = 0;
   pulses_.clear();
+  if (acc_dec_) return after_interpolation();
+  const double period = periods_ == 0 ? 0.0 : control_.period;
   if (follows_time(control_.interpolation))
     follow_time();
+  else if (control_.interpolation == Method::chords)
+    follow_chord(period);
   else
-    follow_method(periods_ == 0 ? 0.0 : control_.period);
+    follow_method(period);
   done_ = queue_.empty();
   last_ = setpoint();
   last_.fine = fine(last_);
@@ -32,9 +47,15 @@ std::optional<Setpoint> Interpolator::step() noexcept {
 
 double Interpolator::needs_until() const noexcept {
   const double same = 2 * tuning::queue::kSameInstant * control_.period;
+  if (acc_dec_) return static_cast<double>(rough_periods(periods_)) * control_.period + same;
   if (follows_time(control_.interpolation) || queue_.empty())
     return static_cast<double>(periods_) * control_.period + same;
-  return queue_.front().t_start + t_ + control_.period + same;
+  const double periods = control_.interpolation == Method::chords ? kChordPeriods : 1;
+  return queue_.front().t_start + t_ + periods * control_.period + same;
+}
+
+double Interpolator::state_time() const noexcept {
+  return acc_dec_ ? static_cast<double>(rough_periods(periods_ - 1)) * control_.period : time();
 }
 
 State Interpolator::state() const noexcept {
@@ -55,7 +76,7 @@ void Interpolator::enter_block() noexcept {
   t_ = 0;
   hint_ = 0;
   walk_.reset();
-  if (queue_.empty() || follows_time(control_.interpolation)) return;
+  if (queue_.empty() || entry_of(control_.interpolation).rule.increment == nullptr) return;
   if (const Nurbs* nurbs = nurbs_of(queue_.front()))
     walk_.emplace(*nurbs, control_.interpolation, control_.chord_tolerance);
 }
@@ -126,6 +147,7 @@ FinePoint Interpolator::ahead() const noexcept {
 
 /// Returns the fine points of the period that leads to a setpoint: of the plan, or of a spline.
 std::span<const FinePoint> Interpolator::fine(const Setpoint& next) noexcept {
+  if (ignores_plan(control_.interpolation)) return {};  // it moves on straight lines
   if (control_.interpolation != Method::arc_length && fine_.size() > 1)
     spline_.add(next, ahead(), fine_);
   if (periods_ == 0) return {};

@@ -6,9 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "ipo/methods/acc_dec.hpp"
+#include "ipo/methods/parameter_walk.hpp"
 #include "ipo/queue/block_queue.hpp"
 #include "ipo/queue/fine_spline.hpp"
-#include "ipo/queue/stepping.hpp"
 #include "motion/model/machine.hpp"
 
 namespace softcnc::ipo {
@@ -22,11 +23,8 @@ inline std::size_t fine_points(const Control& control) noexcept {
 
 class Interpolator {
  public:
-  /// `queue` must outlive the interpolator.
-  Interpolator(BlockQueue& queue, const Control& control)
-      : queue_(queue), control_(control), fine_(fine_points(control)), spline_(fine_.size()) {
-    if (is_by_pulses(control.interpolation)) pulses_.reserve(kPulses);
-  }
+  /// `queue` and `machine` must outlive the interpolator.
+  Interpolator(BlockQueue& queue, const Machine& machine);
 
   /// Realtime. Returns the next setpoint; nothing after the last one, which rests at the end of the
   /// queue. The queue must hold every block up to needs_until(), or all there are.
@@ -53,9 +51,12 @@ class Interpolator {
 
   /// Returns the instant of the last setpoint, s.
   double time() const noexcept { return static_cast<double>(periods_ - 1) * control_.period; }
+  /// Returns the instant of state(), s: that of the last setpoint, or of the last rough one.
+  double state_time() const noexcept;
 
  private:
   static constexpr std::size_t kPulses = 4096;  // per period without a further allocation
+  static constexpr double kChordPeriods = 2;    // periods of path that a chord may cut off
 
   void enter_block() noexcept;
   void leave_block() noexcept;
@@ -67,6 +68,11 @@ class Interpolator {
   std::span<const FinePoint> fine(const Setpoint& next) noexcept;
   void walk_pulses(double t, double s) noexcept;
   void follow_method(double period) noexcept;
+  void follow_chord(double left) noexcept;
+  bool pass_rest(double& left) noexcept;
+  std::int64_t rough_periods(std::int64_t periods) const noexcept;
+  Setpoint after_interpolation() noexcept;
+  Setpoint lagging(const RoughPoint& average) noexcept;
   double place(const State& now) noexcept;
   Setpoint setpoint() noexcept;
 
@@ -76,6 +82,8 @@ class Interpolator {
   double t_ = 0;                       // planned time within the front block
   std::size_t hint_ = 0;               // piece of its profile
   std::optional<ParameterWalk> walk_;  // through its NURBS, by a method of the literature
+  std::optional<AccDec> acc_dec_;      // after interpolation
+  Setpoint lagging_;                   // the last setpoint after it; last_ is that of the plan
   std::vector<TimedStep> pulses_;      // by a method of reference pulses: of the period
   std::vector<FinePoint> fine_;        // of the period
   FineSpline spline_;                  // where the fine points are not the plan itself

@@ -8,6 +8,7 @@
 // shows how each figure that the table does not give was derived.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -18,39 +19,10 @@
 
 #include "motion/core/axes.hpp"
 #include "motion/geometry/spline.hpp"
-#include "motion/pulses/pulse.hpp"
+#include "motion/model/method.hpp"  // IWYU pragma: export
 #include "motion/roughness/roughness_request.hpp"
 
 namespace softcnc {
-
-/// How the next point is found within a period; the last five use reference pulses.
-enum class Method : std::uint8_t {
-  arc_length,
-  taylor1,
-  taylor2,
-  curvature3p,
-  sam,
-  m_sam,
-  dsm,
-  m_dsm,
-  dda
-};
-inline constexpr std::array<std::string_view, 9> kMethodNames{
-    "arc-length", "taylor1", "taylor2", "curvature3p", "sam", "m-sam", "dsm", "m-dsm", "dda"};
-constexpr std::string_view name(Method method) noexcept {
-  return kMethodNames[static_cast<std::size_t>(method)];
-}
-constexpr bool is_by_pulses(Method method) noexcept { return method >= Method::sam; }
-
-/// Whether each setpoint lies where the plan is at its instant; otherwise a method of the
-/// literature advances along the curve by its own rule.
-constexpr bool follows_time(Method method) noexcept {
-  return method == Method::arc_length || is_by_pulses(method);
-}
-/// Returns the pulse method of a method by pulses.
-constexpr PulseMethod pulse_method(Method method) noexcept {
-  return static_cast<PulseMethod>(static_cast<int>(method) - static_cast<int>(Method::sam));
-}
 
 /// When the clocks of a method by pulses come: according to the feed profile, or as in paper 003.
 enum class PulseClock : std::uint8_t { profile, paper };
@@ -71,6 +43,8 @@ struct Control {
   double corner_tolerance = 0.01;  // mm; 0: the path is followed exactly
   BackendKind backend = BackendKind::sim;
   PulseClock pulse_clock = PulseClock::profile;
+  double acc_dec = 0;           // s: of acceleration after interpolation; 0: see acc_dec_time()
+  double rough_period = 0.008;  // s: of rough interpolation by Method::two_step
 };
 
 /// Divides `whole` into equal parts, none longer than `longest`, s.
@@ -214,5 +188,17 @@ struct Machine {
   Stock stock;
   std::map<int, Tool> tools;
 };
+
+/// Returns the time, s, over which methods that accelerate after interpolation average the
+/// increments of an axis: control.acc_dec or, if there is none, the shortest time in which every
+/// axis can go from rest to its largest velocity. No axis then exceeds its acceleration from rest
+/// to any velocity, or back; it may do so in corners and reversals.
+inline double acc_dec_time(const Machine& machine) noexcept {
+  if (machine.control.acc_dec > 0) return machine.control.acc_dec;
+  double longest = 0;
+  for (const Axis& axis : machine.axes)
+    if (axis.present) longest = std::max(longest, axis.velocity / axis.acceleration);
+  return longest;
+}
 
 }  // namespace softcnc

@@ -93,7 +93,8 @@ class CornerJudge {
 
   /// Whether rounding may win back a tenth of the time.
   bool is_worth_a_plan(const Machine& machine) const {
-    return !options_.single_block && !is_by_pulses(machine.control.interpolation) &&
+    const Method method = machine.control.interpolation;
+    return !options_.single_block && !is_by_pulses(method) && !ignores_plan(method) &&
            is_much(rests().roundable_seconds);
   }
 

@@ -23,9 +23,9 @@ Channel::Channel(ipr::Reader& reader, int input, const Machine& machine,
       events_(options.events),
       control_{options.feed_override, false, false},
       feeder_(reader, input, machine, options, diagnostics),
-      queue_(10 * machine.control.period),
+      queue_(10 * machine.control.period + ipo::setpoint_lag(machine), ipo::setpoint_lag(machine)),
       follows_plan_(follows_time(machine.control.interpolation)),
-      interpolator_(queue_, machine.control),
+      interpolator_(queue_, machine),
       times_(options.worst_lines > 0, follows_plan_) {
   interpolator_.set_feed_override(options.feed_override);
 }
@@ -126,7 +126,7 @@ void Channel::come_to_rest() noexcept {
 void Channel::replan() noexcept {
   if (queue_.empty() || broken_) return;
   try {
-    const double now = interpolator_.time();
+    const double now = interpolator_.state_time();
     add_present();
     feeder_.replan(queue_, interpolator_.state(), now, control_);
     interpolator_.set_feed_override(control_.feed_override);
@@ -137,10 +137,8 @@ void Channel::replan() noexcept {
 }
 
 void Channel::forget_passed() {
-  const auto* present = queue_.empty() ? nullptr : &queue_.front();
-  queue_.for_each_recent([&](const ipo::TimedBlock& timed) {
-    if (&timed != present)
-      times_.add(timed, timed.profile.duration(), interpolator_.feed_override());
+  queue_.for_each_passed([&](const ipo::TimedBlock& timed) {
+    times_.add(timed, timed.profile.duration(), interpolator_.feed_override());
   });
   queue_.trim();
 }

@@ -126,9 +126,11 @@ void report_excess(const Measured& measured, const ProgrammedPath::Deviation& wo
   if (machine.limits.normal > 0)
     check("the normal acceleration", measured.normal, machine.limits.normal, kAxisTolerance,
           "mm/s2");
+  const bool leaves = accelerates_after(machine.control.interpolation);  // the path, on purpose
   if (!by_pulses)  // pulses follow the path between the rows
-    check("the chord error", um_from_mm(measured.chord_error),
-          um_from_mm(machine.control.chord_tolerance), kChordTolerance, "um");
+    check(leaves ? "the distance of the curve from the motion" : "the chord error",
+          um_from_mm(measured.chord_error), um_from_mm(machine.control.chord_tolerance),
+          kChordTolerance, "um");
   if (machine.control.interpolation == Method::arc_length) {
     check("the distance from the path", um_from_mm(measured.path_deviation),
           um_from_mm(kPathTolerance), 0, "um");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/queue/stepping.hpp"
+#include "ipo/methods/parameter_walk.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/planner/constant_feed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "ipo/methods/acc_dec.hpp"
+
+namespace softcnc::ipo {
+
+ConstantFeed::ConstantFeed(const Machine& machine, double feed_override)
+    : machine_(machine), settling_(acc_dec_shape(machine).settling()) {
+  feed_.feed_override = feed_override;
+}
+
+void ConstantFeed::push(Block block) { pending_.push_back({std::move(block), {}, 0, 0}); }
+
+std::optional<TimedBlock> ConstantFeed::pop() {
+  if (held_) return std::exchange(held_, std::nullopt);
+  if (pending_.empty() || feed_.halts()) return std::nullopt;
+  TimedBlock& next = pending_.front();
+  if (const Move* move = next.move()) {
+    time_move(*move, next.profile);
+  } else {
+    wait_for_setpoints(next.profile);
+    if (const Dwell* dwell = std::get_if<Dwell>(&next.block.what))
+      next.profile.add_rest(dwell->duration);
+  }
+  return take();
+}
+
+void ConstantFeed::time_move(const Move& move, Profile& profile) {
+  const double speed = constant_speed(move, machine_, feed_.feed_override);
+  const bool slower = move.feed_override && feed_.feed_override < 1;
+  const Limit limit = move.rapid ? Limit::rapid : slower ? Limit::override_ : Limit::feed;
+  const double end = length(move.path);
+  if (begin_ > 0) profile.rest_at(begin_);
+  if (begin_ < end) profile.add_piece(begin_, end, speed, speed, limit);
+  arriving_ = true;
+  if (move.path_mode == PathMode::stop) wait_for_setpoints(profile);
+}
+
+void ConstantFeed::wait_for_setpoints(Profile& profile) {
+  if (std::exchange(arriving_, false) && settling_ > 0) profile.add_rest(settling_);
+}
+
+TimedBlock ConstantFeed::take() {
+  TimedBlock timed = std::move(pending_.front());
+  pending_.pop_front();
+  timed.t_start = t_;
+  timed.s_start = s_;
+  t_ = timed.t_end();
+  if (const Move* move = timed.move()) s_ += length(move->path);
+  begin_ = 0;
+  return timed;
+}
+
+std::deque<TimedBlock> ConstantFeed::replan(PartlyPassed rest, const State& now, double t,
+                                            const FeedControl& asked) {
+  if (held_) pending_.push_front(*std::exchange(held_, std::nullopt));
+  for (; rest.blocks.size() > rest.passed; rest.blocks.pop_back())
+    pending_.push_front(std::move(rest.blocks.back()));
+  TimedBlock& present = pending_.front();
+  Dwell* dwell = std::get_if<Dwell>(&present.block.what);
+  if (dwell && !feed_.halts()) dwell->duration = std::max(present.t_end() - t, 0.0);
+  for (TimedBlock& block : pending_) block.profile = {};
+  t_ = t;
+  s_ = present.s_start;
+  begin_ = present.move() ? now.s : 0;
+  arriving_ = !dwell;
+  feed_ = asked;
+  if (!asked.halts()) return std::move(rest.blocks);
+  present.profile.rest_at(begin_);
+  if (!asked.stop) present.profile.add_hold(asked.halted_by());
+  held_ = take();
+  return std::move(rest.blocks);
+}
+
+double constant_speed(const Move& move, const Machine& machine, double feed_override) noexcept {
+  if (!move.rapid) {
+    const double asked = asked_feed(move, feed_override);
+    return machine.limits.feed > 0 ? std::min(asked, machine.limits.feed) : asked;
+  }
+  const AxisVector direction = at(move.path, 0).dq;
+  double speed = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kAxes; ++i)
+    if (direction[i] != 0)
+      speed = std::min(speed,
+                       machine.axes[static_cast<std::size_t>(i)].velocity / std::abs(direction[i]));
+  return speed;
+}
+
+}  // namespace softcnc::ipo
