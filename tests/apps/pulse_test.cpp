@@ -29,12 +29,14 @@ constexpr const char* kPart =
 TEST_CASE("every method by pulses reaches the drives pulse by pulse", "[apps][pulse]") {
   const std::string method = GENERATE("sam", "m-sam", "dsm", "m-dsm", "dda");
   const std::string clock = GENERATE("profile", "paper");
+  const std::string constant = GENERATE("on", "off");
   const Folder folder;
   write(folder / "p.nc", kPart);
-  const Ended ended = call("run " + (folder / "p.nc") + " --set control.interpolation=" + method +
-                           " --set control.pulse_clock=" + clock + " --backend stepdir" +
-                           " --set backend.stepdir.file=" + (folder / "p.edges") + " --trace " +
-                           (folder / "t.csv") + " --report " + (folder / "r.json"));
+  const Ended ended =
+      call("run " + (folder / "p.nc") + " --set control.interpolation=" + method +
+           " --set control.pulse_clock=" + clock + " --set control.constant_feed=" + constant +
+           " --backend stepdir" + " --set backend.stepdir.file=" + (folder / "p.edges") +
+           " --trace " + (folder / "t.csv") + " --report " + (folder / "r.json"));
   INFO(ended.err);
   REQUIRE(ended.status == 0);
   const json report = json::parse(read(folder / "r.json"));

@@ -115,6 +115,7 @@ corner_tolerance_um = 5.0
 pulse_clock = "paper"
 acc_dec_ms = 60
 rough_period_ms = 16
+constant_feed = "off"
 backend = "none"
 [limits]
 feed_mm_min = 2000
@@ -171,6 +172,7 @@ teeth = 4
   CHECK(m.control.pulse_clock == PulseClock::paper);
   CHECK(m.control.acc_dec == 0.06);
   CHECK(m.control.rough_period == 0.016);
+  CHECK(m.control.constant_feed == ConstantFeed::off);
   CHECK(m.control.backend == BackendKind::none);
   CHECK(m.limits.feed == 2000.0 / 60.0);
   CHECK_FALSE(m.axes[0].present);

@@ -194,8 +194,8 @@ TEST_CASE("a hold amid a staircase loses no pulse", "[ipo][pulse]") {
 
 TEST_CASE("moves that do not end on the grid go on where they are", "[ipo][pulse]") {
   GridPoint at{402, -1, 0};
-  PulseWalk copy(Line({1.00124, 0, 0}, {2, 0, 0}), AxisVector::Constant(0.0025), PulseMethod::m_dsm,
-                 PulseClock::profile, at);
+  PulseWalk copy(Line({1.00124, 0, 0}, {2, 0, 0}), AxisVector::Constant(0.0025),
+                 mill(Method::m_dsm).control, at);
   while (const auto* clock = copy.ahead()) {
     advance(at, clock->step);
     copy.pass();
@@ -225,6 +225,38 @@ TEST_CASE("under the paper's clock the feed is that of its figures", "[ipo][puls
   }
 }
 
+TEST_CASE("without constant feed a diagonal is faster by sqrt 2, by either clock",
+          "[ipo][pulse][paper003]") {
+  // One clock for each move, at the rate of the feed along an axis; SAM needs two for a diagonal.
+  const Method method = GENERATE(Method::sam, Method::m_sam, Method::dsm, Method::m_dsm);
+  const PulseClock kind = GENERATE(PulseClock::profile, PulseClock::paper);
+  const double slope = GENERATE(0.0, 1 / 3.0, 0.5, 1.0);
+  Machine machine = mill(method, kind);
+  machine.control.constant_feed = ConstantFeed::off;
+  const auto result = pulse_run(
+      machine, test::number_blocks(
+                   {Move{Line({0, 0, 0}, {30, 30 * slope, 0}), false, 50, PathMode::follow}}));
+  double fastest = 0;
+  for (const Setpoint& row : result.run.rows) fastest = std::max(fastest, row.v);
+  const double clocks = method == Method::sam ? 1 + slope : 1;
+  CHECK(fastest == Approx(50 * std::sqrt(1 + slope * slope) / clocks).epsilon(1e-3));
+  for (std::size_t i = 1; i < result.pulses.size(); ++i) {
+    if (result.pulses[i].time < 0.1 || result.pulses[i].time > 0.4) continue;
+    REQUIRE(result.pulses[i].time - result.pulses[i - 1].time == Approx(0.0025 / 50).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("without constant feed the profile does not stop at the ends of moves",
+          "[ipo][pulse][paper003]") {
+  Machine machine = mill(Method::m_dsm);
+  machine.control.constant_feed = ConstantFeed::off;
+  const auto result = pulse_run(machine, test::polyline({{0, 0, 0}, {10, 0, 0}, {20, 0, 0}}, 50));
+  double slowest = 50;
+  for (const Setpoint& row : result.run.rows)
+    if (row.position.x() > 9.5 && row.position.x() < 10.5) slowest = std::min(slowest, row.v);
+  CHECK(slowest == Approx(50));
+}
+
 TEST_CASE("under the paper's clock every move ends at rest, without a jerk limit",
           "[ipo][pulse][paper003]") {
   Machine machine = mill(Method::m_dsm, PulseClock::paper);
@@ -249,6 +281,8 @@ TEST_CASE("the paper's clock knows one BLU alone", "[ipo][pulse]") {
         "one reference clock cannot serve a BLU of 2.5 um of X and one of 5 um of Y");
   machine.control.pulse_clock = PulseClock::profile;
   CHECK(pulse_run(machine, blocks).run.diagnostics.empty());
+  machine.control.constant_feed = ConstantFeed::off;
+  CHECK(pulse_run(machine, blocks).run.diagnostics.size() == 1);
 }
 
 TEST_CASE("a period of pulses allocates nothing", "[ipo][pulse][realtime]") {

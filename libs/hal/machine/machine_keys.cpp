@@ -110,6 +110,8 @@ const MachineKey kKeys[] = {
      NumberKey{control<&Control::acc_dec>, s_from_ms, ms_from_s, {0.001, 1e4, true}}},
     {"control.rough_period_ms", "ms", "period of the rough interpolation of two-step; period_ms must divide it",
      NumberKey{control<&Control::rough_period>, s_from_ms, ms_from_s, {0.001, 1000}}},
+    {"control.constant_feed", "", "whether an interpolation by pulses keeps the feed along the path on every slope: by the times of the profile, or by clocks that are dropped; off: a move for each clock, as paper 003 before its compensation",
+     choice_in<&Machine::control, &Control::constant_feed>(kConstantFeedNames)},
     {"control.corner_tolerance_um", "um", "largest deviation of corners that G64 without P rounds; 0: the path is followed exactly",
      NumberKey{control<&Control::corner_tolerance>, mm_from_um, um_from_mm, {kLeastTolerance, kMostTolerance, true}}},
     {"control.backend", "", "where setpoints go: nowhere, to the simulated mill, to drives with step and direction inputs (a file of edges or a parallel port), or to a machine on LinuxCNC's HAL",

@@ -11,7 +11,8 @@ class PulseRate final : public Constraint {
  public:
   explicit PulseRate(const Machine& machine)
       : method_(pulse_method(machine.control.interpolation)),
-        paper_(machine.control.pulse_clock == PulseClock::paper),
+        drops_(machine.control.pulse_clock == PulseClock::paper &&
+               machine.control.constant_feed == ConstantFeed::on),
         rate_(step_rate(machine.step_port)) {
     for (int i = 0; i < kAxes; ++i) blu_[i] = machine.axes[static_cast<std::size_t>(i)].blu;
   }
@@ -29,13 +30,13 @@ class PulseRate final : public Constraint {
   double clocks(const AxisVector& blu_per_mm) const noexcept {
     if (method_ == PulseMethod::dda) return blu_per_mm.norm();
     const double most = blu_per_mm.maxCoeff(), all = blu_per_mm.sum();
-    if (!paper_) return method_ == PulseMethod::sam ? all : most;
+    if (!drops_) return method_ == PulseMethod::sam ? all : most;
     const double with_dropped = most + (all - most) / 3;
     return method_ == PulseMethod::sam ? 1.5 * with_dropped : with_dropped;
   }
 
   PulseMethod method_;
-  bool paper_;
+  bool drops_;  // clocks
   double rate_;
   AxisVector blu_;
 };

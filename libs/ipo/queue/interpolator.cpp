@@ -208,12 +208,12 @@ void Interpolator::follow_method(double left) noexcept {
   }
 }
 
-/// Returns where the machine is in the front block, mm. Under the paper's clock it keeps the time
-/// of the plan but not its position.
+/// Returns where the machine is in the front block, mm. With equal clocks it keeps the time of the
+/// plan but not its position.
 double Interpolator::place(const State& now) noexcept {
   if (walk_) return walk_->s();
   const PulseWalk* pulses = queue_.pulses();
-  return pulses && control_.pulse_clock == PulseClock::paper ? pulses->s() : now.s;
+  return pulses && has_equal_clocks(control_) ? pulses->s() : now.s;
 }
 
 Setpoint Interpolator::setpoint() noexcept {

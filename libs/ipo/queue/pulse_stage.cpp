@@ -9,9 +9,12 @@
 namespace softcnc::ipo {
 namespace {
 
-/// Returns the clocks for each BLU along an axis: SAM drops one of every three there.
-double clocks_per_blu(PulseMethod method) noexcept {
-  return method == PulseMethod::sam ? 1.5 : 1.0;
+/// Returns the clocks for each BLU along an axis: for a constant feed SAM drops one of every three
+/// there.
+double clocks_per_blu(const Control& control) noexcept {
+  const bool drops =
+      control.interpolation == Method::sam && control.constant_feed == ConstantFeed::on;
+  return drops ? 1.5 : 1.0;
 }
 
 std::string blu_text(int axis, double blu) {
@@ -27,14 +30,16 @@ PulseStage::PulseStage(const Machine& machine) : machine_(machine) {
 
 std::optional<Diagnostic> PulseStage::prepare(Block& block) const {
   Move* move = std::get_if<Move>(&block.what);
-  if (!move || !works() || machine_.control.pulse_clock != PulseClock::paper) return std::nullopt;
+  if (!move || !works() || !has_equal_clocks(machine_.control)) return std::nullopt;
   if (auto unlike = check_blu(move->path)) return unlike;
-  const PulseMethod method = pulse_method(machine_.control.interpolation);
-  const auto clocks = static_cast<double>(count_clocks(move->path, blu_, method));
+  const Control& control = machine_.control;
+  const auto clocks = static_cast<double>(count_clocks(move->path, blu_, control));
   const Extent box = bounds(move->path);
   int axis = 0;
   (box.max - box.min).maxCoeff(&axis);
-  if (clocks > 0) move->feed *= length(move->path) * clocks_per_blu(method) / (clocks * blu_[axis]);
+  if (clocks > 0)
+    move->feed *= length(move->path) * clocks_per_blu(control) / (clocks * blu_[axis]);
+  if (control.pulse_clock != PulseClock::paper) return std::nullopt;
   move->path_mode = PathMode::stop;
   move->corner_tolerance = 0;
   move->chord_tolerance = 0;
@@ -63,9 +68,7 @@ void PulseStage::attach(TimedBlock& timed) {
   if (!move || !works()) return;
   if (!timed.pulses) {
     const GridPoint from = at_.value_or(counts_of(start(move->path), blu_));
-    timed.pulses =
-        std::make_unique<PulseWalk>(move->path, blu_, pulse_method(machine_.control.interpolation),
-                                    machine_.control.pulse_clock, from);
+    timed.pulses = std::make_unique<PulseWalk>(move->path, blu_, machine_.control, from);
   }
   at_ = timed.pulses->to();
 }

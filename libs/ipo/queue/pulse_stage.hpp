@@ -12,16 +12,16 @@ namespace softcnc::ipo {
 
 /// Gives every move its staircase, so that the cycle only walks it. Does nothing for other methods.
 ///
-/// Under the paper's clock a move goes from rest to rest, and its clocks come at the rate of its
-/// feed per BLU, in whatever direction they lead: its speed along the path follows from their
-/// number.
+/// Where clocks are equal parts of a move (has_equal_clocks), they come at the rate of its feed per
+/// BLU, in whatever direction they lead: its speed along the path follows from their number. Under
+/// the paper's clock a move also goes from rest to rest.
 class PulseStage {
  public:
   /// `machine` must outlive the stage.
   explicit PulseStage(const Machine& machine);
 
   /// Changes a move into what the planner is to run. Returns SC7080 if the axes it moves have
-  /// different BLU, which the paper's clock cannot serve. The caller sets the position of the
+  /// different BLU, which one clock cannot serve. The caller sets the position of the
   /// diagnostic.
   std::optional<Diagnostic> prepare(Block& block) const;
 

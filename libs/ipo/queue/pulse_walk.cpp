@@ -21,6 +21,11 @@ int longest_axis(const GridPoint& from, const GridPoint& to) noexcept {
   return lead;
 }
 
+ClockDropper dropper_of(const Control& control) noexcept {
+  return ClockDropper(pulse_method(control.interpolation),
+                      control.constant_feed == ConstantFeed::on);
+}
+
 template <std::size_t... axis>
 std::array<Counts, kAxes> counts_by_axis(const AxisVector& blu, std::index_sequence<axis...>) {
   return {Counts(blu[static_cast<int>(axis)])...};
@@ -28,9 +33,9 @@ std::array<Counts, kAxes> counts_by_axis(const AxisVector& blu, std::index_seque
 
 }  // namespace
 
-std::int64_t count_clocks(const Path& path, const AxisVector& blu, PulseMethod method) {
-  Staircase staircase(path, blu, method);
-  ClockDropper dropper(method);
+std::int64_t count_clocks(const Path& path, const AxisVector& blu, const Control& control) {
+  Staircase staircase(path, blu, pulse_method(control.interpolation));
+  ClockDropper dropper = dropper_of(control);
   std::array<Step, 256> steps;
   std::int64_t clocks = 0;
   while (const std::size_t n = staircase.fill(steps))
@@ -38,17 +43,17 @@ std::int64_t count_clocks(const Path& path, const AxisVector& blu, PulseMethod m
   return clocks;
 }
 
-PulseWalk::PulseWalk(Path path, const AxisVector& blu, PulseMethod method, PulseClock clock,
+PulseWalk::PulseWalk(Path path, const AxisVector& blu, const Control& control,
                      const GridPoint& from)
     : path_(std::move(path)),
-      staircase_(path_, blu, method),
+      staircase_(path_, blu, pulse_method(control.interpolation)),
       counts_(counts_by_axis(blu, std::make_index_sequence<kAxes>())),
       length_(length(path_)),
       places_(places(blu)),
       at_(from) {
-  if (clock == PulseClock::paper) {
-    const std::int64_t clocks = count_clocks(path_, blu, method);
-    even_ = Even{ClockDropper(method), length_ / static_cast<double>(clocks)};
+  if (has_equal_clocks(control)) {
+    const std::int64_t clocks = count_clocks(path_, blu, control);
+    even_ = Even{dropper_of(control), length_ / static_cast<double>(clocks)};
   }
   for (std::size_t i = 0; i < gap_.size(); ++i) gap_[i] = staircase_.from()[i] - from[i];
   find_ahead();

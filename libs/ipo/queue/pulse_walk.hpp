@@ -16,7 +16,8 @@ namespace softcnc::ipo {
 /// With PulseClock::profile a clock belongs where the path's leading axis is half-way through it,
 /// so that the pulses of that axis come evenly and those of the others between them or together
 /// with them; a clock without the leading axis belongs where that axis is. With PulseClock::paper
-/// the plan takes all clocks, including dropped ones, as equal parts of the path.
+/// the plan takes all clocks, including dropped ones, as equal parts of the path; without constant
+/// feed it does so, too, and no clock is dropped.
 class PulseWalk {
  public:
   struct Clock {
@@ -25,9 +26,9 @@ class PulseWalk {
     double s = 0;    // and leads to about here; neither is ever less than that of the clock before
   };
 
-  /// `blu` is in mm, by axis. Steps from `from` to where the staircase begins, if any, come first.
-  PulseWalk(Path path, const AxisVector& blu, PulseMethod method, PulseClock clock,
-            const GridPoint& from);
+  /// `blu` is in mm, by axis; `control` interpolates by pulses. Steps from `from` to where the
+  /// staircase begins, if any, come first.
+  PulseWalk(Path path, const AxisVector& blu, const Control& control, const GridPoint& from);
   PulseWalk(const PulseWalk&) = delete;
   PulseWalk& operator=(const PulseWalk&) = delete;
 
@@ -59,7 +60,7 @@ class PulseWalk {
   struct OnCurve {
     double s = 0;
   };
-  /// The clock of paper 003.
+  /// Equal parts of the plan: has_equal_clocks().
   struct Even {
     ClockDropper dropper;
     double part, s = 0;  // mm
@@ -88,7 +89,8 @@ class PulseWalk {
   bool has_ahead_ = true;
 };
 
-/// Returns the number of all clocks of a path as in paper 003, including those that are dropped.
-std::int64_t count_clocks(const Path& path, const AxisVector& blu, PulseMethod method);
+/// Returns the number of all clocks of a path as in paper 003, including those that are dropped for
+/// a constant feed.
+std::int64_t count_clocks(const Path& path, const AxisVector& blu, const Control& control);
 
 }  // namespace softcnc::ipo

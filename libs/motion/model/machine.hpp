@@ -28,6 +28,11 @@ namespace softcnc {
 enum class PulseClock : std::uint8_t { profile, paper };
 inline constexpr std::array<std::string_view, 2> kPulseClockNames{"profile", "paper"};
 
+/// Whether methods by pulses correct the time from clock to clock for the direction of the moves,
+/// so that the feed along the path is about the same on all slopes.
+enum class ConstantFeed : std::uint8_t { on, off };
+inline constexpr std::array<std::string_view, 2> kConstantFeedNames{"on", "off"};
+
 enum class BackendKind : std::uint8_t { none, sim, stepdir, parport, hal_stream };
 inline constexpr std::array<std::string_view, 5> kBackendNames{"none", "sim", "stepdir", "parport",
                                                                "hal-stream"};
@@ -45,7 +50,14 @@ struct Control {
   PulseClock pulse_clock = PulseClock::profile;
   double acc_dec = 0;           // s: of acceleration after interpolation; 0: see acc_dec_time()
   double rough_period = 0.008;  // s: of rough interpolation by Method::two_step
+  ConstantFeed constant_feed = ConstantFeed::on;
 };
+
+/// Returns whether the clocks of a move are equal parts of it, in whatever direction they lead: by
+/// the clock of paper 003, and without constant feed.
+constexpr bool has_equal_clocks(const Control& control) noexcept {
+  return control.pulse_clock == PulseClock::paper || control.constant_feed == ConstantFeed::off;
+}
 
 /// Divides `whole` into equal parts, none longer than `longest`, s.
 constexpr double equal_part(double whole, double longest) noexcept {

@@ -7,7 +7,7 @@
 namespace softcnc {
 
 bool ClockDropper::counts(Step step) const noexcept {
-  if (method_ == PulseMethod::dda) return false;
+  if (method_ == PulseMethod::dda || !constant_feed_) return false;
   return method_ == PulseMethod::sam ? step == last_ : step.axes() > 1;
 }
 

@@ -12,7 +12,9 @@ namespace softcnc {
 /// along the same axis as the one before. DDA does not need this: its clock is one BLU of the path.
 class ClockDropper {
  public:
-  explicit ClockDropper(PulseMethod method) noexcept : method_(method) {}
+  /// Drops none without `constant_feed`.
+  explicit ClockDropper(PulseMethod method, bool constant_feed = true) noexcept
+      : method_(method), constant_feed_(constant_feed) {}
 
   /// Returns how many clocks pass from this step to the next: 1, or 2 where one is dropped.
   /// Realtime.
@@ -22,6 +24,7 @@ class ClockDropper {
   bool counts(Step step) const noexcept;
 
   PulseMethod method_;
+  bool constant_feed_;
   int counted_ = 0;
   Step last_;
 };
