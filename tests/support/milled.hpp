@@ -78,7 +78,8 @@ inline surface::StockGrid grid_of(double x, double y, double side_x, double side
   return grid;
 }
 
-/// Of one feed per tooth by one pick-feed, in the midst of passes.
+/// Of one feed per tooth by one pick-feed, in the midst of passes. Points whose deviation is not
+/// known do not count.
 inline double rmax(const Milling& milling, double step) {
   const double length = 6 * milling.feed + 4 * milling.radius * 0.3;
   const auto track = milled(milling, 7, length);
@@ -86,7 +87,9 @@ inline double rmax(const Milling& milling, double step) {
   const auto grid =
       grid_of(length / 2, 3 * milling.pick * level, milling.feed, milling.pick * level, step);
   const auto tile = surface::Workpiece(track, grid).cut(0, 0, grid.columns, grid.rows);
-  return *std::max_element(tile.deviations.begin(), tile.deviations.end());
+  return *std::max_element(tile.deviations.begin(), tile.deviations.end(), [](float a, float b) {
+    return a < b || (std::isnan(a) && !std::isnan(b));
+  });
 }
 
 }  // namespace softcnc::test
