@@ -8,7 +8,8 @@ In a program, what stands between the comments
     (end curve)
 
 is made from programs/data/NAME.json: one block of G06.2 per control point and one per closing
-knot, at the feed FNNN. Everything else in a program is written by hand.
+knot, at the feed FNNN; if the curve is one "through" its points, a rapid to the first one and one
+block of G06.1 for each of the others. Everything else in a program is written by hand.
 
     scripts/make_programs.py            writes the programs
     scripts/make_programs.py --check    changes nothing; exit 1 if a program is not up to date
@@ -46,11 +47,18 @@ def nurbs(curve, feed):
     return lines + [f"K{number(knot)}" for knot in knots[len(points):]]
 
 
+def spline(curve, feed):
+    """The lines of a spline through points: G06.1, from the first of them on."""
+    first, *others = (words(curve["columns"], point) for point in curve["points"])
+    return [f"G00 {first}", f"G06.1 {others[0]} {feed}", *others[1:]]
+
+
 def up_to_date(text):
     def fill(match):
         begin, name, feed, end = match.groups()
         curve = json.loads((PROGRAMS / "data" / f"{name}.json").read_text())
-        return begin + "".join(line + "\n" for line in nurbs(curve, feed)) + end
+        lines = spline(curve, feed) if curve.get("through") else nurbs(curve, feed)
+        return begin + "".join(line + "\n" for line in lines) + end
     return REGION.sub(fill, text)
 
 
@@ -58,7 +66,7 @@ def main(arguments):
     if arguments not in ([], ["--check"]):
         sys.exit(__doc__)
     stale = False
-    for program in sorted(PROGRAMS.glob("*.nc")):
+    for program in sorted(PROGRAMS.rglob("*.nc")):
         text = program.read_text()
         made = up_to_date(text)
         if made == text:
