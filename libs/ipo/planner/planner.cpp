@@ -28,7 +28,7 @@ Planner::Planner(const Machine& machine, double feed_override, Diagnostics& diag
       window_(make_window(constraints_, 1, horizon)),
       running_(feed_override),
       ceiling_(feed_override) {
-  if (ignores_plan(machine.control.interpolation)) constant_feed_.emplace(machine, feed_override);
+  if (ignores_plan(machine.control.interpolation)) unplanned_.emplace(machine, feed_override);
   feed_.feed_override = feed_override;
 }
 
@@ -38,7 +38,7 @@ void Planner::push(Block block) {
     if (auto outside = check_travel(*move, machine_))
       return leave_out(std::move(*outside), block.source);
   }
-  if (constant_feed_) return constant_feed_->push(std::move(block));
+  if (unplanned_) return unplanned_->push(std::move(block));
   if (auto unable = pulses_.prepare(block)) return leave_out(std::move(*unable), block.source);
   if (corners_.passes(block)) return accept({std::move(block), {}, 0});
   corners_.push(std::move(block));
@@ -118,7 +118,7 @@ PlannerCounts Planner::counts() const noexcept {
 }
 
 std::optional<TimedBlock> Planner::pop() {
-  if (constant_feed_) return constant_feed_->pop();
+  if (unplanned_) return unplanned_->pop();
   while (ready_.empty() && find_next(false) == Found::nothing)
     if (feed_.halts() || !lay_ahead()) return std::nullopt;
   return ready_.empty() ? take() : take_ready();

@@ -10,9 +10,9 @@
 
 #include "ipo/jerk_limited/horizon.hpp"
 #include "ipo/path/window.hpp"
-#include "ipo/planner/constant_feed.hpp"
 #include "ipo/planner/feed_control.hpp"
 #include "ipo/planner/stop.hpp"
+#include "ipo/planner/unplanned_feed.hpp"
 #include "ipo/queue/block_queue.hpp"
 #include "ipo/queue/pulse_stage.hpp"
 #include "ipo/smoothing/corner_stage.hpp"
@@ -100,7 +100,7 @@ class Planner {
   Diagnostics& diagnostics_;
   ConstraintList constraints_;
   const Horizon horizon_;
-  std::optional<ConstantFeed> constant_feed_;  // instead of all that follows
+  std::optional<UnplannedFeed> unplanned_;  // instead of all that follows
   PulseStage pulses_;
   CornerStage corners_;
   std::unique_ptr<Window> window_;

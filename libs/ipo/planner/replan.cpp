@@ -38,7 +38,7 @@ State end_state(const Profile& profile) {
 
 std::deque<TimedBlock> Planner::replan(PartlyPassed rest, const State& state, double t,
                                        const FeedControl& asked) {
-  if (constant_feed_) return constant_feed_->replan(std::move(rest), state, t, asked);
+  if (unplanned_) return unplanned_->replan(std::move(rest), state, t, asked);
   if (!feed_.halts()) shorten_dwell(rest.blocks[rest.passed], t);
   const TimedBlock& present = rest.blocks[rest.passed];
   const State now = without_rounding(state, present);

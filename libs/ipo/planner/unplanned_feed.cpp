@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ipo/planner/constant_feed.hpp"
+#include "ipo/planner/unplanned_feed.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +10,14 @@
 
 namespace softcnc::ipo {
 
-ConstantFeed::ConstantFeed(const Machine& machine, double feed_override)
+UnplannedFeed::UnplannedFeed(const Machine& machine, double feed_override)
     : machine_(machine), settling_(acc_dec_shape(machine).settling()) {
   feed_.feed_override = feed_override;
 }
 
-void ConstantFeed::push(Block block) { pending_.push_back({std::move(block), {}, 0, 0}); }
+void UnplannedFeed::push(Block block) { pending_.push_back({std::move(block), {}, 0, 0}); }
 
-std::optional<TimedBlock> ConstantFeed::pop() {
+std::optional<TimedBlock> UnplannedFeed::pop() {
   if (held_) return std::exchange(held_, std::nullopt);
   if (pending_.empty() || feed_.halts()) return std::nullopt;
   TimedBlock& next = pending_.front();
@@ -31,7 +31,7 @@ std::optional<TimedBlock> ConstantFeed::pop() {
   return take();
 }
 
-void ConstantFeed::time_move(const Move& move, Profile& profile) {
+void UnplannedFeed::time_move(const Move& move, Profile& profile) {
   const double speed = constant_speed(move, machine_, feed_.feed_override);
   const bool slower = move.feed_override && feed_.feed_override < 1;
   const Limit limit = move.rapid ? Limit::rapid : slower ? Limit::override_ : Limit::feed;
@@ -42,11 +42,11 @@ void ConstantFeed::time_move(const Move& move, Profile& profile) {
   if (move.path_mode == PathMode::stop) wait_for_setpoints(profile);
 }
 
-void ConstantFeed::wait_for_setpoints(Profile& profile) {
+void UnplannedFeed::wait_for_setpoints(Profile& profile) {
   if (std::exchange(arriving_, false) && settling_ > 0) profile.add_rest(settling_);
 }
 
-TimedBlock ConstantFeed::take() {
+TimedBlock UnplannedFeed::take() {
   TimedBlock timed = std::move(pending_.front());
   pending_.pop_front();
   timed.t_start = t_;
@@ -57,8 +57,8 @@ TimedBlock ConstantFeed::take() {
   return timed;
 }
 
-std::deque<TimedBlock> ConstantFeed::replan(PartlyPassed rest, const State& now, double t,
-                                            const FeedControl& asked) {
+std::deque<TimedBlock> UnplannedFeed::replan(PartlyPassed rest, const State& now, double t,
+                                             const FeedControl& asked) {
   if (held_) pending_.push_front(*std::exchange(held_, std::nullopt));
   for (; rest.blocks.size() > rest.passed; rest.blocks.pop_back())
     pending_.push_front(std::move(rest.blocks.back()));

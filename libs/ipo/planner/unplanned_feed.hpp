@@ -16,10 +16,10 @@ namespace softcnc::ipo {
 /// limits.feed; rapids as fast as the velocities of the axes allow. Where the machine must rest
 /// (G61.1, and blocks that do not move), it waits until setpoints that lag have arrived; corners
 /// are passed at speed. Override, hold and stop count from where the path is.
-class ConstantFeed {
+class UnplannedFeed {
  public:
   /// `machine` must outlive it.
-  ConstantFeed(const Machine& machine, double feed_override);
+  UnplannedFeed(const Machine& machine, double feed_override);
 
   void push(Block block);
   /// Returns the next block; nothing while the machine is held.
