@@ -117,6 +117,24 @@ TEST_CASE("the chord error of a circle is its sagitta", "[verify]") {
   }
 }
 
+TEST_CASE("the chord error is known in the root of the mean square, too", "[verify]") {
+  const Measured even = measure(circle(10), 40);
+  CHECK(even.chord_error_rms == Approx(even.chord_error).epsilon(1e-9));
+  const Path path = circle(10);
+  const PathStretch stretch{&path, 0};
+  Verifier verifier(machine_at(1e-3));
+  const std::vector<double> places{0, 1, 1, 3, 6};  // a period at rest counts in no mean
+  for (std::size_t i = 0; i < places.size(); ++i)
+    verifier.sample(
+        at_position(static_cast<std::int64_t>(i), position(path, places[i]), places[i], 0),
+        {&stretch, 1});
+  const auto sagitta = [](double step) { return 10 * (1 - std::cos(step / 20)); };
+  const double squares =
+      std::pow(sagitta(1), 2) + std::pow(sagitta(2), 2) + std::pow(sagitta(3), 2);
+  CHECK(verifier.measured().chord_error == Approx(sagitta(3)).epsilon(1e-9));
+  CHECK(verifier.measured().chord_error_rms == Approx(std::sqrt(squares / 3)).epsilon(1e-9));
+}
+
 TEST_CASE("a corner within a step is off the chord", "[verify]") {
   const Path first = Line({0, 0, 0}, {1, 0, 0}), second = Line({1, 0, 0}, {1, 1, 0});
   const std::vector<PathStretch> stretches{{&first, 0}, {&second, 1}};

@@ -137,7 +137,7 @@ void Verifier::geometry(const Setpoint& setpoint, std::span<const PathStretch> s
                    chord_error(*stretch.path, s0, s1, before_.position, setpoint.position));
     travelled += integrated_length(*stretch.path, s0, s1);
   }
-  measured_.chord_error = std::max(measured_.chord_error, last_period_.chord_error);
+  if (!by_pulses_ && travelled > 0) chord(last_period_.chord_error);
   if (!stretches.empty()) {
     const PathStretch& here = stretch_at(stretches, setpoint.s);
     const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
@@ -164,6 +164,13 @@ void Verifier::closeness(const Setpoint& setpoint,
   const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
   measured_.path_deviation =
       std::max(measured_.path_deviation, (position(*here.path, s) - setpoint.position).norm());
+}
+
+void Verifier::chord(double error) noexcept {
+  chord_errors_ += error * error;
+  ++chords_;
+  measured_.chord_error = std::max(measured_.chord_error, error);
+  measured_.chord_error_rms = std::sqrt(chord_errors_ / static_cast<double>(chords_));
 }
 
 void Verifier::fluctuation(double travelled, double advance) noexcept {

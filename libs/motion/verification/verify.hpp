@@ -24,7 +24,8 @@ struct Measured {
   double tangential = 0;                         // mm/s^2: differences of the speed along the path
   double normal = 0;                             // mm/s^2: v^2 / rho; where there is a limit
   double chord_error = 0;                        // mm: curve between two samples to their chord
-  double path_deviation = 0;       // mm: commanded position to the curve; of pulses, every place
+  double chord_error_rms = 0;  // mm: of methods with chords, over periods that travel on the path
+  double path_deviation = 0;   // mm: commanded position to the curve; of pulses, every place
   double path_deviation_mean = 0;  // mm: of methods by pulses, over all clocks
   double feed_fluctuation = 0;  // |arc length / planned advance - 1|, advances over 1 um: largest
   double feed_fluctuation_rms = 0;   // and root of the mean square
@@ -66,6 +67,7 @@ class Verifier {
   void geometry(const Setpoint& setpoint, std::span<const PathStretch> stretches) noexcept;
 
   void closeness(const Setpoint& setpoint, std::span<const PathStretch> stretches) noexcept;
+  void chord(double error) noexcept;
   void fluctuation(double travelled, double advance) noexcept;
   void roughness(const Setpoint& setpoint, const PathStretch& here) noexcept;
 
@@ -81,6 +83,8 @@ class Verifier {
   Setpoint before_;
   double fluctuations_ = 0;    // sum of squares
   std::int64_t advances_ = 0;  // periods that count in it
+  double chord_errors_ = 0;    // sum of squares, mm^2
+  std::int64_t chords_ = 0;    // periods that count in it
   Measured measured_;
 };
 
