@@ -10,7 +10,6 @@
 #include "commands/commands.hpp"
 #include "job/job.hpp"
 #include "job/preflight.hpp"
-#include "job/run_diagnostics.hpp"
 #include "job/terminal.hpp"
 #include "messages/duration_text.hpp"
 #include "messages/messages.hpp"
@@ -22,6 +21,7 @@
 #include "runtime/cutting/cutting_rows.hpp"
 #include "runtime/cutting/surface_grid.hpp"
 #include "runtime/figures/cpu_clock.hpp"
+#include "runtime/session/axis_alarm.hpp"
 #include "runtime/session/simulate.hpp"
 #include "runtime/session/verification.hpp"
 #include "runtime/sinks/contour_rows.hpp"
@@ -102,7 +102,8 @@ int SurfaceJob::move() {
 }
 
 int SurfaceJob::judge(const runtime::Outcome& outcome, Diagnostics& diagnostics) {
-  if (is_of_axis(outcome.feedback.alarm)) diagnostics.report(alarm_diagnostic(outcome));
+  if (runtime::is_of_axis(outcome.feedback.alarm))
+    diagnostics.report(runtime::alarm_diagnostic(outcome));
   if (outcome.end == runtime::Outcome::End::done && diagnostics.errors() == 0)
     runtime::report_excess(outcome.measured, outcome.deviation, job_.machine, diagnostics);
   if (outcome.end == runtime::Outcome::End::stopped) return stopped();

@@ -14,6 +14,7 @@
 #include "messages/messages.hpp"
 #include "messages/repeated_errors.hpp"
 #include "runtime/check/corner_cost.hpp"
+#include "runtime/session/axis_alarm.hpp"
 #include "runtime/session/simulate.hpp"
 #include "runtime/session/verification.hpp"
 #include "runtime/sinks/trace_rows.hpp"
@@ -148,7 +149,8 @@ hal::Patience JobRunner::patience() const {
 
 void JobRunner::judge(Diagnostics& diagnostics) {
   const runtime::Outcome& outcome = result_.outcome;
-  if (is_of_axis(outcome.feedback.alarm)) diagnostics.report(alarm_diagnostic(outcome));
+  if (runtime::is_of_axis(outcome.feedback.alarm))
+    diagnostics.report(runtime::alarm_diagnostic(outcome));
   const bool at_rest =
       outcome.end == runtime::Outcome::End::done || outcome.end == runtime::Outcome::End::stopped;
   if (at_rest && diagnostics.errors() == 0)

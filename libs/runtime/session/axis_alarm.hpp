@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Alarms of an axis, as diagnostics.
+#pragma once
+
+#include "motion/core/diagnostic.hpp"
+#include "runtime/session/outcome.hpp"
+
+namespace softcnc::runtime {
+
+/// Returns whether an alarm is one of an axis: finish() of the backend does not report these.
+bool is_of_axis(Alarm alarm) noexcept;
+
+/// Describes such an alarm: SC5001, SC5002, SC5020.
+Diagnostic alarm_diagnostic(const Outcome& outcome);
+
+}  // namespace softcnc::runtime
