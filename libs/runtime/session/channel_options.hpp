@@ -25,8 +25,11 @@ struct ChannelOptions {
   /// without events only.
   bool rests_at_pauses = false;
   std::vector<FeedEvent> events;  // in the order of time
-  bool skims = false;             // rows that cannot come near a limit are not looked at one by one
-  std::size_t worst_lines = 0;    // Outcome::worst_lines: so many are asked for
+  /// s: so much later the first cutting move begins, see with_first_cut_delayed(); for programs
+  /// that are not fed and without `keeps_state`.
+  double first_cut_delay = 0;
+  bool skims = false;           // rows that cannot come near a limit are not looked at one by one
+  std::size_t worst_lines = 0;  // Outcome::worst_lines: so many are asked for
   /// Returns whether the program never ends as far as it is known; is called where much has been
   /// read again. Such a program is not planned further. May be empty.
   std::function<bool()> is_endless = {};

@@ -6,6 +6,7 @@
 
 #include "runtime/figures/cpu_clock.hpp"
 #include "runtime/program/descriptor.hpp"
+#include "runtime/session/first_cut_delay.hpp"
 
 namespace softcnc::runtime {
 namespace {
@@ -41,6 +42,7 @@ Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
       parser_(reader, diagnostics),
       interpreter_(parser_, machine, diagnostics, options.interpreter, options.state),
       planner_(machine, options.feed_override, diagnostics, {}, options.constraints),
+      first_cut_delay_(options.first_cut_delay),
       states_(options.state),
       patient_(!options.events.empty()),
       limit_(machine, largest_override(options)) {}
@@ -132,6 +134,8 @@ void Feeder::finish(ipo::BlockQueue& queue) {
 }
 
 std::optional<Block> Feeder::next_block() {
+  if (const double delay = std::exchange(first_cut_delay_, 0); delay > 0)
+    pushed_ = with_first_cut_delayed([this] { return interpreter_.next(); }, delay);
   if (pushed_.empty()) return interpreter_.next();
   std::optional<Block> block(std::move(pushed_.front()));
   pushed_.pop_front();

@@ -99,6 +99,7 @@ class Feeder {
   ProgrammedPath* programmed_ = nullptr;
   std::deque<Pause> pauses_;
   std::deque<Block> pushed_;  // and not yet planned
+  double first_cut_delay_;    // s: of a program that has not begun
   SourcePos last_place_;      // of the block planned last
   int last_number_ = 0;
   int answered_ = 0;               // the number of the block whose pause has been answered last

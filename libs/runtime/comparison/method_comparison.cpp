@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/comparison/method_comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <utility>
+
+#include "hal/backends/backend.hpp"
+#include "runtime/comparison/compared_figure.hpp"
+#include "runtime/session/axis_alarm.hpp"
+#include "runtime/session/simulate.hpp"
+
+namespace softcnc::runtime {
+namespace {
+
+Machine simulated(Machine machine, Method method) {
+  machine.control.interpolation = method;
+  machine.control.backend = BackendKind::sim;
+  return machine;
+}
+
+std::string text_of(const Diagnostic& diagnostic) {
+  const std::string code(code_name(diagnostic.code));
+  if (diagnostic.pos.line == 0) return fmt::format("{} [{}]", diagnostic.message, code);
+  return fmt::format("line {}: {} [{}]", diagnostic.pos.line, diagnostic.message, code);
+}
+
+}  // namespace
+
+MethodComparison::MethodComparison(Program& program, Machine machine, ChannelOptions options,
+                                   Method method, int phases)
+    : program_(program),
+      machine_(simulated(std::move(machine), method)),
+      options_(std::move(options)),
+      phases_(phases),
+      values_(compared_figures().size()) {
+  assert(phases > 0);
+}
+
+bool MethodComparison::run_next(Watcher* watcher) {
+  if (next_ == phases_ || stopped_) return false;
+  Outcome outcome;
+  const double delay = machine_.control.period * next_++ / phases_;
+  note_ = run(watcher, delay, outcome);
+  stopped_ = !note_.empty() || outcome.end != Outcome::End::done;
+  outcome.time -= delay;
+  for (std::size_t i = 0; !stopped_ && i < values_.size(); ++i)
+    if (const auto value = compared_figures()[i].value(outcome, machine_))
+      values_[i].push_back(*value);
+  return true;
+}
+
+/// Returns why the program cannot be run; empty if it can.
+std::string MethodComparison::run(Watcher* watcher, double delay, Outcome& outcome) {
+  auto backend = hal::open_backend(machine_);
+  if (!backend) return text_of(backend.error());
+  options_.first_cut_delay = delay;
+  std::string error;  // the first one
+  Diagnostics diagnostics([&error](const Diagnostic& diagnostic) {
+    if (error.empty() && diagnostic.severity() == Severity::error) error = text_of(diagnostic);
+  });
+  diagnostics.set_file(program_.name());
+  ipr::Reader reader = program_.reader();
+  outcome = simulate(reader, program_.descriptor(), machine_, options_, **backend, diagnostics,
+                     nullptr, watcher);
+  if (is_of_axis(outcome.feedback.alarm)) diagnostics.report(alarm_diagnostic(outcome));
+  return error;
+}
+
+std::vector<std::optional<Spread>> MethodComparison::spreads() const {
+  std::vector<std::optional<Spread>> spreads;
+  for (const std::vector<double>& values : values_)
+    spreads.push_back(values.empty() || stopped_ ? std::nullopt : std::optional(spread_of(values)));
+  return spreads;
+}
+
+}  // namespace softcnc::runtime

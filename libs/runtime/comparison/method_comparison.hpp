@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// One interpolation method on one program and machine, begun at several places within the period.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/model/machine.hpp"
+#include "runtime/comparison/spread.hpp"
+#include "runtime/program/program.hpp"
+#include "runtime/session/channel_options.hpp"
+#include "runtime/session/outcome.hpp"
+#include "runtime/session/watcher.hpp"
+
+namespace softcnc::runtime {
+
+/// Returns all methods, in the order of their names.
+constexpr auto all_methods() noexcept {
+  std::array<Method, kMethodNames.size()> methods{};
+  for (std::size_t i = 0; i < methods.size(); ++i) methods[i] = static_cast<Method>(i);
+  return methods;
+}
+
+/// Runs a program by one method on the simulated mill once for each of `phases` places, evenly
+/// spaced within the period: in run k of n the first cutting move begins k/n of a period later than
+/// in run 0, which is the run of the program as it is. Whatever method finds the setpoints, its
+/// clock is then k/n of a period ahead of the path. Two things are as they are in any run: a
+/// machine that waits in a corner for the next setpoint (docs/feed.md) begins what follows at a
+/// setpoint, and times are those of the motion without the delay.
+class MethodComparison {
+ public:
+  /// `program` must outlive it; it is read once for each phase. Requires one phase or more.
+  MethodComparison(Program& program, Machine machine, ChannelOptions options, Method method,
+                   int phases);
+
+  /// Does the next run. Returns false, and does nothing, after the last one, and after a run that
+  /// did not come to its end. `watcher` may be null.
+  bool run_next(Watcher* watcher);
+
+  /// Returns the median and the worst of each of compared_figures() over the runs so far: nothing
+  /// for a figure that means nothing, or nothing at all if a run did not come to its end.
+  std::vector<std::optional<Spread>> spreads() const;
+  /// Returns why the method cannot run the program; empty if it can.
+  const std::string& note() const noexcept { return note_; }
+
+ private:
+  std::string run(Watcher* watcher, double delay, Outcome& outcome);
+
+  Program& program_;
+  Machine machine_;
+  ChannelOptions options_;
+  int phases_, next_ = 0;
+  bool stopped_ = false;
+  std::vector<std::vector<double>> values_;  // of each figure, run by run
+  std::string note_;
+};
+
+}  // namespace softcnc::runtime
