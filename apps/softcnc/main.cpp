@@ -73,6 +73,8 @@ int dispatch(const Options& options) {
       return replay(options);
     case CommandName::surface:
       return surface(options);
+    case CommandName::compare:
+      return compare(options);
     case CommandName::machine:
       return machine(options);
     case CommandName::latency:

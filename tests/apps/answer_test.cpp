@@ -96,11 +96,9 @@ TEST_CASE("a signal ends every command that reads a loop", "[apps][answer]") {
   write(folder / "loop.nc", kLoop);
   const std::string output = GENERATE("", "-o");
   const std::vector<std::vector<std::string>> commands =
-      output.empty() ? std::vector<std::vector<std::string>>{{"run"},
-                                                             {"run", "--dry-run"},
-                                                             {"check"},
-                                                             {"check", "--watch"},
-                                                             {"blocks"}}
+      output.empty() ? std::vector<std::vector<std::string>>{{"run"},    {"run", "--dry-run"},
+                                                             {"check"},  {"check", "--watch"},
+                                                             {"blocks"}, {"compare"}}
                      : std::vector<std::vector<std::string>>{{"record"}, {"surface"}};
   for (std::vector<std::string> command : commands) {
     CAPTURE(command);

@@ -87,6 +87,7 @@ STANDS_FOR = {
     "softcnc pulses FILE [--machine M.toml] [--backend parport]":
         "softcnc pulses arc.vcd --machine programs/machines/bench_mill.toml",
     "softcnc codes [CODE...]": "softcnc codes G02 SC2103",
+    "softcnc compare PART...": "softcnc compare programs/03_arc.nc --phases 2",
     "softcnc surface PART -o FILE": "softcnc surface programs/20_paper004_cylinder.nc -o part.png",
     "softcnc latency": "softcnc latency --seconds 0.1",
     "softcnc latency --seconds 10 --period-us 1000": "softcnc latency --seconds 0.1 --period-us 1000",
@@ -133,7 +134,7 @@ def as_run(command):
     """The line that is run for the one that is shown."""
     if command in STANDS_FOR:
         return STANDS_FOR[command]
-    if re.fullmatch(r"softcnc (run|check|blocks|record|replay|surface|pulses)", command):
+    if re.fullmatch(r"softcnc (run|check|blocks|record|replay|surface|compare|pulses)", command):
         return command + " --help"  # a name in a text
     surface = command.startswith("softcnc surface")
     return command.replace("PART", "programs/" + ("20_paper004_cylinder.nc" if surface else "03_arc.nc"))

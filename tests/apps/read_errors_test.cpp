@@ -24,8 +24,8 @@ TEST_CASE("an error of input is no end of file", "[apps][files]") {
     return ended.status;
   };
   const std::string broken = kBroken;
-  for (const std::string command :
-       {"check ", "run ", "run --dry-run ", "blocks ", "record -o x.rec ", "surface -o x.png "})
+  for (const std::string command : {"check ", "run ", "run --dry-run ", "blocks ",
+                                    "record -o x.rec ", "surface -o x.png ", "compare "})
     CHECK(status_of(command + broken) == 5);
   CHECK(status_of("run p.nc --machine " + broken) == 2);
   CHECK(status_of("check p.nc --state " + broken) == 2);

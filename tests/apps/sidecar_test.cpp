@@ -65,7 +65,8 @@ TEST_CASE("every command that takes a program takes the machine beside it", "[ap
   const std::string part = beside.part();
   write(part, "G01 X10 Y1 F6000\nM30\n");  // which the machine beside it has no axis for
   for (const std::string command :
-       {"run", "run --dry-run", "check", "blocks", "record -o x.rec", "surface -o x.npz"}) {
+       {"run", "run --dry-run", "check", "blocks", "record -o x.rec", "surface -o x.npz",
+        "compare --phases 1 --methods arc-length"}) {
     CAPTURE(command);
     CHECK(beside.in_it("$softcnc " + command + " -q " + part).status == 1);
     CHECK(beside.in_it("$softcnc " + command + " -q " + part + " --machine builtin").status ==

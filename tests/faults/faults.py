@@ -86,6 +86,8 @@ SCENARIOS = {
     "record": Scenario(("record", *QUIET, "-o", "part.rec", *RUN), ("part.rec",)),
     "replay": Scenario(("replay", "--quiet", "part.rec")),
     "surface": Scenario(("surface", *QUIET, "-o", "surface.npz", *RUN), ("surface.npz",), MILLED),
+    "compare": Scenario(("compare", *QUIET, "--phases", "2", "--methods", "arc-length,dda", "-o", "compare.txt", *RUN),
+                        ("compare.txt",)),
     "picture": Scenario(("surface", *QUIET, "-o", "surface.png", *RUN), ("surface.png",), MILLED),
 }
 

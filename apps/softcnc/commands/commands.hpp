@@ -12,6 +12,7 @@ int blocks(const Options& options);
 int record(const Options& options);
 int replay(const Options& options);
 int surface(const Options& options);
+int compare(const Options& options);
 int machine(const Options& options);
 int latency(const Options& options);
 int pulses(const Options& options);

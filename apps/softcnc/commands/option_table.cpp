@@ -15,11 +15,13 @@
 #include "motion/core/spelling.hpp"
 #include "motion/core/units.hpp"
 #include "motion/model/machine.hpp"
+#include "runtime/comparison/method_comparison.hpp"
 
 namespace softcnc::app {
 namespace {
 
 constexpr int kMostLines = 1'000'000;                // of --worst
+constexpr int kMostPhases = 1000;                    // of --phases
 constexpr double kLargestOverride = 200;             // percent
 constexpr double kShortest = 0.001, kLongest = 1e6;  // s, of a measurement
 
@@ -31,6 +33,8 @@ constexpr CommandEntry kCommands[] = {
     {CommandName::replay, "replay", "Run recordings again and compare row by row"},
     {CommandName::surface, "surface",
      "Compute the surface that a part program machines, with its Rmax"},
+    {CommandName::compare, "compare",
+     "Compare interpolation methods on part programs, begun at several places within the period"},
     {CommandName::machine, "machine", "Print the machine, with the origin of each value"},
     {CommandName::latency, "latency", "Measure scheduling latency and the feed it permits"},
     {CommandName::pulses, "pulses", "Check step and direction pulses against the drivers' timing"},
@@ -86,6 +90,14 @@ CLI::Validator between(double least, double most) {
       "");
 }
 
+/// Adds the methods that a word names: "all", or the name of one; each once.
+void add_methods(std::vector<Method>& methods, const std::string& word) {
+  for (const Method method : runtime::all_methods())
+    if ((word == "all" || word == name(method)) &&
+        std::find(methods.begin(), methods.end(), method) == methods.end())
+      methods.push_back(method);
+}
+
 template <auto Member>
 void flag(CLI::App& app, const OptionEntry& entry, Options& options) {
   app.add_flag(entry.names, options.*Member, entry.help);
@@ -137,6 +149,21 @@ void machine_file(CLI::App& app, const OptionEntry& entry, Options& options) {
          },
          entry.help)
       ->type_name(entry.value);
+}
+
+void machine_files(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option_function<std::vector<std::string>>(
+         entry.names,
+         [&options](const std::vector<std::string>& files) {
+           for (const std::string& file : files) {
+             if (file.empty()) throw CLI::ValidationError("--machine", "names no file");
+             options.names_machine = true;
+             options.machine_files.push_back(file == "builtin" ? std::string() : file);
+           }
+         },
+         entry.help)
+      ->type_name(entry.value)
+      ->allow_extra_args(false);
 }
 
 void settings(CLI::App& app, const OptionEntry& entry, Options& options) {
@@ -250,6 +277,33 @@ void trace(CLI::App& app, const OptionEntry& entry, Options& options) {
       ->type_name(entry.value);
 }
 
+void methods(CLI::App& app, const OptionEntry& entry, Options& options) {
+  std::vector<std::string> names{"all"};
+  names.insert(names.end(), kMethodNames.begin(), kMethodNames.end());
+  app.add_option_function<std::vector<std::string>>(
+         entry.names,
+         [&options](const std::vector<std::string>& asked) {
+           options.methods.clear();
+           for (const std::string& word : asked) add_methods(options.methods, word);
+         },
+         entry.help)
+      ->check(one_of(names))
+      ->type_name(entry.value)
+      ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
+void phases(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.phases, entry.help)
+      ->check(CLI::Range(1, kMostPhases).description(""))
+      ->type_name(entry.value);
+}
+
+void table(CLI::App& app, const OptionEntry& entry, Options& options) {
+  choice(app, entry, options, {"text", "csv", "json"},
+         [](Options& to, std::size_t index) { to.table = static_cast<TableFormat>(index); });
+}
+
 void seconds(CLI::App& app, const OptionEntry& entry, Options& options) {
   app.add_option(entry.names, options.seconds, entry.help)
       ->check(between(kShortest, kLongest))
@@ -270,13 +324,16 @@ void verbose(CLI::App& app, const OptionEntry& entry, Options& options) {
 
 using enum CommandName;
 constexpr Commands kRuns{run, record};
-constexpr Commands kPlans{run, check, record, surface};
+constexpr Commands kPlans{run, check, record, surface, compare};
 constexpr Commands kPrograms{run, check, blocks, record, surface};
-constexpr Commands kMachines{run, check, blocks, record, replay, surface, machine, latency, pulses};
+constexpr Commands kReads{run, check, blocks, record, surface, compare};
+constexpr Commands kMachine{run, check, blocks, record, replay, surface, machine, latency, pulses};
+constexpr Commands kMachines{run,     check,   blocks,  record,  replay,
+                             surface, compare, machine, latency, pulses};
 
 constexpr OptionEntry kOptions[] = {
     {{run, record, blocks, surface}, "PART", "", "Part program; - is standard input", one_file},
-    {{check}, "PART", "", "Part programs; - is standard input", files},
+    {{check, compare}, "PART", "", "Part programs; - is standard input", files},
     {{replay}, "FILE.rec", "", "Recordings", files},
     {{pulses},
      "FILE",
@@ -289,10 +346,16 @@ constexpr OptionEntry kOptions[] = {
      "G02, SC2103, or the beginning of a code: SC21 (default: all codes of part programs)",
      words},
 
-    {kMachines, "--machine", "FILE.toml",
+    {kMachine, "--machine", "FILE.toml",
      "Machine file, or 'builtin' for the built-in mill (default: PART.toml beside PART, else the "
      "built-in mill)",
      machine_file},
+    {{compare},
+     "--machine",
+     "FILE.toml",
+     "Machine file, or 'builtin' for the built-in mill; repeatable, for several machines (default: "
+     "PART.toml beside PART, else the built-in mill)",
+     machine_files},
     {kMachines, "--set", "KEY=VALUE",
      "Set one value of the machine, for example axis.x.acceleration_mm_s2=500 (repeatable)",
      settings},
@@ -301,7 +364,7 @@ constexpr OptionEntry kOptions[] = {
      "FILE.toml",
      "State file (work offsets, tool table, parameters), read before the run and written after it",
      text<&Options::state>},
-    {{check, blocks, record, surface},
+    {{check, blocks, record, surface, compare},
      "--state",
      "FILE.toml",
      "State file (work offsets, tool table, parameters) to begin with",
@@ -315,10 +378,9 @@ constexpr OptionEntry kOptions[] = {
      "Change the feed override, hold or resume during the run, for example 1.5:override=50 or "
      "2:hold (repeatable)",
      events},
-    {kPrograms, "--block-skip", "", "Skip lines that begin with '/'", flag<&Options::block_skip>},
-    {kPrograms, "--optional-stop", "", "Stop at M01", flag<&Options::optional_stop>},
-    {kPrograms, "--dialect", "", "Dialect to use where controls differ (default linuxcnc)",
-     dialect},
+    {kReads, "--block-skip", "", "Skip lines that begin with '/'", flag<&Options::block_skip>},
+    {kReads, "--optional-stop", "", "Stop at M01", flag<&Options::optional_stop>},
+    {kReads, "--dialect", "", "Dialect to use where controls differ (default linuxcnc)", dialect},
     {kPrograms, "--format", "",
      "Format of the program: G-code, the commands of paper 003 (l, pcw, s ...), or whichever the "
      "first line is in (auto)",
@@ -349,6 +411,17 @@ constexpr OptionEntry kOptions[] = {
      "",
      "Cut with the tool where the simulated mill is, not where it is commanded to be",
      flag<&Options::actual>},
+    {{compare},
+     "--methods",
+     "NAME[,NAME]",
+     "Methods to compare, as control.interpolation names them (default: all)",
+     methods},
+    {{compare},
+     "--phases",
+     "N",
+     "Places within the period at which the first cutting move begins (default 16)",
+     phases},
+    {{compare}, "--format", "", "Format of the comparison (default text)", table},
     {{latency}, "--seconds", "SECONDS", "How long to measure (default 10)", seconds},
     {{latency},
      "--period-us",
@@ -374,6 +447,11 @@ constexpr OptionEntry kOptions[] = {
      "FILE",
      "The surface to write: numpy arrays (.npz) or a picture (.png)",
      required_text<&Options::output>},
+    {{compare},
+     "-o,--output",
+     "FILE",
+     "Where the comparison is written (default: standard output)",
+     text<&Options::output>},
     {kRuns, "--report", "FILE.json", "Write the figures of the run as JSON",
      text<&Options::report>},
     {{surface},
@@ -394,7 +472,7 @@ constexpr OptionEntry kOptions[] = {
 
     {kMachines, "--diagnostics", "", "Diagnostics format: text, or one JSON or SARIF document",
      diagnostics},
-    {{run, record, replay, surface},
+    {{run, record, replay, surface, compare},
      "--progress",
      "",
      "Progress on stderr: a bar on a terminal (auto), nothing, or JSON lines",

@@ -17,7 +17,7 @@ Terminal::Terminal(ProgressMode progress, bool data_on_terminal, double period)
 void Terminal::begin(std::string label, double total) { progress_.begin(std::move(label), total); }
 
 void Terminal::sees(const Setpoint& latest) {
-  progress_.update(static_cast<double>(latest.period) * period_, latest.line);
+  progress_.update(before_ + static_cast<double>(latest.period) * period_, latest.line);
 }
 
 /// What was typed before the question is no answer to it, and neither is the end of the input.

@@ -18,6 +18,12 @@ class Terminal final : public runtime::Watcher {
 
   /// Begins a part of the work; `total` in s of machine time, 0: unknown.
   void begin(std::string label, double total);
+  /// The next run is one of several that the progress shows as one: those before it took `before` s
+  /// of machine time. `period` is its own, in s.
+  void begin_run(double before, double period) noexcept {
+    before_ = before;
+    period_ = period;
+  }
   /// From here on pauses wait for Enter.
   void wait_at_stops() noexcept { waits_ = true; }
 
@@ -41,7 +47,7 @@ class Terminal final : public runtime::Watcher {
  private:
   Progress progress_;
   StopSignals signals_;
-  double period_;
+  double period_, before_ = 0;
   bool waits_ = false;
 };
 

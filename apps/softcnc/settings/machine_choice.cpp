@@ -69,8 +69,7 @@ Result<MachineChoice> choose_machine(const std::string& part, const Options& opt
   return MachineChoice{std::move(found->machine), source.confined ? source.file : std::string()};
 }
 
-const Machine* MachineCache::of(const std::string& part) {
-  const hal::MachineSource source = machine_source(part, options_);
+const Machine* MachineCache::of(const hal::MachineSource& source) {
   auto known = machines_.find(source.file);
   if (known == machines_.end()) known = machines_.emplace(source.file, load(source)).first;
   return known->second ? &*known->second : nullptr;

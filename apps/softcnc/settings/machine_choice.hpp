@@ -44,7 +44,9 @@ class MachineCache {
       : options_(options), messages_(messages) {}
 
   /// Returns the machine of a part program; null where its file is wrong, which has been shown.
-  const Machine* of(const std::string& part);
+  const Machine* of(const std::string& part) { return of(machine_source(part, options_)); }
+  /// Returns the machine of a source; null as above.
+  const Machine* of(const hal::MachineSource& source);
   /// The exit status of the files that are wrong; 0: none is.
   int status() const noexcept { return status_; }
 

@@ -10,6 +10,7 @@
 #include "ipr/expressions/dialect.hpp"
 #include "messages/diagnostic_document.hpp"
 #include "messages/progress.hpp"
+#include "motion/model/machine.hpp"
 #include "runtime/session/feed_script.hpp"
 #include "runtime/sinks/curve_columns.hpp"
 
@@ -22,20 +23,25 @@ enum class CommandName : std::uint8_t {
   record,
   replay,
   surface,
+  compare,
   machine,
   latency,
   pulses,
   codes
 };
 
+/// How a table is written.
+enum class TableFormat : std::uint8_t { text, csv, json };
+
 struct Options {
   CommandName command = CommandName::run;
   std::vector<std::string> files;  // PART, FILE.rec or a list of edges; "-": standard input
 
-  std::string machine_file;           // of --machine; empty: the built-in machine
-  bool names_machine = false;         // --machine is there; else a file beside PART counts
-  std::vector<std::string> settings;  // KEY=VALUE, on top of it
-  std::string state;                  // file; empty: none
+  std::string machine_file;                // of --machine; empty: the built-in machine
+  bool names_machine = false;              // --machine is there; else a file beside PART counts
+  std::vector<std::string> machine_files;  // compare: instead of machine_file, each as there
+  std::vector<std::string> settings;       // KEY=VALUE, on top of it
+  std::string state;                       // file; empty: none
 
   double feed_override = 1;                // of the programmed feed
   std::vector<runtime::FeedEvent> events;  // in the order of time
@@ -50,8 +56,12 @@ struct Options {
   bool realtime = false;                      // run, record: as fast as the clock goes
   std::string trace, report;                  // files; empty: none
   std::vector<runtime::CurveColumn> columns;  // run: further ones of the trace
-  std::string output;                         // of record and surface
+  std::string output;                         // of record, surface and compare
   bool actual = false;                        // surface: cut by where the simulated mill is
+
+  std::vector<Method> methods;            // compare: in the order of its rows; empty: all
+  int phases = 16;                        // compare: places within the period
+  TableFormat table = TableFormat::text;  // compare
 
   double seconds = 10, period = 0;  // latency: how long, s; of the loop, s; 0: the servo period
 
