@@ -31,6 +31,12 @@ std::vector<Method> asked_methods(const Options& options) {
   return {all.begin(), all.end()};
 }
 
+/// Whether an error lies neither in the program nor in the method.
+bool has_failed(const Diagnostic& error) {
+  constexpr int kInputOrOutput = 5, kDefect = 70;
+  return exit_status(error) == kInputOrOutput || exit_status(error) == kDefect;
+}
+
 class CompareJob {
  public:
   explicit CompareJob(const Options& options)
@@ -141,6 +147,8 @@ int CompareJob::measure(const Pairing& pairing, Method method) {
     terminal_.begin_run(done_, pairing.machine->control.period);
     comparison.run_next(&terminal_);
     if (terminal_.signal() != 0) return stopped();
+    if (comparison.error() && has_failed(*comparison.error()))
+      return messages_.fail(*comparison.error());
     done_ += pairing.time;
   }
   rows_.push_back({pairing.program->name(), pairing.machine->name, pairing.machine_file, method,

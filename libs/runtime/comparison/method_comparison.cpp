@@ -20,12 +20,6 @@ Machine simulated(Machine machine, Method method) {
   return machine;
 }
 
-std::string text_of(const Diagnostic& diagnostic) {
-  const std::string code(code_name(diagnostic.code));
-  if (diagnostic.pos.line == 0) return fmt::format("{} [{}]", diagnostic.message, code);
-  return fmt::format("line {}: {} [{}]", diagnostic.pos.line, diagnostic.message, code);
-}
-
 }  // namespace
 
 MethodComparison::MethodComparison(Program& program, Machine machine, ChannelOptions options,
@@ -42,8 +36,8 @@ bool MethodComparison::run_next(Watcher* watcher) {
   if (next_ == phases_ || stopped_) return false;
   Outcome outcome;
   const double delay = machine_.control.period * next_++ / phases_;
-  note_ = run(watcher, delay, outcome);
-  stopped_ = !note_.empty() || outcome.end != Outcome::End::done;
+  run(watcher, delay, outcome);
+  stopped_ = error_ || outcome.end != Outcome::End::done;
   outcome.time -= delay;
   for (std::size_t i = 0; !stopped_ && i < values_.size(); ++i)
     if (const auto value = compared_figures()[i].value(outcome, machine_))
@@ -51,21 +45,28 @@ bool MethodComparison::run_next(Watcher* watcher) {
   return true;
 }
 
-/// Returns why the program cannot be run; empty if it can.
-std::string MethodComparison::run(Watcher* watcher, double delay, Outcome& outcome) {
+void MethodComparison::run(Watcher* watcher, double delay, Outcome& outcome) {
   auto backend = hal::open_backend(machine_);
-  if (!backend) return text_of(backend.error());
+  if (!backend) {
+    error_ = std::move(backend.error());
+    return;
+  }
   options_.first_cut_delay = delay;
-  std::string error;  // the first one
-  Diagnostics diagnostics([&error](const Diagnostic& diagnostic) {
-    if (error.empty() && diagnostic.severity() == Severity::error) error = text_of(diagnostic);
+  Diagnostics diagnostics([this](const Diagnostic& diagnostic) {
+    if (!error_ && diagnostic.severity() == Severity::error) error_ = diagnostic;
   });
   diagnostics.set_file(program_.name());
   ipr::Reader reader = program_.reader();
   outcome = simulate(reader, program_.descriptor(), machine_, options_, **backend, diagnostics,
                      nullptr, watcher);
   if (is_of_axis(outcome.feedback.alarm)) diagnostics.report(alarm_diagnostic(outcome));
-  return error;
+}
+
+std::string MethodComparison::note() const {
+  if (!error_) return {};
+  const std::string code = code_name(error_->code);
+  if (error_->pos.line == 0) return fmt::format("{} [{}]", error_->message, code);
+  return fmt::format("line {}: {} [{}]", error_->pos.line, error_->message, code);
 }
 
 std::vector<std::optional<Spread>> MethodComparison::spreads() const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/core/diagnostic.hpp"
 #include "motion/model/machine.hpp"
 #include "runtime/comparison/spread.hpp"
 #include "runtime/program/program.hpp"
@@ -43,11 +44,14 @@ class MethodComparison {
   /// Returns the median and the worst of each of compared_figures() over the runs so far: nothing
   /// for a figure that means nothing, or nothing at all if a run did not come to its end.
   std::vector<std::optional<Spread>> spreads() const;
-  /// Returns why the method cannot run the program; empty if it can.
-  const std::string& note() const noexcept { return note_; }
+  /// Returns the first error of a run that did not come to its end; nothing if there is none. Its
+  /// exit status says whether the method cannot run the program, or reading it has failed (5).
+  const std::optional<Diagnostic>& error() const noexcept { return error_; }
+  /// Returns the error as a text of one line, with its code; empty if there is none.
+  std::string note() const;
 
  private:
-  std::string run(Watcher* watcher, double delay, Outcome& outcome);
+  void run(Watcher* watcher, double delay, Outcome& outcome);
 
   Program& program_;
   Machine machine_;
@@ -55,7 +59,7 @@ class MethodComparison {
   int phases_, next_ = 0;
   bool stopped_ = false;
   std::vector<std::vector<double>> values_;  // of each figure, run by run
-  std::string note_;
+  std::optional<Diagnostic> error_;
 };
 
 }  // namespace softcnc::runtime
