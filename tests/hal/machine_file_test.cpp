@@ -415,10 +415,11 @@ TEST_CASE("a wrong machine file is refused with its place", "[hal][machine]") {
         CHECK(refused("", {std::string("control.interpolation=") + method,
                            std::string("control.backend=") + backend})
                   .find("[SC7081]") != std::string::npos);
-    for (const char* method : {"rk4", "yeh-hsu-1999", "yeh-hsu-2002"})
-      CHECK(load_machine(
-                "", {std::string("control.interpolation=") + method, "control.backend=hal-stream"})
-                .has_value());
+    for (const char* method : {"rk4", "yeh-hsu-1999", "yeh-hsu-2002"}) {
+      const std::vector<std::string> given{std::string("control.interpolation=") + method,
+                                           "control.backend=hal-stream"};
+      CHECK(load_machine("", given).has_value());
+    }
   }
   SECTION("a rough period that is not a multiple of the period") {
     const std::string two_step = "[control]\ninterpolation = 'two-step'\n";

@@ -56,7 +56,7 @@ class Interpolator {
 
  private:
   static constexpr std::size_t kPulses = 4096;  // per period without a further allocation
-  static constexpr double kChordPeriods = 2;    // periods of path that a chord may cut off
+  static constexpr double kChordPeriods = 4;    // periods of path that a chord may cut off
 
   void enter_block() noexcept;
   void leave_block() noexcept;
