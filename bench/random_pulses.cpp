@@ -60,8 +60,8 @@ Machine Trial::machine() {
   Machine machine;
   machine.control.interpolation = kMethods[random_() % std::size(kMethods)];
   machine.control.period = std::pow(10.0, uniform(-3.3, -2));
-  const bool paper = random_() % 3 == 0;
-  if (paper) machine.control.pulse_clock = PulseClock::paper;
+  if (random_() % 3 == 0) machine.control.pulse_clock = PulseClock::paper;
+  if (random_() % 4 == 0) machine.control.constant_feed = ConstantFeed::off;
   machine.limits.feed = 0;
   StepPort& port = machine.step_port;
   const auto& driver = kDrivers[random_() % std::size(kDrivers)];
@@ -70,7 +70,7 @@ Machine Trial::machine() {
   const bool jerk = random_() % 6 == 0;
   for (Axis& axis : machine.axes) {
     axis.blu = std::round(std::pow(10.0, uniform(2.5, 4))) * 1e-6;  // whole nm
-    if (paper) axis.blu = machine.axes[0].blu;
+    if (has_equal_clocks(machine.control)) axis.blu = machine.axes[0].blu;
     axis.velocity = axis.blu * step_rate(port) * uniform(0.3, 1);
     axis.acceleration = std::pow(10.0, uniform(2, 4));
     axis.jerk = jerk ? 20 * axis.acceleration : 0;
