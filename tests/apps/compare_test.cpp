@@ -166,6 +166,10 @@ TEST_CASE("a comparison as text has a table of medians and one of the worst", "[
   CHECK(text.find("\narc-length  " + figures("1.5")) != text.npos);
   CHECK(text.find("\narc-length  " + figures("2.25")) != text.npos);
   CHECK(text.find("\ndda           cannot\n") != text.npos);
+  std::istringstream lines(text.substr(text.find("\nmedian ") + 1));
+  std::string header, line;
+  REQUIRE((std::getline(lines, header) && std::getline(lines, line)));
+  CHECK(header.size() == line.size());  // each figure has its heading
   const std::string single = comparison_text(std::vector{row(Method::arc_length, 3, 3, 1)});
   CHECK(single.starts_with("a, \"b\".nc on mill\n\n"));
   CHECK(single.find("\nmethod  ") != single.npos);
