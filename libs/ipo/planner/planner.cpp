@@ -168,9 +168,11 @@ Planner::Found Planner::run_move(bool parts) {
   }
 }
 
+/// While a stop may still be run instead, the block must leave as a whole: what has left of it
+/// already would have the staircase, and the stop none.
 bool Planner::has_part() const noexcept {
   const Profile& profile = pending_.front().profile;
-  return profile.pieces() > given_ && profile.duration() > 0;
+  return stop_profiles_.empty() && profile.pieces() > given_ && profile.duration() > 0;
 }
 
 void Planner::report_no_speed(Profile& profile) {
