@@ -117,6 +117,27 @@ TEST_CASE("the chord error of a circle is its sagitta", "[verify]") {
   }
 }
 
+TEST_CASE("the chord error of a sharp bend is found between the samples", "[verify]") {
+  const Path path = test::curve("butterfly");
+  const double step = 0.2;  // mm: the curvature changes tenfold within it
+  double most_missed = 0, largest = 0;
+  for (double s0 = 0; s0 + step < length(path); s0 += 0.37) {
+    const AxisVector from = position(path, s0), to = position(path, s0 + step);
+    const AxisVector along = (to - from).normalized();
+    double exact = 0;
+    for (int i = 0; i <= 4000; ++i) {
+      const AxisVector off = position(path, s0 + step * i / 4000) - from;
+      exact = std::max(exact, (off - off.dot(along) * along).norm());
+    }
+    largest = std::max(largest, exact);
+    const double found = chord_error(path, s0, s0 + step, from, to);
+    CHECK(found <= exact * (1 + 1e-6));
+    most_missed = std::max(most_missed, 1 - found / exact);
+  }
+  CHECK(largest > 0.03);
+  CHECK(most_missed < 0.005);
+}
+
 TEST_CASE("the chord error is known in the root of the mean square, too", "[verify]") {
   const Measured even = measure(circle(10), 40);
   CHECK(even.chord_error_rms == Approx(even.chord_error).epsilon(1e-9));

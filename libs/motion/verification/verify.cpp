@@ -201,14 +201,20 @@ void Verifier::roughness(const Setpoint& setpoint, const PathStretch& here) noex
 
 double chord_error(const Path& path, double s0, double s1, const AxisVector& a,
                    const AxisVector& b) noexcept {
+  const auto off = [&](double sample) {
+    return distance_to_segment(position(path, s0 + (s1 - s0) * sample / kChordSamples), a, b);
+  };
   // The ends belong to the stretch: at a joint within the period they are off the chord as well.
-  double largest = std::max(distance_to_segment(position(path, s0), a, b),
-                            distance_to_segment(position(path, s1), a, b));
-  if (std::holds_alternative<Line>(path)) return largest;
-  for (int i = 1; i < kChordSamples; ++i)
-    largest = std::max(
-        largest, distance_to_segment(position(path, s0 + (s1 - s0) * i / kChordSamples), a, b));
-  return largest;
+  if (std::holds_alternative<Line>(path)) return std::max(off(0), off(kChordSamples));
+  std::array<double, kChordSamples + 1> samples{};
+  for (int i = 0; i <= kChordSamples; ++i) samples[static_cast<std::size_t>(i)] = off(i);
+  const auto largest = std::max_element(samples.begin(), samples.end());
+  if (largest == samples.begin() || largest + 1 == samples.end()) return *largest;
+  // Between the samples around it the distance is nearly a parabola.
+  const double bend = largest[-1] - 2 * largest[0] + largest[1];
+  if (!(bend < 0)) return *largest;
+  const double top = 0.5 * (largest[-1] - largest[1]) / bend;
+  return std::max(*largest, off(static_cast<double>(largest - samples.begin()) + top));
 }
 
 double integrated_length(const Path& path, double s0, double s1) noexcept {
