@@ -35,7 +35,8 @@ DATA = ROOT / "tests/data"
 DOCS = ROOT / "docs/feed.md"
 JERK_REFERENCES = pathlib.Path(__file__).with_name("jerk_references.json")
 CURVES = ("circle_deg2", "infinity8", "butterfly")
-METHODS = ("arc-length", "taylor1", "taylor2", "curvature3p")
+METHODS = ("arc-length", "taylor1", "taylor2", "curvature3p", "rk4", "yeh-hsu-1999", "yeh-hsu-2002",
+           "chords")
 ACCELERATION = 1000.0  # mm/s^2, of every axis
 UNLIMITED = 1e7        # mm/s^2, the largest a machine file may name
 BLU_UM = 2.5
