@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +16,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kSchema = 1;
+
+/// Characters: of the column of methods.
+constexpr std::size_t kNameWidth =
+    std::max_element(kMethodNames.begin(), kMethodNames.end(),
+                     [](auto a, auto b) { return a.size() < b.size(); }) -> size();
 
 /// The column of a figure for a person: two lines, the first of which may stand over several.
 struct Heading {
@@ -32,7 +38,7 @@ constexpr std::array kHeadings{
 using Part = double runtime::Spread::*;
 
 std::string heading(std::string_view title) {
-  std::string above(12, ' '), below = fmt::format("{:<12}", title);
+  std::string above(kNameWidth, ' '), below = fmt::format("{:<{}}", title, kNameWidth);
   for (const Heading& column : kHeadings) {
     above += fmt::format("{:>10}", column.above);
     below += fmt::format("{:>10}", column.below);
@@ -41,7 +47,7 @@ std::string heading(std::string_view title) {
 }
 
 std::string line_of(const ComparisonRow& row, Part part) {
-  std::string text = fmt::format("{:<12}", name(row.method));
+  std::string text = fmt::format("{:<{}}", name(row.method), kNameWidth);
   if (!row.note.empty()) return text + "  " + row.note + '\n';
   for (const auto& spread : row.spreads)
     text += fmt::format("{:>10}", spread ? fmt::format("{:.4g}", *spread.*part) : "-");
