@@ -22,7 +22,7 @@ def runs():
     for name, tolerance in LIMITED.items():
         for kind, method in METHODS.items():
             yield f"000_{kind}_{name}", tolerance, method
-    yield "000_fixed", FIXED, "arc-length"
+    yield "000_fixed", FIXED, "chords"
 
 
 def trace_of(tools, settings):

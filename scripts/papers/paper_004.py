@@ -167,7 +167,7 @@ def draw_errors(data, out):
         table = read(data / f"004_map{name}.csv")
         angles, feeds, cut = grid_of(table, "zmap_um")
         error = grid_of(table, "paper_um")[2] - cut
-        image = axes.contourf(angles, feeds, error.T, levels=numpy.arange(-2.75, 1.01, 0.25), cmap="RdBu_r",
+        image = axes.contourf(angles, feeds, error.T, levels=numpy.arange(-2.75, 1.51, 0.25), cmap="RdBu_r",
                               norm=TwoSlopeNorm(0, -2.75, 2.75))
         worst = numpy.unravel_index(numpy.argmax(abs(error)), error.shape)
         axes.plot(angles[worst[0]], feeds[worst[1]], "k+", ms=9)

@@ -51,7 +51,9 @@ TEST_CASE("the columns of a circle are those of its closed forms", "[apps][colum
 }
 
 TEST_CASE("where there is no path and no roughness a column has no value", "[apps][columns]") {
-  const Trace trace = Circle("arc-length").trace;
+  const Circle circle("arc-length");
+  const Trace& trace = circle.trace;
+  CHECK(circle.report["columns"]["rmax_um"].is_null());
   CHECK(trace.word(1, "u") == "nan");
   CHECK(trace.number(1, "chord_error_um") == 0);
   for (std::size_t row = 0; row < trace.rows.size(); ++row)
@@ -63,14 +65,16 @@ TEST_CASE("the report has the figures of each column", "[apps][columns]") {
   CAPTURE(method);
   const Circle circle(method);
   for (const std::string name : {"chord_error_um", "feed_fluctuation"}) {
-    double max = 0, sum = 0, squares = 0;
-    for (std::size_t row = 0; row < circle.trace.rows.size(); ++row) {
+    double max = 0, sum = 0, squares = 0, rows = 0;
+    for (std::size_t row = 1; row < circle.trace.rows.size(); ++row) {
+      const auto s = [&](std::size_t at) { return circle.trace.number(at, "s_mm"); };
+      if (s(row) == s(row - 1)) continue;  // the dwell
+      ++rows;
       const double value = std::abs(circle.trace.number(row, name));
       max = std::max(max, value);
       sum += value;
       squares += value * value;
     }
-    const auto rows = static_cast<double>(circle.trace.rows.size());
     const auto& figures = circle.report["columns"][name];
     CAPTURE(name);
     CHECK(figures["max"].get<double>() == Approx(max));
@@ -109,6 +113,11 @@ TEST_CASE("the roughness of a row is that of paper 004 at its inclination", "[ap
   CHECK(trace.number(middle, "inclination_deg") ==
         Approx(inclination * 180 / std::numbers::pi).epsilon(1e-9));
   CHECK(trace.number(middle, "rmax_um") == Approx(1e3 * at_tip).epsilon(1e-6));
+}
+
+TEST_CASE("columns that nothing would show are wrong usage", "[apps][columns]") {
+  CHECK(call("run $programs/01_line.nc --columns u").status == 2);
+  CHECK(call("run $programs/01_line.nc --columns u --trace t.hal").status == 2);
 }
 
 TEST_CASE("a column that does not exist is wrong usage", "[apps][columns]") {

@@ -162,10 +162,10 @@ TEST_CASE("a comparison as text has a table of medians and one of the worst", "[
     return line + '\n';
   };
   CHECK(text.starts_with("a, \"b\".nc on mill, begun at 4 places within the period\n\n"));
-  CHECK(shows(text, "\nmedian      " + columns));
-  CHECK(text.find("\narc-length  " + figures("1.5")) != text.npos);
-  CHECK(text.find("\narc-length  " + figures("2.25")) != text.npos);
-  CHECK(text.find("\ndda           cannot\n") != text.npos);
+  CHECK(shows(text, "\nmedian        " + columns));
+  CHECK(text.find("\narc-length    " + figures("1.5")) != text.npos);
+  CHECK(text.find("\narc-length    " + figures("2.25")) != text.npos);
+  CHECK(text.find("\ndda             cannot\n") != text.npos);
   std::istringstream lines(text.substr(text.find("\nmedian ") + 1));
   std::string header, line;
   REQUIRE((std::getline(lines, header) && std::getline(lines, line)));
@@ -196,6 +196,35 @@ TEST_CASE("a method that cannot run a program does not keep others from it", "[a
   CHECK(document["rows"][0]["time_s_median"].is_null());
   CHECK(document["rows"][1]["note"].is_null());
   CHECK(document["rows"][1]["time_s_median"] > 1);
+}
+
+TEST_CASE("a method that does not fit the machine has the reason as its note", "[apps][compare]") {
+  const auto note = [](const std::string& settings, const std::string& method) {
+    const json document = compared("- --phases 1 --methods " + method + settings, kCircle);
+    const json& reason = document["rows"][0]["note"];
+    return reason.is_null() ? std::string() : reason.get<std::string>();
+  };
+  CHECK(shows(note(" --set control.period_ms=20 --set control.servo_period_ms=1", "two-step"),
+              "rough_period_ms...[SC7082]"));
+  CHECK(shows(note(" --set axis.x.acceleration_mm_s2=0.001", "acc-dec-linear"), "[SC7083]"));
+  CHECK(note("", "two-step").empty());
+}
+
+TEST_CASE("acceleration after interpolation is the same motion in every phase", "[apps][compare]") {
+  const json rows = compared("- --phases 4 --methods acc-dec-linear,two-step", kCircle)["rows"];
+  for (const json& row : rows) {
+    const double median = row["time_s_median"].get<double>();
+    CHECK(row["time_s_worst"].get<double>() - median < 0.0011);  // but for whole rows
+    CHECK(row["path_deviation_um_max_worst"].get<double>() ==
+          Approx(row["path_deviation_um_max_median"].get<double>()).epsilon(0.02));
+  }
+  // The circle shrinks to sin(x) / x, and the speed at least with it.
+  const double x = 0.5 * 0.25 * 100 / 20;
+  CHECK(rows[0]["feed_fluctuation_rms_median"].get<double>() > 1 - std::sin(x) / x);
+}
+
+TEST_CASE("standard input is one program of a comparison", "[apps][compare]") {
+  CHECK(call("compare - -", kCircle).status == 2);
 }
 
 TEST_CASE("each program is compared on each machine", "[apps][compare]") {

@@ -50,6 +50,39 @@ TEST_CASE("the orders of the methods show in their error", "[stepping]") {
   CHECK(error(Method::taylor2, 0.02) / error(Method::taylor2, 0.01) == Approx(8).epsilon(0.1));
 }
 
+TEST_CASE("a step that a truncated series leads backwards goes on by the arc length",
+          "[stepping]") {
+  NurbsSpec spec;  // along a line, thirty times as fast at its end
+  spec.degree = 3;
+  spec.control = {{0, 0, 0}, {0.02, 0, 0}, {0.05, 0, 0}, {1, 0, 0}};
+  spec.weights = {1, 1, 1, 1};
+  spec.knots = {0, 0, 0, 0, 1, 1, 1, 1};
+  const Nurbs nurbs = Nurbs::make(spec).value();
+  const Method method = GENERATE(Method::taylor2, Method::yeh_hsu_2002);
+  ipo::ParameterWalk walk(nurbs, method, 1);
+  walk.step(0.4);
+  CHECK(walk.s() == Approx(0.4).epsilon(1e-9));
+  int steps = 1;
+  for (; walk.s() < nurbs.length() && steps < 10; ++steps) walk.step(0.4);
+  CHECK(steps < 10);
+}
+
+TEST_CASE("the compensated step of Yeh and Hsu is a chord of the asked length near the end, too",
+          "[stepping]") {
+  NurbsSpec spec;  // of the curve above
+  spec.degree = 3;
+  spec.control = {{0, 0, 0}, {0.02, 0, 0}, {0.05, 0, 0}, {1, 0, 0}};
+  spec.weights = {1, 1, 1, 1};
+  spec.knots = {0, 0, 0, 0, 1, 1, 1, 1};
+  const Nurbs nurbs = Nurbs::make(spec).value();
+  ipo::ParameterWalk walk(nurbs, Method::yeh_hsu_1999, 1);
+  // From rest the Taylor step of 0.095 / 0.06 ends beyond the curve and is cut at u = 1, where the
+  // curve is at 1 mm with a slope of 2.85: u = 1 - (1 - 0.095) / 2.85.
+  walk.step(0.095);
+  const double u = 1 - (1 - 0.095) / 2.85;
+  CHECK(walk.s() == Approx(nurbs.arc_length(u)).epsilon(1e-9));
+}
+
 TEST_CASE("every method lands on the end point", "[stepping]") {
   for (const Method method : {Method::taylor1, Method::taylor2, Method::curvature3p}) {
     const auto result = butterfly(method, 100, 1e-3, 1e-3);

@@ -354,7 +354,7 @@ TEST_CASE("the tool is as far from the contour as its radius, all the way",
         }
       },
       2000);
-  CHECK(good > 600);
+  CHECK(good > 1500 / test::kPart);
 }
 
 namespace {
@@ -412,8 +412,8 @@ TEST_CASE("paths beside neighbours that have no report do not cross",
           RC_ASSERT(!chords_cross(along[i - 1], along[i]));
       },
       1000);
-  CHECK(good > 100);
-  CHECK(reported > 100);
+  CHECK(good > 240 / test::kPart);
+  CHECK(reported > 240 / test::kPart);
 }
 
 TEST_CASE("in the fanuc dialect the first line leads square to the next move",

@@ -291,7 +291,7 @@ TEST_CASE("no accepted arc strays from its programmed circle", "[motion][arc][pr
         }
       },
       500);
-  CHECK(accepted > 100);
+  CHECK(accepted > 200 / test::kPart);
   CHECK(accepted < 500);
 }
 

@@ -108,6 +108,16 @@ int report_parse_error(const CLI::App& app, const CLI::ParseError& error,
   return kWrongUsage;
 }
 
+/// Whether anything that the run writes has further columns, or their figures.
+bool shows_columns(const Options& options) {
+  const std::string_view trace = options.trace;
+  const auto is = [trace](std::string_view suffix) {
+    return trace.ends_with(suffix) || trace.ends_with(std::string(suffix) + ".zst");
+  };
+  const bool has_rows = options.dry_run || !trace.empty();
+  return !options.report.empty() || (has_rows && !is(".vcd") && !is(".hal"));
+}
+
 /// Returns what is wrong where options exclude each other; empty where nothing is.
 std::string conflict(const Options& options) {
   if (options.command == CommandName::codes) return {};
@@ -119,6 +129,10 @@ std::string conflict(const Options& options) {
   const auto& files = options.files;
   if (options.watch && std::find(files.begin(), files.end(), "-") != files.end())
     return "--watch cannot watch standard input";
+  if (options.command == CommandName::compare && std::count(files.begin(), files.end(), "-") > 1)
+    return "standard input is one program, and '-' is named more than once";
+  if (!options.columns.empty() && !shows_columns(options))
+    return "--columns needs a trace as CSV (--trace), or --report";
   return file_clash(options);
 }
 

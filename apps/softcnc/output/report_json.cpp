@@ -73,8 +73,11 @@ void add_measured(Json& report, const Machine& machine, const runtime::Outcome& 
     report["rmax_target_um"] = um_from_mm(measured.rmax_target);
   }
   for (const runtime::ColumnFigures& column : outcome.columns)
-    report["columns"][std::string(name(column.column))] = {
-        {"max", column.max}, {"mean", column.mean}, {"rms", column.rms}};
+    report["columns"][std::string(name(column.column))] = column.spread
+                                                              ? Json{{"max", column.spread->max},
+                                                                     {"mean", column.spread->mean},
+                                                                     {"rms", column.spread->rms}}
+                                                              : Json(nullptr);
   report["velocity_max"] = axes(measured.velocity);
   report["acceleration_max"] = axes(measured.acceleration);
   report["jerk_max"] = axes(measured.jerk);

@@ -16,8 +16,17 @@ ParameterWalk::ParameterWalk(const Nurbs& nurbs, Method method, double chord_tol
              .chord_tolerance = chord_tolerance},
       rule_(entry_of(method).rule) {}
 
+/// Where the derivatives grow within a step, a truncated series may lead backwards, step after
+/// step: there the walk goes on by the arc length.
+double ParameterWalk::increment(double ds) const noexcept {
+  const double by_rule = rule_.increment(place_, ds);
+  if (by_rule > 0) return by_rule;
+  const double longest = rule_.longest == nullptr ? ds : std::min(ds, rule_.longest(place_));
+  return std::max(from_standstill(place_, longest), 0.0);
+}
+
 void ParameterWalk::step(double ds) noexcept {
-  const double u = place_.u + std::max(rule_.increment(place_, ds), 0.0);
+  const double u = place_.u + increment(ds);
   place_.u_before = place_.u;
   place_.u = std::min(u, place_.nurbs->u_last());
   place_.last[2] = place_.last[1];

@@ -30,6 +30,8 @@ class ParameterWalk {
   double s() const noexcept;
 
  private:
+  double increment(double ds) const noexcept;
+
   WalkPlace place_;
   StepRule rule_;
 };

@@ -9,9 +9,8 @@ namespace softcnc::ipo {
 
 double yeh_hsu_1999_increment(const WalkPlace& place, double ds) noexcept {
   const Nurbs& nurbs = *place.nurbs;
-  const double first = taylor1_increment(place, ds);
-  const NurbsDerivatives there =
-      nurbs.derivatives(std::min(place.u + first, nurbs.u_last()), Side::before);
+  const double first = std::min(taylor1_increment(place, ds), nurbs.u_last() - place.u);
+  const NurbsDerivatives there = nurbs.derivatives(place.u + first, Side::before);
   const AxisVector chord = there[0] - place.last[0];
   const double along = chord.dot(there[1]), square = there[1].squaredNorm();
   const double radicand = along * along - square * (chord.squaredNorm() - ds * ds);

@@ -60,6 +60,7 @@ double integrate(const Nurbs& nurbs, double s0, double s1) noexcept {
 
 Verifier::Verifier(const Machine& machine) noexcept
     : by_pulses_(is_by_pulses(machine.control.interpolation)),
+      off_path_(accelerates_after(machine.control.interpolation)),
       period_(by_pulses_ ? machine.control.period : fine_period(machine.control)),
       parts_(parts_of_period(machine.control, period_)),
       staircase_(machine),
@@ -147,7 +148,8 @@ void Verifier::geometry(const Setpoint& setpoint, std::span<const PathStretch> s
           std::max(measured_.normal, setpoint.v * setpoint.v * at(*here.path, s).ddq.norm());
     closeness(setpoint, stretches);
   }
-  fluctuation(travelled, setpoint.advance);
+  const double run = off_path_ ? (setpoint.position - before_.position).norm() : travelled;
+  fluctuation(run, setpoint.advance);
 }
 
 /// Pulses run no chord: how far they are from the curve is the error of the period.

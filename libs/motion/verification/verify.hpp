@@ -26,8 +26,8 @@ struct Measured {
   double chord_error = 0;                        // mm: curve between two samples to their chord
   double chord_error_rms = 0;  // mm: of methods with chords, over periods that travel on the path
   double path_deviation = 0;   // mm: commanded position to the curve; of pulses, every place
-  double path_deviation_mean = 0;  // mm: of methods by pulses, over all clocks
-  double feed_fluctuation = 0;  // |arc length / planned advance - 1|, advances over 1 um: largest
+  double path_deviation_mean = 0;    // mm: of methods by pulses, over all clocks
+  double feed_fluctuation = 0;       // |length / planned advance - 1|, advances over 1 um: largest
   double feed_fluctuation_rms = 0;   // and root of the mean square
   double rmax = 0, rmax_target = 0;  // mm: of the sample that leaves most as part of its target
   std::int64_t samples = 0;
@@ -72,6 +72,7 @@ class Verifier {
   void roughness(const Setpoint& setpoint, const PathStretch& here) noexcept;
 
   bool by_pulses_;
+  bool off_path_;             // by the method: the length of the motion counts, not the path's
   double period_;             // s: between differences
   int parts_;                 // number of them between two samples
   StaircaseError staircase_;  // of a method by pulses

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <cassert>
+#include <string>
 #include <utility>
 
 #include "hal/backends/backend.hpp"
+#include "hal/machine/machine_file.hpp"
 #include "runtime/comparison/compared_figure.hpp"
 #include "runtime/session/axis_alarm.hpp"
 #include "runtime/session/simulate.hpp"
@@ -14,22 +16,32 @@
 namespace softcnc::runtime {
 namespace {
 
-Machine simulated(Machine machine, Method method) {
-  machine.control.interpolation = method;
-  machine.control.backend = BackendKind::sim;
-  return machine;
+/// The machine with the method and the simulated mill, or why they do not fit each other.
+Result<Machine> simulated(const Machine& machine, Method method) {
+  const std::string settings[] = {"control.interpolation=" + std::string(name(method)),
+                                  "control.backend=sim"};
+  auto changed = hal::parse_machine(hal::machine_toml(machine), machine.name, settings);
+  if (changed) return *std::move(changed);
+  Diagnostic error = std::move(changed.error().front());
+  error.pos = {};  // of a text that nobody has written
+  return tl::make_unexpected(std::move(error));
 }
 
 }  // namespace
 
-MethodComparison::MethodComparison(Program& program, Machine machine, ChannelOptions options,
+MethodComparison::MethodComparison(Program& program, const Machine& machine, ChannelOptions options,
                                    Method method, int phases)
     : program_(program),
-      machine_(simulated(std::move(machine), method)),
       options_(std::move(options)),
       phases_(phases),
       values_(compared_figures().size()) {
   assert(phases > 0);
+  auto changed = simulated(machine, method);
+  if (changed)
+    machine_ = *std::move(changed);
+  else
+    error_ = std::move(changed.error());
+  stopped_ = error_.has_value();
 }
 
 bool MethodComparison::run_next(Watcher* watcher) {

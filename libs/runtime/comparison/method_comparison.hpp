@@ -33,8 +33,9 @@ constexpr auto all_methods() noexcept {
 /// setpoint, and times are those of the motion without the delay.
 class MethodComparison {
  public:
-  /// `program` must outlive it; it is read once for each phase. Requires one phase or more.
-  MethodComparison(Program& program, Machine machine, ChannelOptions options, Method method,
+  /// `program` must outlive it; it is read once for each phase. A method that does not fit the
+  /// machine is an error() before the first run. Requires one phase or more.
+  MethodComparison(Program& program, const Machine& machine, ChannelOptions options, Method method,
                    int phases);
 
   /// Does the next run. Returns false, and does nothing, after the last one, and after a run that

@@ -6,7 +6,6 @@
 
 #include "runtime/figures/cpu_clock.hpp"
 #include "runtime/program/descriptor.hpp"
-#include "runtime/session/first_cut_delay.hpp"
 
 namespace softcnc::runtime {
 namespace {
@@ -43,6 +42,8 @@ Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
       interpreter_(parser_, machine, diagnostics, options.interpreter, options.state),
       planner_(machine, options.feed_override, diagnostics, {}, options.constraints),
       first_cut_delay_(options.first_cut_delay),
+      delay_place_(ignores_plan(machine.control.interpolation) ? DelayPlace::at_start
+                                                               : DelayPlace::before_cut),
       states_(options.state),
       patient_(!options.events.empty()),
       limit_(machine, largest_override(options)) {}
@@ -135,7 +136,7 @@ void Feeder::finish(ipo::BlockQueue& queue) {
 
 std::optional<Block> Feeder::next_block() {
   if (const double delay = std::exchange(first_cut_delay_, 0); delay > 0)
-    pushed_ = with_first_cut_delayed([this] { return interpreter_.next(); }, delay);
+    pushed_ = with_first_cut_delayed([this] { return interpreter_.next(); }, delay, delay_place_);
   if (pushed_.empty()) return interpreter_.next();
   std::optional<Block> block(std::move(pushed_.front()));
   pushed_.pop_front();

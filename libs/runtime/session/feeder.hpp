@@ -15,6 +15,7 @@
 #include "ipr/interpreter/interpreter.hpp"
 #include "motion/verification/programmed_path.hpp"
 #include "runtime/session/channel_options.hpp"
+#include "runtime/session/first_cut_delay.hpp"
 #include "runtime/session/motion_limit.hpp"
 #include "runtime/session/state_history.hpp"
 #include "runtime/session/unplanned_travel.hpp"
@@ -99,7 +100,8 @@ class Feeder {
   ProgrammedPath* programmed_ = nullptr;
   std::deque<Pause> pauses_;
   std::deque<Block> pushed_;  // and not yet planned
-  double first_cut_delay_;    // s: of a program that has not begun
+  double first_cut_delay_;    // s: of a program that has not begun,
+  DelayPlace delay_place_;    // and where it rests for so long
   SourcePos last_place_;      // of the block planned last
   int last_number_ = 0;
   int answered_ = 0;               // the number of the block whose pause has been answered last

@@ -35,13 +35,14 @@ bool cuts(const Block& block) {
 }  // namespace
 
 std::deque<Block> with_first_cut_delayed(const std::function<std::optional<Block>()>& next,
-                                         double delay) {
+                                         double delay, DelayPlace where) {
   std::deque<Block> blocks;
   std::size_t place = 0;  // of the dwell
   for (bool found = false; !found && blocks.size() < kMostBlocks;) {
     auto block = next();
     if (!block) break;
-    if (rests_before(blocks, *block)) place = blocks.size();
+    const bool may_stand = where == DelayPlace::before_cut && rests_before(blocks, *block);
+    if (may_stand) place = blocks.size();
     found = cuts(*block);
     blocks.push_back(std::move(*block));
   }

@@ -94,7 +94,7 @@ void CurveColumns::add(const Setpoint& row, std::span<const PathStretch> stretch
                          : counts_without_path(columns_[i]) ? 0
                                                             : kNone;
     waiting_.push_back(value);
-    if (std::isnan(value)) continue;
+    if (std::isnan(value) || !(row.advance > 0)) continue;
     Sums& sums = sums_[i];
     sums.max = std::max(sums.max, std::abs(value));
     sums.sum += std::abs(value);
@@ -113,8 +113,10 @@ std::vector<ColumnFigures> CurveColumns::figures() const {
   std::vector<ColumnFigures> figures;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const Sums& sums = sums_[i];
-    const auto rows = static_cast<double>(std::max<std::int64_t>(sums.rows, 1));
-    figures.push_back({columns_[i], sums.max, sums.sum / rows, std::sqrt(sums.squares / rows)});
+    ColumnFigures& of_column = figures.emplace_back(ColumnFigures{columns_[i], {}});
+    if (sums.rows == 0) continue;
+    const auto rows = static_cast<double>(sums.rows);
+    of_column.spread = {sums.max, sums.sum / rows, std::sqrt(sums.squares / rows)};
   }
   return figures;
 }

@@ -34,11 +34,14 @@ constexpr std::string_view name(CurveColumn column) noexcept {
 }
 std::vector<CurveColumn> all_curve_columns();
 
-/// What a column amounts to over the rows where it has a value; magnitudes, so that the sign of a
-/// fluctuation does not count.
+/// What a column amounts to over the rows that move and where it has a value, of which there may be
+/// none. Magnitudes count, whatever the sign of a fluctuation.
 struct ColumnFigures {
+  struct Spread {
+    double max, mean, rms;
+  };
   CurveColumn column;
-  double max = 0, mean = 0, rms = 0;
+  std::optional<Spread> spread;
 };
 
 class CurveColumns {
