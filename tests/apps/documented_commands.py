@@ -59,6 +59,8 @@ LEFT_OUT = {
     "scripts/figures --check": MEASURES + "; a test of its own runs it",
     "scripts/figures --draw": "writes into the sources",
     "scripts/make_airfoil.py": "writes into the sources; a test of its own runs it with --check",
+    "softcnc surface plane.nc --machine programs/21_paper004_surface.toml --set stock.origin_mm=[7,0.5,-1]"
+    " --set stock.x_mm=2 --set stock.y_mm=2 --set stock.z_mm=8 --set stock.grid_um=2.5 -o plane.npz --report plane.json": "runs the program above it; scripts/figures does",
     "tests/oracle/papers_test.py": "is a test of its own",
     "scripts/random_pulses": MEASURES,
     "scripts/random_pulses [COUNT]": MEASURES,
