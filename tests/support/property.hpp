@@ -15,8 +15,8 @@
 
 namespace softcnc::test {
 
-/// With sanitizers everything takes some ten times as long: there an eighth of the values has to do,
-/// since the release build tries them all.
+/// With sanitizers everything takes some ten times as long: there an eighth of the values has to
+/// do, since the release build tries them all.
 inline constexpr int kPart = kSanitized ? 8 : 1;
 
 inline std::uint64_t seed() {
