@@ -214,7 +214,7 @@ TEST_CASE("acceleration after interpolation is the same motion in every phase", 
   const json rows = compared("- --phases 4 --methods acc-dec-linear,two-step", kCircle)["rows"];
   for (const json& row : rows) {
     const double median = row["time_s_median"].get<double>();
-    CHECK(row["time_s_worst"].get<double>() - median < 0.0011);  // but for whole rows
+    CHECK(row["time_s_worst"].get<double>() - median < 0.0011);  // rounded to whole rows
     CHECK(row["path_deviation_um_max_worst"].get<double>() ==
           Approx(row["path_deviation_um_max_median"].get<double>()).epsilon(0.02));
   }

@@ -126,7 +126,8 @@ TEST_CASE("a program that is fed moves as it does from a file, in every row",
   }
 }
 
-TEST_CASE("a line waits for the next one until the session is asked to rest", "[runtime][session]") {
+TEST_CASE("a line waits for the next one until the session is asked to rest",
+          "[runtime][session]") {
   Shop shop;
   REQUIRE(shop.session.feed("G01 X10 F3000\n"));
   shop.run();
