@@ -39,6 +39,7 @@ void ProgrammedPath::add(const Block& block) {
 void ProgrammedPath::sample(const Setpoint& setpoint) noexcept {
   const AxisVector before = std::exchange(sample_, setpoint.position);
   const bool is_first = !std::exchange(has_sample_, true);
+  last_ = 0;
   if (stretches_.empty() || is_first) return;
   find(setpoint.block);
   if (setpoint.block < stretches_[here_].number) return;
@@ -66,7 +67,9 @@ void ProgrammedPath::find(int number) noexcept {
 /// record.
 void ProgrammedPath::measure_sample(const AxisVector& point) noexcept {
   const Deviation found = deviation(point, Search::near_guess);
-  count(is_record(found) ? deviation(point, Search::whole) : found);
+  const Deviation counted = is_record(found) ? deviation(point, Search::whole) : found;
+  count(counted);
+  last_ = counted.off;
 }
 
 /// The search continues in both directions while the path could still come back so near.

@@ -30,6 +30,8 @@ class ProgrammedPath {
     double allowed = 0;  // there: the larger one of P and Q
   };
   double largest() const noexcept { return largest_; }
+  /// Returns the distance of the last sample, mm.
+  double last() const noexcept { return last_; }
   /// Returns where it exceeds most what is allowed, or comes nearest to it; no limit, if nothing
   /// was rounded.
   const Deviation& worst() const noexcept { return worst_; }
@@ -65,7 +67,7 @@ class ProgrammedPath {
   bool follows_ = false;  // what comes next continues the last stretch
   bool has_sample_ = false;
   AxisVector sample_ = AxisVector::Zero();
-  double largest_ = 0;
+  double largest_ = 0, last_ = 0;
   Deviation worst_{0, std::numeric_limits<double>::infinity()};
 };
 

@@ -8,20 +8,13 @@
 #include <string>
 
 #include "motion/core/units.hpp"
-#include "runtime/program/each_block.hpp"
+#include "runtime/check/planned_times.hpp"
 
 namespace softcnc::runtime {
 namespace {
 
 constexpr double kMuch = 0.1;                   // of the time
 constexpr double kTolerances[] = {0.01, 0.05};  // mm, tried in this order
-constexpr int kBlocksBetweenLooks = 1024;
-
-/// What a plan without a run knows of its times.
-struct PlannedTimes {
-  double time = 0;         // s
-  std::int64_t rests = 0;  // at corners
-};
 
 /// As under G64 P: what has a tolerance already keeps it.
 void round_corners(Block& block, double tolerance) {
@@ -30,42 +23,6 @@ void round_corners(Block& block, double tolerance) {
   move->path_mode = PathMode::follow;
   move->corner_tolerance = tolerance;
   move->chord_tolerance = std::max(move->chord_tolerance, tolerance);
-}
-
-/// Nothing if the watcher wants to stop, or the plan fails.
-std::optional<PlannedTimes> plan_rounded(Program& program, const Machine& machine,
-                                         const ChannelOptions& options, double tolerance,
-                                         Watcher* watcher) {
-  Diagnostics silent([](const Diagnostic&) {});
-  ipr::Reader reader = program.reader();
-  ipr::Parser parser(reader, silent);
-  ipr::InterpreterOptions reading = options.interpreter;
-  reading.compare_dialects = reading.unreachable_too = false;
-  ipr::Interpreter interpreter(parser, machine, silent, reading, options.state);
-  ipo::Planner planner(machine, options.feed_override, silent, {}, options.constraints);
-  TimeKeeper keeper;
-  PlannedTimes times;
-  const auto take_timed = [&] {
-    while (const auto timed = planner.pop()) {
-      keeper.add(*timed, timed->profile.duration(), options.feed_override);
-      times.time = timed->t_end();
-    }
-  };
-  int blocks = 0;
-  bool stopped = false;
-  const auto take = [&](Block block) {
-    round_corners(block, tolerance);
-    planner.push(std::move(block));
-    take_timed();
-    stopped = watcher != nullptr && ++blocks % kBlocksBetweenLooks == 0 && watcher->wants_stop();
-    return !stopped;
-  };
-  each_block(interpreter, take, [] { return false; });
-  planner.finish();
-  if (!stopped) take_timed();
-  if (stopped || silent.errors() > 0) return std::nullopt;
-  times.rests = keeper.sheet().corners.count;
-  return times;
 }
 
 /// What a person reads of 0.0123, 4.56 and 691.2 s.
@@ -101,7 +58,9 @@ class CornerJudge {
   std::optional<CornerCost> plan_again(Program& program, const Machine& machine,
                                        Watcher* watcher) const {
     for (const double tolerance : kTolerances) {
-      const auto rounded = plan_rounded(program, machine, options_, tolerance, watcher);
+      const auto rounded =
+          plan_times(program, machine, options_, watcher,
+                     [tolerance](Block& block) { round_corners(block, tolerance); });
       if (!rounded) return std::nullopt;
       const double won = outcome_.time - rounded->time;
       if (is_much(won)) return CornerCost{rests().count - rounded->rests, won, tolerance};

@@ -37,17 +37,28 @@ LineLosses::Loss& LineLosses::at(const SourcePos& place) {
 
 void LineLosses::add(const ipo::TimedBlock& timed, double until, double feed_override) {
   const Move* move = timed.move();
-  if (move == nullptr || move->rapid) return;
-  const double feed = asked_feed(*move, feed_override);
+  const bool cuts = move != nullptr && !move->rapid;
+  const double feed = cuts ? asked_feed(*move, feed_override) : 0;
   timed.profile.for_each_span(until, [&](const ipo::Profile::Span& whole) {
     for_each_mark(timed, whole, [&](const ipo::Mark& mark, const ipo::Profile::Span& span) {
-      const double at_feed = feed > 0 ? (span.s1 - span.s0) / feed : 0;
-      const double lost = span.t1 - span.t0 - at_feed;
+      const double seconds = span.t1 - span.t0;
       Loss& loss = at(mark.source);
+      loss.seconds += seconds;
+      if (!cuts) return;
+      const double lost = seconds - (feed > 0 ? (span.s1 - span.s0) / feed : 0);
       loss.all += lost;
       loss.parts[static_cast<std::size_t>(span.limit)] += static_cast<float>(lost);
     });
   });
+}
+
+std::vector<LineTime> LineLosses::times() const {
+  std::vector<LineTime> times;
+  for (const auto& [file, lines] : lines_)
+    for (std::size_t line = 0; line < lines.size(); ++line)
+      if (const Loss& loss = lines[line]; loss.seconds > 0)
+        times.push_back({file, static_cast<int>(line), loss.seconds, loss.all, loss.limit()});
+  return times;
 }
 
 std::vector<LineLosses::Place> LineLosses::worst_places(std::size_t count) const {

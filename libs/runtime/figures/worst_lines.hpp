@@ -19,12 +19,24 @@ struct WorstLine {
   Limit limit = Limit::feed;  // that takes most of them
 };
 
+/// What a line has taken, all its rounds together.
+struct LineTime {
+  int file = 0;  // Diagnostics::file()
+  int line = 0;
+  double seconds = 0;         // with its rapids and dwells
+  double lost = 0;            // s, as in WorstLine; below 0 where it is faster than its feed
+  Limit limit = Limit::feed;  // that takes most of what is lost
+};
+
 /// Adds up by line what cutting moves lose. Rapids and dwells have no feed and lose nothing. Memory
 /// is bounded by the lines of the program.
 class LineLosses {
  public:
   /// The first `until` s of a block; `feed_override` is what counts in it.
   void add(const ipo::TimedBlock& timed, double until, double feed_override);
+
+  /// Returns the lines that have taken time, in the order of files and lines.
+  std::vector<LineTime> times() const;
 
   /// The `count` lines that lose most, the worst first; of two that lose the same the first one.
   /// `file_of`: the name of a file by its number.
@@ -40,6 +52,7 @@ class LineLosses {
  private:
   struct Loss {
     double all = 0;                      // s
+    double seconds = 0;                  // that the line has taken
     std::array<float, kLimits> parts{};  // of it, by limit: enough to see which is the largest
 
     Limit limit() const noexcept;

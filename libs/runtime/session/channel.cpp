@@ -26,7 +26,7 @@ Channel::Channel(ipr::Reader& reader, int input, const Machine& machine,
       queue_(10 * machine.control.period + ipo::setpoint_lag(machine), ipo::setpoint_lag(machine)),
       follows_plan_(follows_time(machine.control.interpolation)),
       interpolator_(queue_, machine),
-      times_(options.worst_lines > 0, follows_plan_) {
+      times_(options.worst_lines > 0 || options.line_times, follows_plan_) {
   interpolator_.set_feed_override(options.feed_override);
 }
 

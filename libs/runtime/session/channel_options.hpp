@@ -31,6 +31,7 @@ struct ChannelOptions {
   double first_cut_delay = 0;
   bool skims = false;           // rows that cannot come near a limit are not looked at one by one
   std::size_t worst_lines = 0;  // Outcome::worst_lines: so many are asked for
+  bool line_times = false;      // Outcome::line_times is asked for
   /// Returns whether the program never ends as far as it is known; is called where much has been
   /// read again. Such a program is not planned further. May be empty.
   std::function<bool()> is_endless = {};

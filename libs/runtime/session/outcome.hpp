@@ -38,6 +38,7 @@ struct Outcome {
   std::array<double, kLimits> time_by_limit{};
   TimeSheet time_sheet;
   std::vector<WorstLine> worst_lines;  // as many as are asked for
+  std::vector<LineTime> line_times;    // where they are asked for
   Measured measured;
   double corner_deviation = 0;          // mm: of rounded corners from the programmed path, largest;
   ProgrammedPath::Deviation deviation;  // and that which comes nearest to what is allowed

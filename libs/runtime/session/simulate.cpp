@@ -125,16 +125,18 @@ class Simulation {
         rests_at_pauses_(options.rests_at_pauses && options.events.empty()),
         verification_(machine),
         diagnostics_(diagnostics),
-        worst_lines_(options.worst_lines) {
+        worst_lines_(options.worst_lines),
+        line_times_(options.line_times) {
     if (knows_contour(backend)) contour_.emplace(machine.control.period);
     if (realtime_ && contour_) realtime_->measure(*contour_);
     channel_.feeder().show(verification_.programmed());
   }
 
   Outcome run(RowSink* rows, Watcher* watcher) {
-    columns_ = rows ? rows->curve_columns() : nullptr;
-    verification_.fill(columns_);
-    skims_ = skims_ && !columns_;
+    rows_ = rows;
+    RowObserver* observer = rows ? rows->observer() : nullptr;
+    verification_.inform(observer);
+    skims_ = skims_ && !observer;
     do {
       channel_.answer_events();
       wait(rows, watcher);
@@ -169,9 +171,10 @@ class Simulation {
   bool rests_at_pauses_, rested_ = false;
   bool wanted_ = true;  // rows
   Verification verification_;
-  CurveColumns* columns_ = nullptr;  // of the rows
+  const RowSink* rows_ = nullptr;
   const Diagnostics& diagnostics_;
   std::size_t worst_lines_;
+  bool line_times_;
   std::optional<Contour> contour_;
   double planned_s_ = 0;  // mm: of the last row that was planned
   Outcome outcome_;
@@ -287,6 +290,7 @@ void Simulation::keep_times() {
   const RunTimes& times = channel_.end_times();
   outcome_.time_by_limit = times.by_limit();
   outcome_.time_sheet = times.sheet();
+  if (line_times_) outcome_.line_times = times.lines().times();
   outcome_.worst_lines =
       times.lines().worst(worst_lines_, [this](int file) { return diagnostics_.file(file); });
 }
@@ -304,7 +308,7 @@ Outcome Simulation::finish() {
   outcome_.deviation = verification_.programmed().worst();
   outcome_.surface = verification_.surface();
   if (contour_) outcome_.contour = contour_->report();
-  if (columns_) outcome_.columns = columns_->figures();
+  if (rows_) outcome_.columns = rows_->column_figures();
   outcome_.events_left = channel_.events_left();
   outcome_.planner = channel_.feeder().counts();
   outcome_.called_files = channel_.feeder().called_files();

@@ -68,6 +68,7 @@ void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& qu
   block_numbers_.clear();
   blocks_.clear();
   queue.for_each_recent([this](const ipo::TimedBlock& timed) {
+    show(timed);
     if (!timed.move()) return;
     const std::optional<Surface>& surface = timed.move()->surface;
     stretches_.push_back({&timed.move()->path, timed.s_start, surface ? &*surface : nullptr});
@@ -81,13 +82,20 @@ void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& qu
     const std::span touched = std::span(stretches_).subspan(first, end - first);
     verifier_.sample(row, touched);
     programmed_.sample(row);
-    if (columns_) columns_->add(row, touched, verifier_.period());
+    if (observer_) observer_->observe({row, touched, verifier_.period(), programmed_.last()});
     if (verifier_.period().rmax > 0 && row.block <= block_numbers_[end - 1].last) {
       const auto here = &stretch_at(touched, row.s) - stretches_.data();
       surface_.add(*blocks_[static_cast<std::size_t>(here)], row, verifier_.period().rmax);
     }
     block_before_ = row.block;
   }
+}
+
+/// To the observer, unless it knows it.
+void Verification::show(const ipo::TimedBlock& timed) {
+  if (observer_ == nullptr || timed.last_number() <= observed_) return;
+  observed_ = timed.last_number();
+  observer_->block(timed);
 }
 
 void Verification::pass_over(const Setpoint& row) noexcept {

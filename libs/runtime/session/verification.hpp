@@ -9,7 +9,7 @@
 #include "motion/verification/programmed_path.hpp"
 #include "motion/verification/verify.hpp"
 #include "runtime/figures/surface_notes.hpp"
-#include "runtime/sinks/curve_columns.hpp"
+#include "runtime/sinks/row_observer.hpp"
 
 namespace softcnc::runtime {
 
@@ -18,8 +18,8 @@ class Verification {
  public:
   explicit Verification(const Machine& machine) noexcept : verifier_(machine), surface_(machine) {}
 
-  /// Adds what it measures of each row to `columns` from now on; null: no longer.
-  void fill(CurveColumns* columns) noexcept { columns_ = columns; }
+  /// Informs `observer` of each row and block from now on; null: nobody any longer.
+  void inform(RowObserver* observer) noexcept { observer_ = observer; }
 
   /// Adds rows. Requires that `queue` still holds every block from that of the row before.
   void add(std::span<const Setpoint> rows, const ipo::BlockQueue& queue);
@@ -34,10 +34,13 @@ class Verification {
   const SurfaceNotes& surface() const noexcept { return surface_; }
 
  private:
+  void show(const ipo::TimedBlock& timed);
+
   Verifier verifier_;
   ProgrammedPath programmed_;
   SurfaceNotes surface_;
-  CurveColumns* columns_ = nullptr;
+  RowObserver* observer_ = nullptr;
+  int observed_ = 0;                            // number of the last block that it knows
   int block_before_ = 0;                        // number of the block of the row before
   std::vector<PathStretch> stretches_;          // of the blocks in the queue,
   std::vector<const ipo::TimedBlock*> blocks_;  // those blocks,

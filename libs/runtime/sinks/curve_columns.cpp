@@ -86,11 +86,11 @@ std::vector<std::string> CurveColumns::names() const {
   return names;
 }
 
-void CurveColumns::add(const Setpoint& row, std::span<const PathStretch> stretches,
-                       const MeasuredPeriod& period) {
-  const auto place = place_of(row, stretches);
+void CurveColumns::observe(const ObservedRow& observed) {
+  const Setpoint& row = observed.row;
+  const auto place = place_of(row, observed.stretches);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const double value = place ? value_on_path(columns_[i], *place, row, period)
+    const double value = place ? value_on_path(columns_[i], *place, row, observed.period)
                          : counts_without_path(columns_[i]) ? 0
                                                             : kNone;
     waiting_.push_back(value);

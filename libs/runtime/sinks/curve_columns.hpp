@@ -6,14 +6,11 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "motion/model/path_stretch.hpp"
-#include "motion/model/setpoint.hpp"
-#include "motion/verification/verify.hpp"
+#include "runtime/sinks/row_observer.hpp"
 
 namespace softcnc::runtime {
 
@@ -44,17 +41,15 @@ struct ColumnFigures {
   std::optional<Spread> spread;
 };
 
-class CurveColumns {
+class CurveColumns final : public RowObserver {
  public:
   explicit CurveColumns(std::vector<CurveColumn> columns);
 
   std::vector<std::string> names() const;
 
-  /// Adds a row. `stretches` are the paths from the row before to this one, in order; `period` is
-  /// what the verifier has measured of it. A column without a meaning there is NaN: the parameter
-  /// where there is no path, and the last three where no roughness is asked for.
-  void add(const Setpoint& row, std::span<const PathStretch> stretches,
-           const MeasuredPeriod& period);
+  /// Adds a row. A column without a meaning there is NaN: the parameter where there is no path, and
+  /// the last three where no roughness is asked for.
+  void observe(const ObservedRow& observed) override;
 
   /// Appends the values of the oldest row that has not been taken to `values`.
   void take(std::vector<double>& values);

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "motion/model/setpoint.hpp"
 #include "runtime/sinks/curve_columns.hpp"
+#include "runtime/sinks/row_observer.hpp"
 
 namespace softcnc::runtime {
 
@@ -15,9 +17,10 @@ class RowSink {
   virtual ~RowSink() = default;
   /// Takes a row. Returns false if no more rows are wanted.
   virtual bool row(const Setpoint& setpoint, std::span<const double> backend_values) = 0;
-  /// Returns the columns that are computed from the path of the rows, where some are wanted; they
-  /// are filled before the rows come.
-  virtual CurveColumns* curve_columns() { return nullptr; }
+  /// Returns what observes the rows before they come; null: nothing does.
+  virtual RowObserver* observer() { return nullptr; }
+  /// Returns the figures of the columns that are computed from the path of the rows.
+  virtual std::vector<ColumnFigures> column_figures() const { return {}; }
   /// The machine stands before the program waits for a person.
   virtual void rest() {}
   /// Passes on what there is: the next row may take long.

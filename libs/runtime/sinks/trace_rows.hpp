@@ -25,7 +25,10 @@ class TraceRows final : public RowSink {
     if (!columns.empty()) columns_.emplace(columns);
   }
 
-  CurveColumns* curve_columns() override { return columns_ ? &*columns_ : nullptr; }
+  RowObserver* observer() override { return columns_ ? &*columns_ : nullptr; }
+  std::vector<ColumnFigures> column_figures() const override {
+    return columns_ ? columns_->figures() : std::vector<ColumnFigures>();
+  }
   bool row(const Setpoint& setpoint, std::span<const double> backend_values) override;
   void rest() override {
     if (writer_) writer_->rest();

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// A row of a run that its history keeps.
+#pragma once
+
+#include <cstdint>
+
+#include "runtime/history/run_row.hpp"
+
+namespace softcnc::runtime {
+
+/// A row that is kept, and what was largest in the rows after the node before it up to this one.
+struct HistoryNode {
+  std::int64_t period = 0;
+  AxisVector position = AxisVector::Zero();  // mm
+  double s = 0;                              // mm of path from the start of the program
+  double v = 0, feed = 0;                    // mm/s
+  MotionKind motion = MotionKind::rest;      // of most of these rows, as the limit
+  Limit limit = Limit::stop;
+  int tool = 0;
+  float acceleration_use = 0, jerk_use = 0;  // parts of the limits of the axes; 0 without limits
+  float chord_error = RunRow::kUnknown;      // um
+  float contour = RunRow::kUnknown;          // um
+  float deviation = RunRow::kUnknown;        // um
+  float rmax = RunRow::kUnknown;             // um
+  float rmax_target = RunRow::kUnknown;      // um
+};
+
+}  // namespace softcnc::runtime
