@@ -38,7 +38,7 @@ export class Camera {
   width = 1;
   height = 1;
   target: Vector = [0, 0, 0];
-  private yaw = -0.6;
+  private yaw = 0.6;
   private elevation = 0.6;
 
   /** Returns the directions of the screen: from above in 2-D, turned by the user in 3-D. */
@@ -85,34 +85,20 @@ export class Camera {
     this.pan(dx * (1 - ratio), dy * (1 - ratio));
   }
 
-  /** Shows these boxes as large as they fit between the insets. */
-  fit(boxes: Iterable<Box>, insets: Insets): void {
+  /** Shows the box as large as it fits between the insets. */
+  fit(box: Box, insets: Insets): void {
     const { right, up } = this.basis();
-    const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
-    const middle: Vector = [0, 0, 0];
-    let count = 0;
-    for (const box of boxes) {
-      for (let corner = 0; corner < 8; corner++) {
-        const x = corner & 1 ? box.high[0] : box.low[0];
-        const y = corner & 2 ? box.high[1] : box.low[1];
-        const z = corner & 4 ? box.high[2] : box.low[2];
-        const a = dot(right, x, y, z), b = dot(up, x, y, z);
-        low[0] = Math.min(low[0]!, a); high[0] = Math.max(high[0]!, a);
-        low[1] = Math.min(low[1]!, b); high[1] = Math.max(high[1]!, b);
-      }
-      count++;
-      for (let k = 0; k < 3; k++) middle[k]! += (box.low[k]! + box.high[k]!) / 2;
+    let spanX = 0, spanY = 0;
+    for (let k = 0; k < 3; k++) {
+      const size = box.high[k]! - box.low[k]!;
+      spanX += Math.abs(right[k]!) * size;
+      spanY += Math.abs(up[k]!) * size;
+      this.target[k] = (box.low[k]! + box.high[k]!) / 2;
     }
-    if (count === 0) return;
     const freeWidth = Math.max(20, this.width - insets.left - insets.right);
     const freeHeight = Math.max(20, this.height - insets.top - insets.bottom);
-    const spanX = Math.max(1e-3, high[0]! - low[0]!), spanY = Math.max(1e-3, high[1]! - low[1]!);
-    const scale = Math.min(freeWidth / spanX, freeHeight / spanY);
+    const scale = Math.min(freeWidth / Math.max(1e-3, spanX), freeHeight / Math.max(1e-3, spanY));
     this.scale = Math.min(kLargestScale, Math.max(kSmallestScale, scale));
-    const a = (low[0]! + high[0]!) / 2, b = (low[1]! + high[1]!) / 2;
-    for (let k = 0; k < 3; k++) middle[k]! /= count;
-    const da = a - dot(right, ...middle), db = b - dot(up, ...middle);
-    for (let k = 0; k < 3; k++) this.target[k] = middle[k]! + da * right[k]! + db * up[k]!;
     this.pan((insets.left - insets.right) / 2, (insets.top - insets.bottom) / 2);
   }
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Draws strips on a 2-D canvas, for browsers without WebGL 2.
 
-import type { Camera } from './camera';
-import * as line from './renderer';
-import { kBegins, kIsRapid, type Strips } from './strips';
-import { css, type Theme } from './theme';
+import type { Camera } from './camera.ts';
+import * as line from './renderer.ts';
+import { kBegins, kIsRapid, type Strips } from './strips.ts';
+import { css, type Theme } from './theme.ts';
 
 const kNone: Strips = {
   count: 0, position: new Float32Array(0), along: new Float32Array(0), look: new Uint8Array(0),
@@ -12,11 +12,13 @@ const kNone: Strips = {
 
 /** Draws strips on a 2-D canvas, in the order of the path. */
 export class CanvasLines implements line.LineRenderer {
+  readonly canvas: HTMLCanvasElement;
   private readonly slots: [Strips, Strips] = [kNone, kNone];
   private readonly context: CanvasRenderingContext2D;
   private ratio = 1;
 
-  constructor(readonly canvas: HTMLCanvasElement) {
+  constructor(canvas: HTMLCanvasElement) {
+    this.canvas = canvas;
     const context = canvas.getContext('2d', { alpha: false });
     if (context === null) throw new Error('the browser draws neither by WebGL nor on a canvas');
     this.context = context;

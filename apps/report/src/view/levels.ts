@@ -2,12 +2,12 @@
 // Levels of detail of one path: which of its nodes a picture needs at which allowed error.
 //
 // The nodes are cut into chunks of equal count with a box each. Within a chunk each node has a code
-// that grows with the error that leaving it out causes: of the shape (Douglas and Peucker) and of
-// the colours (halving of the chunk). Two steps of the code double the error. A node is drawn at
-// level k if its code is at least k; the ends of a chunk are always drawn.
+// that grows with the error that leaving it out causes: of the shape (Douglas and Peucker), in space
+// or as seen from above, and of the colours (halving of the chunk). Two steps of the code double the
+// error. A node is drawn at level k if its code is at least k; the ends of a chunk always are.
 
-import type { Box, Vector } from './camera';
-import type { PathLayer } from './path_types';
+import type { Box, Vector } from './camera.ts';
+import type { PathLayer } from './path_types.ts';
 
 export const kCodes = 64;
 const kFinestLog2 = -20; // Code 1 stands for 2^-20 mm; code 63 for 2^11 mm and more.
@@ -44,7 +44,9 @@ export class PathLevels {
   readonly counts: Uint32Array;
   rgb: Uint8Array;
   visible: Uint8Array | null = null;
-  private readonly shapeCode: Uint8Array;
+  private readonly shapeInSpace: Uint8Array;
+  private readonly shapeFromAbove: Uint8Array;
+  private isFlat = false;
   private meanColour: Vector = [128, 128, 128];
 
   constructor(layer: PathLayer, centre: Vector) {
@@ -60,13 +62,15 @@ export class PathLevels {
     this.row = layer.row;
     this.boxes = new Float32Array(6 * this.chunks);
     this.code = new Uint8Array(n);
-    this.shapeCode = new Uint8Array(n);
+    this.shapeInSpace = new Uint8Array(n);
+    this.shapeFromAbove = new Uint8Array(n);
     this.counts = new Uint32Array(this.chunks * kCodes);
     this.rgb = new Uint8Array(3 * n).fill(128);
     this.place(layer, centre);
     for (let c = 0; c < this.chunks; c++) {
       this.bound(c);
-      this.rankShape(c);
+      this.rankShape(c, 1, this.shapeInSpace);
+      this.rankShape(c, 0, this.shapeFromAbove);
     }
     this.rankColours();
   }
@@ -74,12 +78,6 @@ export class PathLevels {
   /** Returns the index of the last node of a chunk; the next chunk begins with it. */
   lastNode(chunk: number): number {
     return Math.min(this.count - 1, (chunk + 1) * this.chunkSize);
-  }
-
-  /** Returns the box of a chunk. */
-  box(chunk: number): Box {
-    const b = this.boxes.subarray(6 * chunk, 6 * chunk + 6);
-    return { low: [b[0]!, b[1]!, b[2]!], high: [b[3]!, b[4]!, b[5]!] };
   }
 
   /** Returns whether the interval that ends in this node is drawn. */
@@ -103,6 +101,28 @@ export class PathLevels {
   setVisible(visible: Uint8Array | null): void {
     this.visible = visible;
     this.rankColours();
+  }
+
+  /** Chooses whether errors along z count: they are not seen from above. */
+  setFlat(flat: boolean): void {
+    if (this.isFlat === flat) return;
+    this.isFlat = flat;
+    this.rankColours();
+  }
+
+  /** Returns the box of all intervals that are drawn, or null where there are none. */
+  drawnBox(): Box | null {
+    const low: Vector = [Infinity, Infinity, Infinity];
+    const high: Vector = [-Infinity, -Infinity, -Infinity];
+    for (let i = 1; i < this.count; i++) {
+      if (!this.isDrawn(i)) continue;
+      for (let j = 3 * i - 3; j < 3 * i + 3; j++) {
+        const k = j % 3, value = this.position[j]!;
+        if (value < low[k]!) low[k] = value;
+        if (value > high[k]!) high[k] = value;
+      }
+    }
+    return low[0] <= high[0] ? { low, high } : null;
   }
 
   /**
@@ -158,18 +178,18 @@ export class PathLevels {
   }
 
   /** Douglas and Peucker, 1973: a node's error never exceeds that of the split it lies within. */
-  private rankShape(chunk: number): void {
+  private rankShape(chunk: number, weightOfZ: number, codes: Uint8Array): void {
     const p = this.position;
     const stack: number[] = [chunk * this.chunkSize, this.lastNode(chunk), Infinity];
     while (stack.length > 0) {
       const limit = stack.pop()!, b = stack.pop()!, a = stack.pop()!;
       if (b - a < 2) continue;
       const ax = p[3 * a]!, ay = p[3 * a + 1]!, az = p[3 * a + 2]!;
-      const ux = p[3 * b]! - ax, uy = p[3 * b + 1]! - ay, uz = p[3 * b + 2]! - az;
+      const ux = p[3 * b]! - ax, uy = p[3 * b + 1]! - ay, uz = (p[3 * b + 2]! - az) * weightOfZ;
       const uu = ux * ux + uy * uy + uz * uz;
       let worst = -1, at = (a + b) >> 1;
       for (let i = a + 1; i < b; i++) {
-        let x = p[3 * i]! - ax, y = p[3 * i + 1]! - ay, z = p[3 * i + 2]! - az;
+        let x = p[3 * i]! - ax, y = p[3 * i + 1]! - ay, z = (p[3 * i + 2]! - az) * weightOfZ;
         let t = uu > 0 ? (x * ux + y * uy + z * uz) / uu : 0;
         t = t < 0 ? 0 : t > 1 ? 1 : t;
         x -= t * ux; y -= t * uy; z -= t * uz;
@@ -180,7 +200,7 @@ export class PathLevels {
         }
       }
       const error = Math.min(limit, Math.sqrt(Math.max(0, worst)));
-      this.shapeCode[at] = codeOfError(error);
+      codes[at] = codeOfError(error);
       if (error <= 0) continue;
       stack.push(a, at, error, at, b, error);
     }
@@ -189,7 +209,7 @@ export class PathLevels {
   /** Ranks the nodes by colour, motion and visibility, and counts the nodes of each code. */
   private rankColours(): void {
     this.findMeanColour();
-    this.code.set(this.shapeCode);
+    this.code.set(this.isFlat ? this.shapeFromAbove : this.shapeInSpace);
     const ranges = new Float32Array(7 * this.chunkSize);
     for (let c = 0; c < this.chunks; c++) {
       this.rankChunkColours(c, ranges);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Rulers, axes, dimensions and the tool's marker, drawn on a canvas above the paths.
 
-import type { Box, Camera, Insets, Vector } from './camera';
-import { label, lengthText, niceStep } from './scales';
-import { css, type Rgb, type Theme } from './theme';
+import type { Box, Camera, Insets, Vector } from './camera.ts';
+import { label, lengthText, niceStep } from './scales.ts';
+import { css, type Rgb, type Theme } from './theme.ts';
 
 const kFont = '11px system-ui, sans-serif';
 const kBold = '600 12px system-ui, sans-serif';
@@ -48,7 +48,9 @@ export function drawOverlay(c: CanvasRenderingContext2D, camera: Camera,
   for (const marker of scene.markers) drawMarker(c, camera, scene.theme, marker);
 }
 
-function drawRulers(c: CanvasRenderingContext2D, camera: Camera, scene: OverlayScene): void {
+/** Draws rulers in mm along the left and the lower edge. */
+export function drawRulers(c: CanvasRenderingContext2D, camera: Camera,
+  scene: Pick<OverlayScene, 'centre' | 'theme'>): void {
   const theme = scene.theme;
   const bottom = camera.height - kRulerBottom;
   const step = niceStep(72 / camera.scale);
@@ -135,7 +137,7 @@ function drawDimension(c: CanvasRenderingContext2D, camera: Camera, scene: Overl
     best = [x, y];
     length = Math.hypot(bx - ax, by - ay);
   }
-  if (best === null || length < 14) return;
+  if (best === null || length < 14 || !isInside(camera, best)) return;
   const dx = best[0] - middle[0], dy = best[1] - middle[1];
   const n = Math.hypot(dx, dy) || 1;
   const text = `${kNames[axis]!} ${lengthText(size)} mm`;
@@ -150,6 +152,10 @@ function drawDimension(c: CanvasRenderingContext2D, camera: Camera, scene: Overl
   c.fillRect(x - half - 3, y - 8, 2 * half + 6, 16);
   c.fillStyle = css(scene.theme.ink);
   c.fillText(text, x, y);
+}
+
+function isInside(camera: Camera, [x, y]: [number, number]): boolean {
+  return x > 0 && y > 0 && x < camera.width && y < camera.height;
 }
 
 function drawTriad(c: CanvasRenderingContext2D, camera: Camera, scene: OverlayScene): void {

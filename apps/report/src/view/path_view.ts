@@ -1,27 +1,31 @@
 // SPDX-License-Identifier: MIT
 // The picture of one or two paths: camera, levels of detail, renderer, overlay and gestures.
 
-import { Camera, type Box, type Vector } from './camera';
-import { CanvasLines } from './canvas_lines';
-import { connectGestures } from './gestures';
-import { PathLevels } from './levels';
-import { drawOverlay, insetsOf } from './overlay';
+import { Camera, type Box, type Vector } from './camera.ts';
+import { CanvasLines } from './canvas_lines.ts';
+import { connectGestures } from './gestures.ts';
+import { PathLevels } from './levels.ts';
+import { drawOverlay, insetsOf } from './overlay.ts';
 import type {
   FrameFigures, HitListener, PathLayer, PathRange, PathView,
-} from './path_types';
-import { nodeAtRow, pick, positionAtRow } from './picking';
-import type { LineRenderer } from './renderer';
+} from './path_types.ts';
+import { nodeAtRow, pick, positionAtRow } from './picking.ts';
+import type { LineRenderer } from './renderer.ts';
 import {
   addChunks, addNodes, chooseCode, finestCode, kMostNodes, markChunks, StripBuilder,
-} from './strips';
-import { themeOf } from './theme';
-import { WebGlLines } from './webgl_lines';
+} from './strips.ts';
+import { themeOf } from './theme.ts';
+import { WebGlLines } from './webgl_lines.ts';
 
 export type {
   FrameFigures, HitListener, PathHit, PathLayer, PathRange, PathView,
-} from './path_types';
+} from './path_types.ts';
 
 const kHighlightNodes = kMostNodes / 4;
+const kSlowMs = 50; // Frames of a movement that take longer lower the quality, to 20 a second.
+const kFastMs = 25;
+const kLeastQuality = 0.4;
+const kRestMs = 180; // After a movement the picture is drawn in full quality.
 const kContinuousMs = 250; // Frames further apart than this do not follow one another.
 
 /** Creates a picture that fills the container and follows its size. */
@@ -30,6 +34,7 @@ export function createPathView(container: HTMLElement): PathView {
 }
 
 class View implements PathView {
+  private readonly container: HTMLElement;
   private readonly root = document.createElement('div');
   private readonly overlay = document.createElement('canvas');
   private renderer: LineRenderer;
@@ -56,9 +61,15 @@ class View implements PathView {
   private frame = 0;
   private lastFrameAt = -Infinity;
   private wantsFit = true;
+  private wantsPaths = true;
+  private quality = 1;
+  private isMoving = false;
+  private restTimer = 0;
+  private ratioPart = 1;
   private figures: FrameFigures = { vertices: 0, level: 0, lastFrameMs: 0 };
 
-  constructor(private readonly container: HTMLElement) {
+  constructor(container: HTMLElement) {
+    this.container = container;
     const root = this.root;
     root.style.cssText = 'position:absolute;inset:0;overflow:hidden;';
     root.tabIndex = 0;
@@ -95,17 +106,9 @@ class View implements PathView {
   }
 
   setLayers(layers: PathLayer[]): void {
-    this.box = boxOf(layers);
-    this.centre = [0, 0, 0];
-    if (this.box !== null) {
-      const { low, high } = this.box;
-      for (let k = 0; k < 3; k++) {
-        this.centre[k] = (low[k]! + high[k]!) / 2;
-        low[k]! -= this.centre[k]!;
-        high[k]! -= this.centre[k]!;
-      }
-    }
+    this.centre = centreOf(layers);
     this.paths = layers.map((layer) => new PathLevels(layer, this.centre));
+    this.paths.forEach((path) => path.setFlat(this.camera.mode === '2d'));
     this.marks = this.paths.map((path) => new Uint8Array(path.chunks));
     this.ranges = [];
     this.markers = layers.map(() => null);
@@ -131,7 +134,7 @@ class View implements PathView {
 
   setMarker(layer: number, row: number | null): void {
     this.markers[layer] = row;
-    this.draw();
+    this.schedule();
   }
 
   fit(): void {
@@ -140,13 +143,15 @@ class View implements PathView {
       return;
     }
     this.wantsFit = false;
-    this.camera.fit(this.drawnBoxes(), insetsOf(this.camera.mode));
+    if (this.box !== null) this.camera.fit(this.box, insetsOf(this.camera.mode));
     this.draw();
   }
 
   setMode(mode: '2d' | '3d'): void {
     this.camera.mode = mode;
+    this.paths.forEach((path) => path.setFlat(mode === '2d'));
     this.describe();
+    this.shownCode = this.litCode = -1;
     this.fit();
   }
 
@@ -165,6 +170,7 @@ class View implements PathView {
   }
 
   toImage(): string {
+    this.wantsPaths = true;
     this.render();
     const canvas = document.createElement('canvas');
     canvas.width = this.renderer.canvas.width;
@@ -182,6 +188,7 @@ class View implements PathView {
 
   destroy(): void {
     cancelAnimationFrame(this.frame);
+    window.clearTimeout(this.restTimer);
     this.observer.disconnect();
     this.disconnect();
     this.renderer.destroy();
@@ -236,21 +243,44 @@ class View implements PathView {
   private resize(): void {
     const width = this.root.clientWidth, height = this.root.clientHeight;
     if (width < 2 || height < 2) return;
-    const ratio = Math.min(3, Math.max(1, window.devicePixelRatio || 1));
+    const ratio = deviceRatio();
     const keepsScale = this.camera.width > 1 && !this.wantsFit;
     const grown = Math.min(width / this.camera.width, height / this.camera.height);
     this.camera.width = width;
     this.camera.height = height;
     if (keepsScale) this.camera.scale *= grown;
-    this.renderer.resize(width, height, ratio);
+    this.renderer.resize(width, height, ratio * this.ratioPart);
     this.overlay.width = Math.round(width * ratio);
     this.overlay.height = Math.round(height * ratio);
     if (this.wantsFit) this.fit();
+    this.wantsPaths = true;
     this.render();
   }
 
+  /** Draws while the picture moves, coarser where the browser is slow. */
   private moved(): void {
+    this.isMoving = true;
+    window.clearTimeout(this.restTimer);
+    this.restTimer = window.setTimeout(() => {
+      this.isMoving = false;
+      this.setRatio(1);
+      this.draw();
+    }, kRestMs);
     this.draw();
+  }
+
+  /** Adapts the quality of a movement to the time from frame to frame. */
+  private adapt(frameMs: number): void {
+    if (frameMs > kSlowMs) this.quality = Math.max(kLeastQuality, this.quality * 0.85);
+    else if (frameMs < kFastMs) this.quality = Math.min(1, this.quality * 1.05);
+    this.setRatio(this.quality < 0.8 ? 0.6 : 1);
+  }
+
+  /** Sets the part of the screen's resolution at which the paths are drawn. */
+  private setRatio(part: number): void {
+    if (part === this.ratioPart) return;
+    this.ratioPart = part;
+    this.renderer.resize(this.camera.width, this.camera.height, deviceRatio() * part);
   }
 
   /** Makes the next frame choose its nodes again. */
@@ -265,16 +295,18 @@ class View implements PathView {
       for (let c = 0; c < path.chunks; c++) drawn[c] = path.hasDrawn(c) ? 1 : 0;
       return drawn;
     });
+    this.box = this.paths.map((path) => path.drawnBox()).reduce(join, null);
     this.forget();
   }
 
-  private *drawnBoxes(): Generator<Box> {
-    for (const [k, path] of this.paths.entries()) {
-      for (let c = 0; c < path.chunks; c++) if (this.drawnChunks[k]![c]) yield path.box(c);
-    }
+  /** Draws paths and overlay in the next frame. */
+  private draw(): void {
+    this.wantsPaths = true;
+    this.schedule();
   }
 
-  private draw(): void {
+  /** Draws what has changed in the next frame; the overlay always. */
+  private schedule(): void {
     if (this.frame !== 0) return;
     this.frame = requestAnimationFrame(() => {
       this.frame = 0;
@@ -284,19 +316,32 @@ class View implements PathView {
 
   private render(): void {
     if (this.camera.width < 2) return;
+    if (this.wantsPaths) this.renderPaths();
+    this.wantsPaths = false;
+    this.renderOverlay();
+  }
+
+  private renderPaths(): void {
     const start = performance.now();
-    const follows = start - this.lastFrameAt < kContinuousMs;
+    const sinceLast = start - this.lastFrameAt;
+    const follows = sinceLast < kContinuousMs;
+    if (this.isMoving && follows) this.adapt(sinceLast);
     this.chooseNodes();
     this.chooseLit();
-    const radius = this.box === null ? 1 : Math.hypot(...this.box.high);
+    const radius = this.box === null ? 1 : Math.hypot(...this.centredRadius());
     this.renderer.draw(this.camera, this.theme, radius);
-    this.renderOverlay();
     this.figures = {
       vertices: 2 * (this.strips.strips.count + this.lit.strips.count),
       level: Math.max(0, this.shownCode - finestCode(this.camera.scale)),
-      lastFrameMs: follows ? start - this.lastFrameAt : performance.now() - start,
+      lastFrameMs: follows ? sinceLast : performance.now() - start,
     };
     this.lastFrameAt = start;
+  }
+
+  /** Returns the largest distance from the centre along each axis, in mm. */
+  private centredRadius(): Vector {
+    const { low, high } = this.box ?? { low: [0, 0, 0], high: [0, 0, 0] };
+    return [0, 1, 2].map((k) => Math.max(-low[k]!, high[k]!)) as Vector;
   }
 
   private renderOverlay(): void {
@@ -320,7 +365,8 @@ class View implements PathView {
     this.paths.forEach((path, k) => {
       markChunks(path, this.camera, this.drawnChunks[k]!, this.marks[k]!);
     });
-    const budget = kMostNodes - (this.ranges.length > 0 ? kHighlightNodes : 0);
+    const most = kMostNodes - (this.ranges.length > 0 ? kHighlightNodes : 0);
+    const budget = Math.round(most * (this.isMoving ? this.quality : 1));
     let code = chooseCode(this.paths, this.marks, this.camera.scale, budget);
     if (code === this.shownCode && this.shownMarks.length === this.marks.length &&
       this.marks.every((marks, k) => isSame(marks, this.shownMarks[k]!))) return;
@@ -367,6 +413,10 @@ class View implements PathView {
 
 const kBlack = [0, 0, 0];
 
+function deviceRatio(): number {
+  return Math.min(3, Math.max(1, window.devicePixelRatio || 1));
+}
+
 function newCanvas(): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
   canvas.style.cssText = 'position:absolute;left:0;top:0;width:100%;height:100%;';
@@ -379,17 +429,24 @@ function isSame(a: Uint8Array, b: Uint8Array): boolean {
   return true;
 }
 
-/** Returns the box of all nodes in mm, or null where there is none. */
-function boxOf(layers: PathLayer[]): Box | null {
-  const low: Vector = [Infinity, Infinity, Infinity];
-  const high: Vector = [-Infinity, -Infinity, -Infinity];
-  for (const layer of layers) {
-    [layer.x, layer.y, layer.z].forEach((values, k) => {
-      for (const value of values) {
-        if (value < low[k]!) low[k] = value;
-        if (value > high[k]!) high[k] = value;
+function join(a: Box | null, b: Box | null): Box | null {
+  if (a === null || b === null) return a ?? b;
+  const pick = (f: (a: number, b: number) => number, u: Vector, v: Vector): Vector =>
+    [f(u[0], v[0]), f(u[1], v[1]), f(u[2], v[2])];
+  return { low: pick(Math.min, a.low, b.low), high: pick(Math.max, a.high, b.high) };
+}
+
+/** Returns the middle of the box of all nodes, in mm. */
+function centreOf(layers: PathLayer[]): Vector {
+  const middle = (axis: 'x' | 'y' | 'z'): number => {
+    let low = Infinity, high = -Infinity;
+    for (const layer of layers) {
+      for (const value of layer[axis]) {
+        if (value < low) low = value;
+        if (value > high) high = value;
       }
-    });
-  }
-  return low[0] <= high[0] ? { low, high } : null;
+    }
+    return low <= high ? (low + high) / 2 : 0;
+  };
+  return [middle('x'), middle('y'), middle('z')];
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Finds the place of a path that is nearest to the pointer, and the place of a row.
 
-import type { Camera, Vector } from './camera';
-import { kCutting, type PathLevels } from './levels';
-import type { PathHit } from './path_types';
+import type { Camera, Vector } from './camera.ts';
+import { kCutting, type PathLevels } from './levels.ts';
+import type { PathHit } from './path_types.ts';
 
 const kReach = 10; // CSS px.
 const kSameDistance = 1.5; // CSS px: of paths this near to one another the frontmost is taken.

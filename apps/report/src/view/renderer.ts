@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What draws strips: by WebGL, or by canvas where WebGL is missing.
 
-import type { Camera } from './camera';
-import type { Strips } from './strips';
-import type { Theme } from './theme';
+import type { Camera } from './camera.ts';
+import type { Strips } from './strips.ts';
+import type { Theme } from './theme.ts';
 
 /** Width of cutting moves in CSS pixels. */
 export const kLineWidth = 1.8;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Chooses the nodes of a frame from the levels of detail and joins them to strips.
 
-import type { Camera } from './camera';
-import { codeOfError, kCodes, kRapid, type PathLevels } from './levels';
+import type { Camera } from './camera.ts';
+import { codeOfError, kCodes, kRapid, type PathLevels } from './levels.ts';
 
 export const kMostVertices = 40000;
 /** A node of a strip is drawn as two vertices, left and right of the path. */
@@ -28,10 +28,12 @@ const kSharpCosine = -0.3;
 /** Collects strips. */
 export class StripBuilder {
   readonly strips: Strips;
+  readonly capacity: number;
   private open = false;
   private length = 0;
 
-  constructor(readonly capacity: number) {
+  constructor(capacity: number) {
+    this.capacity = capacity;
     this.strips = {
       count: 0,
       position: new Float32Array(3 * capacity),

@@ -2,10 +2,10 @@
 // Draws strips by WebGL 2: each node is two vertices, moved apart in the vertex shader to half of
 // the line's width, mitred where two intervals meet; edges are smoothed by the fragment shader.
 
-import type { Camera, Vector } from './camera';
-import * as line from './renderer';
-import { kBegins, type Strips } from './strips';
-import type { Rgb, Theme } from './theme';
+import type { Camera, Vector } from './camera.ts';
+import * as line from './renderer.ts';
+import { kBegins, type Strips } from './strips.ts';
+import type { Rgb, Theme } from './theme.ts';
 
 const kVertexShader = `#version 300 es
 precision highp float;
@@ -169,13 +169,16 @@ function packIndices(strips: Strips): Uint32Array<ArrayBuffer> {
 
 /** Draws strips by WebGL 2. */
 export class WebGlLines implements line.LineRenderer {
+  readonly canvas: HTMLCanvasElement;
+  private readonly gl: WebGL2RenderingContext;
   private readonly uniforms: Uniforms;
   private readonly program: WebGLProgram;
   private readonly slots: [Slot, Slot];
   private ratio = 1;
 
-  private constructor(readonly canvas: HTMLCanvasElement,
-    private readonly gl: WebGL2RenderingContext) {
+  private constructor(canvas: HTMLCanvasElement, gl: WebGL2RenderingContext) {
+    this.canvas = canvas;
+    this.gl = gl;
     this.program = link(gl);
     const uniforms: Partial<Uniforms> = {};
     for (const name of kUniforms) uniforms[name] = gl.getUniformLocation(this.program, name);
