@@ -56,7 +56,7 @@ export function drawRulers(c: CanvasRenderingContext2D, camera: Camera,
   const step = niceStep(72 / camera.scale);
   const firstX = camera.target[0] + scene.centre[0] - camera.width / 2 / camera.scale;
   const firstY = camera.target[1] + scene.centre[1] - camera.height / 2 / camera.scale;
-  c.fillStyle = css(theme.background, 0.9);
+  c.fillStyle = css(theme.background);
   c.fillRect(0, 0, kRulerLeft, camera.height);
   c.fillRect(kRulerLeft, bottom, camera.width - kRulerLeft, kRulerBottom);
   c.strokeStyle = css(theme.grid);

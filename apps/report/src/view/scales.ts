@@ -21,3 +21,9 @@ export function lengthText(mm: number): string {
   const digits = size >= 1000 ? 0 : size >= 100 ? 1 : size >= 10 ? 2 : size >= 0.1 ? 3 : 5;
   return String(Number(mm.toFixed(digits))).replace('-', '\u2212');
 }
+
+/** Returns a number with this many digits after the point, with a true minus sign. */
+export function fixed(value: number, digits: number): string {
+  const text = value.toFixed(digits);
+  return (Number(text) === 0 ? (0).toFixed(digits) : text).replace('-', '\u2212');
+}

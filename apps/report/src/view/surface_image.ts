@@ -5,8 +5,12 @@ import type { DecodedSurface } from '../data/surface.ts';
 import { heightColour, kMet, kMissed, kNoTarget, roughnessColour } from './colour_map.ts';
 import type { Rgb } from './theme.ts';
 
-const kWantedSlope = 0.6; // Slopes are exaggerated until their mean square root is this.
+// Slopes are exaggerated until their root mean square is this: those of the shape as a whole, and
+// those of the tool's marks on it, each on its own.
+const kBroadSlope = 0.25;
+const kFineSlope = 0.35;
 const kMostExaggeration = 400;
+const kBroadReach = 6; // Heights to each side that the shape as a whole is averaged over.
 const kLight: [number, number, number] = [-0.5, 0.5, 0.7071]; // From the upper left.
 
 /** Lowest and highest of some values. */
@@ -65,33 +69,63 @@ export function verdictImage(surface: DecodedSurface): HTMLCanvasElement {
   });
 }
 
-/** Returns the brightness of each height under light from the upper left, about 1. */
+/** Returns the brightness of each height under light from the upper left, at most about 1. */
 function shading(surface: DecodedSurface): Float32Array {
-  const { columns, rows, spacing, heights } = surface;
-  const slopes = new Float32Array(2 * columns * rows);
-  let squares = 0;
-  for (let row = 0; row < rows; row++) {
-    for (let column = 0; column < columns; column++) {
-      const at = row * columns + column;
-      const left = column > 0 ? at - 1 : at, right = column < columns - 1 ? at + 1 : at;
-      const below = row > 0 ? at - columns : at, above = row < rows - 1 ? at + columns : at;
-      const dx = (heights[right]! - heights[left]!) / (Math.max(1, right - left) * spacing);
-      const dy = (heights[above]! - heights[below]!) /
-        (Math.max(1, (above - below) / columns) * spacing);
-      slopes[2 * at] = dx;
-      slopes[2 * at + 1] = dy;
-      squares += Math.min(4, dx * dx + dy * dy);
-    }
-  }
-  const mean = Math.sqrt(squares / Math.max(1, columns * rows));
-  const factor = Math.min(kMostExaggeration, Math.max(1, kWantedSlope / Math.max(1e-9, mean)));
+  const { columns, rows } = surface;
   const shade = new Float32Array(columns * rows);
+  const fine = [slopes(surface, 1), slopes(surface, columns)] as const;
+  const broad = fine.map((values) => average(values, columns, rows)) as [Float32Array, Float32Array];
   for (let at = 0; at < shade.length; at++) {
-    const dx = slopes[2 * at]! * factor, dy = slopes[2 * at + 1]! * factor;
+    for (const axis of [0, 1] as const) fine[axis][at]! -= broad[axis][at]!;
+  }
+  const fineFactor = exaggeration(fine, kFineSlope), broadFactor = exaggeration(broad, kBroadSlope);
+  for (let at = 0; at < shade.length; at++) {
+    const dx = fine[0][at]! * fineFactor + broad[0][at]! * broadFactor;
+    const dy = fine[1][at]! * fineFactor + broad[1][at]! * broadFactor;
     const light = (-dx * kLight[0] - dy * kLight[1] + kLight[2]) / Math.sqrt(1 + dx * dx + dy * dy);
-    shade[at] = 0.45 + 0.75 * Math.max(0, light);
+    shade[at] = 0.4 + 0.62 * Math.max(0, light);
   }
   return shade;
+}
+
+/** Returns the slope at each height along x (`stride` 1) or y (`stride` columns). */
+function slopes(surface: DecodedSurface, stride: number): Float32Array {
+  const { columns, rows, spacing, heights } = surface;
+  const values = new Float32Array(columns * rows);
+  for (let at = 0; at < values.length; at++) {
+    const place = stride === 1 ? at % columns : Math.floor(at / columns);
+    const before = place > 0 ? 1 : 0;
+    const after = place < (stride === 1 ? columns : rows) - 1 ? 1 : 0;
+    values[at] = (heights[at + after * stride]! - heights[at - before * stride]!) /
+      (Math.max(1, before + after) * spacing);
+  }
+  return values;
+}
+
+/** Returns the means over squares around each value. */
+function average(values: Float32Array, columns: number, rows: number): Float32Array {
+  const run = (source: Float32Array, count: number, stride: number, lines: number,
+    step: number): Float32Array => {
+    const result = new Float32Array(source.length);
+    for (let line = 0; line < lines; line++) {
+      const first = line * step;
+      let sum = 0, from = 0, to = 0;
+      for (let k = 0; k < count; k++) {
+        for (; to < count && to <= k + kBroadReach; to++) sum += source[first + to * stride]!;
+        for (; from < k - kBroadReach; from++) sum -= source[first + from * stride]!;
+        result[first + k * stride] = sum / (to - from);
+      }
+    }
+    return result;
+  };
+  return run(run(values, columns, 1, rows, columns), rows, columns, columns, 1);
+}
+
+function exaggeration(values: readonly [Float32Array, Float32Array], wanted: number): number {
+  let squares = 0;
+  for (const axis of values) for (const value of axis) squares += Math.min(4, value * value);
+  const mean = Math.sqrt(squares / Math.max(1, values[0].length));
+  return Math.min(kMostExaggeration, Math.max(1, wanted / Math.max(1e-9, mean)));
 }
 
 function paint(columns: number, rows: number,

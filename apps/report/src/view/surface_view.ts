@@ -6,7 +6,7 @@ import { Camera, type Box, type Insets, type Vector } from './camera.ts';
 import { heightColour, kMet, kMissed, kNoTarget, roughnessColour } from './colour_map.ts';
 import { connectGestures } from './gestures.ts';
 import { drawRulers } from './overlay.ts';
-import { label, lengthText, niceStep } from './scales.ts';
+import { fixed, label, niceStep } from './scales.ts';
 import {
   heightImage, roughnessImage, spanOf, verdict, verdictImage, type Span,
 } from './surface_image.ts';
@@ -265,17 +265,20 @@ class View implements SurfaceView {
   private drawKey(c: CanvasRenderingContext2D): void {
     const x = this.camera.width - 92;
     c.fillStyle = css(this.theme.background, 0.88);
-    c.fillRect(x - 8, 0, 100, 92);
+    c.fillRect(x - 8, 0, 100, 114);
     c.font = kFont;
     c.textAlign = 'left';
     c.textBaseline = 'middle';
-    const entries: Array<[string, Rgb]> =
-      [['target met', kMet], ['missed', kMissed], ['no target', kNoTarget]];
+    const entries: Array<[string, Rgb]> = [['target met', kMet], ['missed', kMissed],
+      ['no target', kNoTarget], ['not known', this.theme.background]];
     entries.forEach(([text, colour], k) => {
       const y = 24 + 22 * k;
       c.fillStyle = css(colour);
       c.fillRect(x, y - 7, 14, 14);
       if (colour === kMissed) hatch(c, x, y - 7, 14);
+      c.strokeStyle = css(this.theme.quiet);
+      c.lineWidth = 1;
+      c.strokeRect(x + 0.5, y - 6.5, 13, 13);
       c.fillStyle = css(this.theme.ink);
       c.fillText(text, x + 20, y);
     });
@@ -301,9 +304,8 @@ class View implements SurfaceView {
     const y = (this.camera.height / 2 - py) / this.camera.scale + t[1] - this.box.low[1];
     const column = Math.round(x / s.spacing), row = Math.round(y / s.spacing);
     if (column < 0 || row < 0 || column >= s.columns || row >= s.rows) return null;
-    const parts = [`X ${lengthText(x + s.origin[0])}  Y ${lengthText(y + s.origin[1])} mm`,
-      `height ${(s.heights[row * s.columns + column]! + s.origin[2]).toFixed(4)} mm`
-        .replace('-', '\u2212')];
+    const parts = [`X ${fixed(x + s.origin[0], 2)}  Y ${fixed(y + s.origin[1], 2)} mm`,
+      `height ${fixed(s.heights[row * s.columns + column]! + s.origin[2], 4)} mm`];
     const region = Math.floor(x / s.regionSize) + Math.floor(y / s.regionSize) * s.regionColumns;
     const inside = x < s.regionColumns * s.regionSize && y < s.regionRows * s.regionSize;
     if (inside && s.rmax[region]! >= 0) {

@@ -46,7 +46,9 @@ void main() {
   colour = look;
   across = side * halfWidth;
   dashes = along * dash;
-  gl_Position = vec4(q / halfScreen, -dot(towards, here - target) * depth, 1.0);
+  // Of moves in one place the later one is seen.
+  float order = float(gl_VertexID) * 2e-8;
+  gl_Position = vec4(q / halfScreen, -dot(towards, here - target) * depth - order, 1.0);
 }`;
 
 const kFragmentShader = `#version 300 es
@@ -266,7 +268,7 @@ export class WebGlLines implements line.LineRenderer {
     gl.uniform2f(u.halfScreen, camera.width / 2 * this.ratio, camera.height / 2 * this.ratio);
     gl.uniform1f(u.scale, camera.scale * this.ratio);
     const away = Math.hypot(...camera.target);
-    gl.uniform1f(u.depth, camera.mode === '3d' ? 1 / (1.01 * (radius + away) + 1e-6) : 0);
+    gl.uniform1f(u.depth, camera.mode === '3d' ? 1 / (1.02 * (radius + away) + 1e-6) : 0);
     gl.uniform1f(u.dash, camera.scale / line.kDash);
   }
 
