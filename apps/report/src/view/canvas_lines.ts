@@ -40,7 +40,7 @@ export class CanvasLines implements line.LineRenderer {
     };
   }
 
-  draw(camera: Camera, theme: Theme): void {
+  draw(camera: Camera, theme: Theme): number {
     const c = this.context;
     c.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     c.fillStyle = css(theme.background);
@@ -64,6 +64,7 @@ export class CanvasLines implements line.LineRenderer {
         c.strokeStyle = css(colour);
       });
     }
+    return this.slots[0].count + this.slots[1].count;
   }
 
   destroy(): void {

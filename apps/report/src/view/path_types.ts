@@ -34,7 +34,7 @@ export type HitListener = (hit: PathHit | null, event: PointerEvent) => void;
 
 /** What the last frame has drawn. */
 export interface FrameFigures {
-  /** Vertices given to the renderer: two for each node that was drawn. */
+  /** Vertices that were drawn: by WebGL two for each node of a strip and pass. */
   vertices: number;
   /** Level of detail, 0 the finest; each level doubles the allowed error every second step. */
   level: number;

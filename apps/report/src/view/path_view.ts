@@ -329,9 +329,9 @@ class View implements PathView {
     this.chooseNodes();
     this.chooseLit();
     const radius = this.box === null ? 1 : Math.hypot(...this.centredRadius());
-    this.renderer.draw(this.camera, this.theme, radius);
+    const vertices = this.renderer.draw(this.camera, this.theme, radius);
     this.figures = {
-      vertices: 2 * (this.strips.strips.count + this.lit.strips.count),
+      vertices,
       level: Math.max(0, this.shownCode - finestCode(this.camera.scale)),
       lastFrameMs: follows ? sinceLast : performance.now() - start,
     };

@@ -24,7 +24,10 @@ export interface LineRenderer {
   /** Sets the size in CSS pixels and the pixels of the device per CSS pixel. */
   resize(width: number, height: number, ratio: number): void;
   setStrips(slot: Slot, strips: Strips): void;
-  /** Draws both slots; `radius` is half of the depth of the scene in mm. */
-  draw(camera: Camera, theme: Theme, radius: number): void;
+  /**
+   * Draws both slots; `radius` is half of the depth of the scene in mm. Returns how many vertices
+   * were drawn.
+   */
+  draw(camera: Camera, theme: Theme, radius: number): number;
   destroy(): void;
 }

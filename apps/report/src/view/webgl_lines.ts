@@ -4,7 +4,7 @@
 
 import type { Camera, Vector } from './camera.ts';
 import * as line from './renderer.ts';
-import { kBegins, type Strips } from './strips.ts';
+import { kBegins, kMostNodes, type Strips } from './strips.ts';
 import type { Rgb, Theme } from './theme.ts';
 
 const kVertexShader = `#version 300 es
@@ -59,9 +59,11 @@ in float dashes;
 uniform vec3 rapid, core, casing;
 uniform vec3 halfWidths;  // device px: cutting moves, rapids; core of highlighted stretches or 0
 uniform float rapidAlpha, dashDrawn;
+uniform int pass;  // 0: all; 1: inner parts only; 2: all at once, with depth
 out vec4 result;
 void main() {
   float d = abs(across);
+  gl_FragDepth = gl_FragCoord.z;
   if (halfWidths.z > 0.0) {
     float inner = clamp(halfWidths.z + 0.5 - d, 0.0, 1.0);
     float outer = clamp(halfWidths.x + 0.5 - d, 0.0, 1.0);
@@ -73,14 +75,23 @@ void main() {
   float alpha = clamp((isRapid ? halfWidths.y : halfWidths.x) + 0.5 - d, 0.0, 1.0);
   if (isRapid) alpha *= rapidAlpha;
   if (alpha < 0.08) discard;
+  // Smoothed edges must not hide what lies farther away. Where both are drawn at once, they are
+  // moved to the far end.
+  if (pass == 1 && alpha < 0.95 && !isRapid) discard;
+  if (pass == 2 && !isRapid) {
+    if (alpha < 0.6) gl_FragDepth = 1.0;
+    else alpha = 1.0;
+  }
   result = vec4((isRapid ? rapid : colour.rgb) * alpha, alpha);
 }`;
 
 const kUniforms = ['right', 'up', 'towards', 'target', 'halfScreen', 'scale', 'depth', 'halfWidth',
-  'dash', 'rapid', 'core', 'casing', 'halfWidths', 'rapidAlpha', 'dashDrawn'] as const;
+  'dash', 'rapid', 'core', 'casing', 'halfWidths', 'rapidAlpha', 'dashDrawn',
+  'pass'] as const;
 type Uniforms = Record<(typeof kUniforms)[number], WebGLUniformLocation | null>;
 
 const kStride = 20; // Bytes of a vertex: three floats, the length along the strip, the look.
+const kAll = 0, kInner = 1, kAtOnce = 2; // Values of `pass`.
 const kRestart = 0xffffffff;
 
 /** Buffers of one slot. */
@@ -89,6 +100,7 @@ interface Slot {
   vertices: WebGLBuffer;
   indices: WebGLBuffer;
   indexCount: number;
+  nodes: number;
 }
 
 function compile(gl: WebGL2RenderingContext, kind: number, source: string): WebGLShader {
@@ -116,7 +128,7 @@ function link(gl: WebGL2RenderingContext): WebGLProgram {
 function createSlot(gl: WebGL2RenderingContext): Slot {
   const slot = {
     array: gl.createVertexArray(), vertices: gl.createBuffer(), indices: gl.createBuffer(),
-    indexCount: 0,
+    indexCount: 0, nodes: 0,
   };
   gl.bindVertexArray(slot.array);
   gl.bindBuffer(gl.ARRAY_BUFFER, slot.vertices);
@@ -215,9 +227,10 @@ export class WebGlLines implements line.LineRenderer {
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.DYNAMIC_DRAW);
     gl.bindVertexArray(null);
     slot.indexCount = indices.length;
+    slot.nodes = strips.count;
   }
 
-  draw(camera: Camera, theme: Theme, radius: number): void {
+  draw(camera: Camera, theme: Theme, radius: number): number {
     const gl = this.gl;
     const [r, g, b] = theme.background;
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
@@ -227,32 +240,47 @@ export class WebGlLines implements line.LineRenderer {
     gl.useProgram(this.program);
     this.setCamera(camera, radius);
     this.setColours(theme);
+    gl.uniform1i(this.uniforms.pass, kAll);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    if (camera.mode === '3d') {
-      gl.enable(gl.DEPTH_TEST);
-      gl.depthFunc(gl.LEQUAL);
-    } else {
-      gl.disable(gl.DEPTH_TEST);
-    }
-    this.drawSlot(0, line.kLineWidth, 0);
+    const vertices = camera.mode === '3d' ? this.drawInSpace() :
+      this.drawSlot(0, line.kLineWidth, 0);
     gl.disable(gl.DEPTH_TEST);
-    this.drawSlot(1, line.kHighlightWidth, line.kHighlightCore);
+    return vertices + this.drawSlot(1, line.kHighlightWidth, line.kHighlightCore);
   }
 
   destroy(): void {
     this.gl.getExtension('WEBGL_lose_context')?.loseContext();
   }
 
-  private drawSlot(index: line.Slot, width: number, core: number): void {
+  /**
+   * Draws with depth: first what hides, then all with its smoothed edges; at once where both
+   * together would be too many vertices.
+   */
+  private drawInSpace(): number {
+    const gl = this.gl;
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LEQUAL);
+    const isFew = 2 * this.slots[0].nodes + this.slots[1].nodes <= kMostNodes;
+    gl.uniform1i(this.uniforms.pass, isFew ? kInner : kAtOnce);
+    let vertices = this.drawSlot(0, line.kLineWidth, 0);
+    gl.depthMask(false);
+    gl.uniform1i(this.uniforms.pass, kAll);
+    if (isFew) vertices += this.drawSlot(0, line.kLineWidth, 0);
+    return vertices;
+  }
+
+  /** Draws the strips of one slot; returns how many vertices they have. */
+  private drawSlot(index: line.Slot, width: number, core: number): number {
     const gl = this.gl, slot = this.slots[index], u = this.uniforms;
-    if (slot.indexCount === 0) return;
+    if (slot.indexCount === 0) return 0;
     const half = width / 2 * this.ratio;
     gl.uniform1f(u.halfWidth, half + 0.5);
     gl.uniform3f(u.halfWidths, half, line.kRapidWidth / 2 * this.ratio, core / 2 * this.ratio);
     gl.bindVertexArray(slot.array);
     gl.drawElements(gl.TRIANGLE_STRIP, slot.indexCount, gl.UNSIGNED_INT, 0);
     gl.bindVertexArray(null);
+    return 2 * slot.nodes;
   }
 
   private setCamera(camera: Camera, radius: number): void {
