@@ -175,7 +175,7 @@ function drawTriad(c: CanvasRenderingContext2D, camera: Camera, scene: OverlaySc
     c.lineTo(x0 + x, y0 + y);
     c.stroke();
     const n = Math.hypot(x, y);
-    if (n > 5) c.fillText(kNames[axis]!, x0 + x + x / n * 8, y0 + y + y / n * 8);
+    if (n > 5) outlined(c, kNames[axis]!, x0 + x + x / n * 8, y0 + y + y / n * 8, scene.theme);
   }
   c.lineWidth = 1;
 }
@@ -195,7 +195,19 @@ function drawScaleBar(c: CanvasRenderingContext2D, camera: Camera, theme: Theme)
   c.textAlign = 'center';
   c.textBaseline = 'bottom';
   c.fillStyle = css(theme.ink);
-  c.fillText(`${label(step, step)} mm`, x + length / 2, y - 5);
+  outlined(c, `${label(step, step)} mm`, x + length / 2, y - 5, theme);
+}
+
+/** Writes text with an edge of the background's colour, to be read above lines. */
+function outlined(c: CanvasRenderingContext2D, text: string, x: number, y: number,
+  theme: Theme): void {
+  c.save();
+  c.strokeStyle = css(theme.background, 0.9);
+  c.lineWidth = 4;
+  c.lineJoin = 'round';
+  c.strokeText(text, x, y);
+  c.restore();
+  c.fillText(text, x, y);
 }
 
 function drawMarker(c: CanvasRenderingContext2D, camera: Camera, theme: Theme,

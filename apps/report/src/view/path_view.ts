@@ -33,9 +33,15 @@ export function createPathView(container: HTMLElement): PathView {
   return new View(container);
 }
 
+/** The element of a picture; browser tests ask it where a row of a run is drawn. */
+interface PathElement extends HTMLDivElement {
+  /** Returns the place in CSS pixels from the element's corner, or null. */
+  placeOf?: (layer: number, row: number) => [number, number] | null;
+}
+
 class View implements PathView {
   private readonly container: HTMLElement;
-  private readonly root = document.createElement('div');
+  private readonly root: PathElement = document.createElement('div');
   private readonly overlay = document.createElement('canvas');
   private renderer: LineRenderer;
   private readonly camera = new Camera();
@@ -102,6 +108,7 @@ class View implements PathView {
     });
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(root);
+    root.placeOf = (layer, row) => this.placeOf(layer, row);
     this.resize();
   }
 
@@ -194,6 +201,12 @@ class View implements PathView {
     this.renderer.destroy();
     this.root.remove();
     this.paths = [];
+  }
+
+  private placeOf(layer: number, row: number): [number, number] | null {
+    const path = this.paths[layer];
+    if (path === undefined || path.count === 0) return null;
+    return this.camera.project(...positionAtRow(path, row));
   }
 
   private describe(): void {
