@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/gzip.hpp"
 
+#define ZLIB_CONST  // its input is not changed
 #include <zlib.h>
 
 #include <algorithm>
