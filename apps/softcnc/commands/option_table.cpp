@@ -379,7 +379,7 @@ constexpr OptionEntry kOptions[] = {
      "FILE.toml",
      "State file (work offsets, tool table, parameters) to begin with",
      text<&Options::state>},
-    {{run, record, machine}, "--backend", "", "Where setpoints are sent", backend},
+    {{run, record, report, machine}, "--backend", "", "Where setpoints are sent", backend},
     {{pulses}, "--backend", "", "With parport, the drivers' times are whole base periods", backend},
 
     {kPlans, "--feed-override", "PERCENT", "Scale the programmed feed (default 100)",

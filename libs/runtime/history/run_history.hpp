@@ -57,8 +57,8 @@ class RunHistory final : public RunRowSink {
 
  private:
   static constexpr double kPosition = 5e-4;    // mm
-  static constexpr double kSpeedPart = 5e-3;   // of the speed
-  static constexpr double kSpeedOfAll = 2e-3;  // of the largest speed so far
+  static constexpr double kSpeedPart = 1e-3;   // of the speed
+  static constexpr double kSpeedOfAll = 5e-4;  // of the largest speed so far
   static constexpr int kLimitLevels = 1, kMotionLevels = 6;
 
   Thinning thinning(double factor) const noexcept;
