@@ -5,7 +5,7 @@
 /** A text whose lines are counted from 1. */
 export class ProgramText {
   private readonly bytes: Uint8Array;
-  private readonly starts: Uint32Array; // of each line, then one past the end
+  private readonly starts: Uint32Array;  // of each line, then one past the end
   private readonly decoder = new TextDecoder();
 
   constructor(bytes: Uint8Array) {
@@ -20,8 +20,8 @@ export class ProgramText {
   /** Returns a line without its end, or an empty text for a line that there is not. */
   line(number: number): string {
     if (number < 1 || number > this.lines) return '';
-    const text = this.decoder.decode(
-      this.bytes.subarray(this.starts[number - 1]!, this.starts[number]!));
+    const text =
+        this.decoder.decode(this.bytes.subarray(this.starts[number - 1]!, this.starts[number]!));
     return text.replace(/[\r\n]+$/, '');
   }
 
