@@ -36,7 +36,8 @@ export class RunModel {
   private readonly texts = new Map<number, ProgramText|null>();
   private cachedSpans?: {row: Float64Array; line: Float64Array; file: Float64Array};
   private cachedSpanIndex?: LineIndex;
-  private cachedLines?: {ms: Float64Array; lost: Float64Array; index: LineIndex; last: number[]};
+  private cachedLines?:
+      {ms: Float64Array; lost: Float64Array; index: LineIndex; last: number[]; longest: number};
   private cachedSurface?: DecodedSurface;
 
   constructor(data: RunData, blob: Uint8Array) {
@@ -154,7 +155,7 @@ export class RunModel {
 
   /** The largest time of any one line, in s. */
   get longestLine(): number {
-    return this.lineTable.ms.reduce((most, ms) => Math.max(most, ms), 0) / 1e3;
+    return this.lineTable.longest;
   }
 
   /** Returns the text of a file, or null where the report has none. */
@@ -198,13 +199,15 @@ export class RunModel {
     const {lines} = this.data;
     const file = decodeColumn(this.blob, lines.file);
     const line = decodeColumn(this.blob, lines.line);
+    const ms = decodeColumn(this.blob, lines.ms);
     const last: number[] = [];
     for (let i = 0; i < line.length; ++i) last[file[i]!] = Math.max(last[file[i]!] ?? 0, line[i]!);
     return (this.cachedLines = {
-      ms: decodeColumn(this.blob, lines.ms),
+      ms,
       lost: decodeColumn(this.blob, lines.lost_ms),
       index: new LineIndex(file, line),
       last,
+      longest: ms.reduce((most, one) => Math.max(most, one), 0) / 1e3,
     });
   }
 }

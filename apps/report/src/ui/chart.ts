@@ -3,14 +3,13 @@
 import uPlot from 'uplot';
 import {decimate, gridPlaces, type Grid} from '../data/decimation.ts';
 import type {RunModel} from '../data/run_model.ts';
+import {paintSelection, paintStrips, STRIP_STEP} from './chart_marks.ts';
 import type {ChartSpec, Series} from './chart_series.ts';
 import {el, fill} from './dom.ts';
-import {drawLimits} from './limit_strip.ts';
 import type {Session} from './session.ts';
 import {axisFree, axisText, lengthTexts, timeSteps, timeTexts} from './tick_texts.ts';
 
 const HEIGHT = 92;  // px of the plot, with its x axis
-const STRIP = 10;   // px
 const LEFT = 58;    // px of the y axis
 
 interface Line {
@@ -91,7 +90,7 @@ export class Chart {
   }
 
   private get height(): number {
-    return HEIGHT + (this.spec.strip ? STRIP + 6 : 0);
+    return HEIGHT + this.stripSize;
   }
 
   private linesShown(): Line[] {
@@ -141,11 +140,12 @@ export class Chart {
   }
 
   private options(width: number): uPlot.Options {
-    const {dark, axis} = this.session;
+    const {session} = this;
+    const {dark, axis} = session;
     const ink = dark ? '#a6aeb8' : '#545c66';
     const rule = {stroke: dark ? '#2b3038' : '#e8ebef', width: 1};
     const font = '11px system-ui, sans-serif';
-    const stripSize = this.spec.strip ? STRIP + 6 : 0;
+    const stripSize = this.stripSize;
     return {
       width,
       height: this.height,
@@ -162,7 +162,7 @@ export class Chart {
           stroke: ink,
           font,
           size: 22 + stripSize,
-          gap: 2 + stripSize,
+          gap: (stripSize ? 2 : 4) + stripSize,
           ticks: {show: false},
           grid: rule,
           space: 70,
@@ -190,8 +190,8 @@ export class Chart {
                               }))
       ],
       hooks: {
-        drawClear: [(plot) => this.paintSelection(plot)],
-        draw: [(plot) => this.paintStrip(plot)],
+        drawClear: [(plot) => paintSelection(plot, session)],
+        draw: [(plot) => paintStrips(plot, session, this.grid, this.strips())],
         setSelect: [(plot) => this.selected(plot)],
       },
     };
@@ -217,38 +217,15 @@ export class Chart {
     return most;
   }
 
-  private paintSelection(plot: uPlot): void {
-    const {session} = this;
-    const {left, top, width, height} = plot.bbox;
-    plot.ctx.fillStyle = session.dark ? '#ff4aaa40' : '#ff2d9b28';
-    let painted = -Infinity;
-    for (const {from, to} of session.selection?.ranges ?? []) {
-      const x0 = plot.valToPos(session.xOf(session.run, from), 'x', true);
-      const x1 = plot.valToPos(session.xOf(session.run, to), 'x', true);
-      const start = Math.max(x0, left, painted);
-      const end = Math.min(Math.max(x1, x0 + 1.5), left + width);
-      if (end <= start) continue;
-      plot.ctx.fillRect(start, top, end - start, height);
-      painted = end;
-    }
+  /** Runs whose limits are drawn under the chart. */
+  private strips(): number[] {
+    const {runs, shown, active} = this.session;
+    return this.spec.strip ? [...runs.keys()].filter((i) => shown[i] || i === active) : [];
   }
 
-  private paintStrip(plot: uPlot): void {
-    if (!this.spec.strip) return;
-    const {session, grid} = this;
-    const {left, top, width, height} = plot.bbox;
-    const ratio = devicePixelRatio;
-    const run = session.run;
-    drawLimits(plot.ctx, run, {
-      left,
-      width,
-      top: top + height + 3 * ratio,
-      height: STRIP * ratio,
-      rowAt: (part) => {
-        const x = grid.from + part * (grid.to - grid.from);
-        return session.axis === 'time' ? x / run.data.period_s : session.rowOf(run, x);
-      },
-    });
+  private get stripSize(): number {
+    const strips = this.strips().length;
+    return strips ? strips * STRIP_STEP + 4 : 0;
   }
 
   private selected(plot: uPlot): void {

@@ -16,8 +16,7 @@ export class Listing {
   private readonly session: Session;
   private readonly viewport: HTMLElement;
   private readonly space = el('div', {class: 'space'});
-  private readonly rows =
-      el('div', {class: 'rows', role: 'listbox', 'aria-label': 'Lines of the program'});
+  private readonly rows = el('div', {class: 'rows', role: 'presentation'});
   private readonly tools = el('div', {class: 'tools'});
   private readonly search: HTMLInputElement;
   private readonly found = el('span', {class: 'found', role: 'status'});
@@ -34,7 +33,8 @@ export class Listing {
         el('div', {
           class: 'listing',
           tabIndex: 0,
-          'aria-label': 'Program',
+          role: 'listbox',
+          'aria-label': 'Lines of the program',
           onscroll: () => this.draw(),
           onkeydown: (event: KeyboardEvent) => this.key(event)
         },
@@ -139,6 +139,11 @@ export class Listing {
 
   private draw(): void {
     if (!this.drawn) return;
+    const {selection} = this.session;
+    if (selection?.file === this.file)
+      this.viewport.setAttribute('aria-activedescendant', `line-${selection.line}`);
+    else
+      this.viewport.removeAttribute('aria-activedescendant');
     const {scrollTop, clientHeight} = this.viewport;
     const top = this.top;
     const longest = this.session.run.longestLine;
@@ -180,6 +185,7 @@ export class Listing {
           class: `line${selected ? ' selected' : ''}${time ? '' : ' still'}${worst}${
               line === this.now ? ' now' : ''}`,
           'data-line': line,
+          id: `line-${line}`,
           role: 'option',
           'aria-selected': String(selected)
         },
@@ -199,8 +205,8 @@ export class Listing {
     const indent = ' '.repeat(Math.max(column - 1, 0));
     const full = `${severity}: ${message} [${code}]${help ? `\n${help}` : ''}`;
     const make = (text: string) =>
-        el('div', {class: `remark ${severity}`, title: full}, el('span', {class: 'n'}),
-           el('span', {class: 't'}), el('code', {}, text));
+        el('div', {class: `remark ${severity}`, role: 'note', title: full},
+           el('span', {class: 'n'}), el('span', {class: 't'}), el('code', {}, text));
     return [make(`${column > 0 ? indent + '^' : ''}`), make(`${severity}: ${message} [${code}]`)];
   }
 

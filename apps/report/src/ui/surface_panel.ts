@@ -90,7 +90,7 @@ function worst(session: Session, data: SurfaceData): HTMLElement|null {
                      .sort(
                          (a, b) => surface.rmax[b]! / surface.target[b]! -
                              surface.rmax[a]! / surface.target[a]!)
-                     .slice(0, 20);
+                     .slice(0, 10);
   if (!misses.length) return null;
   const middle = (i: number, axis: 0|1) => surface.origin[axis] +
       ((axis === 0 ? i % data.region_columns : Math.floor(i / data.region_columns)) + 0.5) *

@@ -10,26 +10,37 @@ export function timeSteps(seconds: number): number[]|undefined {
   return seconds > LONG ? CLOCK_STEPS : undefined;
 }
 
-/** Seconds, or minutes and seconds where the steps are longer; the last tick has the unit. */
+/** Seconds, or minutes and seconds where there are many; the first tick has the unit. */
 export function timeTexts(ticks: number[]): string[] {
-  const last = ticks[ticks.length - 1] ?? 0;
-  const clock = ticks.length > 1 && ticks[1]! - ticks[0]! >= CLOCK_STEPS[0]! && last > LONG;
-  const text = (value: number) => clock ?
-      `${Math.floor(value / 60)}:${String(Math.round(value % 60)).padStart(2, '0')}` :
-      axisText(value, ticks);
-  return ticks.map(
-      (value, i) => text(value) + (i === ticks.length - 1 ? (clock ? ' min' : ' s') : ''));
+  const clock = (ticks[ticks.length - 1] ?? 0) > LONG;
+  const text = (value: number) => (clock ? clockText(value, ticks) : axisText(value, ticks));
+  return ticks.map((value, i) => text(value) + (i === 0 ? (clock ? ' min' : ' s') : ''));
 }
 
-/** Lengths in mm; the last tick has the unit. */
+/** Lengths in mm; the first tick has the unit. */
 export function lengthTexts(ticks: number[]): string[] {
-  return ticks.map((value, i) => axisText(value, ticks) + (i === ticks.length - 1 ? ' mm' : ''));
+  return ticks.map((value, i) => axisText(value, ticks) + (i === 0 ? ' mm' : ''));
+}
+
+function clockText(value: number, ticks: number[]): string {
+  const decimals = decimalsOf(ticks);
+  const units = Math.round(value * 10 ** decimals);
+  const seconds = (units % (60 * 10 ** decimals)) / 10 ** decimals;
+  const minutes = Math.floor(units / (60 * 10 ** decimals));
+  return `${minutes}:${seconds.toFixed(decimals).padStart(decimals ? decimals + 3 : 2, '0')}`;
 }
 
 /** A tick with as many decimals as its neighbours need. */
 export function axisText(value: number, ticks: number[]): string {
-  const step = ticks.length > 1 ? Math.abs(ticks[1]! - ticks[0]!) : Math.abs(value) || 1;
-  return numbers.fixed(value, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9)));
+  return numbers.fixed(value, decimalsOf(ticks));
+}
+
+function decimalsOf(ticks: number[]): number {
+  const step = ticks.length > 1 ? ticks[1]! - ticks[0]! : ticks[0] || 1;
+  let decimals = 0;
+  while (decimals < 9 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6)
+    ++decimals;
+  return decimals;
 }
 
 /** A value with three digits, or without decimals. */

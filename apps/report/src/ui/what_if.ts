@@ -31,7 +31,7 @@ export function whatIfPanel(whatIf: WhatIf): HTMLElement {
             {title: 'Time', number: true, cell: ({time_s}) => numbers.time(time_s)},
             {title: 'Won', number: true, cell: ({won_s}) => numbers.time(won_s)},
             {
-              title: 'Part',
+              title: 'Share',
               number: true,
               cell: ({won_s}) =>
                   el('span', {
