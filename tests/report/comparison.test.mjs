@@ -55,7 +55,8 @@ test('each run is shown on its own', async () => {
   const both = await vertices();
   const found = [];
   for (const name of ['A', 'B']) {
-    await page.getByRole('button', { name, exact: true }).click();
+    await page.getByRole('group', { name: 'Runs that are shown' })
+      .getByRole('button', { name, exact: true }).click();
     await drawn(page);
     found.push(await vertices());
   }

@@ -12,6 +12,15 @@ before(async () => {
   browser = await startBrowser();
   page = await openReport(browser, report('errors'));
   ({ diagnostics } = readReport(report('errors')).report.runs[0]);
+  await page.evaluate(() => {
+    /** Returns where a character of an element's text begins, in CSS pixels. */
+    window.textBox = (element, index) => {
+      const range = document.createRange();
+      range.setStart(element.firstChild, index);
+      range.setEnd(element.firstChild, index + 1);
+      return range.getBoundingClientRect().left;
+    };
+  });
 });
 after(() => browser.close());
 
@@ -46,22 +55,13 @@ test('each error stands below its line, at its column', async () => {
   }
 });
 
-test('a click on a message shows its line', async () => {
+test('a click on the place of a message shows its line', async () => {
   await page.getByRole('tab', { name: 'Messages' }).click();
   await drawn(page);
   const [first] = diagnostics;
-  await page.getByRole('tabpanel').filter({ visible: true }).getByText(first.message).first().click();
+  const message = page.getByRole('listitem').filter({ hasText: first.message }).first();
+  await message.getByRole('button', { name: `:${first.line}:` }).click();
   await drawn(page);
   assert.equal((await ask(page, 'selected'))?.line, first.line);
   assert.deepEqual(page.trouble, []);
 });
-
-before(() => page.evaluate(() => {
-  /** Returns where a character of an element's text begins, in CSS pixels. */
-  window.textBox = (element, index) => {
-    const range = document.createRange();
-    range.setStart(element.firstChild, index);
-    range.setEnd(element.firstChild, index + 1);
-    return range.getBoundingClientRect().left;
-  };
-}));

@@ -62,7 +62,7 @@ test('Space plays and pauses', async () => {
 test('arrows choose lines of the listing', async () => {
   await ask(page, 'show', 'program');
   await drawn(page);
-  await page.getByLabel('Program', { exact: true }).filter({ visible: true }).last().focus();
+  await page.getByLabel('Lines of the program').first().focus();
   await press('Home', 'ArrowDown', 'ArrowDown');
   assert.equal((await ask(page, 'selected')).line, 3);
   await press('End');
