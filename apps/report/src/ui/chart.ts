@@ -30,6 +30,7 @@ export class Chart {
   private grid: Grid = {from: 0, to: 1, buckets: 1};
   private plotted: uPlot.AlignedData = [[]];
   private readonly cut = el('span', {class: 'unit', hidden: true}, '(rapids are cut off)');
+  private width = 0;  // px of the plot without its axes
   private made = '';  // what the plot was made for
 
   constructor(session: Session, spec: ChartSpec) {
@@ -64,7 +65,9 @@ export class Chart {
       this.plot.setData(data, false);
       this.plot.setScale('x', {min: this.grid.from, max: this.grid.to});
     }
-    this.mark();
+    this.width = this.plot.over.clientWidth;
+    this.moveCursor();
+    this.showValues();
   }
 
   /** Draws the marks of the selected line again. */
@@ -72,17 +75,25 @@ export class Chart {
     this.plot?.redraw(false);
   }
 
-  /** Moves the line that shows the instant, and shows the values there. */
-  mark(): void {
-    const {session, plot} = this;
-    if (!plot) return;
-    const row = session.hover ?? session.row;
-    const x = session.xOf(session.run, row);
+  /** Moves the line that shows the instant. */
+  moveCursor(): void {
+    if (!this.plot) return;
     const {from, to} = this.grid;  // the plot takes over a new range later
-    const left = ((x - from) / (to - from)) * plot.over.clientWidth;
-    this.cursor.style.transform = `translateX(${left}px)`;
-    this.cursor.hidden = !(left >= 0 && left <= plot.over.clientWidth);
+    const left = ((this.instant() - from) / (to - from)) * this.width;
+    this.cursor.hidden = !(left >= 0 && left <= this.width);
+    this.cursor.style.transform = `translateX(${left.toFixed(1)}px)`;
+  }
+
+  /** Shows the values at the instant. */
+  showValues(): void {
+    const x = this.instant();
     fill(this.values, ...this.lines.map((line) => this.value(line, x)));
+  }
+
+  /** What the cursor is at: s or mm. */
+  private instant(): number {
+    const {session} = this;
+    return session.xOf(session.run, session.hover ?? session.row);
   }
 
   destroy(): void {

@@ -13,6 +13,7 @@ export const STRIP_STEP = STRIP + 2;
 /** Shades the stretches of the selected line. */
 export function paintSelection(plot: uPlot, session: Session): void {
   const {left, top, width, height} = plot.bbox;
+  plot.ctx.save();  // uPlot remembers the state it has set
   plot.ctx.fillStyle = session.dark ? '#ff4aaa40' : '#ff2d9b28';
   let painted = -Infinity;
   for (const {from, to} of session.selection?.ranges ?? []) {
@@ -24,12 +25,14 @@ export function paintSelection(plot: uPlot, session: Session): void {
     plot.ctx.fillRect(start, top, end - start, height);
     painted = end;
   }
+  plot.ctx.restore();
 }
 
 /** Draws the limits of some runs under a chart, one strip for each. */
 export function paintStrips(plot: uPlot, session: Session, grid: Grid, runs: number[]): void {
   const {left, top, width, height} = plot.bbox;
   const ratio = devicePixelRatio;
+  plot.ctx.save();
   runs.forEach((index, place) => {
     const run = session.runs[index]!;
     const at = top + height + (3 + place * STRIP_STEP) * ratio;
@@ -50,4 +53,5 @@ export function paintStrips(plot: uPlot, session: Session, grid: Grid, runs: num
     plot.ctx.textBaseline = 'middle';
     plot.ctx.fillText('AB'[index]!, left - 4 * ratio, at + (STRIP / 2) * ratio);
   });
+  plot.ctx.restore();
 }

@@ -3,6 +3,7 @@
 import {Chart} from './chart.ts';
 import {chartsOf, type ChartSpec} from './chart_series.ts';
 import {Choice, el, fill} from './dom.ts';
+import {Pace} from './pace.ts';
 import type {ChartAxis, Session} from './session.ts';
 
 const OPEN = 3;  // charts that are shown at first
@@ -15,6 +16,7 @@ export class Charts {
   private readonly open: Set<string>;
   private charts: Chart[] = [];
   private readonly axis: Choice;
+  private readonly texts = new Pace(() => this.charts.forEach((chart) => chart.showValues()));
   private started = false;
   private redraw = 0;
 
@@ -30,7 +32,10 @@ export class Charts {
     session.on(['run', 'filter', 'theme', 'axis', 'zoom'], () => this.later());
     session.on(['axis'], () => this.axis.press(session.axis));
     session.on(['selection'], () => this.charts.forEach((chart) => chart.repaint()));
-    session.on(['row', 'hover'], () => this.charts.forEach((chart) => chart.mark()));
+    session.on(['row', 'hover'], () => {
+      this.charts.forEach((chart) => chart.moveCursor());
+      this.texts.request();
+    });
     new ResizeObserver(() => this.later()).observe(this.stack);
   }
 

@@ -5,6 +5,7 @@ import {lowerBound} from '../data/bisection.ts';
 import type {Diagnostic} from '../data/format.ts';
 import {el, fill, select} from './dom.ts';
 import * as numbers from './numbers.ts';
+import {Pace} from './pace.ts';
 import type {Session} from './session.ts';
 
 const ROW = 20;       // px
@@ -25,6 +26,7 @@ export class Listing {
   private notes: Diagnostic[] = [];  // of this file, by line
   private noteLines: number[] = [];
   private drawn = false;
+  private readonly pace = new Pace(() => this.followTool());
   private now = 0;  // line that the tool is on
 
   constructor(session: Session) {
@@ -50,8 +52,8 @@ export class Listing {
     session.on(['run'], () => this.open(0));
     session.on(['selection'], () => this.follow());
     session.on(
-        ['tab'], () => session.tab === 'program' && requestAnimationFrame(() => this.shown()));
-    session.on(['row', 'hover'], () => this.followTool());
+        ['tab'], () => session.tab === 'program' && queueMicrotask(() => this.shown()));
+    session.on(['row', 'hover'], () => this.pace.request());
     new ResizeObserver(() => this.draw()).observe(this.viewport);
     this.open(0);
   }

@@ -10,6 +10,8 @@ import {dim, visibleNodes} from './filters.ts';
 import {coloursOf, quantitiesOf, scaleOf, toolsOf, type QuantityId} from './quantities.ts';
 import type {Session} from './session.ts';
 
+const REST_MS = 200;  // after the last step of a zoom
+
 export class PathPanel {
   readonly element: HTMLElement;
   view: PathView|null = null;
@@ -22,6 +24,7 @@ export class PathPanel {
   private menu?: HTMLSelectElement;
   private flat: boolean;
   private pending = 0;
+  private resting = 0;
 
   constructor(session: Session) {
     this.session = session;
@@ -33,7 +36,8 @@ export class PathPanel {
         el('div', {class: 'path'}, this.tools, this.legend,
            el('div', {class: 'stage'}, this.canvas, this.tip));
     if (!session.runs.some(({moves}) => moves)) return;
-    session.on(['colour', 'theme', 'filter', 'zoom'], () => this.colourLater());
+    session.on(['colour', 'theme', 'filter'], () => this.colourLater());
+    session.on(['zoom'], () => this.colourAfterZoom());
     session.on(['filter'], () => this.filter());
     session.on(['filter', 'run'], () => this.drawTools());
     session.on(['selection', 'run'], () => this.highlight());
@@ -137,6 +141,12 @@ export class PathPanel {
       this.pending = 0;
       this.colour();
     });
+  }
+
+  /** Colours once a zoom of the charts has come to rest. */
+  private colourAfterZoom(): void {
+    window.clearTimeout(this.resting);
+    this.resting = window.setTimeout(() => this.colourLater(), REST_MS);
   }
 
   /** Colours the path at once. */

@@ -3,6 +3,7 @@
 import {el, fill, select, swatch} from './dom.ts';
 import {limitColour, limitName} from './limits.ts';
 import * as numbers from './numbers.ts';
+import {Pace} from './pace.ts';
 import type {Session} from './session.ts';
 
 const STEPS = 10000;  // of the slider
@@ -19,6 +20,7 @@ export class Player {
   private readonly slider: HTMLInputElement;
   private readonly clock = el('output', {class: 'clock', 'aria-label': 'Time'});
   private readonly state = el('div', {class: 'state', 'aria-live': 'off'});
+  private readonly texts = new Pace(() => this.draw());
   private factor = 'fit';
   private last = 0;
 
@@ -39,7 +41,7 @@ export class Player {
     this.element =
         el('div', {class: 'player'},
            el('div', {class: 'controls'}, this.button, this.slider, this.clock, speed), this.state);
-    session.on(['row', 'run', 'hover'], () => this.draw());
+    session.on(['row', 'run', 'hover'], () => this.texts.request());
     session.on(['playing'], () => this.label());
     this.label();
     this.draw();

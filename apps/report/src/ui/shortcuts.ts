@@ -41,7 +41,7 @@ export function shortcuts(
   };
   const search = () => {
     session.show('program');
-    requestAnimationFrame(() => listing.focusSearch());
+    queueMicrotask(() => listing.focusSearch());
   };
   return [
     {keys: [' '], shown: 'Space', what: 'play or pause', run: () => player.toggle()},
