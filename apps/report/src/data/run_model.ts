@@ -111,12 +111,12 @@ export class RunModel {
     return Math.min(Math.max(seconds / this.data.period_s, 0), this.lastRow);
   }
 
-  /** Returns the line that a row belongs to, or null before the first one. */
+  /** Returns the line that a row belongs to, or null where it belongs to none. */
   placeAt(row: number): Place|null {
     const {row: starts, line, file} = this.spans;
     if (!starts.length) return null;
     const span = Math.max(lowerBound(starts, row), 1) - 1;
-    return {file: file[span]!, line: line[span]!};
+    return line[span]! > 0 ? {file: file[span]!, line: line[span]!} : null;
   }
 
   /** Returns the stretches of a line in the order of time; neighbouring ones are one. */

@@ -61,6 +61,11 @@ export class Charts {
     const button = (text: string, title: string, onclick: () => void) =>
         el('button', {type: 'button', title, 'aria-label': title, onclick}, text);
     const menu = el('div', {class: 'menu'});
+    const drop = el('details', {class: 'drop'}, el('summary', {}, 'Charts'), menu);
+    document.addEventListener('pointerdown', ({target}) => {
+      if (!drop.contains(target as Node)) drop.open = false;
+    });
+    drop.addEventListener('keydown', ({key}) => key === 'Escape' && (drop.open = false));
     for (const {id, title} of this.specs)
       menu.append(
           el('label', {},
@@ -72,8 +77,7 @@ export class Charts {
         button('+', 'Zoom in (+)', () => session.zoomBy(0.5, around())),
         button('−', 'Zoom out (−)', () => session.zoomBy(2, around())),
         button('All', 'Show the whole run (0)', () => session.setZoom(null)),
-        button('Line', 'Zoom to the selected line (z)', () => this.zoomToSelection()),
-        el('details', {class: 'drop'}, el('summary', {}, 'Charts'), menu));
+        button('Line', 'Zoom to the selected line (z)', () => this.zoomToSelection()), drop);
   }
 
   private toggle(id: string): void {

@@ -8,9 +8,10 @@ import * as numbers from './numbers.ts';
 import {Pace} from './pace.ts';
 import type {Session} from './session.ts';
 
-const ROW = 20;       // px
-const NOTES = 2;      // rows that a diagnostic takes
-const TALLEST = 8e6;  // px; browsers cannot scroll much more
+const ROW = 20;        // px
+const LONGEST = 2000;  // characters of a line that are shown
+const NOTES = 2;       // rows that a diagnostic takes
+const TALLEST = 8e6;   // px; browsers cannot scroll much more
 
 export class Listing {
   readonly element: HTMLElement;
@@ -51,8 +52,7 @@ export class Listing {
     this.rows.addEventListener('click', (event) => this.click(event));
     session.on(['run'], () => this.open(0));
     session.on(['selection'], () => this.follow());
-    session.on(
-        ['tab'], () => session.tab === 'program' && queueMicrotask(() => this.shown()));
+    session.on(['tab'], () => session.tab === 'program' && queueMicrotask(() => this.shown()));
     session.on(['row', 'hover'], () => this.pace.request());
     new ResizeObserver(() => this.draw()).observe(this.viewport);
     this.open(0);
@@ -71,11 +71,15 @@ export class Listing {
                      .sort((a, b) => a.line - b.line);
     this.noteLines = this.notes.map(({line}) => line);
     const files = run.data.files.map(({name}, i): [string, string] => [String(i), name]);
+    this.found.textContent = '';
+    const withoutText = !run.data.files[file]?.text;
     fill(
         this.tools,
         files.length > 1 &&
             select('File', files, String(file), (value) => this.open(Number(value))),
-        this.search, this.found);
+        this.search, this.found,
+        withoutText &&
+            el('p', {class: 'facts'}, 'The report has the times of the lines, not their text.'));
     if (this.session.tab === 'program') this.shown();
   }
 
@@ -200,7 +204,7 @@ export class Listing {
               ''
         },
            time ? numbers.lineTime(time.seconds) : ''),
-        el('code', {}, text ? text.line(line).replace(/\t/g, ' ') || ' ' : '(text left out)'));
+        el('code', {}, text ? shownText(text.line(line)) : ' '));
   }
 
   private note({column, severity, code, message, help}: Diagnostic): HTMLElement[] {
@@ -260,4 +264,9 @@ export class Listing {
     this.found.textContent = line || !wanted ? '' : 'not found';
     if (line) this.goTo(line);
   }
+}
+
+function shownText(text: string): string {
+  const whole = text.replace(/\t/g, ' ') || ' ';
+  return whole.length > LONGEST ? `${whole.slice(0, LONGEST)}…` : whole;
 }

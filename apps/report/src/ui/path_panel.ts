@@ -193,6 +193,7 @@ export class PathPanel {
 
   private hover(hit: {layer: number; row: number}|null, event: PointerEvent): void {
     this.tip.hidden = !hit;
+    this.session.setHover(hit && this.activeRow(hit.layer, hit.row));
     if (!hit) return;
     const box = this.canvas.getBoundingClientRect();
     fill(this.tip, ...this.describe(this.session.runs[hit.layer]!, hit.layer, hit.row));
@@ -202,6 +203,12 @@ export class PathPanel {
     const below = event.clientY - box.top > box.height / 2;
     this.tip.style.top = below ? 'auto' : `${event.clientY - box.top + 10}px`;
     this.tip.style.bottom = below ? `${box.bottom - event.clientY + 10}px` : 'auto';
+  }
+
+  /** The row of the run that is looked at, at the time of a row of any run. */
+  private activeRow(layer: number, row: number): number {
+    const {runs, run, active} = this.session;
+    return layer === active ? row : run.rowAtSeconds(runs[layer]!.secondsAt(row));
   }
 
   private describe(run: RunModel, index: number, row: number): HTMLElement[] {

@@ -69,7 +69,18 @@ export class Session {
 
   moveTo(row: number): void {
     this.row = Math.min(Math.max(row, 0), this.run.lastRow);
+    this.followRow();
     this.emit('row');
+  }
+
+  /** Moves what the charts show on when the player leaves it. */
+  private followRow(): void {
+    if (!this.zoom || (this.row >= this.zoom.from && this.row <= this.zoom.to)) return;
+    const length = this.zoom.to - this.zoom.from;
+    const from = Math.min(
+        Math.max(this.row - length * (this.row > this.zoom.to ? 0.1 : 0.9), 0),
+        this.run.lastRow - length);
+    this.setZoom({from, to: from + length});
   }
 
   setHover(row: number|null): void {

@@ -7,6 +7,9 @@ import * as numbers from './numbers.ts';
 import type {Session} from './session.ts';
 import {statusText} from './status.ts';
 
+const NOISE = 1e-6;       // what rounding leaves of errors that are none
+const SHOWN_FIGURES = 4;  // the others are among the details
+
 export class Summary {
   readonly element = el('div', {class: 'summary'});
   private readonly session: Session;
@@ -36,13 +39,16 @@ export class Summary {
           `${numbers.plural(data.rests.count, 'rest')}, ${numbers.time(data.rests.seconds)}` :
           '',
     ].filter(Boolean);
+    const figures = data.figures.filter(({value}) => Math.abs(value) > NOISE)
+                        .slice(0, SHOWN_FIGURES)
+                        .map(({name, value, unit}) => `${name} ${numbers.withUnit(value, unit)}`);
     const status =
         data.status === 'done' ? null : el('p', {class: `status ${data.status}`}, statusText(data));
     return el(
         'section', {'aria-label': 'Time'},
         el('p', {class: 'big'}, this.session.run.moves ? numbers.time(data.time_s) : 'No motion',
            this.change()),
-        status, el('p', {class: 'facts'}, facts.join(' · ')));
+        status, factLine(facts), factLine(figures));
   }
 
   private change(): HTMLElement|null {
@@ -131,4 +137,14 @@ export class Summary {
       item.setAttribute('aria-pressed', String(selected));
     }
   }
+}
+
+/** Facts in a line, each of which is kept together. */
+function factLine(facts: string[]): HTMLElement {
+  const line = el('p', {class: 'facts'});
+  facts.forEach((fact, i) => {
+    if (i) line.append(' · ');
+    line.append(el('span', {class: 'fact'}, fact));
+  });
+  return line;
 }
