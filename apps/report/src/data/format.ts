@@ -22,8 +22,8 @@ export interface AxisLimit {
   velocity_mm_s: number;
   acceleration_mm_s2: number;
   jerk_mm_s3: number;
-  min_mm?: number;
-  max_mm?: number;
+  min_mm?: number|null;
+  max_mm?: number|null;
 }
 
 export interface ToolTime {
@@ -53,6 +53,7 @@ export interface Diagnostic {
   file: number;
   line: number;
   column: number;
+  length?: number;  // characters from `column` on
   severity: Severity;
   code: string;
   message: string;
@@ -118,8 +119,8 @@ export interface Comparison {
   by_limit: Array<{limit: string; a_s: number; b_s: number}>;
   by_line: Array<{file: string; line: number; a_s: number; b_s: number}>;
   distance_um: number;
-  distance_at: {t_s: number; line: number};
-  first_difference: {t_s: number; line: number; text: string}|null;
+  distance_at: {t_s: number; line?: number};  // of the first run
+  first_difference?: {t_s: number; line?: number; text: string}|null;
 }
 
 export interface WhatIf {

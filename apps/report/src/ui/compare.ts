@@ -62,23 +62,28 @@ function byLimit(comparison: Comparison): HTMLElement {
         {title: 'B', number: true, cell: ({b_s}) => numbers.time(b_s)},
         {title: 'Change', number: true, cell: ({a_s, b_s}) => numbers.timeChange(b_s - a_s)},
       ],
-      comparison.by_limit);
+      [...comparison.by_limit].sort((p, q) => Math.max(q.a_s, q.b_s) - Math.max(p.a_s, p.b_s)));
 }
 
 function paths(session: Session, comparison: Comparison): HTMLElement {
   const {distance_um: distance, distance_at: at, first_difference: first} = comparison;
-  const go = (seconds: number) => session.selectAt(session.run.rowAtSeconds(seconds));
-  const link = (seconds: number, line: number) =>
+  const a = session.runs[0]!;  // whose times these are
+  const go = (seconds: number) => {
+    if (session.active !== 0) session.setActive(0);
+    session.selectAt(a.rowAtSeconds(seconds));
+  };
+  const link = (seconds: number, line = a.placeAt(a.rowAtSeconds(seconds))?.line) =>
       el('button', {type: 'button', class: 'link', onclick: () => go(seconds)},
-         `line ${numbers.count(line)}, ${numbers.instant(seconds)}`);
+         `${line ? `line ${numbers.count(line)}, ` : ''}${numbers.instant(seconds)}`);
   return el(
       'section', {'aria-label': 'Paths'}, el('h2', {}, 'Paths'),
       el('dl', {class: 'pairs'}, el('dt', {}, 'Largest distance'),
          el('dd', {}, numbers.withUnit(distance, 'µm'), distance > 0 ? ' at ' : '',
             distance > 0 ? link(at.t_s, at.line) : null),
-         el('dt', {}, 'First difference'),
-         el('dd', {}, first ? link(first.t_s, first.line) : 'none',
-            first?.text ? `: ${first.text}` : '')));
+         first !== undefined && el('dt', {}, 'First difference'),
+         first !== undefined &&
+             el('dd', {}, first ? link(first.t_s, first.line) : 'none',
+                first?.text ? `: ${first.text}` : '')));
 }
 
 function byLine(session: Session, comparison: Comparison): HTMLElement {

@@ -47,7 +47,7 @@ function runFacts(data: RunData, softcnc: string): Array<[string, string]> {
   const rows: Array<[string, string | undefined]> = [
     ['program', data.program],
     ['made from', SOURCES[data.source]],
-    ['machine', data.machine],
+    ['machine', data.machine || undefined],
     ['machine file', data.machine_file],
     ['method', data.method],
     ['status', data.status],
@@ -86,7 +86,7 @@ function tools(data: RunData): HTMLElement {
 }
 
 function limits(data: RunData): HTMLElement {
-  const ranged = data.axis_limits.some(({min_mm}) => min_mm !== undefined);
+  const ranged = data.axis_limits.some(({min_mm}) => typeof min_mm === 'number');
   return table(
       'Limits of the axes',
       [
@@ -109,7 +109,7 @@ function limits(data: RunData): HTMLElement {
         ...(ranged ? [{
           title: 'Range, mm',
           number: true,
-          cell: ({min_mm, max_mm}: RunData['axis_limits'][number]) => min_mm === undefined ?
+          cell: ({min_mm, max_mm}: RunData['axis_limits'][number]) => typeof min_mm !== 'number' ?
               '–' :
               `${numbers.plain(min_mm)} to ${numbers.plain(max_mm ?? NaN)}`
         }] :

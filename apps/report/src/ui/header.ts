@@ -14,7 +14,7 @@ export function header(session: Session, help: () => void): HTMLElement {
     status.textContent = session.run.data.status === 'done' ? '' : statusText(session.run.data);
     title.replaceChildren(
         el('b', {title: program}, program.split(/[\\/]/).pop() ?? ''),
-        el('span', {}, ` on ${machine}`));
+        el('span', {}, machine ? ` on ${machine}` : ''));
     document.title = `${program.split(/[\\/]/).pop()} - softcnc report`;
   };
   session.on(['run'], draw);

@@ -4,6 +4,7 @@
 import {lowerBound} from '../data/bisection.ts';
 import type {Diagnostic} from '../data/format.ts';
 import {el, fill, select} from './dom.ts';
+import {underline} from './messages.ts';
 import * as numbers from './numbers.ts';
 import {Pace} from './pace.ts';
 import type {Session} from './session.ts';
@@ -207,13 +208,17 @@ export class Listing {
         el('code', {}, text ? shownText(text.line(line)) : ' '));
   }
 
-  private note({column, severity, code, message, help}: Diagnostic): HTMLElement[] {
+  private note(diagnostic: Diagnostic): HTMLElement[] {
+    const {column, severity, code, message, help} = diagnostic;
     const indent = ' '.repeat(Math.max(column - 1, 0));
     const full = `${severity}: ${message} [${code}]${help ? `\n${help}` : ''}`;
     const make = (text: string) =>
         el('div', {class: `remark ${severity}`, role: 'note', title: full},
            el('span', {class: 'n'}), el('span', {class: 't'}), el('code', {}, text));
-    return [make(`${column > 0 ? indent + '^' : ''}`), make(`${severity}: ${message} [${code}]`)];
+    return [
+      make(column > 0 ? indent + underline(diagnostic) : ''),
+      make(`${severity}: ${message} [${code}]`)
+    ];
   }
 
   private click(event: Event): void {

@@ -5,7 +5,8 @@ import {el, fill} from './dom.ts';
 import {plural} from './numbers.ts';
 import type {Session} from './session.ts';
 
-const MOST = 300;  // that are shown at once
+const MOST = 300;        // that are shown at once
+const MOST_MARKED = 80;  // characters
 const SIGNS = {
   error: '✕',
   warning: '▲',
@@ -72,9 +73,9 @@ export class Messages {
     const place = line > 0 ? `${name}:${line}${column > 0 ? `:${column}` : ''}` : name;
     const text = line > 0 ? run.text(file)?.line(line).replace(/\t/g, ' ') : undefined;
     const from = Math.max(column - 41, 0);  // a long line is cut, so that its caret is seen
-    const caret = text !== undefined && column > 0 ? '\n' +
-            ' '.repeat(column - 1 - from + (from ? 1 : 0)) + '^' :
-                                                     '';
+    const caret = text !== undefined && column > 0 ?
+        `\n${' '.repeat(column - 1 - from + (from ? 1 : 0))}${underline(diagnostic)}` :
+        '';
     return el(
         'li', {class: severity},
         el('p', {}, el('span', {class: 'sign', 'aria-hidden': 'true'}, SIGNS[severity]),
@@ -95,4 +96,9 @@ export class Messages {
     this.session.show('program');
     this.session.select({file, line});
   }
+}
+
+/** Returns what marks the place of a diagnostic under its line: ^~~~. */
+export function underline({length}: Diagnostic): string {
+  return `^${'~'.repeat(Math.min(Math.max((length ?? 1) - 1, 0), MOST_MARKED))}`;
 }

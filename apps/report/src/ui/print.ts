@@ -18,7 +18,9 @@ export function prepareSheet(session: Session, path: PathPanel, sheet: HTMLEleme
   const legend = path.element.querySelector('.legend')?.cloneNode(true);
   if (dark) session.setDark(true);
   fill(
-      sheet, el('h1', {}, run.data.program, el('small', {}, ` on ${run.data.machine}`)),
+      sheet,
+      el('h1', {}, run.data.program,
+         el('small', {}, run.data.machine ? ` on ${run.data.machine}` : '')),
       el('div', {class: 'sheet-first'}, new Summary(session).element,
          picture ?
              el('figure', {}, el('img', {src: picture, alt: 'The path'}), legend as HTMLElement) :
