@@ -236,7 +236,7 @@ export class Chart {
 
   private get stripSize(): number {
     const strips = this.strips().length;
-    return strips ? strips * STRIP_STEP + 4 : 0;
+    return strips ? strips * STRIP_STEP + (strips > 1 ? 8 : 4) : 0;
   }
 
   private selected(plot: uPlot): void {

@@ -7,6 +7,8 @@ import type {Session} from './session.ts';
 
 const STRIP = 10;  // px
 
+const STRIP_SHIFT = 4;  // px, for the letters of the runs
+
 /** Distance of two strips, in px. */
 export const STRIP_STEP = STRIP + 2;
 
@@ -35,7 +37,8 @@ export function paintStrips(plot: uPlot, session: Session, grid: Grid, runs: num
   plot.ctx.save();
   runs.forEach((index, place) => {
     const run = session.runs[index]!;
-    const at = top + height + (3 + place * STRIP_STEP) * ratio;
+    const at =
+        top + height + (3 + STRIP_SHIFT * Number(runs.length > 1) + place * STRIP_STEP) * ratio;
     drawLimits(plot.ctx, run, {
       left,
       width,

@@ -33,7 +33,7 @@ export class PathPanel {
         'View', [['2d', '2-D'], ['3d', '3-D']], this.flat ? '2d' : '3d',
         (mode) => this.setMode(mode as '2d' | '3d'));
     this.element =
-        el('div', {class: 'path'}, this.tools, this.legend,
+        el('div', {class: 'path', role: 'region', 'aria-label': 'Path'}, this.tools, this.legend,
            el('div', {class: 'stage'}, this.canvas, this.tip));
     if (!session.runs.some(({moves}) => moves)) return;
     session.on(['colour', 'theme', 'filter'], () => this.colourLater());

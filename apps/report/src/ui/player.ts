@@ -39,7 +39,7 @@ export class Player {
     const speed =
         select('Speed of playing', FACTORS, this.factor, (value) => (this.factor = value));
     this.element =
-        el('div', {class: 'player'},
+        el('div', {class: 'player', role: 'group', 'aria-label': 'Player'},
            el('div', {class: 'controls'}, this.button, this.slider, this.clock, speed), this.state);
     session.on(['row', 'run', 'hover'], () => this.texts.request());
     session.on(['playing'], () => this.label());

@@ -23,7 +23,7 @@ export class SurfaceStage {
         'Surface coloured by', [['height', 'Height'], ['rmax', 'Rmax'], ['met', 'Target met']],
         this.look, (look) => this.show(look as Look));
     this.element =
-        el('div', {class: 'path', hidden: true},
+        el('div', {class: 'path', role: 'region', 'aria-label': 'Surface', hidden: true},
            el('div', {class: 'tools'}, this.choice.element,
               el('button', {type: 'button', onclick: () => this.fit()}, 'Fit')),
            el('div', {class: 'stage'}, this.canvas));
