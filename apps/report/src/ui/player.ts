@@ -41,7 +41,8 @@ export class Player {
     this.element =
         el('div', {class: 'player', role: 'group', 'aria-label': 'Player'},
            el('div', {class: 'controls'}, this.button, this.slider, this.clock, speed), this.state);
-    session.on(['row', 'run', 'hover'], () => this.texts.request());
+    session.on(['row', 'run'], () => (session.playing ? this.texts.request() : this.texts.now()));
+    session.on(['hover'], () => this.texts.request());
     session.on(['playing'], () => this.label());
     this.label();
     this.draw();
