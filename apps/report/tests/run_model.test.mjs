@@ -83,8 +83,11 @@ test('neighbouring stretches of one line are one', () => {
 
 test('the next and the previous stretch are found in time', () => {
   const {run} = loops();
-  assert.deepEqual(run.placeInTime(11, 1), {place: {file: 0, line: 4}, row: 14});
-  assert.deepEqual(run.placeInTime(15, -1), {place: {file: 0, line: 3}, row: 10});
+  assert.deepEqual(run.placeInTime(11, 1), {place: {file: 0, line: 4}, row: 15});
+  assert.deepEqual(run.placeInTime(15, -1), {place: {file: 0, line: 3}, row: 11});
+  const there = run.placeInTime(12, 1);
+  const back = run.placeInTime(there.row, -1);
+  assert.deepEqual([there.place.line, back.place.line, back.row], [4, 3, 11]);
   assert.equal(run.placeInTime(61, 1), null);
   assert.equal(run.placeInTime(5, -1), null);
 });

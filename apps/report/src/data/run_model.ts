@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A run, decoded: nodes of its path and speed, and which line of the program they belong to.
-import {lowerBound, upperBound} from './bisection.ts';
+import {lowerBound} from './bisection.ts';
 import {decodeColumn} from './columns.ts';
 import type {NodeColumn, RunData} from './format.ts';
 import {LineIndex} from './line_index.ts';
@@ -137,13 +137,14 @@ export class RunModel {
   }
 
   /**
-   * Returns the next line of the same file that moves, after or before `place`; null at the end.
+   * Returns the line of the stretch after or before that of a row, with the first row of it; null at
+   * the ends of the run.
    */
   placeInTime(row: number, step: 1|- 1): {place: Place; row: number}|null {
     const {row: starts, line, file} = this.spans;
-    const span = (step > 0 ? upperBound(starts, row) : lowerBound(starts, row) - 2);
+    const span = Math.max(lowerBound(starts, row), 1) - 1 + step;
     if (span < 0 || span >= starts.length) return null;
-    return {place: {file: file[span]!, line: line[span]!}, row: starts[span]!};
+    return {place: {file: file[span]!, line: line[span]!}, row: starts[span]! + 1};
   }
 
   /** Returns what a line takes, or null for one that takes no time. */
