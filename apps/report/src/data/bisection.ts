@@ -7,8 +7,10 @@ export function lowerBound(values: ArrayLike<number>, limit: number): number {
   let high = values.length;
   while (low < high) {
     const middle = (low + high) >>> 1;
-    if (values[middle]! < limit) low = middle + 1;
-    else high = middle;
+    if (values[middle]! < limit)
+      low = middle + 1;
+    else
+      high = middle;
   }
   return low;
 }
@@ -19,8 +21,10 @@ export function upperBound(values: ArrayLike<number>, limit: number): number {
   let high = values.length;
   while (low < high) {
     const middle = (low + high) >>> 1;
-    if (values[middle]! <= limit) low = middle + 1;
-    else high = middle;
+    if (values[middle]! <= limit)
+      low = middle + 1;
+    else
+      high = middle;
   }
   return low;
 }

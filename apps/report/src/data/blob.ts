@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Takes the data of a report out of its page: JSON, and base64 of a gzip of bytes.
-import type { ReportData } from './format.ts';
+import type {ReportData} from './format.ts';
 
 /** What a page holds. */
 export interface Embedded {
@@ -26,7 +26,7 @@ export async function gunzip(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array
  * Returns the data of a page, or null for a page that has none (as it is built). Rejects where they
  * are damaged or of another schema.
  */
-export async function embeddedData(page: Document): Promise<Embedded | null> {
+export async function embeddedData(page: Document): Promise<Embedded|null> {
   const json = page.getElementById('softcnc-report')?.textContent;
   if (!json) return null;
   const report = JSON.parse(json) as ReportData;
@@ -34,6 +34,6 @@ export async function embeddedData(page: Document): Promise<Embedded | null> {
     throw new Error(`the data have schema ${report.schema}, this page reads schema 1`);
   const data = page.getElementById('softcnc-data');
   const text = data?.textContent?.trim() ?? '';
-  data?.remove(); // megabytes of text that nothing needs any more
-  return { report, blob: text ? await gunzip(bytesOfBase64(text)) : new Uint8Array(0) };
+  data?.remove();  // megabytes of text that nothing needs any more
+  return {report, blob: text ? await gunzip(bytesOfBase64(text)) : new Uint8Array(0)};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Decodes columns: integers as zigzag LEB128, as such or as their first or second differences.
-import type { Column } from './format.ts';
+import type {Column} from './format.ts';
 
 /**
  * Returns the `count` values of a column, each an integer times `scale`. Throws a RangeError where
@@ -10,7 +10,8 @@ import type { Column } from './format.ts';
 export function decodeColumn(blob: Uint8Array, column: Column): Float64Array {
   const values = integers(blob, column);
   for (let pass = 0; pass < column.order; ++pass) accumulate(values);
-  if (column.scale !== 1) for (let i = 0; i < values.length; ++i) values[i]! *= column.scale;
+  if (column.scale !== 1)
+    for (let i = 0; i < values.length; ++i) values[i]! *= column.scale;
   return values;
 }
 
@@ -20,17 +21,17 @@ function accumulate(values: Float64Array): void {
   for (let i = 0; i < values.length; ++i) values[i] = sum += values[i]!;
 }
 
-function integers(blob: Uint8Array, { offset, bytes, count }: Column): Float64Array {
+function integers(blob: Uint8Array, {offset, bytes, count}: Column): Float64Array {
   const end = offset + bytes;
   if (offset < 0 || bytes < count || end > blob.length)
     throw new RangeError('a column of the report is cut off');
   const values = new Float64Array(count);
   let at = offset;
   for (let i = 0; i < count; ++i) {
-    let byte = blob[at++]!;
-    let zigzag = byte & 0x7f;
+    let zigzag = 0;
+    let byte = 0x80;
     // Multiplication, since bit operations have 32 bits only.
-    for (let factor = 128; byte >= 0x80; factor *= 128) {
+    for (let factor = 1; byte >= 0x80; factor *= 128) {
       if (at >= end) throw new RangeError('a column of the report is cut off');
       byte = blob[at++]!;
       zigzag += (byte & 0x7f) * factor;

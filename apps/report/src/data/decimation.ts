@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Reduces a column to what a chart can show: the least and the largest value of each pixel.
-import { lowerBound } from './bisection.ts';
+import {lowerBound} from './bisection.ts';
 
 /** How the values between two nodes follow from those at the nodes. */
-export type Between = 'linear' | 'interval';
+export type Between = 'linear'|'interval';
 
 /** An x axis cut into equal buckets. */
 export interface Grid {
@@ -13,20 +13,22 @@ export interface Grid {
 }
 
 /** Returns the places of the two points that each bucket has: a quarter of it from its ends. */
-export function gridPlaces({ from, to, buckets }: Grid): number[] {
+export function gridPlaces({from, to, buckets}: Grid): number[] {
   const width = (to - from) / buckets;
-  return Array.from({ length: 2 * buckets }, (_, i) => from + ((i >> 1) + (i & 1 ? 0.75 : 0.25)) * width);
+  return Array.from(
+      {length: 2 * buckets}, (_, i) => from + ((i >> 1) + (i & 1 ? 0.75 : 0.25)) * width);
 }
 
 /**
  * Returns two values for each bucket: the least and the largest in it, in the order in which they
- * come, with the values at its ends counted in; null where the bucket lies outside `xs`, or where it
- * has no value (negative, if `hidden` is set). `xs` ascends; 'interval' values hold from the
- * previous node on.
+ * come, with the values at its ends counted in; null where the bucket lies outside `xs`, or where
+ * it has no value: one below `lowest`. `xs` ascends; 'interval' values hold from the previous node
+ * on.
  */
-export function decimate(xs: ArrayLike<number>, ys: ArrayLike<number>, grid: Grid,
-                         between: Between, factor = 1, hidden = false): Array<number | null> {
-  const out: Array<number | null> = new Array(2 * grid.buckets).fill(null);
+export function decimate(
+    xs: ArrayLike<number>, ys: ArrayLike<number>, grid: Grid, between: Between, factor = 1,
+    lowest = -Infinity): Array<number|null> {
+  const out: Array<number|null> = new Array(2 * grid.buckets).fill(null);
   const size = xs.length;
   if (size === 0) return out;
   const width = (grid.to - grid.from) / grid.buckets;
@@ -37,7 +39,7 @@ export function decimate(xs: ArrayLike<number>, ys: ArrayLike<number>, grid: Gri
     if (low > xs[size - 1]! || high < xs[0]!) continue;
     let least = Infinity, most = -Infinity, leastAt = 0, mostAt = 0;
     const see = (value: number, at: number) => {
-      if (hidden && value < 0) return;
+      if (value < lowest) return;
       if (value < least) (least = value), (leastAt = at);
       if (value > most) (most = value), (mostAt = at);
     };

@@ -11,19 +11,19 @@ export interface Slice {
 export interface Column extends Slice {
   count: number;
   scale: number;
-  order: 0 | 1 | 2;
+  order: 0|1|2;
 }
 
-export type Axis = 'x' | 'y' | 'z';
-export type Severity = 'error' | 'warning' | 'note';
+export type Axis = 'x'|'y'|'z';
+export type Severity = 'error'|'warning'|'note';
 
 export interface AxisLimit {
   axis: Axis;
   velocity_mm_s: number;
   acceleration_mm_s2: number;
   jerk_mm_s3: number;
-  min_mm?: number;
-  max_mm?: number;
+  min_mm?: number|null;
+  max_mm?: number|null;
 }
 
 export interface ToolTime {
@@ -53,6 +53,7 @@ export interface Diagnostic {
   file: number;
   line: number;
   column: number;
+  length?: number;  // characters from `column` on
   severity: Severity;
   code: string;
   message: string;
@@ -61,9 +62,8 @@ export interface Diagnostic {
 
 /** Names of the columns of nodes; those that a run does not know are missing. */
 export type NodeColumn =
-  | 'row' | 'x' | 'y' | 'z' | 's' | 'v' | 'feed' | 'motion' | 'limit' | 'tool'
-  | 'acceleration_use' | 'jerk_use' | 'chord_error_um' | 'contour_um' | 'deviation_um'
-  | 'rmax_um' | 'rmax_target_um';
+    |'row'|'x'|'y'|'z'|'s'|'v'|'feed'|'motion'|'limit'|'tool'|'acceleration_use'|'jerk_use'|
+    'chord_error_um'|'contour_um'|'deviation_um'|'rmax_um'|'rmax_target_um';
 
 export interface SurfaceData {
   step_mm: number;
@@ -85,11 +85,11 @@ export interface SurfaceData {
 
 export interface RunData {
   program: string;
-  source: 'program' | 'trace' | 'recording';
+  source: 'program'|'trace'|'recording';
   machine: string;
   machine_file?: string;
   method?: string;
-  status: 'done' | 'stopped' | 'alarm' | 'error';
+  status: 'done'|'stopped'|'alarm'|'error';
   time_s: number;
   length_mm: number;
   setpoints: number;
@@ -98,38 +98,35 @@ export interface RunData {
   axes: Axis[];
   axis_limits: AxisLimit[];
   limits: string[];
-  time_by_limit_s: Array<{ limit: string; seconds: number }>;
+  time_by_limit_s: Array<{limit: string; seconds: number}>;
   tools: ToolTime[];
-  rests: { count: number; seconds: number };
+  rests: {count: number; seconds: number};
   figures: Figure[];
   worst_lines: WorstLine[];
-  files: Array<{ name: string; text?: Slice }>;
+  files: Array<{name: string; text?: Slice}>;
   diagnostics: Diagnostic[];
   error_um: number;
   error_mm_s: number;
   nodes: Partial<Record<NodeColumn, Column>>;
-  spans: { row: Column; line: Column; file: Column };
-  lines: { file: Column; line: Column; ms: Column; lost_ms: Column };
+  spans: {row: Column; line: Column; file: Column};
+  lines: {file: Column; line: Column; ms: Column; lost_ms: Column};
   surface?: SurfaceData;
 }
 
 export interface Comparison {
   time_s: [number, number];
   names: [string, string];
-  by_limit: Array<{ limit: string; a_s: number; b_s: number }>;
-  by_line: Array<{ file: string; line: number; a_s: number; b_s: number }>;
+  by_limit: Array<{limit: string; a_s: number; b_s: number}>;
+  by_line: Array<{file: string; line: number; a_s: number; b_s: number}>;
   distance_um: number;
-  distance_at: { t_s: number; line: number };
-  first_difference: { t_s: number; line: number; text: string } | null;
+  distance_at: {t_s: number; line?: number};  // of the first run
+  first_difference?: {t_s: number; line?: number; text: string}|null;
 }
 
 export interface WhatIf {
   time_s: number;
   rows: Array<{
-    axis: Axis;
-    limit: 'velocity' | 'acceleration' | 'jerk';
-    factor: number;
-    time_s: number;
+    axis: Axis; limit: 'velocity' | 'acceleration' | 'jerk'; factor: number; time_s: number;
     won_s: number;
   }>;
 }

@@ -3,7 +3,7 @@
 
 /** Numbers of entries by file and line, each list ascending. */
 export class LineIndex {
-  private readonly firstKey: Float64Array; // of each file: the key of its line 0
+  private readonly firstKey: Float64Array;  // of each file: the key of its line 0
   private readonly starts: Uint32Array;
   private readonly entries: Uint32Array;
 
@@ -23,7 +23,7 @@ export class LineIndex {
   /** Returns the numbers of the entries of a line; an empty array where it has none. */
   of(file: number, line: number): Uint32Array {
     const known = file >= 0 && file + 1 < this.firstKey.length && line >= 0 &&
-      this.key(file, line) < this.firstKey[file + 1]!;
+        this.key(file, line) < this.firstKey[file + 1]!;
     if (!known) return new Uint32Array(0);
     const key = this.key(file, line);
     return this.entries.subarray(this.starts[key]!, this.starts[key + 1]!);
@@ -39,6 +39,7 @@ function firstKeys(files: ArrayLike<number>, lines: ArrayLike<number>): Float64A
   for (let i = 0; i < lines.length; ++i)
     sizes[files[i]!] = Math.max(sizes[files[i]!] ?? 0, lines[i]! + 1);
   const first = new Float64Array(sizes.length + 1);
-  for (let file = 0; file < sizes.length; ++file) first[file + 1] = first[file]! + (sizes[file] ?? 0);
+  for (let file = 0; file < sizes.length; ++file)
+    first[file + 1] = first[file]! + (sizes[file] ?? 0);
   return first;
 }

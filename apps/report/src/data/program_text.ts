@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The text of a program, line by line, however long: lines are found in its bytes and decoded one
 // by one, when they are shown.
+import {upperBound} from './bisection.ts';
 
 /** A text whose lines are counted from 1. */
 export class ProgramText {
   private readonly bytes: Uint8Array;
-  private readonly starts: Uint32Array; // of each line, then one past the end
+  private readonly starts: Uint32Array;  // of each line, then one past the end
+  private folded?: string;               // what is searched
   private readonly decoder = new TextDecoder();
 
   constructor(bytes: Uint8Array) {
@@ -20,8 +22,8 @@ export class ProgramText {
   /** Returns a line without its end, or an empty text for a line that there is not. */
   line(number: number): string {
     if (number < 1 || number > this.lines) return '';
-    const text = this.decoder.decode(
-      this.bytes.subarray(this.starts[number - 1]!, this.starts[number]!));
+    const text =
+        this.decoder.decode(this.bytes.subarray(this.starts[number - 1]!, this.starts[number]!));
     return text.replace(/[\r\n]+$/, '');
   }
 
@@ -30,14 +32,30 @@ export class ProgramText {
    * lower case, and starts over at the other end; 0 if there is none.
    */
   find(text: string, from: number, backwards = false): number {
-    const wanted = text.toUpperCase();
-    for (let step = 1; wanted && step <= this.lines; ++step) {
-      const offset = from - 1 + (backwards ? -step : step);
-      const number = ((offset % this.lines) + this.lines) % this.lines + 1;
-      if (this.line(number).toUpperCase().includes(wanted)) return number;
-    }
-    return 0;
+    const wanted = byteText(new TextEncoder().encode(text));
+    if (!wanted || !this.lines) return 0;
+    this.folded ??= byteText(this.bytes);
+    const start = this.starts[Math.min(Math.max(from - (backwards ? 1 : 0), 0), this.lines)]!;
+    const at = backwards ? this.before(wanted, start) : this.after(wanted, start);
+    return at < 0 ? 0 : upperBound(this.starts, at);
   }
+
+  private after(wanted: string, start: number): number {
+    const at = this.folded!.indexOf(wanted, start);
+    return at >= 0 ? at : this.folded!.indexOf(wanted);
+  }
+
+  private before(wanted: string, start: number): number {
+    const at = start > 0 ? this.folded!.lastIndexOf(wanted, start - 1) : -1;
+    return at >= 0 ? at : this.folded!.lastIndexOf(wanted);
+  }
+}
+
+/**
+ * Returns a text of one character for each byte, in lower case, so that places are those of bytes.
+ */
+function byteText(bytes: Uint8Array): string {
+  return new TextDecoder('latin1').decode(bytes).toLowerCase();
 }
 
 function lineStarts(bytes: Uint8Array): Uint32Array {

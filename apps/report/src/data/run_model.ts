@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A run, decoded: nodes of its path and speed, and which line of the program they belong to.
-import { lowerBound, upperBound } from './bisection.ts';
-import { decodeColumn } from './columns.ts';
-import type { NodeColumn, RunData } from './format.ts';
-import { LineIndex } from './line_index.ts';
-import { ProgramText } from './program_text.ts';
-import { decodeSurface, type DecodedSurface } from './surface.ts';
+import {lowerBound} from './bisection.ts';
+import {decodeColumn} from './columns.ts';
+import type {NodeColumn, RunData} from './format.ts';
+import {LineIndex} from './line_index.ts';
+import {ProgramText} from './program_text.ts';
+import {decodeSurface, type DecodedSurface} from './surface.ts';
 
 /** Rows from `from` to `to`, as times in periods. */
 export interface RowRange {
@@ -33,10 +33,11 @@ export class RunModel {
   readonly data: RunData;
   private readonly blob: Uint8Array;
   private readonly columns = new Map<NodeColumn, Float64Array>();
-  private readonly texts = new Map<number, ProgramText | null>();
-  private cachedSpans?: { row: Float64Array; line: Float64Array; file: Float64Array };
+  private readonly texts = new Map<number, ProgramText|null>();
+  private cachedSpans?: {row: Float64Array; line: Float64Array; file: Float64Array};
   private cachedSpanIndex?: LineIndex;
-  private cachedLines?: { ms: Float64Array; lost: Float64Array; index: LineIndex; last: number[] };
+  private cachedLines?:
+      {ms: Float64Array; lost: Float64Array; index: LineIndex; last: number[]; longest: number};
   private cachedSurface?: DecodedSurface;
 
   constructor(data: RunData, blob: Uint8Array) {
@@ -110,16 +111,16 @@ export class RunModel {
     return Math.min(Math.max(seconds / this.data.period_s, 0), this.lastRow);
   }
 
-  /** Returns the line that a row belongs to, or null before the first one. */
-  placeAt(row: number): Place | null {
-    const { row: starts, line, file } = this.spans;
+  /** Returns the line that a row belongs to, or null where it belongs to none. */
+  placeAt(row: number): Place|null {
+    const {row: starts, line, file} = this.spans;
     if (!starts.length) return null;
     const span = Math.max(lowerBound(starts, row), 1) - 1;
-    return { file: file[span]!, line: line[span]! };
+    return line[span]! > 0 ? {file: file[span]!, line: line[span]!} : null;
   }
 
   /** Returns the stretches of a line in the order of time; neighbouring ones are one. */
-  rangesOf({ file, line }: Place): RowRange[] {
+  rangesOf({file, line}: Place): RowRange[] {
     const starts = this.spans.row;
     this.cachedSpanIndex ??= new LineIndex(this.spans.file, this.spans.line);
     const ranges: RowRange[] = [];
@@ -127,39 +128,44 @@ export class RunModel {
       const from = starts[span]!;
       const to = span + 1 < starts.length ? starts[span + 1]! : this.lastRow;
       const last = ranges[ranges.length - 1];
-      if (last && last.to >= from) last.to = to;
-      else if (to > from) ranges.push({ from, to });
+      if (last && last.to >= from)
+        last.to = to;
+      else if (to > from)
+        ranges.push({from, to});
     }
     return ranges;
   }
 
-  /** Returns the next line of the same file that moves, after or before `place`; null at the end. */
-  placeInTime(row: number, step: 1 | -1): { place: Place; row: number } | null {
-    const { row: starts, line, file } = this.spans;
-    const span = (step > 0 ? upperBound(starts, row) : lowerBound(starts, row) - 2);
+  /**
+   * Returns the line of the stretch after or before that of a row, with the first row of it; null at
+   * the ends of the run.
+   */
+  placeInTime(row: number, step: 1|- 1): {place: Place; row: number}|null {
+    const {row: starts, line, file} = this.spans;
+    const span = Math.max(lowerBound(starts, row), 1) - 1 + step;
     if (span < 0 || span >= starts.length) return null;
-    return { place: { file: file[span]!, line: line[span]! }, row: starts[span]! };
+    return {place: {file: file[span]!, line: line[span]!}, row: starts[span]! + 1};
   }
 
   /** Returns what a line takes, or null for one that takes no time. */
-  lineTime({ file, line }: Place): LineTime | null {
-    const { ms, lost, index } = this.lineTable;
+  lineTime({file, line}: Place): LineTime|null {
+    const {ms, lost, index} = this.lineTable;
     const entry = index.of(file, line)[0];
-    return entry === undefined ? null : { seconds: ms[entry]! / 1e3, lost: lost[entry]! / 1e3 };
+    return entry === undefined ? null : {seconds: ms[entry]! / 1e3, lost: lost[entry]! / 1e3};
   }
 
   /** The largest time of any one line, in s. */
   get longestLine(): number {
-    return this.lineTable.ms.reduce((most, ms) => Math.max(most, ms), 0) / 1e3;
+    return this.lineTable.longest;
   }
 
   /** Returns the text of a file, or null where the report has none. */
-  text(file: number): ProgramText | null {
+  text(file: number): ProgramText|null {
     let text = this.texts.get(file);
     if (text === undefined) {
       const slice = this.data.files[file]?.text;
-      text = slice
-        ? new ProgramText(this.blob.subarray(slice.offset, slice.offset + slice.bytes)) : null;
+      text = slice ? new ProgramText(this.blob.subarray(slice.offset, slice.offset + slice.bytes)) :
+                     null;
       this.texts.set(file, text);
     }
     return text;
@@ -170,18 +176,18 @@ export class RunModel {
     const text = this.text(file);
     if (text) return text.lines;
     const diagnosed = this.data.diagnostics.reduce(
-      (most, { file: of, line }) => (of === file ? Math.max(most, line) : most), 0);
+        (most, {file: of, line}) => (of === file ? Math.max(most, line) : most), 0);
     return Math.max(this.lineTable.last[file] ?? 0, diagnosed);
   }
 
   /** The surface, or null for a run without one. */
-  get surface(): DecodedSurface | null {
+  get surface(): DecodedSurface|null {
     if (!this.data.surface) return null;
     return (this.cachedSurface ??= decodeSurface(this.blob, this.data.surface));
   }
 
   private get spans() {
-    const { row, line, file } = this.data.spans;
+    const {row, line, file} = this.data.spans;
     return (this.cachedSpans ??= {
       row: decodeColumn(this.blob, row),
       line: decodeColumn(this.blob, line),
@@ -191,17 +197,18 @@ export class RunModel {
 
   private get lineTable() {
     if (this.cachedLines) return this.cachedLines;
-    const { lines } = this.data;
+    const {lines} = this.data;
     const file = decodeColumn(this.blob, lines.file);
     const line = decodeColumn(this.blob, lines.line);
+    const ms = decodeColumn(this.blob, lines.ms);
     const last: number[] = [];
-    for (let i = 0; i < line.length; ++i)
-      last[file[i]!] = Math.max(last[file[i]!] ?? 0, line[i]!);
+    for (let i = 0; i < line.length; ++i) last[file[i]!] = Math.max(last[file[i]!] ?? 0, line[i]!);
     return (this.cachedLines = {
-      ms: decodeColumn(this.blob, lines.ms),
+      ms,
       lost: decodeColumn(this.blob, lines.lost_ms),
       index: new LineIndex(file, line),
       last,
+      longest: ms.reduce((most, one) => Math.max(most, one), 0) / 1e3,
     });
   }
 }

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The surface that a run leaves: heights on a grid, and the roughness of its square regions.
-import { decodeColumn } from './columns.ts';
-import type { SurfaceData } from './format.ts';
+import {decodeColumn} from './columns.ts';
+import type {SurfaceData} from './format.ts';
 
 /** Heights and roughness, row by row from low y; x grows along a row. */
 export interface DecodedSurface {
-  columns: number; // of heights
+  columns: number;  // of heights
   rows: number;
-  spacing: number; // mm between neighbouring heights
-  origin: [number, number, number]; // mm, of the first height; heights are relative to its z
-  heights: Float32Array; // mm
-  regionSize: number; // mm, edge of a region
+  spacing: number;                   // mm between neighbouring heights
+  origin: [number, number, number];  // mm, of the first height; heights are relative to its z
+  heights: Float32Array;             // mm
+  regionSize: number;                // mm, edge of a region
   regionColumns: number;
   regionRows: number;
-  rmax: Float32Array; // um by region, -1: unknown
-  target: Float32Array; // um by region, -1: none
+  rmax: Float32Array;    // um by region, -1: unknown
+  target: Float32Array;  // um by region, -1: none
 }
 
 /** Returns the arrays of a surface. Throws a RangeError where they are cut off. */

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Draws which limit binds, as a coloured strip along a chart.
-import { lowerBound } from '../data/bisection.ts';
-import type { RunModel } from '../data/run_model.ts';
-import { limitColour } from './limits.ts';
+import {lowerBound} from '../data/bisection.ts';
+import type {RunModel} from '../data/run_model.ts';
+import {limitColour} from './limits.ts';
 
 /** A strip on a canvas: its edges in device pixels, and the rows that its ends stand for. */
 export interface Strip {
@@ -10,7 +10,7 @@ export interface Strip {
   top: number;
   width: number;
   height: number;
-  rowAt: (part: number) => number; // row at a part of the width, from 0 to 1
+  rowAt: (part: number) => number;  // row at a part of the width, from 0 to 1
 }
 
 /** Draws in each pixel the limit that binds longest there; pixels outside the run stay empty. */
@@ -32,10 +32,13 @@ export function drawLimits(context: CanvasRenderingContext2D, run: RunModel, str
   }
 }
 
-function longest(rows: Float64Array, limits: Float64Array, weights: Float64Array, from: number, to: number): number {
+function longest(
+    rows: Float64Array, limits: Float64Array, weights: Float64Array, from: number,
+    to: number): number {
   weights.fill(0);
   let best = -1;
-  for (let node = Math.max(lowerBound(rows, from), 1); node < rows.length && rows[node - 1]! < to; ++node) {
+  for (let node = Math.max(lowerBound(rows, from), 1); node < rows.length && rows[node - 1]! < to;
+       ++node) {
     const limit = limits[node]!;
     weights[limit]! += Math.min(rows[node]!, to) - Math.max(rows[node - 1]!, from);
     if (best < 0 || weights[limit]! > weights[best]!) best = limit;

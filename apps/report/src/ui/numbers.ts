@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Numbers as people read them, with their units.
 
-const THIN = '\u202f'; // narrow space that does not break
+const THIN = '\u202f';  // narrow space that does not break
 
 /** Returns a number with `digits` decimals and groups of thousands. */
 export function fixed(value: number, digits: number): string {
@@ -21,12 +21,18 @@ export function significant(value: number, digits = 3): string {
   return fixed(value, Math.min(Math.max(digits - 1 - size, 0), 9));
 }
 
+/** Returns a number with at most `digits` significant digits and no zeros at its end. */
+export function plain(value: number, digits = 4): string {
+  return significant(value, digits).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
+}
+
 export const count = (value: number): string => fixed(value, 0);
 
 /** Returns seconds as 0.123 s, 12.3 s, 1 min 23.4 s or 2 h 03 min. */
 export function time(seconds: number): string {
   const sign = seconds < 0 ? '\u2212' : '';
   const s = Math.abs(seconds);
+  if (s < 0.0005) return `0${THIN}s`;
   if (s < 9.9995) return `${sign}${s.toFixed(s < 0.9995 ? 3 : 2)}${THIN}s`;
   if (s < 59.95) return `${sign}${s.toFixed(1)}${THIN}s`;
   if (s < 3599.5) {
@@ -35,7 +41,13 @@ export function time(seconds: number): string {
     return `${sign}${Math.floor(tenths / 600)}${THIN}min ${rest}${THIN}s`;
   }
   const minutes = Math.round(s / 60);
-  return `${sign}${Math.floor(minutes / 60)}${THIN}h ${String(minutes % 60).padStart(2, '0')}${THIN}min`;
+  return `${sign}${Math.floor(minutes / 60)}${THIN}h ${String(minutes % 60).padStart(2, '0')}${
+      THIN}min`;
+}
+
+/** Returns the time of a line, which often takes milliseconds only. */
+export function lineTime(seconds: number): string {
+  return seconds < 0.9995 ? `${fixed(seconds * 1e3, 1)}${THIN}ms` : time(seconds);
 }
 
 /** Returns a difference of times with its sign. */
@@ -59,6 +71,7 @@ export function length(mm: number): string {
 /** Returns a share of 1 in percent. */
 export function share(part: number): string {
   const percent = 100 * part;
+  if (percent > 0 && percent < 0.05) return `< 0.1${THIN}%`;
   return `${fixed(percent, Math.abs(percent) < 9.95 ? 1 : 0)}${THIN}%`;
 }
 
@@ -78,7 +91,8 @@ function significantWhole(value: number): string {
 
 export function withUnit(value: number, unit: string, digits = 3): string {
   if (unit === '%') return `${significant(value, digits)}${THIN}%`;
-  return unit ? `${significant(value, digits)}${THIN}${unit.replace(/^u(?=m)/, 'µ')}` : significant(value, digits);
+  return unit ? `${significant(value, digits)}${THIN}${unit.replace(/^u(?=m)/, 'µ')}` :
+                significant(value, digits);
 }
 
 export function plural(number: number, one: string, many = one + 's'): string {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Panels of which one is shown, chosen by tabs.
-import { el } from './dom.ts';
-import type { Session, TabId } from './session.ts';
+import {el} from './dom.ts';
+import type {Session, TabId} from './session.ts';
 
 export interface Tab {
   id: TabId;
@@ -19,28 +19,44 @@ export class Tabs {
   constructor(session: Session, tabs: Tab[]) {
     this.session = session;
     this.tabs = tabs;
-    this.buttons = tabs.map(({ id, title, badge }) => el('button', {
-      type: 'button', role: 'tab', id: `tab-${id}`, 'aria-controls': `panel-${id}`, onclick: () => session.show(id),
-    }, title, badge ? el('span', { class: 'badge' }, badge) : null));
-    for (const { id, panel } of tabs) {
+    this.buttons = tabs.map(
+        ({id, title, badge}) =>
+            el('button', {
+              type: 'button',
+              role: 'tab',
+              id: `tab-${id}`,
+              'aria-controls': `panel-${id}`,
+              onclick: () => session.show(id),
+            },
+               title, badge ? el('span', {class: 'badge'}, badge) : null));
+    for (const {id, panel} of tabs) {
       panel.id = `panel-${id}`;
       panel.setAttribute('role', 'tabpanel');
       panel.setAttribute('aria-labelledby', `tab-${id}`);
     }
-    const list = el('div', { class: 'tabs', role: 'tablist', 'aria-label': 'Panels', onkeydown: (event: KeyboardEvent) => this.key(event) }, ...this.buttons);
-    this.element = el('aside', { class: 'side' }, list, el('div', { class: 'panels' }, ...tabs.map(({ panel }) => panel)));
+    const list =
+        el('div', {
+          class: 'tabs',
+          role: 'tablist',
+          'aria-label': 'Panels',
+          onkeydown: (event: KeyboardEvent) => this.key(event)
+        },
+           ...this.buttons);
+    this.element =
+        el('aside', {class: 'side'}, list,
+           el('div', {class: 'panels'}, ...tabs.map(({panel}) => panel)));
     session.on(['tab'], () => this.mark());
     this.mark();
   }
 
   /** Shows the next or the previous panel. */
-  step(by: 1 | -1): void {
-    const now = this.tabs.findIndex(({ id }) => id === this.session.tab);
+  step(by: 1|- 1): void {
+    const now = this.tabs.findIndex(({id}) => id === this.session.tab);
     this.session.show(this.tabs[(now + by + this.tabs.length) % this.tabs.length]!.id);
   }
 
   private mark(): void {
-    this.tabs.forEach(({ id, panel }, i) => {
+    this.tabs.forEach(({id, panel}, i) => {
       const shown = id === this.session.tab;
       panel.hidden = !shown;
       this.buttons[i]!.setAttribute('aria-selected', String(shown));
@@ -54,6 +70,6 @@ export class Tabs {
     event.preventDefault();
     event.stopPropagation();
     this.step(by);
-    this.buttons[this.tabs.findIndex(({ id }) => id === this.session.tab)]!.focus();
+    this.buttons[this.tabs.findIndex(({id}) => id === this.session.tab)]!.focus();
   }
 }

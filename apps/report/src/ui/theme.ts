@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light or dark: as the system has it, until a reader chooses.
-import type { Session } from './session.ts';
+import type {Session} from './session.ts';
 
 /** Makes the page follow the session, and the session the system. */
 export function followTheme(session: Session): void {

@@ -34,10 +34,16 @@ export function createSurfaceView(container: HTMLElement, surface: DecodedSurfac
   return new View(container, surface);
 }
 
+/** The canvas of a picture; browser tests ask it where a place of the surface is drawn. */
+interface SurfaceCanvas extends HTMLCanvasElement {
+  /** Returns the place of x, y in mm in CSS pixels from the canvas' corner. */
+  placeOf?: (x: number, y: number) => [number, number];
+}
+
 class View implements SurfaceView {
   private readonly container: HTMLElement;
   private readonly surface: DecodedSurface;
-  private readonly canvas = document.createElement('canvas');
+  private readonly canvas: SurfaceCanvas = document.createElement('canvas');
   private readonly camera = new Camera();
   private readonly observer: ResizeObserver;
   private readonly disconnect: () => void;
@@ -83,6 +89,8 @@ class View implements SurfaceView {
     });
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(this.canvas);
+    this.canvas.placeOf = (x, y) =>
+      this.camera.project(x - this.centre[0], y - this.centre[1], 0);
     this.resize();
   }
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// A comparison shows the times of both runs, as each of them has on its own.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { ask, drawn, openReport, startBrowser } from './support/browser.mjs';
+import { readReport } from './support/decode.mjs';
+import { report, timeOf } from './support/reports.mjs';
+
+let browser, page, data;
+before(async () => {
+  browser = await startBrowser();
+  page = await openReport(browser, report('comparison'));
+  data = readReport(report('comparison'));
+});
+after(() => browser.close());
+
+test('the times are those of two runs on their own', () => {
+  const { comparison, runs } = data.report;
+  const alone = [timeOf('butterfly', []),
+    timeOf('butterfly', ['--machine', 'programs/machines/bench_mill.toml'])];
+  assert.deepEqual(comparison.time_s, runs.map(({ time_s }) => time_s));
+  alone.forEach((time, k) => assert.ok(Math.abs(time - comparison.time_s[k]) < 1e-6,
+    `${comparison.time_s[k]} s instead of ${time} s`));
+  assert.notEqual(...comparison.time_s);
+});
+
+test('times by limit and by line add up to the times of the runs', () => {
+  const { comparison } = data.report;
+  for (const [k, key] of [[0, 'a_s'], [1, 'b_s']]) {
+    const sum = comparison.by_limit.reduce((total, row) => total + row[key], 0);
+    assert.ok(Math.abs(sum - comparison.time_s[k]) < 0.01, `${sum} s by limit`);
+    assert.ok(comparison.by_line.every((row) => row[key] <= comparison.time_s[k] + 0.01));
+  }
+});
+
+test('the panel shows both times, and a click on a line chooses it', async () => {
+  const { comparison } = data.report;
+  await page.getByRole('tab', { name: 'Compare' }).click();
+  await drawn(page);
+  const panel = page.getByRole('tabpanel').filter({ visible: true });
+  const text = await panel.innerText();
+  for (const time of comparison.time_s) {
+    assert.ok(text.replace(/\s/g, '').includes(time.toPrecision(3)), `${time} s in:\n${text}`);
+  }
+  const { line } = comparison.by_line[0];
+  await panel.getByRole('button', { name: new RegExp(`\\b${line}\\b`) }).first().click();
+  await drawn(page);
+  assert.equal((await ask(page, 'selected'))?.line, line);
+});
+
+test('each run is shown on its own', async () => {
+  const vertices = async () => (await ask(page, 'frames')).vertices;
+  await page.keyboard.press('Escape');
+  await drawn(page);
+  const both = await vertices();
+  const found = [];
+  for (const name of ['A', 'B']) {
+    await page.getByRole('group', { name: 'Runs that are shown' })
+      .getByRole('button', { name, exact: true }).click();
+    await drawn(page);
+    found.push(await vertices());
+  }
+  assert.ok(found.every((count) => count > 100 && count < both), `${found} of ${both}`);
+  assert.deepEqual(page.trouble, []);
+});
