@@ -17,7 +17,7 @@ constexpr double kDefaultPeriod = 0.001;  // s: of a trace of one row that does 
 constexpr double kMostRows = 9e15;        // all whole numbers below are doubles
 constexpr double kLargestNumber = 2147483647;
 
-using Place = std::optional<std::size_t>;  // of a column in the selection
+using ColumnPlace = std::optional<std::size_t>;  // of a column in the selection
 
 /// The columns of a trace that make a row.
 class RowColumns {
@@ -39,22 +39,23 @@ class RowColumns {
 
   /// Returns the name of a column that no trace is without, and this one is; empty: none.
   std::string missing() const {
-    const std::pair<const Place&, const char*> needed[] = {{time, "t_s"},    {line, "line"},
-                                                           {block, "block"}, {s, "s_mm"},
-                                                           {v, "v_mm_s"},    {limit, "limit"}};
+    const std::pair<const ColumnPlace&, const char*> needed[] = {
+        {time, "t_s"}, {line, "line"}, {block, "block"},
+        {s, "s_mm"},   {v, "v_mm_s"},  {limit, "limit"}};
     for (const auto& [place, name] : needed)
       if (!place) return name;
-    const bool has_axis = std::any_of(axes.begin(), axes.end(), [](Place axis) { return !!axis; });
+    const bool has_axis =
+        std::any_of(axes.begin(), axes.end(), [](ColumnPlace axis) { return !!axis; });
     return has_axis ? std::string() : "x_mm";
   }
 
   std::span<const std::size_t> selection() const noexcept { return selection_; }
 
-  Place time, line, block, s, v, limit, feed, chord_error, contour, rmax;
-  std::array<Place, kAxes> axes;
+  ColumnPlace time, line, block, s, v, limit, feed, chord_error, contour, rmax;
+  std::array<ColumnPlace, kAxes> axes;
 
  private:
-  Place place(std::string_view name) {
+  ColumnPlace place(std::string_view name) {
     const auto found = std::find(columns_.begin(), columns_.end(), name);
     if (found == columns_.end()) return std::nullopt;
     selection_.push_back(static_cast<std::size_t>(found - columns_.begin()));
@@ -82,7 +83,7 @@ class TraceRowReader {
     return tl::make_unexpected(reader_.wrong_value(place, std::move(why)));
   }
   double value(std::size_t place) const { return reader_.values()[place]; }
-  float optional(Place place) const {
+  float optional(ColumnPlace place) const {
     return place ? static_cast<float>(value(*place)) : RunRow::kUnknown;
   }
 
@@ -121,10 +122,10 @@ Result<TraceFacts> TraceRowReader::read(const std::string& name) {
 
 /// What a run cannot have.
 Status TraceRowReader::check() const {
-  for (const Place place : {columns_.time, columns_.s, columns_.v, columns_.feed, columns_.axes[0],
-                            columns_.axes[1], columns_.axes[2]})
+  for (const ColumnPlace place : {columns_.time, columns_.s, columns_.v, columns_.feed,
+                                  columns_.axes[0], columns_.axes[1], columns_.axes[2]})
     if (place && !std::isfinite(value(*place))) return wrong(*place, "no finite number");
-  for (const Place place : {columns_.line, columns_.block})
+  for (const ColumnPlace place : {columns_.line, columns_.block})
     if (value(*place) != std::floor(value(*place)) || std::abs(value(*place)) > kLargestNumber)
       return wrong(*place, "no number of a line or a block");
   if (facts_.rows + (first_ ? 1 : 0) > 0 && !(value(*columns_.time) > time_))
@@ -142,7 +143,7 @@ Status TraceRowReader::take() {
   row.v = value(*columns_.v);
   row.feed = columns_.feed ? value(*columns_.feed) : 0;
   for (int axis = 0; axis < kAxes; ++axis)
-    if (const Place place = columns_.axes[static_cast<std::size_t>(axis)])
+    if (const ColumnPlace place = columns_.axes[static_cast<std::size_t>(axis)])
       row.position[axis] = value(*place);
   row.chord_error = optional(columns_.chord_error);
   row.contour = optional(columns_.contour);
