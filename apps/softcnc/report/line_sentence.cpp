@@ -1,58 +1,44 @@
 // SPDX-License-Identifier: MIT
 #include "report/line_sentence.hpp"
 
-#include <fmt/format.h>
-
-#include "messages/duration_text.hpp"
-
 namespace softcnc::app {
-namespace {
 
-/// Completes "Loses ... because".
-std::string_view reason(Limit limit) noexcept {
+std::string_view line_sentence(Limit limit) noexcept {
   switch (limit) {
     case Limit::feed:
-      return "its moves are too short to reach the feed";
+      return "Its moves run at the programmed feed.";
     case Limit::rapid:
-      return "it is a rapid";
+      return "It is a rapid.";
     case Limit::chord:
-      return "the curve is so tight that chords at the programmed feed would exceed the chord "
-             "tolerance";
+      return "The curve is so tight that at the programmed feed its chords would exceed "
+             "control.chord_tolerance_um.";
     case Limit::corner:
-      return "the path turns at a corner, where the machine must slow down or stop; G64 P rounds "
-             "corners";
+      return "The path turns at a corner, where the machine must slow down or stop; a wider "
+             "tolerance (G64 P) rounds it more.";
     case Limit::roughness:
-      return "a faster feed would leave more than the requested Rmax";
+      return "A faster feed would leave more than the requested Rmax.";
     case Limit::axis_velocity:
-      return "an axis is at its velocity limit";
+      return "An axis is at its velocity limit.";
     case Limit::acceleration:
-      return "an axis is at its acceleration limit, in a curve or on a ramp of the speed";
+      return "An axis is at its acceleration limit, in a curve or where the speed changes.";
     case Limit::jerk:
-      return "an axis is at its jerk limit, in a curve or on a ramp of the speed";
+      return "An axis is at its jerk limit, in a curve or where the acceleration changes.";
     case Limit::pulse_rate:
-      return "the drive takes no more pulses per second";
+      return "The drive takes no more pulses per second.";
     case Limit::tangential:
-      return "the tangential acceleration is at its limit";
+      return "The acceleration along the path is at its limit.";
     case Limit::normal:
-      return "the normal acceleration is at its limit in a curve";
+      return "The acceleration across the path is at its limit in a curve.";
     case Limit::custom:
-      return "a further constraint limits the speed";
+      return "A constraint beyond those of the machine limits the speed.";
     case Limit::override_:
-      return "the feed override is below 100 %";
+      return "The feed override is below 100 %.";
     case Limit::hold:
-      return "of a feed hold";
+      return "The feed is held.";
     case Limit::stop:
-      return "the machine rests";
+      return "The machine rests.";
   }
   return {};
-}
-
-}  // namespace
-
-std::string line_sentence(const runtime::LineTime& line) {
-  const double at_feed = line.seconds - line.lost;
-  return fmt::format("Takes {} instead of {} at its feed, because {}.", duration_text(line.seconds),
-                     duration_text(std::max(at_feed, 0.0)), reason(line.limit));
 }
 
 }  // namespace softcnc::app

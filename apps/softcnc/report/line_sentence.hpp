@@ -2,13 +2,14 @@
 // Why a line loses time, in one sentence.
 #pragma once
 
-#include <string>
+#include <string_view>
 
-#include "runtime/figures/worst_lines.hpp"
+#include "motion/model/limit.hpp"
 
 namespace softcnc::app {
 
-/// Says how much time a line loses against its feed, what limits it, and what could be changed.
-std::string line_sentence(const runtime::LineTime& line);
+/// Says why a limit takes time, and what could be changed where that is in the program or in the
+/// machine file.
+std::string_view line_sentence(Limit limit) noexcept;
 
 }  // namespace softcnc::app

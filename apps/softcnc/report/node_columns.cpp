@@ -38,6 +38,13 @@ class NodeColumns {
       add(name, scale_of(history_, value), Order::values,
           [value](const HistoryNode& node) { return node.*value; });
   }
+  /// Where there is such a limit.
+  void add_use(const char* name, float HistoryNode::*value) {
+    const auto& nodes = history_.nodes();
+    if (std::any_of(nodes.begin(), nodes.end(),
+                    [value](const HistoryNode& node) { return node.*value > 0; }))
+      add(name, kPart, Order::values, [value](const HistoryNode& node) { return node.*value; });
+  }
   Json take() { return std::move(json_); }
 
  private:
@@ -67,10 +74,8 @@ Json node_columns(const runtime::RunHistory& history, const Json& axes, PackedDa
   columns.add("limit", 1, Order::values,
               [](const HistoryNode& node) { return static_cast<int>(node.limit); });
   columns.add("tool", 1, Order::differences, [](const HistoryNode& node) { return node.tool; });
-  columns.add("acceleration_use", kPart, Order::values,
-              [](const HistoryNode& node) { return node.acceleration_use; });
-  columns.add("jerk_use", kPart, Order::values,
-              [](const HistoryNode& node) { return node.jerk_use; });
+  columns.add_use("acceleration_use", &HistoryNode::acceleration_use);
+  columns.add_use("jerk_use", &HistoryNode::jerk_use);
   columns.add_known("chord_error_um", &HistoryNode::chord_error);
   columns.add_known("contour_um", &HistoryNode::contour);
   columns.add_known("deviation_um", &HistoryNode::deviation);

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "runtime/difference/path_distance.hpp"
+
 namespace softcnc::app {
 namespace {
 
@@ -65,6 +67,30 @@ std::array<std::string, 2> names(const ReportedRun& a, const ReportedRun& b) {
   return names;
 }
 
+/// The nodes of a run as rows. Their lengths are along the straight lines between them.
+std::vector<runtime::StoredRow> rows_of(const runtime::RunHistory& history) {
+  std::vector<runtime::StoredRow> rows;
+  double s = 0;
+  for (const runtime::HistoryNode& node : history.nodes()) {
+    if (!rows.empty()) s += (node.position - runtime::position_of(rows.back())).norm();
+    const auto& at = node.position;
+    rows.push_back({.period = node.period, .s = s, .position = {at[0], at[1], at[2]}});
+  }
+  return rows;
+}
+
+/// The distance of the paths, as far as the nodes show them.
+void measure_distance(const ReportedRun& a, const ReportedRun& b, RunComparison& result) {
+  const auto first = rows_of(*a.history), second = rows_of(*b.history);
+  const auto distance = runtime::largest_distance(first, second);
+  if (!distance) return;
+  result.distance = distance->distance;
+  const ReportedRun& run = distance->of_first ? a : b;
+  const auto& row = (distance->of_first ? first : second)[distance->index];
+  result.distance_time = run.period * static_cast<double>(row.period);
+  result.distance_run = distance->of_first ? 0 : 1;
+}
+
 }  // namespace
 
 RunComparison compare_runs(const ReportedRun& a, const ReportedRun& b) {
@@ -73,6 +99,7 @@ RunComparison compare_runs(const ReportedRun& a, const ReportedRun& b) {
   result.times = {a.time, b.time};
   result.by_limit = {a.time_by_limit, b.time_by_limit};
   result.by_line = by_line(a, b);
+  measure_distance(a, b, result);
   return result;
 }
 
@@ -90,7 +117,7 @@ Json comparison_json(const RunComparison& comparison) {
           {"by_limit", std::move(limits)},
           {"by_line", std::move(lines)},
           {"distance_um", 1000 * comparison.distance},
-          {"distance_at", {{"t_s", comparison.distance_time}}}};
+          {"distance_at", {{"t_s", comparison.distance_time}, {"run", comparison.distance_run}}}};
 }
 
 }  // namespace softcnc::app

@@ -23,7 +23,8 @@ struct RunComparison {
   std::array<std::array<double, kLimits>, 2> by_limit{};
   std::vector<LineDifference> by_line;  // the largest difference first
   double distance = 0;                  // mm: of a node from the other path, largest
-  double distance_time = 0;             // s, of the first run
+  double distance_time = 0;             // s, and
+  int distance_run = 0;                 // of which run: 0, 1
 };
 
 RunComparison compare_runs(const ReportedRun& a, const ReportedRun& b);

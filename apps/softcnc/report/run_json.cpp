@@ -79,7 +79,7 @@ Json worst(const ReportedRun& run) {
                     {"lost_s", line.lost},
                     {"seconds", line.seconds},
                     {"limit", name(line.limit)},
-                    {"sentence", line_sentence(line)}});
+                    {"sentence", line_sentence(line.limit)}});
   return list;
 }
 
