@@ -39,14 +39,17 @@ export class PathLevels {
   readonly row: Float64Array;
   /** Six numbers per chunk: lowest x, y, z and highest x, y, z. */
   readonly boxes: Float32Array;
+  /** Length of the intervals of each chunk that are drawn, in mm. */
+  readonly drawnLength: Float64Array;
   readonly code: Uint8Array;
   /** For each chunk and code: nodes of at least this code. */
   readonly counts: Uint32Array;
   rgb: Uint8Array;
   visible: Uint8Array | null = null;
-  private readonly shapeInSpace: Uint8Array;
-  private readonly shapeFromAbove: Uint8Array;
+  private shapeInSpace: Uint8Array | null = null;
+  private shapeFromAbove: Uint8Array | null = null;
   private isFlat = false;
+  private isRanked = false;
   private meanColour: Vector = [128, 128, 128];
 
   constructor(layer: PathLayer, centre: Vector) {
@@ -61,17 +64,19 @@ export class PathLevels {
     this.motion = layer.motion;
     this.row = layer.row;
     this.boxes = new Float32Array(6 * this.chunks);
+    this.drawnLength = new Float64Array(this.chunks);
     this.code = new Uint8Array(n);
-    this.shapeInSpace = new Uint8Array(n);
-    this.shapeFromAbove = new Uint8Array(n);
     this.counts = new Uint32Array(this.chunks * kCodes);
     this.rgb = new Uint8Array(3 * n).fill(128);
     this.place(layer, centre);
-    for (let c = 0; c < this.chunks; c++) {
-      this.bound(c);
-      this.rankShape(c, 1, this.shapeInSpace);
-      this.rankShape(c, 0, this.shapeFromAbove);
-    }
+    for (let c = 0; c < this.chunks; c++) this.bound(c);
+    this.measure();
+  }
+
+  /** Ranks the nodes, if that is not done. Call before `code` and `counts` are read. */
+  rank(): void {
+    if (this.isRanked) return;
+    this.isRanked = true;
     this.rankColours();
   }
 
@@ -85,42 +90,40 @@ export class PathLevels {
     return this.motion[node] !== kRest && (this.visible === null || this.visible[node] !== 0);
   }
 
-  /** Returns whether any interval of the chunk is drawn. */
-  hasDrawn(chunk: number): boolean {
-    for (let i = chunk * this.chunkSize + 1; i <= this.lastNode(chunk); i++) {
-      if (this.isDrawn(i)) return true;
-    }
-    return false;
-  }
-
   setColours(rgb: Uint8Array): void {
     this.rgb = rgb;
-    this.rankColours();
+    this.isRanked = false;
   }
 
   setVisible(visible: Uint8Array | null): void {
     this.visible = visible;
-    this.rankColours();
+    this.isRanked = false;
+    this.measure();
   }
 
   /** Chooses whether errors along z count: they are not seen from above. */
   setFlat(flat: boolean): void {
     if (this.isFlat === flat) return;
     this.isFlat = flat;
-    this.rankColours();
+    this.isRanked = false;
   }
 
   /** Returns the box of all intervals that are drawn, or null where there are none. */
   drawnBox(): Box | null {
     const low: Vector = [Infinity, Infinity, Infinity];
     const high: Vector = [-Infinity, -Infinity, -Infinity];
-    for (let i = 1; i < this.count; i++) {
-      if (!this.isDrawn(i)) continue;
-      for (let j = 3 * i - 3; j < 3 * i + 3; j++) {
-        const k = j % 3, value = this.position[j]!;
+    const p = this.position;
+    const include = (at: number): void => {
+      for (let k = 0; k < 3; k++) {
+        const value = p[at + k]!;
         if (value < low[k]!) low[k] = value;
         if (value > high[k]!) high[k] = value;
       }
+    };
+    for (let i = 1; i < this.count; i++) {
+      if (!this.isDrawn(i)) continue;
+      if (!this.isDrawn(i - 1)) include(3 * i - 3);
+      include(3 * i);
     }
     return low[0] <= high[0] ? { low, high } : null;
   }
@@ -150,31 +153,53 @@ export class PathLevels {
     return best;
   }
 
-  private place(layer: PathLayer, centre: Vector): void {
+  private place({ x, y, z }: PathLayer, centre: Vector): void {
     const p = this.position;
     for (let i = 0; i < this.count; i++) {
-      p[3 * i] = layer.x[i]! - centre[0];
-      p[3 * i + 1] = layer.y[i]! - centre[1];
-      p[3 * i + 2] = layer.z[i]! - centre[2];
-      if (i > 0) {
-        this.length[i] = Math.hypot(layer.x[i]! - layer.x[i - 1]!, layer.y[i]! - layer.y[i - 1]!,
-          layer.z[i]! - layer.z[i - 1]!);
+      p[3 * i] = x[i]! - centre[0];
+      p[3 * i + 1] = y[i]! - centre[1];
+      p[3 * i + 2] = z[i]! - centre[2];
+      if (i === 0) continue;
+      const dx = x[i]! - x[i - 1]!, dy = y[i]! - y[i - 1]!, dz = z[i]! - z[i - 1]!;
+      this.length[i] = Math.sqrt(dx * dx + dy * dy + dz * dz);
+    }
+  }
+
+  private measure(): void {
+    for (let c = 0; c < this.chunks; c++) {
+      let length = 0;
+      for (let i = c * this.chunkSize + 1; i <= this.lastNode(c); i++) {
+        if (this.isDrawn(i)) length += this.length[i]!;
       }
+      this.drawnLength[c] = length;
     }
   }
 
   private bound(chunk: number): void {
     const b = this.boxes;
     const at = 6 * chunk;
-    b.fill(Infinity, at, at + 3);
-    b.fill(-Infinity, at + 3, at + 6);
-    for (let i = chunk * this.chunkSize; i <= this.lastNode(chunk); i++) {
-      for (let k = 0; k < 3; k++) {
+    const first = chunk * this.chunkSize, last = this.lastNode(chunk);
+    for (let k = 0; k < 3; k++) {
+      let low = Infinity, high = -Infinity;
+      for (let i = first; i <= last; i++) {
         const value = this.position[3 * i + k]!;
-        if (value < b[at + k]!) b[at + k] = value;
-        if (value > b[at + 3 + k]!) b[at + 3 + k] = value;
+        if (value < low) low = value;
+        if (value > high) high = value;
       }
+      b[at + k] = low;
+      b[at + 3 + k] = high;
     }
+  }
+
+  /** Returns the codes of the shape as it is seen: each is worked out when it is first needed. */
+  private shapeCodes(): Uint8Array {
+    const known = this.isFlat ? this.shapeFromAbove : this.shapeInSpace;
+    if (known !== null) return known;
+    const codes = new Uint8Array(this.count);
+    for (let c = 0; c < this.chunks; c++) this.rankShape(c, this.isFlat ? 0 : 1, codes);
+    if (this.isFlat) this.shapeFromAbove = codes;
+    else this.shapeInSpace = codes;
+    return codes;
   }
 
   /** Douglas and Peucker, 1973: a node's error never exceeds that of the split it lies within. */
@@ -209,7 +234,7 @@ export class PathLevels {
   /** Ranks the nodes by colour, motion and visibility, and counts the nodes of each code. */
   private rankColours(): void {
     this.findMeanColour();
-    this.code.set(this.isFlat ? this.shapeFromAbove : this.shapeInSpace);
+    this.code.set(this.shapeCodes());
     const ranges = new Float32Array(7 * this.chunkSize);
     for (let c = 0; c < this.chunks; c++) {
       this.rankChunkColours(c, ranges);

@@ -10,9 +10,10 @@ import type {
   FrameFigures, HitListener, PathLayer, PathRange, PathView,
 } from './path_types.ts';
 import { nodeAtRow, pick, positionAtRow } from './picking.ts';
-import type { LineRenderer } from './renderer.ts';
+import { kLineWidth, type LineRenderer } from './renderer.ts';
 import {
-  addChunks, addNodes, chooseCode, finestCode, kMostNodes, markChunks, StripBuilder,
+  addChunks, addNodes, chooseCode, finestCode, keepEvery, kMostNodes, markChunks,
+  markedLength, StripBuilder,
 } from './strips.ts';
 import { themeOf } from './theme.ts';
 import { WebGlLines } from './webgl_lines.ts';
@@ -24,7 +25,9 @@ export type {
 const kHighlightNodes = kMostNodes / 4;
 const kSlowMs = 50; // Frames of a movement that take longer lower the quality, to 20 a second.
 const kFastMs = 25;
-const kLeastQuality = 0.4;
+const kLeastQuality = 0.3;
+// A slow browser leaves out chunks of paths that cover their part of the screen more often.
+const kEnoughCoverage = 1.2;
 const kRestMs = 180; // After a movement the picture is drawn in full quality.
 const kContinuousMs = 250; // Frames further apart than this do not follow one another.
 
@@ -51,7 +54,6 @@ class View implements PathView {
   private readonly disconnect: () => void;
   private paths: PathLevels[] = [];
   private marks: Uint8Array[] = [];
-  private drawnChunks: Uint8Array[] = [];
   private centre: Vector = [0, 0, 0];
   private box: Box | null = null;
   private ranges: PathRange[] = [];
@@ -72,6 +74,7 @@ class View implements PathView {
   private isMoving = false;
   private restTimer = 0;
   private ratioPart = 1;
+  private coverage = 0;
   private figures: FrameFigures = { vertices: 0, level: 0, lastFrameMs: 0 };
 
   constructor(container: HTMLElement) {
@@ -129,7 +132,9 @@ class View implements PathView {
   }
 
   setVisible(layer: number, visible: Uint8Array | null): void {
-    this.paths[layer]?.setVisible(visible);
+    const path = this.paths[layer];
+    if (path === undefined || (visible === null && path.visible === null)) return;
+    path.setVisible(visible);
     this.findDrawn();
   }
 
@@ -286,7 +291,12 @@ class View implements PathView {
   private adapt(frameMs: number): void {
     if (frameMs > kSlowMs) this.quality = Math.max(kLeastQuality, this.quality * 0.85);
     else if (frameMs < kFastMs) this.quality = Math.min(1, this.quality * 1.05);
-    this.setRatio(this.quality < 0.8 ? 0.6 : 1);
+    this.setRatio(this.isCoarse() ? 1 / deviceRatio() : 1);
+  }
+
+  /** Whether the browser is too slow for smooth lines while the picture moves. */
+  private isCoarse(): boolean {
+    return this.isMoving && this.quality < 0.8;
   }
 
   /** Sets the part of the screen's resolution at which the paths are drawn. */
@@ -303,11 +313,6 @@ class View implements PathView {
   }
 
   private findDrawn(): void {
-    this.drawnChunks = this.paths.map((path) => {
-      const drawn = new Uint8Array(path.chunks);
-      for (let c = 0; c < path.chunks; c++) drawn[c] = path.hasDrawn(c) ? 1 : 0;
-      return drawn;
-    });
     this.box = this.paths.map((path) => path.drawnBox()).reduce(join, null);
     this.forget();
   }
@@ -341,14 +346,32 @@ class View implements PathView {
     if (this.isMoving && follows) this.adapt(sinceLast);
     this.chooseNodes();
     this.chooseLit();
-    const radius = this.box === null ? 1 : Math.hypot(...this.centredRadius());
-    const vertices = this.renderer.draw(this.camera, this.theme, radius);
+    const radius = Math.hypot(...this.centredRadius());
+    const vertices = this.renderer.draw(this.camera, this.theme,
+      { radius, coverage: this.coverage, isCoarse: this.isCoarse() });
     this.figures = {
       vertices,
       level: Math.max(0, this.shownCode - finestCode(this.camera.scale)),
       lastFrameMs: follows ? sinceLast : performance.now() - start,
     };
     this.lastFrameAt = start;
+  }
+
+  /** Returns how often the marked chunks cover the part of the screen that their box takes. */
+  private findCoverage(): number {
+    if (this.box === null) return 0;
+    const { low, high } = this.box, { camera } = this;
+    const xs: number[] = [], ys: number[] = [];
+    for (let k = 0; k < 8; k++) {
+      const [x, y] = camera.project(k & 1 ? high[0] : low[0], k & 2 ? high[1] : low[1],
+        k & 4 ? high[2] : low[2]);
+      xs.push(Math.min(camera.width, Math.max(0, x)));
+      ys.push(Math.min(camera.height, Math.max(0, y)));
+    }
+    const area = (Math.max(...xs) - Math.min(...xs)) * (Math.max(...ys) - Math.min(...ys));
+    let total = 0;
+    this.paths.forEach((path, k) => { total += markedLength(path, this.marks[k]!); });
+    return total * camera.scale * kLineWidth / Math.max(100, area);
   }
 
   /** Returns the largest distance from the centre along each axis, in mm. */
@@ -376,10 +399,14 @@ class View implements PathView {
 
   private chooseNodes(): void {
     this.paths.forEach((path, k) => {
-      markChunks(path, this.camera, this.drawnChunks[k]!, this.marks[k]!);
+      path.rank();
+      markChunks(path, this.camera, this.marks[k]!);
     });
+    this.coverage = this.findCoverage();
+    const every = this.isCoarse() ? Math.round(this.coverage / kEnoughCoverage) : 1;
+    if (every > 1) this.marks.forEach((marks) => keepEvery(marks, every));
     const most = kMostNodes - (this.ranges.length > 0 ? kHighlightNodes : 0);
-    const budget = Math.round(most * (this.isMoving ? this.quality : 1));
+    const budget = Math.round(most * (this.isCoarse() ? this.quality : 1));
     let code = chooseCode(this.paths, this.marks, this.camera.scale, budget);
     if (code === this.shownCode && this.shownMarks.length === this.marks.length &&
       this.marks.every((marks, k) => isSame(marks, this.shownMarks[k]!))) return;

@@ -19,15 +19,22 @@ export const kHighlightWidth = 6.4;
 /** Slot of strips: the paths, or the highlighted stretches above them. */
 export type Slot = 0 | 1;
 
+/** What a renderer may use to draw faster. */
+export interface Scene {
+  /** Half of the depth of all paths, in mm. */
+  radius: number;
+  /** How often the paths, at their full width, cover their part of the screen. */
+  coverage: number;
+  /** Whether the browser is too slow for smooth lines while the picture moves. */
+  isCoarse: boolean;
+}
+
 export interface LineRenderer {
   readonly canvas: HTMLCanvasElement;
   /** Sets the size in CSS pixels and the pixels of the device per CSS pixel. */
   resize(width: number, height: number, ratio: number): void;
   setStrips(slot: Slot, strips: Strips): void;
-  /**
-   * Draws both slots; `radius` is half of the depth of the scene in mm. Returns how many vertices
-   * were drawn.
-   */
-  draw(camera: Camera, theme: Theme, radius: number): number;
+  /** Draws both slots; returns how many vertices were drawn. */
+  draw(camera: Camera, theme: Theme, scene: Scene): number;
   destroy(): void;
 }

@@ -97,8 +97,7 @@ export class StripBuilder {
 }
 
 /** Marks the chunks whose boxes touch the screen and that show anything. */
-export function markChunks(path: PathLevels, camera: Camera, drawn: Uint8Array,
-  marks: Uint8Array): void {
+export function markChunks(path: PathLevels, camera: Camera, marks: Uint8Array): void {
   const { right, up } = camera.basis();
   const [tx, ty, tz] = camera.target;
   const halfWidth = camera.width / 2 / camera.scale, halfHeight = camera.height / 2 / camera.scale;
@@ -114,8 +113,20 @@ export function markChunks(path: PathLevels, camera: Camera, drawn: Uint8Array,
     const sx = Math.abs(right[0]) * ex + Math.abs(right[1]) * ey + Math.abs(right[2]) * ez;
     const sy = Math.abs(up[0]) * ex + Math.abs(up[1]) * ey + Math.abs(up[2]) * ez;
     const seen = px - sx <= halfWidth + margin && py - sy <= halfHeight + margin;
-    marks[c] = seen && drawn[c] !== 0 ? 1 : 0;
+    marks[c] = seen && path.drawnLength[c]! > 0 ? 1 : 0;
   }
+}
+
+/** Returns the length of what is drawn in the marked chunks, in mm. */
+export function markedLength(path: PathLevels, marks: Uint8Array): number {
+  let total = 0;
+  for (let c = 0; c < path.chunks; c++) if (marks[c] !== 0) total += path.drawnLength[c]!;
+  return total;
+}
+
+/** Leaves a mark at every `every`-th chunk at most. */
+export function keepEvery(marks: Uint8Array, every: number): void {
+  for (let c = 0; c < marks.length; c++) if (c % every !== 0) marks[c] = 0;
 }
 
 function countNodes(path: PathLevels, marks: Uint8Array, code: number): number {

@@ -1,152 +1,70 @@
 // SPDX-License-Identifier: MIT
 // Draws strips by WebGL 2: each node is two vertices, moved apart in the vertex shader to half of
 // the line's width, mitred where two intervals meet; edges are smoothed by the fragment shader.
+// Where paths cover the screen several times, lines of one pixel show the same in a third of the
+// time (of a browser that draws in software).
 
 import type { Camera, Vector } from './camera.ts';
 import * as line from './renderer.ts';
 import { kBegins, kMostNodes, type Strips } from './strips.ts';
 import type { Rgb, Theme } from './theme.ts';
-
-const kVertexShader = `#version 300 es
-precision highp float;
-layout(location = 0) in vec3 before;
-layout(location = 1) in vec3 here;
-layout(location = 2) in vec3 after;
-layout(location = 3) in vec4 look;
-layout(location = 4) in vec4 lookAfter;
-layout(location = 5) in float along;
-uniform vec3 right, up, towards, target;
-uniform vec2 halfScreen;  // device px
-uniform float scale;      // device px per mm
-uniform float depth;      // 1 per mm
-uniform float halfWidth;  // device px, with the smoothed edge
-uniform float dash;       // dashes per mm
-flat out vec4 colour;
-out float across;
-out float dashes;
-vec2 place(vec3 p) { return vec2(dot(right, p - target), dot(up, p - target)) * scale; }
-vec2 direction(vec2 d) { float n = length(d); return n > 1e-4 ? d / n : vec2(0.0); }
-void main() {
-  vec2 p = place(here);
-  vec2 incoming = direction(p - place(before));
-  vec2 outgoing = direction(place(after) - p);
-  bool begins = (int(look.a * 255.0 + 0.5) & 1) != 0;
-  bool ends = (int(lookAfter.a * 255.0 + 0.5) & 1) != 0;
-  if (begins) incoming = outgoing;
-  if (ends) outgoing = incoming;
-  if (incoming == vec2(0.0)) incoming = outgoing;
-  if (outgoing == vec2(0.0)) outgoing = incoming;
-  if (incoming == vec2(0.0)) incoming = outgoing = vec2(1.0, 0.0);
-  vec2 sum = incoming + outgoing;
-  float n = length(sum);
-  vec2 mean = n > 0.3 ? sum / n : incoming;
-  float mitre = n > 0.3 ? min(2.0 / n, 2.0) : 1.0;
-  float side = (gl_VertexID & 1) == 0 ? 1.0 : -1.0;
-  vec2 q = p + vec2(-mean.y, mean.x) * (side * mitre * halfWidth);
-  colour = look;
-  across = side * halfWidth;
-  dashes = along * dash;
-  // Of moves in one place the later one is seen.
-  float order = float(gl_VertexID) * 2e-8;
-  gl_Position = vec4(q / halfScreen, -dot(towards, here - target) * depth - order, 1.0);
-}`;
-
-const kFragmentShader = `#version 300 es
-precision highp float;
-flat in vec4 colour;
-in float across;
-in float dashes;
-uniform vec3 rapid, core, casing;
-uniform vec3 halfWidths;  // device px: cutting moves, rapids; core of highlighted stretches or 0
-uniform float rapidAlpha, dashDrawn;
-uniform int pass;  // 0: all; 1: inner parts only; 2: all at once, with depth
-out vec4 result;
-void main() {
-  float d = abs(across);
-  gl_FragDepth = gl_FragCoord.z;
-  if (halfWidths.z > 0.0) {
-    float inner = clamp(halfWidths.z + 0.5 - d, 0.0, 1.0);
-    float outer = clamp(halfWidths.x + 0.5 - d, 0.0, 1.0);
-    result = vec4(mix(casing, core, inner) * outer, outer);
-    return;
-  }
-  bool isRapid = (int(colour.a * 255.0 + 0.5) & 2) != 0;
-  if (isRapid && fract(dashes) > dashDrawn) discard;
-  float alpha = clamp((isRapid ? halfWidths.y : halfWidths.x) + 0.5 - d, 0.0, 1.0);
-  if (isRapid) alpha *= rapidAlpha;
-  if (alpha < 0.08) discard;
-  // Smoothed edges must not hide what lies farther away. Where both are drawn at once, they are
-  // moved to the far end.
-  if (pass == 1 && alpha < 0.95 && !isRapid) discard;
-  if (pass == 2 && !isRapid) {
-    if (alpha < 0.6) gl_FragDepth = 1.0;
-    else alpha = 1.0;
-  }
-  result = vec4((isRapid ? rapid : colour.rgb) * alpha, alpha);
-}`;
-
-const kUniforms = ['right', 'up', 'towards', 'target', 'halfScreen', 'scale', 'depth', 'halfWidth',
-  'dash', 'rapid', 'core', 'casing', 'halfWidths', 'rapidAlpha', 'dashDrawn',
-  'pass'] as const;
-type Uniforms = Record<(typeof kUniforms)[number], WebGLUniformLocation | null>;
+import { stripProgram, thinProgram, type Program, type Uniforms } from './webgl_programs.ts';
 
 const kStride = 20; // Bytes of a vertex: three floats, the length along the strip, the look.
+const kAlong = 12, kLook = 16; // Where they begin.
+// Lines of one pixel leave no gaps where paths at their full width cover the rectangle that they
+// lie in this often, times the pixels of the device per CSS pixel.
+const kDenseCoverage = 2.3;
 const kAll = 0, kInner = 1, kAtOnce = 2; // Values of `pass`.
 const kRestart = 0xffffffff;
 
+/** Indices of one way to draw a slot. */
+interface Elements {
+  array: WebGLVertexArrayObject;
+  indices: WebGLBuffer;
+  count: number;
+}
+
 /** Buffers of one slot. */
 interface Slot {
-  array: WebGLVertexArrayObject;
   vertices: WebGLBuffer;
-  indices: WebGLBuffer;
-  indexCount: number;
+  strips: Elements;
+  thin: Elements;
   nodes: number;
 }
 
-function compile(gl: WebGL2RenderingContext, kind: number, source: string): WebGLShader {
-  const shader = gl.createShader(kind);
-  if (shader === null) throw new Error('WebGL has no shader left');
-  gl.shaderSource(shader, source);
-  gl.compileShader(shader);
-  if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) {
-    throw new Error(`a shader does not compile: ${gl.getShaderInfoLog(shader) ?? ''}`);
-  }
-  return shader;
-}
+/** What a vertex shader reads: location, numbers, the type of them, and the byte they begin at. */
+type Attribute = [location: number, size: number, isFloat: boolean, offset: number];
 
-function link(gl: WebGL2RenderingContext): WebGLProgram {
-  const program = gl.createProgram();
-  gl.attachShader(program, compile(gl, gl.VERTEX_SHADER, kVertexShader));
-  gl.attachShader(program, compile(gl, gl.FRAGMENT_SHADER, kFragmentShader));
-  gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
-    throw new Error(`the shaders do not link: ${gl.getProgramInfoLog(program) ?? ''}`);
+function createElements(gl: WebGL2RenderingContext, vertices: WebGLBuffer, stride: number,
+  attributes: Attribute[]): Elements {
+  const elements = { array: gl.createVertexArray(), indices: gl.createBuffer(), count: 0 };
+  gl.bindVertexArray(elements.array);
+  gl.bindBuffer(gl.ARRAY_BUFFER, vertices);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, elements.indices);
+  for (const [location, size, isFloat, offset] of attributes) {
+    gl.enableVertexAttribArray(location);
+    gl.vertexAttribPointer(location, size, isFloat ? gl.FLOAT : gl.UNSIGNED_BYTE, !isFloat, stride,
+      offset);
   }
-  return program;
+  gl.bindVertexArray(null);
+  return elements;
 }
 
 function createSlot(gl: WebGL2RenderingContext): Slot {
-  const slot = {
-    array: gl.createVertexArray(), vertices: gl.createBuffer(), indices: gl.createBuffer(),
-    indexCount: 0, nodes: 0,
-  };
-  gl.bindVertexArray(slot.array);
-  gl.bindBuffer(gl.ARRAY_BUFFER, slot.vertices);
-  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, slot.indices);
+  const vertices = gl.createBuffer();
   // The node before is two vertices back, the one after two vertices on.
-  const floats: Array<[number, number, number]> = [[0, 3, 0], [1, 3, 2], [2, 3, 4]];
-  for (const [location, size, vertex] of floats) {
-    gl.enableVertexAttribArray(location);
-    gl.vertexAttribPointer(location, size, gl.FLOAT, false, kStride, vertex * kStride);
-  }
-  gl.enableVertexAttribArray(3);
-  gl.vertexAttribPointer(3, 4, gl.UNSIGNED_BYTE, true, kStride, 2 * kStride + 16);
-  gl.enableVertexAttribArray(4);
-  gl.vertexAttribPointer(4, 4, gl.UNSIGNED_BYTE, true, kStride, 4 * kStride + 16);
-  gl.enableVertexAttribArray(5);
-  gl.vertexAttribPointer(5, 1, gl.FLOAT, false, kStride, 2 * kStride + 12);
-  gl.bindVertexArray(null);
-  return slot;
+  const before = 0, here = 2 * kStride, after = 4 * kStride;
+  return {
+    vertices,
+    strips: createElements(gl, vertices, kStride, [
+      [0, 3, true, before], [1, 3, true, here], [2, 3, true, after], [3, 4, false, here + kLook],
+      [4, 4, false, after + kLook], [5, 1, true, here + kAlong],
+    ]),
+    thin: createElements(gl, vertices, 2 * kStride,
+      [[0, 3, true, here], [1, 4, false, here + kLook]]),
+    nodes: 0,
+  };
 }
 
 /** Returns the vertices of strips: each node twice, with an empty node before and after all. */
@@ -169,14 +87,13 @@ function packVertices(strips: Strips): ArrayBuffer {
   return bytes;
 }
 
-/** Returns the indices of triangle strips, one strip after another with a restart between. */
-function packIndices(strips: Strips): Uint32Array<ArrayBuffer> {
-  const indices = new Uint32Array(3 * strips.count);
+/** Returns indices with `each` vertices per node, one strip after another with a restart between. */
+function packIndices(strips: Strips, each: 1 | 2): Uint32Array<ArrayBuffer> {
+  const indices = new Uint32Array((each + 1) * strips.count);
   let n = 0;
   for (let i = 0; i < strips.count; i++) {
     if (i > 0 && (strips.look[4 * i + 3]! & kBegins) !== 0) indices[n++] = kRestart;
-    indices[n++] = 2 * i;
-    indices[n++] = 2 * i + 1;
+    for (let k = 0; k < each; k++) indices[n++] = each * i + k;
   }
   return indices.slice(0, n);
 }
@@ -185,18 +102,16 @@ function packIndices(strips: Strips): Uint32Array<ArrayBuffer> {
 export class WebGlLines implements line.LineRenderer {
   readonly canvas: HTMLCanvasElement;
   private readonly gl: WebGL2RenderingContext;
-  private readonly uniforms: Uniforms;
-  private readonly program: WebGLProgram;
+  private readonly smooth: Program;
+  private readonly thin: Program;
   private readonly slots: [Slot, Slot];
   private ratio = 1;
 
   private constructor(canvas: HTMLCanvasElement, gl: WebGL2RenderingContext) {
     this.canvas = canvas;
     this.gl = gl;
-    this.program = link(gl);
-    const uniforms: Partial<Uniforms> = {};
-    for (const name of kUniforms) uniforms[name] = gl.getUniformLocation(this.program, name);
-    this.uniforms = uniforms as Uniforms;
+    this.smooth = stripProgram(gl);
+    this.thin = thinProgram(gl);
     this.slots = [createSlot(gl), createSlot(gl)];
   }
 
@@ -220,37 +135,62 @@ export class WebGlLines implements line.LineRenderer {
 
   setStrips(index: line.Slot, strips: Strips): void {
     const gl = this.gl, slot = this.slots[index];
-    const indices = packIndices(strips);
-    gl.bindVertexArray(slot.array);
     gl.bindBuffer(gl.ARRAY_BUFFER, slot.vertices);
     gl.bufferData(gl.ARRAY_BUFFER, packVertices(strips), gl.DYNAMIC_DRAW);
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.DYNAMIC_DRAW);
-    gl.bindVertexArray(null);
-    slot.indexCount = indices.length;
+    this.setIndices(slot.strips, packIndices(strips, 2));
+    this.setIndices(slot.thin, packIndices(strips, 1));
     slot.nodes = strips.count;
   }
 
-  draw(camera: Camera, theme: Theme, radius: number): number {
+  draw(camera: Camera, theme: Theme, scene: line.Scene): number {
     const gl = this.gl;
     const [r, g, b] = theme.background;
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.clearColor(r / 255, g / 255, b / 255, 1);
     gl.depthMask(true);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    gl.useProgram(this.program);
-    this.setCamera(camera, radius);
-    this.setColours(theme);
-    gl.uniform1i(this.uniforms.pass, kAll);
-    gl.enable(gl.BLEND);
+    gl.depthFunc(gl.LEQUAL);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    const vertices = camera.mode === '3d' ? this.drawInSpace() :
-      this.drawSlot(0, line.kLineWidth, 0);
+    let vertices = 0;
+    if (scene.isCoarse || (scene.coverage > kDenseCoverage * this.ratio && !this.isFew())) {
+      vertices += this.drawThin(camera, theme, scene.radius);
+      this.use(this.smooth, camera, theme, scene.radius);
+    } else {
+      this.use(this.smooth, camera, theme, scene.radius);
+      gl.enable(gl.BLEND);
+      vertices += camera.mode === '3d' ? this.drawInSpace() : this.drawSmooth(0);
+    }
+    gl.enable(gl.BLEND);
     gl.disable(gl.DEPTH_TEST);
-    return vertices + this.drawSlot(1, line.kHighlightWidth, line.kHighlightCore);
+    return vertices + this.drawSmooth(1);
   }
 
   destroy(): void {
     this.gl.getExtension('WEBGL_lose_context')?.loseContext();
+  }
+
+  /** Whether the paths can be drawn twice within the budget of vertices. */
+  private isFew(): boolean {
+    return 2 * this.slots[0].nodes + this.slots[1].nodes <= kMostNodes;
+  }
+
+  private setIndices(elements: Elements, indices: Uint32Array<ArrayBuffer>): void {
+    const gl = this.gl;
+    gl.bindVertexArray(elements.array);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.DYNAMIC_DRAW);
+    gl.bindVertexArray(null);
+    elements.count = indices.length;
+  }
+
+  /** Draws the paths by lines of one pixel. */
+  private drawThin(camera: Camera, theme: Theme, radius: number): number {
+    const gl = this.gl;
+    this.use(this.thin, camera, theme, radius);
+    gl.disable(gl.BLEND);
+    if (camera.mode === '3d') gl.enable(gl.DEPTH_TEST);
+    else gl.disable(gl.DEPTH_TEST);
+    this.drawElements(this.slots[0].thin, gl.LINE_STRIP);
+    return this.slots[0].nodes;
   }
 
   /**
@@ -258,33 +198,43 @@ export class WebGlLines implements line.LineRenderer {
    * together would be too many vertices.
    */
   private drawInSpace(): number {
-    const gl = this.gl;
+    const gl = this.gl, u = this.smooth.uniforms;
     gl.enable(gl.DEPTH_TEST);
-    gl.depthFunc(gl.LEQUAL);
-    const isFew = 2 * this.slots[0].nodes + this.slots[1].nodes <= kMostNodes;
-    gl.uniform1i(this.uniforms.pass, isFew ? kInner : kAtOnce);
-    let vertices = this.drawSlot(0, line.kLineWidth, 0);
+    gl.uniform1i(u.pass, this.isFew() ? kInner : kAtOnce);
+    let vertices = this.drawSmooth(0);
     gl.depthMask(false);
-    gl.uniform1i(this.uniforms.pass, kAll);
-    if (isFew) vertices += this.drawSlot(0, line.kLineWidth, 0);
+    gl.uniform1i(u.pass, kAll);
+    if (this.isFew()) vertices += this.drawSmooth(0);
     return vertices;
   }
 
-  /** Draws the strips of one slot; returns how many vertices they have. */
-  private drawSlot(index: line.Slot, width: number, core: number): number {
-    const gl = this.gl, slot = this.slots[index], u = this.uniforms;
-    if (slot.indexCount === 0) return 0;
-    const half = width / 2 * this.ratio;
+  /** Draws the strips of one slot with smoothed edges. */
+  private drawSmooth(index: line.Slot): number {
+    const gl = this.gl, u = this.smooth.uniforms;
+    const half = (index === 0 ? line.kLineWidth : line.kHighlightWidth) / 2 * this.ratio;
+    const core = index === 0 ? 0 : line.kHighlightCore / 2 * this.ratio;
     gl.uniform1f(u.halfWidth, half + 0.5);
-    gl.uniform3f(u.halfWidths, half, line.kRapidWidth / 2 * this.ratio, core / 2 * this.ratio);
-    gl.bindVertexArray(slot.array);
-    gl.drawElements(gl.TRIANGLE_STRIP, slot.indexCount, gl.UNSIGNED_INT, 0);
-    gl.bindVertexArray(null);
-    return 2 * slot.nodes;
+    gl.uniform3f(u.halfWidths, half, line.kRapidWidth / 2 * this.ratio, core);
+    this.drawElements(this.slots[index].strips, gl.TRIANGLE_STRIP);
+    return 2 * this.slots[index].nodes;
   }
 
-  private setCamera(camera: Camera, radius: number): void {
-    const gl = this.gl, u = this.uniforms;
+  private drawElements({ array, count }: Elements, mode: number): void {
+    if (count === 0) return;
+    this.gl.bindVertexArray(array);
+    this.gl.drawElements(mode, count, this.gl.UNSIGNED_INT, 0);
+    this.gl.bindVertexArray(null);
+  }
+
+  private use({ program, uniforms }: Program, camera: Camera, theme: Theme, radius: number): void {
+    this.gl.useProgram(program);
+    this.setCamera(uniforms, camera, radius);
+    this.setColours(uniforms, theme);
+    this.gl.uniform1i(uniforms.pass, kAll);
+  }
+
+  private setCamera(u: Uniforms, camera: Camera, radius: number): void {
+    const gl = this.gl;
     const { right, up, towards } = camera.basis();
     const vector = (at: WebGLUniformLocation | null, v: Vector): void => {
       gl.uniform3f(at, v[0], v[1], v[2]);
@@ -300,8 +250,8 @@ export class WebGlLines implements line.LineRenderer {
     gl.uniform1f(u.dash, camera.scale / line.kDash);
   }
 
-  private setColours(theme: Theme): void {
-    const gl = this.gl, u = this.uniforms;
+  private setColours(u: Uniforms, theme: Theme): void {
+    const gl = this.gl;
     const colour = (at: WebGLUniformLocation | null, c: Rgb): void => {
       gl.uniform3f(at, c[0] / 255, c[1] / 255, c[2] / 255);
     };
