@@ -3,6 +3,7 @@
 // the lines on the screen are elements of the page.
 import {lowerBound} from '../data/bisection.ts';
 import type {Diagnostic} from '../data/format.ts';
+import type {Place} from '../data/run_model.ts';
 import {el, fill, select} from './dom.ts';
 import {underline} from './messages.ts';
 import * as numbers from './numbers.ts';
@@ -111,6 +112,16 @@ export class Listing {
 
   private topOf(line: number): number {
     return (line - 1 + NOTES * lowerBound(this.noteLines, line)) * ROW;
+  }
+
+  /** Scrolls to a line without choosing it. */
+  look({file, line}: Place): void {
+    if (file !== this.file) this.open(file);
+    queueMicrotask(() => {
+      this.shown();
+      this.reveal(line);
+      this.draw();
+    });
   }
 
   private reveal(line: number): void {

@@ -142,9 +142,6 @@ export class Summary {
 /** Facts in a line, each of which is kept together. */
 function factLine(facts: string[]): HTMLElement {
   const line = el('p', {class: 'facts'});
-  facts.forEach((fact, i) => {
-    if (i) line.append(' · ');
-    line.append(el('span', {class: 'fact'}, fact));
-  });
+  for (const fact of facts) line.append(el('span', {class: 'fact'}, fact), ' ');
   return line;
 }
