@@ -12,7 +12,7 @@ import type {Session} from './session.ts';
 
 const ROW = 20;        // px
 const LONGEST = 2000;  // characters of a line that are shown
-const NOTES = 2;       // rows that a diagnostic takes
+const NOTES = 3;       // rows that a diagnostic takes: its mark, and two of text
 const TALLEST = 8e6;   // px; browsers cannot scroll much more
 
 export class Listing {
@@ -164,6 +164,7 @@ export class Listing {
       this.viewport.removeAttribute('aria-activedescendant');
     const {scrollTop, clientHeight} = this.viewport;
     const top = this.top;
+    this.rows.style.setProperty('--view', `${this.viewport.clientWidth}px`);
     const longest = this.session.run.longestLine;
     fill(this.rows);
     let line = this.firstLine(top);
@@ -223,12 +224,12 @@ export class Listing {
     const {column, severity, code, message, help} = diagnostic;
     const indent = ' '.repeat(Math.max(column - 1, 0));
     const full = `${severity}: ${message} [${code}]${help ? `\n${help}` : ''}`;
-    const make = (text: string) =>
-        el('div', {class: `remark ${severity}`, role: 'note', title: full},
-           el('span', {class: 'n'}), el('span', {class: 't'}), el('code', {}, text));
+    const mark = column > 0 ? indent + underline(diagnostic) : '';
     return [
-      make(column > 0 ? indent + underline(diagnostic) : ''),
-      make(`${severity}: ${message} [${code}]`)
+      el('div', {class: `remark ${severity}`, role: 'presentation'}, el('span', {class: 'n'}),
+         el('span', {class: 't'}), el('code', {}, mark)),
+      el('div', {class: `remark message ${severity}`, role: 'note', title: full},
+         `${severity}: ${message} [${code}]`)
     ];
   }
 
