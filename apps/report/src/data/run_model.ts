@@ -63,8 +63,10 @@ export class RunModel {
     return this.column('row');
   }
 
+  /** Whether a column has values; the use of limits needs limits. */
   has(name: NodeColumn): boolean {
     const {axis_limits: limits} = this.data;
+    if (name === 'acceleration_use' && !limits.length) return false;
     if (name === 'jerk_use' && limits.every(({jerk_mm_s3}) => !jerk_mm_s3)) return false;
     return (this.data.nodes[name]?.count ?? 0) > 0;
   }
