@@ -7,6 +7,7 @@ import { decode, readReport, readTrace, stretchesOf } from './support/decode.mjs
 import { nearestDifference, readPng } from './support/pixels.mjs';
 import { report, trace } from './support/reports.mjs';
 
+const kPlunge = 5; // Line of the chords that is not seen from above.
 const kLit = [255, 45, 155]; // Colour of what is lit on a light page.
 let browser;
 before(async () => { browser = await startBrowser(); });
@@ -73,14 +74,17 @@ for (const name of ['butterfly', 'loops', 'chords']) {
     test('what is lit is drawn where the trace has the line', async () => {
       const line = longestLine(rows);
       const [stretch] = stretchesOf(data, line);
+      await page.keyboard.press(name === 'loops' ? '3' : '2'); // its holes are seen from aside
+      await zoomTo(page, stretch);
       await page.keyboard.press('Escape');
       await drawn(page);
       const before = await countLit(page, stretch);
-      assert.ok(before <= 2, `${before} of 19 places of line ${line} are lit before`);
+      // The tool's marker, of the same colour, may stand on a part of it.
+      assert.ok(before <= 9, `${before} of 19 places of line ${line} are lit before`);
       await ask(page, 'pick', line);
       await drawn(page);
       const lit = await countLit(page, stretch);
-      assert.ok(lit >= 15, `${lit} of 19 places of line ${line} are lit`);
+      assert.ok(lit >= 17, `${lit} of 19 places of line ${line} are lit`);
     });
 
     test('positions are those of the trace', async () => {
@@ -114,6 +118,22 @@ for (const name of ['butterfly', 'loops', 'chords']) {
   });
 }
 
+/** Zooms the picture by the wheel until a stretch is at least 80 px from end to end. */
+async function zoomTo(page, { from, to }) {
+  const middle = (from + to) / 2;
+  for (let k = 0; k < 60; k++) {
+    const places = [];
+    for (let j = 0; j <= 8; j++) places.push(await placeOfRow(page, from + (to - from) * j / 8));
+    const far = Math.max(...places.map(({ x, y }) => Math.hypot(x - places[0].x, y - places[0].y)));
+    if (far > 80) break;
+    const { x, y } = await placeOfRow(page, middle);
+    await page.mouse.move(x, y);
+    await page.mouse.wheel(0, -200);
+    await drawn(page);
+  }
+  await page.mouse.move(5, 5);
+}
+
 /** Returns how many of 19 places of a stretch have the colour of what is lit. */
 async function countLit(page, { from, to }) {
   const image = readPng(await page.screenshot());
@@ -125,13 +145,17 @@ async function countLit(page, { from, to }) {
   return lit;
 }
 
-/** Returns the line that takes longest of those that cut. */
+/** Returns the cutting line that is longest. */
 function longestLine(rows) {
-  const counts = new Map();
-  for (const row of rows) {
-    if (row.feed_mm_s > 0) counts.set(row.line, (counts.get(row.line) ?? 0) + 1);
-  }
-  return [...counts].reduce((best, next) => (next[1] > best[1] ? next : best))[0];
+  const lengths = new Map();
+  rows.forEach((row, i) => {
+    const before = rows[i - 1];
+    if (!(row.feed_mm_s > 0) || before?.line !== row.line || row.line === kPlunge) return;
+    const step = Math.hypot(row.x_mm - before.x_mm, row.y_mm - before.y_mm,
+      row.z_mm - before.z_mm);
+    lengths.set(row.line, (lengths.get(row.line) ?? 0) + step);
+  });
+  return [...lengths].reduce((best, next) => (next[1] > best[1] ? next : best))[0];
 }
 
 /** Returns how many mm a CSS pixel is, from two places of the path. */

@@ -81,12 +81,14 @@ function show({report, blob}: Embedded): void {
       sheet, dialog);
   listen(keys);
   addEventListener('beforeprint', () => prepareSheet(session, path, sheet));
+  const first = diagnostics.find(({severity, line}) => severity === 'error' && line > 0);
   const moves = session.runs.some((run) => run.moves);
   document.body.classList.toggle('still', !moves);
-  if (!moves && diagnostics.length)
+  if (first || (!moves && diagnostics.length))
     session.show('program');
   else if (report.comparison)
     session.show('compare');
+  if (first) listing.look(first);
   path.start();
   inspect(session, path);
   // The charts come after the first picture.

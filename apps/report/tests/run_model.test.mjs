@@ -120,6 +120,19 @@ test('a file without text has as many lines as times and diagnostics mention', (
   assert.equal(run.lineCount(1), 9);
 });
 
+test('a use of limits needs limits', () => {
+  const writer = new BlobWriter();
+  const nodes = Object.fromEntries(
+      ['row', 'acceleration_use', 'jerk_use'].map((name) => [name, writer.column([0, 1])]));
+  const known = (axis_limits) => {
+    const run = new RunModel({axis_limits, nodes}, writer.blob);
+    return ['acceleration_use', 'jerk_use', 'x'].map((name) => run.has(name));
+  };
+  assert.deepEqual(known([]), [false, false, false]);
+  assert.deepEqual(known([{jerk_mm_s3: 0}]), [true, false, false]);
+  assert.deepEqual(known([{jerk_mm_s3: 0}, {jerk_mm_s3: 9}]), [true, true, false]);
+});
+
 test('an empty run has no nodes, no places and no stretches', () => {
   const writer = new BlobWriter();
   const none = () => writer.column([]);

@@ -42,6 +42,7 @@ export const kPrograms = {
     file: 'programs/curves/butterfly.nc',
     options: ['--compare', 'programs/machines/bench_mill.toml'],
   },
+  passes: { text: () => raster(300, 200) },
   errors: { text: () => kErrors.text, fails: true },
   loops: { file: 'programs/14_loops_and_subprograms.nc' },
   surface: {

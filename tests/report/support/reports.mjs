@@ -18,25 +18,28 @@ function softcnc() {
   return resolve(process.env.SOFTCNC);
 }
 
-/** Runs softcnc; returns what it prints. A part program with errors makes it fail: see `fails`. */
-function run(parameters, fails) {
-  const program = softcnc();
+/**
+ * Runs softcnc where the program's name is short; returns what it prints. A part program with errors
+ * makes it fail: see `fails`.
+ */
+function run(name, parameters, fails) {
+  const command = softcnc();
   try {
-    return execFileSync(program, parameters,
-      { cwd: kRoot, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+    return execFileSync(command, parameters,
+      { cwd: kPrograms[name].file ? kRoot : kFolder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
   } catch (error) {
     if (fails) return error.stdout;
     throw new Error(`softcnc ${parameters.join(' ')} has failed:\n${error.stderr ?? error}`);
   }
 }
 
-/** Returns the file of a part program; one that is written here is written first. */
-export function program(name) {
+/** Returns the name of a part program; one that is written here is written first. */
+function program(name) {
   const { text, file } = kPrograms[name];
-  if (file) return join(kRoot, file);
+  if (file) return file;
   const path = join(kFolder, `${name}.nc`);
   if (!existsSync(path)) writeFileSync(path, text());
-  return path;
+  return `${name}.nc`;
 }
 
 /** Returns the file of a report, which is made if it does not exist. */
@@ -44,7 +47,7 @@ export function report(name) {
   const { options = [], fails = false } = kPrograms[name];
   const path = join(kFolder, `${name}.html`);
   if (existsSync(path)) return path;
-  run(['report', program(name), '-o', path, ...options], fails);
+  run(name, ['report', program(name), '-o', path, ...options], fails);
   if (!existsSync(path)) throw new Error(`softcnc report has written no report of ${name}`);
   return path;
 }
@@ -52,13 +55,13 @@ export function report(name) {
 /** Returns the file of a CSV trace of the same run. */
 export function trace(name) {
   const path = join(kFolder, `${name}.csv`);
-  if (!existsSync(path)) run(['run', '--dry-run', program(name), '--trace', path], false);
+  if (!existsSync(path)) run(name, ['run', '--dry-run', program(name), '--trace', path], false);
   return path;
 }
 
 /** Returns the time in s of a run of the program on its own, with these parameters. */
 export function timeOf(name, parameters) {
   const path = join(kFolder, 'time.json');
-  run(['run', '--dry-run', program(name), '--quiet', '--report', path, ...parameters], false);
+  run(name, ['run', '--dry-run', program(name), '--quiet', '--report', path, ...parameters], false);
   return JSON.parse(readFileSync(path, 'utf8')).time_s;
 }

@@ -63,7 +63,11 @@ export class RunModel {
     return this.column('row');
   }
 
+  /** Whether a column has values; the use of limits needs limits. */
   has(name: NodeColumn): boolean {
+    const {axis_limits: limits} = this.data;
+    if (name === 'acceleration_use' && !limits.length) return false;
+    if (name === 'jerk_use' && limits.every(({jerk_mm_s3}) => !jerk_mm_s3)) return false;
     return (this.data.nodes[name]?.count ?? 0) > 0;
   }
 
@@ -137,8 +141,8 @@ export class RunModel {
   }
 
   /**
-   * Returns the line of the stretch after or before that of a row, with the first row of it; null at
-   * the ends of the run.
+   * Returns the line of the stretch after or before that of a row, with the first row of it; null
+   * at the ends of the run.
    */
   placeInTime(row: number, step: 1|- 1): {place: Place; row: number}|null {
     const {row: starts, line, file} = this.spans;

@@ -213,7 +213,7 @@ export class Chart {
     const cutting = this.spec.strip ? this.fastestFeed() : 0;
     this.cut.hidden = !(cutting > 0 && high > 1.12 * cutting);
     if (cutting > 0) return [0, 1.12 * cutting];
-    if (this.spec.fromZero) return [0, high > 0 ? high * 1.06 : 1];
+    if (this.spec.fromZero) return [0, Math.max(high, this.spec.least ?? 0) * 1.06 || 1];
     const margin = (high - low) * 0.06 || 1;
     return [low - margin, high + margin];
   }

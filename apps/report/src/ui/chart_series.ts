@@ -22,6 +22,7 @@ export interface ChartSpec {
   series: Series[];
   strip?: boolean;  // has the limits under it
   fromZero: boolean;
+  least?: number;  // that the axis reaches at least
 }
 
 const BLUE = {
@@ -78,6 +79,7 @@ const CHARTS: ChartSpec[] = [
     title: 'Use of limits',
     unit: '%',
     fromZero: true,
+    least: 100,
     series: [uses('acceleration', 'acceleration_use', ORANGE), uses('jerk', 'jerk_use', PURPLE)]
   },
   {

@@ -28,7 +28,7 @@ export function comparePanel(session: Session, comparison: Comparison): HTMLElem
 function named(comparison: Comparison, run: 0|1): HTMLElement {
   return el(
       'p', {class: 'run-name'}, swatch(categoryColour(run)), el('b', {}, run === 0 ? 'A' : 'B'),
-      ` ${comparison.names[run]}`,
+      el('span', {title: comparison.names[run]}, withoutFolders(comparison.names[run])),
       el('span', {class: 'number'}, numbers.time(comparison.time_s[run])));
 }
 
@@ -38,7 +38,7 @@ function bars(comparison: Comparison): HTMLElement {
   const bar = (run: 0|1) => {
     const parts =
         el('div', {class: 'share', style: `width:${(100 * comparison.time_s[run]) / longest}%`});
-    for (const {limit, a_s, b_s} of comparison.by_limit) {
+    for (const {limit, a_s, b_s} of bySize(comparison)) {
       const seconds = run === 0 ? a_s : b_s;
       parts.append(el('span', {
         style: `flex:${seconds} 0 0;background:${limitColour(limit)}`,
@@ -62,7 +62,7 @@ function byLimit(comparison: Comparison): HTMLElement {
         {title: 'B', number: true, cell: ({b_s}) => numbers.time(b_s)},
         {title: 'Change', number: true, cell: ({a_s, b_s}) => numbers.timeChange(b_s - a_s)},
       ],
-      [...comparison.by_limit].sort((p, q) => Math.max(q.a_s, q.b_s) - Math.max(p.a_s, p.b_s)));
+      bySize(comparison));
 }
 
 function paths(session: Session, comparison: Comparison): HTMLElement {
@@ -100,4 +100,14 @@ function byLine(session: Session, comparison: Comparison): HTMLElement {
       comparison.by_line,
       ({file, line}) =>
           session.select({file: Math.max(files.findIndex(({name}) => name === file), 0), line}));
+}
+
+/** The limits of a comparison, the one that takes longest in either run first. */
+function bySize({by_limit: limits}: Comparison): Comparison['by_limit'] {
+  return [...limits].sort((p, q) => Math.max(q.a_s, q.b_s) - Math.max(p.a_s, p.b_s));
+}
+
+/** The name of a run without the folders of its program. */
+function withoutFolders(name: string): string {
+  return name.replace(/^\S*[\\/]/, '');
 }

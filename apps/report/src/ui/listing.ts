@@ -3,6 +3,7 @@
 // the lines on the screen are elements of the page.
 import {lowerBound} from '../data/bisection.ts';
 import type {Diagnostic} from '../data/format.ts';
+import type {Place} from '../data/run_model.ts';
 import {el, fill, select} from './dom.ts';
 import {underline} from './messages.ts';
 import * as numbers from './numbers.ts';
@@ -11,7 +12,7 @@ import type {Session} from './session.ts';
 
 const ROW = 20;        // px
 const LONGEST = 2000;  // characters of a line that are shown
-const NOTES = 2;       // rows that a diagnostic takes
+const NOTES = 3;       // rows that a diagnostic takes: its mark, and two of text
 const TALLEST = 8e6;   // px; browsers cannot scroll much more
 
 export class Listing {
@@ -113,6 +114,16 @@ export class Listing {
     return (line - 1 + NOTES * lowerBound(this.noteLines, line)) * ROW;
   }
 
+  /** Scrolls to a line without choosing it. */
+  look({file, line}: Place): void {
+    if (file !== this.file) this.open(file);
+    queueMicrotask(() => {
+      this.shown();
+      this.reveal(line);
+      this.draw();
+    });
+  }
+
   private reveal(line: number): void {
     const {clientHeight} = this.viewport;
     const top = this.topOf(line);
@@ -153,6 +164,7 @@ export class Listing {
       this.viewport.removeAttribute('aria-activedescendant');
     const {scrollTop, clientHeight} = this.viewport;
     const top = this.top;
+    this.rows.style.setProperty('--view', `${this.viewport.clientWidth}px`);
     const longest = this.session.run.longestLine;
     fill(this.rows);
     let line = this.firstLine(top);
@@ -212,12 +224,12 @@ export class Listing {
     const {column, severity, code, message, help} = diagnostic;
     const indent = ' '.repeat(Math.max(column - 1, 0));
     const full = `${severity}: ${message} [${code}]${help ? `\n${help}` : ''}`;
-    const make = (text: string) =>
-        el('div', {class: `remark ${severity}`, role: 'note', title: full},
-           el('span', {class: 'n'}), el('span', {class: 't'}), el('code', {}, text));
+    const mark = column > 0 ? indent + underline(diagnostic) : '';
     return [
-      make(column > 0 ? indent + underline(diagnostic) : ''),
-      make(`${severity}: ${message} [${code}]`)
+      el('div', {class: `remark ${severity}`, role: 'presentation'}, el('span', {class: 'n'}),
+         el('span', {class: 't'}), el('code', {}, mark)),
+      el('div', {class: `remark message ${severity}`, role: 'note', title: full},
+         `${severity}: ${message} [${code}]`)
     ];
   }
 

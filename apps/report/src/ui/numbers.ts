@@ -91,7 +91,8 @@ function significantWhole(value: number): string {
 
 export function withUnit(value: number, unit: string, digits = 3): string {
   if (unit === '%') return `${significant(value, digits)}${THIN}%`;
-  return unit ? `${significant(value, digits)}${THIN}${unit.replace(/^u(?=m)/, 'µ')}` :
+  return unit ? `${significant(value, digits)}${THIN}${
+                    unit.replace(/^u(?=m)/, 'µ').replace(/s2$/, 's²').replace(/s3$/, 's³')}` :
                 significant(value, digits);
 }
 

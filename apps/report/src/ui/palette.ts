@@ -11,8 +11,8 @@ const VIRIDIS = [
 ].map(rgbOf);
 
 // What is unremarkable lies near the background, what is remarkable far from it.
-const LIGHT_RANGE: [number, number] = [0.8, 0];
-const DARK_RANGE: [number, number] = [0.3, 1];
+const LIGHT_RANGE: [number, number] = [0.76, 0];
+const DARK_RANGE: [number, number] = [0.37, 1];
 
 const CATEGORIES =
     ['#0072b2', '#e69f00', '#009e73', '#cc79a7', '#56b4e9', '#d55e00', '#f0e442', '#8c8c8c'];

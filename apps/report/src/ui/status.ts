@@ -10,8 +10,9 @@ const TEXTS = {
 };
 
 /** Returns the end of a run; the number of errors for a program that has some. */
-export function statusText({status, diagnostics}: RunData): string {
+export function statusText({status, diagnostics, setpoints}: RunData): string {
   if (status !== 'error') return TEXTS[status];
   const errors = diagnostics.filter(({severity}) => severity === 'error').length;
-  return errors ? `not run: ${plural(errors, 'error')}` : 'not run to its end';
+  const how = setpoints > 0 ? 'not run to its end' : 'not run';
+  return errors ? `${how}: ${plural(errors, 'error')}` : how;
 }

@@ -8,7 +8,7 @@ import type {Session} from './session.ts';
 import {statusText} from './status.ts';
 
 const NOISE = 1e-6;       // what rounding leaves of errors that are none
-const SHOWN_FIGURES = 4;  // the others are among the details
+const SHOWN_FIGURES = 3;  // the others are among the details
 
 export class Summary {
   readonly element = el('div', {class: 'summary'});
@@ -32,9 +32,6 @@ export class Summary {
     const facts = [
       data.length_mm ? `path ${numbers.length(data.length_mm)}` : '',
       data.blocks ? numbers.plural(data.blocks, 'block') : '',
-      data.setpoints ? `${numbers.plural(data.setpoints, 'row')}, one every ${
-                           numbers.plain(data.period_s * 1e3)} ms` :
-                       '',
       data.rests.count ?
           `${numbers.plural(data.rests.count, 'rest')}, ${numbers.time(data.rests.seconds)}` :
           '',
@@ -142,9 +139,6 @@ export class Summary {
 /** Facts in a line, each of which is kept together. */
 function factLine(facts: string[]): HTMLElement {
   const line = el('p', {class: 'facts'});
-  facts.forEach((fact, i) => {
-    if (i) line.append(' · ');
-    line.append(el('span', {class: 'fact'}, fact));
-  });
+  for (const fact of facts) line.append(el('span', {class: 'fact'}, fact), ' ');
   return line;
 }

@@ -138,8 +138,9 @@ function drawDimension(c: CanvasRenderingContext2D, camera: Camera, scene: Overl
     length = Math.hypot(bx - ax, by - ay);
   }
   if (best === null || length < 14 || !isInside(camera, best)) return;
-  const dx = best[0] - middle[0], dy = best[1] - middle[1];
-  const n = Math.hypot(dx, dy) || 1;
+  let dx = best[0] - middle[0], dy = best[1] - middle[1];
+  if (Math.hypot(dx, dy) < 2) [dx, dy] = axis === 2 ? [-1, 0] : [0, 1]; // a box without width
+  const n = Math.hypot(dx, dy);
   const text = `${kNames[axis]!} ${lengthText(size)} mm`;
   c.font = kFont;
   c.textAlign = 'center';
