@@ -12,6 +12,8 @@ build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev libs
                 libxxhash-dev libpng-dev libreaderwriterqueue-dev)
 test_packages=(catch2 clang libclang-rt-14-dev librapidcheck-dev libbenchmark-dev python3
                python3-numpy python3-scipy python3-matplotlib zstd)
+# What shows the pages of reports; their sources also need Node, see need_node.
+browser_packages=(chromium fonts-dejavu-core)
 tidy_packages=(clang clang-tidy clang-format)
 
 say() { printf 'softcnc: %s\n' "$*" >&2; }
@@ -56,6 +58,12 @@ need() {
   tail -n 15 "$log" >&2
   say "installing failed; the output is in $log"
   exit 2
+}
+
+# need_node: Node and npm, whoever has installed them; Debian's otherwise.
+need_node() {
+  command -v node >/dev/null && command -v npm >/dev/null && return 0
+  need nodejs npm
 }
 
 # configure PRESET [CMAKE OPTION...]
