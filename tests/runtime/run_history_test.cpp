@@ -158,6 +158,22 @@ TEST_CASE("a change of the limit, the feed, the motion or the tool begins a node
   CHECK(history.nodes()[5].tool == 7);
 }
 
+TEST_CASE("a value that falls while the motion stays uniform is not shown as its largest",
+          "[runtime][history]") {
+  RunHistory history(kPeriod, nullptr);
+  for (int i = 0; i <= 1000; ++i) {
+    RunRow row = row_at(i, {0.02 * i, 0, 0}, 20);
+    row.contour = 100 * std::exp(-0.01F * static_cast<float>(i));
+    history.take(row);
+  }
+  history.finish();
+  for (std::size_t i = 1; i < history.nodes().size(); ++i) {
+    const double true_value =
+        100 * std::exp(-0.01 * static_cast<double>(history.nodes()[i].period));
+    CHECK_THAT(history.nodes()[i].contour, WithinAbs(true_value, 5.001));
+  }
+}
+
 TEST_CASE("a circle uses v^2/r of the acceleration of its axes", "[runtime][history]") {
   Machine machine;
   for (Axis& axis : machine.axes) {

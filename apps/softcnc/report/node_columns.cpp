@@ -12,6 +12,7 @@ using Json = nlohmann::ordered_json;
 using runtime::HistoryNode;
 
 constexpr double kPart = 0.01;  // steps of a use
+constexpr double kFeed = 1e-4;  // mm/s: as it is programmed
 
 /// Three digits of the largest: more cannot be seen.
 double scale_of(const runtime::RunHistory& history, float HistoryNode::*value) {
@@ -68,7 +69,7 @@ Json node_columns(const runtime::RunHistory& history, const Json& axes, PackedDa
   columns.add("s", mm, Order::second_differences, [](const HistoryNode& node) { return node.s; });
   const double mm_s = std::max(history.speed_error() / 2, 1e-6);
   columns.add("v", mm_s, Order::differences, [](const HistoryNode& node) { return node.v; });
-  columns.add("feed", mm_s, Order::differences, [](const HistoryNode& node) { return node.feed; });
+  columns.add("feed", kFeed, Order::differences, [](const HistoryNode& node) { return node.feed; });
   columns.add("motion", 1, Order::values,
               [](const HistoryNode& node) { return static_cast<int>(node.motion); });
   columns.add("limit", 1, Order::values,

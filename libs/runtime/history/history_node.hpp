@@ -2,6 +2,7 @@
 // A row of a run that its history keeps.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "runtime/history/run_row.hpp"
@@ -24,5 +25,13 @@ struct HistoryNode {
   float rmax = RunRow::kUnknown;             // um
   float rmax_target = RunRow::kUnknown;      // um
 };
+
+/// What is largest since the node before.
+inline constexpr std::array kLargest{&HistoryNode::acceleration_use, &HistoryNode::jerk_use,
+                                     &HistoryNode::chord_error,      &HistoryNode::contour,
+                                     &HistoryNode::deviation,        &HistoryNode::rmax,
+                                     &HistoryNode::rmax_target};
+/// A value for each of them.
+using LargestValues = std::array<float, kLargest.size()>;
 
 }  // namespace softcnc::runtime

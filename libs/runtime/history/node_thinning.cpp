@@ -22,8 +22,20 @@ NodeThinning::Values NodeThinning::values(const HistoryNode& node) noexcept {
   return {node.position[0], node.position[1], node.position[2], node.v};
 }
 
+bool NodeThinning::leaves_range(const HistoryNode& node,
+                                const LargestValues& ranges) const noexcept {
+  for (std::size_t i = 0; i < kLargest.size(); ++i) {
+    const float value = node.*kLargest[i], largest = (*pending_).*kLargest[i];
+    if (std::isinf(ranges[i])) continue;
+    if (std::isnan(value) != std::isnan(largest)) return true;
+    if (value > smallest_[i] + ranges[i] || value < largest - ranges[i]) return true;
+  }
+  return false;
+}
+
 bool NodeThinning::begins_anew(const HistoryNode& node, const Thinning& thinning) const noexcept {
   const HistoryNode& last = *pending_;
+  if (leaves_range(node, thinning.ranges)) return true;
   if (thinning.keeps_limits && (node.limit != last.limit || node.feed != last.feed)) return true;
   return thinning.keeps_motions && (node.motion != last.motion || node.tool != last.tool);
 }
@@ -53,11 +65,11 @@ void NodeThinning::merge(const HistoryNode& node) {
   periods_by_limit_[static_cast<std::size_t>(node.limit)] += periods;
   periods_by_motion_[static_cast<std::size_t>(node.motion)] += periods;
   const std::optional<HistoryNode> earlier = std::exchange(pending_, node);
-  if (!earlier) return;
-  for (const auto value : {&HistoryNode::acceleration_use, &HistoryNode::jerk_use,
-                           &HistoryNode::chord_error, &HistoryNode::contour,
-                           &HistoryNode::deviation, &HistoryNode::rmax, &HistoryNode::rmax_target})
-    (*pending_).*value = larger((*earlier).*value, node.*value);
+  for (std::size_t i = 0; i < kLargest.size(); ++i) {
+    const auto value = kLargest[i];
+    smallest_[i] = earlier ? std::fmin(smallest_[i], node.*value) : node.*value;
+    if (earlier) (*pending_).*value = larger((*earlier).*value, node.*value);
+  }
 }
 
 void NodeThinning::keep_pending() {

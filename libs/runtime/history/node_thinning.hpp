@@ -21,6 +21,7 @@ struct Thinning {
   double speed = 0;       // mm/s
   double speed_part = 0;  // and as a part of the speed itself
   bool keeps_limits = true, keeps_motions = true;
+  LargestValues ranges{};  // within which values between two nodes lie; infinite: any
 };
 
 class NodeThinning {
@@ -40,11 +41,13 @@ class NodeThinning {
   static Values values(const HistoryNode& node) noexcept;
   void keep_pending();
   void merge(const HistoryNode& node);
+  bool leaves_range(const HistoryNode& node, const LargestValues& ranges) const noexcept;
   bool begins_anew(const HistoryNode& node, const Thinning& thinning) const noexcept;
 
   std::vector<HistoryNode>& nodes_;
   Cones<4> cones_;
   std::optional<HistoryNode> pending_;  // with what is largest since the node before it
+  LargestValues smallest_{};            // since then
   std::int64_t before_ = 0;             // the period of the last node that was added
   std::array<std::int64_t, kLimits> periods_by_limit_{};
   std::array<std::int64_t, 3> periods_by_motion_{};

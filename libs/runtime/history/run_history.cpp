@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace softcnc::runtime {
@@ -17,9 +18,21 @@ RunHistory::RunHistory(double period, const Machine* machine, Size size)
   }
 }
 
+/// Uses are parts of a limit already.
+LargestValues RunHistory::ranges(double factor) const noexcept {
+  LargestValues ranges;
+  for (std::size_t i = 0; i < kLargest.size(); ++i) {
+    const bool is_use =
+        kLargest[i] == &HistoryNode::acceleration_use || kLargest[i] == &HistoryNode::jerk_use;
+    ranges[i] = kRange * static_cast<float>(factor) * (is_use ? 1.0F : largest_[i]);
+    if (level_ >= kRangeLevels) ranges[i] = std::numeric_limits<float>::infinity();
+  }
+  return ranges;
+}
+
 Thinning RunHistory::thinning(double factor) const noexcept {
-  return {factor * kPosition, factor * kSpeedOfAll * fastest_, factor * kSpeedPart,
-          level_ < kLimitLevels, level_ < kMotionLevels};
+  return {factor * kPosition,    factor * kSpeedOfAll * fastest_, factor * kSpeedPart,
+          level_ < kLimitLevels, level_ < kMotionLevels,          ranges(factor)};
 }
 
 /// By differences of the rows, before which the machine is at rest.
@@ -55,6 +68,8 @@ void RunHistory::take(const RunRow& row) {
                    .rmax_target = row.rmax_target};
   use_axes(row, node);
   add_span(row);
+  for (std::size_t i = 0; i < kLargest.size(); ++i)
+    largest_[i] = std::fmax(largest_[i], node.*kLargest[i]);
   fastest_ = std::max(fastest_, std::abs(row.v));
   thinning_->add(node, thinning(factor_));
   ++rows_;

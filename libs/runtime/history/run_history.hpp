@@ -58,10 +58,12 @@ class RunHistory final : public RunRowSink {
  private:
   static constexpr double kPosition = 5e-4;    // mm
   static constexpr double kSpeedPart = 1e-3;   // of the speed
-  static constexpr double kSpeedOfAll = 5e-4;  // of the largest speed so far
-  static constexpr int kLimitLevels = 1, kMotionLevels = 6;
+  static constexpr double kSpeedOfAll = 1e-4;  // of the largest speed so far
+  static constexpr float kRange = 0.05F;       // of a limit, or of the largest value so far
+  static constexpr int kLimitLevels = 1, kRangeLevels = 3, kMotionLevels = 6;
 
   Thinning thinning(double factor) const noexcept;
+  LargestValues ranges(double factor) const noexcept;
   void use_axes(const RunRow& row, HistoryNode& node) noexcept;
   void add_span(const RunRow& row);
   void thin_nodes();
@@ -75,6 +77,7 @@ class RunHistory final : public RunRowSink {
   std::vector<HistoryNode> nodes_;
   std::unique_ptr<NodeThinning> thinning_;
   std::vector<LineSpan> spans_;
+  LargestValues largest_{};
   double fastest_ = 0;              // mm/s
   double factor_ = 1, error_ = 1;   // of the tolerances: the present one, and all so far
   int level_ = 0;                   // how often the nodes have been thinned out
