@@ -80,7 +80,7 @@ function show({report, blob}: Embedded): void {
       el('main', {}, tabs.element, path.element, surface.element, player.element, charts.element),
       sheet, dialog);
   listen(keys);
-  addEventListener('beforeprint', () => prepareSheet(session, path, sheet));
+  addEventListener('beforeprint', () => prepareSheet({session, path, summary, messages}, sheet));
   const first = diagnostics.find(({severity, line}) => severity === 'error' && line > 0);
   const moves = session.runs.some((run) => run.moves);
   document.body.classList.toggle('still', !moves);

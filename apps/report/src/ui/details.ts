@@ -92,9 +92,9 @@ function limits(data: RunData): HTMLElement {
       [
         {title: 'Axis', cell: ({axis}) => axis.toUpperCase()},
         {
-          title: 'Velocity, mm/min',
+          title: 'Velocity, mm/s',
           number: true,
-          cell: ({velocity_mm_s}) => numbers.feedNumber(velocity_mm_s)
+          cell: ({velocity_mm_s}) => numbers.plain(velocity_mm_s)
         },
         {
           title: 'Acceleration, mm/s²',

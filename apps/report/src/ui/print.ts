@@ -5,13 +5,24 @@ import {details} from './details.ts';
 import {el, fill} from './dom.ts';
 import type {PathPanel} from './path_panel.ts';
 import type {Session} from './session.ts';
-import {Messages} from './messages.ts';
-import {Summary} from './summary.ts';
+import type {Messages} from './messages.ts';
+import type {Summary} from './summary.ts';
+import {surfaceNumbers} from './surface_panel.ts';
 import {whatIfPanel} from './what_if.ts';
 
+/** Panels that are printed as they are. */
+export interface Printed {
+  session: Session;
+  path: PathPanel;
+  summary: Summary;
+  messages: Messages;
+}
+
 /** Prepares `sheet` for printing; in light colours whatever the page has. */
-export function prepareSheet(session: Session, path: PathPanel, sheet: HTMLElement): void {
+export function prepareSheet(
+    {session, path, summary, messages}: Printed, sheet: HTMLElement): void {
   const {report, run, dark} = session;
+  const {surface} = session.runs[0]!.data;
   if (dark) session.setDark(false);
   path.colour();
   const picture = path.view?.toImage();
@@ -19,14 +30,22 @@ export function prepareSheet(session: Session, path: PathPanel, sheet: HTMLEleme
   if (dark) session.setDark(true);
   fill(
       sheet,
-      el('h1', {}, run.data.program,
+      el('h1', {}, run.data.program.split(/[\\/]/).pop() ?? '',
          el('small', {}, run.data.machine ? ` on ${run.data.machine}` : '')),
-      el('div', {class: 'sheet-first'}, new Summary(session).element,
+      el('div', {class: 'sheet-first'}, shown(summary.element),
          picture ?
              el('figure', {}, el('img', {src: picture, alt: 'The path'}), legend as HTMLElement) :
              null),
       report.comparison ? comparePanel(session, report.comparison) : null,
       report.what_if ? whatIfPanel(report.what_if) : null,
-      run.data.diagnostics.length ? new Messages(session).element : null,
-      details(run.data, report.softcnc));
+      run.data.diagnostics.length ? shown(messages.element) : null,
+      surface ? surfaceNumbers(session, surface) : null, details(run.data, report.softcnc));
+}
+
+/** A copy of a panel, which may be hidden. */
+function shown(panel: HTMLElement): HTMLElement {
+  const copy = panel.cloneNode(true) as HTMLElement;
+  copy.hidden = false;
+  for (const name of ['id', 'role', 'aria-labelledby']) copy.removeAttribute(name);
+  return copy;
 }

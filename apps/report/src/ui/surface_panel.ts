@@ -54,12 +54,18 @@ export class SurfaceStage {
   }
 }
 
-/** Returns the numbers of a surface, with a list of the regions that miss their target most. */
+/** The panel of a surface; its numbers are made when they are first looked at. */
 export function surfacePanel(session: Session, data: SurfaceData): HTMLElement {
   const panel = el('div', {class: 'surface'});
-  const draw = () => fill(panel, figures(data), worst(session, data));
-  session.on(['tab'], () => session.tab === 'surface' && !panel.firstChild && draw());
+  session.on(['tab'], () => {
+    if (session.tab === 'surface' && !panel.firstChild) panel.append(surfaceNumbers(session, data));
+  });
   return panel;
+}
+
+/** Returns the numbers of a surface, with the regions that miss their target most. */
+export function surfaceNumbers(session: Session, data: SurfaceData): HTMLElement {
+  return el('div', {}, figures(data), worst(session, data));
 }
 
 function figures(data: SurfaceData): HTMLElement {

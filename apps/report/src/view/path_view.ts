@@ -3,18 +3,16 @@
 
 import { Camera, type Box, type Vector } from './camera.ts';
 import { CanvasLines } from './canvas_lines.ts';
+import { FrameNodes } from './frame_nodes.ts';
 import { connectGestures } from './gestures.ts';
 import { PathLevels } from './levels.ts';
+import { MotionQuality } from './motion_quality.ts';
 import { drawOverlay, insetsOf } from './overlay.ts';
 import type {
   FrameFigures, HitListener, PathLayer, PathRange, PathView,
 } from './path_types.ts';
-import { nodeAtRow, pick, positionAtRow } from './picking.ts';
-import { kLineWidth, type LineRenderer } from './renderer.ts';
-import {
-  addChunks, addNodes, chooseCode, finestCode, keepEvery, kMostNodes, markChunks,
-  markedLength, StripBuilder,
-} from './strips.ts';
+import { pick, positionAtRow } from './picking.ts';
+import type { LineRenderer } from './renderer.ts';
 import { themeOf } from './theme.ts';
 import { WebGlLines } from './webgl_lines.ts';
 
@@ -22,13 +20,6 @@ export type {
   FrameFigures, HitListener, PathHit, PathLayer, PathRange, PathView,
 } from './path_types.ts';
 
-const kHighlightNodes = kMostNodes / 4;
-const kSlowMs = 50; // Frames of a movement that take longer lower the quality, to 20 a second.
-const kFastMs = 25;
-const kLeastQuality = 0.3;
-// A slow browser leaves out chunks of paths that cover their part of the screen more often.
-const kEnoughCoverage = 1.2;
-const kRestMs = 180; // After a movement the picture is drawn in full quality.
 const kContinuousMs = 250; // Frames further apart than this do not follow one another.
 
 /** Creates a picture that fills the container and follows its size. */
@@ -48,33 +39,24 @@ class View implements PathView {
   private readonly overlay = document.createElement('canvas');
   private renderer: LineRenderer;
   private readonly camera = new Camera();
-  private readonly strips = new StripBuilder(kMostNodes);
-  private readonly lit = new StripBuilder(kHighlightNodes);
+  private readonly nodes = new FrameNodes();
+  private readonly quality = new MotionQuality();
   private readonly observer: ResizeObserver;
   private readonly disconnect: () => void;
   private paths: PathLevels[] = [];
-  private marks: Uint8Array[] = [];
   private centre: Vector = [0, 0, 0];
   private box: Box | null = null;
-  private ranges: PathRange[] = [];
   private markers: Array<number | null> = [];
   private theme = themeOf(false, document.documentElement);
   private isDark = false;
   private pickListener: HitListener | null = null;
   private hoverListener: HitListener | null = null;
   private hoverWaiting: (() => void) | null = null;
-  private shownMarks: Uint8Array[] = [];
-  private shownCode = -1;
-  private litCode = -1;
   private frame = 0;
   private lastFrameAt = -Infinity;
   private wantsFit = true;
   private wantsPaths = true;
-  private quality = 1;
-  private isMoving = false;
-  private restTimer = 0;
   private ratioPart = 1;
-  private coverage = 0;
   private figures: FrameFigures = { vertices: 0, level: 0, lastFrameMs: 0 };
 
   constructor(container: HTMLElement) {
@@ -119,8 +101,7 @@ class View implements PathView {
     this.centre = centreOf(layers);
     this.paths = layers.map((layer) => new PathLevels(layer, this.centre));
     this.paths.forEach((path) => path.setFlat(this.camera.mode === '2d'));
-    this.marks = this.paths.map((path) => new Uint8Array(path.chunks));
-    this.ranges = [];
+    this.nodes.setPaths(this.paths);
     this.markers = layers.map(() => null);
     this.findDrawn();
     this.fit();
@@ -139,8 +120,7 @@ class View implements PathView {
   }
 
   highlight(ranges: PathRange[]): void {
-    this.ranges = ranges.slice();
-    this.litCode = -1;
+    this.nodes.setRanges(ranges);
     this.draw();
   }
 
@@ -163,7 +143,7 @@ class View implements PathView {
     this.camera.mode = mode;
     this.paths.forEach((path) => path.setFlat(mode === '2d'));
     this.describe();
-    this.shownCode = this.litCode = -1;
+    this.nodes.forget();
     this.fit();
   }
 
@@ -200,7 +180,7 @@ class View implements PathView {
 
   destroy(): void {
     cancelAnimationFrame(this.frame);
-    window.clearTimeout(this.restTimer);
+    this.quality.stop();
     this.observer.disconnect();
     this.disconnect();
     this.renderer.destroy();
@@ -277,26 +257,11 @@ class View implements PathView {
 
   /** Draws while the picture moves, coarser where the browser is slow. */
   private moved(): void {
-    this.isMoving = true;
-    window.clearTimeout(this.restTimer);
-    this.restTimer = window.setTimeout(() => {
-      this.isMoving = false;
+    this.quality.move(() => {
       this.setRatio(1);
       this.draw();
-    }, kRestMs);
+    });
     this.draw();
-  }
-
-  /** Adapts the quality of a movement to the time from frame to frame. */
-  private adapt(frameMs: number): void {
-    if (frameMs > kSlowMs) this.quality = Math.max(kLeastQuality, this.quality * 0.85);
-    else if (frameMs < kFastMs) this.quality = Math.min(1, this.quality * 1.05);
-    this.setRatio(this.isCoarse() ? 1 / deviceRatio() : 1);
-  }
-
-  /** Whether the browser is too slow for smooth lines while the picture moves. */
-  private isCoarse(): boolean {
-    return this.isMoving && this.quality < 0.8;
   }
 
   /** Sets the part of the screen's resolution at which the paths are drawn. */
@@ -308,7 +273,7 @@ class View implements PathView {
 
   /** Makes the next frame choose its nodes again. */
   private forget(): void {
-    this.shownCode = this.litCode = -1;
+    this.nodes.forget();
     this.draw();
   }
 
@@ -343,35 +308,21 @@ class View implements PathView {
     const start = performance.now();
     const sinceLast = start - this.lastFrameAt;
     const follows = sinceLast < kContinuousMs;
-    if (this.isMoving && follows) this.adapt(sinceLast);
-    this.chooseNodes();
-    this.chooseLit();
-    const radius = Math.hypot(...this.centredRadius());
-    const vertices = this.renderer.draw(this.camera, this.theme,
-      { radius, coverage: this.coverage, isCoarse: this.isCoarse() });
+    if (follows) this.quality.note(sinceLast);
+    const { part } = this.quality;
+    this.setRatio(part < 1 ? 1 / deviceRatio() : 1);
+    const changes = this.nodes.choose(this.camera, this.box, part);
+    if (changes.strips) this.renderer.setStrips(0, this.nodes.strips.strips);
+    if (changes.lit) this.renderer.setStrips(1, this.nodes.lit.strips);
+    const vertices = this.renderer.draw(this.camera, this.theme, {
+      radius: Math.hypot(...this.centredRadius()), coverage: this.nodes.coverage, isCoarse: part < 1,
+    });
     this.figures = {
       vertices,
-      level: Math.max(0, this.shownCode - finestCode(this.camera.scale)),
+      level: this.nodes.level(this.camera),
       lastFrameMs: follows ? sinceLast : performance.now() - start,
     };
     this.lastFrameAt = start;
-  }
-
-  /** Returns how often the marked chunks cover the part of the screen that their box takes. */
-  private findCoverage(): number {
-    if (this.box === null) return 0;
-    const { low, high } = this.box, { camera } = this;
-    const xs: number[] = [], ys: number[] = [];
-    for (let k = 0; k < 8; k++) {
-      const [x, y] = camera.project(k & 1 ? high[0] : low[0], k & 2 ? high[1] : low[1],
-        k & 4 ? high[2] : low[2]);
-      xs.push(Math.min(camera.width, Math.max(0, x)));
-      ys.push(Math.min(camera.height, Math.max(0, y)));
-    }
-    const area = (Math.max(...xs) - Math.min(...xs)) * (Math.max(...ys) - Math.min(...ys));
-    let total = 0;
-    this.paths.forEach((path, k) => { total += markedLength(path, this.marks[k]!); });
-    return total * camera.scale * kLineWidth / Math.max(100, area);
   }
 
   /** Returns the largest distance from the centre along each axis, in mm. */
@@ -396,62 +347,7 @@ class View implements PathView {
       box: this.box, centre: this.centre, markers, isDark: this.isDark, theme: this.theme,
     });
   }
-
-  private chooseNodes(): void {
-    this.paths.forEach((path, k) => {
-      path.rank();
-      markChunks(path, this.camera, this.marks[k]!);
-    });
-    this.coverage = this.findCoverage();
-    const every = this.isCoarse() ? Math.round(this.coverage / kEnoughCoverage) : 1;
-    if (every > 1) this.marks.forEach((marks) => keepEvery(marks, every));
-    const most = kMostNodes - (this.ranges.length > 0 ? kHighlightNodes : 0);
-    const budget = Math.round(most * (this.isCoarse() ? this.quality : 1));
-    let code = chooseCode(this.paths, this.marks, this.camera.scale, budget);
-    if (code === this.shownCode && this.shownMarks.length === this.marks.length &&
-      this.marks.every((marks, k) => isSame(marks, this.shownMarks[k]!))) return;
-    const chosen = code;
-    for (; ; code++) {
-      this.strips.clear();
-      const all = this.paths.every((path, k) => addChunks(this.strips, path, this.marks[k]!, code));
-      if ((all && this.strips.strips.count <= budget) || code >= 63) break;
-    }
-    this.shownCode = chosen;
-    this.shownMarks = this.marks.map((marks) => marks.slice());
-    this.renderer.setStrips(0, this.strips.strips);
-  }
-
-  private chooseLit(): void {
-    const finest = finestCode(this.camera.scale);
-    if (finest === this.litCode) return;
-    this.litCode = finest;
-    for (let code = finest; code < 64; code++) {
-      this.lit.clear();
-      if (this.ranges.every((range) => this.addRange(range, code))) break;
-    }
-    this.renderer.setStrips(1, this.lit.strips);
-  }
-
-  /** Adds one highlighted stretch; its ends are interpolated between nodes. */
-  private addRange(range: PathRange, code: number): boolean {
-    const path = this.paths[range.layer];
-    this.lit.end();
-    if (path === undefined || path.count < 2 || range.to < range.from) return true;
-    const first = nodeAtRow(path, range.from), last = nodeAtRow(path, range.to);
-    const begin = positionAtRow(path, range.from), finish = positionAtRow(path, range.to);
-    const p = path.position;
-    const join = (from: ArrayLike<number>, a: number, to: ArrayLike<number>, b: number): boolean => {
-      const length = Math.hypot(to[b]! - from[a]!, to[b + 1]! - from[a + 1]!,
-        to[b + 2]! - from[a + 2]!);
-      return length === 0 || this.lit.add(from, a, to, b, length, kBlack, 0, 0);
-    };
-    if (first >= last) return join(begin, 0, finish, 0);
-    return join(begin, 0, p, 3 * first) && addNodes(this.lit, path, first, last - 1, code) &&
-      join(p, 3 * (last - 1), finish, 0);
-  }
 }
-
-const kBlack = [0, 0, 0];
 
 function deviceRatio(): number {
   return Math.min(3, Math.max(1, window.devicePixelRatio || 1));
@@ -461,12 +357,6 @@ function newCanvas(): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
   canvas.style.cssText = 'position:absolute;left:0;top:0;width:100%;height:100%;';
   return canvas;
-}
-
-function isSame(a: Uint8Array, b: Uint8Array): boolean {
-  if (a.length !== b.length) return false;
-  for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false;
-  return true;
 }
 
 function join(a: Box | null, b: Box | null): Box | null {

@@ -3,14 +3,15 @@
 
 import type { DecodedSurface } from '../data/surface.ts';
 import { Camera, type Box, type Insets, type Vector } from './camera.ts';
-import { heightColour, kMet, kMissed, kNoTarget, roughnessColour } from './colour_map.ts';
+import { heightColour, roughnessColour } from './colour_map.ts';
 import { connectGestures } from './gestures.ts';
 import { drawRulers } from './overlay.ts';
-import { fixed, label, niceStep } from './scales.ts';
+import { fixed } from './scales.ts';
 import {
   heightImage, roughnessImage, spanOf, verdict, verdictImage, type Span,
 } from './surface_image.ts';
-import { css, themeOf, type Rgb, type Theme } from './theme.ts';
+import { drawBar, drawKey, hatch, kFont, type Scale } from './surface_scale.ts';
+import { css, themeOf, type Theme } from './theme.ts';
 
 export type SurfaceLook = 'height' | 'rmax' | 'met';
 
@@ -25,7 +26,6 @@ export interface SurfaceView {
 }
 
 const kInsets: Insets = { left: 62, right: 96, top: 34, bottom: 40 };
-const kFont = '11px system-ui, sans-serif';
 const kNumbersFrom = 44; // CSS px: regions at least this large carry their numbers.
 const kHatchFrom = 7; // CSS px: smaller regions are too small to be hatched.
 
@@ -169,8 +169,8 @@ class View implements SurfaceView {
     if (this.look !== 'height') this.drawRegions(c);
     c.font = kFont;
     drawRulers(c, this.camera, { centre: this.centre, theme: this.theme });
-    if (this.look === 'met') this.drawKey(c);
-    else this.drawBar(c);
+    if (this.look === 'met') drawKey(c, this.camera.width, this.theme);
+    else drawBar(c, this.camera, this.theme, this.scale());
     this.drawReadout(c);
   }
 
@@ -233,63 +233,13 @@ class View implements SurfaceView {
     lines.forEach((line, k) => c.fillText(line, x, y + 14 * (k - (lines.length - 1) / 2)));
   }
 
-  private drawBar(c: CanvasRenderingContext2D): void {
-    const isHeight = this.look === 'height';
-    const span = isHeight ? this.heights : this.roughness;
-    const offset = isHeight ? this.surface.origin[2] : 0;
-    const x = this.camera.width - 74, top = 40, width = 14;
-    const height = Math.max(60, Math.min(280, this.camera.height - 110));
-    c.fillStyle = css(this.theme.background, 0.88);
-    c.fillRect(x - 10, 0, 84, top + height + 14);
-    for (let k = 0; k < height; k++) {
-      const value = 1 - k / (height - 1);
-      c.fillStyle = css((isHeight ? heightColour(value) : roughnessColour(value)).map(Math.round) as Rgb);
-      c.fillRect(x, top + k, width, 1.5);
+  private scale(): Scale {
+    const z = this.surface.origin[2];
+    if (this.look === 'rmax') {
+      return { title: 'Rmax, \u00b5m', span: this.roughness, colour: roughnessColour };
     }
-    c.font = kFont;
-    c.textBaseline = 'middle';
-    c.textAlign = 'left';
-    c.fillStyle = css(this.theme.ink);
-    c.fillText(isHeight ? 'height, mm' : 'Rmax, \u00b5m', x, 20);
-    this.drawTicks(c, span.low + offset, span.high + offset, x + width, top, height);
-  }
-
-  private drawTicks(c: CanvasRenderingContext2D, low: number, high: number, x: number, top: number,
-    height: number): void {
-    const range = high - low;
-    if (!(range > 0)) return;
-    const step = niceStep(range / (height / 28));
-    c.strokeStyle = c.fillStyle = css(this.theme.ink);
-    c.beginPath();
-    for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++) {
-      const y = top + height * (1 - (k * step - low) / range);
-      c.moveTo(x, Math.round(y) + 0.5);
-      c.lineTo(x + 4, Math.round(y) + 0.5);
-      c.fillText(label(k * step, step), x + 7, y);
-    }
-    c.stroke();
-  }
-
-  private drawKey(c: CanvasRenderingContext2D): void {
-    const x = this.camera.width - 92;
-    c.fillStyle = css(this.theme.background, 0.88);
-    c.fillRect(x - 8, 0, 100, 114);
-    c.font = kFont;
-    c.textAlign = 'left';
-    c.textBaseline = 'middle';
-    const entries: Array<[string, Rgb]> = [['target met', kMet], ['missed', kMissed],
-      ['no target', kNoTarget], ['not known', this.theme.background]];
-    entries.forEach(([text, colour], k) => {
-      const y = 24 + 22 * k;
-      c.fillStyle = css(colour);
-      c.fillRect(x, y - 7, 14, 14);
-      if (colour === kMissed) hatch(c, x, y - 7, 14);
-      c.strokeStyle = css(this.theme.quiet);
-      c.lineWidth = 1;
-      c.strokeRect(x + 0.5, y - 6.5, 13, 13);
-      c.fillStyle = css(this.theme.ink);
-      c.fillText(text, x + 20, y);
-    });
+    const span = { low: this.heights.low + z, high: this.heights.high + z };
+    return { title: 'height, mm', span, colour: heightColour };
   }
 
   /** Writes what is under the pointer, in the upper left corner. */
@@ -327,21 +277,4 @@ class View implements SurfaceView {
 
 function micrometres(um: number): string {
   return `${um >= 100 ? um.toFixed(0) : um >= 10 ? um.toFixed(1) : um.toFixed(2)} \u00b5m`;
-}
-
-/** Marks a region by lines from corner to corner, so that it is known without its colour. */
-function hatch(c: CanvasRenderingContext2D, x: number, y: number, size: number): void {
-  c.save();
-  c.beginPath();
-  c.rect(x, y, size, size);
-  c.clip();
-  c.strokeStyle = 'rgba(0,0,0,0.55)';
-  c.lineWidth = 1.2;
-  c.beginPath();
-  for (let k = -size; k < size; k += Math.max(6, size / 5)) {
-    c.moveTo(x + k, y + size);
-    c.lineTo(x + k + size, y);
-  }
-  c.stroke();
-  c.restore();
 }
