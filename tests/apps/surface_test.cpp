@@ -490,7 +490,7 @@ TEST_CASE("heads of npy files end where data may begin", "[apps][surface]") {
 }
 
 TEST_CASE("letters stay on their canvas", "[apps][surface]") {
-  Canvas canvas(20, 9, {0, 0, 0});
+  OldCanvas canvas(20, 9, {0, 0, 0});
   canvas.write(-3, -2, "Rmax 24.9", 2, {255, 255, 255});
   canvas.write(18, 8, "8", 1, {255, 255, 255});
   const auto png = canvas.png("x.png");

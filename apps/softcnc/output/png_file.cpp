@@ -78,30 +78,30 @@ int text_width(std::string_view text) noexcept {
   return kPitch * static_cast<int>(text.size()) - 1;
 }
 
-Canvas::Canvas(int width, int height, Colour ground)
+OldCanvas::OldCanvas(int width, int height, OldColour ground)
     : width_(width),
       height_(height),
       pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), ground) {}
 
-void Canvas::set(int x, int y, Colour colour) noexcept {
+void OldCanvas::set(int x, int y, OldColour colour) noexcept {
   if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
   pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
           static_cast<std::size_t>(x)] = colour;
 }
 
-void Canvas::fill(int x, int y, int width, int height, Colour colour) noexcept {
+void OldCanvas::fill(int x, int y, int width, int height, OldColour colour) noexcept {
   for (int j = y; j < y + height; ++j)
     for (int i = x; i < x + width; ++i) set(i, j, colour);
 }
 
-void Canvas::frame(int x, int y, int width, int height, Colour colour) noexcept {
+void OldCanvas::frame(int x, int y, int width, int height, OldColour colour) noexcept {
   fill(x, y, width, 1, colour);
   fill(x, y + height - 1, width, 1, colour);
   fill(x, y, 1, height, colour);
   fill(x + width - 1, y, 1, height, colour);
 }
 
-void Canvas::write(int x, int y, std::string_view text, int scale, Colour colour) noexcept {
+void OldCanvas::write(int x, int y, std::string_view text, int scale, OldColour colour) noexcept {
   for (const char name : text) {
     const Letter* letter = find_letter(name);
     for (int j = 0; letter && j < kLetterHeight; ++j)
@@ -112,13 +112,13 @@ void Canvas::write(int x, int y, std::string_view text, int scale, Colour colour
   }
 }
 
-Result<std::string> Canvas::png(const std::string& file) const {
+Result<std::string> OldCanvas::png(const std::string& file) const {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(width_);
   image.height = static_cast<png_uint_32>(height_);
   image.format = PNG_FORMAT_RGB;
-  static_assert(sizeof(Colour) == 3);
+  static_assert(sizeof(OldColour) == 3);
   png_alloc_size_t size = 0;
   std::string bytes;
   bool good = png_image_write_get_memory_size(image, size, 0, pixels_.data(), 0, nullptr) != 0;

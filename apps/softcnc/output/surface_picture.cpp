@@ -19,7 +19,7 @@ constexpr int kHeight = 2 * kSide + 2 * kHead + 2 * kMargin;
 constexpr int kScale = 2;          // of letters
 constexpr int kMiddleRegions = 6;  // along a side of what is enlarged
 constexpr double kRelief = 8;      // roughness is shown so much steeper than it is
-constexpr Colour kPaper{250, 250, 248}, kInk{30, 30, 34}, kFaint{205, 205, 208},
+constexpr OldColour kPaper{250, 250, 248}, kInk{30, 30, 34}, kFaint{205, 205, 208},
     kNothing{226, 226, 230}, kLine{20, 80, 170}, kGouged{208, 38, 38}, kMissed{240, 60, 40};
 
 std::uint8_t byte(double value) noexcept {
@@ -33,20 +33,20 @@ double lit(double slope_x, double slope_y) noexcept {
                            std::sqrt(1 + slope_x * slope_x + slope_y * slope_y));
 }
 
-Colour grey(double light) noexcept {
+OldColour grey(double light) noexcept {
   return {byte(0.12 + 0.80 * light), byte(0.14 + 0.80 * light), byte(0.17 + 0.80 * light)};
 }
 
 /// From dark blue over green to yellow, 0 to 1.
-Colour heat(double value) noexcept {
+OldColour heat(double value) noexcept {
   const double v = std::clamp(value, 0.0, 1.0);
   return {byte(v < 0.5 ? 0.25 - 0.2 * v : 0.15 + 1.6 * (v - 0.5)), byte(0.05 + 0.85 * v),
           byte(v < 0.5 ? 0.35 + 0.4 * v : 0.55 - 0.9 * (v - 0.5))};
 }
 
 /// The same, lit.
-Colour lit_heat(double value, double light) noexcept {
-  const Colour base = heat(value);
+OldColour lit_heat(double value, double light) noexcept {
+  const OldColour base = heat(value);
   const double part = 0.35 + 0.8 * light;
   const auto dim = [part](std::uint8_t c) { return byte(part * c / 255.0); };
   return {dim(base.red), dim(base.green), dim(base.blue)};
@@ -73,12 +73,12 @@ void each_pixel(const Frame& frame, int columns, int rows, Paint&& paint) {
             frame.x + x, frame.y + y);
 }
 
-void title(Canvas& canvas, int left, int top, const std::string& text) {
+void title(OldCanvas& canvas, int left, int top, const std::string& text) {
   canvas.write(left, top - 12 * kScale, text, kScale, kInk);
 }
 
 /// Draws a red frame around each region that is rougher than its target, where there is space.
-void frame_missed(Canvas& canvas, const Frame& frame, const surface::RoughnessMap& map) {
+void frame_missed(OldCanvas& canvas, const Frame& frame, const surface::RoughnessMap& map) {
   const std::vector<float> met = map.met();
   const auto at = [](int i, int pixels, int count) {
     return static_cast<int>(static_cast<std::int64_t>(i) * pixels / count);
@@ -173,7 +173,7 @@ void SurfacePicture::keep_middle(const surface::SurfaceBand& band) {
   }
 }
 
-void SurfacePicture::draw_whole(Canvas& canvas) const {
+void SurfacePicture::draw_whole(OldCanvas& canvas) const {
   const int left = kMargin, top = kHead;
   const Frame frame = fitted(left, top, columns_, rows_);
   each_pixel(frame, columns_, rows_, [&](int i, int j, int x, int y) {
@@ -187,7 +187,7 @@ void SurfacePicture::draw_whole(Canvas& canvas) const {
                     (grid_.rows - 1) * grid_.step));
 }
 
-void SurfacePicture::draw_middle(Canvas& canvas) const {
+void SurfacePicture::draw_middle(OldCanvas& canvas) const {
   const int left = kSide + 3 * kMargin, top = kHead;
   const Frame frame = fitted(left, top, middle_columns_, middle_rows_);
   const float most = highest_of(middle_);
@@ -208,7 +208,7 @@ void SurfacePicture::draw_middle(Canvas& canvas) const {
                     middle_rows_ * grid_.step, um_from_mm(static_cast<double>(most))));
 }
 
-void SurfacePicture::draw_rmax(Canvas& canvas, const surface::RoughnessMap& map) const {
+void SurfacePicture::draw_rmax(OldCanvas& canvas, const surface::RoughnessMap& map) const {
   const int left = kMargin, top = kSide + 2 * kHead;
   const std::vector<float> rmax = map.rmax(), gouges = map.gouges();
   const Frame frame = fitted(left, top, map.columns(), map.rows());
@@ -238,7 +238,7 @@ void SurfacePicture::draw_rmax(Canvas& canvas, const surface::RoughnessMap& map)
                                         : ""));
 }
 
-void SurfacePicture::draw_profiles(Canvas& canvas) const {
+void SurfacePicture::draw_profiles(OldCanvas& canvas) const {
   const int left = kSide + 3 * kMargin, top = kSide + 2 * kHead;
   constexpr int kHigh = (kSide - kHead) / 2;
   const double most = std::max(static_cast<double>(highest_of(middle_)), 1e-6);
@@ -269,10 +269,10 @@ void SurfacePicture::draw_profiles(Canvas& canvas) const {
        middle_rows_, [&](int i) { return middle(middle_columns_ / 2, i); });
 }
 
-Canvas SurfacePicture::draw(const surface::RoughnessMap& map) {
+OldCanvas SurfacePicture::draw(const surface::RoughnessMap& map) {
   if (map.from() == surface::HeightFrom::lowest)
     for (const float base = base_of(middle_); float& value : middle_) value -= base;
-  Canvas canvas(kWidth, kHeight, kPaper);
+  OldCanvas canvas(kWidth, kHeight, kPaper);
   draw_whole(canvas);
   draw_middle(canvas);
   draw_rmax(canvas, map);

@@ -19,7 +19,7 @@ class SurfacePicture {
   void add(const surface::SurfaceBand& band);
 
   /// Call once after the last band.
-  Canvas draw(const surface::RoughnessMap& map);
+  OldCanvas draw(const surface::RoughnessMap& map);
 
  private:
   void shade(const surface::SurfaceBand& band);
@@ -28,10 +28,10 @@ class SurfacePicture {
     return middle_[static_cast<std::size_t>(row) * static_cast<std::size_t>(middle_columns_) +
                    static_cast<std::size_t>(column)];
   }
-  void draw_whole(Canvas& canvas) const;
-  void draw_middle(Canvas& canvas) const;
-  void draw_rmax(Canvas& canvas, const surface::RoughnessMap& map) const;
-  void draw_profiles(Canvas& canvas) const;
+  void draw_whole(OldCanvas& canvas) const;
+  void draw_middle(OldCanvas& canvas) const;
+  void draw_rmax(OldCanvas& canvas, const surface::RoughnessMap& map) const;
+  void draw_profiles(OldCanvas& canvas) const;
 
   surface::StockGrid grid_;
   int columns_, rows_;         // of the shaded picture
