@@ -31,6 +31,8 @@ constexpr CommandEntry kCommands[] = {
     {CommandName::blocks, "blocks", "Print the blocks of a part program, one JSON object per line"},
     {CommandName::record, "record", "Run a part program and record what replay needs"},
     {CommandName::replay, "replay", "Run recordings again and compare row by row"},
+    {CommandName::report, "report",
+     "Show a run on one page: path, time, limits, errors, line by line"},
     {CommandName::surface, "surface",
      "Compute the surface that a part program machines, with its Rmax"},
     {CommandName::compare, "compare",
@@ -168,6 +170,12 @@ void machine_files(CLI::App& app, const OptionEntry& entry, Options& options) {
 
 void settings(CLI::App& app, const OptionEntry& entry, Options& options) {
   app.add_option(entry.names, options.settings, entry.help)
+      ->type_name(entry.value)
+      ->allow_extra_args(false);
+}
+
+void compared_settings(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.compared_settings, entry.help)
       ->type_name(entry.value)
       ->allow_extra_args(false);
 }
@@ -324,16 +332,18 @@ void verbose(CLI::App& app, const OptionEntry& entry, Options& options) {
 
 using enum CommandName;
 constexpr Commands kRuns{run, record};
-constexpr Commands kPlans{run, check, record, surface, compare};
-constexpr Commands kPrograms{run, check, blocks, record, surface};
-constexpr Commands kReads{run, check, blocks, record, surface, compare};
-constexpr Commands kMachine{run, check, blocks, record, replay, surface, machine, latency, pulses};
-constexpr Commands kMachines{run,     check,   blocks,  record,  replay,
+constexpr Commands kPlans{run, check, record, report, surface, compare};
+constexpr Commands kPrograms{run, check, blocks, record, report, surface};
+constexpr Commands kReads{run, check, blocks, record, report, surface, compare};
+constexpr Commands kMachine{run,    check,   blocks,  record,  replay,
+                            report, surface, machine, latency, pulses};
+constexpr Commands kMachines{run,     check,   blocks,  record,  replay, report,
                              surface, compare, machine, latency, pulses};
 
 constexpr OptionEntry kOptions[] = {
     {{run, record, blocks, surface}, "PART", "", "Part program; - is standard input", one_file},
     {{check, compare}, "PART", "", "Part programs; - is standard input", files},
+    {{report}, "FILE", "", "Part program, trace (.csv, .npz) or recording (.rec)", one_file},
     {{replay}, "FILE.rec", "", "Recordings", files},
     {{pulses},
      "FILE",
@@ -364,7 +374,7 @@ constexpr OptionEntry kOptions[] = {
      "FILE.toml",
      "State file (work offsets, tool table, parameters), read before the run and written after it",
      text<&Options::state>},
-    {{check, blocks, record, surface, compare},
+    {{check, blocks, record, report, surface, compare},
      "--state",
      "FILE.toml",
      "State file (work offsets, tool table, parameters) to begin with",
@@ -447,6 +457,25 @@ constexpr OptionEntry kOptions[] = {
      "FILE",
      "The surface to write: numpy arrays (.npz) or a picture (.png)",
      required_text<&Options::output>},
+    {{report}, "-o,--output", "FILE.html", "The page to write", required_text<&Options::output>},
+    {{report},
+     "--compare",
+     "B",
+     "Compare with another program, trace or recording, or with the same program on another "
+     "machine "
+     "(B.toml)",
+     text<&Options::compared>},
+    {{report},
+     "--compare-set",
+     "KEY=VALUE",
+     "Set one value of the machine of the run that is compared, for example "
+     "control.interpolation=taylor2 (repeatable)",
+     compared_settings},
+    {{report},
+     "--what-if",
+     "",
+     "Plan again with each axis limit 50 % higher, and show the seconds that this wins",
+     flag<&Options::what_if>},
     {{compare},
      "-o,--output",
      "FILE",
@@ -472,7 +501,7 @@ constexpr OptionEntry kOptions[] = {
 
     {kMachines, "--diagnostics", "", "Diagnostics format: text, or one JSON or SARIF document",
      diagnostics},
-    {{run, record, replay, surface, compare},
+    {{run, record, replay, report, surface, compare},
      "--progress",
      "",
      "Progress on stderr: a bar on a terminal (auto), nothing, or JSON lines",

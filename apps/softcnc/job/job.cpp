@@ -12,9 +12,10 @@
 namespace softcnc::app {
 namespace {
 
-/// A dry run opens no backend, and surface none that writes.
+/// A dry run opens no backend, and surface and report none that writes.
 bool moves(const Options& options) {
-  return !options.dry_run && options.command != CommandName::surface;
+  return !options.dry_run && options.command != CommandName::surface &&
+         options.command != CommandName::report;
 }
 
 }  // namespace

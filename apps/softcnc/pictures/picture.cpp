@@ -128,7 +128,7 @@ Status fit(std::vector<Part>& parts, double height) {
       fixed + kLowest * static_cast<double>(std::ranges::count_if(
                             parts, [](const Part& part) { return part.stretches; }));
   return tl::make_unexpected(Diagnostic{
-      .code = Code::SC6060,
+      .code = Code::SC6062,
       .message = fmt::format("{:.0f} px are too low for these plots, which need about {:.0f} px",
                              height, least)});
 }

@@ -22,6 +22,7 @@ enum class CommandName : std::uint8_t {
   blocks,
   record,
   replay,
+  report,
   surface,
   compare,
   machine,
@@ -62,6 +63,10 @@ struct Options {
   std::vector<Method> methods;            // compare: in the order of its rows; empty: all
   int phases = 16;                        // compare: places within the period
   TableFormat table = TableFormat::text;  // compare
+
+  std::string compared;  // report: another part, trace, recording or machine; empty: none
+  std::vector<std::string> compared_settings;  // report: KEY=VALUE of the run that is compared
+  bool what_if = false;                        // report
 
   double seconds = 10, period = 0;  // latency: how long, s; of the loop, s; 0: the servo period
 

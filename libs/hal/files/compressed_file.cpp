@@ -27,6 +27,11 @@ CompressedFile::CompressedFile(std::string file, std::FILE* stream, Code unreada
       decompressor_(ZSTD_createDCtx(), ZSTD_freeDCtx),
       bytes_(kPiece, '\0') {}
 
+CompressedFile::CompressedFile(ZipEntry entry, std::string name, Code unreadable, Code damaged)
+    : CompressedFile(std::move(name), nullptr, unreadable, damaged) {
+  entry_ = std::move(entry);
+}
+
 Result<CompressedFile> CompressedFile::open(const std::string& file, Code unreadable,
                                             Code damaged) {
   std::FILE* stream = file == "-" ? stdin : std::fopen(file.c_str(), "rbe");
@@ -51,11 +56,18 @@ Result<std::string_view> CompressedFile::next() {
 }
 
 Result<std::string_view> CompressedFile::read() {
+  const auto n = read_bytes();
+  if (!n) return failure(unreadable_, n.error().message);
+  compressed_bytes_ += *n;
+  return std::string_view(bytes_).substr(0, *n);
+}
+
+Result<std::size_t> CompressedFile::read_bytes() {
+  if (entry_) return entry_->read(bytes_.data(), bytes_.size());
   const std::size_t n = std::fread(bytes_.data(), 1, bytes_.size(), stream_.get());
-  if (n == 0 && std::ferror(stream_.get()))
-    return failure(unreadable_, std::string("cannot be read: ") + std::strerror(errno));
-  compressed_bytes_ += n;
-  return std::string_view(bytes_).substr(0, n);
+  if (n > 0 || std::ferror(stream_.get()) == 0) return n;
+  return tl::make_unexpected(Diagnostic{
+      .code = unreadable_, .message = std::string("cannot be read: ") + std::strerror(errno)});
 }
 
 Result<std::string_view> CompressedFile::decompress() {

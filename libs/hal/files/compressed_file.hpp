@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "hal/files/zip_file.hpp"
 #include "motion/core/result.hpp"
 
 struct ZSTD_DCtx_s;
@@ -19,6 +21,9 @@ class CompressedFile {
   /// Opens a file, or standard input if its name is "-". Errors: `unreadable`.
   static Result<CompressedFile> open(const std::string& file, Code unreadable, Code damaged);
 
+  /// Reads an entry of a zip, which must outlive it; `name` is that of messages.
+  CompressedFile(ZipEntry entry, std::string name, Code unreadable, Code damaged);
+
   /// Returns the next piece, empty at the end; valid until the next call. Errors: `unreadable`, or
   /// `damaged` where it is compressed and not whole, or larger than may_decompress() allows.
   Result<std::string_view> next();
@@ -27,10 +32,12 @@ class CompressedFile {
   CompressedFile(std::string file, std::FILE* stream, Code unreadable, Code damaged);
   Result<std::string_view> failure(Code code, const std::string& why) const;
   Result<std::string_view> read();
+  Result<std::size_t> read_bytes();
   Result<std::string_view> decompress();
 
   std::string file_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream_;
+  std::optional<ZipEntry> entry_;  // instead of a stream
   Code unreadable_, damaged_;
   std::unique_ptr<ZSTD_DCtx_s, std::size_t (*)(ZSTD_DCtx_s*)> decompressor_;
   std::string bytes_, decompressed_;

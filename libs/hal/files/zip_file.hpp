@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "motion/core/result.hpp"
 
@@ -54,12 +55,18 @@ class ZipWriter {
   std::deque<std::string> texts_;  // alive until finish()
 };
 
+/// What a zip that is read has to be, for its messages.
+struct ZipPurpose {
+  std::string_view name = "a recording";
+  Code unreadable = Code::SC6021;
+};
+
 /// One entry while it is read.
 class ZipEntry {
  public:
-  ZipEntry(zip_file* entry, std::string file, std::uint64_t file_size) noexcept;
+  ZipEntry(zip_file* entry, std::string file, ZipPurpose purpose, std::uint64_t file_size) noexcept;
 
-  /// Reads up to `size` bytes and returns how many; 0 at the end. Errors: SC6021.
+  /// Reads up to `size` bytes and returns how many; 0 at the end. Errors: that of its purpose.
   Result<std::size_t> read(char* to, std::size_t size);
 
   /// Returns the number of bytes of the zip that holds the entry.
@@ -68,6 +75,7 @@ class ZipEntry {
  private:
   std::unique_ptr<zip_file, int (*)(zip_file*)> entry_;
   std::string file_;
+  ZipPurpose purpose_;
   std::uint64_t file_size_;
 };
 
@@ -78,11 +86,18 @@ inline constexpr std::int64_t kMostEntries = 10'000;
 class ZipReader {
  public:
   /// Opens a zip, or standard input if its name is "-", which must be a regular file like any
-  /// other. Errors: SC6021.
-  static Result<ZipReader> open(const std::string& file);
+  /// other. Errors: that of its purpose.
+  static Result<ZipReader> open(const std::string& file, ZipPurpose purpose = {});
+  /// Reads an open file from its beginning; `name` is that of messages.
+  static Result<ZipReader> open(int descriptor, const std::string& name, ZipPurpose purpose = {});
 
-  /// Returns an entry. Errors: SC6021.
+  /// Returns an entry. Errors: that of its purpose.
   Result<ZipEntry> entry(const std::string& name) const;
+
+  /// Returns the names of its entries, in their order.
+  std::vector<std::string> names() const;
+  /// Returns the comment of the zip as a whole.
+  std::string comment() const;
 
   /// Reads all entries against their checksums. Errors: SC6021; SC6024 where there are more than
   /// kMostEntries, or more comes out of them than may_decompress().
@@ -92,11 +107,12 @@ class ZipReader {
   Result<std::string> text(const std::string& name) const;
 
  private:
-  ZipReader(zip* archive, std::string file, std::uint64_t size) noexcept;
+  ZipReader(zip* archive, std::string file, ZipPurpose purpose, std::uint64_t size) noexcept;
   Result<ZipEntry> entry(std::uint64_t index) const;
 
   std::unique_ptr<zip, void (*)(zip*)> zip_;
   std::string file_;
+  ZipPurpose purpose_;
   std::uint64_t size_;  // bytes of the file
 };
 

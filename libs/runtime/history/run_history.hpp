@@ -39,6 +39,8 @@ class RunHistory final : public RunRowSink {
   void finish() { thinning_->finish(); }
 
   double period() const noexcept { return period_; }
+  /// Sets the period, s, of rows that stated it only at their end.
+  void set_period(double period) noexcept { period_ = period; }
   const std::vector<HistoryNode>& nodes() const noexcept { return nodes_; }
   const std::vector<LineSpan>& spans() const noexcept { return spans_; }
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The report page: takes the data out of the page, and puts the panels on it.
+import 'uplot/dist/uPlot.min.css';
+import './style/page.css';
+import './style/panels.css';
+import './style/print.css';
+import { embeddedData, type Embedded } from './data/blob.ts';
+import { Charts } from './ui/charts.ts';
+import { comparePanel } from './ui/compare.ts';
+import { detailsPanel } from './ui/details.ts';
+import { el, fill } from './ui/dom.ts';
+import { header } from './ui/header.ts';
+import { inspect } from './ui/inspection.ts';
+import { listen, shortcutDialog } from './ui/keyboard.ts';
+import { Listing } from './ui/listing.ts';
+import { Messages } from './ui/messages.ts';
+import { PathPanel } from './ui/path_panel.ts';
+import { Player } from './ui/player.ts';
+import { prepareSheet } from './ui/print.ts';
+import { Session } from './ui/session.ts';
+import { shortcuts } from './ui/shortcuts.ts';
+import { Summary } from './ui/summary.ts';
+import { SurfaceStage, surfacePanel } from './ui/surface_panel.ts';
+import { Tabs, type Tab } from './ui/tabs.ts';
+import { followTheme } from './ui/theme.ts';
+import { whatIfPanel } from './ui/what_if.ts';
+
+const app = document.getElementById('app')!;
+
+/** Puts the page together: panels at the side, the path, the player and the charts. */
+function show({ report, blob }: Embedded): void {
+  const session = new Session(report, blob);
+  followTheme(session);
+  const summary = new Summary(session);
+  const listing = new Listing(session);
+  const messages = new Messages(session);
+  const path = new PathPanel(session);
+  const surface = new SurfaceStage(session);
+  const player = new Player(session);
+  const charts = new Charts(session);
+  const { diagnostics } = session.run.data;
+  const errors = diagnostics.filter(({ severity }) => severity === 'error').length;
+  const surfaceData = session.runs[0]!.data.surface;
+  const all: Array<Tab | false | undefined> = [
+    { id: 'summary', title: 'Summary', panel: summary.element },
+    report.comparison && { id: 'compare', title: 'Compare', panel: comparePanel(session, report.comparison) },
+    { id: 'program', title: 'Program', panel: listing.element },
+    { id: 'messages', title: 'Messages', badge: String(diagnostics.length || ''), panel: messages.element },
+    report.what_if && { id: 'whatif', title: 'What if', panel: whatIfPanel(report.what_if) },
+    surfaceData && { id: 'surface', title: 'Surface', panel: surfacePanel(session, surfaceData) },
+    { id: 'details', title: 'Details', panel: detailsPanel(session) },
+  ];
+  const tabs = new Tabs(session, all.filter((tab): tab is Tab => Boolean(tab)));
+  session.on(['tab'], () => {
+    surface.element.hidden = session.tab !== 'surface';
+    path.element.hidden = session.tab === 'surface';
+    if (session.tab === 'surface') surface.start();
+  });
+  const keys = shortcuts({ session, summary, listing, messages, path, surface, player, charts, tabs, help: () => dialog.showModal() });
+  const dialog = shortcutDialog(keys);
+  const sheet = el('div', { class: 'sheet' });
+  fill(app, header(session, () => dialog.showModal()),
+       el('main', {}, tabs.element, path.element, surface.element, player.element, charts.element), sheet, dialog);
+  listen(keys);
+  addEventListener('beforeprint', () => prepareSheet(session, path, sheet));
+  if (errors && !session.run.moves) session.show('program');
+  path.start();
+  inspect(session, path);
+  // The charts come after the first picture.
+  requestAnimationFrame(() => setTimeout(() => charts.start()));
+}
+
+function failed(error: unknown): void {
+  fill(app, el('p', { class: 'empty', role: 'alert' }, `This report cannot be read: ${error instanceof Error ? error.message : String(error)}`));
+}
+
+embeddedData(document).then((data) => {
+  if (data) show(data);
+  else fill(app, el('p', { class: 'empty' }, 'This page holds no report: "softcnc report" puts one into it.'));
+}).catch(failed);

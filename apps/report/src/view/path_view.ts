@@ -1,0 +1,465 @@
+// SPDX-License-Identifier: MIT
+// The picture of one or two paths: camera, levels of detail, renderer, overlay and gestures.
+
+import { Camera, type Box, type Vector } from './camera.ts';
+import { CanvasLines } from './canvas_lines.ts';
+import { connectGestures } from './gestures.ts';
+import { PathLevels } from './levels.ts';
+import { drawOverlay, insetsOf } from './overlay.ts';
+import type {
+  FrameFigures, HitListener, PathLayer, PathRange, PathView,
+} from './path_types.ts';
+import { nodeAtRow, pick, positionAtRow } from './picking.ts';
+import type { LineRenderer } from './renderer.ts';
+import {
+  addChunks, addNodes, chooseCode, finestCode, kMostNodes, markChunks, StripBuilder,
+} from './strips.ts';
+import { themeOf } from './theme.ts';
+import { WebGlLines } from './webgl_lines.ts';
+
+export type {
+  FrameFigures, HitListener, PathHit, PathLayer, PathRange, PathView,
+} from './path_types.ts';
+
+const kHighlightNodes = kMostNodes / 4;
+const kSlowMs = 50; // Frames of a movement that take longer lower the quality, to 20 a second.
+const kFastMs = 25;
+const kLeastQuality = 0.4;
+const kRestMs = 180; // After a movement the picture is drawn in full quality.
+const kContinuousMs = 250; // Frames further apart than this do not follow one another.
+
+/** Creates a picture that fills the container and follows its size. */
+export function createPathView(container: HTMLElement): PathView {
+  return new View(container);
+}
+
+/** The element of a picture; browser tests ask it where a row of a run is drawn. */
+interface PathElement extends HTMLDivElement {
+  /** Returns the place in CSS pixels from the element's corner, or null. */
+  placeOf?: (layer: number, row: number) => [number, number] | null;
+}
+
+class View implements PathView {
+  private readonly container: HTMLElement;
+  private readonly root: PathElement = document.createElement('div');
+  private readonly overlay = document.createElement('canvas');
+  private renderer: LineRenderer;
+  private readonly camera = new Camera();
+  private readonly strips = new StripBuilder(kMostNodes);
+  private readonly lit = new StripBuilder(kHighlightNodes);
+  private readonly observer: ResizeObserver;
+  private readonly disconnect: () => void;
+  private paths: PathLevels[] = [];
+  private marks: Uint8Array[] = [];
+  private drawnChunks: Uint8Array[] = [];
+  private centre: Vector = [0, 0, 0];
+  private box: Box | null = null;
+  private ranges: PathRange[] = [];
+  private markers: Array<number | null> = [];
+  private theme = themeOf(false, document.documentElement);
+  private isDark = false;
+  private pickListener: HitListener | null = null;
+  private hoverListener: HitListener | null = null;
+  private hoverWaiting: (() => void) | null = null;
+  private shownMarks: Uint8Array[] = [];
+  private shownCode = -1;
+  private litCode = -1;
+  private frame = 0;
+  private lastFrameAt = -Infinity;
+  private wantsFit = true;
+  private wantsPaths = true;
+  private quality = 1;
+  private isMoving = false;
+  private restTimer = 0;
+  private ratioPart = 1;
+  private figures: FrameFigures = { vertices: 0, level: 0, lastFrameMs: 0 };
+
+  constructor(container: HTMLElement) {
+    this.container = container;
+    const root = this.root;
+    root.style.cssText = 'position:absolute;inset:0;overflow:hidden;';
+    root.tabIndex = 0;
+    root.setAttribute('role', 'application');
+    if (getComputedStyle(container).position === 'static') container.style.position = 'relative';
+    this.renderer = this.createRenderer();
+    this.overlay.style.cssText =
+      'position:absolute;left:0;top:0;width:100%;height:100%;pointer-events:none;';
+    root.append(this.overlay);
+    container.append(root);
+    this.describe();
+    this.theme = themeOf(false, container);
+    this.disconnect = connectGestures(root, {
+      drag: (dx, dy) => {
+        if (this.camera.mode === '3d') this.camera.rotate(dx, dy);
+        else this.camera.pan(dx, dy);
+        this.moved();
+      },
+      pan: (dx, dy) => {
+        this.camera.pan(dx, dy);
+        this.moved();
+      },
+      zoom: (factor, x, y) => {
+        this.camera.zoomAt(factor, x, y);
+        this.moved();
+      },
+      fit: () => this.fit(),
+      click: (x, y, event) => this.pickListener?.(pick(this.paths, this.camera, x, y), event),
+      hover: (place, event) => this.hover(place, event),
+    });
+    this.observer = new ResizeObserver(() => this.resize());
+    this.observer.observe(root);
+    root.placeOf = (layer, row) => this.placeOf(layer, row);
+    this.resize();
+  }
+
+  setLayers(layers: PathLayer[]): void {
+    this.centre = centreOf(layers);
+    this.paths = layers.map((layer) => new PathLevels(layer, this.centre));
+    this.paths.forEach((path) => path.setFlat(this.camera.mode === '2d'));
+    this.marks = this.paths.map((path) => new Uint8Array(path.chunks));
+    this.ranges = [];
+    this.markers = layers.map(() => null);
+    this.findDrawn();
+    this.fit();
+  }
+
+  setColours(layer: number, rgb: Uint8Array): void {
+    this.paths[layer]?.setColours(rgb);
+    this.forget();
+  }
+
+  setVisible(layer: number, visible: Uint8Array | null): void {
+    this.paths[layer]?.setVisible(visible);
+    this.findDrawn();
+  }
+
+  highlight(ranges: PathRange[]): void {
+    this.ranges = ranges.slice();
+    this.litCode = -1;
+    this.draw();
+  }
+
+  setMarker(layer: number, row: number | null): void {
+    this.markers[layer] = row;
+    this.schedule();
+  }
+
+  fit(): void {
+    if (this.root.clientWidth < 2) {
+      this.wantsFit = true;
+      return;
+    }
+    this.wantsFit = false;
+    if (this.box !== null) this.camera.fit(this.box, insetsOf(this.camera.mode));
+    this.draw();
+  }
+
+  setMode(mode: '2d' | '3d'): void {
+    this.camera.mode = mode;
+    this.paths.forEach((path) => path.setFlat(mode === '2d'));
+    this.describe();
+    this.shownCode = this.litCode = -1;
+    this.fit();
+  }
+
+  setTheme(dark: boolean): void {
+    this.isDark = dark;
+    this.theme = themeOf(dark, this.container);
+    this.draw();
+  }
+
+  onPick(callback: HitListener): void {
+    this.pickListener = callback;
+  }
+
+  onHover(callback: HitListener): void {
+    this.hoverListener = callback;
+  }
+
+  toImage(): string {
+    this.wantsPaths = true;
+    this.render();
+    const canvas = document.createElement('canvas');
+    canvas.width = this.renderer.canvas.width;
+    canvas.height = this.renderer.canvas.height;
+    const context = canvas.getContext('2d');
+    if (context === null) return '';
+    context.drawImage(this.renderer.canvas, 0, 0);
+    context.drawImage(this.overlay, 0, 0, canvas.width, canvas.height);
+    return canvas.toDataURL('image/png');
+  }
+
+  frames(): FrameFigures {
+    return { ...this.figures };
+  }
+
+  destroy(): void {
+    cancelAnimationFrame(this.frame);
+    window.clearTimeout(this.restTimer);
+    this.observer.disconnect();
+    this.disconnect();
+    this.renderer.destroy();
+    this.root.remove();
+    this.paths = [];
+  }
+
+  private placeOf(layer: number, row: number): [number, number] | null {
+    const path = this.paths[layer];
+    if (path === undefined || path.count === 0) return null;
+    return this.camera.project(...positionAtRow(path, row));
+  }
+
+  private describe(): void {
+    const arrows = this.camera.mode === '3d' ? 'turn the path, with Shift move it' : 'move the path';
+    this.root.setAttribute('aria-label',
+      `Path of the tool. Arrow keys ${arrows}; plus and minus zoom; 0 fits it to the picture.`);
+  }
+
+  private createRenderer(): LineRenderer {
+    const canvas = newCanvas();
+    let renderer: LineRenderer | null = WebGlLines.create(canvas);
+    if (renderer === null) renderer = new CanvasLines(newCanvas());
+    renderer.canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      this.replaceRenderer(renderer);
+    });
+    this.root.prepend(renderer.canvas);
+    return renderer;
+  }
+
+  /** Draws on without WebGL where the browser has taken its context away. */
+  private replaceRenderer(lost: LineRenderer | null): void {
+    if (lost !== this.renderer || !this.root.isConnected) return;
+    lost.canvas.remove();
+    this.renderer = new CanvasLines(newCanvas());
+    this.root.prepend(this.renderer.canvas);
+    this.forget();
+    this.resize();
+  }
+
+  private hover(place: [number, number] | null, event: PointerEvent): void {
+    if (this.hoverListener === null) return;
+    const isWaiting = this.hoverWaiting !== null;
+    this.hoverWaiting = () => {
+      const hit = place === null ? null : pick(this.paths, this.camera, ...place);
+      this.root.style.cursor = hit === null ? 'default' : 'pointer';
+      this.hoverListener?.(hit, event);
+    };
+    if (isWaiting) return;
+    requestAnimationFrame(() => {
+      const call = this.hoverWaiting;
+      this.hoverWaiting = null;
+      call?.();
+    });
+  }
+
+  private resize(): void {
+    const width = this.root.clientWidth, height = this.root.clientHeight;
+    if (width < 2 || height < 2) return;
+    const ratio = deviceRatio();
+    const keepsScale = this.camera.width > 1 && !this.wantsFit;
+    const grown = Math.min(width / this.camera.width, height / this.camera.height);
+    this.camera.width = width;
+    this.camera.height = height;
+    if (keepsScale) this.camera.scale *= grown;
+    this.renderer.resize(width, height, ratio * this.ratioPart);
+    this.overlay.width = Math.round(width * ratio);
+    this.overlay.height = Math.round(height * ratio);
+    if (this.wantsFit) this.fit();
+    this.wantsPaths = true;
+    this.render();
+  }
+
+  /** Draws while the picture moves, coarser where the browser is slow. */
+  private moved(): void {
+    this.isMoving = true;
+    window.clearTimeout(this.restTimer);
+    this.restTimer = window.setTimeout(() => {
+      this.isMoving = false;
+      this.setRatio(1);
+      this.draw();
+    }, kRestMs);
+    this.draw();
+  }
+
+  /** Adapts the quality of a movement to the time from frame to frame. */
+  private adapt(frameMs: number): void {
+    if (frameMs > kSlowMs) this.quality = Math.max(kLeastQuality, this.quality * 0.85);
+    else if (frameMs < kFastMs) this.quality = Math.min(1, this.quality * 1.05);
+    this.setRatio(this.quality < 0.8 ? 0.6 : 1);
+  }
+
+  /** Sets the part of the screen's resolution at which the paths are drawn. */
+  private setRatio(part: number): void {
+    if (part === this.ratioPart) return;
+    this.ratioPart = part;
+    this.renderer.resize(this.camera.width, this.camera.height, deviceRatio() * part);
+  }
+
+  /** Makes the next frame choose its nodes again. */
+  private forget(): void {
+    this.shownCode = this.litCode = -1;
+    this.draw();
+  }
+
+  private findDrawn(): void {
+    this.drawnChunks = this.paths.map((path) => {
+      const drawn = new Uint8Array(path.chunks);
+      for (let c = 0; c < path.chunks; c++) drawn[c] = path.hasDrawn(c) ? 1 : 0;
+      return drawn;
+    });
+    this.box = this.paths.map((path) => path.drawnBox()).reduce(join, null);
+    this.forget();
+  }
+
+  /** Draws paths and overlay in the next frame. */
+  private draw(): void {
+    this.wantsPaths = true;
+    this.schedule();
+  }
+
+  /** Draws what has changed in the next frame; the overlay always. */
+  private schedule(): void {
+    if (this.frame !== 0) return;
+    this.frame = requestAnimationFrame(() => {
+      this.frame = 0;
+      this.render();
+    });
+  }
+
+  private render(): void {
+    if (this.camera.width < 2) return;
+    if (this.wantsPaths) this.renderPaths();
+    this.wantsPaths = false;
+    this.renderOverlay();
+  }
+
+  private renderPaths(): void {
+    const start = performance.now();
+    const sinceLast = start - this.lastFrameAt;
+    const follows = sinceLast < kContinuousMs;
+    if (this.isMoving && follows) this.adapt(sinceLast);
+    this.chooseNodes();
+    this.chooseLit();
+    const radius = this.box === null ? 1 : Math.hypot(...this.centredRadius());
+    const vertices = this.renderer.draw(this.camera, this.theme, radius);
+    this.figures = {
+      vertices,
+      level: Math.max(0, this.shownCode - finestCode(this.camera.scale)),
+      lastFrameMs: follows ? sinceLast : performance.now() - start,
+    };
+    this.lastFrameAt = start;
+  }
+
+  /** Returns the largest distance from the centre along each axis, in mm. */
+  private centredRadius(): Vector {
+    const { low, high } = this.box ?? { low: [0, 0, 0], high: [0, 0, 0] };
+    return [0, 1, 2].map((k) => Math.max(-low[k]!, high[k]!)) as Vector;
+  }
+
+  private renderOverlay(): void {
+    const context = this.overlay.getContext('2d');
+    if (context === null) return;
+    const ratio = this.overlay.width / this.camera.width;
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const markers: Vector[] = [];
+    this.markers.forEach((row, k) => {
+      const path = this.paths[k];
+      if (row !== null && path !== undefined && path.count > 0) {
+        markers.push(positionAtRow(path, row));
+      }
+    });
+    drawOverlay(context, this.camera, {
+      box: this.box, centre: this.centre, markers, isDark: this.isDark, theme: this.theme,
+    });
+  }
+
+  private chooseNodes(): void {
+    this.paths.forEach((path, k) => {
+      markChunks(path, this.camera, this.drawnChunks[k]!, this.marks[k]!);
+    });
+    const most = kMostNodes - (this.ranges.length > 0 ? kHighlightNodes : 0);
+    const budget = Math.round(most * (this.isMoving ? this.quality : 1));
+    let code = chooseCode(this.paths, this.marks, this.camera.scale, budget);
+    if (code === this.shownCode && this.shownMarks.length === this.marks.length &&
+      this.marks.every((marks, k) => isSame(marks, this.shownMarks[k]!))) return;
+    const chosen = code;
+    for (; ; code++) {
+      this.strips.clear();
+      const all = this.paths.every((path, k) => addChunks(this.strips, path, this.marks[k]!, code));
+      if ((all && this.strips.strips.count <= budget) || code >= 63) break;
+    }
+    this.shownCode = chosen;
+    this.shownMarks = this.marks.map((marks) => marks.slice());
+    this.renderer.setStrips(0, this.strips.strips);
+  }
+
+  private chooseLit(): void {
+    const finest = finestCode(this.camera.scale);
+    if (finest === this.litCode) return;
+    this.litCode = finest;
+    for (let code = finest; code < 64; code++) {
+      this.lit.clear();
+      if (this.ranges.every((range) => this.addRange(range, code))) break;
+    }
+    this.renderer.setStrips(1, this.lit.strips);
+  }
+
+  /** Adds one highlighted stretch; its ends are interpolated between nodes. */
+  private addRange(range: PathRange, code: number): boolean {
+    const path = this.paths[range.layer];
+    this.lit.end();
+    if (path === undefined || path.count < 2 || range.to < range.from) return true;
+    const first = nodeAtRow(path, range.from), last = nodeAtRow(path, range.to);
+    const begin = positionAtRow(path, range.from), finish = positionAtRow(path, range.to);
+    const p = path.position;
+    const join = (from: ArrayLike<number>, a: number, to: ArrayLike<number>, b: number): boolean => {
+      const length = Math.hypot(to[b]! - from[a]!, to[b + 1]! - from[a + 1]!,
+        to[b + 2]! - from[a + 2]!);
+      return length === 0 || this.lit.add(from, a, to, b, length, kBlack, 0, 0);
+    };
+    if (first >= last) return join(begin, 0, finish, 0);
+    return join(begin, 0, p, 3 * first) && addNodes(this.lit, path, first, last - 1, code) &&
+      join(p, 3 * (last - 1), finish, 0);
+  }
+}
+
+const kBlack = [0, 0, 0];
+
+function deviceRatio(): number {
+  return Math.min(3, Math.max(1, window.devicePixelRatio || 1));
+}
+
+function newCanvas(): HTMLCanvasElement {
+  const canvas = document.createElement('canvas');
+  canvas.style.cssText = 'position:absolute;left:0;top:0;width:100%;height:100%;';
+  return canvas;
+}
+
+function isSame(a: Uint8Array, b: Uint8Array): boolean {
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false;
+  return true;
+}
+
+function join(a: Box | null, b: Box | null): Box | null {
+  if (a === null || b === null) return a ?? b;
+  const pick = (f: (a: number, b: number) => number, u: Vector, v: Vector): Vector =>
+    [f(u[0], v[0]), f(u[1], v[1]), f(u[2], v[2])];
+  return { low: pick(Math.min, a.low, b.low), high: pick(Math.max, a.high, b.high) };
+}
+
+/** Returns the middle of the box of all nodes, in mm. */
+function centreOf(layers: PathLayer[]): Vector {
+  const middle = (axis: 'x' | 'y' | 'z'): number => {
+    let low = Infinity, high = -Infinity;
+    for (const layer of layers) {
+      for (const value of layer[axis]) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+    }
+    return low <= high ? (low + high) / 2 : 0;
+  };
+  return [middle('x'), middle('y'), middle('z')];
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// `softcnc report`: a run as one page to look at, and to share.
+#include <spdlog/spdlog.h>
+
+#include <vector>
+
+#include "commands/commands.hpp"
+#include "input/program_run.hpp"
+#include "input/run_input.hpp"
+#include "job/terminal.hpp"
+#include "messages/messages.hpp"
+#include "report/report_page.hpp"
+#include "report/what_if.hpp"
+
+namespace softcnc::app {
+namespace {
+
+class ReportJob {
+ public:
+  explicit ReportJob(const Options& options)
+      : options_(options),
+        terminal_(options.progress, false, Machine().control.period),
+        messages_([this] { terminal_.end(); }) {}
+
+  int run();
+
+ private:
+  int read();
+  int read(const std::string& file, const Options& options);
+  Options compared_options() const;
+  int plan_again();
+  int write(hal::OutputFile& output);
+  int stopped() { return kSignalled + terminal_.signal(); }
+
+  const Options& options_;
+  Terminal terminal_;
+  Messages messages_;
+  std::vector<ReportedRun> runs_;
+  std::optional<WhatIf> what_if_;
+  int status_ = 0;  // of the programs
+};
+
+int ReportJob::read(const std::string& file, const Options& options) {
+  terminal_.begin("running", 0);
+  auto run = read_run(file, options, terminal_, messages_);
+  terminal_.end();
+  if (!run) return messages_.fail(run.error());
+  if (terminal_.signal() != 0) return stopped();
+  status_ = worse_status(status_, run->status);
+  runs_.push_back(std::move(*run));
+  return 0;
+}
+
+/// Of the second run: another file, another machine, or other settings.
+Options ReportJob::compared_options() const {
+  Options options = options_;
+  if (options_.compared.ends_with(".toml")) {
+    options.machine_file = options_.compared;
+    options.names_machine = true;
+  }
+  options.settings.insert(options.settings.end(), options_.compared_settings.begin(),
+                          options_.compared_settings.end());
+  return options;
+}
+
+int ReportJob::read() {
+  const std::string& file = options_.files.front();
+  if (const int status = read(file, options_); status != 0) return status;
+  if (options_.compared.empty() && options_.compared_settings.empty()) return 0;
+  const bool other_file = !options_.compared.empty() && !options_.compared.ends_with(".toml");
+  return read(other_file ? options_.compared : file, compared_options());
+}
+
+/// Of a program without errors.
+int ReportJob::plan_again() {
+  const bool planned = runs_.front().ending == Ending::done;
+  if (!options_.what_if || !planned) return 0;
+  auto job = open_job(options_);
+  if (!job) return messages_.fail(job.error());
+  terminal_.begin("planning again", 0);
+  what_if_ = what_if(*job, terminal_);
+  terminal_.end();
+  if (terminal_.signal() != 0) return stopped();
+  if (what_if_) spdlog::info("{}", what_if_text(*what_if_));
+  return 0;
+}
+
+int ReportJob::write(hal::OutputFile& output) {
+  Status written = output.write(report_page(runs_, what_if_));
+  if (written) written = output.finish();
+  if (!written) return messages_.fail(written.error());
+  spdlog::info("report written to {}", options_.output);
+  return 0;
+}
+
+int ReportJob::run() {
+  clear_leftovers(options_.output);
+  auto output = hal::OutputFile::open(options_.output);  // before the long work
+  if (!output) return messages_.fail(output.error());
+  if (const int status = read(); status != 0) return status;
+  if (const int status = plan_again(); status != 0) return status;
+  return worse_status(status_, write(**output));
+}
+
+}  // namespace
+
+int report(const Options& options) { return ReportJob(options).run(); }
+
+}  // namespace softcnc::app

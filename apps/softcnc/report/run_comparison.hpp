@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Two runs beside one another: the difference of their times, and how far their paths are apart.
+#pragma once
+
+#include <array>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "input/reported_run.hpp"
+
+namespace softcnc::app {
+
+struct LineDifference {
+  std::string file;
+  int line = 0;
+  double a = 0, b = 0;  // s
+};
+
+struct RunComparison {
+  std::array<std::string, 2> names;
+  std::array<double, 2> times{};
+  std::array<std::array<double, kLimits>, 2> by_limit{};
+  std::vector<LineDifference> by_line;  // the largest difference first
+  double distance = 0;                  // mm: of a node from the other path, largest
+  double distance_time = 0;             // s, of the first run
+};
+
+RunComparison compare_runs(const ReportedRun& a, const ReportedRun& b);
+nlohmann::ordered_json comparison_json(const RunComparison& comparison);
+
+}  // namespace softcnc::app
