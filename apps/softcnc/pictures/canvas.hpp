@@ -11,6 +11,7 @@
 
 #include "motion/core/result.hpp"
 #include "pictures/colour.hpp"
+#include "pictures/picture_options.hpp"
 
 namespace softcnc::app {
 
@@ -27,8 +28,6 @@ struct Rectangle {
   double right() const noexcept { return x + width; }
   double bottom() const noexcept { return y + height; }
 };
-
-enum class PictureFormat : std::uint8_t { svg, png };
 
 struct Pen {
   Colour colour = kInk;

@@ -10,8 +10,9 @@
 namespace softcnc::app {
 namespace {
 
-constexpr double kApart = 46;  // px between ticks
-constexpr double kTick = 5;    // px
+constexpr double kApart = 46;   // px between ticks
+constexpr double kTick = 5;     // px
+constexpr double kCorner = 12;  // px beside the corner in front, where the end of X has its number
 
 /// An edge of the box that has a scale: along `axis`, from a corner.
 struct ScaledEdge {
@@ -40,7 +41,7 @@ class BoxAxes {
 
   Ticks ticks(int axis) const {
     const double length = (box_.high - box_.low)[axis];
-    const double shortened = axis == 2 ? std::sqrt(2.0 / 3) : std::sqrt(2.0 / 3);
+    const double shortened = std::sqrt(2.0 / 3);  // as all axes in an isometric view
     return round_ticks(box_.low[axis], box_.high[axis],
                        most_ticks(length * shortened * placing_.scale(), kApart));
   }
@@ -82,6 +83,7 @@ class BoxAxes {
       point[edge.axis] = marks.at(i);
       const Spot at = spot(point);
       canvas_.line(at, {at.x + kTick * edge.outwards.x, at.y + kTick * edge.outwards.y}, pen);
+      if (edge.axis == 1 && std::abs(at.x - spot(edge.from).x) < kCorner) continue;
       canvas_.text({at.x + (kTick + 3) * edge.outwards.x, at.y + (kTick + 4) * edge.outwards.y + 4},
                    marks.label(i), look);
     }

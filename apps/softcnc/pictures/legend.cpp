@@ -70,10 +70,10 @@ Colour ColourScale::colour(double value) const noexcept {
 void draw_colour_bar(Canvas& canvas, const Rectangle& beside, const ColourScale& scale) {
   const Rectangle bar{beside.right() + kBarGap, beside.y, kBarWidth, beside.height};
   const int steps = std::max(2, static_cast<int>(bar.height / 2));
-  Pixels pixels(1, steps, kPaper);
-  for (int i = 0; i < steps; ++i)
-    pixels.at(0, i) = scale.colour(scale.high * (steps - 1 - i) / (steps - 1));
-  canvas.image(bar, pixels);
+  const double high = bar.height / steps;
+  for (int i = 0; i < steps; ++i)  // from the top; each goes on below the next one
+    canvas.fill({bar.x, bar.y + i * high, bar.width, bar.height - i * high},
+                scale.colour(scale.high * (steps - 1 - i) / (steps - 1)));
   const Pen pen{.colour = kFrame, .width = 1};
   canvas.frame(bar, pen);
   const Ticks ticks = round_ticks(0, scale.high, most_ticks(bar.height, 34));

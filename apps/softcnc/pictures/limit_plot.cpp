@@ -16,7 +16,7 @@ namespace {
 constexpr double kStrip = 24, kStripGap = 6, kRow = 18, kBar = 12;  // px
 constexpr double kNames = 200, kFigures = 130;                      // px
 constexpr double kRight = 24;                                       // px
-constexpr double kLeastShare = 5e-4;
+constexpr double kLeastShare = 2e-3;
 
 double share(const PictureRun& run, Limit limit) {
   const double seconds = run.time_by_limit[static_cast<std::size_t>(limit)];

@@ -17,7 +17,7 @@ struct LimitStretch {
 /// limit that lasts longest in it.
 std::vector<LimitStretch> limit_stretches(const runtime::RunHistory& history, double shortest);
 
-/// Returns the limits that take at least 0.05 % of the time of a run, that with most time first.
+/// Returns the limits that take at least 0.2 % of the time of a run, that with most time first.
 std::vector<Limit> shown_limits(PictureRuns runs);
 
 double limit_plot_height(PictureRuns runs);

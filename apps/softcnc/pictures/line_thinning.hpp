@@ -29,4 +29,8 @@ class LineThinning {
   std::size_t low_at_ = 0, high_at_ = 0;  // their numbers in the column
 };
 
+/// Returns a line without the spots that are at most `most` px away from the line through those
+/// that are left (Douglas and Peucker, 1973). The ends stay.
+std::vector<Spot> straightened(const std::vector<Spot>& line, double most);
+
 }  // namespace softcnc::app

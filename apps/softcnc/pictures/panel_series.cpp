@@ -76,8 +76,8 @@ bool moves(const runtime::RunHistory& history, int axis) {
 }
 
 TimePanel velocity_panel(PictureRuns runs) {
-  const bool limits =
-      std::ranges::all_of(runs, [](const PictureRun& run) { return run.velocity_limits.has_value(); });
+  const bool limits = std::ranges::all_of(
+      runs, [](const PictureRun& run) { return run.velocity_limits.has_value(); });
   TimePanel panel{.heading = "Velocity of the axes",
                   .label = limits ? "velocity, % of limit" : "velocity, mm/min",
                   .series = {}};

@@ -130,7 +130,7 @@ Colour PathColours::shade_of(double value) const noexcept {
 
 void ColourMean::add(const HistoryNode& before, const HistoryNode& node) {
   const auto time = static_cast<double>(node.period - before.period);
-  if (colours_->is_category()) {
+  if (is_category(colours_->by())) {
     const Colour colour = colours_->category(node);
     const auto known = std::ranges::find(categories_, colour, &std::pair<Colour, double>::first);
     if (known != categories_.end())

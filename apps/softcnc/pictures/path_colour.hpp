@@ -12,13 +12,17 @@
 
 namespace softcnc::app {
 
+/// Returns whether the colours stand for names, not for numbers.
+constexpr bool is_category(Colouring by) noexcept {
+  return by == Colouring::limit || by == Colouring::tool;
+}
+
 /// What colours the moves of one or two runs.
 class PathColours {
  public:
   PathColours(PictureRuns runs, Colouring by);
 
   Colouring by() const noexcept { return by_; }
-  bool is_category() const noexcept { return by_ == Colouring::limit || by_ == Colouring::tool; }
   /// The scale of the numbers; without meaning for categories.
   const ColourScale& scale() const noexcept { return scale_; }
   /// The categories that cutting moves have, those of limits with the longest one first.
@@ -36,7 +40,7 @@ class PathColours {
   /// Returns the colour of a number, one of kShades.
   Colour shade_of(double value) const noexcept;
 
-  static constexpr int kShades = 48;
+  static constexpr int kShades = 32;
 
  private:
   void measure(PictureRuns runs);

@@ -8,7 +8,7 @@
 namespace softcnc::app {
 
 /// Returns the px that the plot needs in a picture of this width, so that the path fills it.
-double path_plot_height(PictureRuns runs, double width);
+double path_plot_height(PictureRuns runs, Colouring by, double width);
 
 /// Draws the paths, side by side where there are two, with one scale.
 void draw_path_plot(Canvas& canvas, const Rectangle& area, PictureRuns runs, Colouring by);

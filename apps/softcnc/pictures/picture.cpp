@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cctype>
 #include <cmath>
 #include <functional>
 
@@ -63,7 +62,7 @@ void add_plot(std::vector<Part>& parts, Plot plot, PictureRuns runs, const Pictu
   };
   switch (plot) {
     case Plot::path:
-      parts.push_back({path_plot_height(runs, width), true,
+      parts.push_back({path_plot_height(runs, options.colour, width), true,
                        [runs, by = options.colour](Canvas& canvas, const Rectangle& area) {
                          draw_path_plot(canvas, area, runs, by);
                        }});
@@ -90,7 +89,9 @@ std::vector<Part> parts_of(PictureRuns runs, const PictureOptions& options, doub
     parts.push_back(message_part("Path", "no motion"));
     return parts;
   }
-  for (const Plot plot : options.plots) add_plot(parts, plot, runs, options, width);
+  const std::vector<Plot> usual{Plot::path, Plot::feed, Plot::limits};
+  for (const Plot plot : options.plots.empty() ? usual : options.plots)
+    add_plot(parts, plot, runs, options, width);
   return parts;
 }
 
@@ -135,18 +136,19 @@ Status fit(std::vector<Part>& parts, double height) {
 
 }  // namespace
 
-Result<std::string> draw_picture(PictureRuns runs, const PictureOptions& options) {
-  assert(!runs.empty() && runs.size() <= 2 && !options.plots.empty());
-  const double width = options.width - 2 * kMargin;
+Result<std::string> draw_picture(PictureRuns runs, const PictureOptions& options,
+                                 PictureFormat format) {
+  assert(!runs.empty() && runs.size() <= 2);
+  const double width = options.size.width - 2 * kMargin;
   const double top = kMargin + kTitleLine * static_cast<double>(runs.size()) + 10;
   std::vector<Part> parts = parts_of(runs, options, width);
-  if (options.height > 0)
-    if (Status fits = fit(parts, options.height - top - kMargin); !fits)
+  if (options.size.height > 0)
+    if (Status fits = fit(parts, options.size.height - top - kMargin); !fits)
       return tl::make_unexpected(fits.error());
   double height = top + kMargin - kGap;
   for (const Part& part : parts) height += part.height + kGap;
-  Canvas canvas(options.width, options.height > 0 ? options.height : std::ceil(height),
-                options.format);
+  Canvas canvas(options.size.width,
+                options.size.height > 0 ? options.size.height : std::ceil(height), format);
   draw_titles(canvas, runs);
   Rectangle area{kMargin, top, width, 0};
   for (const Part& part : parts) {
@@ -155,19 +157,6 @@ Result<std::string> draw_picture(PictureRuns runs, const PictureOptions& options
     area.y += part.height + kGap;
   }
   return canvas.bytes();
-}
-
-std::optional<PictureFormat> picture_format(std::string_view file) {
-  const auto has_suffix = [file](std::string_view suffix) {
-    const auto alike = [](char a, char b) {
-      return std::tolower(static_cast<unsigned char>(a)) == b;
-    };
-    return file.size() >= suffix.size() &&
-           std::ranges::equal(file.substr(file.size() - suffix.size()), suffix, alike);
-  };
-  if (has_suffix(".svg")) return PictureFormat::svg;
-  if (has_suffix(".png")) return PictureFormat::png;
-  return std::nullopt;
 }
 
 }  // namespace softcnc::app

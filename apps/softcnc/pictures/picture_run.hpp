@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What a picture of a run is drawn from, and what can be chosen of it.
+// What a picture of a run is drawn from.
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "motion/core/axes.hpp"
 #include "motion/model/limit.hpp"
+#include "pictures/picture_options.hpp"
 #include "runtime/history/run_history.hpp"
 
 namespace softcnc::app {
@@ -32,29 +31,6 @@ struct PictureRun {
   std::vector<LostLine> worst_lines;            // the worst first
   std::optional<AxisVector> velocity_limits;    // mm/s
 };
-
-enum class Plot : std::uint8_t { path, feed, limits, axes, error, worst };
-/// In the order of the enumeration: the names of --plot.
-inline constexpr auto kPlotNames =
-    std::to_array<std::string_view>({"path", "feed", "limits", "axes", "error", "worst"});
-
-/// What colours the path.
-enum class Colouring : std::uint8_t {
-  feed,
-  speed,
-  limit,
-  acceleration,
-  jerk,
-  contour,
-  deviation,
-  chord,
-  rmax,
-  tool
-};
-/// In the order of the enumeration: the names of --colour.
-inline constexpr auto kColouringNames =
-    std::to_array<std::string_view>({"feed", "speed", "limit", "acceleration", "jerk", "contour",
-                                     "deviation", "chord", "rmax", "tool"});
 
 /// The runs of a picture: one, or two that are compared.
 using PictureRuns = std::span<const PictureRun>;

@@ -45,12 +45,6 @@ Ticks round_ticks(double low, double high, int most) {
     }
 }
 
-double rounded_end(double largest, int most) {
-  if (!(largest > 0)) return 1;
-  const double step = round_ticks(0, largest, most).step;
-  return std::ceil(largest / step - kRounding) * step;
-}
-
 TimeUnit time_unit(double duration) noexcept {
   if (duration <= 300) return {1, "s"};
   if (duration <= 5 * 3600) return {60, "min"};

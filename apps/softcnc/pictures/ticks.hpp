@@ -23,10 +23,6 @@ struct Ticks {
 /// `most` of them. Requires low < high and most >= 2; both are finite.
 Ticks round_ticks(double low, double high, int most);
 
-/// Returns the end of an axis that begins at 0: the first tick that is not below `largest`. 1 where
-/// `largest` is not above 0.
-double rounded_end(double largest, int most);
-
 /// The unit in which a duration is shown.
 struct TimeUnit {
   double seconds = 1;

@@ -15,8 +15,10 @@ namespace {
 using runtime::HistoryNode;
 using runtime::MotionKind;
 
-constexpr double kApart = 0.5;  // px between columns of a line
-constexpr double kRight = 24;   // px beside a chart without a bar
+constexpr double kStraight = 0.1;  // px that a line may be off
+constexpr double kAbove = 1.06;    // of the largest value, the end of the axis
+constexpr double kApart = 0.5;     // px between columns of a line
+constexpr double kRight = 24;      // px beside a chart without a bar
 const Colour kRapidBand{238, 239, 242};
 
 /// Calls take(before, node) for all that follows the first node.
@@ -119,16 +121,14 @@ void draw_panel(Canvas& canvas, const Rectangle& area, const TimePanel& panel, d
   double largest = panel.least;
   for (const TimeSeries& series : panel.series) largest = std::max(largest, largest_value(series));
   const TimeUnit unit = time_unit(duration);
-  const Chart chart(
-      inner, {fmt::format("time, {}", unit.name), 0, duration / unit.seconds},
-      {panel.label, 0,
-       rounded_end(1.02 * largest, std::max(2, static_cast<int>(inner.height / 34)))});
+  const Chart chart(inner, {fmt::format("time, {}", unit.name), 0, duration / unit.seconds},
+                    {panel.label, 0, largest > 0 ? kAbove * largest : 1});
   if (panel.rapids_of != nullptr) draw_rapids(canvas, chart, *panel.rapids_of, unit.seconds);
   chart.draw_grid(canvas);
   canvas.clip(inner);
   for (const TimeSeries& series : panel.series)
     for (const auto& line : series_lines(series, chart, unit.seconds))
-      canvas.line(line, series.pen);
+      canvas.line(straightened(line, kStraight), series.pen);
   canvas.unclip();
   chart.draw_axes(canvas);
 }

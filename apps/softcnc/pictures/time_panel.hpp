@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pictures/canvas.hpp"
+#include "pictures/chart.hpp"
 #include "pictures/legend.hpp"
 #include "pictures/picture_run.hpp"
 
@@ -37,7 +38,7 @@ struct TimePanel {
 double largest_value(const TimeSeries& series);
 
 /// Returns the lines of a series, px in a chart whose x is time in `second` s.
-std::vector<std::vector<Spot>> series_lines(const TimeSeries& series, const class Chart& chart,
+std::vector<std::vector<Spot>> series_lines(const TimeSeries& series, const Chart& chart,
                                             double second);
 
 std::vector<LegendEntry> legend_of(const TimePanel& panel);
