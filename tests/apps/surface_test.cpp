@@ -6,7 +6,6 @@
 
 #include "apps/shell.hpp"
 #include "hal/files/npz_file.hpp"
-#include "output/png_file.hpp"
 #include "support/milled.hpp"
 #include "support/shown.hpp"
 #include "surface/roughness_map.hpp"
@@ -487,14 +486,4 @@ TEST_CASE("heads of npy files end where data may begin", "[apps][surface]") {
   CHECK(head.substr(0, 6) == "\x93NUMPY");
   CHECK(head.find("'shape': (3, 100000, ), }") != std::string::npos);
   CHECK(head.back() == '\n');
-}
-
-TEST_CASE("letters stay on their canvas", "[apps][surface]") {
-  Canvas canvas(20, 9, {0, 0, 0});
-  canvas.write(-3, -2, "Rmax 24.9", 2, {255, 255, 255});
-  canvas.write(18, 8, "8", 1, {255, 255, 255});
-  const auto png = canvas.png("x.png");
-  REQUIRE(png);
-  CHECK(png->substr(1, 3) == "PNG");
-  CHECK(text_width("24.9") == 23);
 }

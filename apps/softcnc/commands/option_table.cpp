@@ -307,6 +307,42 @@ void phases(CLI::App& app, const OptionEntry& entry, Options& options) {
       ->type_name(entry.value);
 }
 
+void plots(CLI::App& app, const OptionEntry& entry, Options& options) {
+  const std::vector<std::string> names(kPlotNames.begin(), kPlotNames.end());
+  app.add_option_function<std::vector<std::string>>(
+         entry.names,
+         [&options, names](const std::vector<std::string>& asked) {
+           for (const std::string& word : asked)
+             options.picture.plots.push_back(
+                 static_cast<Plot>(std::find(names.begin(), names.end(), word) - names.begin()));
+         },
+         entry.help)
+      ->delimiter(',')
+      ->check(one_of(names))
+      ->type_name(entry.value)
+      ->allow_extra_args(false);
+}
+
+void colour(CLI::App& app, const OptionEntry& entry, Options& options) {
+  choice(app, entry, options, {kColouringNames.begin(), kColouringNames.end()},
+         [](Options& to, std::size_t index) { to.picture.colour = static_cast<Colouring>(index); });
+}
+
+void size(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option_function<std::string>(
+         entry.names,
+         [&options](const std::string& text) {
+           const auto asked = picture_size(text);
+           if (!asked)
+             throw CLI::ValidationError(
+                 "--size",
+                 "takes WIDTH or WIDTHxHEIGHT in px, 400x200 to 10000x10000, not '" + text + "'");
+           options.picture.size = *asked;
+         },
+         entry.help)
+      ->type_name(entry.value);
+}
+
 void table(CLI::App& app, const OptionEntry& entry, Options& options) {
   choice(app, entry, options, {"text", "csv", "json"},
          [](Options& to, std::size_t index) { to.table = static_cast<TableFormat>(index); });
@@ -457,7 +493,24 @@ constexpr OptionEntry kOptions[] = {
      "FILE",
      "The surface to write: numpy arrays (.npz) or a picture (.png)",
      required_text<&Options::output>},
-    {{report}, "-o,--output", "FILE.html", "The page to write", required_text<&Options::output>},
+    {{report},
+     "-o,--output",
+     "FILE",
+     "The page (.html) or the picture (.svg, .png) to write",
+     required_text<&Options::output>},
+    {{report},
+     "--plot",
+     "NAME,...",
+     "The plots of a picture, from above to below: path, feed, limits, axes, error, worst "
+     "(default: "
+     "path,feed,limits)",
+     plots},
+    {{report}, "--colour", "", "What colours the path in a picture (default: feed)", colour},
+    {{report},
+     "--size",
+     "WIDTH[xHEIGHT]",
+     "Size of a picture in px (default: 900, as high as its plots need)",
+     size},
     {{report},
      "--compare",
      "B",

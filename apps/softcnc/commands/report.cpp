@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `softcnc report`: a run as one page to look at, and to share.
+// `softcnc report`: a run as one page to look at, and to share, or as a picture.
 #include <spdlog/spdlog.h>
 
 #include <vector>
@@ -9,6 +9,8 @@
 #include "input/run_input.hpp"
 #include "job/terminal.hpp"
 #include "messages/messages.hpp"
+#include "pictures/picture.hpp"
+#include "report/picture_runs.hpp"
 #include "report/report_page.hpp"
 #include "report/what_if.hpp"
 
@@ -29,6 +31,7 @@ class ReportJob {
   int read(const std::string& file, const Options& options);
   Options compared_options() const;
   int plan_again();
+  Result<std::string> bytes() const;
   int write(hal::OutputFile& output);
   int stopped() { return kSignalled + terminal_.signal(); }
 
@@ -85,8 +88,20 @@ int ReportJob::plan_again() {
   return 0;
 }
 
+/// The bytes of the page, or of the picture where the name of the file ends as one.
+Result<std::string> ReportJob::bytes() const {
+  if (const auto format = picture_format(options_.output))
+    return draw_picture(picture_runs(runs_), options_.picture, *format);
+  return report_page(runs_, what_if_);
+}
+
 int ReportJob::write(hal::OutputFile& output) {
-  Status written = output.write(report_page(runs_, what_if_));
+  auto whole = bytes();
+  if (!whole) {
+    whole.error().file = options_.output;
+    return messages_.fail(whole.error());
+  }
+  Status written = output.write(*whole);
   if (written) written = output.finish();
   if (!written) return messages_.fail(written.error());
   spdlog::info("report written to {}", options_.output);

@@ -114,7 +114,9 @@ int SurfaceJob::judge(const runtime::Outcome& outcome, Diagnostics& diagnostics)
 
 int SurfaceJob::cut(hal::OutputFile& output) {
   const int side = runtime::region_side(cutting_, grid_.step);
-  auto file = open_surface_file(options_.output, output, grid_, side);
+  auto file = open_surface_file(options_.output,
+                                fmt::format("{} on {}", job_.program.name(), job_.machine.name),
+                                output, grid_, side);
   if (!file) return fail(file.error());
   surface::RoughnessMap map(
       grid_, side, options_.actual ? surface::HeightFrom::lowest : surface::HeightFrom::ideal);

@@ -8,7 +8,7 @@
 #include "hal/files/npz_file.hpp"
 #include "hal/files/temporary_file.hpp"
 #include "hal/files/zip_file.hpp"
-#include "output/surface_picture.hpp"
+#include "pictures/surface_picture.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -48,8 +48,9 @@ class SurfaceArrays final : public SurfaceFile {
 
 class SurfacePng final : public SurfaceFile {
  public:
-  SurfacePng(std::string name, hal::OutputFile& output, const surface::StockGrid& grid, int region)
-      : name_(std::move(name)), output_(output), picture_(grid, region) {}
+  SurfacePng(const std::string& title, hal::OutputFile& output, const surface::StockGrid& grid,
+             int region)
+      : output_(output), picture_(title, grid, region) {}
 
   Status add(const surface::SurfaceBand& band) override {
     picture_.add(band);
@@ -57,14 +58,13 @@ class SurfacePng final : public SurfaceFile {
   }
 
   Status finish(const surface::RoughnessMap& map) override {
-    const auto png = picture_.draw(map).png(name_);
+    const auto png = picture_.draw(map);
     if (!png) return tl::make_unexpected(png.error());
     if (Status written = output_.write(*png); !written) return written;
     return output_.finish();
   }
 
  private:
-  std::string name_;
   hal::OutputFile& output_;
   SurfacePicture picture_;
 };
@@ -89,9 +89,10 @@ Status known_surface_form(const std::string& file) {
 }
 
 Result<std::unique_ptr<SurfaceFile>> open_surface_file(const std::string& name,
+                                                       const std::string& title,
                                                        hal::OutputFile& output,
                                                        const surface::StockGrid& grid, int region) {
-  if (has_suffix(name, ".png")) return std::make_unique<SurfacePng>(name, output, grid, region);
+  if (has_suffix(name, ".png")) return std::make_unique<SurfacePng>(title, output, grid, region);
   return std::make_unique<SurfaceArrays>(output, grid);
 }
 

@@ -23,8 +23,10 @@ class SurfaceFile {
 /// Checks that the suffix names a format. Errors: SC6060.
 Status known_surface_form(const std::string& file);
 
-/// The form that the suffix of `name` names, into `output`. Errors: SC6003.
+/// The form that the suffix of `name` names, into `output`. `title` is that of a picture: the
+/// program and its machine. Errors: SC6003.
 Result<std::unique_ptr<SurfaceFile>> open_surface_file(const std::string& name,
+                                                       const std::string& title,
                                                        hal::OutputFile& output,
                                                        const surface::StockGrid& grid, int region);
 

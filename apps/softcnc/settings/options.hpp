@@ -11,6 +11,7 @@
 #include "messages/diagnostic_document.hpp"
 #include "messages/progress.hpp"
 #include "motion/model/machine.hpp"
+#include "pictures/picture_options.hpp"
 #include "runtime/session/feed_script.hpp"
 #include "runtime/sinks/curve_columns.hpp"
 
@@ -67,6 +68,7 @@ struct Options {
   std::string compared;  // report: another part, trace, recording or machine; empty: none
   std::vector<std::string> compared_settings;  // report: KEY=VALUE of the run that is compared
   bool what_if = false;                        // report
+  PictureOptions picture;                      // report: where its output is a picture
 
   double seconds = 10, period = 0;  // latency: how long, s; of the loop, s; 0: the servo period
 

@@ -194,7 +194,7 @@ int exit_status(const Diagnostic& d) noexcept {
   if (d.severity() != Severity::error) return 0;
   const auto is_one_of = [&](auto... codes) { return ((d.code == codes) || ...); };
   if (d.code == Code::SC6023) return 1;
-  if (is_one_of(Code::SC6014, Code::SC6050, Code::SC6060)) return 2;  // suffixes of names
+  if (is_one_of(Code::SC6014, Code::SC6050, Code::SC6060, Code::SC6062)) return 2;  // usage
   constexpr std::array<int, 10> by_family{70, 1, 1, 1, 3, 4, 5, 2, 70, 70};
   return by_family[static_cast<std::size_t>(static_cast<int>(d.code) / 1000) % 10];
 }
