@@ -10,7 +10,7 @@ build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev libs
                 libtomlplusplus-dev nlohmann-json3-dev libexpected-dev libzstd-dev libzip-dev
                 libxxhash-dev libpng-dev libreaderwriterqueue-dev)
 test_packages=(catch2 clang libclang-rt-14-dev librapidcheck-dev libbenchmark-dev python3
-               python3-numpy python3-scipy python3-matplotlib zstd)
+               python3-numpy python3-scipy python3-matplotlib python3-yaml parallel zstd)
 tidy_packages=(clang clang-tidy clang-format)
 
 say() { printf 'softcnc: %s\n' "$*" >&2; }

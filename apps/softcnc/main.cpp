@@ -71,6 +71,8 @@ int dispatch(const Options& options) {
       return record(options);
     case CommandName::replay:
       return replay(options);
+    case CommandName::diff:
+      return diff(options);
     case CommandName::surface:
       return surface(options);
     case CommandName::compare:

@@ -13,6 +13,7 @@
 #include "motion/model/machine.hpp"
 #include "runtime/session/feed_script.hpp"
 #include "runtime/sinks/curve_columns.hpp"
+#include "settings/tolerance.hpp"
 
 namespace softcnc::app {
 
@@ -22,6 +23,7 @@ enum class CommandName : std::uint8_t {
   blocks,
   record,
   replay,
+  diff,
   surface,
   compare,
   machine,
@@ -61,7 +63,12 @@ struct Options {
 
   std::vector<Method> methods;            // compare: in the order of its rows; empty: all
   int phases = 16;                        // compare: places within the period
-  TableFormat table = TableFormat::text;  // compare
+  TableFormat table = TableFormat::text;  // compare, diff, replay
+
+  Tolerance tolerance;        // diff
+  std::string junit;          // diff, replay: file; empty: none
+  bool bless = false;         // replay: recordings that differ are made again
+  int shard = 1, shards = 1;  // replay: the part of the recordings that is replayed, from 1
 
   double seconds = 10, period = 0;  // latency: how long, s; of the loop, s; 0: the servo period
 
