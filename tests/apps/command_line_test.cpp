@@ -10,7 +10,7 @@ using namespace softcnc::app::test;
 namespace {
 
 const std::string kKnown =
-    "; the commands are run, check, blocks, record, replay, surface, compare, machine, latency, "
+    "; the commands are run, check, blocks, record, replay, diff, surface, compare, machine, latency, "
     "pulses, codes\nRun with --help for more information.\n";
 
 }  // namespace

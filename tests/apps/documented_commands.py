@@ -61,6 +61,7 @@ LEFT_OUT = {
     "softcnc surface plane.nc --machine programs/21_paper004_surface.toml --set stock.origin_mm=[7,0.5,-1]"
     " --set stock.x_mm=2 --set stock.y_mm=2 --set stock.z_mm=8 --set stock.grid_um=2.5 -o plane.npz --report plane.json": "runs the program above it; scripts/figures does",
     "tests/oracle/papers_test.py": "is a test of its own",
+    "tests/apps/ci_recipes.py": "is a test of its own",
     "scripts/random_pulses": MEASURES,
     "scripts/random_pulses [COUNT]": MEASURES,
     "scripts/random_programs": MEASURES,
@@ -84,6 +85,8 @@ LEFT_OUT = {
 STANDS_FOR = {
     "softcnc check PART...": "softcnc check programs/01_line.nc programs/02_square.nc",
     "softcnc replay F.rec...": "softcnc replay F.rec",
+    "softcnc diff A B": "softcnc diff n.rec programs/01_line.nc",
+    "softcnc replay FOLDER": "softcnc replay .",
     "softcnc pulses FILE": "softcnc pulses arc.vcd",
     "softcnc pulses FILE [--machine M.toml] [--backend parport]":
         "softcnc pulses arc.vcd --machine programs/machines/bench_mill.toml",
@@ -100,7 +103,8 @@ STANDS_FOR = {
 BUSY = {"--realtime": "[SC504"}
 EDGES = "softcnc run -q programs/03_arc.nc --backend stepdir --set backend.stepdir.file=arc.vcd"
 BEFORE = {  # what a page requires
-    "docs/cli.md": [EDGES, "softcnc record -q programs/01_line.nc -o n.rec"],
+    "docs/cli.md": [EDGES, "softcnc record -q programs/01_line.nc -o n.rec",
+                    "softcnc run -q --dry-run programs/03_arc.nc --trace before.csv.zst"],
     "docs/pulses.md": [EDGES],
     "docs/machine.md": ["cp programs/machines/bench_mill.toml mill.toml"],
     "docs/trace.md": ["softcnc run -q programs/03_arc.nc --trace trace.csv"],
@@ -135,7 +139,7 @@ def as_run(command):
     """The line that is run for the one that is shown."""
     if command in STANDS_FOR:
         return STANDS_FOR[command]
-    if re.fullmatch(r"softcnc (run|check|blocks|record|replay|surface|compare|pulses)", command):
+    if re.fullmatch(r"softcnc (run|check|blocks|record|replay|diff|surface|compare|pulses)", command):
         return command + " --help"  # a name in a text
     surface = command.startswith("softcnc surface")
     return command.replace("PART", "programs/" + ("20_paper004_cylinder.nc" if surface else "03_arc.nc"))

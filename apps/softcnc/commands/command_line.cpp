@@ -129,8 +129,14 @@ std::string conflict(const Options& options) {
   const auto& files = options.files;
   if (options.watch && std::find(files.begin(), files.end(), "-") != files.end())
     return "--watch cannot watch standard input";
-  if (options.command == CommandName::compare && std::count(files.begin(), files.end(), "-") > 1)
+  const bool reads_several =
+      options.command == CommandName::compare || options.command == CommandName::diff;
+  if (reads_several && std::count(files.begin(), files.end(), "-") > 1)
     return "standard input is one program, and '-' is named more than once";
+  if (options.bless && (options.names_machine || !options.settings.empty()))
+    return "--bless makes recordings again on their own machines, without --machine and --set";
+  if (options.bless && std::find(files.begin(), files.end(), "-") != files.end())
+    return "--bless cannot write to standard input";
   if (!options.columns.empty() && !shows_columns(options))
     return "--columns needs a trace as CSV (--trace), or --report";
   return file_clash(options);

@@ -12,6 +12,7 @@ int blocks(const Options& options);
 int record(const Options& options);
 int replay(const Options& options);
 int report(const Options& options);
+int diff(const Options& options);
 int surface(const Options& options);
 int compare(const Options& options);
 int machine(const Options& options);

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -31,6 +32,7 @@ constexpr CommandEntry kCommands[] = {
     {CommandName::blocks, "blocks", "Print the blocks of a part program, one JSON object per line"},
     {CommandName::record, "record", "Run a part program and record what replay needs"},
     {CommandName::replay, "replay", "Run recordings again and compare row by row"},
+    {CommandName::diff, "diff", "Compare two runs: programs, traces or recordings"},
     {CommandName::report, "report",
      "Show a run on one page: path, time, limits, errors, line by line"},
     {CommandName::surface, "surface",
@@ -135,6 +137,10 @@ void one_file(CLI::App& app, const OptionEntry& entry, Options& options) {
 
 void files(CLI::App& app, const OptionEntry& entry, Options& options) {
   app.add_option(entry.names, options.files, entry.help)->required()->type_name("");
+}
+
+void two_files(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.files, entry.help)->required()->type_name("")->expected(2);
 }
 
 void words(CLI::App& app, const OptionEntry& entry, Options& options) {
@@ -348,6 +354,39 @@ void table(CLI::App& app, const OptionEntry& entry, Options& options) {
          [](Options& to, std::size_t index) { to.table = static_cast<TableFormat>(index); });
 }
 
+void text_or_json(CLI::App& app, const OptionEntry& entry, Options& options) {
+  choice(app, entry, options, {"text", "json"}, [](Options& to, std::size_t index) {
+    to.table = index == 0 ? TableFormat::text : TableFormat::json;
+  });
+}
+
+void tolerance(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option_function<std::vector<std::string>>(
+         entry.names,
+         [&options](const std::vector<std::string>& lists) {
+           for (const std::string& list : lists)
+             if (const std::string wrong = options.tolerance.add(list); !wrong.empty())
+               throw CLI::ValidationError("--tolerance", wrong);
+         },
+         entry.help)
+      ->type_name(entry.value)
+      ->allow_extra_args(false);
+}
+
+void shard(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option_function<std::string>(
+         entry.names,
+         [&options](const std::string& text) {
+           char end = 0;
+           if (std::sscanf(text.c_str(), "%9d/%9d%c", &options.shard, &options.shards, &end) != 2 ||
+               options.shard < 1 || options.shard > options.shards)
+             throw CLI::ValidationError("--shard",
+                                        "takes K/N, with K from 1 to N, not '" + text + "'");
+         },
+         entry.help)
+      ->type_name(entry.value);
+}
+
 void seconds(CLI::App& app, const OptionEntry& entry, Options& options) {
   app.add_option(entry.names, options.seconds, entry.help)
       ->check(between(kShortest, kLongest))
@@ -368,19 +407,25 @@ void verbose(CLI::App& app, const OptionEntry& entry, Options& options) {
 
 using enum CommandName;
 constexpr Commands kRuns{run, record};
-constexpr Commands kPlans{run, check, record, report, surface, compare};
+constexpr Commands kPlans{run, check, record, report, surface, compare, diff};
 constexpr Commands kPrograms{run, check, blocks, record, report, surface};
-constexpr Commands kReads{run, check, blocks, record, report, surface, compare};
-constexpr Commands kMachine{run,    check,   blocks,  record,  replay,
-                            report, surface, machine, latency, pulses};
+constexpr Commands kReads{run, check, blocks, record, report, surface, compare, diff};
+constexpr Commands kMachine{run,     check,   blocks,  record, replay, report,
+                            surface, machine, latency, pulses, diff};
 constexpr Commands kMachines{run,     check,   blocks,  record,  replay, report,
-                             surface, compare, machine, latency, pulses};
+                             surface, compare, machine, latency, pulses, diff};
 
 constexpr OptionEntry kOptions[] = {
     {{run, record, blocks, surface}, "PART", "", "Part program; - is standard input", one_file},
     {{check, compare}, "PART", "", "Part programs; - is standard input", files},
     {{report}, "FILE", "", "Part program, trace (.csv, .npz) or recording (.rec)", one_file},
-    {{replay}, "FILE.rec", "", "Recordings", files},
+    {{replay}, "FILE.rec", "", "Recordings, or folders of them", files},
+    {{diff},
+     "FILE",
+     "",
+     "Two files: part programs (- is standard input), traces (.csv, .npz, also .zst), recordings "
+     "(.rec)",
+     two_files},
     {{pulses},
      "FILE",
      "",
@@ -410,7 +455,7 @@ constexpr OptionEntry kOptions[] = {
      "FILE.toml",
      "State file (work offsets, tool table, parameters), read before the run and written after it",
      text<&Options::state>},
-    {{check, blocks, record, report, surface, compare},
+    {{check, blocks, record, report, surface, compare, diff},
      "--state",
      "FILE.toml",
      "State file (work offsets, tool table, parameters) to begin with",
@@ -468,6 +513,21 @@ constexpr OptionEntry kOptions[] = {
      "Places within the period at which the first cutting move begins (default 16)",
      phases},
     {{compare}, "--format", "", "Format of the comparison (default text)", table},
+    {{diff}, "--format", "", "Format of the differences (default text)", text_or_json},
+    {{replay}, "--format", "", "Format of the results (default text)", text_or_json},
+    {{diff},
+     "--tolerance",
+     "LIST",
+     "What has to agree, and how closely, for example 1um, or time=1%,path=0.01mm (repeatable; "
+     "default: everything, as in a replay)",
+     tolerance},
+    {{diff, replay},
+     "--junit",
+     "FILE.xml",
+     "Write the results as JUnit XML",
+     text<&Options::junit>},
+    {{replay}, "--bless", "", "Make recordings that differ again, in place", flag<&Options::bless>},
+    {{replay}, "--shard", "K/N", "Replay the K-th of N parts of the recordings", shard},
     {{latency}, "--seconds", "SECONDS", "How long to measure (default 10)", seconds},
     {{latency},
      "--period-us",
@@ -546,6 +606,11 @@ constexpr OptionEntry kOptions[] = {
      "FILE.json",
      "Write the figures as JSON",
      text<&Options::report>},
+    {{diff},
+     "--worst",
+     "N",
+     "Name the N lines whose times differ most (default 10; 200 as JSON)",
+     worst},
     {{run, check},
      "--worst",
      "N",
@@ -554,7 +619,7 @@ constexpr OptionEntry kOptions[] = {
 
     {kMachines, "--diagnostics", "", "Diagnostics format: text, or one JSON or SARIF document",
      diagnostics},
-    {{run, record, replay, report, surface, compare},
+    {{run, record, replay, report, surface, compare, diff},
      "--progress",
      "",
      "Progress on stderr: a bar on a terminal (auto), nothing, or JSON lines",
@@ -563,6 +628,7 @@ constexpr OptionEntry kOptions[] = {
     {kRuns, "-v,--verbose", "", "Print the cost of pre-flight, planning and verification", verbose},
     {{check}, "-v,--verbose", "", "Print time and length of each program to stderr", verbose},
     {{surface}, "-v,--verbose", "", "Print the cost of planning and cutting", verbose},
+    {{replay}, "-v,--verbose", "", "Name each recording of a folder that agrees", verbose},
     {{machine}, "-v,--verbose", "", "Print the meaning of each value", verbose},
 };
 

@@ -46,7 +46,8 @@ std::vector<NamedFile> written_by(const Options& options) {
   return {{"--state", options.state},
           {"--trace", options.trace},
           {"--report", options.report},
-          {"--output", options.output}};
+          {"--output", options.output},
+          {"--junit", options.junit}};
 }
 
 NamedFile written_by(const Machine& machine) {

@@ -14,6 +14,7 @@
 #include "pictures/picture_options.hpp"
 #include "runtime/session/feed_script.hpp"
 #include "runtime/sinks/curve_columns.hpp"
+#include "settings/tolerance.hpp"
 
 namespace softcnc::app {
 
@@ -24,6 +25,7 @@ enum class CommandName : std::uint8_t {
   record,
   replay,
   report,
+  diff,
   surface,
   compare,
   machine,
@@ -63,7 +65,12 @@ struct Options {
 
   std::vector<Method> methods;            // compare: in the order of its rows; empty: all
   int phases = 16;                        // compare: places within the period
-  TableFormat table = TableFormat::text;  // compare
+  TableFormat table = TableFormat::text;  // compare, diff, replay
+
+  Tolerance tolerance;        // diff
+  std::string junit;          // diff, replay: file; empty: none
+  bool bless = false;         // replay: recordings that differ are made again
+  int shard = 1, shards = 1;  // replay: the part of the recordings that is replayed, from 1
 
   std::string compared;  // report: another part, trace, recording or machine; empty: none
   std::vector<std::string> compared_settings;  // report: KEY=VALUE of the run that is compared

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "difference/compared_run.hpp"
+
+#include <utility>
+
+#include "hal/backends/backend.hpp"
+#include "job/job.hpp"
+#include "messages/repeated_errors.hpp"
+#include "recording/recording.hpp"
+#include "runtime/check/check.hpp"
+#include "runtime/history/read_trace.hpp"
+#include "runtime/session/simulate.hpp"
+#include "runtime/session/verification.hpp"
+#include "runtime/sinks/row_sink.hpp"
+
+namespace softcnc::app {
+namespace {
+
+/// The rows of a simulation, as far as they are compared.
+class SimulatedRows final : public runtime::RowSink {
+ public:
+  explicit SimulatedRows(runtime::RunRowSink& sink) : sink_(sink) {}
+
+  bool row(const Setpoint& setpoint, std::span<const double> /*backend_values*/) override {
+    runtime::RunRow row;
+    row.period = setpoint.period;
+    row.line = setpoint.line;
+    row.block = setpoint.block;
+    row.limit = setpoint.limit;
+    row.s = setpoint.s;
+    row.v = setpoint.v;
+    row.feed = setpoint.feed;
+    row.position = setpoint.position;
+    sink_.take(row);
+    return true;
+  }
+
+ private:
+  runtime::RunRowSink& sink_;
+};
+
+Status read_recording(const std::string& file, runtime::RowStore& rows) {
+  const auto recording = Recording::open(file);
+  if (!recording) return tl::make_unexpected(recording.error());
+  if (Status good = recording->check_trace(); !good) return good;
+  auto trace = recording->trace();
+  if (!trace) return tl::make_unexpected(std::move(trace.error()));
+  const auto facts = runtime::read_trace(std::move(*trace), file, rows);
+  if (!facts) return tl::make_unexpected(facts.error());
+  return rows.finish(facts->period);
+}
+
+Status read_trace_file(const std::string& file, runtime::RowStore& rows) {
+  const auto facts = runtime::read_trace(file, rows);
+  if (!facts) return tl::make_unexpected(facts.error());
+  return rows.finish(facts->period);
+}
+
+/// Runs it without backend; returns the exit status.
+Result<int> run_program(const std::string& file, Options options, runtime::RowStore& rows,
+                        Messages& messages, Terminal& terminal) {
+  options.files = {file};
+  options.dry_run = true;
+  auto job = open_job(options);
+  if (!job) return tl::make_unexpected(std::move(job.error()));
+  auto backend = hal::open_backend(runtime::without_backend(job->machine));
+  if (!backend) return tl::make_unexpected(std::move(backend.error()));
+  const double period = job->machine.control.period;
+  job->options.interpreter.stop = terminal.stop();
+  terminal.begin(file, 0);
+  terminal.begin_run(0, period);
+  ShownOnce shown(job->program, messages.sink(job->program));
+  Diagnostics diagnostics(shown.sink());
+  diagnostics.set_file(job->program.name());
+  ipr::Reader reader = job->program.reader();
+  SimulatedRows sink(rows);
+  const runtime::Outcome outcome =
+      runtime::simulate(reader, job->program.descriptor(), job->machine, job->options, **backend,
+                        diagnostics, &sink, &terminal);
+  terminal.end();
+  shown.finish();
+  if (outcome.end == runtime::Outcome::End::stopped)
+    return worse_status(diagnostics.status(), kSignalled + terminal.signal());
+  if (diagnostics.errors() == 0)
+    runtime::report_excess(outcome.measured, outcome.deviation, job->machine, diagnostics);
+  if (Status kept = rows.finish(period); !kept) return tl::make_unexpected(kept.error());
+  return diagnostics.status();
+}
+
+}  // namespace
+
+std::string_view kind_of_run(std::string_view file) noexcept {
+  if (file.ends_with(".rec")) return "recording";
+  if (file.ends_with(".zst")) file.remove_suffix(4);
+  return file.ends_with(".csv") || file.ends_with(".npz") ? "trace" : "program";
+}
+
+Result<ComparedRun> read_compared(const std::string& file, const Options& options,
+                                  Messages& messages, Terminal& terminal) {
+  ComparedRun run{file == "-" ? "<stdin>" : file, kind_of_run(file), {}, 0};
+  if (run.kind == "program") {
+    const auto status = run_program(file, options, run.rows, messages, terminal);
+    if (!status) return tl::make_unexpected(status.error());
+    run.status = *status;
+    return run;
+  }
+  const Status read =
+      run.kind == "trace" ? read_trace_file(file, run.rows) : read_recording(file, run.rows);
+  if (!read) {
+    Diagnostic error = read.error();
+    if (error.file.empty()) error.file = run.name;
+    return tl::make_unexpected(std::move(error));
+  }
+  return run;
+}
+
+}  // namespace softcnc::app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A run that is compared with another: a program, a trace or a recording.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "job/terminal.hpp"
+#include "messages/messages.hpp"
+#include "runtime/difference/row_store.hpp"
+#include "settings/options.hpp"
+
+namespace softcnc::app {
+
+/// Returns "trace" or "recording" by the suffix (.csv, .npz, each also with .zst; .rec), else
+/// "program".
+std::string_view kind_of_run(std::string_view file) noexcept;
+
+struct ComparedRun {
+  std::string name;  // of the file; "<stdin>" for "-"
+  std::string_view kind;
+  runtime::RowStore rows;
+  int status = 0;  // exit status; other than 0: what is wrong has been shown, and nothing compared
+};
+
+/// Reads a trace, or that of a recording, or runs a program as `run --dry-run` does. What is wrong
+/// with a program is shown, and is in the status. Errors: those of reading, SC60xx and SC70xx.
+Result<ComparedRun> read_compared(const std::string& file, const Options& options,
+                                  Messages& messages, Terminal& terminal);
+
+}  // namespace softcnc::app
