@@ -96,6 +96,24 @@ for (const name of ['butterfly', 'loops', 'chords']) {
       }
     });
 
+    test('feeds and speeds at the nodes are those of the trace', () => {
+      const { blob, report: { runs: [run] } } = data;
+      const [at, feed, v] = ['row', 'feed', 'v'].map((column) => decode(blob, run.nodes[column]));
+      const byRow = new Map(rows.map((row) => [Math.round(row.t_s / period), row]));
+      let compared = 0;
+      at.forEach((row, i) => {
+        const traced = byRow.get(row);
+        if (traced === undefined) return;
+        assert.ok(Math.abs(v[i] - traced.v_mm_s) <= run.error_mm_s + 1e-3,
+          `${v[i]} instead of ${traced.v_mm_s} mm/s in row ${row}`);
+        if (feed[i] > 0 && traced.feed_mm_s > 0) {
+          assert.ok(Math.abs(feed[i] - traced.feed_mm_s) < 1e-3, `feed ${feed[i]} in row ${row}`);
+          compared++;
+        }
+      });
+      assert.ok(compared > 50, `${compared} of ${at.length} nodes`);
+    });
+
     test('a click on the path chooses its line', async () => {
       await page.getByRole('button', { name: '2-D' }).click();
       await page.keyboard.press('Escape');

@@ -9,7 +9,7 @@ import { load } from './load.mjs';
 const { Camera } = await load('view/camera.ts');
 const { codeOfError, PathLevels } = await load('view/levels.ts');
 const { pick, positionAtRow } = await load('view/picking.ts');
-const { addChunks, chooseCode, kBegins, kMostNodes, markChunks, StripBuilder } =
+const { addCells, chooseCode, kBegins, kMostNodes, markCells, StripBuilder } =
   await load('view/strips.ts');
 const { label, lengthText, niceStep } = await load('view/scales.ts');
 
@@ -110,12 +110,12 @@ test('a picture of 250,000 nodes is within the budget, and a part of it is drawn
   path.setFlat(true);
   path.rank();
   const shown = camera('2d');
-  const marks = new Uint8Array(path.chunks);
+  const marks = new Uint8Array(path.cells);
   const draw = () => {
-    markChunks(path, shown, marks);
+    markCells(path, shown, marks);
     const code = chooseCode([path], [marks], shown.scale, kMostNodes);
     const builder = new StripBuilder(kMostNodes);
-    return { code, all: addChunks(builder, path, marks, code), strips: builder.strips };
+    return { code, all: addCells(builder, path, marks, code), strips: builder.strips };
   };
   shown.fit(path.drawnBox(), kNoInsets);
   const whole = draw();
@@ -147,10 +147,10 @@ test('one interval of another colour is seen in the picture of the whole', () =>
   path.rank();
   const shown = camera('2d');
   shown.fit(path.drawnBox(), kNoInsets);
-  const marks = new Uint8Array(path.chunks);
-  markChunks(path, shown, marks);
+  const marks = new Uint8Array(path.cells);
+  markCells(path, shown, marks);
   const builder = new StripBuilder(kMostNodes);
-  addChunks(builder, path, marks, chooseCode([path], [marks], shown.scale, kMostNodes / 8));
+  addCells(builder, path, marks, chooseCode([path], [marks], shown.scale, kMostNodes / 8));
   const { strips } = builder;
   const reds = [];
   for (let i = 0; i < strips.count; i++) {
@@ -170,7 +170,7 @@ test('hidden intervals and rests are not drawn', () => {
   path.setVisible(visible);
   path.rank();
   const builder = new StripBuilder(5000);
-  addChunks(builder, path, new Uint8Array(path.chunks).fill(1), 1);
+  addCells(builder, path, new Uint8Array(path.cells).fill(1), 1);
   const { strips } = builder;
   for (let i = 0; i < strips.count; i++) {
     const row = [...layer.x.keys()].find((k) => Math.abs(layer.x[k] - strips.position[3 * i]) < 1e-3 &&

@@ -7,8 +7,7 @@ import type { PathRange } from './path_types.ts';
 import { nodeAtRow, positionAtRow } from './picking.ts';
 import { kLineWidth } from './renderer.ts';
 import {
-  addChunks, addNodes, chooseCode, finestCode, keepEvery, kMostNodes, markChunks, markedLength,
-  StripBuilder,
+  addCells, chooseCode, finestCode, keepEvery, kMostNodes, markCells, markedLength, StripBuilder,
 } from './strips.ts';
 
 const kHighlightNodes = kMostNodes / 4;
@@ -40,7 +39,7 @@ export class FrameNodes {
   setPaths(paths: PathLevels[]): void {
     this.paths = paths;
     this.ranges = [];
-    this.marks = paths.map((path) => new Uint8Array(path.chunks));
+    this.marks = paths.map((path) => new Uint8Array(path.cells));
     this.forget();
   }
 
@@ -63,7 +62,7 @@ export class FrameNodes {
   choose(camera: Camera, box: Box | null, quality: number): Changes {
     this.paths.forEach((path, k) => {
       path.rank();
-      markChunks(path, camera, this.marks[k]!);
+      markCells(path, camera, this.marks[k]!);
     });
     const lit = this.chooseLit(camera);
     this.coverage = this.findCoverage(camera, box);
@@ -79,7 +78,10 @@ export class FrameNodes {
     if (chosen === this.shownCode && areSame(this.marks, this.shownMarks)) return false;
     for (let code = chosen; code <= kCoarsest; code++) {
       this.strips.clear();
-      const all = this.paths.every((path, k) => addChunks(this.strips, path, this.marks[k]!, code));
+      const all = this.paths.every((path, k) => {
+        this.strips.end();
+        return addCells(this.strips, path, this.marks[k]!, code);
+      });
       if (all && this.strips.strips.count <= budget) break;
     }
     this.shownCode = chosen;
@@ -115,21 +117,9 @@ export class FrameNodes {
       return length === 0 || this.lit.add(from, a, to, b, length, kBlack, 0, 0);
     };
     if (first >= last) return join(begin, 0, finish, 0);
-    return join(begin, 0, p, 3 * first) && this.addSeen(range.layer, first, last - 1, code) &&
-      join(p, 3 * (last - 1), finish, 0);
-  }
-
-  /** Adds what can be seen between two nodes of a path. */
-  private addSeen(layer: number, first: number, last: number, code: number): boolean {
-    const path = this.paths[layer]!, marks = this.litMarks[layer]!;
-    for (let from = first; from < last;) {
-      const chunk = Math.floor(from / path.chunkSize);
-      const to = Math.min(last, path.lastNode(chunk));
-      if (marks[chunk] === 0) this.lit.end();
-      else if (!addNodes(this.lit, path, from, to, code)) return false;
-      from = to;
-    }
-    return true;
+    const marks = this.litMarks[range.layer]!;
+    return join(begin, 0, p, 3 * first) &&
+      addCells(this.lit, path, marks, code, first, last - 1) && join(p, 3 * (last - 1), finish, 0);
   }
 
   private findCoverage(camera: Camera, box: Box | null): number {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Levels of detail of one path: which of its nodes a picture needs at which allowed error.
 //
-// The nodes are cut into chunks of equal count with a box each. Within a chunk each node has a code
+// The nodes are cut into cells of equal count with a box each, to leave out what is not on the
+// screen, and several cells make a chunk. Within a chunk each node has a code
 // that grows with the error that leaving it out causes: of the shape (Douglas and Peucker), in space
 // or as seen from above, and of the colours (halving of the chunk). Two steps of the code double the
 // error. A node is drawn at level k if its code is at least k; the ends of a chunk always are.
@@ -13,6 +14,7 @@ export const kCodes = 64;
 const kFinestLog2 = -20; // Code 1 stands for 2^-20 mm; code 63 for 2^11 mm and more.
 const kSmallestChunk = 128;
 const kMostChunks = 2048;
+export const kCellsPerChunk = 8;
 const kColourWeight = 0.25; // Full contrast counts as an error of a quarter of its length.
 
 /** Returns the code of an error in mm. */
@@ -37,9 +39,11 @@ export class PathLevels {
   readonly length: Float32Array;
   readonly motion: Uint8Array;
   readonly row: Float64Array;
-  /** Six numbers per chunk: lowest x, y, z and highest x, y, z. */
+  readonly cellSize: number;
+  readonly cells: number;
+  /** Six numbers per cell: lowest x, y, z and highest x, y, z. */
   readonly boxes: Float32Array;
-  /** Length of the intervals of each chunk that are drawn, in mm. */
+  /** Length of the intervals of each cell that are drawn, in mm. */
   readonly drawnLength: Float64Array;
   readonly code: Uint8Array;
   /** For each chunk and code: nodes of at least this code. */
@@ -59,17 +63,19 @@ export class PathLevels {
     while (n / size > kMostChunks) size *= 2;
     this.chunkSize = size;
     this.chunks = n < 2 ? 0 : Math.ceil((n - 1) / size);
+    this.cellSize = size / kCellsPerChunk;
+    this.cells = n < 2 ? 0 : Math.ceil((n - 1) / this.cellSize);
     this.position = new Float32Array(3 * n);
     this.length = new Float32Array(n);
     this.motion = layer.motion;
     this.row = layer.row;
-    this.boxes = new Float32Array(6 * this.chunks);
-    this.drawnLength = new Float64Array(this.chunks);
+    this.boxes = new Float32Array(6 * this.cells);
+    this.drawnLength = new Float64Array(this.cells);
     this.code = new Uint8Array(n);
     this.counts = new Uint32Array(this.chunks * kCodes);
     this.rgb = new Uint8Array(3 * n).fill(128);
     this.place(layer, centre);
-    for (let c = 0; c < this.chunks; c++) this.bound(c);
+    for (let cell = 0; cell < this.cells; cell++) this.bound(cell);
     this.measure();
   }
 
@@ -83,6 +89,11 @@ export class PathLevels {
   /** Returns the index of the last node of a chunk; the next chunk begins with it. */
   lastNode(chunk: number): number {
     return Math.min(this.count - 1, (chunk + 1) * this.chunkSize);
+  }
+
+  /** Returns the index of the last node of a cell; the next cell begins with it. */
+  lastOfCell(cell: number): number {
+    return Math.min(this.count - 1, (cell + 1) * this.cellSize);
   }
 
   /** Returns whether the interval that ends in this node is drawn. */
@@ -166,19 +177,19 @@ export class PathLevels {
   }
 
   private measure(): void {
-    for (let c = 0; c < this.chunks; c++) {
+    for (let cell = 0; cell < this.cells; cell++) {
       let length = 0;
-      for (let i = c * this.chunkSize + 1; i <= this.lastNode(c); i++) {
+      for (let i = cell * this.cellSize + 1; i <= this.lastOfCell(cell); i++) {
         if (this.isDrawn(i)) length += this.length[i]!;
       }
-      this.drawnLength[c] = length;
+      this.drawnLength[cell] = length;
     }
   }
 
-  private bound(chunk: number): void {
+  private bound(cell: number): void {
     const b = this.boxes;
-    const at = 6 * chunk;
-    const first = chunk * this.chunkSize, last = this.lastNode(chunk);
+    const at = 6 * cell;
+    const first = cell * this.cellSize, last = this.lastOfCell(cell);
     for (let k = 0; k < 3; k++) {
       let low = Infinity, high = -Infinity;
       for (let i = first; i <= last; i++) {

@@ -21,10 +21,10 @@ export function pick(paths: PathLevels[], camera: Camera, px: number, py: number
   const along = (v: Vector, x: number, y: number, z: number): number =>
     v[0] * (x - tx) + v[1] * (y - ty) + v[2] * (z - tz);
   paths.forEach((path, layer) => {
-    for (let c = 0; c < path.chunks; c++) {
-      if (!isChunkNear(path, c, right, up, camera.target, wantedX, wantedY, reach)) continue;
+    for (let c = 0; c < path.cells; c++) {
+      if (!isCellNear(path, c, right, up, camera.target, wantedX, wantedY, reach)) continue;
       const p = path.position;
-      for (let i = c * path.chunkSize + 1; i <= path.lastNode(c); i++) {
+      for (let i = c * path.cellSize + 1; i <= path.lastOfCell(c); i++) {
         if (path.length[i] === 0 || !path.isDrawn(i)) continue;
         const k = 3 * i;
         const ax = along(right, p[k - 3]!, p[k - 2]!, p[k - 1]!) - wantedX;
@@ -51,9 +51,9 @@ export function pick(paths: PathLevels[], camera: Camera, px: number, py: number
   return best;
 }
 
-function isChunkNear(path: PathLevels, chunk: number, right: Vector, up: Vector, target: Vector,
+function isCellNear(path: PathLevels, cell: number, right: Vector, up: Vector, target: Vector,
   x: number, y: number, reach: number): boolean {
-  const b = path.boxes, at = 6 * chunk;
+  const b = path.boxes, at = 6 * cell;
   let sx = -x, sy = -y, ex = reach, ey = reach;
   for (let k = 0; k < 3; k++) {
     const middle = (b[at + k]! + b[at + 3 + k]!) / 2 - target[k]!;

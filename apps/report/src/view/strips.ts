@@ -2,7 +2,7 @@
 // Chooses the nodes of a frame from the levels of detail and joins them to strips.
 
 import type { Camera } from './camera.ts';
-import { codeOfError, kCodes, kRapid, type PathLevels } from './levels.ts';
+import { codeOfError, kCellsPerChunk, kCodes, kRapid, type PathLevels } from './levels.ts';
 
 export const kMostVertices = 40000;
 /** A node of a strip is drawn as two vertices, left and right of the path. */
@@ -96,14 +96,14 @@ export class StripBuilder {
   }
 }
 
-/** Marks the chunks whose boxes touch the screen and that show anything. */
-export function markChunks(path: PathLevels, camera: Camera, marks: Uint8Array): void {
+/** Marks the cells whose boxes touch the screen and that show anything. */
+export function markCells(path: PathLevels, camera: Camera, marks: Uint8Array): void {
   const { right, up } = camera.basis();
   const [tx, ty, tz] = camera.target;
   const halfWidth = camera.width / 2 / camera.scale, halfHeight = camera.height / 2 / camera.scale;
   const margin = 8 / camera.scale;
   const b = path.boxes;
-  for (let c = 0; c < path.chunks; c++) {
+  for (let c = 0; c < path.cells; c++) {
     const at = 6 * c;
     const x = (b[at]! + b[at + 3]!) / 2 - tx, ex = (b[at + 3]! - b[at]!) / 2;
     const y = (b[at + 1]! + b[at + 4]!) / 2 - ty, ey = (b[at + 4]! - b[at + 1]!) / 2;
@@ -117,22 +117,32 @@ export function markChunks(path: PathLevels, camera: Camera, marks: Uint8Array):
   }
 }
 
-/** Returns the length of what is drawn in the marked chunks, in mm. */
+/** Returns the length of what is drawn in the marked cells, in mm. */
 export function markedLength(path: PathLevels, marks: Uint8Array): number {
   let total = 0;
-  for (let c = 0; c < path.chunks; c++) if (marks[c] !== 0) total += path.drawnLength[c]!;
+  for (let c = 0; c < path.cells; c++) if (marks[c] !== 0) total += path.drawnLength[c]!;
   return total;
 }
 
-/** Leaves a mark at every `every`-th chunk at most. */
+/** Leaves marks in every `every`-th chunk at most. */
 export function keepEvery(marks: Uint8Array, every: number): void {
-  for (let c = 0; c < marks.length; c++) if (c % every !== 0) marks[c] = 0;
+  for (let c = 0; c < marks.length; c++) {
+    if (Math.floor(c / kCellsPerChunk) % every !== 0) marks[c] = 0;
+  }
 }
 
+/** Returns about how many nodes of at least this code the marked cells have. */
 function countNodes(path: PathLevels, marks: Uint8Array, code: number): number {
   let total = 0;
   for (let c = 0; c < path.chunks; c++) {
-    if (marks[c] !== 0) total += path.counts[c * kCodes + code]! + 1;
+    let marked = 0, ends = 0;
+    const first = c * kCellsPerChunk, last = Math.min(path.cells, first + kCellsPerChunk);
+    for (let cell = first; cell < last; cell++) {
+      if (marks[cell] === 0) continue;
+      marked++;
+      if (cell + 1 === path.cells || marks[cell + 1] === 0) ends++;
+    }
+    if (marked > 0) total += path.counts[c * kCodes + code]! * marked / (last - first) + ends;
   }
   return total;
 }
@@ -155,16 +165,21 @@ export function finestCode(scale: number): number {
   return Math.max(1, codeOfError(kFinestErrorPx / scale));
 }
 
-/** Adds the marked chunks at this code; returns false where there is no space left. */
-export function addChunks(builder: StripBuilder, path: PathLevels, marks: Uint8Array,
-  code: number): boolean {
-  builder.end();
-  for (let c = 0; c < path.chunks; c++) {
-    if (marks[c] === 0) {
+/** Adds the marked cells at this code; returns false where there is no space left. */
+export function addCells(builder: StripBuilder, path: PathLevels, marks: Uint8Array, code: number,
+  first = 0, last = path.count - 1): boolean {
+  const { cellSize } = path;
+  for (let from = first; from < last;) {
+    let cell = Math.floor(from / cellSize);
+    if (marks[cell] === 0) {
       builder.end();
+      from = (cell + 1) * cellSize;
       continue;
     }
-    if (!addNodes(builder, path, c * path.chunkSize, path.lastNode(c), code)) return false;
+    while (cell + 1 < path.cells && marks[cell + 1] !== 0) cell++;
+    const to = Math.min(last, path.lastOfCell(cell));
+    if (!addNodes(builder, path, from, to, code)) return false;
+    from = to;
   }
   return true;
 }
