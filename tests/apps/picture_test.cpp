@@ -9,6 +9,7 @@
 
 #include "apps/shell.hpp"
 #include "pictures/limit_plot.hpp"
+#include "pictures/panel_series.hpp"
 #include "pictures/path_pieces.hpp"
 #include "pictures/path_plot.hpp"
 #include "pictures/picture.hpp"

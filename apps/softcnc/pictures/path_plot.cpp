@@ -34,10 +34,10 @@ struct Shown {
     const double size = std::max(box.size(), 1e-3);
     for (int axis = 0; axis < kAxes; ++axis) {
       const double least = view == PathView::above ? 0.0 : kThinnest * size;
-      const double lack = (least - (box.high - box.low)[axis]) / 2;
-      if (lack <= 0) continue;
-      box.low[axis] -= lack;
-      box.high[axis] += lack;
+      const double missing = (least - (box.high - box.low)[axis]) / 2;
+      if (missing <= 0) continue;
+      box.low[axis] -= missing;
+      box.high[axis] += missing;
     }
   }
 
