@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures of runs: where things lie, in which colours, and that the bytes are always the same.
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -9,6 +10,7 @@
 
 #include "apps/shell.hpp"
 #include "pictures/limit_plot.hpp"
+#include "pictures/panel_series.hpp"
 #include "pictures/path_pieces.hpp"
 #include "pictures/path_plot.hpp"
 #include "pictures/picture.hpp"
@@ -227,6 +229,29 @@ TEST_CASE("what is too short for a colour of its own has the mean feed and the l
   largest.add(a, b);
   largest.add(b, c);
   CHECK(largest.take() == contour.shade_of(7));
+}
+
+TEST_CASE("coarser colours keep the line where it is", "[apps][pictures]") {
+  HandMade made;
+  for (int i = 1; i <= 400; ++i)
+    made.move({0.1 * i, i % 100 < 50 ? 0.0 : 2.0, 0}, 10, i % 2 == 0 ? Limit::feed : Limit::jerk);
+  const std::vector<PictureRun> runs{made.run()};
+  const PathColours colours(runs, Colouring::limit);
+  const auto place = [](const AxisVector& point) { return Spot{20 * point[0], 20 * point[1]}; };
+  const auto pieces_by = [&](double coloured) {
+    return path_pieces(*runs[0].history, colours, place, Box::all(), {1, coloured}).cuts;
+  };
+  const auto fine = pieces_by(1), coarse = pieces_by(30);
+  CHECK(fine.size() == 400);
+  CHECK(coarse.size() <= (800 + 7 * 40) / 30 + 1);
+  const auto has = [&](const Spot& corner) {
+    return std::ranges::any_of(coarse, [&](const PathPiece& piece) {
+      return std::ranges::any_of(piece.spots, [&](const Spot& spot) {
+        return std::hypot(spot.x - corner.x, spot.y - corner.y) < 0.05;
+      });
+    });
+  };
+  for (const int i : {49, 50, 99, 100, 149, 150}) CHECK(has({2.0 * i, i % 100 < 50 ? 0.0 : 40.0}));
 }
 
 TEST_CASE("flat programs are seen from above, others from a corner", "[apps][pictures]") {

@@ -7,7 +7,7 @@
 namespace softcnc::app {
 namespace {
 
-constexpr double kApartX = 80, kApartY = 28;  // px between ticks, at least
+constexpr double kApartX = 64, kApartY = 25;  // px between ticks, at least
 constexpr double kTick = 4;                   // px
 const Pen kAxisPen{.colour = kFrame, .width = 1};
 

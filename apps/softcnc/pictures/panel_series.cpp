@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The panels of the plots over time: which values, in which colours.
+#include "pictures/panel_series.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "motion/core/units.hpp"
-#include "pictures/time_panel.hpp"
 
 namespace softcnc::app {
 namespace {

@@ -10,16 +10,19 @@ namespace {
 using runtime::HistoryNode;
 using runtime::MotionKind;
 
+double apart(Spot a, Spot b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
 class PieceMaker {
  public:
-  PieceMaker(const PathColours& colours, double apart) : mean_(colours), apart_(apart) {}
+  PieceMaker(const PathColours& colours, const Fineness& fineness)
+      : mean_(colours), fineness_(fineness) {}
 
   void cut(Spot from, Spot to, const HistoryNode& before, const HistoryNode& node) {
-    if (!open_) begin_ = from;
-    open_ = true;
-    end_ = to;
+    if (spots_.empty()) spots_.push_back(from);
     mean_.add(before, node);
-    if (std::hypot(to.x - begin_.x, to.y - begin_.y) >= apart_) close();
+    end_ = to;
+    if (apart(spots_.back(), to) >= fineness_.apart) spots_.push_back(to);
+    if (apart(spots_.front(), to) >= fineness_.coloured) close();
   }
 
   void rapid(Spot from, Spot to) {
@@ -31,13 +34,14 @@ class PieceMaker {
 
   /// What has been added up so far becomes a line.
   void close() {
-    if (!open_) return;
-    open_ = false;
+    if (spots_.empty()) return;
+    if (spots_.size() < 2 || spots_.back() != end_) spots_.push_back(end_);
     const Colour colour = mean_.take();
     auto& cuts = pieces_.cuts;
-    if (cuts.empty() || cuts.back().colour != colour || cuts.back().spots.back() != begin_)
-      cuts.push_back({{begin_}, colour});
-    cuts.back().spots.push_back(end_);
+    if (cuts.empty() || cuts.back().colour != colour || cuts.back().spots.back() != spots_.front())
+      cuts.push_back({{spots_.front()}, colour});
+    cuts.back().spots.insert(cuts.back().spots.end(), spots_.begin() + 1, spots_.end());
+    spots_.clear();
   }
 
   PathPieces take() {
@@ -47,18 +51,18 @@ class PieceMaker {
 
  private:
   ColourMean mean_;
-  double apart_;
+  Fineness fineness_;
   PathPieces pieces_;
-  bool open_ = false;
-  Spot begin_, end_;
+  std::vector<Spot> spots_;  // since the last change of the colour
+  Spot end_;
 };
 
 }  // namespace
 
 PathPieces path_pieces(const runtime::RunHistory& history, const PathColours& colours,
                        const std::function<Spot(const AxisVector&)>& place, const Box& box,
-                       double apart) {
-  PieceMaker maker(colours, apart);
+                       const Fineness& fineness) {
+  PieceMaker maker(colours, fineness);
   const auto& nodes = history.nodes();
   for (std::size_t i = 1; i < nodes.size(); ++i) {
     const HistoryNode &before = nodes[i - 1], &node = nodes[i];

@@ -20,11 +20,16 @@ struct PathPieces {
   std::vector<std::vector<Spot>> rapids;
 };
 
-/// Returns the moves of a run where `place` puts their ends. Cutting moves are added up until they
-/// are `apart` px away from where they began; neighbours of the same colour are one piece. Of
-/// rapids, what lies in `box` counts.
+/// How fine the pieces are, px.
+struct Fineness {
+  double apart = 1;     // between the spots of a line, at least, except at the ends of pieces
+  double coloured = 1;  // from one change of the colour to where the next one may be
+};
+
+/// Returns the moves of a run where `place` puts their ends. Neighbours of the same colour are one
+/// piece. Of rapids, what lies in `box` counts.
 PathPieces path_pieces(const runtime::RunHistory& history, const PathColours& colours,
                        const std::function<Spot(const AxisVector&)>& place, const Box& box,
-                       double apart);
+                       const Fineness& fineness);
 
 }  // namespace softcnc::app

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "pictures/chart.hpp"
@@ -15,7 +16,8 @@ namespace softcnc::app {
 namespace {
 
 constexpr double kMargin = 0.05;                 // of the path's extent, around it
-constexpr double kApart = 1;                     // px
+constexpr double kMostColoured = 50;             // px
+constexpr std::size_t kMostPieces = 15'000;      // of a run
 constexpr double kLowest = 200, kHighest = 560;  // px, of the rectangle
 constexpr double kBetween = 18;                  // px, between the rectangles of two runs
 const Pen kRapidPen{.colour = kRapidColour, .width = 0.8, .dashed = true};
@@ -34,10 +36,10 @@ struct Shown {
     const double size = std::max(box.size(), 1e-3);
     for (int axis = 0; axis < kAxes; ++axis) {
       const double least = view == PathView::above ? 0.0 : kThinnest * size;
-      const double lack = (least - (box.high - box.low)[axis]) / 2;
-      if (lack <= 0) continue;
-      box.low[axis] -= lack;
-      box.high[axis] += lack;
+      const double missing = (least - (box.high - box.low)[axis]) / 2;
+      if (missing <= 0) continue;
+      box.low[axis] -= missing;
+      box.high[axis] += missing;
     }
   }
 
@@ -56,6 +58,15 @@ double inner_width(double width, std::size_t runs, Colouring by) {
   return runs < 2 ? bare : (bare - kBetween - kAxisLeft) / 2;
 }
 
+/// Colours change as often as a picture can show, or a file should hold.
+PathPieces bounded_pieces(const runtime::RunHistory& history, const PathColours& colours,
+                          const std::function<Spot(const AxisVector&)>& place, const Box& box) {
+  for (Fineness fineness;; fineness.coloured *= 2) {
+    PathPieces pieces = path_pieces(history, colours, place, box, fineness);
+    if (pieces.cuts.size() <= kMostPieces || fineness.coloured > kMostColoured) return pieces;
+  }
+}
+
 void draw_pieces(Canvas& canvas, const PathPieces& pieces) {
   for (const auto& rapid : pieces.rapids) canvas.line(rapid, kRapidPen);
   for (const PathPiece& piece : pieces.cuts)
@@ -69,14 +80,14 @@ void draw_run(Canvas& canvas, const Rectangle& inner, const PictureRun& run, con
   const auto place = [&](const AxisVector& point) { return placing(seen(shown.view, point)); };
   if (shown.view == PathView::isometric) {
     draw_isometric_axes(canvas, shown.box, placing);
-    draw_pieces(canvas, path_pieces(*run.history, colours, place, shown.box, kApart));
+    draw_pieces(canvas, bounded_pieces(*run.history, colours, place, shown.box));
     return;
   }
   const Chart chart(inner, {"X, mm", placing.low()[0], placing.high()[0]},
                     {"Y, mm", placing.low()[1], placing.high()[1]});
   chart.draw_grid(canvas);
   canvas.clip(inner);
-  draw_pieces(canvas, path_pieces(*run.history, colours, place, Box::all(), kApart));
+  draw_pieces(canvas, bounded_pieces(*run.history, colours, place, Box::all()));
   canvas.unclip();
   chart.draw_axes(canvas);
 }

@@ -10,6 +10,7 @@
 
 #include "pictures/chart.hpp"
 #include "pictures/limit_plot.hpp"
+#include "pictures/panel_series.hpp"
 #include "pictures/path_plot.hpp"
 #include "pictures/time_panel.hpp"
 #include "pictures/worst_plot.hpp"

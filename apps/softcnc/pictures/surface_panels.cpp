@@ -136,8 +136,8 @@ class SurfacePage {
     area.chart().draw_axes(canvas_);
     frame_missed(area, met);
     draw_colour_bar(canvas_, area.inner, scale);
-    canvas_.text({corner.x + kAxisLeft, area.inner.bottom() + kAxisBelow + 10},
-                 rmax_text(known, target), kLabelLook);
+    canvas_.text({corner.x, area.inner.bottom() + kAxisBelow + 10}, rmax_text(known, target),
+                 kTickLook);
   }
 
   std::size_t region_index(int column, int row) const {

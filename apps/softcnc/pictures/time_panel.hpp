@@ -46,11 +46,6 @@ std::vector<LegendEntry> legend_of(const TimePanel& panel);
 /// Draws a panel with its heading; `duration` in s.
 void draw_panel(Canvas& canvas, const Rectangle& area, const TimePanel& panel, double duration);
 
-/// Returns the panels of the plots over time.
-std::vector<TimePanel> feed_panels(PictureRuns runs);
-std::vector<TimePanel> axis_panels(PictureRuns runs);
-std::vector<TimePanel> error_panels(PictureRuns runs);
-
 /// Returns the time of the longest run, s; above 0.
 double longest_time(PictureRuns runs);
 
