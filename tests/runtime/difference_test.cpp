@@ -63,7 +63,7 @@ double sagitta(double radius, int count) {
 
 double distance_of(const std::vector<AxisVector>& a, const std::vector<AxisVector>& b) {
   const RowStore first = path(a), second = path(b);
-  const auto found = largest_distance(first.rows(), second.rows());
+  const auto found = largest_distance(first, second);
   REQUIRE(found);
   return found->distance;
 }
@@ -120,7 +120,7 @@ TEST_CASE("a detour of one path is as far as it goes, and shifts nothing after i
   for (int i = 69; i >= 0; --i) detour.emplace_back(100, i / 10.0, 0);
   along(100, 200, detour);
   const RowStore a = path(straight), b = path(detour);
-  const auto found = largest_distance(a.rows(), b.rows());
+  const auto found = largest_distance(a, b);
   REQUIRE(found);
   CHECK(found->distance == Approx(7).margin(1e-12));
   CHECK_FALSE(found->of_first);
@@ -151,10 +151,10 @@ TEST_CASE("distances are those of the definition", "[runtime][difference][proper
       return points;
     };
     const RowStore a = path(any()), b = path(any());
-    const double width = path_window(a.rows(), b.rows());
+    const double width = path_window(a, b);
     const double expected = std::max(slow_distance(a.rows(), b.rows(), width),
                                      slow_distance(b.rows(), a.rows(), width));
-    const auto found = largest_distance(a.rows(), b.rows());
+    const auto found = largest_distance(a, b);
     RC_ASSERT(found.has_value());
     RC_ASSERT(found->distance <= expected + 1e-9);
     RC_ASSERT(found->distance >= expected - 1e-3);  // its steps along a segment
@@ -168,7 +168,7 @@ TEST_CASE("the nearest segment of a range is found", "[runtime][difference][prop
       points.push_back(points.back() +
                        AxisVector(std::sin(i * 0.7), std::cos(i * 0.31), std::sin(i * 0.05)));
     const RowStore kept = path(points);
-    const PolylineSearch search(kept.rows());
+    const PolylineSearch search(kept);
     const auto first = static_cast<std::size_t>(*rc::gen::inRange(0, 2900));
     const auto last = first + 1 + static_cast<std::size_t>(*rc::gen::inRange(0, 99));
     const AxisVector point(*rc::gen::inRange(-90, 90), *rc::gen::inRange(-90, 90),
@@ -185,8 +185,8 @@ TEST_CASE("the nearest segment of a range is found", "[runtime][difference][prop
 
 TEST_CASE("a run without rows has no path, and one row is a point", "[runtime][difference]") {
   const RowStore none = path({}), one = path({{1, 2, 3}}), other = path({{1, 2, 5}});
-  CHECK_FALSE(largest_distance(none.rows(), one.rows()));
-  CHECK(largest_distance(one.rows(), other.rows())->distance == 2);
+  CHECK_FALSE(largest_distance(none, one));
+  CHECK(largest_distance(one, other)->distance == 2);
   CHECK(compare(none, none, replay_margins()).same());
   const RunDifference difference = compare(none, one, replay_margins());
   CHECK_FALSE(difference.of(Aspect::path).same);

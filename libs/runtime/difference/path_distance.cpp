@@ -53,12 +53,17 @@ std::size_t descend(const PolylineSearch& search, const AxisVector& point, Segme
 
 /// The row that is farthest from a path. Rows that are nearer than one before are not looked at any
 /// further.
-Farthest farthest(std::span<const StoredRow> rows, std::span<const StoredRow> path, double width) {
-  const PolylineSearch search(path);
+Farthest farthest(const RowStore& from, const RowStore& to, double width) {
+  const std::span<const StoredRow> rows = from.rows(), path = to.rows();
+  const PolylineSearch search(to);
   SlidingWindow window(path, search.segments(), width);
   Farthest result;
   std::size_t near = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i % kRowsInMemory == 0) {
+      from.release();
+      to.release();
+    }
     const SegmentRange range = window.at(rows[i].s);
     const AxisVector point = position_of(rows[i]);
     near = descend(search, point, range, std::clamp(near, range.first, range.last - 1));
@@ -72,15 +77,14 @@ Farthest farthest(std::span<const StoredRow> rows, std::span<const StoredRow> pa
 
 }  // namespace
 
-double path_window(std::span<const StoredRow> a, std::span<const StoredRow> b) noexcept {
+double path_window(const RowStore& a, const RowStore& b) noexcept {
   constexpr double kLeast = 1, kPart = 1e-4;  // mm; of the longer path
-  const double longer = std::max(a.back().s, b.back().s);
-  return std::abs(a.back().s - b.back().s) + std::max(kLeast, kPart * longer);
+  const double of_a = a.rows().back().s, of_b = b.rows().back().s;
+  return std::abs(of_a - of_b) + std::max(kLeast, kPart * std::max(of_a, of_b));
 }
 
-std::optional<PathDistance> largest_distance(std::span<const StoredRow> a,
-                                             std::span<const StoredRow> b) {
-  if (a.empty() || b.empty()) return std::nullopt;
+std::optional<PathDistance> largest_distance(const RowStore& a, const RowStore& b) {
+  if (a.rows().empty() || b.rows().empty()) return std::nullopt;
   const double width = path_window(a, b);
   const Farthest of_a = farthest(a, b, width), of_b = farthest(b, a, width);
   const bool first = of_a.square >= of_b.square;

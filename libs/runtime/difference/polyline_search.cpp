@@ -17,12 +17,13 @@ double square_from(const AxisVector& point, const AxisVector& low, const AxisVec
 
 }  // namespace
 
-PolylineSearch::PolylineSearch(std::span<const StoredRow> rows)
-    : rows_(rows), segments_(std::max(rows.size(), std::size_t{2}) - 1) {
-  assert(!rows.empty());
+PolylineSearch::PolylineSearch(const RowStore& rows)
+    : rows_(rows.rows()), segments_(std::max(rows_.size(), std::size_t{2}) - 1) {
+  assert(!rows_.empty());
   auto& boxes = levels_.emplace_back();
   sizes_.push_back(kInBox);
   for (std::size_t first = 0; first < segments_; first += kInBox) {
+    if (first % kRowsInMemory == 0) rows.release();
     Box box = box_of(first);
     for (std::size_t i = first + 1; i < std::min(first + kInBox, segments_); ++i) {
       const Box own = box_of(i);

@@ -21,7 +21,7 @@ struct SegmentRange {
 class PolylineSearch {
  public:
   /// Requires at least one row. A single one is a segment without length.
-  explicit PolylineSearch(std::span<const StoredRow> rows);
+  explicit PolylineSearch(const RowStore& rows);
 
   std::size_t segments() const noexcept { return segments_; }
 

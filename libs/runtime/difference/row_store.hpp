@@ -27,6 +27,9 @@ inline AxisVector position_of(const StoredRow& row) noexcept {
   return AxisVector(row.position[0], row.position[1], row.position[2]);
 }
 
+/// So many rows are read between two calls of RowStore::release(), and take 30 MB.
+inline constexpr std::size_t kRowsInMemory = std::size_t{1} << 19U;
+
 /// Keeps rows, those that do not fit into a few MB in an unnamed file; and counts the periods of
 /// each limit and line, where a period belongs to the row at its end.
 class RowStore final : public RunRowSink {
@@ -37,6 +40,8 @@ class RowStore final : public RunRowSink {
   Status finish(double period);
 
   std::span<const StoredRow> rows() const noexcept { return rows_.values(); }
+  /// Gives back the memory of rows that have been read: they can be read again.
+  void release() const noexcept { rows_.release(); }
   double period() const noexcept { return period_; }
   /// Returns the time from the first row to the last one, s: the sum of those of all limits, and of
   /// those of all lines.

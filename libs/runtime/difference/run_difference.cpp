@@ -100,7 +100,7 @@ class RunComparison {
 };
 
 void RunComparison::compare_paths() {
-  difference_.distance = largest_distance(a_.rows(), b_.rows());
+  difference_.distance = largest_distance(a_, b_);
   AspectComparison path = of(Aspect::path);
   if (difference_.distance)
     path.compare(0, difference_.distance->distance);
@@ -117,6 +117,10 @@ void RunComparison::compare_rows() {
   const std::size_t common =
       difference_.same_period ? std::min(rows_a.size(), rows_b.size()) : std::size_t{0};
   for (std::size_t i = 0; i < common; ++i) {
+    if (i % kRowsInMemory == 0) {
+      a_.release();
+      b_.release();
+    }
     const StoredRow &a = rows_a[i], &b = rows_b[i];
     const auto row = static_cast<std::int64_t>(i);
     for (std::size_t axis = 0; axis < a.position.size(); ++axis)
