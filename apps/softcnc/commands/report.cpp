@@ -108,7 +108,20 @@ int ReportJob::write(hal::OutputFile& output) {
   return 0;
 }
 
+/// What the suffix of the output stands for, or an error for one that stands for nothing. What is
+/// no regular file needs none.
+Status known_form(const std::string& file) {
+  if (picture_format(file) || file.ends_with(".html") || file.ends_with(".htm") ||
+      !hal::is_replaced(file))
+    return {};
+  return tl::make_unexpected(
+      Diagnostic{.code = Code::SC6060,
+                 .message = "no form of a report has this suffix; known are .html, .svg, .png",
+                 .file = file});
+}
+
 int ReportJob::run() {
+  if (Status known = known_form(options_.output); !known) return messages_.fail(known.error());
   clear_leftovers(options_.output);
   auto output = hal::OutputFile::open(options_.output);  // before the long work
   if (!output) return messages_.fail(output.error());

@@ -9,35 +9,12 @@
 #include "recording/recording.hpp"
 #include "runtime/check/check.hpp"
 #include "runtime/history/read_trace.hpp"
+#include "runtime/history/run_rows.hpp"
 #include "runtime/session/simulate.hpp"
 #include "runtime/session/verification.hpp"
-#include "runtime/sinks/row_sink.hpp"
 
 namespace softcnc::app {
 namespace {
-
-/// The rows of a simulation, as far as they are compared.
-class SimulatedRows final : public runtime::RowSink {
- public:
-  explicit SimulatedRows(runtime::RunRowSink& sink) : sink_(sink) {}
-
-  bool row(const Setpoint& setpoint, std::span<const double> /*backend_values*/) override {
-    runtime::RunRow row;
-    row.period = setpoint.period;
-    row.line = setpoint.line;
-    row.block = setpoint.block;
-    row.limit = setpoint.limit;
-    row.s = setpoint.s;
-    row.v = setpoint.v;
-    row.feed = setpoint.feed;
-    row.position = setpoint.position;
-    sink_.take(row);
-    return true;
-  }
-
- private:
-  runtime::RunRowSink& sink_;
-};
 
 Status read_recording(const std::string& file, runtime::RowStore& rows) {
   const auto recording = Recording::open(file);
@@ -73,7 +50,7 @@ Result<int> run_program(const std::string& file, Options options, runtime::RowSt
   Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(job->program.name());
   ipr::Reader reader = job->program.reader();
-  SimulatedRows sink(rows);
+  runtime::RunRows sink(rows, false);
   const runtime::Outcome outcome =
       runtime::simulate(reader, job->program.descriptor(), job->machine, job->options, **backend,
                         diagnostics, &sink, &terminal);
@@ -89,23 +66,17 @@ Result<int> run_program(const std::string& file, Options options, runtime::RowSt
 
 }  // namespace
 
-std::string_view kind_of_run(std::string_view file) noexcept {
-  if (file.ends_with(".rec")) return "recording";
-  if (file.ends_with(".zst")) file.remove_suffix(4);
-  return file.ends_with(".csv") || file.ends_with(".npz") ? "trace" : "program";
-}
-
 Result<ComparedRun> read_compared(const std::string& file, const Options& options,
                                   Messages& messages, Terminal& terminal) {
-  ComparedRun run{file == "-" ? "<stdin>" : file, kind_of_run(file), {}, 0};
-  if (run.kind == "program") {
+  ComparedRun run{file == "-" ? "<stdin>" : file, input_kind(file), {}, 0};
+  if (run.kind == InputKind::program) {
     const auto status = run_program(file, options, run.rows, messages, terminal);
     if (!status) return tl::make_unexpected(status.error());
     run.status = *status;
     return run;
   }
-  const Status read =
-      run.kind == "trace" ? read_trace_file(file, run.rows) : read_recording(file, run.rows);
+  const Status read = run.kind == InputKind::trace ? read_trace_file(file, run.rows)
+                                                   : read_recording(file, run.rows);
   if (!read) {
     Diagnostic error = read.error();
     if (error.file.empty()) error.file = run.name;

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
+#include "input/reported_run.hpp"
 #include "job/terminal.hpp"
 #include "messages/messages.hpp"
 #include "runtime/difference/row_store.hpp"
@@ -12,13 +12,9 @@
 
 namespace softcnc::app {
 
-/// Returns "trace" or "recording" by the suffix (.csv, .npz, each also with .zst; .rec), else
-/// "program".
-std::string_view kind_of_run(std::string_view file) noexcept;
-
 struct ComparedRun {
   std::string name;  // of the file; "<stdin>" for "-"
-  std::string_view kind;
+  InputKind kind = InputKind::program;
   runtime::RowStore rows;
   int status = 0;  // exit status; other than 0: what is wrong has been shown, and nothing compared
 };

@@ -16,7 +16,7 @@ using runtime::Aspect, runtime::TimePair;
 constexpr int kSchema = 1;
 
 Json run_json(const ComparedRun& run) {
-  return {{"file", as_utf8(run.name)},      {"kind", run.kind},
+  return {{"file", as_utf8(run.name)},      {"kind", name(run.kind)},
           {"time_s", run.rows.time()},      {"length_mm", run.rows.length()},
           {"rows", run.rows.rows().size()}, {"period_s", run.rows.period()}};
 }

@@ -166,8 +166,8 @@ std::string failure_details(const ComparedPair& pair, Aspect aspect) {
 }  // namespace
 
 std::string difference_text(const ComparedPair& pair, std::size_t lines) {
-  std::string text =
-      fmt::format("A: {} ({})\nB: {} ({})\n\n", pair.a.name, pair.a.kind, pair.b.name, pair.b.kind);
+  std::string text = fmt::format("A: {} ({})\nB: {} ({})\n\n", pair.a.name, name(pair.a.kind),
+                                 pair.b.name, name(pair.b.kind));
   text += times_text(pair) + limits_text(pair.difference) + lines_text(pair.difference, lines) +
           aspects_text(pair) + place_text(pair);
   if (const std::string first = first_difference(pair); !first.empty())

@@ -30,6 +30,11 @@ Result<ReportedRun> read_program(const std::string& file, const Options& options
   return run;
 }
 
+Result<ReportedRun> named(Result<ReportedRun> run, const std::string& file) {
+  if (!run && run.error().file.empty()) run.error().file = file;
+  return run;
+}
+
 }  // namespace
 
 Result<ReportedRun> read_run(const std::string& file, const Options& options, Terminal& terminal,
@@ -38,9 +43,9 @@ Result<ReportedRun> read_run(const std::string& file, const Options& options, Te
     case InputKind::program:
       return read_program(file, options, terminal, messages);
     case InputKind::trace:
-      return read_trace_run(file);
+      return named(read_trace_run(file), file);
     case InputKind::recording:
-      return read_recording_run(file);
+      return named(read_recording_run(file), file);
   }
   return {};
 }
