@@ -33,11 +33,16 @@ std::string element(std::string_view type, std::string_view id, std::string_view
   return element.append(text).append("</script>\n");
 }
 
-std::string data_elements(std::span<const ReportedRun> runs, const std::optional<WhatIf>& what_if) {
+Result<std::string> data_elements(std::span<const ReportedRun> runs,
+                                  const std::optional<WhatIf>& what_if) {
   PackedData data;
   Json report{{"schema", kSchema}, {"softcnc", SOFTCNC_VERSION}, {"runs", Json::array()}};
   for (const ReportedRun& run : runs) report["runs"].push_back(run_json(run, data));
-  if (runs.size() == 2) report["comparison"] = comparison_json(compare_runs(runs[0], runs[1]));
+  if (runs.size() == 2) {
+    const auto comparison = compare_runs(runs[0], runs[1]);
+    if (!comparison) return tl::make_unexpected(comparison.error());
+    report["comparison"] = comparison_json(*comparison);
+  }
   if (what_if) report["what_if"] = what_if_json(*what_if);
   return element("application/json", "softcnc-report", script_text(report)) +
          element("text/plain", "softcnc-data", data.base64());
@@ -45,11 +50,14 @@ std::string data_elements(std::span<const ReportedRun> runs, const std::optional
 
 }  // namespace
 
-std::string report_page(std::span<const ReportedRun> runs, const std::optional<WhatIf>& what_if) {
+Result<std::string> report_page(std::span<const ReportedRun> runs,
+                                const std::optional<WhatIf>& what_if) {
+  const auto data = data_elements(runs, what_if);
+  if (!data) return data;
   std::string page;
   for (const std::string_view piece : page_pieces()) page += piece;
   const std::size_t place = page.find(kPlace);
-  return page.replace(place, kPlace.size(), data_elements(runs, what_if));
+  return page.replace(place, kPlace.size(), *data);
 }
 
 }  // namespace softcnc::app

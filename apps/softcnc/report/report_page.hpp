@@ -11,7 +11,8 @@
 
 namespace softcnc::app {
 
-/// Returns the page of one run, or of two that are compared.
-std::string report_page(std::span<const ReportedRun> runs, const std::optional<WhatIf>& what_if);
+/// Returns the page of one run, or of two that are compared. Errors: SC6003.
+Result<std::string> report_page(std::span<const ReportedRun> runs,
+                                const std::optional<WhatIf>& what_if);
 
 }  // namespace softcnc::app

@@ -67,39 +67,43 @@ std::array<std::string, 2> names(const ReportedRun& a, const ReportedRun& b) {
   return names;
 }
 
-/// The nodes of a run as rows. Their lengths are along the straight lines between them.
-std::vector<runtime::StoredRow> rows_of(const runtime::RunHistory& history) {
-  std::vector<runtime::StoredRow> rows;
-  double s = 0;
-  for (const runtime::HistoryNode& node : history.nodes()) {
-    if (!rows.empty()) s += (node.position - runtime::position_of(rows.back())).norm();
-    const auto& at = node.position;
-    rows.push_back({.period = node.period, .s = s, .position = {at[0], at[1], at[2]}});
+/// The nodes of a run as rows.
+Status fill(runtime::RowStore& rows, const ReportedRun& run) {
+  for (const runtime::HistoryNode& node : run.history->nodes()) {
+    runtime::RunRow row;
+    row.period = node.period;
+    row.position = node.position;
+    rows.take(row);
   }
-  return rows;
+  return rows.finish(run.period);
 }
 
 /// The distance of the paths, as far as the nodes show them.
-void measure_distance(const ReportedRun& a, const ReportedRun& b, RunComparison& result) {
-  const auto first = rows_of(*a.history), second = rows_of(*b.history);
+Status measure_distance(const ReportedRun& a, const ReportedRun& b, RunComparison& result) {
+  runtime::RowStore first, second;
+  if (Status filled = fill(first, a); !filled) return filled;
+  if (Status filled = fill(second, b); !filled) return filled;
   const auto distance = runtime::largest_distance(first, second);
-  if (!distance) return;
+  if (!distance) return {};
+  const std::size_t run = distance->of_first ? 0 : 1;
+  const auto& nodes = (run == 0 ? a : b).history->nodes();
   result.distance = distance->distance;
-  const ReportedRun& run = distance->of_first ? a : b;
-  const auto& row = (distance->of_first ? first : second)[distance->index];
-  result.distance_time = run.period * static_cast<double>(row.period);
-  result.distance_run = distance->of_first ? 0 : 1;
+  result.distance_run = static_cast<int>(run);
+  result.distance_time =
+      (run == 0 ? a : b).period * static_cast<double>(nodes[distance->index].period);
+  return {};
 }
 
 }  // namespace
 
-RunComparison compare_runs(const ReportedRun& a, const ReportedRun& b) {
+Result<RunComparison> compare_runs(const ReportedRun& a, const ReportedRun& b) {
   RunComparison result;
   result.names = names(a, b);
   result.times = {a.time, b.time};
   result.by_limit = {a.time_by_limit, b.time_by_limit};
   result.by_line = by_line(a, b);
-  measure_distance(a, b, result);
+  if (Status measured = measure_distance(a, b, result); !measured)
+    return tl::make_unexpected(std::move(measured.error()));
   return result;
 }
 

@@ -27,7 +27,8 @@ struct RunComparison {
   int distance_run = 0;                 // of which run: 0, 1
 };
 
-RunComparison compare_runs(const ReportedRun& a, const ReportedRun& b);
+/// Compares two runs. Errors: SC6003.
+Result<RunComparison> compare_runs(const ReportedRun& a, const ReportedRun& b);
 nlohmann::ordered_json comparison_json(const RunComparison& comparison);
 
 }  // namespace softcnc::app
