@@ -72,11 +72,14 @@ export function drawRulers(c: CanvasRenderingContext2D, camera: Camera,
   c.textBaseline = 'middle';
   for (let k = Math.ceil(firstX / step); ; k++) {
     const x = (k * step - firstX) * camera.scale;
-    if (x > camera.width - 44) break;
+    if (x > camera.width) break;
     if (x < kRulerLeft) continue;
     c.moveTo(Math.round(x) + 0.5, bottom);
     c.lineTo(Math.round(x) + 0.5, bottom + 5);
-    if (x > kRulerLeft + 12) c.fillText(label(k * step, step), x, bottom + 13);
+    const text = label(k * step, step);
+    const half = c.measureText(text).width / 2;
+    const hasSpace = x - half > kRulerLeft && x + half < camera.width - 44;
+    if (hasSpace) c.fillText(text, x, bottom + 13);
   }
   c.textAlign = 'right';
   for (let k = Math.ceil(firstY / step); ; k++) {
