@@ -10,7 +10,7 @@ const kBold = '600 12px system-ui, sans-serif';
 const kRulerLeft = 48;
 const kRulerBottom = 22;
 const kNames = ['X', 'Y', 'Z'] as const;
-// Colours of the axes that are told apart by all (Okabe and Ito, 2008): vermilion, green, blue.
+// Colours of the axes that everyone can distinguish (Okabe and Ito, 2008): vermilion, green, blue.
 const kAxes: [Rgb, Rgb, Rgb] = [[213, 94, 0], [0, 158, 115], [0, 114, 178]];
 const kAxesDark: [Rgb, Rgb, Rgb] = [[240, 130, 50], [40, 190, 145], [86, 180, 233]];
 
