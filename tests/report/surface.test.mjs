@@ -48,7 +48,7 @@ async function coloursOf(look) {
   })).filter(({ colour }) => colour !== null);
 }
 
-test('regions that meet and that miss their target are told apart', async () => {
+test('regions that meet and that miss their target have their colours', async () => {
   const shown = await coloursOf('Target met');
   let judged = 0, right = 0;
   for (const { region, colour } of shown) {

@@ -10,7 +10,7 @@ const kBold = '600 12px system-ui, sans-serif';
 const kRulerLeft = 48;
 const kRulerBottom = 22;
 const kNames = ['X', 'Y', 'Z'] as const;
-// Colours of the axes that are told apart by all (Okabe and Ito, 2008): vermilion, green, blue.
+// Colours of the axes that everyone can distinguish (Okabe and Ito, 2008): vermilion, green, blue.
 const kAxes: [Rgb, Rgb, Rgb] = [[213, 94, 0], [0, 158, 115], [0, 114, 178]];
 const kAxesDark: [Rgb, Rgb, Rgb] = [[240, 130, 50], [40, 190, 145], [86, 180, 233]];
 
@@ -72,11 +72,14 @@ export function drawRulers(c: CanvasRenderingContext2D, camera: Camera,
   c.textBaseline = 'middle';
   for (let k = Math.ceil(firstX / step); ; k++) {
     const x = (k * step - firstX) * camera.scale;
-    if (x > camera.width - 44) break;
+    if (x > camera.width) break;
     if (x < kRulerLeft) continue;
     c.moveTo(Math.round(x) + 0.5, bottom);
     c.lineTo(Math.round(x) + 0.5, bottom + 5);
-    if (x > kRulerLeft + 12) c.fillText(label(k * step, step), x, bottom + 13);
+    const text = label(k * step, step);
+    const half = c.measureText(text).width / 2;
+    const hasSpace = x - half > kRulerLeft && x + half < camera.width - 44;
+    if (hasSpace) c.fillText(text, x, bottom + 13);
   }
   c.textAlign = 'right';
   for (let k = Math.ceil(firstY / step); ; k++) {

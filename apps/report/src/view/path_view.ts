@@ -20,6 +20,7 @@ export type {
   FrameFigures, HitListener, PathHit, PathLayer, PathRange, PathView,
 } from './path_types.ts';
 
+const kPrintRatio = 2; // Pixels per CSS pixel of the image for printing.
 const kContinuousMs = 250; // Frames further apart than this do not follow one another.
 
 /** Creates a picture that fills the container and follows its size. */
@@ -162,16 +163,17 @@ class View implements PathView {
   }
 
   toImage(): string {
-    this.wantsPaths = true;
+    this.setSize(Math.max(kPrintRatio, deviceRatio()));
     this.render();
     const canvas = document.createElement('canvas');
     canvas.width = this.renderer.canvas.width;
     canvas.height = this.renderer.canvas.height;
     const context = canvas.getContext('2d');
-    if (context === null) return '';
-    context.drawImage(this.renderer.canvas, 0, 0);
-    context.drawImage(this.overlay, 0, 0, canvas.width, canvas.height);
-    return canvas.toDataURL('image/png');
+    context?.drawImage(this.renderer.canvas, 0, 0);
+    context?.drawImage(this.overlay, 0, 0, canvas.width, canvas.height);
+    this.setSize(deviceRatio());
+    this.draw();
+    return context === null ? '' : canvas.toDataURL('image/png');
   }
 
   frames(): FrameFigures {
@@ -241,18 +243,24 @@ class View implements PathView {
   private resize(): void {
     const width = this.root.clientWidth, height = this.root.clientHeight;
     if (width < 2 || height < 2) return;
-    const ratio = deviceRatio();
     const keepsScale = this.camera.width > 1 && !this.wantsFit;
     const grown = Math.min(width / this.camera.width, height / this.camera.height);
     this.camera.width = width;
     this.camera.height = height;
     if (keepsScale) this.camera.scale *= grown;
-    this.renderer.resize(width, height, ratio * this.ratioPart);
+    this.setSize(deviceRatio());
+    if (this.wantsFit) this.fit();
+    this.render();
+  }
+
+  /** Gives the canvases their pixels, `ratio` for each CSS pixel. */
+  private setSize(ratio: number): void {
+    const { width, height } = this.camera;
+    this.ratioPart = 1;
+    this.renderer.resize(width, height, ratio);
     this.overlay.width = Math.round(width * ratio);
     this.overlay.height = Math.round(height * ratio);
-    if (this.wantsFit) this.fit();
     this.wantsPaths = true;
-    this.render();
   }
 
   /** Draws while the picture moves, coarser where the browser is slow. */
