@@ -470,7 +470,7 @@ TEST_CASE("report draws pictures", "[apps][pictures]") {
   const Ended low = report("-o " + (folder / "c.svg") + " --size 900x300");
   CHECK(low.status == 2);
   CHECK(shows(low.err,
-              "c.svg: error: 252 px are too low for these plots, which need about 560 px "
+              "c.svg: error: 236 px are too low for these plots, which need about 408 px "
               "[SC6062]"));
   CHECK(report("-o " + (folder / "c.svg") + " --size 90").status == 2);
   CHECK(report("-o " + (folder / "c.svg") + " --plot paths").status == 2);

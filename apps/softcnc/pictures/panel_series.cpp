@@ -14,7 +14,8 @@ using runtime::MotionKind;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMinute = 60;  // s
 constexpr double kPercent = 100;
-constexpr double kLine = 1.3;  // px
+constexpr double kLine = 1.3;          // px
+constexpr double kLeastError = 0.001;  // um, an axis of errors goes so far: less is rounding
 const Colour kProgrammed{90, 96, 106}, kAcceleration{213, 94, 0}, kJerk{204, 121, 167};
 
 /// A series of one value for each run.
@@ -134,7 +135,7 @@ void add_error(std::vector<TimePanel>& panels, PictureRuns runs, float HistoryNo
                const std::string& heading, const std::string& label) {
   const auto knows = [error](const PictureRun& run) { return run.history->knows(error); };
   if (std::ranges::none_of(runs, knows)) return;
-  TimePanel panel{.heading = heading, .label = label + ", µm", .series = {}};
+  TimePanel panel{.heading = heading, .label = label + ", µm", .series = {}, .least = kLeastError};
   add_series(panel, runs, {}, category_colour(0), um_of(error), true);
   panels.push_back(std::move(panel));
 }

@@ -16,6 +16,7 @@ using runtime::HistoryNode;
 using runtime::MotionKind;
 
 constexpr double kPercent = 100, kMinute = 60;
+constexpr double kLeastError = 0.001;  // um, a scale of errors goes so far: less is rounding
 
 struct ColouringLook {
   std::string_view heading, label;
@@ -32,10 +33,10 @@ constexpr std::array<ColouringLook, kColouringNames.size()> kLooks{
      {"use of acceleration", "acceleration, % of limit", true, kPercent, kPercent,
       &HistoryNode::acceleration_use},
      {"use of jerk", "jerk, % of limit", true, kPercent, kPercent, &HistoryNode::jerk_use},
-     {"contour error", "contour error, µm", true, 0, 1, &HistoryNode::contour},
-     {"deviation from the program", "deviation, µm", true, 0, 1, &HistoryNode::deviation},
-     {"chord error", "chord error, µm", true, 0, 1, &HistoryNode::chord_error},
-     {"predicted Rmax", "Rmax, µm", true, 0, 1, &HistoryNode::rmax},
+     {"contour error", "contour error, µm", true, kLeastError, 1, &HistoryNode::contour},
+     {"deviation from the program", "deviation, µm", true, kLeastError, 1, &HistoryNode::deviation},
+     {"chord error", "chord error, µm", true, kLeastError, 1, &HistoryNode::chord_error},
+     {"predicted Rmax", "Rmax, µm", true, kLeastError, 1, &HistoryNode::rmax},
      {"tool", "", false, 0, 1, nullptr}}};
 
 const ColouringLook& look_of(Colouring by) noexcept { return kLooks[static_cast<std::size_t>(by)]; }
