@@ -286,6 +286,18 @@ TEST_CASE("a page of two runs has the difference of their times", "[apps][report
   CHECK_THAT(by_limit, WithinAbs(won, 1e-5));
 }
 
+TEST_CASE("options of pictures and pages are refused where they have no effect", "[apps][report]") {
+  const Folder folder;
+  const std::string part = "report $programs/03_arc.nc -o ";
+  CHECK(call(part + (folder / "r.html") + " --plot feed").status == 2);
+  CHECK(call(part + (folder / "r.html") + " --size 500").status == 2);
+  CHECK(call(part + (folder / "r.svg") + " --what-if").status == 2);
+  const Ended unknown = call(part + (folder / "r.pdf"));
+  CHECK(unknown.status == 2);
+  CHECK(shows(unknown.err, "SC6060"));
+  CHECK(folder.files().empty());
+}
+
 TEST_CASE("a page that cannot be written leaves nothing", "[apps][report]") {
   const Folder folder;
   const Ended missing = call("report $programs/03_arc.nc -o " + (folder / "no/r.html"));
