@@ -7,7 +7,8 @@ import { randoms } from './encode.mjs';
 import { load } from './load.mjs';
 
 const { Camera } = await load('view/common/camera.ts');
-const { codeOfError, PathLevels } = await load('view/levels/levels.ts');
+const { codeOfError } = await load('view/levels/codes.ts');
+const { PathLevels } = await load('view/levels/levels.ts');
 const { pick, positionAtRow } = await load('view/levels/picking.ts');
 const { addCells, chooseCode, kBegins, kMostNodes, markCells, StripBuilder } =
   await load('view/levels/strips.ts');

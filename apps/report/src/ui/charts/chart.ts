@@ -3,14 +3,14 @@
 import uPlot from 'uplot';
 import {decimate, gridPlaces, type Grid} from '../../data/decimation.ts';
 import type {RunModel} from '../../data/run_model.ts';
-import {paintSelection, paintStrips, STRIP_STEP} from './chart_marks.ts';
-import type {ChartSpec, Series} from './chart_series.ts';
 import {el, fill} from '../common/dom.ts';
 import type {Session} from '../common/session.ts';
-import {axisFree, axisText, lengthTexts, timeSteps, timeTexts} from './tick_texts.ts';
+import {chartAxes, LEFT} from './chart_axes.ts';
+import {paintSelection, paintStrips, STRIP_STEP} from './chart_marks.ts';
+import type {ChartSpec, Series} from './chart_series.ts';
+import {axisFree} from './tick_texts.ts';
 
 const HEIGHT = 92;  // px of the plot, with its x axis
-const LEFT = 58;    // px of the y axis
 
 interface Line {
   series: Series;
@@ -153,10 +153,6 @@ export class Chart {
   private options(width: number): uPlot.Options {
     const {session} = this;
     const {dark, axis} = session;
-    const ink = dark ? '#a6aeb8' : '#545c66';
-    const rule = {stroke: dark ? '#2b3038' : '#e8ebef', width: 1};
-    const font = '11px system-ui, sans-serif';
-    const stripSize = this.stripSize;
     return {
       width,
       height: this.height,
@@ -168,43 +164,22 @@ export class Chart {
         x: {time: false, range: () => [this.grid.from, this.grid.to]},
         y: {range: (_, low, high) => this.range(low, high)}
       },
-      axes: [
-        {
-          stroke: ink,
-          font,
-          size: 22 + stripSize,
-          gap: (stripSize ? 2 : 4) + stripSize,
-          ticks: {show: false},
-          grid: rule,
-          space: 70,
-          incrs: axis === 'time' ? timeSteps(this.grid.to - this.grid.from) : undefined,
-          values: (_, ticks) => (axis === 'time' ? timeTexts(ticks) : lengthTexts(ticks))
-        },
-        {
-          stroke: ink,
-          font,
-          size: LEFT,
-          gap: 4,
-          ticks: {show: false},
-          grid: rule,
-          space: 24,
-          values: (_, ticks) => ticks.map((value) => axisText(value, ticks))
-        }
-      ],
-      series: [
-        {}, ...this.lines.map((line): uPlot.Series => ({
-                                stroke: this.colour(line),
-                                width: 1.25,
-                                points: {show: false},
-                                dash: line.series.dash ??
-                                    (line.index === 1 && this.solid(1) > 1 ? [6, 2] : undefined),
-                              }))
-      ],
+      axes: chartAxes(axis, this.grid.to - this.grid.from, this.stripSize, dark),
+      series: [{}, ...this.lines.map((line) => this.look(line))],
       hooks: {
         drawClear: [(plot) => paintSelection(plot, session)],
         draw: [(plot) => paintStrips(plot, session, this.grid, this.strips())],
         setSelect: [(plot) => this.selected(plot)],
       },
+    };
+  }
+
+  private look(line: Line): uPlot.Series {
+    return {
+      stroke: this.colour(line),
+      width: 1.25,
+      points: {show: false},
+      dash: line.series.dash ?? (line.index === 1 && this.solid(1) > 1 ? [6, 2] : undefined),
     };
   }
 

@@ -2,8 +2,8 @@
 // What is drawn into a chart beside its lines: the selected line of the program, and the limits.
 import type uPlot from 'uplot';
 import type {Grid} from '../../data/decimation.ts';
-import {drawLimits} from './limit_strip.ts';
 import type {Session} from '../common/session.ts';
+import {drawLimits} from './limit_strip.ts';
 
 const STRIP = 10;  // px
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which charts there are, and the series of each.
-import type {NodeColumn} from '../../data/format.ts';
 import type {Between} from '../../data/decimation.ts';
+import type {NodeColumn} from '../../data/format.ts';
 import type {RunModel} from '../../data/run_model.ts';
 
 export interface Series {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // All charts of the runs, over time or over length, with one cursor and one zoom for all.
-import {Chart} from './chart.ts';
-import {chartsOf, type ChartSpec} from './chart_series.ts';
 import {Choice, el, fill} from '../common/dom.ts';
 import {Pace} from '../common/pace.ts';
 import type {ChartAxis, Session} from '../common/session.ts';
+import {Chart} from './chart.ts';
+import {chartsOf, type ChartSpec} from './chart_series.ts';
 
 const OPEN = 3;  // charts that are shown at first
 

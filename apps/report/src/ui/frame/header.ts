@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The bar above the page: what was run, which run is looked at, and the look of the page.
 import {Choice, el} from '../common/dom.ts';
-import {statusText} from '../common/status.ts';
 import type {Session} from '../common/session.ts';
+import {statusText} from '../common/status.ts';
 
 /** Returns the bar; `help` opens the list of keys. */
 export function header(session: Session, help: () => void): HTMLElement {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What browser tests may ask of the page, as `window.softcncReport`.
-import type {FrameFigures} from '../../view/levels/path_types.ts';
 import type {RowRange} from '../../data/run_model.ts';
-import type {PathPanel} from '../pictures/path_panel.ts';
+import type {FrameFigures} from '../../view/levels/path_types.ts';
 import type {QuantityId} from '../common/quantities.ts';
 import {quantitiesOf} from '../common/quantities.ts';
 import type {ChartAxis, Session, TabId} from '../common/session.ts';
+import type {PathPanel} from '../pictures/path_panel.ts';
 
 export interface Inspection {
   /** Milliseconds from the start of loading to the first picture. */

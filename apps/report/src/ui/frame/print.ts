@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What is printed: the first screen, a picture of the path, and the tables.
+import {el, fill} from '../common/dom.ts';
+import type {Session} from '../common/session.ts';
+import type {PathPanel} from '../pictures/path_panel.ts';
+import {surfaceNumbers} from '../pictures/surface_panel.ts';
+import type {Messages} from '../program/messages.ts';
 import {comparePanel} from '../tables/compare.ts';
 import {details} from '../tables/details.ts';
-import {el, fill} from '../common/dom.ts';
-import type {PathPanel} from '../pictures/path_panel.ts';
-import type {Session} from '../common/session.ts';
-import type {Messages} from '../program/messages.ts';
 import type {Summary} from '../tables/summary.ts';
-import {surfaceNumbers} from '../pictures/surface_panel.ts';
 import {whatIfPanel} from '../tables/what_if.ts';
 
 /** Panels that are printed as they are. */

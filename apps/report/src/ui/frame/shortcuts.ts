@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The keys of the page.
 import type {Charts} from '../charts/charts.ts';
-import type {Shortcut} from './keyboard.ts';
-import type {Listing} from '../program/listing.ts';
-import type {Messages} from '../program/messages.ts';
+import type {Session} from '../common/session.ts';
 import type {PathPanel} from '../pictures/path_panel.ts';
 import type {Player} from '../pictures/player.ts';
-import type {Session} from '../common/session.ts';
-import type {Summary} from '../tables/summary.ts';
 import type {SurfaceStage} from '../pictures/surface_panel.ts';
+import type {Listing} from '../program/listing.ts';
+import type {Messages} from '../program/messages.ts';
+import type {Summary} from '../tables/summary.ts';
+import type {Shortcut} from './keyboard.ts';
 import type {Tabs} from './tabs.ts';
 
 export interface Parts {
@@ -28,9 +28,14 @@ const SMALL = 0.01;  // of what the charts show
 const LARGE = 0.1;
 
 /** Returns all keys with what they do. */
-export function shortcuts(
-    {session, summary, listing, messages, path, surface, player, charts, tabs, help}: Parts):
-    Shortcut[] {
+export function shortcuts(parts: Parts): Shortcut[] {
+  return [
+    ...timeKeys(parts), ...panelKeys(parts), ...chartKeys(parts), ...pictureKeys(parts),
+    ...pageKeys(parts)
+  ];
+}
+
+function timeKeys({session, player}: Parts): Shortcut[] {
   const move = (part: number) => {
     const {from, to} = session.zoom ?? {from: 0, to: session.run.lastRow};
     session.moveTo(session.row + part * (to - from));
@@ -38,10 +43,6 @@ export function shortcuts(
   const line = (by: 1|- 1) => {
     const next = session.run.placeInTime(session.row, by);
     if (next) session.select(next.place, next.row);
-  };
-  const search = () => {
-    session.show('program');
-    queueMicrotask(() => listing.focusSearch());
   };
   return [
     {keys: [' '], shown: 'Space', what: 'play or pause', run: () => player.toggle()},
@@ -56,6 +57,15 @@ export function shortcuts(
       what: 'line before or after, in time',
       run: ({key}) => line(key === '.' ? 1 : -1)
     },
+  ];
+}
+
+function panelKeys({session, summary, listing, messages, tabs}: Parts): Shortcut[] {
+  const search = () => {
+    session.show('program');
+    queueMicrotask(() => listing.focusSearch());
+  };
+  return [
     {
       keys: ['n', 'p'],
       what: 'next or previous of the lines that lose most time',
@@ -72,6 +82,11 @@ export function shortcuts(
       what: 'previous or next panel',
       run: ({key}) => tabs.step(key === ']' ? 1 : -1)
     },
+  ];
+}
+
+function chartKeys({session, charts}: Parts): Shortcut[] {
+  return [
     {
       keys: ['+', '=', '-', '0'],
       shown: '+ - 0',
@@ -85,6 +100,11 @@ export function shortcuts(
       what: 'charts: over time or over length',
       run: () => session.setAxis(session.axis === 'time' ? 'length' : 'time')
     },
+  ];
+}
+
+function pictureKeys({session, path, surface}: Parts): Shortcut[] {
+  return [
     {keys: ['c'], what: 'colour the path by the next quantity', run: () => path.nextQuantity()},
     {
       keys: ['2', '3'],
@@ -96,6 +116,11 @@ export function shortcuts(
       what: 'fit the path into the view',
       run: () => (session.tab === 'surface' ? surface.fit() : path.fit())
     },
+  ];
+}
+
+function pageKeys({session, help}: Parts): Shortcut[] {
+  return [
     {
       keys: ['a', 'b'],
       what: 'look at run A or B',

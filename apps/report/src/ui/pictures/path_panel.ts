@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The path with its menus, legend and the description of what the pointer is at.
-import type {RunModel} from '../../data/run_model.ts';
 import {createPathView, type PathView} from '../../view/path/path_view.ts';
 import {Choice, el, fill, select, swatch} from '../common/dom.ts';
 import {limitColour, limitName} from '../common/limits.ts';
-import {legend} from './legend.ts';
-import * as numbers from '../common/numbers.ts';
-import {dim, visibleNodes} from './filters.ts';
 import {coloursOf, quantitiesOf, scaleOf, toolsOf, type QuantityId} from '../common/quantities.ts';
 import type {Session} from '../common/session.ts';
+import {dim, visibleNodes} from './filters.ts';
+import {legend} from './legend.ts';
+import {hasDepth, layerOf} from './path_layers.ts';
+import {placeTip, tipLines} from './path_tip.ts';
 
 const REST_MS = 200;  // after the last step of a zoom
 
@@ -97,31 +97,38 @@ export class PathPanel {
     this.menu = select(
         'Colour the path by', quantities, session.quantity,
         (id) => session.setQuantity(id as QuantityId));
-    const tools = toolsOf(session.runs);
     fill(
         this.tools, el('label', {}, el('span', {class: 'word'}, 'Colour'), this.menu),
         this.mode.element,
         el('button', {type: 'button', onclick: () => this.fit(), title: 'Show the whole path (f)'},
            'Fit'),
-        tools.length > 1 &&
-            el('label', {}, el('span', {class: 'word'}, 'Tool'),
-               select(
-                   'Show only one tool',
-                   [
-                     ['', 'all'],
-                     ...tools.map((tool): [string, string] => [String(tool), `T${tool}`])
-                   ],
-                   session.tool === null ? '' : String(session.tool),
-                   (value) => session.setTool(value === '' ? null : Number(value)))),
-        session.runs.length > 1 && this.runs(),
-        session.limit !== null &&
-            el('button', {
-              type: 'button',
-              class: 'chip',
-              title: 'Show all stretches again',
-              onclick: () => session.setLimit(null)
-            },
-               swatch(limitColour(session.limit)), `only ${limitName(session.limit)} ✕`));
+        this.toolMenu(), session.runs.length > 1 && this.runs(), this.limitChip());
+  }
+
+  private toolMenu(): HTMLElement|null {
+    const {session} = this;
+    const tools = toolsOf(session.runs);
+    if (tools.length < 2) return null;
+    const names = tools.map((tool): [string, string] => [String(tool), `T${tool}`]);
+    const menu = select(
+        'Show only one tool', [['', 'all'], ...names],
+        session.tool === null ? '' : String(session.tool),
+        (value) => session.setTool(value === '' ? null : Number(value)));
+    return el('label', {}, el('span', {class: 'word'}, 'Tool'), menu);
+  }
+
+  /** The limit whose stretches alone are shown; a click shows all again. */
+  private limitChip(): HTMLElement|null {
+    const {session} = this;
+    if (session.limit === null) return null;
+    return el(
+        'button', {
+          type: 'button',
+          class: 'chip',
+          title: 'Show all stretches again',
+          onclick: () => session.setLimit(null)
+        },
+        swatch(limitColour(session.limit)), `only ${limitName(session.limit)} ✕`);
   }
 
   private runs(): HTMLElement {
@@ -195,14 +202,10 @@ export class PathPanel {
     this.tip.hidden = !hit;
     this.session.setHover(hit && this.activeRow(hit.layer, hit.row));
     if (!hit) return;
-    const box = this.canvas.getBoundingClientRect();
-    fill(this.tip, ...this.describe(this.session.runs[hit.layer]!, hit.layer, hit.row));
-    const right = event.clientX - box.left > box.width / 2;
-    this.tip.style.left = right ? 'auto' : `${event.clientX - box.left + 14}px`;
-    this.tip.style.right = right ? `${box.right - event.clientX + 14}px` : 'auto';
-    const below = event.clientY - box.top > box.height / 2;
-    this.tip.style.top = below ? 'auto' : `${event.clientY - box.top + 10}px`;
-    this.tip.style.bottom = below ? `${box.bottom - event.clientY + 10}px` : 'auto';
+    const {runs} = this.session;
+    const letter = runs.length > 1 ? 'AB'[hit.layer]! : '';
+    fill(this.tip, ...tipLines(runs[hit.layer]!, letter, hit.row));
+    placeTip(this.tip, event, this.canvas.getBoundingClientRect());
   }
 
   /** The row of the run that is looked at, at the time of a row of any run. */
@@ -210,58 +213,4 @@ export class PathPanel {
     const {runs, run, active} = this.session;
     return layer === active ? row : run.rowAtSeconds(runs[layer]!.secondsAt(row));
   }
-
-  private describe(run: RunModel, index: number, row: number): HTMLElement[] {
-    const node = run.nodeAt(row);
-    const place = run.placeAt(row);
-    const limit = run.data.limits[run.column('limit')[node]!] ?? '';
-    const programmed = run.column('feed')[node]!;
-    const v = run.valueAt('v', row);
-    const letter = this.session.runs.length > 1 ? `${'AB'[index]}, ` : '';
-    const line = (...children: Array<Node|string>) => el('div', {}, ...children);
-    const error = (label: string, name: 'contour_um'|'deviation_um'|'chord_error_um'|'rmax_um') =>
-        run.has(name) && run.column(name)[node]! >= 0 ?
-        [line(`${label} ${numbers.withUnit(run.column(name)[node]!, 'µm')}`)] :
-        [];
-    return [
-      line(
-          el('b', {}, `${letter}line ${place ? numbers.count(place.line) : '–'}`),
-          ` at ${numbers.instant(run.secondsAt(row))}`),
-      line(
-          programmed > 0 ? `${numbers.feedNumber(v)} of ${numbers.feed(programmed)}` :
-                           numbers.feed(v)),
-      line(swatch(limitColour(limit)), limitName(limit)),
-      ...error('contour error', 'contour_um'),
-      ...error('deviation', 'deviation_um'),
-      ...error('chord error', 'chord_error_um'),
-      ...error('Rmax', 'rmax_um'),
-    ];
-  }
-}
-
-function layerOf(run: RunModel) {
-  return {
-    x: run.column('x'),
-    y: run.column('y'),
-    z: run.column('z'),
-    row: run.rows,
-    motion: Uint8Array.from(run.column('motion'))
-  };
-}
-
-/** Whether any cutting move is out of a plane of x and y. */
-function hasDepth(runs: RunModel[]): boolean {
-  return runs.some((run) => {
-    const z = run.column('z');
-    const motion = run.column('motion');
-    let first = NaN;
-    for (let i = 1; i < run.size; ++i) {
-      if (motion[i] !== 1) continue;
-      if (first !== first)
-        first = z[i]!;
-      else if (Math.abs(z[i]! - first) > 1e-3)
-        return true;
-    }
-    return false;
-  });
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The surface that the run leaves: its picture, and the roughness of its regions.
-import {createSurfaceView, type SurfaceView} from '../../view/surface/surface_view.ts';
 import type {SurfaceData} from '../../data/format.ts';
+import {createSurfaceView, type SurfaceView} from '../../view/surface/surface_view.ts';
 import {Choice, el, fill} from '../common/dom.ts';
 import * as numbers from '../common/numbers.ts';
 import type {Session} from '../common/session.ts';

@@ -5,15 +5,14 @@ import {lowerBound} from '../../data/bisection.ts';
 import type {Diagnostic} from '../../data/format.ts';
 import type {Place} from '../../data/run_model.ts';
 import {el, fill, select} from '../common/dom.ts';
-import {underline} from './messages.ts';
 import * as numbers from '../common/numbers.ts';
 import {Pace} from '../common/pace.ts';
 import type {Session} from '../common/session.ts';
+import {lineRow, noteRows} from './listing_rows.ts';
 
-const ROW = 20;        // px
-const LONGEST = 2000;  // characters of a line that are shown
-const NOTES = 3;       // rows that a diagnostic takes: its mark, and two of text
-const TALLEST = 8e6;   // px; browsers cannot scroll much more
+const ROW = 20;       // px
+const NOTES = 3;      // rows that a diagnostic takes: its mark, and two of text
+const TALLEST = 8e6;  // px; browsers cannot scroll much more
 
 export class Listing {
   readonly element: HTMLElement;
@@ -93,7 +92,7 @@ export class Listing {
       this.space.style.height = `${Math.min(this.height, TALLEST)}px`;
       const digits = String(this.count).length;
       this.element.style.setProperty('--digits', `${Math.max(digits, 2)}ch`);
-      if (this.session.selection?.file === this.file) this.reveal(this.session.selection.line);
+      if (this.selectedLine) this.reveal(this.selectedLine);
     }
     this.draw();
   }
@@ -157,9 +156,9 @@ export class Listing {
 
   private draw(): void {
     if (!this.drawn) return;
-    const {selection} = this.session;
-    if (selection?.file === this.file)
-      this.viewport.setAttribute('aria-activedescendant', `line-${selection.line}`);
+    const selected = this.selectedLine;
+    if (selected)
+      this.viewport.setAttribute('aria-activedescendant', `line-${selected}`);
     else
       this.viewport.removeAttribute('aria-activedescendant');
     const {scrollTop, clientHeight} = this.viewport;
@@ -174,7 +173,7 @@ export class Listing {
       y += ROW;
       for (let i = lowerBound(this.noteLines, line); this.noteLines[i] === line;
            ++i, y += NOTES * ROW)
-        this.rows.append(...this.note(this.notes[i]!));
+        this.rows.append(...noteRows(this.notes[i]!));
     }
   }
 
@@ -193,44 +192,22 @@ export class Listing {
   }
 
   private row(line: number, longest: number): HTMLElement {
-    const {run, selection} = this.session;
-    const time = run.lineTime({file: this.file, line});
-    const selected = selection?.file === this.file && selection.line === line;
-    const text = run.text(this.file);
-    const part = time && longest ? time.seconds / longest : 0;
-    const worst = this.noteLines[lowerBound(this.noteLines, line)] === line ? ' remarked' : '';
-    return el(
-        'div', {
-          class: `line${selected ? ' selected' : ''}${time ? '' : ' still'}${worst}${
-              line === this.now ? ' now' : ''}`,
-          'data-line': line,
-          id: `line-${line}`,
-          role: 'option',
-          'aria-selected': String(selected)
-        },
-        el('span', {class: 'n'}, String(line)),
-        el('span', {
-          class: 't',
-          style: `--part:${(100 * part).toFixed(1)}%`,
-          title: time ?
-              `${numbers.time(time.seconds)}, ${numbers.time(time.lost)} lost against the feed` :
-              ''
-        },
-           time ? numbers.lineTime(time.seconds) : ''),
-        el('code', {}, text ? shownText(text.line(line)) : ' '));
+    const {run} = this.session;
+    return lineRow({
+      line,
+      text: run.text(this.file)?.line(line) ?? '',
+      time: run.lineTime({file: this.file, line}),
+      longest,
+      selected: this.selectedLine === line,
+      remarked: this.noteLines[lowerBound(this.noteLines, line)] === line,
+      now: line === this.now,
+    });
   }
 
-  private note(diagnostic: Diagnostic): HTMLElement[] {
-    const {column, severity, code, message, help} = diagnostic;
-    const indent = ' '.repeat(Math.max(column - 1, 0));
-    const full = `${severity}: ${message} [${code}]${help ? `\n${help}` : ''}`;
-    const mark = column > 0 ? indent + underline(diagnostic) : '';
-    return [
-      el('div', {class: `remark ${severity}`, role: 'presentation'}, el('span', {class: 'n'}),
-         el('span', {class: 't'}), el('code', {}, mark)),
-      el('div', {class: `remark message ${severity}`, role: 'note', title: full},
-         `${severity}: ${message} [${code}]`)
-    ];
+  /** The selected line if it is of this file, otherwise 0. */
+  private get selectedLine(): number {
+    const {selection} = this.session;
+    return selection?.file === this.file ? selection.line : 0;
   }
 
   private click(event: Event): void {
@@ -241,7 +218,7 @@ export class Listing {
   private key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const page = Math.max(Math.floor(this.viewport.clientHeight / ROW) - 1, 1);
-    const now = this.session.selection?.file === this.file ? this.session.selection.line : 0;
+    const now = this.selectedLine;
     const to = {
       ArrowDown: now + 1,
       ArrowUp: now - 1,
@@ -272,18 +249,9 @@ export class Listing {
       this.goTo(Number(wanted));
       return;
     }
-    const now = this.session.selection?.file === this.file ? this.session.selection.line :
-        event.shiftKey                                     ? 1 :
-                                                             0;
-    const line = this.session.run.text(this.file)?.find(
-                     wanted, Math.max(now, event.shiftKey ? 1 : 0), event.shiftKey) ??
-        0;
+    const from = Math.max(this.selectedLine, event.shiftKey ? 1 : 0);
+    const line = this.session.run.text(this.file)?.find(wanted, from, event.shiftKey) ?? 0;
     this.found.textContent = line || !wanted ? '' : 'not found';
     if (line) this.goTo(line);
   }
-}
-
-function shownText(text: string): string {
-  const whole = text.replace(/\t/g, ' ') || ' ';
-  return whole.length > LONGEST ? `${whole.slice(0, LONGEST)}…` : whole;
 }

@@ -23,63 +23,18 @@ const kKeyZoom = 1.25;
 export function connectGestures(element: HTMLElement, target: GestureTarget): () => void {
   const stop = new AbortController();
   const options = { signal: stop.signal };
-  const pointers = new Map<number, [number, number]>();
-  let moved = 0, most = 0;
-  const place = (event: MouseEvent): [number, number] => {
-    const box = element.getBoundingClientRect();
-    return [event.clientX - box.left, event.clientY - box.top];
-  };
-  const middle = (): [number, number, number] => {
-    const all = [...pointers.values()];
-    const [ax, ay] = all[0] ?? [0, 0], [bx, by] = all[1] ?? [ax, ay];
-    return [(ax + bx) / 2, (ay + by) / 2, Math.hypot(bx - ax, by - ay)];
-  };
-
+  const drags = new Drags(element, target);
   element.style.touchAction = 'none';
-  element.addEventListener('pointerdown', (event) => {
-    element.setPointerCapture(event.pointerId);
-    if (pointers.size === 0) moved = most = 0;
-    pointers.set(event.pointerId, place(event));
-    most = Math.max(most, pointers.size);
-  }, options);
-  element.addEventListener('pointermove', (event) => {
-    const before = pointers.get(event.pointerId);
-    if (before === undefined) {
-      if (event.buttons === 0) target.hover(place(event), event);
-      return;
-    }
-    const [x, y] = place(event);
-    const dx = x - before[0], dy = y - before[1];
-    moved += Math.hypot(dx, dy);
-    const [mx, my, apart] = middle();
-    pointers.set(event.pointerId, [x, y]);
-    if (moved < kClickSlack) return;
-    if (pointers.size >= 2) {
-      const [nx, ny, next] = middle();
-      target.pan(nx - mx, ny - my);
-      if (apart > 10 && next > 10) target.zoom(next / apart, nx, ny);
-    } else if (event.shiftKey || (event.buttons & 2) !== 0 || (event.buttons & 4) !== 0) {
-      target.pan(dx, dy);
-    } else {
-      target.drag(dx, dy);
-    }
-  }, options);
-  const release = (event: PointerEvent, isClick: boolean): void => {
-    if (!pointers.delete(event.pointerId)) return;
-    if (isClick && most === 1 && moved < kClickSlack && event.button === 0) {
-      target.click(...place(event), event);
-    }
-  };
-  element.addEventListener('pointerup', (event) => release(event, true), options);
-  element.addEventListener('pointercancel', (event) => release(event, false), options);
+  element.addEventListener('pointerdown', (event) => drags.press(event), options);
+  element.addEventListener('pointermove', (event) => drags.move(event), options);
+  element.addEventListener('pointerup', (event) => drags.release(event, true), options);
+  element.addEventListener('pointercancel', (event) => drags.release(event, false), options);
   element.addEventListener('pointerleave', (event) => target.hover(null, event), options);
   element.addEventListener('contextmenu', (event) => event.preventDefault(), options);
   element.addEventListener('dblclick', () => target.fit(), options);
   element.addEventListener('wheel', (event) => {
     event.preventDefault();
-    const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1);
-    const speed = event.ctrlKey ? 0.01 : 0.0016;
-    target.zoom(Math.exp(-Math.max(-400, Math.min(400, pixels)) * speed), ...place(event));
+    target.zoom(factorOfWheel(event), ...placeOf(event, element));
   }, { ...options, passive: false });
   element.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
@@ -89,6 +44,77 @@ export function connectGestures(element: HTMLElement, target: GestureTarget): ()
     }
   }, options);
   return () => stop.abort();
+}
+
+/** Returns the place of the pointer from the element's corner. */
+function placeOf(event: MouseEvent, element: HTMLElement): [number, number] {
+  const box = element.getBoundingClientRect();
+  return [event.clientX - box.left, event.clientY - box.top];
+}
+
+/** The pointers that are down on an element, and what they have done since the first came. */
+class Drags {
+  private readonly element: HTMLElement;
+  private readonly target: GestureTarget;
+  private readonly pointers = new Map<number, [number, number]>();
+  private moved = 0; // CSS px, by all of them.
+  private most = 0; // Pointers at once.
+
+  constructor(element: HTMLElement, target: GestureTarget) {
+    this.element = element;
+    this.target = target;
+  }
+
+  press(event: PointerEvent): void {
+    this.element.setPointerCapture(event.pointerId);
+    if (this.pointers.size === 0) this.moved = this.most = 0;
+    this.pointers.set(event.pointerId, placeOf(event, this.element));
+    this.most = Math.max(this.most, this.pointers.size);
+  }
+
+  move(event: PointerEvent): void {
+    const before = this.pointers.get(event.pointerId);
+    const [x, y] = placeOf(event, this.element);
+    if (before === undefined) {
+      if (event.buttons === 0) this.target.hover([x, y], event);
+      return;
+    }
+    const dx = x - before[0], dy = y - before[1];
+    this.moved += Math.hypot(dx, dy);
+    const [mx, my, apart] = this.middle();
+    this.pointers.set(event.pointerId, [x, y]);
+    if (this.moved < kClickSlack) return;
+    if (this.pointers.size >= 2) {
+      const [nx, ny, next] = this.middle();
+      this.target.pan(nx - mx, ny - my);
+      if (apart > 10 && next > 10) this.target.zoom(next / apart, nx, ny);
+    } else if (event.shiftKey || (event.buttons & 2) !== 0 || (event.buttons & 4) !== 0) {
+      this.target.pan(dx, dy);
+    } else {
+      this.target.drag(dx, dy);
+    }
+  }
+
+  release(event: PointerEvent, isClick: boolean): void {
+    if (!this.pointers.delete(event.pointerId)) return;
+    if (isClick && this.most === 1 && this.moved < kClickSlack && event.button === 0) {
+      this.target.click(...placeOf(event, this.element), event);
+    }
+  }
+
+  /** Returns the middle between the first two pointers, and how far they are apart. */
+  private middle(): [number, number, number] {
+    const all = [...this.pointers.values()];
+    const [ax, ay] = all[0] ?? [0, 0], [bx, by] = all[1] ?? [ax, ay];
+    return [(ax + bx) / 2, (ay + by) / 2, Math.hypot(bx - ax, by - ay)];
+  }
+}
+
+/** Returns the factor by which a turn of the wheel zooms; a pinch comes as a turn with Ctrl. */
+function factorOfWheel(event: WheelEvent): number {
+  const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1);
+  const speed = event.ctrlKey ? 0.01 : 0.0016;
+  return Math.exp(-Math.max(-400, Math.min(400, pixels)) * speed);
 }
 
 function pressKey(event: KeyboardEvent, element: HTMLElement, target: GestureTarget): boolean {

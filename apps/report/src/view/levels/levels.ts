@@ -2,32 +2,20 @@
 // Levels of detail of one path: which of its nodes a picture needs at which allowed error.
 //
 // The nodes are cut into cells of equal count with a box each, to leave out what is not on the
-// screen, and several cells make a chunk. Within a chunk each node has a code
-// that grows with the error that leaving it out causes: of the shape (Douglas and Peucker), in space
-// or as seen from above, and of the colours (halving of the chunk). Two steps of the code double the
-// error. A node is drawn at level k if its code is at least k; the ends of a chunk always are.
+// screen, and several cells make a chunk. Within a chunk each node has a code that grows with the
+// error that leaving it out causes: of the shape (`shape_rank.ts`), in space or as seen from above,
+// and of the colours (`colour_rank.ts`). Two steps of the code double the error. A node is drawn at
+// level k if its code is at least k; the ends of a chunk always are.
 
 import type { Box, Vector } from '../common/camera.ts';
+import { kCodes, kCutting, kRest } from './codes.ts';
+import { kBlock, rankColours } from './colour_rank.ts';
 import type { PathLayer } from './path_types.ts';
+import { rankShape } from './shape_rank.ts';
 
-export const kCodes = 64;
-const kFinestLog2 = -20; // Code 1 stands for 2^-20 mm; code 63 for 2^11 mm and more.
 const kSmallestChunk = 128;
 const kMostChunks = 2048;
 export const kCellsPerChunk = 8;
-const kColourWeight = 0.25; // Full contrast counts as an error of a quarter of its length.
-
-/** Returns the code of an error in mm. */
-export function codeOfError(error: number): number {
-  if (!(error > 0)) return 0;
-  const code = Math.ceil((Math.log2(error) - kFinestLog2) * 2) + 1;
-  return Math.min(kCodes - 1, Math.max(1, code));
-}
-
-/** Motions of an interval. */
-export const kRest = 0;
-export const kCutting = 1;
-export const kRapid = 2;
 
 /** One path with what its levels of detail need; positions are in mm from `centre`. */
 export class PathLevels {
@@ -83,7 +71,7 @@ export class PathLevels {
   rank(): void {
     if (this.isRanked) return;
     this.isRanked = true;
-    this.rankColours();
+    this.rankNodes();
   }
 
   /** Returns the index of the last node of a chunk; the next chunk begins with it. */
@@ -207,50 +195,24 @@ export class PathLevels {
     const known = this.isFlat ? this.shapeFromAbove : this.shapeInSpace;
     if (known !== null) return known;
     const codes = new Uint8Array(this.count);
-    for (let c = 0; c < this.chunks; c++) this.rankShape(c, this.isFlat ? 0 : 1, codes);
+    for (let c = 0; c < this.chunks; c++) {
+      rankShape(this.position, c * this.chunkSize, this.lastNode(c), this.isFlat ? 0 : 1, codes);
+    }
     if (this.isFlat) this.shapeFromAbove = codes;
     else this.shapeInSpace = codes;
     return codes;
   }
 
-  /** Douglas and Peucker, 1973: a node's error never exceeds that of the split it lies within. */
-  private rankShape(chunk: number, weightOfZ: number, codes: Uint8Array): void {
-    const p = this.position;
-    const stack: number[] = [chunk * this.chunkSize, this.lastNode(chunk), Infinity];
-    while (stack.length > 0) {
-      const limit = stack.pop()!, b = stack.pop()!, a = stack.pop()!;
-      if (b - a < 2) continue;
-      const ax = p[3 * a]!, ay = p[3 * a + 1]!, az = p[3 * a + 2]!;
-      const ux = p[3 * b]! - ax, uy = p[3 * b + 1]! - ay, uz = (p[3 * b + 2]! - az) * weightOfZ;
-      const uu = ux * ux + uy * uy + uz * uz;
-      let worst = -1, at = (a + b) >> 1;
-      for (let i = a + 1; i < b; i++) {
-        let x = p[3 * i]! - ax, y = p[3 * i + 1]! - ay, z = (p[3 * i + 2]! - az) * weightOfZ;
-        let t = uu > 0 ? (x * ux + y * uy + z * uz) / uu : 0;
-        t = t < 0 ? 0 : t > 1 ? 1 : t;
-        x -= t * ux; y -= t * uy; z -= t * uz;
-        const d = x * x + y * y + z * z;
-        if (d > worst) {
-          worst = d;
-          at = i;
-        }
-      }
-      const error = Math.min(limit, Math.sqrt(Math.max(0, worst)));
-      codes[at] = codeOfError(error);
-      if (error <= 0) continue;
-      stack.push(a, at, error, at, b, error);
-    }
-  }
-
   /** Ranks the nodes by colour, motion and visibility, and counts the nodes of each code. */
-  private rankColours(): void {
+  private rankNodes(): void {
     this.findMeanColour();
     this.code.set(this.shapeCodes());
-    const ranges = new Float32Array(7 * this.chunkSize);
+    const work = new Float32Array(kBlock * this.chunkSize);
     for (let c = 0; c < this.chunks; c++) {
-      this.rankChunkColours(c, ranges);
-      this.code[c * this.chunkSize] = kCodes - 1;
-      this.code[this.lastNode(c)] = kCodes - 1;
+      const first = c * this.chunkSize, last = this.lastNode(c);
+      rankColours(this, first, last - first, work, this.code);
+      this.code[first] = kCodes - 1;
+      this.code[last] = kCodes - 1;
     }
     this.countCodes();
   }
@@ -266,47 +228,6 @@ export class PathLevels {
       total += weight;
     }
     if (total > 0) this.meanColour = [r / total, g / total, b / total];
-  }
-
-  /**
-   * Halves the chunk again and again; the node in the middle of a block gets the block's length
-   * times its range of colours as error. `work` holds lowest and highest red, green and blue and
-   * the length of each block.
-   */
-  private rankChunkColours(chunk: number, work: Float32Array): void {
-    const first = chunk * this.chunkSize;
-    const intervals = this.lastNode(chunk) - first;
-    for (let j = 0; j < intervals; j++) {
-      const i = first + j + 1, at = 7 * j;
-      const motion = this.motion[i]!;
-      const hidden = this.visible !== null && this.visible[i] === 0;
-      const drawn = this.length[i]! > 0 && motion !== kRest;
-      for (let k = 0; k < 3; k++) {
-        // Hidden intervals and rapids stand for colours outside of the range that bytes have.
-        const value = hidden ? 600 : motion === kRapid ? -300 : this.rgb[3 * i + k]!;
-        work[at + k] = drawn ? value : Infinity;
-        work[at + 3 + k] = drawn ? value : -Infinity;
-      }
-      work[at + 6] = drawn ? this.length[i]! : 0;
-    }
-    for (let size = 2; size < 2 * this.chunkSize; size *= 2) {
-      for (let j = 0; j + size / 2 < intervals; j += size) {
-        const a = 7 * j, b = 7 * (j + size / 2);
-        let range = 0;
-        for (let k = 0; k < 3; k++) {
-          const low = Math.min(work[a + k]!, work[b + k]!);
-          const high = Math.max(work[a + 3 + k]!, work[b + 3 + k]!);
-          work[a + k] = low;
-          work[a + 3 + k] = high;
-          if (high - low > range) range = high - low;
-        }
-        work[a + 6]! += work[b + 6]!;
-        if (range < 2) continue;
-        const code = codeOfError(work[a + 6]! * (range / 255) * kColourWeight);
-        const node = first + j + size / 2;
-        if (code > this.code[node]!) this.code[node] = code;
-      }
-    }
   }
 
   private countCodes(): void {

@@ -2,7 +2,8 @@
 // Finds the place of a path that is nearest to the pointer, and the place of a row.
 
 import type { Camera, Vector } from '../common/camera.ts';
-import { kCutting, type PathLevels } from './levels.ts';
+import { kCutting } from './codes.ts';
+import type { PathLevels } from './levels.ts';
 import type { PathHit } from './path_types.ts';
 
 const kReach = 10; // CSS px.

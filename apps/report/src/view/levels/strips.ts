@@ -2,7 +2,8 @@
 // Chooses the nodes of a frame from the levels of detail and joins them to strips.
 
 import type { Camera } from '../common/camera.ts';
-import { codeOfError, kCellsPerChunk, kCodes, kRapid, type PathLevels } from './levels.ts';
+import { codeOfError, kCodes, kRapid } from './codes.ts';
+import { kCellsPerChunk, type PathLevels } from './levels.ts';
 
 export const kMostVertices = 40000;
 /** A node of a strip is drawn as two vertices, left and right of the path. */

@@ -2,9 +2,9 @@
 // Draws strips on a 2-D canvas, for browsers without WebGL 2.
 
 import type { Camera } from '../common/camera.ts';
-import * as line from './renderer.ts';
-import { kBegins, kIsRapid, type Strips } from '../levels/strips.ts';
 import { css, type Theme } from '../common/theme.ts';
+import { kBegins, kIsRapid, type Strips } from '../levels/strips.ts';
+import * as line from './renderer.ts';
 
 const kNone: Strips = {
   count: 0, position: new Float32Array(0), along: new Float32Array(0), look: new Uint8Array(0),

@@ -2,8 +2,8 @@
 // What draws strips: by WebGL, or by canvas where WebGL is missing.
 
 import type { Camera } from '../common/camera.ts';
-import type { Strips } from '../levels/strips.ts';
 import type { Theme } from '../common/theme.ts';
+import type { Strips } from '../levels/strips.ts';
 
 /** Width of cutting moves in CSS pixels. */
 export const kLineWidth = 1.8;

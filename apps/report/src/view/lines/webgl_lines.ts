@@ -5,9 +5,9 @@
 // time (of a browser that draws in software).
 
 import type { Camera, Vector } from '../common/camera.ts';
-import * as line from './renderer.ts';
-import { kBegins, kMostNodes, type Strips } from '../levels/strips.ts';
 import type { Rgb, Theme } from '../common/theme.ts';
+import { kBegins, kMostNodes, type Strips } from '../levels/strips.ts';
+import * as line from './renderer.ts';
 import { stripProgram, thinProgram, type Program, type Uniforms } from './webgl_programs.ts';
 
 const kStride = 20; // Bytes of a vertex: three floats, the length along the strip, the look.

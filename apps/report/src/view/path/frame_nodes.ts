@@ -5,10 +5,10 @@ import type { Box, Camera } from '../common/camera.ts';
 import type { PathLevels } from '../levels/levels.ts';
 import type { PathRange } from '../levels/path_types.ts';
 import { nodeAtRow, positionAtRow } from '../levels/picking.ts';
-import { kLineWidth } from '../lines/renderer.ts';
 import {
   addCells, chooseCode, finestCode, keepEvery, kMostNodes, markCells, markedLength, StripBuilder,
 } from '../levels/strips.ts';
+import { kLineWidth } from '../lines/renderer.ts';
 
 const kHighlightNodes = kMostNodes / 4;
 const kCoarsest = 63;

@@ -2,19 +2,19 @@
 // The picture of one or two paths: camera, levels of detail, renderer, overlay and gestures.
 
 import { Camera, type Box, type Vector } from '../common/camera.ts';
-import { CanvasLines } from '../lines/canvas_lines.ts';
-import { FrameNodes } from './frame_nodes.ts';
-import { connectGestures } from '../common/gestures.ts';
+import { connectGestures, type GestureTarget } from '../common/gestures.ts';
+import { themeOf } from '../common/theme.ts';
 import { PathLevels } from '../levels/levels.ts';
-import { MotionQuality } from './motion_quality.ts';
-import { drawOverlay, insetsOf } from '../common/overlay.ts';
 import type {
   FrameFigures, HitListener, PathLayer, PathRange, PathView,
 } from '../levels/path_types.ts';
 import { pick, positionAtRow } from '../levels/picking.ts';
-import type { LineRenderer } from '../lines/renderer.ts';
-import { themeOf } from '../common/theme.ts';
-import { WebGlLines } from '../lines/webgl_lines.ts';
+import { centreOf, farthest, joinBoxes } from './boxes.ts';
+import { Canvases, deviceRatio } from './canvases.ts';
+import { FrameNodes } from './frame_nodes.ts';
+import { MotionQuality } from './motion_quality.ts';
+import { drawOverlay, insetsOf } from './overlay.ts';
+import { Pointer } from './pointer.ts';
 
 export type {
   FrameFigures, HitListener, PathHit, PathLayer, PathRange, PathView,
@@ -37,11 +37,12 @@ interface PathElement extends HTMLDivElement {
 class View implements PathView {
   private readonly container: HTMLElement;
   private readonly root: PathElement = document.createElement('div');
-  private readonly overlay = document.createElement('canvas');
-  private renderer: LineRenderer;
   private readonly camera = new Camera();
+  private readonly canvases: Canvases;
   private readonly nodes = new FrameNodes();
   private readonly quality = new MotionQuality();
+  private readonly pointer =
+    new Pointer(this.root, (x, y) => pick(this.paths, this.camera, x, y));
   private readonly observer: ResizeObserver;
   private readonly disconnect: () => void;
   private paths: PathLevels[] = [];
@@ -50,14 +51,10 @@ class View implements PathView {
   private markers: Array<number | null> = [];
   private theme = themeOf(false, document.documentElement);
   private isDark = false;
-  private pickListener: HitListener | null = null;
-  private hoverListener: HitListener | null = null;
-  private hoverWaiting: (() => void) | null = null;
   private frame = 0;
   private lastFrameAt = -Infinity;
   private wantsFit = true;
   private wantsPaths = true;
-  private ratioPart = 1;
   private figures: FrameFigures = { vertices: 0, level: 0, lastFrameMs: 0 };
 
   constructor(container: HTMLElement) {
@@ -67,31 +64,14 @@ class View implements PathView {
     root.tabIndex = 0;
     root.setAttribute('role', 'application');
     if (getComputedStyle(container).position === 'static') container.style.position = 'relative';
-    this.renderer = this.createRenderer();
-    this.overlay.style.cssText =
-      'position:absolute;left:0;top:0;width:100%;height:100%;pointer-events:none;';
-    root.append(this.overlay);
+    this.canvases = new Canvases(root, this.camera, () => {
+      this.forget();
+      this.resize();
+    });
     container.append(root);
     this.describe();
     this.theme = themeOf(false, container);
-    this.disconnect = connectGestures(root, {
-      drag: (dx, dy) => {
-        if (this.camera.mode === '3d') this.camera.rotate(dx, dy);
-        else this.camera.pan(dx, dy);
-        this.moved();
-      },
-      pan: (dx, dy) => {
-        this.camera.pan(dx, dy);
-        this.moved();
-      },
-      zoom: (factor, x, y) => {
-        this.camera.zoomAt(factor, x, y);
-        this.moved();
-      },
-      fit: () => this.fit(),
-      click: (x, y, event) => this.pickListener?.(pick(this.paths, this.camera, x, y), event),
-      hover: (place, event) => this.hover(place, event),
-    });
+    this.disconnect = connectGestures(root, this.gestures());
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(root);
     root.placeOf = (layer, row) => this.placeOf(layer, row);
@@ -155,25 +135,20 @@ class View implements PathView {
   }
 
   onPick(callback: HitListener): void {
-    this.pickListener = callback;
+    this.pointer.onPick = callback;
   }
 
   onHover(callback: HitListener): void {
-    this.hoverListener = callback;
+    this.pointer.onHover = callback;
   }
 
   toImage(): string {
     this.setSize(Math.max(kPrintRatio, deviceRatio()));
     this.render();
-    const canvas = document.createElement('canvas');
-    canvas.width = this.renderer.canvas.width;
-    canvas.height = this.renderer.canvas.height;
-    const context = canvas.getContext('2d');
-    context?.drawImage(this.renderer.canvas, 0, 0);
-    context?.drawImage(this.overlay, 0, 0, canvas.width, canvas.height);
+    const image = this.canvases.image();
     this.setSize(deviceRatio());
     this.draw();
-    return context === null ? '' : canvas.toDataURL('image/png');
+    return image;
   }
 
   frames(): FrameFigures {
@@ -185,9 +160,31 @@ class View implements PathView {
     this.quality.stop();
     this.observer.disconnect();
     this.disconnect();
-    this.renderer.destroy();
+    this.canvases.renderer.destroy();
     this.root.remove();
     this.paths = [];
+  }
+
+  /** What gestures do: a drag turns the path in space, and moves it otherwise. */
+  private gestures(): GestureTarget {
+    return {
+      drag: (dx, dy) => {
+        if (this.camera.mode === '3d') this.camera.rotate(dx, dy);
+        else this.camera.pan(dx, dy);
+        this.moved();
+      },
+      pan: (dx, dy) => {
+        this.camera.pan(dx, dy);
+        this.moved();
+      },
+      zoom: (factor, x, y) => {
+        this.camera.zoomAt(factor, x, y);
+        this.moved();
+      },
+      fit: () => this.fit(),
+      click: (x, y, event) => this.pointer.click(x, y, event),
+      hover: (place, event) => this.pointer.hover(place, event),
+    };
   }
 
   private placeOf(layer: number, row: number): [number, number] | null {
@@ -200,44 +197,6 @@ class View implements PathView {
     const arrows = this.camera.mode === '3d' ? 'turn the path, with Shift move it' : 'move the path';
     this.root.setAttribute('aria-label',
       `Path of the tool. Arrow keys ${arrows}; plus and minus zoom; 0 fits it to the picture.`);
-  }
-
-  private createRenderer(): LineRenderer {
-    const canvas = newCanvas();
-    let renderer: LineRenderer | null = WebGlLines.create(canvas);
-    if (renderer === null) renderer = new CanvasLines(newCanvas());
-    renderer.canvas.addEventListener('webglcontextlost', (event) => {
-      event.preventDefault();
-      this.replaceRenderer(renderer);
-    });
-    this.root.prepend(renderer.canvas);
-    return renderer;
-  }
-
-  /** Draws on without WebGL where the browser has taken its context away. */
-  private replaceRenderer(lost: LineRenderer | null): void {
-    if (lost !== this.renderer || !this.root.isConnected) return;
-    lost.canvas.remove();
-    this.renderer = new CanvasLines(newCanvas());
-    this.root.prepend(this.renderer.canvas);
-    this.forget();
-    this.resize();
-  }
-
-  private hover(place: [number, number] | null, event: PointerEvent): void {
-    if (this.hoverListener === null) return;
-    const isWaiting = this.hoverWaiting !== null;
-    this.hoverWaiting = () => {
-      const hit = place === null ? null : pick(this.paths, this.camera, ...place);
-      this.root.style.cursor = hit === null ? 'default' : 'pointer';
-      this.hoverListener?.(hit, event);
-    };
-    if (isWaiting) return;
-    requestAnimationFrame(() => {
-      const call = this.hoverWaiting;
-      this.hoverWaiting = null;
-      call?.();
-    });
   }
 
   private resize(): void {
@@ -255,28 +214,17 @@ class View implements PathView {
 
   /** Gives the canvases their pixels, `ratio` for each CSS pixel. */
   private setSize(ratio: number): void {
-    const { width, height } = this.camera;
-    this.ratioPart = 1;
-    this.renderer.resize(width, height, ratio);
-    this.overlay.width = Math.round(width * ratio);
-    this.overlay.height = Math.round(height * ratio);
+    this.canvases.setSize(ratio);
     this.wantsPaths = true;
   }
 
   /** Draws while the picture moves, coarser where the browser is slow. */
   private moved(): void {
     this.quality.move(() => {
-      this.setRatio(1);
+      this.canvases.setPart(1);
       this.draw();
     });
     this.draw();
-  }
-
-  /** Sets the part of the screen's resolution at which the paths are drawn. */
-  private setRatio(part: number): void {
-    if (part === this.ratioPart) return;
-    this.ratioPart = part;
-    this.renderer.resize(this.camera.width, this.camera.height, deviceRatio() * part);
   }
 
   /** Makes the next frame choose its nodes again. */
@@ -286,7 +234,7 @@ class View implements PathView {
   }
 
   private findDrawn(): void {
-    this.box = this.paths.map((path) => path.drawnBox()).reduce(join, null);
+    this.box = this.paths.map((path) => path.drawnBox()).reduce(joinBoxes, null);
     this.forget();
   }
 
@@ -318,12 +266,13 @@ class View implements PathView {
     const follows = sinceLast < kContinuousMs;
     if (follows) this.quality.note(sinceLast);
     const { part } = this.quality;
-    this.setRatio(part < 1 ? 1 / deviceRatio() : 1);
+    this.canvases.setPart(part < 1 ? 1 / deviceRatio() : 1);
     const changes = this.nodes.choose(this.camera, this.box, part);
-    if (changes.strips) this.renderer.setStrips(0, this.nodes.strips.strips);
-    if (changes.lit) this.renderer.setStrips(1, this.nodes.lit.strips);
-    const vertices = this.renderer.draw(this.camera, this.theme, {
-      radius: Math.hypot(...this.centredRadius()), coverage: this.nodes.coverage, isCoarse: part < 1,
+    const { renderer } = this.canvases;
+    if (changes.strips) renderer.setStrips(0, this.nodes.strips.strips);
+    if (changes.lit) renderer.setStrips(1, this.nodes.lit.strips);
+    const vertices = renderer.draw(this.camera, this.theme, {
+      radius: Math.hypot(...farthest(this.box)), coverage: this.nodes.coverage, isCoarse: part < 1,
     });
     this.figures = {
       vertices,
@@ -333,17 +282,9 @@ class View implements PathView {
     this.lastFrameAt = start;
   }
 
-  /** Returns the largest distance from the centre along each axis, in mm. */
-  private centredRadius(): Vector {
-    const { low, high } = this.box ?? { low: [0, 0, 0], high: [0, 0, 0] };
-    return [0, 1, 2].map((k) => Math.max(-low[k]!, high[k]!)) as Vector;
-  }
-
   private renderOverlay(): void {
-    const context = this.overlay.getContext('2d');
+    const context = this.canvases.overlayContext();
     if (context === null) return;
-    const ratio = this.overlay.width / this.camera.width;
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
     const markers: Vector[] = [];
     this.markers.forEach((row, k) => {
       const path = this.paths[k];
@@ -355,36 +296,4 @@ class View implements PathView {
       box: this.box, centre: this.centre, markers, isDark: this.isDark, theme: this.theme,
     });
   }
-}
-
-function deviceRatio(): number {
-  return Math.min(3, Math.max(1, window.devicePixelRatio || 1));
-}
-
-function newCanvas(): HTMLCanvasElement {
-  const canvas = document.createElement('canvas');
-  canvas.style.cssText = 'position:absolute;left:0;top:0;width:100%;height:100%;';
-  return canvas;
-}
-
-function join(a: Box | null, b: Box | null): Box | null {
-  if (a === null || b === null) return a ?? b;
-  const pick = (f: (a: number, b: number) => number, u: Vector, v: Vector): Vector =>
-    [f(u[0], v[0]), f(u[1], v[1]), f(u[2], v[2])];
-  return { low: pick(Math.min, a.low, b.low), high: pick(Math.max, a.high, b.high) };
-}
-
-/** Returns the middle of the box of all nodes, in mm. */
-function centreOf(layers: PathLayer[]): Vector {
-  const middle = (axis: 'x' | 'y' | 'z'): number => {
-    let low = Infinity, high = -Infinity;
-    for (const layer of layers) {
-      for (const value of layer[axis]) {
-        if (value < low) low = value;
-        if (value > high) high = value;
-      }
-    }
-    return low <= high ? (low + high) / 2 : 0;
-  };
-  return [middle('x'), middle('y'), middle('z')];
 }

@@ -2,8 +2,8 @@
 // Pictures of a surface: one pixel per height, or per region.
 
 import type { DecodedSurface } from '../../data/surface.ts';
-import { heightColour, kMet, kMissed, kNoTarget, roughnessColour } from './colour_map.ts';
 import type { Rgb } from '../common/theme.ts';
+import { heightColour, kMet, kMissed, kNoTarget, roughnessColour } from './colour_map.ts';
 
 // Slopes are exaggerated until their root mean square is this: those of the shape as a whole, and
 // those of the tool's marks on it, each on its own.

@@ -2,10 +2,10 @@
 // The scale beside the picture of a surface, and the marks that tell regions apart without colour.
 
 import type { Camera } from '../common/camera.ts';
-import { kMet, kMissed, kNoTarget } from './colour_map.ts';
 import { label, niceStep } from '../common/scales.ts';
-import type { Span } from './surface_image.ts';
 import { css, type Rgb, type Theme } from '../common/theme.ts';
+import { kMet, kMissed, kNoTarget } from './colour_map.ts';
+import type { Span } from './surface_image.ts';
 
 export const kFont = '11px system-ui, sans-serif';
 

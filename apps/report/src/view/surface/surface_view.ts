@@ -3,15 +3,15 @@
 
 import type { DecodedSurface } from '../../data/surface.ts';
 import { Camera, type Box, type Insets, type Vector } from '../common/camera.ts';
-import { heightColour, roughnessColour } from './colour_map.ts';
 import { connectGestures } from '../common/gestures.ts';
-import { drawRulers } from '../common/overlay.ts';
-import { fixed } from '../common/scales.ts';
+import { drawRulers } from '../common/rulers.ts';
+import { css, themeOf, type Theme } from '../common/theme.ts';
+import { heightColour, roughnessColour } from './colour_map.ts';
 import {
   heightImage, roughnessImage, spanOf, verdict, verdictImage, type Span,
 } from './surface_image.ts';
+import { micrometres, readout } from './surface_readout.ts';
 import { drawBar, drawKey, hatch, kFont, type Scale } from './surface_scale.ts';
-import { css, themeOf, type Theme } from '../common/theme.ts';
 
 export type SurfaceLook = 'height' | 'rmax' | 'met';
 
@@ -257,24 +257,9 @@ class View implements SurfaceView {
   }
 
   private numbersAt(px: number, py: number): string | null {
-    const s = this.surface, t = this.camera.target;
-    const x = (px - this.camera.width / 2) / this.camera.scale + t[0] - this.box.low[0];
-    const y = (this.camera.height / 2 - py) / this.camera.scale + t[1] - this.box.low[1];
-    const column = Math.round(x / s.spacing), row = Math.round(y / s.spacing);
-    if (column < 0 || row < 0 || column >= s.columns || row >= s.rows) return null;
-    const parts = [`X ${fixed(x + s.origin[0], 2)}  Y ${fixed(y + s.origin[1], 2)} mm`,
-      `height ${fixed(s.heights[row * s.columns + column]! + s.origin[2], 4)} mm`];
-    const region = Math.floor(x / s.regionSize) + Math.floor(y / s.regionSize) * s.regionColumns;
-    const inside = x < s.regionColumns * s.regionSize && y < s.regionRows * s.regionSize;
-    if (inside && s.rmax[region]! >= 0) {
-      const target = s.target[region]!;
-      parts.push(`Rmax ${micrometres(s.rmax[region]!)}` +
-        (target > 0 ? ` (target ${micrometres(target)})` : ''));
-    }
-    return parts.join('   ');
+    const { width, height, scale, target } = this.camera;
+    const x = (px - width / 2) / scale + target[0] - this.box.low[0];
+    const y = (height / 2 - py) / scale + target[1] - this.box.low[1];
+    return readout(this.surface, x, y);
   }
-}
-
-function micrometres(um: number): string {
-  return `${um >= 100 ? um.toFixed(0) : um >= 10 ? um.toFixed(1) : um.toFixed(2)} \u00b5m`;
 }

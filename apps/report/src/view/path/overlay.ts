@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Rulers, axes, dimensions and the tool's marker, drawn on a canvas above the paths.
+// Box, dimensions, axes and the tool's marker, drawn on a canvas above the paths.
 
-import type { Box, Camera, Insets, Vector } from './camera.ts';
-import { label, lengthText, niceStep } from './scales.ts';
-import { css, type Rgb, type Theme } from './theme.ts';
+import type { Box, Camera, Insets, Vector } from '../common/camera.ts';
+import { drawRulers, kRulerBottom, kRulerLeft, type RulerScene } from '../common/rulers.ts';
+import { label, lengthText, niceStep } from '../common/scales.ts';
+import { css, type Rgb, type Theme } from '../common/theme.ts';
 
 const kFont = '11px system-ui, sans-serif';
 const kBold = '600 12px system-ui, sans-serif';
-const kRulerLeft = 48;
-const kRulerBottom = 22;
 const kNames = ['X', 'Y', 'Z'] as const;
 // Colours of the axes that everyone can distinguish (Okabe and Ito, 2008): vermilion, green, blue.
 const kAxes: [Rgb, Rgb, Rgb] = [[213, 94, 0], [0, 158, 115], [0, 114, 178]];
@@ -21,13 +20,11 @@ export function insetsOf(mode: '2d' | '3d'): Insets {
 }
 
 /** What the overlay shows besides the camera. */
-export interface OverlayScene {
+export interface OverlayScene extends RulerScene {
   /** Box of all paths from `centre`, or null where nothing is drawn. */
   box: Box | null;
-  centre: Vector;
   markers: Vector[];
   isDark: boolean;
-  theme: Theme;
 }
 
 /** Draws the overlay; the context's unit is the CSS pixel. */
@@ -46,54 +43,6 @@ export function drawOverlay(c: CanvasRenderingContext2D, camera: Camera,
     }
   }
   for (const marker of scene.markers) drawMarker(c, camera, scene.theme, marker);
-}
-
-/** Draws rulers in mm along the left and the lower edge. */
-export function drawRulers(c: CanvasRenderingContext2D, camera: Camera,
-  scene: Pick<OverlayScene, 'centre' | 'theme'>): void {
-  const theme = scene.theme;
-  const bottom = camera.height - kRulerBottom;
-  const step = niceStep(72 / camera.scale);
-  const firstX = camera.target[0] + scene.centre[0] - camera.width / 2 / camera.scale;
-  const firstY = camera.target[1] + scene.centre[1] - camera.height / 2 / camera.scale;
-  c.fillStyle = css(theme.background);
-  c.fillRect(0, 0, kRulerLeft, camera.height);
-  c.fillRect(kRulerLeft, bottom, camera.width - kRulerLeft, kRulerBottom);
-  c.strokeStyle = css(theme.grid);
-  c.beginPath();
-  c.moveTo(kRulerLeft + 0.5, 0);
-  c.lineTo(kRulerLeft + 0.5, bottom + 0.5);
-  c.lineTo(camera.width, bottom + 0.5);
-  c.stroke();
-  c.fillStyle = css(theme.quiet);
-  c.strokeStyle = css(theme.quiet);
-  c.beginPath();
-  c.textAlign = 'center';
-  c.textBaseline = 'middle';
-  for (let k = Math.ceil(firstX / step); ; k++) {
-    const x = (k * step - firstX) * camera.scale;
-    if (x > camera.width) break;
-    if (x < kRulerLeft) continue;
-    c.moveTo(Math.round(x) + 0.5, bottom);
-    c.lineTo(Math.round(x) + 0.5, bottom + 5);
-    const text = label(k * step, step);
-    const half = c.measureText(text).width / 2;
-    const hasSpace = x - half > kRulerLeft && x + half < camera.width - 44;
-    if (hasSpace) c.fillText(text, x, bottom + 13);
-  }
-  c.textAlign = 'right';
-  for (let k = Math.ceil(firstY / step); ; k++) {
-    const y = camera.height - (k * step - firstY) * camera.scale;
-    if (y < 26) break;
-    if (y > bottom) continue;
-    c.moveTo(kRulerLeft, Math.round(y) + 0.5);
-    c.lineTo(kRulerLeft - 5, Math.round(y) + 0.5);
-    if (y < bottom - 4) c.fillText(label(k * step, step), kRulerLeft - 8, y);
-  }
-  c.stroke();
-  c.fillStyle = css(theme.ink);
-  c.fillText('X mm', camera.width - 4, bottom + 13);
-  c.fillText('Y mm', kRulerLeft - 8, 11);
 }
 
 function corner(box: Box, index: number): Vector {
@@ -124,12 +73,20 @@ function drawBox(c: CanvasRenderingContext2D, camera: Camera, scene: OverlayScen
   }
 }
 
-/** Writes the dimension of one axis beside the outermost of the box's four edges along it. */
-function drawDimension(c: CanvasRenderingContext2D, camera: Camera, scene: OverlayScene,
-  axis: number, size: number, places: Array<[number, number]>, middle: [number, number]): void {
+/** An edge of the box as it is seen: its middle and its length, in CSS pixels. */
+interface Edge {
+  middle: [number, number];
+  length: number;
+}
+
+/**
+ * Returns the outermost of the box's four edges along an axis: the leftmost one along z, otherwise
+ * the lowest. `places` are the corners and `middle` the middle of the box as they are seen.
+ */
+function outermostEdge(axis: number, places: Array<[number, number]>,
+  middle: [number, number]): Edge | null {
   const bit = 1 << axis;
-  let best: [number, number] | null = null, bestScore = -Infinity;
-  let length = 0;
+  let best: Edge | null = null, bestScore = -Infinity;
   for (let k = 0; k < 8; k++) {
     if (k & bit) continue;
     const [ax, ay] = places[k]!, [bx, by] = places[k | bit]!;
@@ -137,11 +94,18 @@ function drawDimension(c: CanvasRenderingContext2D, camera: Camera, scene: Overl
     const score = axis === 2 ? middle[0] - x : y - middle[1];
     if (score <= bestScore) continue;
     bestScore = score;
-    best = [x, y];
-    length = Math.hypot(bx - ax, by - ay);
+    best = { middle: [x, y], length: Math.hypot(bx - ax, by - ay) };
   }
-  if (best === null || length < 14 || !isInside(camera, best)) return;
-  let dx = best[0] - middle[0], dy = best[1] - middle[1];
+  return best;
+}
+
+/** Writes the dimension of one axis beside the box. */
+function drawDimension(c: CanvasRenderingContext2D, camera: Camera, scene: OverlayScene,
+  axis: number, size: number, places: Array<[number, number]>, middle: [number, number]): void {
+  const edge = outermostEdge(axis, places, middle);
+  if (edge === null || edge.length < 14 || !isInside(camera, edge.middle)) return;
+  const [ex, ey] = edge.middle;
+  let dx = ex - middle[0], dy = ey - middle[1];
   if (Math.hypot(dx, dy) < 2) [dx, dy] = axis === 2 ? [-1, 0] : [0, 1]; // a box without width
   const n = Math.hypot(dx, dy);
   const text = `${kNames[axis]!} ${lengthText(size)} mm`;
@@ -150,8 +114,8 @@ function drawDimension(c: CanvasRenderingContext2D, camera: Camera, scene: Overl
   c.textBaseline = 'middle';
   const half = c.measureText(text).width / 2;
   const away = 8 + Math.abs(dx / n) * half + Math.abs(dy / n) * 7;
-  const x = Math.min(camera.width - half - 4, Math.max(half + 4, best[0] + dx / n * away));
-  const y = Math.min(camera.height - 10, Math.max(10, best[1] + dy / n * away));
+  const x = Math.min(camera.width - half - 4, Math.max(half + 4, ex + dx / n * away));
+  const y = Math.min(camera.height - 10, Math.max(10, ey + dy / n * away));
   c.fillStyle = css(scene.theme.background, 0.8);
   c.fillRect(x - half - 3, y - 8, 2 * half + 6, 16);
   c.fillStyle = css(scene.theme.ink);
