@@ -118,6 +118,16 @@ bool shows_columns(const Options& options) {
   return !options.report.empty() || (has_rows && !is(".vcd") && !is(".hal"));
 }
 
+/// What is asked of a page in a picture, or of a picture in a page; empty where nothing is.
+std::string misplaced_option(const Options& options) {
+  if (options.command != CommandName::report) return {};
+  const bool is_picture = picture_format(options.output).has_value();
+  if (is_picture && options.what_if) return "--what-if is shown by a page: -o FILE.html";
+  if (!is_picture && options.picture != PictureOptions())
+    return "--plot, --colour and --size choose what a picture shows: -o FILE.svg or FILE.png";
+  return {};
+}
+
 /// Returns what is wrong where options exclude each other; empty where nothing is.
 std::string conflict(const Options& options) {
   if (options.command == CommandName::codes) return {};
@@ -139,6 +149,7 @@ std::string conflict(const Options& options) {
     return "--bless cannot write to standard input";
   if (!options.columns.empty() && !shows_columns(options))
     return "--columns needs a trace as CSV (--trace), or --report";
+  if (std::string misplaced = misplaced_option(options); !misplaced.empty()) return misplaced;
   return file_clash(options);
 }
 

@@ -41,6 +41,8 @@ std::optional<PictureFormat> picture_format(std::string_view file) noexcept;
 struct PictureSize {
   int width = 900, height = 0;  // px; height 0: what the plots need
 
+  bool operator==(const PictureSize&) const = default;
+
   static constexpr int kLeastWidth = 400, kLeastHeight = 200, kMost = 10'000;
 };
 
@@ -51,6 +53,8 @@ struct PictureOptions {
   std::vector<Plot> plots;  // from above to below; empty: path, feed and limits
   Colouring colour = Colouring::feed;
   PictureSize size;
+
+  bool operator==(const PictureOptions&) const = default;
 };
 
 }  // namespace softcnc::app

@@ -5,7 +5,7 @@ const kSlowMs = 50; // Frames of a movement that take longer lower the quality, 
 const kFastMs = 25;
 const kLeastQuality = 0.3;
 const kFullFrom = 0.8; // At a higher quality everything is drawn.
-const kRestMs = 180; // So long after a movement the picture is drawn in full.
+const kRestMs = 400; // So long after a movement the picture is drawn in full.
 
 /** The quality of a moving picture; at rest it is 1. */
 export class MotionQuality {

@@ -21,7 +21,7 @@ export type {
 } from '../levels/path_types.ts';
 
 const kPrintRatio = 2; // Pixels per CSS pixel of the image for printing.
-const kContinuousMs = 250; // Frames further apart than this do not follow one another.
+const kContinuousMs = 800; // Frames further apart than this do not follow one another.
 
 /** Creates a picture that fills the container and follows its size. */
 export function createPathView(container: HTMLElement): PathView {
