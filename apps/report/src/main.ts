@@ -2,28 +2,31 @@
 // The report page: takes the data out of the page, and puts the panels on it.
 import 'uplot/dist/uPlot.min.css';
 import './style/page.css';
-import './style/panels.css';
+import './style/tables.css';
+import './style/program.css';
+import './style/pictures.css';
+import './style/charts.css';
 import './style/print.css';
 import {embeddedData, type Embedded} from './data/blob.ts';
-import {Charts} from './ui/charts.ts';
-import {comparePanel} from './ui/compare.ts';
-import {detailsPanel} from './ui/details.ts';
-import {el, fill} from './ui/dom.ts';
-import {header} from './ui/header.ts';
-import {inspect} from './ui/inspection.ts';
-import {listen, shortcutDialog} from './ui/keyboard.ts';
-import {Listing} from './ui/listing.ts';
-import {Messages} from './ui/messages.ts';
-import {PathPanel} from './ui/path_panel.ts';
-import {Player} from './ui/player.ts';
-import {prepareSheet} from './ui/print.ts';
-import {Session} from './ui/session.ts';
-import {shortcuts} from './ui/shortcuts.ts';
-import {Summary} from './ui/summary.ts';
-import {SurfaceStage, surfacePanel} from './ui/surface_panel.ts';
-import {Tabs, type Tab} from './ui/tabs.ts';
-import {followTheme} from './ui/theme.ts';
-import {whatIfPanel} from './ui/what_if.ts';
+import {Charts} from './ui/charts/charts.ts';
+import {el, fill} from './ui/common/dom.ts';
+import {Session} from './ui/common/session.ts';
+import {header} from './ui/frame/header.ts';
+import {inspect} from './ui/frame/inspection.ts';
+import {listen, shortcutDialog} from './ui/frame/keyboard.ts';
+import {prepareSheet} from './ui/frame/print.ts';
+import {shortcuts} from './ui/frame/shortcuts.ts';
+import {Tabs, type Tab} from './ui/frame/tabs.ts';
+import {followTheme} from './ui/frame/theme.ts';
+import {PathPanel} from './ui/pictures/path_panel.ts';
+import {Player} from './ui/pictures/player.ts';
+import {SurfaceStage, surfacePanel} from './ui/pictures/surface_panel.ts';
+import {Listing} from './ui/program/listing.ts';
+import {Messages} from './ui/program/messages.ts';
+import {comparePanel} from './ui/tables/compare.ts';
+import {detailsPanel} from './ui/tables/details.ts';
+import {Summary} from './ui/tables/summary.ts';
+import {whatIfPanel} from './ui/tables/what_if.ts';
 
 const app = document.getElementById('app')!;
 
@@ -38,29 +41,8 @@ function show({report, blob}: Embedded): void {
   const surface = new SurfaceStage(session);
   const player = new Player(session);
   const charts = new Charts(session);
-  const {diagnostics} = session.run.data;
-  const surfaceData = session.runs[0]!.data.surface;
-  const all: Array<Tab|false|undefined> = [
-    {id: 'summary', title: 'Summary', panel: summary.element},
-    report.comparison &&
-        {id: 'compare', title: 'Compare', panel: comparePanel(session, report.comparison)},
-    {id: 'program', title: 'Program', panel: listing.element},
-    {
-      id: 'messages',
-      title: 'Messages',
-      badge: String(diagnostics.length || ''),
-      panel: messages.element
-    },
-    report.what_if && {id: 'whatif', title: 'What if', panel: whatIfPanel(report.what_if)},
-    surfaceData && {id: 'surface', title: 'Surface', panel: surfacePanel(session, surfaceData)},
-    {id: 'details', title: 'Details', panel: detailsPanel(session)},
-  ];
-  const tabs = new Tabs(session, all.filter((tab): tab is Tab => Boolean(tab)));
-  session.on(['tab'], () => {
-    surface.element.hidden = session.tab !== 'surface';
-    path.element.hidden = session.tab === 'surface';
-    if (session.tab === 'surface') surface.start();
-  });
+  const tabs = new Tabs(session, panels(session, {summary, listing, messages}));
+  switchPictures(session, path, surface);
   const keys = shortcuts({
     session,
     summary,
@@ -81,18 +63,56 @@ function show({report, blob}: Embedded): void {
       sheet, dialog);
   listen(keys);
   addEventListener('beforeprint', () => prepareSheet({session, path, summary, messages}, sheet));
+  lookAtFirst(session, listing);
+  path.start();
+  inspect(session, path);
+  // The charts come after the first picture.
+  requestAnimationFrame(() => setTimeout(() => charts.start()));
+}
+
+/** The panels at the side, in their order; some exist only where the report has their data. */
+function panels(
+    session: Session,
+    {summary, listing, messages}: {summary: Summary, listing: Listing, messages: Messages}): Tab[] {
+  const {comparison, what_if: whatIf} = session.report;
+  const {surface} = session.runs[0]!.data;
+  const all: Array<Tab|false|undefined> = [
+    {id: 'summary', title: 'Summary', panel: summary.element},
+    comparison && {id: 'compare', title: 'Compare', panel: comparePanel(session, comparison)},
+    {id: 'program', title: 'Program', panel: listing.element},
+    {
+      id: 'messages',
+      title: 'Messages',
+      badge: String(session.run.data.diagnostics.length || ''),
+      panel: messages.element
+    },
+    whatIf && {id: 'whatif', title: 'What if', panel: whatIfPanel(whatIf)},
+    surface && {id: 'surface', title: 'Surface', panel: surfacePanel(session, surface)},
+    {id: 'details', title: 'Details', panel: detailsPanel(session)},
+  ];
+  return all.filter((tab): tab is Tab => Boolean(tab));
+}
+
+/** Shows the surface beside its panel, and the path beside all others. */
+function switchPictures(session: Session, path: PathPanel, surface: SurfaceStage): void {
+  session.on(['tab'], () => {
+    surface.element.hidden = session.tab !== 'surface';
+    path.element.hidden = session.tab === 'surface';
+    if (session.tab === 'surface') surface.start();
+  });
+}
+
+/** Opens the panel that matters most: the program where it has errors, or the comparison. */
+function lookAtFirst(session: Session, listing: Listing): void {
+  const {diagnostics} = session.run.data;
   const first = diagnostics.find(({severity, line}) => severity === 'error' && line > 0);
   const moves = session.runs.some((run) => run.moves);
   document.body.classList.toggle('still', !moves);
   if (first || (!moves && diagnostics.length))
     session.show('program');
-  else if (report.comparison)
+  else if (session.report.comparison)
     session.show('compare');
   if (first) listing.look(first);
-  path.start();
-  inspect(session, path);
-  // The charts come after the first picture.
-  requestAnimationFrame(() => setTimeout(() => charts.start()));
 }
 
 function failed(error: unknown): void {

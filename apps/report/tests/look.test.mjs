@@ -4,9 +4,9 @@ import test from 'node:test';
 
 import {load} from './load.mjs';
 
-const numbers = await load('ui/numbers.ts');
-const {dimmed, neutral, rgbOf, salience} = await load('ui/palette.ts');
-const {limitColour} = await load('ui/limits.ts');
+const numbers = await load('ui/common/numbers.ts');
+const {dimmed, neutral, rgbOf, salience} = await load('ui/common/palette.ts');
+const {limitColour} = await load('ui/common/limits.ts');
 
 const spaced = (text) => text.replace(/\u202f/g, ' ').replace(/\u2212/g, '-');
 

@@ -6,12 +6,13 @@ import test from 'node:test';
 import { randoms } from './encode.mjs';
 import { load } from './load.mjs';
 
-const { Camera } = await load('view/camera.ts');
-const { codeOfError, PathLevels } = await load('view/levels.ts');
-const { pick, positionAtRow } = await load('view/picking.ts');
+const { Camera } = await load('view/common/camera.ts');
+const { codeOfError } = await load('view/levels/codes.ts');
+const { PathLevels } = await load('view/levels/levels.ts');
+const { pick, positionAtRow } = await load('view/levels/picking.ts');
 const { addCells, chooseCode, kBegins, kMostNodes, markCells, StripBuilder } =
-  await load('view/strips.ts');
-const { label, lengthText, niceStep } = await load('view/scales.ts');
+  await load('view/levels/strips.ts');
+const { label, lengthText, niceStep } = await load('view/common/scales.ts');
 
 /** Returns a layer of passes over a wavy surface. */
 function wavy(count) {
