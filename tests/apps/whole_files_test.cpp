@@ -182,7 +182,7 @@ TEST_CASE("out of memory is status 5 with a text, and files stay", "[apps][files
        {"check p.nc", "run -q p.nc --trace t.csv", "blocks p.nc",
         "run -q --dry-run p.nc --trace t.csv", "record -q p.nc -o t.csv"}) {
     CAPTURE(command);
-    const Ended ended = in(folder, "ulimit -v 32000; $softcnc " + command);
+    const Ended ended = in(folder, "ulimit -v 48000; $softcnc " + command);
     CHECK(ended.status == 5);
     CHECK((ended.out + ended.err).find("softcnc: error: out of memory [SC6004]\n") !=
           std::string::npos);
