@@ -31,7 +31,7 @@ TEST_CASE("a word that is no command is named, with the commands and the nearest
   };
   CHECK(refused("rum p.nc") == "'rum' is not a command; did you mean 'run'?" + kKnown);
   CHECK(refused("chekc p.nc") == "'chekc' is not a command; did you mean 'check'?" + kKnown);
-  CHECK(refused("report p.nc") == "'report' is not a command; did you mean 'record'?" + kKnown);
+  CHECK(refused("recard p.nc") == "'recard' is not a command; did you mean 'record'?" + kKnown);
   CHECK(refused("simulate p.nc") == "'simulate' is not a command" + kKnown);
   CHECK(refused("--loud") == "--loud: a command is missing" + kKnown);
   CHECK(refused("part.nc") == "'part.nc' is not a command; 'softcnc run part.nc' runs it" + kKnown);
