@@ -10,7 +10,8 @@ using namespace softcnc::app::test;
 namespace {
 
 const std::string kKnown =
-    "; the commands are run, check, blocks, record, replay, diff, report, surface, compare, machine, "
+    "; the commands are run, check, blocks, record, replay, diff, report, surface, compare, "
+    "machine, "
     "latency, pulses, codes\nRun with --help for more information.\n";
 
 }  // namespace

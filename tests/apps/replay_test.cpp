@@ -235,6 +235,14 @@ TEST_CASE("recordings are made again on their own machines only", "[apps][replay
   CHECK(call("replay --bless -").status == 2);
 }
 
+TEST_CASE("no recording of a folder is overwritten by results", "[apps][replay]") {
+  const Folder folder;
+  make_folder(folder);
+  const std::string before = read(folder / "b/2.rec");
+  CHECK(call("replay -q " + (folder / "") + " --junit " + (folder / "b/2.rec")).status == 2);
+  CHECK(read(folder / "b/2.rec") == before);
+}
+
 TEST_CASE("each recording is a test case of a JUnit file", "[apps][replay]") {
   const Folder folder;
   make_folder(folder);

@@ -158,8 +158,8 @@ TEST_CASE("the page of a run has the motion of its trace within the error that i
     CHECK(run["setpoints"] == rows.size());
     const auto row = page.node("row"), v = page.node("v");
     const auto spans = page.column(run["spans"]["row"]), lines = page.column(run["spans"]["line"]);
-    const double mm = 1.5e-3 * double(run["error_um"]);  // with the steps of the column
-    const double mm_s = 1.5 * double(run["error_mm_s"]);
+    const double mm = 1e-3 * double(run["error_um"]) + 1e-9;
+    const double mm_s = double(run["error_mm_s"]) + 1e-9;
     for (const std::string axis : {"x", "y", "z"}) {
       const auto at = page.node(axis);
       std::size_t i = 0;
@@ -258,6 +258,13 @@ TEST_CASE("a page of a trace or a recording shows the rows that were written", "
     CHECK_THAT(page.data["runs"][0]["time_s"],
                WithinAbs(of_program.data["runs"][0]["time_s"], 0.002));
   }
+  const json& lines = of_program.data["runs"][0]["worst_lines"];
+  for (const std::string file : {"t.csv", "t.rec"}) {
+    const Page page = page_of(folder / file);
+    REQUIRE(page.data["runs"][0]["worst_lines"].size() > 0);
+    CHECK(page.data["runs"][0]["worst_lines"][0]["line"] == lines[0]["line"]);
+    CHECK(page.data["runs"][0]["worst_lines"][0]["limit"] == lines[0]["limit"]);
+  }
   const Page recorded = page_of(folder / "t.rec");
   CHECK(recorded.data["runs"][0]["files"][0].contains("text"));
   CHECK_THAT(range(recorded.node("acceleration_use")).second,
@@ -306,10 +313,17 @@ TEST_CASE("options of pictures and pages are refused where they have no effect",
   CHECK(call(part + (folder / "r.html") + " --plot feed").status == 2);
   CHECK(call(part + (folder / "r.html") + " --size 500").status == 2);
   CHECK(call(part + (folder / "r.svg") + " --what-if").status == 2);
+  REQUIRE(call("run -q --dry-run $programs/03_arc.nc --trace " + (folder / "t.csv")).status == 0);
+  const std::string rows = "report " + (folder / "t.csv") + " -o " + (folder / "r.html ");
+  for (const std::string further : {"--what-if", "--compare builtin", "--set axis.x.blu_um=1",
+                                    "--compare-set control.interpolation=dsm"}) {
+    INFO(further);
+    CHECK(call(rows + further).status == 2);
+  }
   const Ended unknown = call(part + (folder / "r.pdf"));
   CHECK(unknown.status == 2);
   CHECK(shows(unknown.err, "SC6060"));
-  CHECK(folder.files().empty());
+  CHECK(folder.files() == std::vector<std::string>{"t.csv"});
 }
 
 TEST_CASE("a page that cannot be written leaves nothing", "[apps][report]") {

@@ -236,6 +236,21 @@ TEST_CASE("a compressed trace that is cut off or damaged is reported", "[hal][tr
   }
 }
 
+TEST_CASE("a value of an array that is not what was written is noticed by its checksum",
+          "[hal][trace][code]") {
+  const test::Folder folder;
+  const std::string file = folder / "t.npz";
+  REQUIRE(write_trace(file, some_rows(9000)));
+  std::string bytes = test::read(file);
+  const double written = 100 * 0.1;  // of x_err_um in row 100, a value like any other
+  const std::string_view value(reinterpret_cast<const char*>(&written), sizeof written);
+  const std::size_t at = bytes.find(value);
+  REQUIRE(at != std::string::npos);
+  bytes[at] ^= 1;
+  test::write(file, bytes);
+  CHECK(problem(file).code == Code::SC6082);
+}
+
 TEST_CASE("arrays that make no rows are refused", "[hal][trace][code]") {
   const test::Folder folder;
   const std::string file = folder / "t.npz";

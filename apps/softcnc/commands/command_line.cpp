@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "commands/option_table.hpp"
+#include "input/reported_run.hpp"
 #include "messages/standard_output.hpp"
 #include "motion/core/spelling.hpp"
 #include "process/standard_error.hpp"
@@ -118,6 +119,26 @@ bool shows_columns(const Options& options) {
   return !options.report.empty() || (has_rows && !is(".vcd") && !is(".hal"));
 }
 
+/// What is asked of rows that have been written down, which only a run can do.
+std::string runs_nothing(const Options& options) {
+  if (options.command != CommandName::report) return {};
+  const bool is_run = input_kind(options.files.front()) == InputKind::program;
+  const bool compares_file = !options.compared.empty() && !names_machine(options.compared);
+  const bool runs_other =
+      compares_file ? input_kind(options.compared) == InputKind::program : is_run;
+  if (!options.compared_settings.empty() && !runs_other)
+    return "--compare-set: a trace or a recording is compared, and runs on no machine";
+  if (is_run) return {};
+  if (options.what_if) return "--what-if needs a part program, not a trace or a recording";
+  if (names_machine(options.compared))
+    return "--compare: a trace or a recording does not run on another machine";
+  const bool has_effect = runs_other && compares_file;  // on the second run
+  if (!has_effect && (options.names_machine || !options.settings.empty() ||
+                      !options.state.empty() || options.feed_override != 1))
+    return "a trace or a recording is shown as it is: options of a run have no effect";
+  return {};
+}
+
 /// What is asked of a page in a picture, or of a picture in a page; empty where nothing is.
 std::string misplaced_option(const Options& options) {
   if (options.command != CommandName::report) return {};
@@ -149,6 +170,7 @@ std::string conflict(const Options& options) {
     return "--bless cannot write to standard input";
   if (!options.columns.empty() && !shows_columns(options))
     return "--columns needs a trace as CSV (--trace), or --report";
+  if (std::string idle = runs_nothing(options); !idle.empty()) return idle;
   if (std::string misplaced = misplaced_option(options); !misplaced.empty()) return misplaced;
   return file_clash(options);
 }

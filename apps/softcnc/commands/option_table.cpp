@@ -418,7 +418,11 @@ constexpr Commands kMachines{run,     check,   blocks,  record,  replay, report,
 constexpr OptionEntry kOptions[] = {
     {{run, record, blocks, surface}, "PART", "", "Part program; - is standard input", one_file},
     {{check, compare}, "PART", "", "Part programs; - is standard input", files},
-    {{report}, "FILE", "", "Part program, trace (.csv, .npz) or recording (.rec)", one_file},
+    {{report},
+     "FILE",
+     "",
+     "Part program, trace (.csv, .npz, also .zst) or recording (.rec)",
+     one_file},
     {{replay}, "FILE.rec", "", "Recordings, or folders of them", files},
     {{diff},
      "FILE",
@@ -575,8 +579,7 @@ constexpr OptionEntry kOptions[] = {
      "--compare",
      "B",
      "Compare with another program, trace or recording, or with the same program on another "
-     "machine "
-     "(B.toml)",
+     "machine (B.toml, or builtin)",
      text<&Options::compared>},
     {{report},
      "--compare-set",

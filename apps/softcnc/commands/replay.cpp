@@ -13,6 +13,7 @@
 #include "replay/recording_list.hpp"
 #include "replay/replay_report.hpp"
 #include "replay/replay_run.hpp"
+#include "settings/file_clash.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -38,6 +39,11 @@ class ReplayJob {
 int ReplayJob::run() {
   const auto listed = list_recordings(options_.files);
   if (!listed) return failed(listed.error());
+  for (const ListedRecording& recording : *listed)
+    if (same_file(recording.file, options_.junit))
+      return failed({.code = Code::SC7072,
+                     .message = "--junit names a recording that is replayed",
+                     .file = recording.file});
   const auto part = shard_of(*listed, options_.shard, options_.shards);
   for (const ListedRecording& recording : part) {
     replay(recording, part.size());

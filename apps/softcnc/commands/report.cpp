@@ -2,6 +2,8 @@
 // `softcnc report`: a run as one page to look at, and to share, or as a picture.
 #include <spdlog/spdlog.h>
 
+#include <cctype>
+#include <filesystem>
 #include <vector>
 
 #include "commands/commands.hpp"
@@ -57,8 +59,8 @@ int ReportJob::read(const std::string& file, const Options& options) {
 /// Of the second run: another file, another machine, or other settings.
 Options ReportJob::compared_options() const {
   Options options = options_;
-  if (options_.compared.ends_with(".toml")) {
-    options.machine_file = options_.compared;
+  if (names_machine(options_.compared)) {
+    options.machine_file = options_.compared == "builtin" ? "" : options_.compared;
     options.names_machine = true;
   }
   options.settings.insert(options.settings.end(), options_.compared_settings.begin(),
@@ -70,7 +72,7 @@ int ReportJob::read() {
   const std::string& file = options_.files.front();
   if (const int status = read(file, options_); status != 0) return status;
   if (options_.compared.empty() && options_.compared_settings.empty()) return 0;
-  const bool other_file = !options_.compared.empty() && !options_.compared.ends_with(".toml");
+  const bool other_file = !options_.compared.empty() && !names_machine(options_.compared);
   return read(other_file ? options_.compared : file, compared_options());
 }
 
@@ -111,13 +113,14 @@ int ReportJob::write(hal::OutputFile& output) {
 /// What the suffix of the output stands for, or an error for one that stands for nothing. What is
 /// no regular file needs none.
 Status known_form(const std::string& file) {
-  if (picture_format(file) || file.ends_with(".html") || file.ends_with(".htm") ||
-      !hal::is_replaced(file))
+  std::string suffix = std::filesystem::path(file).extension();
+  for (char& letter : suffix) letter = static_cast<char>(std::tolower(letter));
+  if (picture_format(file) || suffix == ".html" || suffix == ".htm" || !hal::is_replaced(file))
     return {};
-  return tl::make_unexpected(
-      Diagnostic{.code = Code::SC6060,
-                 .message = "no form of a report has this suffix; known are .html, .svg, .png",
-                 .file = file});
+  return tl::make_unexpected(Diagnostic{
+      .code = Code::SC6060,
+      .message = "no form of a report has this suffix; known are .html, .htm, .svg, .png",
+      .file = file});
 }
 
 int ReportJob::run() {

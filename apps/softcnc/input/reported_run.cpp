@@ -19,6 +19,10 @@ InputKind input_kind(const std::string& file) {
   return InputKind::program;
 }
 
+bool names_machine(std::string_view compared) noexcept {
+  return compared.ends_with(".toml") || compared == "builtin";
+}
+
 std::string_view name(InputKind kind) noexcept {
   constexpr std::array<std::string_view, 3> names{"program", "trace", "recording"};
   return names[static_cast<std::size_t>(kind)];

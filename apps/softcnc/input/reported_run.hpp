@@ -24,6 +24,9 @@ enum class InputKind : std::uint8_t { program, trace, recording };
 InputKind input_kind(const std::string& file);
 std::string_view name(InputKind kind) noexcept;
 
+/// Returns whether a run is compared with one on another machine: B.toml, or "builtin".
+bool names_machine(std::string_view compared) noexcept;
+
 /// A file of a run, with its text where that is known.
 struct ReportedFile {
   std::string name;

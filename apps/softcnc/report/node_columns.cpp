@@ -14,6 +14,9 @@ using runtime::HistoryNode;
 constexpr double kPart = 0.01;  // steps of a use
 constexpr double kFeed = 1e-4;  // mm/s: as it is programmed
 
+/// Steps of positions and speeds, as parts of what they may be off.
+constexpr double kStep = 0.25;
+
 /// Three digits of the largest: more cannot be seen.
 double scale_of(const runtime::RunHistory& history, float HistoryNode::*value) {
   constexpr double kSteps = 1000;
@@ -56,10 +59,12 @@ class NodeColumns {
 
 }  // namespace
 
+double with_steps(double error) noexcept { return error * (1 + kStep / 2); }
+
 Json node_columns(const runtime::RunHistory& history, const Json& axes, PackedData& data) {
   NodeColumns columns(history, data);
   columns.add("row", 1, Order::differences, [](const HistoryNode& node) { return node.period; });
-  const double mm = history.position_error() / 2;
+  const double mm = kStep * history.position_error();
   for (const Json& axis : axes) {
     const std::string name = axis;
     const int index = name[0] - 'x';
@@ -67,7 +72,7 @@ Json node_columns(const runtime::RunHistory& history, const Json& axes, PackedDa
                 [index](const HistoryNode& node) { return node.position[index]; });
   }
   columns.add("s", mm, Order::second_differences, [](const HistoryNode& node) { return node.s; });
-  const double mm_s = std::max(history.speed_error() / 2, 1e-6);
+  const double mm_s = std::max(kStep * history.speed_error(), 1e-6);
   columns.add("v", mm_s, Order::differences, [](const HistoryNode& node) { return node.v; });
   columns.add("feed", kFeed, Order::differences, [](const HistoryNode& node) { return node.feed; });
   columns.add("motion", 1, Order::values,

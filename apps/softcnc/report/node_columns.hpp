@@ -9,6 +9,9 @@
 
 namespace softcnc::app {
 
+/// Returns what rows may be off, with the rounding of the columns.
+double with_steps(double error) noexcept;
+
 /// `axes`: the names of those that have a column.
 nlohmann::ordered_json node_columns(const runtime::RunHistory& history,
                                     const nlohmann::ordered_json& axes, PackedData& data);

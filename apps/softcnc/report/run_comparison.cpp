@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "motion/core/units.hpp"
 #include "runtime/difference/path_distance.hpp"
 
 namespace softcnc::app {
@@ -83,6 +84,8 @@ Status measure_distance(const ReportedRun& a, const ReportedRun& b, RunCompariso
   runtime::RowStore first, second;
   if (Status filled = fill(first, a); !filled) return filled;
   if (Status filled = fill(second, b); !filled) return filled;
+  result.distance_error =
+      std::sqrt(kAxes) * (a.history->position_error() + b.history->position_error());
   const auto distance = runtime::largest_distance(first, second);
   if (!distance) return {};
   const std::size_t run = distance->of_first ? 0 : 1;
@@ -120,7 +123,8 @@ Json comparison_json(const RunComparison& comparison) {
           {"names", comparison.names},
           {"by_limit", std::move(limits)},
           {"by_line", std::move(lines)},
-          {"distance_um", 1000 * comparison.distance},
+          {"distance_um", um_from_mm(comparison.distance)},
+          {"distance_error_um", um_from_mm(comparison.distance_error)},
           {"distance_at", {{"t_s", comparison.distance_time}, {"run", comparison.distance_run}}}};
 }
 

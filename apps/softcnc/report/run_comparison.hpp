@@ -23,6 +23,7 @@ struct RunComparison {
   std::array<std::array<double, kLimits>, 2> by_limit{};
   std::vector<LineDifference> by_line;  // the largest difference first
   double distance = 0;                  // mm: of a node from the other path, largest
+  double distance_error = 0;            // mm: what the thinning of both may have made of none
   double distance_time = 0;             // s, and
   int distance_run = 0;                 // of which run: 0, 1
 };

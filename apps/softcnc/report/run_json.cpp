@@ -59,9 +59,9 @@ Json tools(const runtime::TimeSheet& sheet) {
   return list;
 }
 
+/// At corners, as the report of `run` has them.
 Json rests(const runtime::TimeSheet& sheet) {
-  return {{"count", std::accumulate(sheet.rests.begin(), sheet.rests.end(), std::int64_t{0})},
-          {"seconds", sheet.corners.seconds}};
+  return {{"count", sheet.corners.count}, {"seconds", sheet.corners.seconds}};
 }
 
 Json figures(const std::vector<RunFigure>& figures) {
@@ -160,7 +160,7 @@ void add_figures(const ReportedRun& run, Json& json) {
   json["limits"] = kLimitNames;
   json["time_by_limit_s"] = time_by_limit(run);
   json["tools"] = tools(run.sheet);
-  json["rests"] = rests(run.sheet);
+  if (run.kind == InputKind::program) json["rests"] = rests(run.sheet);
   json["figures"] = figures(run.figures);
   json["worst_lines"] = worst(run);
 }
@@ -183,8 +183,8 @@ Json run_json(const ReportedRun& run, PackedData& data) {
   json["files"] = files.take();
   json["axes"] = axes(run);
   const runtime::RunHistory& history = *run.history;
-  json["error_um"] = um_from_mm(history.position_error());
-  json["error_mm_s"] = history.speed_error();
+  json["error_um"] = um_from_mm(with_steps(history.position_error()));
+  json["error_mm_s"] = with_steps(history.speed_error());
   json["nodes"] = node_columns(history, json["axes"], data);
   json["spans"] = span_columns(history, data);
   json["lines"] = lines(run, data);

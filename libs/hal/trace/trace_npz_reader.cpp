@@ -53,6 +53,9 @@ class NpzColumnReader {
 
   /// Reads as many rows into memory. Errors: SC6082.
   Status fill(std::size_t rows, const std::string& file);
+  /// Checks, after the last row, that the column ends there and is what its checksum says. Errors:
+  /// SC6082.
+  Status finish(const std::string& file);
   /// A value of those in memory; its column must hold numbers.
   double number(std::size_t row) const noexcept;
   /// Its text, of which only ASCII characters count; its column must hold texts.
@@ -92,6 +95,14 @@ Status NpzColumnReader::fill(std::size_t rows, const std::string& file) {
   const auto whole = read_all(entry_, bytes_.data(), bytes_.size());
   if (!whole) return tl::make_unexpected(whole.error());
   if (!*whole) return damaged(file, "not whole: its column " + column_ + " ends too early");
+  return {};
+}
+
+Status NpzColumnReader::finish(const std::string& file) {
+  char further = 0;
+  const auto read = entry_.read(&further, 1);
+  if (!read) return tl::make_unexpected(read.error());
+  if (*read > 0) return damaged(file, "its column " + column_ + " goes on after its last row");
   return {};
 }
 
@@ -181,7 +192,12 @@ Status NpzTraceReader::fill() {
 }
 
 Result<bool> NpzTraceReader::next() {
-  if (row_ == rows_) return false;
+  if (row_ == rows_) {
+    for (NpzColumnReader& column : selected_)
+      if (Status whole = column.finish(file_); !whole)
+        return tl::make_unexpected(std::move(whole.error()));
+    return false;
+  }
   if (row_ == filled_)
     if (Status filled = fill(); !filled) return tl::make_unexpected(std::move(filled.error()));
   const auto row = static_cast<std::size_t>(row_ % static_cast<std::int64_t>(kRows));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/history/row_times.hpp"
 
-#include <algorithm>
-
 namespace softcnc::runtime {
 
 void RowTimes::take(const RunRow& row) {
@@ -13,9 +11,8 @@ void RowTimes::take(const RunRow& row) {
   Sums& line = lines_[{row.file, row.line}];
   line.periods += periods;
   if (row.motion == MotionKind::cutting && row.feed > 0) {
-    line.cutting += periods;
-    line.at_feed += (row.s - last_.s) / row.feed;
-    line.by_limit[limit] += periods;
+    line.by_limit[limit].periods += periods;
+    line.by_limit[limit].at_feed += (row.s - last_.s) / row.feed;
   }
   last_ = row;
   ++rows_;
@@ -32,10 +29,17 @@ std::vector<LineTime> RowTimes::by_line(double period) const {
   std::vector<LineTime> lines;
   for (const auto& [place, sums] : lines_) {
     if (sums.periods == 0) continue;
-    const double lost = period * static_cast<double>(sums.cutting) - sums.at_feed;
-    const auto limit = std::max_element(sums.by_limit.begin(), sums.by_limit.end());
-    lines.push_back({place.first, place.second, period * static_cast<double>(sums.periods), lost,
-                     static_cast<Limit>(limit - sums.by_limit.begin())});
+    LineTime line{place.first, place.second, period * static_cast<double>(sums.periods), 0,
+                  Limit::feed};
+    double most = 0;
+    for (std::size_t i = 0; i < sums.by_limit.size(); ++i) {
+      const double lost = sums.by_limit[i].lost(period);
+      line.lost += lost;
+      if (lost <= most) continue;
+      most = lost;
+      line.limit = static_cast<Limit>(i);
+    }
+    lines.push_back(line);
   }
   return lines;
 }

@@ -30,9 +30,18 @@ class RowTimes final : public RunRowSink {
 
  private:
   struct Sums {
-    std::int64_t periods = 0, cutting = 0;
-    double at_feed = 0;  // s that the path of cutting rows takes at its feed
-    std::array<std::int64_t, kLimits> by_limit{};
+    /// Of cutting rows with a limit.
+    struct Cutting {
+      std::int64_t periods = 0;
+      double at_feed = 0;  // s that their path takes at its feed
+
+      double lost(double period) const noexcept {
+        return period * static_cast<double>(periods) - at_feed;
+      }
+    };
+
+    std::int64_t periods = 0;
+    std::array<Cutting, kLimits> by_limit{};
   };
 
   std::int64_t rows_ = 0, first_ = 0;

@@ -100,7 +100,7 @@ export interface RunData {
   limits: string[];
   time_by_limit_s: Array<{limit: string; seconds: number}>;
   tools: ToolTime[];
-  rests: {count: number; seconds: number};
+  rests?: {count: number; seconds: number};  // at corners; not known of rows alone
   figures: Figure[];
   worst_lines: WorstLine[];
   files: Array<{name: string; text?: Slice}>;
@@ -119,8 +119,8 @@ export interface Comparison {
   by_limit: Array<{limit: string; a_s: number; b_s: number}>;
   by_line: Array<{file: string; line: number; a_s: number; b_s: number}>;
   distance_um: number;
-  distance_at: {t_s: number; line?: number};  // of the first run
-  first_difference?: {t_s: number; line?: number; text: string}|null;
+  distance_error_um: number;                // a smaller one may be none
+  distance_at: {t_s: number; run: number};  // in which run: 0 or 1
 }
 
 export interface WhatIf {

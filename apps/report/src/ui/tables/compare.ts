@@ -14,7 +14,7 @@ export function comparePanel(session: Session, comparison: Comparison): HTMLElem
       'div', {class: 'compare'},
       el('section', {'aria-label': 'Runs'}, named(comparison, 0), named(comparison, 1),
          el('p', {class: 'big'}, numbers.timeChange(b - a),
-            el('small', {}, a ? ` ${numbers.share((b - a) / a)} from A to B` : ''))),
+            el('small', {}, a ? ` ${b > a ? '+' : ''}${numbers.share((b - a) / a)} from A to B` : ''))),
       el('section', {'aria-label': 'Time by limit'}, el('h2', {}, 'Time by limit'),
          bars(comparison), byLimit(comparison)),
       paths(session, comparison),
@@ -66,24 +66,23 @@ function byLimit(comparison: Comparison): HTMLElement {
 }
 
 function paths(session: Session, comparison: Comparison): HTMLElement {
-  const {distance_um: distance, distance_at: at, first_difference: first} = comparison;
-  const a = session.runs[0]!;  // whose times these are
-  const go = (seconds: number) => {
-    if (session.active !== 0) session.setActive(0);
-    session.selectAt(a.rowAtSeconds(seconds));
+  const {distance_um: distance, distance_error_um: error, distance_at: at} = comparison;
+  const run = session.runs[at.run]!;
+  const row = run.rowAtSeconds(at.t_s);
+  const line = run.placeAt(row)?.line;
+  const go = () => {
+    if (session.active !== at.run) session.setActive(at.run);
+    session.selectAt(row);
   };
-  const link = (seconds: number, line = a.placeAt(a.rowAtSeconds(seconds))?.line) =>
-      el('button', {type: 'button', class: 'link', onclick: () => go(seconds)},
-         `${line ? `line ${numbers.count(line)}, ` : ''}${numbers.instant(seconds)}`);
+  const link = () => el(
+      'button', {type: 'button', class: 'link', onclick: go},
+      `${line ? `line ${numbers.count(line)}, ` : ''}${numbers.instant(at.t_s)}`);
   return el(
       'section', {'aria-label': 'Paths'}, el('h2', {}, 'Paths'),
       el('dl', {class: 'pairs'}, el('dt', {}, 'Largest distance'),
-         el('dd', {}, numbers.withUnit(distance, 'µm'), distance > 0 ? ' at ' : '',
-            distance > 0 ? link(at.t_s, at.line) : null),
-         first !== undefined && el('dt', {}, 'First difference'),
-         first !== undefined &&
-             el('dd', {}, first ? link(first.t_s, first.line) : 'none',
-                first?.text ? `: ${first.text}` : '')));
+         distance <= error ?
+             el('dd', {}, `none above ${numbers.withUnit(error, 'µm')}, the accuracy of the drawing`) :
+             el('dd', {}, numbers.withUnit(distance, 'µm'), ' at ', link())));
 }
 
 function byLine(session: Session, comparison: Comparison): HTMLElement {

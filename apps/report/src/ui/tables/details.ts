@@ -60,7 +60,11 @@ function runFacts(data: RunData, softcnc: string): Array<[string, string]> {
           `${numbers.count(data.setpoints)}, one every ${numbers.plain(data.period_s * 1e3)} ms` :
           undefined
     ],
-    ['rests', `${numbers.count(data.rests.count)}, ${numbers.time(data.rests.seconds)}`],
+    [
+      'rests at corners',
+      data.rests ? `${numbers.count(data.rests.count)}, ${numbers.time(data.rests.seconds)}` :
+                   undefined
+    ],
     [
       'accuracy of the drawing',
       data.nodes.row?.count ? `within ${numbers.plain(data.error_um)} µm and ${

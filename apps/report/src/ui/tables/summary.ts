@@ -8,6 +8,7 @@ import type {Session} from '../common/session.ts';
 import {statusText} from '../common/status.ts';
 
 const NOISE = 1e-6;       // what rounding leaves of errors that are none
+const COARSE_UM = 10;     // of the drawing: less cannot be seen
 const SHOWN_FIGURES = 3;  // the others are among the details
 
 export class Summary {
@@ -32,9 +33,10 @@ export class Summary {
     const facts = [
       data.length_mm ? `path ${numbers.length(data.length_mm)}` : '',
       data.blocks ? numbers.plural(data.blocks, 'block') : '',
-      data.rests.count ?
+      data.rests?.count ?
           `${numbers.plural(data.rests.count, 'rest')}, ${numbers.time(data.rests.seconds)}` :
           '',
+      data.error_um > COARSE_UM ? `drawn within ${numbers.withUnit(data.error_um, 'µm')}` : '',
     ].filter(Boolean);
     const figures = data.figures.filter(({value}) => Math.abs(value) > NOISE)
                         .slice(0, SHOWN_FIGURES)
