@@ -92,6 +92,8 @@ STANDS_FOR = {
     "softcnc pulses FILE [--machine M.toml] [--backend parport]":
         "softcnc pulses arc.vcd --machine programs/machines/bench_mill.toml",
     "softcnc codes [CODE...]": "softcnc codes G02 SC2103",
+    "softcnc report RUN -o F.html": "softcnc report programs/03_arc.nc -o F.html",
+    "softcnc report FILE -o PAGE.html": "softcnc report programs/03_arc.nc -o PAGE.html",
     "softcnc compare PART...": "softcnc compare programs/03_arc.nc --phases 2",
     "softcnc surface PART -o FILE": "softcnc surface programs/20_paper004_cylinder.nc -o part.png",
     "softcnc latency": "softcnc latency --seconds 0.1",
