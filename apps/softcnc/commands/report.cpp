@@ -2,12 +2,10 @@
 // `softcnc report`: a run as one page to look at, and to share, or as a picture.
 #include <spdlog/spdlog.h>
 
-#include <cctype>
-#include <filesystem>
 #include <vector>
 
 #include "commands/commands.hpp"
-#include "input/program_run.hpp"
+#include "hal/files/suffix.hpp"
 #include "input/run_input.hpp"
 #include "job/terminal.hpp"
 #include "messages/messages.hpp"
@@ -113,10 +111,8 @@ int ReportJob::write(hal::OutputFile& output) {
 /// What the suffix of the output stands for, or an error for one that stands for nothing. What is
 /// no regular file needs none.
 Status known_form(const std::string& file) {
-  std::string suffix = std::filesystem::path(file).extension();
-  for (char& letter : suffix) letter = static_cast<char>(std::tolower(letter));
-  if (picture_format(file) || suffix == ".html" || suffix == ".htm" || !hal::is_replaced(file))
-    return {};
+  const bool is_page = hal::has_suffix(file, ".html") || hal::has_suffix(file, ".htm");
+  if (picture_format(file) || is_page || !hal::is_replaced(file)) return {};
   return tl::make_unexpected(Diagnostic{
       .code = Code::SC6060,
       .message = "no form of a report has this suffix; known are .html, .htm, .svg, .png",

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/surface_file.hpp"
 
-#include <algorithm>
-#include <cctype>
-#include <string_view>
-
 #include "hal/files/npz_file.hpp"
+#include "hal/files/suffix.hpp"
 #include "hal/files/temporary_file.hpp"
 #include "hal/files/zip_file.hpp"
 #include "pictures/surface_picture.hpp"
@@ -69,19 +66,10 @@ class SurfacePng final : public SurfaceFile {
   SurfacePicture picture_;
 };
 
-/// In capitals too.
-bool has_suffix(std::string_view file, std::string_view suffix) {
-  const auto alike = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == b;
-  };
-  return file.size() >= suffix.size() &&
-         std::ranges::equal(file.substr(file.size() - suffix.size()), suffix, alike);
-}
-
 }  // namespace
 
 Status known_surface_form(const std::string& file) {
-  if (has_suffix(file, ".npz") || has_suffix(file, ".png")) return {};
+  if (hal::has_suffix(file, ".npz") || hal::has_suffix(file, ".png")) return {};
   return tl::make_unexpected(
       Diagnostic{.code = Code::SC6060,
                  .message = "no form of a surface has this suffix; known are .npz, .png",
@@ -92,7 +80,8 @@ Result<std::unique_ptr<SurfaceFile>> open_surface_file(const std::string& name,
                                                        const std::string& title,
                                                        hal::OutputFile& output,
                                                        const surface::StockGrid& grid, int region) {
-  if (has_suffix(name, ".png")) return std::make_unique<SurfacePng>(title, output, grid, region);
+  if (hal::has_suffix(name, ".png"))
+    return std::make_unique<SurfacePng>(title, output, grid, region);
   return std::make_unique<SurfaceArrays>(output, grid);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "pictures/picture_options.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <charconv>
+
+#include "hal/files/suffix.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -20,15 +20,8 @@ std::optional<int> number_in(std::string_view text, int least, int most) noexcep
 }  // namespace
 
 std::optional<PictureFormat> picture_format(std::string_view file) noexcept {
-  const auto has_suffix = [file](std::string_view suffix) {
-    const auto alike = [](char a, char b) {
-      return std::tolower(static_cast<unsigned char>(a)) == b;
-    };
-    return file.size() >= suffix.size() &&
-           std::ranges::equal(file.substr(file.size() - suffix.size()), suffix, alike);
-  };
-  if (has_suffix(".svg")) return PictureFormat::svg;
-  if (has_suffix(".png")) return PictureFormat::png;
+  if (hal::has_suffix(file, ".svg")) return PictureFormat::svg;
+  if (hal::has_suffix(file, ".png")) return PictureFormat::png;
   return std::nullopt;
 }
 
