@@ -43,7 +43,10 @@ export class Player {
            el('div', {class: 'controls'}, this.button, this.slider, this.clock, speed), this.state);
     session.on(['row', 'run'], () => (session.playing ? this.texts.request() : this.texts.now()));
     session.on(['hover'], () => this.texts.request());
-    session.on(['playing'], () => this.label());
+    session.on(['playing'], () => {
+      this.label();
+      this.texts.now();
+    });
     this.label();
     this.draw();
   }
