@@ -6,6 +6,7 @@
 
 #include "hal/signals/fine_pulses.hpp"
 #include "hal/signals/pulse_rules.hpp"
+#include "support/property.hpp"
 #include "support/random_nurbs.hpp"
 
 namespace softcnc::hal {
@@ -164,7 +165,7 @@ TEST_CASE("no rule is broken and no pulse lost in random motion", "[hal][pulse][
   std::array<double, kAxes> at{}, speed{};
   std::array<FinePulses, kAxes> fine{FinePulses(kBlu, 0), FinePulses(kBlu, 0), FinePulses(kBlu, 0)};
   std::int64_t latest = 0;
-  for (std::int64_t period = 0; period < 20'000; ++period) {
+  for (std::int64_t period = 0; period < 20'000 / test::kPart; ++period) {
     for (std::size_t i = 0; i < at.size(); ++i) {
       // Ramps, holds, and now and then a jump to the other direction at full speed.
       if (random() < 0.01) speed[i] = random() < 0.3 ? 0 : random(-most, most);
@@ -184,7 +185,7 @@ TEST_CASE("no rule is broken and no pulse lost in random motion", "[hal][pulse][
     CHECK(rules.counts()[i] == Counts(kBlu)(at[i]));
     CHECK(rules.counts()[i] == fine[i].counts());
   }
-  CHECK(rules.steps() > 100'000);
+  CHECK(rules.steps() > 100'000 / test::kPart);
   CHECK(rules.shortest_interval() >= timing.interval);
   CHECK(latest < kPeriod);  // a jump of direction at full speed is caught up with
 }

@@ -2,8 +2,6 @@
 // Traces read back: the numbers that were written, and what is said of damaged files.
 #include "hal/trace/trace_reader.hpp"
 
-#include <rapidcheck.h>
-
 #include <array>
 #include <catch2/catch.hpp>
 #include <numeric>
@@ -11,6 +9,7 @@
 #include "hal/files/npz_file.hpp"
 #include "hal/files/zip_file.hpp"
 #include "hal/trace/trace.hpp"
+#include "support/property.hpp"
 #include "support_hal.hpp"
 
 namespace softcnc::hal {
@@ -135,7 +134,7 @@ TEST_CASE("only selected columns are read, in the order of the selection", "[hal
 
 TEST_CASE("any numbers read back bit for bit from every form", "[hal][trace][property]") {
   const test::Folder folder;
-  rc::check("finite numbers", [&] {
+  softcnc::test::holds([&] {
     WrittenTrace trace = some_rows(*rc::gen::inRange(1, 50));
     for (Setpoint& row : trace.rows)
       for (double& place : row.position) place = *rc::gen::arbitrary<double>();

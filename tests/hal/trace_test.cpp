@@ -3,7 +3,6 @@
 #include "hal/trace/trace.hpp"
 
 #include <fcntl.h>
-#include <rapidcheck.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zstd.h>
@@ -17,6 +16,7 @@
 
 #include "hal/files/number.hpp"
 #include "hal/trace/trace_csv.hpp"
+#include "support/property.hpp"
 #include "support_hal.hpp"
 
 namespace softcnc::hal {
@@ -133,7 +133,7 @@ TEST_CASE("the period stands in the comments as a person would write it", "[hal]
 }
 
 TEST_CASE("numbers read back bit for bit", "[hal][trace][property]") {
-  rc::check("any finite number", [](std::uint64_t bits) {
+  softcnc::test::holds([](std::uint64_t bits) {
     const auto value = std::bit_cast<double>(bits);
     RC_PRE(std::isfinite(value));
     const std::string text = number_text(value);
@@ -149,7 +149,7 @@ TEST_CASE("numbers read back bit for bit", "[hal][trace][property]") {
 TEST_CASE("every number of a row reads back bit for bit", "[hal][trace][property]") {
   const test::Folder folder;
   const std::string file = folder / "t.csv";
-  rc::check("any coordinates", [&] {
+  softcnc::test::holds([&] {
     const auto number = [] { return *rc::gen::arbitrary<double>(); };
     Setpoint given;
     for (double* place : {&given.s, &given.v, &given.a}) *place = number();

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "support/random_program.hpp"
+#include "support/sanitized.hpp"
 
 using namespace softcnc;
 using namespace softcnc::ipo;
@@ -100,7 +101,7 @@ TEST_CASE("a dwell is quiet, and a move that asks for a roughness never", "[quie
 TEST_CASE("rows of quiet stretches of random programs use no more than half of any limit",
           "[quiet][property]") {
   int stretches = 0;
-  for (unsigned seed = 1; seed <= 20; ++seed) {
+  for (unsigned seed = 1; seed <= (test::kSanitized ? 4 : 20); ++seed) {
     CAPTURE(seed);
     std::mt19937 random(seed);
     Machine machine = seed % 2 == 0 ? test::random_machine(random) : Machine();

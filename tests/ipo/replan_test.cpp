@@ -242,7 +242,7 @@ TEST_CASE("a higher override counts soon while the machine still slows to a very
           "[ipo][jerk][replan]") {
   const Machine machine = machine_with(true);
   const double low = GENERATE(0.001, 0.01, 0.05);
-  for (int row = 1005; row <= 1150; row += 5) {
+  for (int row = 1005; row <= 1150; row += 5 * test::kPart) {
     CAPTURE(low, row);
     const auto raised = run(machine, long_line(), Controls{{1000, override_of(low)}, {row, kGo}});
     CHECK(exceeded(machine, raised) == "");
@@ -255,7 +255,7 @@ TEST_CASE("a higher override counts soon while the machine still slows to a very
 TEST_CASE("a hold counts soon while the machine slows to a very low override",
           "[ipo][jerk][replan]") {
   const Machine machine = machine_with(true);
-  for (int row = 1095; row <= 1130; ++row) {
+  for (int row = 1095; row <= 1130; row += test::kPart) {
     CAPTURE(row);
     const auto held =
         run(machine, long_line(),

@@ -2,8 +2,6 @@
 // Two runs beside one another: distances of paths, times, and the first row that differs.
 #include "runtime/difference/run_difference.hpp"
 
-#include <rapidcheck.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "runtime/difference/polyline_search.hpp"
+#include "support/property.hpp"
 
 namespace softcnc::runtime {
 namespace {
@@ -139,7 +138,7 @@ TEST_CASE("a pass that lies where another one does later is not hidden by it",
 }
 
 TEST_CASE("distances are those of the definition", "[runtime][difference][property]") {
-  rc::check("any two paths", [] {
+  softcnc::test::holds([] {
     const auto any = [] {
       std::vector<AxisVector> points{AxisVector::Zero()};
       const int count = *rc::gen::inRange(1, 120);
@@ -162,7 +161,7 @@ TEST_CASE("distances are those of the definition", "[runtime][difference][proper
 }
 
 TEST_CASE("the nearest segment of a range is found", "[runtime][difference][property]") {
-  rc::check("any range of a long polyline", [] {
+  softcnc::test::holds([] {
     std::vector<AxisVector> points{AxisVector::Zero()};
     for (int i = 0; i < 3000; ++i)
       points.push_back(points.back() +
@@ -280,7 +279,7 @@ TEST_CASE("a part of a value is allowed of the first run's", "[runtime][differen
 
 TEST_CASE("times by line and by limit sum up to the total, and so do their differences",
           "[runtime][difference][property]") {
-  rc::check("any two runs", [] {
+  softcnc::test::holds([] {
     const auto run = [](double period) {
       std::vector<RunRow> rows;
       const int count = *rc::gen::inRange(1, 200);
