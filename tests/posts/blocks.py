@@ -15,6 +15,7 @@ import curves  # noqa: E402
 TOLERANCE = 1e-6   # mm, mm/s, s and revolutions per minute
 NO_MOVE = 1e-9     # mm
 SAMPLES = 65       # of a curve that is compared with an ellipse
+COOLANT = {7: "mist", 8: "flood", 9: "off"}
 MOVES = ("rapid", "feed", "arc", "nurbs")
 
 
@@ -40,8 +41,9 @@ def changed(state, block):
     elif kind == "spindle":
         state["rpm"] = block["rpm"]
     elif kind == "coolant":
-        state["mist"] = block["code"] == 7 or state["mist"] and block["code"] != 9
-        state["flood"] = block["code"] == 8 or state["flood"] and block["code"] != 9
+        what = block.get("coolant") or COOLANT[block["code"]]  # named where a code of the machine switches it
+        state["mist"] = what == "mist" or state["mist"] and what != "off"
+        state["flood"] = what == "flood" or state["flood"] and what != "off"
     elif kind == "output":
         state["outputs"][block["output"]] = block["value"]
     return kind in ("tool", "spindle", "coolant", "output")

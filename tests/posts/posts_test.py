@@ -7,13 +7,14 @@
 Each program has an expectation beside it, a Python file of the same name (README.md). `softcnc blocks` must give its path,
 and `softcnc check` accept the program with no other warnings than those that the expectation names. With --altered: each
 move that a program gives is altered, in each of its values, and the comparison must notice; so must it notice a move
-left out or done twice, and one digit changed in the program. Exit 1 where anything is wrong.
+left out or done twice, and each coordinate of the program made 0.01 larger. Exit 1 where anything is wrong.
 """
 import argparse
 import copy
 import pathlib
 import re
 import runpy
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -35,7 +36,7 @@ class Expectation:
     """A program with the options it is run with, the warnings it may get, and its path."""
 
     def __init__(self, program):
-        self.program = program
+        self.program, self.name = program, str(program.relative_to(HERE))
         stated = runpy.run_path(str(program.with_suffix(".py")))
         self.options, self.warnings = stated.get("OPTIONS", []), set(stated.get("WARNINGS", []))
         path = Path()
@@ -53,16 +54,21 @@ def programs(chosen):
     return found
 
 
-def unpaired():
-    """Files of these folders that lack their other half."""
+def unpaired_or_few(chosen):
+    """Files of these folders that lack their other half; too few programs, if none were chosen."""
     stems = {program.with_suffix("") for program in programs([])}
     expected = {file.with_suffix("") for file in HERE.glob("*/*.py")}
-    return sorted(stems ^ expected)
+    wrong = [f"{lonely.relative_to(HERE)}: a program without an expectation, or the other way round"
+             for lonely in sorted(stems ^ expected)]
+    if not chosen and len(stems) < LEAST:
+        wrong.append(f"{len(stems)} programs, fewer than {LEAST}")
+    return wrong
 
 
-def softcnc(binary, command, expectation, program=None):
-    return subprocess.run([binary, command, *expectation.options, (program or expectation.program).name],
-                          capture_output=True, text=True, timeout=TIMEOUT, cwd=expectation.program.parent)
+def softcnc(binary, command, expectation, folder=None):
+    """Runs a program, or that of the same name in another folder."""
+    return subprocess.run([binary, command, *expectation.options, expectation.program.name],
+                          capture_output=True, text=True, timeout=TIMEOUT, cwd=folder or expectation.program.parent)
 
 
 def run(binary, expectation):
@@ -87,7 +93,7 @@ def alterations(step):
         value = getattr(step, name)
         if value is None:
             continue
-        if isinstance(value, float) or isinstance(value, int):
+        if isinstance(value, (int, float)):
             yield name, altered(step, **{name: value + ALTERATION})
             continue
         for axis in range(len(value)):
@@ -99,11 +105,17 @@ def alterations(step):
     if step.kind == "nurbs":
         for name in ("control", "weights"):
             moved = copy.deepcopy(step.curve)
-            place = moved[name] if name == "weights" else moved[name][len(moved[name]) // 2]
-            place[0] += 100 * ALTERATION
+            middle = len(moved[name]) // 2
+            if name == "weights":
+                moved[name][middle] += 100 * ALTERATION
+            else:
+                moved[name][middle][0] += 100 * ALTERATION
             yield name, altered(step, curve=moved)
     yield "kind", altered(step, kind="feed" if step.kind == "rapid" else "rapid")
+    yield "tool", altered(step, state={**step.state, "tool": step.state["tool"] + 1})
     yield "spindle", altered(step, state={**step.state, "rpm": step.state["rpm"] + 1})
+    for coolant in ("mist", "flood"):
+        yield coolant, altered(step, state={**step.state, coolant: not step.state[coolant]})
 
 
 def altered(step, **values):
@@ -128,7 +140,7 @@ def unnoticed(binary, expectation):
 
 
 def changed_programs(text):
-    """The program with one of its coordinates 0.01 larger, for each of them outside of comments."""
+    """(name, text): the program with one of its coordinates 0.01 larger, for each of them outside of comments."""
     hidden = COMMENT.sub(lambda found: " " * len(found[0]), text)
     for found in COORDINATE.finditer(hidden):
         number = f"{float(found[2]) + 0.01:.6f}"
@@ -136,18 +148,20 @@ def changed_programs(text):
         yield f"line {line}: {found[0]}", text[:found.start(2)] + number + text[found.end(2):]
 
 
-def notices_a_changed_program(binary, expectation):
-    """Whether one coordinate that is changed in the text is noticed: by another path or by an error."""
+def unnoticed_changes(binary, expectation):
+    """Coordinates of the text whose change leads to no other path and no error, and how many were tried."""
+    missed, tried = [], 0
     text = expectation.program.read_text(encoding="utf-8")
-    for _, changed in changed_programs(text):
-        with tempfile.NamedTemporaryFile("w", dir=expectation.program.parent, prefix=".changed_",
-                                         suffix=expectation.program.suffix) as file:
-            file.write(changed)
-            file.flush()
-            done = softcnc(binary, "blocks", expectation, pathlib.Path(file.name))
-        if done.returncode != 0 or blocks.difference(expectation.steps, blocks.steps(done.stdout)):
-            return True
-    return False
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = pathlib.Path(temporary) / "programs"
+        shutil.copytree(expectation.program.parent, folder)
+        for name, changed in changed_programs(text):
+            tried += 1
+            (folder / expectation.program.name).write_text(changed, encoding="utf-8")
+            done = softcnc(binary, "blocks", expectation, folder)
+            if done.returncode == 0 and not blocks.difference(expectation.steps, blocks.steps(done.stdout)):
+                missed.append(name)
+    return missed, tried
 
 
 def main(words):
@@ -157,26 +171,20 @@ def main(words):
     parser.add_argument("programs", nargs="*", metavar="FOLDER|PROGRAM")
     arguments = parser.parse_intermixed_args(words)
     binary = str(pathlib.Path(arguments.softcnc).resolve())
-    wrong, alterations_tried, chosen = 0, 0, programs(arguments.programs)
-    for lonely in unpaired():
-        wrong += 1
-        print(f"WRONG {lonely.relative_to(HERE)}: a program without an expectation, or the other way round")
-    if not arguments.programs and len(chosen) < LEAST:
-        wrong += 1
-        print(f"WRONG {len(chosen)} programs, fewer than {LEAST}")
+    wrong, tried, chosen = unpaired_or_few(arguments.programs), 0, programs(arguments.programs)
     for program in chosen:
         expectation = Expectation(program.resolve())
         if what := run(binary, expectation):
-            wrong += 1
-            print(f"WRONG {program.resolve().relative_to(HERE)}: {what}")
+            wrong.append(f"{expectation.name}: {what}")
         elif arguments.altered:
-            missed, tried = unnoticed(binary, expectation)
-            alterations_tried += tried
-            wrong += len(missed)
-            for what in missed:
-                print(f"NOT NOTICED {program.resolve().relative_to(HERE)}: {what}")
-    tail = f", {alterations_tried} alterations tried" if arguments.altered else ""
-    print(f"{len(chosen)} programs{tail}, {wrong} wrong")
+            for alter in (unnoticed, unnoticed_changes):
+                missed, count = alter(binary, expectation)
+                tried += count
+                wrong += [f"{expectation.name}: not noticed: {what}" for what in missed]
+    for what in wrong:
+        print(f"WRONG {what}")
+    tail = f", {tried} alterations" if arguments.altered else ""
+    print(f"{len(chosen)} programs{tail}, {len(wrong)} wrong")
     return 1 if wrong or not chosen else 0
 
 

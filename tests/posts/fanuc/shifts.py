@@ -18,7 +18,7 @@ def path(p):
     p.line(110, 60)
     p.line(110 + 3, 60 + 4)
     p.rapid(-20 + 10, -10 + 10)
-    p.rapid(20 + 10)
+    p.rapid(20 + 10, z=-5 + 62 + 62)
     p.rapid(z=-1)
     p.rapid(1, 1)
     p.spindle(0)
