@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Whole numbers count mm, with a warning; G30 alone sends all axes to the second reference point."""
+"""Whole numbers count mm; G30 alone sends all axes to the second reference point."""
 OPTIONS = ["--dialect", "fanuc"]
-WARNINGS = ["SC1057"]
 
 
 def path(p):
