@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+"""Drilling written out as lines: a hole in one go, another in two, then a second bit, counter-clockwise."""
+WARNINGS = ["SC2120"]  # P of a dwell
+
+
+def path(p):
+    p.rapid(z=25)
+    p.tool(1)
+    p.stop()
+    p.spindle(9000)
+    p.dwell(2)
+    p.rapid(5.08, 5.08)
+    p.line(z=-1.8, f=90)
+    p.line(z=0)
+    p.rapid(z=2)
+    p.rapid(y=10.16)
+    p.line(z=-0.9)
+    p.rapid(z=2)
+    p.rapid(z=-0.9)
+    p.line(z=-1.8)
+    p.line(z=0)
+    p.rapid(z=2)
+    p.spindle(0)
+    p.rapid(z=25)
+    p.rapid(0, 0)
+    p.tool(2)
+    p.stop()
+    p.spindle(-4000)
+    p.dwell(2)
+    p.rapid(40, 5)
+    p.line(z=-1.8, f=45)
+    p.line(z=0)
+    p.rapid(z=2)
+    p.spindle(0)
+    p.rapid(z=25)
+    p.stopped()
