@@ -60,7 +60,7 @@ TEST_CASE("T selects and M06 changes", "[ipr][actions]") {
 TEST_CASE("M06 stops the spindle, M61 does not", "[ipr][actions]") {
   const auto actions = actions_of("M03 S100\nT1 M06\nT2 M06\nM04 M06\nS50 M61 Q3\nM30\n");
   REQUIRE(actions.size() == 9);
-  check(actions[1], Action::Kind::spindle, 5, 0);
+  check(actions[1], Action::Kind::spindle, 6, 0);
   check(actions[2], Action::Kind::tool, 6, 1);
   check(actions[3], Action::Kind::tool, 6, 2);
   check(actions[4], Action::Kind::tool, 6, 2);
@@ -85,7 +85,7 @@ TEST_CASE("what needs a turning spindle does not have one after M06", "[ipr][act
 TEST_CASE("M72 turns the spindle on again that M06 has stopped", "[ipr][actions]") {
   const auto actions = actions_of("M03 S100\nM70\nT1 M06\nM72\nM30\n");
   REQUIRE(actions.size() == 5);
-  check(actions[1], Action::Kind::spindle, 5, 0);
+  check(actions[1], Action::Kind::spindle, 6, 0);
   check(actions[3], Action::Kind::spindle, 3, 100);
 }
 

@@ -6,12 +6,14 @@ coordinate system is followed by a move that names every axis.
 """
 import math
 import random
+import re
 
 AXES = {"G17": "XYZ", "G18": "ZXY", "G19": "YZX"}  # of each plane, and the axis across it
 CENTERS = {"X": "I", "Y": "J", "Z": "K"}
 TOLD = ("motion_mode plane ccomp metric imperial absolute incremental inverse_time units_per_minute units_per_rev coord_system "
         "tool_offset feed rpm spindle_on spindle_cw mist flood retract_r_plane retract_old_z current_tool selected_tool "
         "feed_override speed_override x y z").split()
+CHANGE = re.compile(r"M0?6", re.IGNORECASE)  # of the tool, which the preview of splines does not survive
 SYSTEMS = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"]
 
 
@@ -545,5 +547,7 @@ def broken(seed, subject=None):
         index = rng.randrange(len(program.lines))
         words = program.lines[index].split(" ")
         rng.choice(breaks)(rng, words)
-        program.lines[index] = " ".join(words)
+        line = " ".join(words)
+        if program.tool_changes or not CHANGE.search(line):
+            program.lines[index] = line
     return program.text().encode()

@@ -55,7 +55,7 @@ def with_override(name):
 
 ALTERED = {  # what is done to the blocks: what the comparison must say
     "nothing": (lambda blocks: blocks, ""),
-    "M06 leaves the spindle on": (without("spindle", code=5), "spindle"),
+    "M06 leaves the spindle on": (without("spindle", code=6), "spindle"),
     "M06 changes nothing": (without("tool"), "tool"),
     "another tool": (changed("tool", tool=3), "tool"),
     "the other direction": (without("spindle", code=4), "spindle"),

@@ -19,9 +19,8 @@ void emit_action(Task& task, Action::Kind kind, double value = 0) {
 }
 
 void stop_spindle(Task& task) {
-  constexpr int kM05 = 5;
   if (std::exchange(task.modal.spindle_direction, 0) != 0)
-    task.out.emit(Action{Action::Kind::spindle, kM05, 0});
+    emit_action(task, Action::Kind::spindle);
 }
 
 std::optional<int> known_tool(Task& task, const Word& word) {
