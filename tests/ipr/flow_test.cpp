@@ -520,7 +520,7 @@ TEST_CASE("a program that M99 starts again without end is run once", "[ipr][flow
       "once";
   for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc}) {
     CHECK(reported("O1\nG0 X2\nM99", dialect) == Told{"3:1" + once});
-    CHECK(reported("G0 X2\n/M30\nM99", dialect) == Told{"3:1" + once});
+    CHECK(reported("G0 X2\nM98 P2 L3\nM99\nO2\nG0 X1\nM99", dialect) == Told{"3:1" + once});
     CHECK(reported("G0 X#1\n#1=[#1+1]\nM98 P2\nM99\nO2\nG0 X1\nM99", dialect) ==
           Told{"4:1" + once});
   }

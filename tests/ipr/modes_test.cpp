@@ -96,7 +96,7 @@ TEST_CASE("R of G64 has no effect, which is noted once", "[ipr][modes]") {
     CHECK(places(read) == Places{"SC2170 2:11"});
     CHECK(std::get<Move>(read.blocks[0].what).corner_tolerance == 0.2);
   }
-  CHECK(places(interpret("F100 G64 P0.01 G02 X10 R5\nM30\n")).empty());
+  CHECK(places(interpret("F100 G64 G02 X10 R5\nM30\n")).empty());
 }
 
 TEST_CASE("M49 and M50 P0 take the feed override away, M48 and M50 give it back", "[ipr][modes]") {

@@ -123,7 +123,7 @@ class Program:
         start = math.atan2(-center[second], -center[first])
         angle = start + (sweep if ccw else -sweep)
         absolute = self.chance(0.15)
-        if not full and self.chance(0.1):  # an end off the circle, up to a hundred times of what is allowed by itself
+        if not full and self.mode != "G93" and self.chance(0.1):  # an end off the circle, up to a hundred times of what is allowed by itself
             radius += self.length(-3, 3) * self.rng.choice((0.01, 0.01, 0.1, 1))
         origin = dict(self.at)
         words = [CENTERS[a] + self.number(round(center[a] + (origin[a] if absolute else 0), 9))
