@@ -38,6 +38,23 @@ TEST_CASE("override, hold and resume take effect at their moments", "[apps][repl
   CHECK(trace.rows.back()[7] == "200");
 }
 
+TEST_CASE("no override changes the pitch of a tap, before a hold or after it", "[apps][replan]") {
+  const Ended ended = call("run -q --dry-run --at 0.5:override=50 --at 1:hold --at 1.5:resume -",
+                           "F600 S600 M03\nG00 Z5\nG84 Z-20 R2\nG80\nG01 Z5\nM30\n");
+  CHECK(ended.status == 0);
+  const Trace trace = parse_trace(ended.out);
+  for (const std::size_t row : {400U, 700U, 1900U, 4000U}) {  // down, down, down again, up
+    CHECK(std::abs(trace.number(row, "v_mm_s") - 10) < 1e-9);
+    CHECK(trace.number(row, "feed_mm_s") == 10);
+    CHECK(trace.word(row, "limit") == "feed");
+  }
+  CHECK(trace.number(1300, "v_mm_s") == 0);
+  CHECK(trace.word(1300, "limit") == "hold");
+  const std::size_t last = trace.rows.size() - 100;  // of G01, where the override counts again
+  CHECK(trace.word(last, "line") == "5");
+  CHECK(trace.number(last, "feed_mm_s") == 5);
+}
+
 TEST_CASE("a recording keeps the events, and a replay answers them", "[apps][recording][replan]") {
   const Folder folder;
   write(folder / "p.nc", kPart);

@@ -1,4 +1,4 @@
-(expect 7 blocks, 14.177 mm, to 10 10 -1)
+(expect 8 blocks, 14.177 mm, to 10 10 -1)
 G21 G90 G17 G40 G49 G80 G94 F250 S1200 T4 M3 M8
 M6
 G1 X10 Y10 Z-1

@@ -57,6 +57,38 @@ TEST_CASE("T selects and M06 changes", "[ipr][actions]") {
   check(actions[1], Action::Kind::tool, 6, 5);
 }
 
+TEST_CASE("M06 stops the spindle, M61 does not", "[ipr][actions]") {
+  const auto actions = actions_of("M03 S100\nT1 M06\nT2 M06\nM04 M06\nS50 M61 Q3\nM30\n");
+  REQUIRE(actions.size() == 9);
+  check(actions[1], Action::Kind::spindle, 6, 0);
+  check(actions[2], Action::Kind::tool, 6, 1);
+  check(actions[3], Action::Kind::tool, 6, 2);
+  check(actions[4], Action::Kind::tool, 6, 2);
+  check(actions[5], Action::Kind::spindle, 4, -100);
+  check(actions[6], Action::Kind::spindle, 0, -50);
+  check(actions[7], Action::Kind::tool, 61, 3);
+}
+
+TEST_CASE("what needs a turning spindle does not have one after M06", "[ipr][actions]") {
+  const std::string start = "F100 S500 M03\nG00 Z5\nT1 M06\n";
+  CHECK(places(interpret(start + "G84 X1 Z-1 R1\nM30\n")) == Places{"SC2163 4:1"});
+  CHECK(places(interpret(start + "G86 X1 Z-1 R1 P0\nM30\n")) == Places{"SC2163 4:1"});
+  CHECK(places(interpret("F100 S500 M04\nG00 Z5\nT1 M06\nG74 X1 Z-1 R1\nM30\n")) ==
+        Places{"SC2163 4:1"});
+  CHECK(places(interpret(start + "G95 F0.1\nG01 X1\nM30\n")) == Places{"SC2222 5:1"});
+  CHECK(places(interpret(start + "G06.4 D5 J0.5 H10 L2\nG01 X1\nM30\n")) == Places{"SC3128 5:1"});
+  CHECK(places(interpret(start + "M03\nG84 X1 Z-1 R1\nM30\n")).empty());
+  CHECK(last_place(start + "G00 X[1+#<_spindle_on>] Y[1+#<_spindle_cw>] Z1\nM30\n") ==
+        AxisVector(1, 1, 1));
+}
+
+TEST_CASE("M72 turns the spindle on again that M06 has stopped", "[ipr][actions]") {
+  const auto actions = actions_of("M03 S100\nM70\nT1 M06\nM72\nM30\n");
+  REQUIRE(actions.size() == 5);
+  check(actions[1], Action::Kind::spindle, 6, 0);
+  check(actions[3], Action::Kind::spindle, 3, 100);
+}
+
 TEST_CASE("coolant and stops are reported by their code", "[ipr][actions]") {
   const auto actions = actions_of("M07\nM08\nM09\nM00\nM02\n");
   REQUIRE(actions.size() == 5);

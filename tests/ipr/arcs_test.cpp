@@ -143,6 +143,34 @@ TEST_CASE("in the fanuc dialect R counts beside a centre", "[ipr][arcs][fanuc]")
   CHECK(places(interpret("G02 X10 R5 I5 F100\nM30\n")) == Places{"SC2106 1:9"});
 }
 
+TEST_CASE("radii differ by a thousandth, but by 2.828 mm at most", "[ipr][arcs]") {
+  // rs274 accepts the first of each pair and refuses the second.
+  const auto differs = [&](const std::string& line) {
+    return places(interpret("F1000\n" + line + "\nM30\n"));
+  };
+  CHECK(differs("G02 X6000 I3001.414").empty());
+  CHECK(differs("G02 X6000 I3001.415") == Places{"SC2103 2:5"});
+  CHECK(differs("G18 G03 X6000 I3001.415") == Places{"SC2103 2:9"});
+  CHECK(differs("G20 G02 X2000 I1000.1414").empty());
+  CHECK(differs("G20 G02 X2000 I1000.1415") == Places{"SC2103 2:9"});
+}
+
+TEST_CASE("a 0 across the plane beside a centre changes nothing, which is noted once",
+          "[ipr][arcs]") {
+  const auto read = interpret(
+      "F100\nG17 G02 X10 I5 J0 K0.000\nG18 G02 X0 I-5 J0\nG19 G03 Y10 I0 J5\nG91 G17 G90.1\n"
+      "G02 X10 I5 J10 K0\nM30\n");
+  CHECK(places(read) == Places{"SC2171 2:19"});
+  REQUIRE(read.blocks.size() == 5);
+  CHECK(std::get<Arc>(std::get<Move>(read.blocks[0].what).path).center() == AxisVector(5, 0, 0));
+  CHECK(std::get<Arc>(std::get<Move>(read.blocks[1].what).path).center() == AxisVector(5, 0, 0));
+  CHECK(std::get<Arc>(std::get<Move>(read.blocks[2].what).path).center() == AxisVector(0, 5, 0));
+  CHECK(std::get<Arc>(std::get<Move>(read.blocks[3].what).path).center() == AxisVector(5, 10, 0));
+  CHECK(places(interpret("F100 G02 X10 I5 K1\nM30\n")) == Places{"SC2105 1:17"});
+  CHECK(places(interpret("F100 G18 G02 X10 I5 J-1\nM30\n")) == Places{"SC2105 1:21"});
+  CHECK(places(interpret("F100 G02 X10 K0\nM30\n")) == Places{"SC2105 1:14"});
+}
+
 TEST_CASE("in the fanuc dialect a 0 across the plane beside a centre is none",
           "[ipr][arcs][fanuc]") {
   const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
@@ -151,7 +179,7 @@ TEST_CASE("in the fanuc dialect a 0 across the plane beside a centre is none",
   const auto reported = [&](const std::string& line, InterpreterOptions options) {
     return places(interpret("F100\n" + line + "\nM30\n", {}, options));
   };
-  CHECK(reported("G02 X10 I5 K0", {}) == Places{"SC2105 2:12"});
+  CHECK(reported("G02 X10. I5. K0", fanuc).empty());
   CHECK(reported("G02 X10 I5 K1", fanuc) == Places{"SC2105 2:12"});
   CHECK(reported("G02 X10 K0", fanuc) == Places{"SC2105 2:9"});
   CHECK(reported("G02 X10 R5 K0", {}) == Places{"SC2106 2:9"});

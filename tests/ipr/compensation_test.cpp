@@ -220,6 +220,22 @@ TEST_CASE("after G40 the tool leaves on a line", "[ipr][compensation]") {
   check_ends("G41 G01 X20\nX40\nG40\nG91 X10", {{20, 5, 0}, {40, 5, 0}, {50, 0, 0}});
 }
 
+TEST_CASE("after G40 a move across the plane alone goes straight, in every plane",
+          "[ipr][compensation]") {
+  const auto reported = [](const std::string& text) {
+    const auto result = interpret("F100\n" + text + "\nM02\n", mill());
+    REQUIRE(result.diagnostics.size() == 1);
+    return result.diagnostics.front().message;
+  };
+  check_ends("G18 G41.1 D10 G01 Z20\nZ40\nG40\nG01 Y7", {{5, 0, 20}, {5, 0, 40}, {5, 7, 40}});
+  CHECK(
+      reported("G41.1 D3 G1 X10 Y0\nG1 X20\nG40\nG0 Z10\nG2 X30 Y0 I5 J0") ==
+      "G02 after G40, which leaves the tool beside the contour, at X20 Y1.5; the first move in the "
+      "plane leads away on a line");
+  CHECK(reported("G20 G41.1 D0.1 G1 X1 Y0 F4\nG1 X2\nG40\nG3 X3 Y0 I0.5 J0").find("at X2 Y0.05;") !=
+        std::string::npos);
+}
+
 TEST_CASE("a program may end beside the contour", "[ipr][compensation]") {
   check_ends("G41 G01 X20\nX40", {{20, 5, 0}, {40, 5, 0}});
   CHECK(ends("G41 G01 X20\nX40 M30").size() == 2);

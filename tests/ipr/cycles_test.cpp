@@ -87,6 +87,24 @@ TEST_CASE("bores and taps come out each in its own way", "[ipr][cycles]") {
   CHECK(way("G82 X1 Z-5 R1 P500", Dialect::fanuc) == "R1,0,20 R1,0,1 F1,0,-5 D0.5 R1,0,20 ");
 }
 
+TEST_CASE("no override counts from R to the bottom of a tap and back", "[ipr][cycles]") {
+  const auto overrides = [](const std::string& text, Dialect dialect = Dialect::linuxcnc) {
+    std::string all;
+    for (const Move& move :
+         moves_of("F100 S500 M03 G00 Z20\n" + text + "\nM02\n", {}, {.dialect = dialect}))
+      if (!move.rapid)
+        all += std::string(move.feed_override ? "f" : "-") + (move.speed_override ? "s " : "- ");
+    return all;
+  };
+  CHECK(overrides("G98 G84 X1 Z-7 R2\nX2\nG80\nG01 X3") == "-- -- -- -- fs ");
+  CHECK(overrides("M04\nG99 G74 X1 Z-7 R2\nG80\nG01 X3") == "-- -- fs ");
+  CHECK(overrides("G99 G84 X1 Z-7 R2\nG80\nG01 X3", Dialect::fanuc) == "-- -- fs ");
+  CHECK(overrides("M50 P0\nG99 G84 X1 Z-7 R2\nG80\nG01 X3") == "-- -- -s ");
+  CHECK(overrides("M51 P0\nG99 G84 X1 Z-7 R2\nG80\nG01 X3") == "-- -- f- ");
+  CHECK(overrides("M49\nG99 G84 X1 Z-7 R2\nG80\nG01 X3\nM48 X4") == "-- -- -- fs ");
+  CHECK(overrides("G99 G81 X1 Z-7 R2\nG89 X2 Z-7 R2 P1\nG85 X3 Z-7 R2") == "fs fs fs fs fs ");
+}
+
 TEST_CASE("cycles in the other planes, in inches and in a turned system", "[ipr][cycles]") {
   CHECK(way("G18 G99 G81 X1 Y-5 Z4 R1\nZ6") ==
         "R0,1,20 R1,1,4 F1,-5,4 R1,1,4 R1,1,6 F1,-5,6 R1,1,6 ");

@@ -480,8 +480,8 @@ TEST_CASE("a loop without end is reported, and ends the program", "[ipr][flow]")
         Told{"3:1 SC2310 jumping back to line 2 has run more than 1000 blocks"});
   CHECK(reported("O1\nN5 G0 X2\nM99 P5", Dialect::fanuc) ==
         Told{"3:1 SC2310 jumping back to line 2 has run more than 1000 blocks"});
-  CHECK(reported("O1\nG0 X2\nM99", Dialect::fanuc) ==
-        Told{"3:1 SC2310 the program, which M99 starts again, has run more than 1000 blocks"});
+  CHECK(reported("O1\n#100=#100+1\nIF [#100 LT 0] GOTO 9\nM99\nN9 M30", Dialect::fanuc) ==
+        Told{"4:1 SC2310 the program, which M99 starts again, has run more than 1000 blocks"});
   CHECK(reported("O1\nM98 P2 L9999\nM30\nO2\nG0 X1\nM99", Dialect::fanuc) ==
         Told{"2:1 SC2310 the call of O2 has run more than 1000 blocks"});
   CHECK(reported("o1 sub\no2 if [#1 GT 0]\no1 call [#1-1]\no1 call [#1-1]\no2 endif\no1 endsub\n"
@@ -512,6 +512,36 @@ TEST_CASE("blocks of cycles count as lines of a loop", "[ipr][flow]") {
   std::string plain = start;
   for (int i = 0; i < 20; ++i) plain += drill + "\n";
   CHECK(reported(plain + "#1=0\nN5 #1=#1+1\nIF [#1 LT 5] GOTO 5\nM30", Dialect::fanuc).empty());
+}
+
+TEST_CASE("a program that M99 starts again without end is run once", "[ipr][flow]") {
+  const std::string once =
+      " SC2172 M99 starts the program again, and nothing in the program would end that; it is run "
+      "once";
+  for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc}) {
+    CHECK(reported("O1\nG0 X2\nM99", dialect) == Told{"3:1" + once});
+    CHECK(reported("G0 X2\nM98 P2 L3\nM99\nO2\nG0 X1\nM99", dialect) == Told{"3:1" + once});
+    CHECK(reported("G0 X#1\n#1=[#1+1]\nM98 P2\nM99\nO2\nG0 X1\nM99", dialect) ==
+          Told{"4:1" + once});
+  }
+  // A condition that no pass changes
+  CHECK(reported("O9\nIF [#1 EQ #0] GOTO 5\nG0 X#1\nN5 G0 X1\nM99", Dialect::fanuc) ==
+        Told{"5:1" + once});
+  const auto run = interpret("O1\nG91 G0 X2\nG0 X3\nM99", {}, in(Dialect::fanuc));
+  REQUIRE(run.blocks.size() == 3);
+  CHECK(std::get<Action>(run.blocks[2].what).kind == Action::Kind::end);
+}
+
+TEST_CASE("a program that M99 starts again ends where a value says so", "[ipr][flow]") {
+  const std::string counts = "\nM99\nN9 M30";
+  CHECK(fanuc_way("#100=#100+1\nG0 X#100\nIF [#100 GE 3] GOTO 9" + counts) == Positions{1, 2, 3});
+  CHECK(fanuc_way("G91 G0 X1\nIF [#5041 GT 2.5] GOTO 9" + counts) == Positions{1, 2, 3});
+  CHECK(fanuc_way("G91 G0 X1\n#1=#1+1\nGOTO [8+FIX[#1/3]]\nN8 G0 X0.5" + counts) ==
+        Positions{1, 1.5, 2.5, 3, 4});
+  CHECK(way("#<_n>=[EXISTS[#<_n>]]\nG91 G0 X1\no1 if [#<_x> GE 2]\nM2\no1 endif\nM99") ==
+        Positions{1, 2});
+  CHECK(fanuc_way("G91 G0 X1\n#1=#1+1\nM98 P#1\nM99\nO1\nG0 X5\nM99\nO2\nM30") ==
+        Positions{1, 6, 7});
 }
 
 TEST_CASE("a loop may run as many lines as the limit says", "[ipr][flow]") {

@@ -93,6 +93,12 @@ TEST_CASE("the tool in the spindle is read", "[ipr][variables]") {
   CHECK(end_of(tool + "T2 M6\nG0 X#5410 Y[1+#5411+#5412+#5413] Z#<_selected_pocket>") ==
         AxisVector(8, 1, 2));
   CHECK(end_of(tool + "T2 M6\nG43\nG53 G0 Z0\nX#5403 Y[1+#5404+#5409]") == AxisVector(7, 1, 0));
+  CHECK(end_of(tool + "G10 L1 P3 X5 Y6\nT2 M6\nG0 Z#5403\nT3 M6\nG43 H2\nG53 G0 Z1\nX#5401 "
+                      "Y#5402") == AxisVector(5, 6, 1));
+  CHECK(end_of(tool + "T2 M61 Q2\nG43.1 Z3\nG0 X#5403 Y0\nG49\nG10 L1 P2 Z8\nG0 Y#5403 Z0") ==
+        AxisVector(7, 8, 0));
+  CHECK(end_of(tool + "G0 X[1+#5401] Y[2+#5403]") == AxisVector(1, 2, 0));
+  CHECK(end_of(tool + "T2 M6\nG20 G0 X[#5403/25.4]").isApprox(AxisVector(7, 0, 0)));
   CHECK(end_of("T2 M61 Q2\nG0 X[1+#5410] Y#<_current_pocket>") == AxisVector(1, 2, 0));
 }
 

@@ -89,6 +89,16 @@ TEST_CASE("G64 takes its tolerances in the units in force", "[ipr][modes]") {
   CHECK(moves[7].path_mode == PathMode::stop);
 }
 
+TEST_CASE("R of G64 has no effect, which is noted once", "[ipr][modes]") {
+  for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc}) {
+    const auto read =
+        interpret("F100\nG64 P0.01 R0.5\nG64 P0.2 R1\nG01 X1\nM30\n", {}, {.dialect = dialect});
+    CHECK(places(read) == Places{"SC2170 2:11"});
+    CHECK(std::get<Move>(read.blocks[0].what).corner_tolerance == 0.2);
+  }
+  CHECK(places(interpret("F100 G64 G02 X10 R5\nM30\n")).empty());
+}
+
 TEST_CASE("M49 and M50 P0 take the feed override away, M48 and M50 give it back", "[ipr][modes]") {
   const auto moves = moves_of(
       "F100 G01 X1\nM49 X2\nM48 X3\nM50 P0 X4\nM50 X5\nM50 P0\nM50 P1 X6\nM51 P0 X7\nM52 P0\n"
@@ -96,6 +106,8 @@ TEST_CASE("M49 and M50 P0 take the feed override away, M48 and M50 give it back"
   const std::vector<bool> expected{true, false, true, false, true, true, true, true};
   REQUIRE(moves.size() == expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) CHECK(moves[i].feed_override == expected[i]);
+  const std::vector<bool> speeds{true, false, true, true, true, true, false, false};
+  for (std::size_t i = 0; i < speeds.size(); ++i) CHECK(moves[i].speed_override == speeds[i]);
 }
 
 TEST_CASE("in the fanuc dialect a line that switches all off is read", "[ipr][modes][fanuc]") {

@@ -110,6 +110,32 @@ TEST_CASE("LinuxCNC's form, with G06.2, P and Q in every block, is the same curv
   CHECK(std::get<Nurbs>(move.path).spec().weights == std::vector<double>{1, 2, 0.5, 1});
 }
 
+TEST_CASE("in the form of LinuxCNC's samples, G06.2 stands again before each closing knot",
+          "[ipr][nurbs]") {
+  const Interpreted result = interpret(
+      "G06.2 X0 Y0 R1 K0 P3 Q1 F300\nX10 Y10 R1 K0\nX20 Y0 R1 K0\nG06.2 K1\nG06.2 K1\nG06.2 K1\n"
+      "G01 X30\nM30\n");
+  CHECK(places(result) == Places{"SC3114 1:22"});
+  REQUIRE(result.blocks.size() == 3);
+  const NurbsSpec& spec = std::get<Nurbs>(std::get<Move>(result.blocks[0].what).path).spec();
+  CHECK(spec.degree == 2);
+  CHECK(spec.knots == std::vector<double>{0, 0, 0, 1, 1, 1});
+  CHECK(spec.weights == std::vector<double>{1, 1, 1});
+  CHECK(spec.control[1] == AxisVector(10, 10, 0));
+  CHECK(spec.control[2] == AxisVector(20, 0, 0));
+  CHECK(end(std::get<Move>(result.blocks[1].what).path) == AxisVector(30, 0, 0));
+}
+
+TEST_CASE("a closing knot of any form may have G06.2, but no P and no point", "[ipr][nurbs]") {
+  const std::string points = "F600\nG06.2 P2 K0 X0\nK0 X5\n";
+  CHECK(places(interpret(points + "G06.2 K1\nK1\nM30\n")).empty());
+  CHECK(places(interpret(points + "K1\nG06.2 K1\nM30\n")).empty());
+  CHECK(places(interpret(points + "G06.2 K1 P2\nM30\n")) == Places{"SC3105 4:1"});
+  CHECK(places(interpret(points + "G06.2 K1 X9\nM30\n")) == Places{"SC3105 4:1"});
+  CHECK(places(interpret(points + "G06.2 K1\nK1\nM30\n", {}, {.dialect = Dialect::fanuc})) ==
+        Places{"SC3105 4:1"});
+}
+
 TEST_CASE("G06.2 with another P, or after a block without it, begins another curve",
           "[ipr][nurbs]") {
   CHECK(places(interpret("F600\nG06.2 P3 K0 X0\nG06.2 P2 K0 X0\nK0 X1\nK1\nK1\nM30\n")) ==

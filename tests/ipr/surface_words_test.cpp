@@ -102,7 +102,8 @@ TEST_CASE("in the first block of a NURBS R is the weight", "[ipr][surface]") {
 }
 
 TEST_CASE("radius and teeth left out are those of the tool in the spindle", "[ipr][surface]") {
-  const auto moves = moves_at_speed("T3 M06\nT4 F600 G06.4 J.5 H10\nG01 X1\nM30\n", with_tool());
+  const auto moves =
+      moves_at_speed("T3 M06\nM03\nT4 F600 G06.4 J.5 H10\nG01 X1\nM30\n", with_tool());
   REQUIRE(moves[0].surface);
   CHECK(moves[0].surface->tool_radius == 5);
   CHECK(moves[0].surface->teeth == 2);

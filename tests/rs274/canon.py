@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """LinuxCNC's rs274: runs a program and turns its canonical calls into moves."""
+import dataclasses
 import json
 import math
 import os
@@ -11,7 +12,7 @@ import sys
 
 import numpy as np
 
-from moves import PLANE_AXES, Error, Move, Outcome
+from moves import PLANE_AXES, Error, Move, Outcome, State
 
 HERE = pathlib.Path(__file__).resolve().parent
 INCH = 25.4  # mm
@@ -39,6 +40,8 @@ class Canon:
         self.rotation = 0.0
         self.plane = "XY"
         self.rate, self.per_turn, self.speed = 0.0, False, 0.0  # mm/min or mm, whether per turn, turns/min
+        self.direction = 0  # of the spindle, 1: clockwise
+        self.state = State()
         self.position = np.zeros(3)
         self.moves = []
         self.splines = 0
@@ -53,8 +56,15 @@ class Canon:
         return self.rate / 60 * (self.speed if self.per_turn else 1)
 
     def add(self, kind, end, call, **more):
-        self.moves.append(Move(kind, self.position, end, call=call, **more))
+        self.moves.append(Move(kind, self.position, end, call=call, state=self.state, **more))
         self.position = end
+
+    def keep(self, **values):
+        self.state = dataclasses.replace(self.state, **values)
+
+    def turn(self, direction):
+        self.direction = direction
+        self.keep(spindle=direction * self.speed)
 
     def take(self, name, text):
         """False at the end of the program."""
@@ -89,6 +99,46 @@ class Canon:
 
     def on_SET_SPINDLE_SPEED(self, text):
         self.speed = numbers(text)[1]
+        self.turn(self.direction)
+
+    def on_START_SPINDLE_CLOCKWISE(self, text):
+        self.turn(1)
+
+    def on_START_SPINDLE_COUNTERCLOCKWISE(self, text):
+        self.turn(-1)
+
+    def on_STOP_SPINDLE_TURNING(self, text):
+        self.turn(0)
+
+    def on_CHANGE_TOOL(self, text):
+        self.keep(tool=int(text))
+
+    def on_CHANGE_TOOL_NUMBER(self, text):
+        self.keep(tool=int(text))
+
+    def on_MIST_ON(self, text):
+        self.keep(mist=True)
+
+    def on_MIST_OFF(self, text):
+        self.keep(mist=False)
+
+    def on_FLOOD_ON(self, text):
+        self.keep(flood=True)
+
+    def on_FLOOD_OFF(self, text):
+        self.keep(flood=False)
+
+    def on_ENABLE_FEED_OVERRIDE(self, text):
+        self.keep(feed_override=True)
+
+    def on_DISABLE_FEED_OVERRIDE(self, text):
+        self.keep(feed_override=False)
+
+    def on_ENABLE_SPEED_OVERRIDE(self, text):
+        self.keep(speed_override=True)
+
+    def on_DISABLE_SPEED_OVERRIDE(self, text):
+        self.keep(speed_override=False)
 
     def on_STRAIGHT_TRAVERSE(self, text):
         self.add("rapid", self.machine(numbers(text)[:3]), "STRAIGHT_TRAVERSE" + text)
@@ -113,10 +163,8 @@ class Canon:
         self.add("nurbs", points[-1], "NURBS_FEED" + text, feed=self.feed(), points=points)
 
     def on_DWELL(self, text):
-        self.moves.append(Move("dwell", self.position, self.position, duration=float(text), call="DWELL" + text))
-
-    def on_CHANGE_TOOL(self, text):
-        pass
+        self.moves.append(Move("dwell", self.position, self.position, duration=float(text), call="DWELL" + text,
+                               state=self.state))
 
 
 class Rs274:

@@ -5,7 +5,8 @@
     compare.py --softcnc BINARY [--valid N] [--broken N] [--seed N] [--subject NAME] [--keep FOLDER] [PROGRAM...]
 
 Without PROGRAM: those of this folder, and generated ones. Both must accept or both refuse; what both accept must
-lead to the same moves: kind, end, centre, plane, turns, feed, dwell. What differs must stand in docs/differences.md, and
+lead to the same moves: kind, end, centre, plane, turns, feed, dwell, and what is in force at each: tool, spindle,
+coolant, whether overrides count. What differs must stand in docs/differences.md, and
 what stands there must differ. Exit 1 otherwise.
 """
 import argparse
@@ -72,17 +73,18 @@ def unlike(ours, theirs):
     if ours.kind != theirs.kind:
         return f"{ours.kind} instead of {theirs.kind}"
     if ours.kind == "dwell":
-        return "" if abs(ours.duration - theirs.duration) < 1e-6 else f"{ours.duration} s, not {theirs.duration}"
+        same = abs(ours.duration - theirs.duration) < 1e-6
+        return ours.unlike_state(theirs) if same else f"{ours.duration} s, not {theirs.duration}"
     if off(ours.end, theirs.end) > TOLERANCE:
         far = np.linalg.norm(ours.end - theirs.end)
-        return f"{far:.4f} mm{', less than 0.1 mm,' if far < 0.1 else ''} off: to {ours.end}, not {theirs.end}"
+        return f"{far:.4f} mm{', less than 0.2 mm,' if far < 0.2 else ''} off: to {ours.end}, not {theirs.end}"
     if ours.feed is not None and abs(ours.feed - theirs.feed) * 60 > TOLERANCE:
         return f"feed {ours.feed * 60:.6g}, not {theirs.feed * 60:.6g} mm/min"
-    if ours.kind == "arc":
-        return unlike_arc(ours, theirs)
+    if ours.kind == "arc" and (what := unlike_arc(ours, theirs)):
+        return what
     if ours.kind == "nurbs" and (far := distance(ours.curve, theirs.points)) > TOLERANCE:
         return f"points of rs274 lie {far:.6g} mm off the curve"
-    return ""
+    return ours.unlike_state(theirs)
 
 
 def unlike_arc(ours, theirs):

@@ -6,12 +6,14 @@ coordinate system is followed by a move that names every axis.
 """
 import math
 import random
+import re
 
 AXES = {"G17": "XYZ", "G18": "ZXY", "G19": "YZX"}  # of each plane, and the axis across it
 CENTERS = {"X": "I", "Y": "J", "Z": "K"}
 TOLD = ("motion_mode plane ccomp metric imperial absolute incremental inverse_time units_per_minute units_per_rev coord_system "
         "tool_offset feed rpm spindle_on spindle_cw mist flood retract_r_plane retract_old_z current_tool selected_tool "
         "feed_override speed_override x y z").split()
+CHANGE = re.compile(r"M0?6", re.IGNORECASE)  # of the tool, which the preview of splines does not survive
 SYSTEMS = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"]
 
 
@@ -121,6 +123,8 @@ class Program:
         start = math.atan2(-center[second], -center[first])
         angle = start + (sweep if ccw else -sweep)
         absolute = self.chance(0.15)
+        if not full and self.mode != "G93" and self.chance(0.1):  # an end off the circle, up to a hundred times of what is allowed by itself
+            radius += self.length(-3, 3) * self.rng.choice((0.01, 0.01, 0.1, 1))
         origin = dict(self.at)
         words = [CENTERS[a] + self.number(round(center[a] + (origin[a] if absolute else 0), 9))
                  for a in (first, second)]
@@ -184,13 +188,31 @@ class Program:
         self.add("G4", "P" + self.number(round(self.rng.uniform(0, 3), 2)))
 
     def spindle(self):
-        self.add(self.rng.choice(("M3 S1000", "S500 M4", "M5", "M8", "M7", "M9", "S1200", "M3 S800 M8")))
+        self.add(self.rng.choice(("M3 S1000", "S500 M4", "M5", "M8", "M7", "M9", "S1200", "M3 S800 M8", "M3", "S0",
+                                  "M9 M4 S70")))
+
+    def override(self):
+        """Which overrides count; beside a move, before it."""
+        code = self.rng.choice(("M48", "M49", "M50", "M50 P0", "M50 P1", "M51", "M51 P0", "M53 P0"))
+        self.add(code)
+        self.line()
 
     def change_tool(self):
-        if self.tool_changes:
-            tool = self.rng.randint(1, 6)
+        """With the spindle on or off: M6 stops it."""
+        if not self.tool_changes:
+            return
+        tool = self.rng.randint(1, 6)
+        if self.chance(0.5):
+            self.spindle()
+        if self.chance(0.2):
+            self.lines.append(f"M61 Q{tool}")
+        else:
             self.lines += [f"T{tool}", "M6"] if self.chance(0.5) else [f"T{tool} M6"]
-            self.everywhere()
+        if self.chance(0.3):
+            self.lines.append(f"G0 X[1+#<_spindle_on>+2*#<_spindle_cw>] Y#5400 Z[[#540{self.rng.randint(1, 3)} GT 0]*3]")
+        if self.chance(0.4):
+            self.add(self.rng.choice(("M3 S900", "M4", "S400 M3", f"M6 T{tool} M3", f"M6 M4 T{tool}")))
+        self.everywhere()
 
     # Offsets
 
@@ -260,6 +282,26 @@ class Program:
         self.lines.append("G80")
         self.everywhere()
 
+    def tap(self):
+        """Taps, with overrides on or off before and after. In G18 and G19 rs274 goes along the wrong axes: tap_zx.nc."""
+        self.plane = "G17"
+        self.lines += ["G17", "G90", self.rng.choice(("G98", "G99"))]
+        self.incremental = False
+        if self.chance(0.4):
+            self.override()
+        code, on = self.rng.choice((("G84", "M3"), ("G74", "M4")))
+        self.lines.append(f"{on} S{self.rng.randint(50, 900)}")
+        if self.chance(0.1):  # the spindle is off or turns the wrong way: refused by both
+            self.lines.append(self.rng.choice((f"M6 T{self.rng.randint(1, 6)}", "M5", "M3", "M4")))
+        pause = f"P{round(self.rng.uniform(0, 2), 2)}" if self.chance(0.5) else ""
+        self.lines.append(" ".join(filter(None, (
+            code, f"X{self.length()}", f"Y{self.length()}", f"Z{self.length(-20, -1)}", f"R{self.length(1, 10)}", pause,
+            self.feed()))))
+        for _ in range(self.rng.randint(0, 2)):
+            self.lines.append(f"{self.rng.choice('XY')}{self.length()}")
+        self.lines.append("G80")
+        self.everywhere()
+
     # Cutter compensation
 
     def contour(self):
@@ -284,6 +326,8 @@ class Program:
             else:
                 self.lines.append(f"G1 X{x1:.4f} Y{y1:.4f}" + (f" Z{self.length()}" if self.chance(0.1) else ""))
             x, y = float(f"{x1:.4f}"), float(f"{y1:.4f}")
+            if self.chance(0.1):
+                self.add(self.rng.choice(("M8", "M7", "M9", "M3 S900", "M5", "S1100", "G4 P0.3")))
         self.lines.append(f"G40\nG1 X{x * 2 + 3:.4f} Y{y * 2 - 4:.4f}")
         self.everywhere()
 
@@ -382,6 +426,9 @@ class Program:
         """Modes put aside, changed and taken back."""
         back = "M72" if self.chance(0.7) else ""
         self.lines += ["M70", self.rng.choice(("G91", "G90")), self.rng.choice(("G20", "G21")), "G1 F55 X1.5"]
+        if self.chance(0.5):  # rs274 does not restore M49: override_restored.nc
+            self.lines.append(self.rng.choice(("M3 S70", "M4 S60", "M5", "M8", "M9", "M7", "S30")))
+            self.lines.append("X1.75")
         if back:
             self.lines.append(back)
         else:
@@ -423,19 +470,20 @@ class Program:
 SUBJECTS = {  # what a program is about: its statements, each as often as it stands here
     "lines": "line line line distance units dwell",
     "arcs": "arc arc arc arc_by_radius choose_plane line distance",
-    "modes": "line arc feed_mode units distance path_control spindle choose_plane",
+    "modes": "line arc feed_mode units distance path_control spindle override choose_plane",
     "offsets": "system set_system set_system shift shift line arc units distance",
-    "tools": "change_tool tool_length tool_length line arc shift units",
+    "tools": "change_tool change_tool spindle tool_length tool_length line arc shift units",
+    "spindle": "spindle spindle override tap tap change_tool line arc kept_modes feed_mode",
     "reference": "reference line shift set_system tool_length",
-    "cycles": "cycle cycle choose_plane line units",
-    "contours": "contour line units",
+    "cycles": "cycle cycle tap choose_plane line units override",
+    "contours": "contour line units spindle",
     "programming": "variables loop loop line arc nested named_sub",
     "calls": "named_sub named_sub nested loop line units",
     "programs": "repeated_call repeated_call line units variables",
     "state": "told told kept_modes line units system shift distance feed_mode choose_plane",
     "splines": "spline spline line units shift",
-    "all": "line arc arc_by_radius choose_plane units distance feed_mode path_control dwell spindle system set_system shift "
-           "tool_length reference cycle variables loop",
+    "all": "line arc arc_by_radius choose_plane units distance feed_mode path_control dwell spindle override system set_system "
+           "shift change_tool tool_length reference cycle tap variables loop",
 }
 
 
@@ -473,7 +521,8 @@ def foreign_word(rng, words):
 def foreign_code(rng, words):
     words.insert(0, rng.choice(("G0", "G1", "G2", "G3", "G17", "G18", "G43", "G92", "G53", "G80", "G81", "G4", "G90 G91",
                                 "G20 G21", "M3 M5", "M3 M8", "G7.7", "G100", "M200", "G54 G55", "G1.5", "G-1", "M-2",
-                                "G41", "G40", "G93", "G61 G64", "G28", "G10 L2 P1", "G10 L2 P10", "G43 H77", "T-1",
+                                "G41", "G40", "G93", "M6", "M6 T2", "M49", "M51 P0", "M61 Q3", "G84", "G74", "M19",
+                                "G61 G64", "G28", "G10 L2 P1", "G10 L2 P10", "G43 H77", "T-1",
                                 "T1.5", "S-1", "G5 I1 J1", "G73", "G98 G99")))
 
 
@@ -498,5 +547,7 @@ def broken(seed, subject=None):
         index = rng.randrange(len(program.lines))
         words = program.lines[index].split(" ")
         rng.choice(breaks)(rng, words)
-        program.lines[index] = " ".join(words)
+        line = " ".join(words)
+        if program.tool_changes or not CHANGE.search(line):
+            program.lines[index] = line
     return program.text().encode()

@@ -7,6 +7,17 @@ import numpy as np
 PLANE_AXES = {"XY": (0, 1), "ZX": (2, 0), "YZ": (1, 2)}  # of each plane, in the order in which it turns
 
 
+@dataclass(frozen=True)
+class State:
+    """What is in force beside the path: compared at every move."""
+    tool: int = 0                # in the spindle
+    spindle: float = 0.0         # turns/min, positive clockwise
+    mist: bool = False
+    flood: bool = False
+    feed_override: bool = True   # whether it counts
+    speed_override: bool = True
+
+
 @dataclass
 class Move:
     kind: str                 # rapid, feed, arc, nurbs, dwell
@@ -22,6 +33,18 @@ class Move:
     points: list = field(default_factory=list)  # of a NURBS: points rs274 would go through, the end last
     line: int = 0             # softcnc's: where the move stands in the program
     call: str = ""            # rs274's: the canonical call
+    state: State = State()
+
+    def unlike_state(self, other):
+        """The first of what is in force that differs; empty: nothing. Overrides concern cutting moves alone."""
+        names = ["tool", "spindle", "mist", "flood"]
+        if self.kind not in ("rapid", "dwell"):
+            names += ["feed_override", "speed_override"]
+        for name in names:
+            ours, theirs = getattr(self.state, name), getattr(other.state, name)
+            if abs(ours - theirs) > 1e-4:  # rs274 prints four decimals
+                return f"{name} {ours}, not {theirs}"
+        return ""
 
     def moves(self):
         """Whether anything changes place or time passes: lines of no length are no moves."""

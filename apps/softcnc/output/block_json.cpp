@@ -65,6 +65,7 @@ void BlockJson::write(const Move& move) {
   place("\"to\":", end(move.path));
   if (!move.rapid) value("\"feed_mm_s\":", move.feed);
   if (!move.rapid && !move.feed_override) text_.add("\"feed_override\":false,");
+  if (!move.rapid && !move.speed_override) text_.add("\"speed_override\":false,");
   std::visit([this](const auto& curve) { details(curve); }, move.path);
   if (move.surface) write(*move.surface);
 }

@@ -36,8 +36,8 @@ struct Modes {
   double feed = 0;                      // mm/s; 0: not set
   double feed_word = 0;                 // G93: 1/min; G95: mm per turn; 0: not set
   bool zero_feed = false;               // the feed is not set since F was 0
-  bool feed_override = true;            // off: M49, M50 P0
-  bool speed_override = true;           // off: M49, M51 P0; there is none
+  bool feed_override = true;            // off: M49, M50 P0, and within taps
+  bool speed_override = true;           // off: M49, M51 P0, and within taps; there is none
   std::optional<double> spindle_speed;  // rpm, as programmed by S, within the machine's range
   int spindle_direction = 0;            // 1: M03, -1: M04, 0: at rest
   bool mist = false, flood = false;     // coolant

@@ -216,10 +216,12 @@ void report_left_early(const PendingCurve& curve, const GCode& code, const Word&
     out.report(Code::SC3105, word.pos, name + " within a curve of G06.2");
 }
 
-/// LinuxCNC's form: G06.2 stands in the second block too. With another P it begins a new curve.
+/// LinuxCNC's form: G06.2 stands in the second block too, or before each closing knot alone, as in
+/// its samples. With another P it begins a new curve.
 bool goes_on(const PendingCurve& curve, const Command& command) {
-  if (!curve.repeats && curve.spec.control.size() != 1) return false;
   const Values& values = command.values();
+  const bool closing = values.has('K') && !values.has('P') && !values.letters().has_any(kAxisWords);
+  if (!curve.repeats && !closing && curve.spec.control.size() != 1) return false;
   return !values.has('P') || values['P'] == curve.order_word;
 }
 

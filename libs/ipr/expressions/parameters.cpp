@@ -59,8 +59,10 @@ std::optional<double> Parameters::read(int number) const {
   if (number == 0 && dialect_ == Dialect::fanuc) return kVacant;
   if (probed_point_lost_ && is_touch(number)) return kUnknown;
   if (!refused_.empty() && refused_.contains(number)) return kUnknown;
-  if (is_system(number) && system_ != nullptr)
+  if (is_system(number) && system_ != nullptr) {
+    may_differ_ = true;
     if (const auto value = system_->read(number)) return value;
+  }
   if (!is_ordinary(number)) return std::nullopt;
   const double value = stored(number);
   if (dialect_ == Dialect::fanuc || !is_vacant(value)) return value;
@@ -105,6 +107,7 @@ std::optional<double> Parameters::own(std::string_view name) const noexcept {
 }
 
 std::optional<double> Parameters::read(std::string_view name) const {
+  may_differ_ = may_differ_ || name.starts_with('_');
   if (const auto value = own(name)) return value;
   const Names& names = names_of(name);
   if (const auto found = names.find(name); found != names.end()) return found->second;
@@ -133,6 +136,7 @@ double Parameters::limit(int number) const {
 
 void Parameters::write(int number, double value) {
   assert(access(number) == Access::granted);
+  may_differ_ = true;
   if (number <= locals_)
     levels_.back().numbered[static_cast<std::size_t>(number)] = value;
   else if (!is_system(number) || system_ == nullptr || !system_->write(number, value))
@@ -153,6 +157,7 @@ void Parameters::keep(const std::map<int, double>& values) {
 }
 
 void Parameters::write(std::string_view name, double value) {
+  may_differ_ = true;
   Names& names = name.starts_with('_') ? global_ : levels_.back().named;
   if (const auto found = names.find(name); found != names.end())
     found->second = value;

@@ -119,6 +119,11 @@ class Parameters {
   void give_back(std::optional<double> value) noexcept { given_back_ = value; }
   /// Sets the number of the line that is read, for #<_line>.
   void set_line(int line) noexcept { line_ = line; }
+  /// Begins a pass of the program, for may_differ().
+  void begin_pass() noexcept { may_differ_ = false; }
+  /// Returns whether variables may have other values in the next pass of the program than in this
+  /// one: one has been assigned, or one of the system read.
+  bool may_differ() const noexcept { return may_differ_; }
   /// Returns how many numbered variables are local to a level, from #1 on.
   int locals() const noexcept { return locals_; }
 
@@ -148,6 +153,7 @@ class Parameters {
   std::optional<double> given_back_;
   int line_ = 0;
   bool lost_ = false, probed_point_lost_ = false, watching_ = false;
+  mutable bool may_differ_ = false;  // reading a variable of the system sets it too
 };
 
 }  // namespace softcnc::ipr

@@ -17,6 +17,22 @@ bool looks_like_statement(std::string_view line) {
          ((*first == 'O' || *first == 'o') || (line.end() - first > 1 && is_letter(first[1])));
 }
 
+/// Whether values say where it leads.
+bool depends_on_values(const Statement& statement) {
+  switch (statement.kind) {
+    case StatementKind::none:
+    case StatementKind::program:
+    case StatementKind::sub:
+    case StatementKind::end_sub:
+    case StatementKind::leave_sub:
+    case StatementKind::call:
+    case StatementKind::do_begin:
+      return statement.label_computed;
+    default:
+      return true;
+  }
+}
+
 }  // namespace
 
 Flow::Flow(Parser& parser, Diagnostics& diagnostics, FlowOptions options)
@@ -105,6 +121,7 @@ void Flow::take(const ProgramLine& line) {
 }
 
 void Flow::obey() {
+  decided_ = decided_ || depends_on_values(statement_);
   switch (statement_.kind) {
     case Kind::none:
       return;
@@ -152,6 +169,7 @@ bool Flow::go(const Spot& spot) {
 void Flow::jump(Jump jump, std::string_view text) {
   jump_ = std::move(jump);
   text_ = text;
+  decided_ = decided_ || text.find('#') != std::string_view::npos;
 }
 
 /// The text has ended within a subprogram.

@@ -94,6 +94,9 @@ class Flow {
   /// ended.
   void lose_order() noexcept;
   bool order_unknown() const noexcept { return order_unknown_; }
+  /// Returns whether the program has ended with an M99 that would start it again without end, which
+  /// has been reported.
+  bool ended_by_repeat() const noexcept { return ended_by_repeat_; }
   const Parameters& parameters() const noexcept { return parser_.parameters(); }
   /// Returns the names, in the folder, of the files that have been called.
   std::vector<std::string> called_files() const { return library_.files(); }
@@ -148,6 +151,7 @@ class Flow {
   bool go(const Spot& spot);
   void end_text();
   void report(Code code, SourcePos pos, std::string message);
+  bool repeats_endlessly() const noexcept;
   void report_structure(const std::string& label, Code code, SourcePos pos, std::string message,
                         std::string_view text);
   void break_off(Code code, SourcePos pos, std::string message, std::string_view text);
@@ -247,12 +251,14 @@ class Flow {
   std::set<int> leaves_;  // lines of the file that end it, or a subprogram, by a code
   std::deque<SkippedLines::Stretch> unread_;  // still to be read, the first in work
   bool reading_stretch_ = false;
-  bool rest_is_program_ = false;      // what follows the end may be of the program
-  int program_line_ = 0;              // of the main program's own O
-  std::int64_t executed_ = 0;         // lines
-  std::int64_t jumped_back_ = 0;      // lines, by GOTO
-  std::int64_t made_since_jump_ = 0;  // blocks of cycles, since the last one back
-  std::int64_t vain_ = 0;             // lines passed to find what is missing
+  bool rest_is_program_ = false;  // what follows the end may be of the program
+  bool decided_ = false;          // since the program began: its order depends on values
+  bool ended_by_repeat_ = false;
+  int program_line_ = 0;                                // of the main program's own O
+  std::int64_t executed_ = 0;                           // lines
+  std::int64_t jumped_back_ = 0;                        // lines, by GOTO
+  std::int64_t made_since_jump_ = 0;                    // blocks of cycles, since the last one back
+  std::int64_t vain_ = 0;                               // lines passed to find what is missing
   std::map<std::tuple<int, int, int>, Spot> backward_;  // targets of GOTO: by file, line and number
 };
 

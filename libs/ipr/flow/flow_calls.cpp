@@ -218,6 +218,12 @@ void Flow::leave_by_statement() {
   leave(value, statement_.pos);
 }
 
+/// Whether each further pass of the program would run the lines of this one: nothing has decided
+/// which lines those are, or only values that a pass does not change.
+bool Flow::repeats_endlessly() const noexcept {
+  return !decided_ || !parser_.parameters().may_differ();
+}
+
 void Flow::leave_by_code(const Jump& jump) {
   if (options_.unreachable_too && jump.pos.file == 0) leaves_.insert(jump.pos.line);
   if (in_subprogram()) {
@@ -225,6 +231,15 @@ void Flow::leave_by_code(const Jump& jump) {
     leave(std::nullopt, jump.pos);
   } else if (!jump.line_number) {
     if (order_unknown_) return static_cast<void>(ended_ = true);  // it may never come here
+    if (repeats_endlessly()) {
+      report(Code::SC2172, jump.pos,
+             "M99 starts the program again, and nothing in the program would end that; it is run "
+             "once");
+      ended_ = ended_by_repeat_ = true;
+      return;
+    }
+    decided_ = false;
+    parser_.parameters().begin_pass();
     if (runs_too_long(executed_, "the program, which M99 starts again,", jump.pos, text_)) return;
     diagnostics_.lines_repeat();
     opens_.clear();

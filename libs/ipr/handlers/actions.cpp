@@ -2,6 +2,7 @@
 // Codes that do something at rest: dwell, tool, spindle, coolant, stop, end.
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "ipr/handlers/handlers.hpp"
 #include "motion/core/units.hpp"
@@ -15,6 +16,11 @@ int m_number(const Task& task) { return task.code.number / kCodesPerNumber; }
 
 void emit_action(Task& task, Action::Kind kind, double value = 0) {
   task.out.emit(Action{kind, m_number(task), value});
+}
+
+void stop_spindle(Task& task) {
+  if (std::exchange(task.modal.spindle_direction, 0) != 0)
+    emit_action(task, Action::Kind::spindle);
 }
 
 std::optional<int> known_tool(Task& task, const Word& word) {
@@ -108,9 +114,11 @@ void select_tool(Task& task) {
   if (const auto number = known_tool(task, task.word)) task.modal.tool = number;
 }
 
+/// M06 stops the spindle before the tool is changed, as on LinuxCNC.
 void change_tool(Task& task) {
   task.modal.surface.reset();
   if (task.modal.tool) {
+    stop_spindle(task);
     task.modal.loaded_tool = task.modal.tool;
     return emit_action(task, Action::Kind::tool, *task.modal.tool);
   }

@@ -21,12 +21,20 @@ double radius_tolerance(const Modal& modal) {
   return modal.mm_per_unit == 1 ? kRadiusTolerance : kInInches;
 }
 
-/// FANUC takes a 0 across the plane, beside a letter of the centre.
-bool may_pass_over(const Task& task, const PlaneAxes& axes) {
+/// A 0 across the plane changes nothing, beside a letter of the centre.
+bool may_pass_over(const Task& task, char across) {
   const LetterSet centre{kOffsetLetters};
-  const char across = offset_letter(axes.across);
-  return task.options.dialect == Dialect::fanuc && task.values[across] == 0 &&
+  return task.values[across] == 0 &&
          task.values.letters().has_any(centre.without(std::string_view(&across, 1)));
+}
+
+/// Once a file.
+void note_across(Task& task, char across) {
+  if (task.options.dialect == Dialect::fanuc || std::exchange(task.modal.across_reported, true))
+    return;
+  task.out.report(
+      Code::SC2171, task.values.word(across).pos,
+      std::string(1, across) + "0 lies across the plane of the arc and changes nothing");
 }
 
 /// Reports a centre beside a radius, or one off the plane.
@@ -38,10 +46,11 @@ bool is_well_given(Task& task, const PlaneAxes& axes) {
     task.out.report(Code::SC2106, span_of(values, "IJKR"),
                     code_name(task.code) + " takes R or a centre, not both");
   } else if (const char across = offset_letter(axes.across);
-             values.has(across) && !may_pass_over(task, axes)) {
+             values.has(across) && !may_pass_over(task, across)) {
     task.out.report(Code::SC2105, values.word(across).pos,
                     std::string(1, across) + " lies across the plane of the arc");
   } else {
+    if (values.has(across)) note_across(task, across);
     return true;
   }
   return false;

@@ -143,6 +143,12 @@ bool is_refused(const Task& task) {
   return !is_fanuc(task) && among(number, kNotInLinuxcnc);
 }
 
+/// To 0.0001, so that a message shows no rounding.
+double round_shown(double value) {
+  constexpr double kDigits = 1e4;
+  return std::round(value * kDigits) / kDigits + 0.0;
+}
+
 bool is_curve(const Task& task) {
   constexpr std::array kCurves{20, 30, 50, 51, 52, 61, 62};
   return task.code.letter == 'G' && among(task.code.number, kCurves) &&
@@ -152,8 +158,16 @@ bool is_curve(const Task& task) {
 /// The move after G40 begins beside the contour, where no arc or curve was meant to begin: not
 /// even where G41 or G42 follows.
 void report_beside(Task& task) {
+  const Beside& beside = *task.modal.beside;
+  const AxisVector at = task.modal.coordinates.to_program(beside.tool) / task.modal.mm_per_unit;
+  const PlaneAxes axes = plane_axes(beside.plane);
+  std::string place;
+  for (const int axis : {axes.first, axes.second})
+    place += std::string(" ") + axis_letter(axis) + number_text(round_shown(at[axis]));
   task.out.report(Code::SC2149, task.word.pos,
-                  code_name(task.code) + " after G40; the first move leads away on a line");
+                  code_name(task.code) +
+                      " after G40, which leaves the tool beside the contour, at" + place +
+                      "; the first move in the plane leads away on a line");
   task.modal.beside.reset();
 }
 

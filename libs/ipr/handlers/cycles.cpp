@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "ipr/handlers/handlers.hpp"
 #include "motion/core/units.hpp"
@@ -287,17 +288,48 @@ void peck(CyclePath& path, const Holes& holes, bool clears) {
   path.rapid_to(holes.clear);
 }
 
-void drill(CyclePath& path, const Holes& holes, const GCode& code, int spindle) {
-  if (pecks(code)) return peck(path, holes, code.number == kG83);
+/// While a tap is in its hole no override counts: it would change the pitch.
+class NoOverride {
+ public:
+  explicit NoOverride(Modal& modal)
+      : modal_(modal),
+        feed_(std::exchange(modal.feed_override, false)),
+        speed_(std::exchange(modal.speed_override, false)) {}
+  ~NoOverride() {
+    modal_.feed_override = feed_;
+    modal_.speed_override = speed_;
+  }
+  NoOverride(const NoOverride&) = delete;
+  NoOverride& operator=(const NoOverride&) = delete;
+
+ private:
+  Modal& modal_;
+  bool feed_, speed_;
+};
+
+void tap(CyclePath& path, const Holes& holes, Modal& modal) {
+  const int spindle = modal.spindle_direction;
+  const NoOverride pitch_stays(modal);
   path.feed_to(holes.bottom);
-  if (taps(code)) path.turn(-spindle);
-  if (dwells(code) || taps(code)) path.rest();
+  path.turn(-spindle);
+  path.rest();
+  path.feed_to(holes.feed_end);
+  path.turn(spindle);
+}
+
+void bore(CyclePath& path, const Holes& holes, const GCode& code) {
+  path.feed_to(holes.bottom);
+  if (dwells(code)) path.rest();
   if (code.number == kG86) path.turn(0);
   if (code.number == kG85) path.feed_to(holes.retract);
-  if (feeds_out(code)) path.feed_to(holes.feed_end);
-  if (taps(code)) path.turn(spindle);
+  if (code.number == kG89) path.feed_to(holes.feed_end);
+}
+
+void drill(CyclePath& path, const Holes& holes, const GCode& code, Modal& modal) {
+  if (pecks(code)) return peck(path, holes, code.number == kG83);
+  taps(code) ? tap(path, holes, modal) : bore(path, holes, code);
   path.rapid_to(holes.clear);
-  if (code.number == kG86) path.turn(spindle);
+  if (code.number == kG86) path.turn(modal.spindle_direction);
 }
 
 void drill_all(Task& task, const Holes& holes, const AxisVector& from) {
@@ -307,7 +339,7 @@ void drill_all(Task& task, const Holes& holes, const AxisVector& from) {
   for (int i = 0; i < holes.count; ++i) {
     path.over(hole);
     path.rapid_to(holes.retract);
-    drill(path, holes, task.code, task.modal.spindle_direction);
+    drill(path, holes, task.code, task.modal);
     hole += holes.step;
   }
   task.flow.count_more_blocks(std::max(path.blocks() - 1, 0));

@@ -142,7 +142,8 @@ SourcePos place_of(const Task& task, char letter) {
     return task.out.emit(cutting_move(modal, std::move(path), modal.feed));
   }
   task.out.emit(Move{std::move(path), true, 0, path_mode_of(modal), modal.corner_tolerance,
-                     modal.chord_tolerance, modal.feed_override, std::nullopt, is_exact(modal)});
+                     modal.chord_tolerance, modal.feed_override, std::nullopt, is_exact(modal),
+                     modal.speed_override});
 }
 
 [[gnu::hot]] Move cutting_move(const Modal& modal, Path&& path, double feed) {
@@ -154,7 +155,8 @@ SourcePos place_of(const Task& task, char letter) {
           modal.chord_tolerance,
           modal.feed_override,
           surface_at_speed(modal),
-          is_exact(modal)};
+          is_exact(modal),
+          modal.speed_override};
 }
 
 [[gnu::hot]] bool has_feed(Task& task) {

@@ -28,6 +28,16 @@ double tolerance(Task& task, char letter, double otherwise) {
   return otherwise;
 }
 
+/// R, which programs for versions of LinuxCNC after 2.9 may have; it may be of a motion beside G64.
+void note_corner_radius(Task& task) {
+  if (!task.values.has('R') || task.modal.corner_radius_reported) return;
+  for (const auto& [code, word] : task.command.codes())
+    if (code != &task.code && LetterSet(code->words).has('R')) return;
+  task.modal.corner_radius_reported = true;
+  task.out.report(Code::SC2170, task.values.word('R').pos,
+                  "R of G64 has no effect: P and Q alone say how far the path may deviate");
+}
+
 /// False, after a report, if no machine could keep it.
 bool is_possible_feed(Task& task, double feed) {
   constexpr double kLeast = 1e-6, kMost = 1e9;  // mm/min
@@ -72,6 +82,7 @@ void stop_once(Task& task) { task.modal.stops_once = true; }
 
 /// G64 P Q; Q is P where it is missing, whether P is written or the machine's.
 void follow_path_within(Task& task) {
+  note_corner_radius(task);
   const double corner = tolerance(task, 'P', task.machine.control.corner_tolerance);
   const double chord = tolerance(task, 'Q', corner);
   set_path_mode(task.modal, PathMode::follow, corner, chord, false);

@@ -347,7 +347,8 @@ void Interpreter::finish() {
   const bool broke_off = flow_.broke_off();
   if (modal_.curve && !broke_off) end_pending_curve(modal_, out_);
   if (modal_.points && !broke_off) end_pending_points(modal_, out_);
-  if (!broke_off && !modal_.unknown.has(Part::end) && !flow_.order_unknown())
+  const bool known = !modal_.unknown.has(Part::end) && !flow_.order_unknown();
+  if (!broke_off && known && !flow_.ended_by_repeat())
     out_.report(Code::SC2205, {line.number, 0, 1}, "the program ends without M02 or M30");
   out_.end();
   out_.begin(line);

@@ -191,8 +191,9 @@ Unknown settled(const GCode& code) noexcept {
     case Group::spindle:
       return {Part::spindle};
     case Group::tool:
-    case Group::tool_change:
       return {Part::tool};
+    case Group::tool_change:  // M61 takes words, M06 stops the spindle
+      return code.words.empty() ? Unknown{Part::tool, Part::spindle} : Unknown{Part::tool};
     case Group::cutter_compensation:
     case Group::radius_number:
       return {Part::cutter};

@@ -261,7 +261,7 @@ std::optional<double> ModalVariables::read_linuxcnc(int number) const {
   if (number == kDiameter) return diameter();
   if (const int axis = axis_in(number, kFirstPosition); axis >= 0)
     return program_position(modal_, axis);
-  if (const int axis = axis_in(number, kToolOffset); axis >= 0) return modal_.tool_offset[axis];
+  if (const int axis = axis_in(number, kToolOffset); axis >= 0) return tool_length(axis);
   const bool lacking = (number >= kFirstPosition && number < kPositionEnd) ||
                        (number >= kToolOffset && number < kToolEnd);
   return lacking ? std::optional(0.0) : std::nullopt;  // of axes and of a lathe's tools
@@ -271,6 +271,13 @@ std::optional<double> ModalVariables::read_linuxcnc(int number) const {
 double ModalVariables::diameter() const {
   if (modal_.unknown.has_any({Part::tool, Part::tool_data})) return kUnknown;
   return 2 * tools().radius(modal_.loaded_tool.value_or(0)).value_or(0);
+}
+
+/// Of the tool in the spindle as the table has it, mm: whether G43 is in force or not.
+double ModalVariables::tool_length(int axis) const {
+  if (modal_.unknown.has_any({Part::tool, Part::tool_data})) return kUnknown;
+  const auto tool = tools().find(modal_.loaded_tool.value_or(0));
+  return tool ? tool->length[axis] : 0;
 }
 
 std::optional<double> ModalVariables::read_fanuc(int number) const {

@@ -31,6 +31,7 @@ class ModalVariables final : public SystemVariables {
  private:
   ToolTable tools() const noexcept { return {modal_.state, machine_, dialect_}; }
   double diameter() const;
+  double tool_length(int axis) const;
   bool is_offset(int number) const;
   double unit() const noexcept;
   bool knows_unit() const noexcept;

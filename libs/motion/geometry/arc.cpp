@@ -72,7 +72,8 @@ std::optional<Diagnostic> arc_error(const Rays& rays, double tolerance, std::str
   };
   if (rays.start_radius() <= kSamePoint)
     return error(Code::SC2104, "has no radius: its centre is its start");
-  const double most = std::max(tolerance, kRelativeRadiusTolerance * rays.larger_radius());
+  const double most = std::clamp(kRelativeRadiusTolerance * rays.larger_radius(), tolerance,
+                                 kMostRadiusTolerances * tolerance);
   if (!(std::abs(rays.growth()) <= most)) return error(Code::SC2103, off_circle(rays));
   if (rays.end_radius() <= kSamePoint)
     return error(Code::SC2104, "has no radius: its centre is its end");

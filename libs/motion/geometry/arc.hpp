@@ -30,10 +30,11 @@ constexpr PlaneAxes plane_axes(Plane plane) noexcept {
   return {0, 1, 2};
 }
 
-/// How much the radii at start and end may differ, mm, or by a thousandth of the larger, as in
-/// LinuxCNC.
+/// How much the radii at start and end may differ, mm, or by a thousandth of the larger, but never
+/// by more than a hundred times the former, as in LinuxCNC 2.9.
 inline constexpr double kRadiusTolerance = 0.02 * std::numbers::sqrt2;
 inline constexpr double kRelativeRadiusTolerance = 0.001;
+inline constexpr double kMostRadiusTolerances = 100;
 
 struct ArcSpec {
   AxisVector from, to;
@@ -47,10 +48,11 @@ struct ArcSpec {
 class Arc {
  public:
   /// Angles count about the programmed centre. Start and end must be equally far from it, up to
-  /// radius_tolerance of the spec or kRelativeRadiusTolerance; the radius then changes linearly
-  /// with the angle, so that the arc meets both ends and deviates from the programmed circle by no
-  /// more than they do. Errors: SC2103 (off the circle), SC2104 (no radius). The caller sets the
-  /// position of the error.
+  /// radius_tolerance of the spec or kRelativeRadiusTolerance, of which the latter counts up to
+  /// kMostRadiusTolerances times the former; the radius then changes linearly with the angle, so
+  /// that the arc meets both ends and deviates from the programmed circle by no more than they do.
+  /// Errors: SC2103 (off the circle), SC2104 (no radius). The caller sets the position of the
+  /// error.
   static Result<Arc> make(const ArcSpec& spec);
 
   double length() const noexcept { return length_; }

@@ -23,11 +23,12 @@ struct Move {
   bool rapid = false;  // G00: only axis limits bind
   double feed = 0;     // mm/s along the path, as programmed; unused for rapids
   PathMode path_mode = PathMode::follow;
-  double corner_tolerance = 0;    // mm: how far the next joint may be rounded (G64 P)
-  double chord_tolerance = 0;     // mm: how far merged chords may deviate (G64 Q)
-  bool feed_override = true;      // false: the feed is as programmed, whatever the override (M49)
+  double corner_tolerance = 0;  // mm: how far the next joint may be rounded (G64 P)
+  double chord_tolerance = 0;   // mm: how far merged chords may deviate (G64 Q)
+  bool feed_override = true;    // false: the feed is as programmed, whatever the override (M49)
   std::optional<Surface> surface{};  // of G06.4, on cutting moves
   bool exact = false;                // requested by G61, G61.1 or G09: no corner may be rounded
+  bool speed_override = true;  // false: no override of the spindle speed may apply (M49, taps)
 };
 
 /// Returns the requested feed of a move, mm/s: as programmed, with the override where that applies;

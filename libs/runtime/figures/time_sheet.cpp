@@ -8,8 +8,10 @@ namespace {
 
 /// Why the machine rests at a block that does not move; nothing at the end of the program.
 std::optional<RestCause> cause_of(const Block& block) {
+  constexpr int kM06 = 6;  // it stops the spindle before it changes the tool
   const auto* action = std::get_if<Action>(&block.what);
   if (action == nullptr) return RestCause::dwell;
+  if (action->code == kM06) return RestCause::tool;
   switch (action->kind) {
     case Action::Kind::tool:
       return RestCause::tool;
