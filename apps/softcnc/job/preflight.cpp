@@ -23,6 +23,7 @@ ipr::InterpreterOptions interpreter_options(const Options& options, const std::s
   interpreter.block_skip = options.block_skip;
   interpreter.optional_stop = options.optional_stop;
   interpreter.dialect = options.dialect;
+  interpreter.guess_dialect = options.guess_dialect;
   interpreter.format = options.format;
   interpreter.folder = folder;
   return interpreter;

@@ -94,7 +94,7 @@ void DialectDifferences::note(DialectDifference kind, SourcePos pos, std::string
 
 /// "G04 P counts seconds; in the fanuc dialect: counts milliseconds (here and on 2 more lines)"
 std::string DialectDifferences::text_of(const DialectDifferenceRow& row, const Met& met) const {
-  const bool fanuc = dialect_ == Dialect::fanuc;
+  const bool fanuc = is_fanuc_like(dialect_);
   std::string text = std::string(row.what) + ' ';
   text += fanuc ? row.fanuc : row.linuxcnc;
   text += fanuc ? "; in the linuxcnc dialect: " : "; in the fanuc dialect: ";

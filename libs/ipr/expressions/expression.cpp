@@ -52,7 +52,7 @@ std::string lacks_variable(const Variable& variable, Dialect dialect) {
     constexpr std::array kClocks{3001, 3002, 3011, 3012};
     return std::find(kClocks.begin(), kClocks.end(), variable.number) != kClocks.end();
   };
-  const bool clock = dialect == Dialect::fanuc && is_clock();
+  const bool clock = is_fanuc_like(dialect) && is_clock();
   return "there is no variable " + name_of(variable) +
          (clock ? ", a clock: a program does the same whenever it runs" : "");
 }
@@ -251,7 +251,7 @@ bool Expression::take_second_bracket() {
 
 /// ROUND.
 double Expression::rounded(double value, Dialect dialect) const noexcept {
-  const double per_unit = dialect == Dialect::fanuc ? rounding_ : 1;
+  const double per_unit = is_fanuc_like(dialect) ? rounding_ : 1;
   const double whole = std::round(value * per_unit);
   return std::isfinite(whole) ? whole / per_unit : value;
 }

@@ -124,7 +124,7 @@ class Expression {
   double stop(Code code, int begin, int end, std::string message);
   double stop_at_next(Code code, std::string_view expected);
   int end() const noexcept { return lexer_.end(); }
-  bool is_fanuc() const noexcept { return dialect_ == Dialect::fanuc; }
+  bool is_fanuc() const noexcept { return is_fanuc_like(dialect_); }
 
   Lexer& lexer_;
   const Parameters& parameters_;

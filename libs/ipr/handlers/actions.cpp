@@ -25,7 +25,7 @@ std::optional<int> known_tool(Task& task, const Word& word) {
 }
 
 bool counts_milliseconds(const Task& task, const Word& dwell) {
-  return task.options.dialect == Dialect::fanuc && dwell.letter == 'P';
+  return is_fanuc_like(task.options.dialect) && dwell.letter == 'P';
 }
 
 /// The time of G04 in seconds. The fanuc dialect: X or U in seconds, or P in milliseconds.
@@ -35,7 +35,7 @@ double dwell_time(const Task& task, const Word& word) {
 
 const Word* dwell_word(const Task& task) {
   for (const char letter : {'P', 'X', 'U'}) {
-    const bool taken = letter == 'P' || task.options.dialect == Dialect::fanuc;
+    const bool taken = letter == 'P' || is_fanuc_like(task.options.dialect);
     if (taken && task.values.has(letter)) return &task.values.word(letter);
   }
   return nullptr;
@@ -67,7 +67,7 @@ void check_dwell_unit(Task& task, const Word& word) {
 }  // namespace
 
 void dwell(Task& task) {
-  const bool fanuc = task.options.dialect == Dialect::fanuc;
+  const bool fanuc = is_fanuc_like(task.options.dialect);
   const Word* time = dwell_word(task);
   if (time == nullptr)
     return task.out.report(

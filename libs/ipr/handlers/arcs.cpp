@@ -25,7 +25,7 @@ double radius_tolerance(const Modal& modal) {
 bool may_pass_over(const Task& task, const PlaneAxes& axes) {
   const LetterSet centre{kOffsetLetters};
   const char across = offset_letter(axes.across);
-  return task.options.dialect == Dialect::fanuc && task.values[across] == 0 &&
+  return is_fanuc_like(task.options.dialect) && task.values[across] == 0 &&
          task.values.letters().has_any(centre.without(std::string_view(&across, 1)));
 }
 
@@ -33,7 +33,7 @@ bool may_pass_over(const Task& task, const PlaneAxes& axes) {
 bool is_well_given(Task& task, const PlaneAxes& axes) {
   const Values& values = task.values;
   const bool radius = values.has('R');
-  if (radius && task.options.dialect == Dialect::fanuc) return true;
+  if (radius && is_fanuc_like(task.options.dialect)) return true;
   if (radius && values.letters().has_any(kOffsetLetters)) {
     task.out.report(Code::SC2106, span_of(values, "IJKR"),
                     code_name(task.code) + " takes R or a centre, not both");

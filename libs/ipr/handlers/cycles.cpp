@@ -22,7 +22,7 @@ bool dwells(const GCode& code) {
 }
 
 bool feeds_out(const GCode& code) { return taps(code) || code.number == kG89; }
-bool is_fanuc(const Task& task) { return task.options.dialect == Dialect::fanuc; }
+bool is_fanuc(const Task& task) { return is_fanuc_like(task.options.dialect); }
 
 /// What one line asks for, in mm and programmed coordinates.
 struct Holes {

@@ -213,7 +213,7 @@ void begin_motion(Task& task) {
 bool fanuc_goes_home(const Command& command, Dialect dialect) noexcept {
   constexpr int kG28 = 280, kG30 = 300;
   const GCode* code = command.find(Group::non_modal);
-  if (dialect != Dialect::fanuc || code == nullptr) return false;
+  if (!is_fanuc_like(dialect) || code == nullptr) return false;
   return code->number == kG28 || code->number == kG30;
 }
 

@@ -86,7 +86,7 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
   parser_.reader().set_stop(options.stop);
   parser_.configure({options.dialect, options.block_skip, &differences_});
   parser_.parameters().set_system(&variables_);
-  if (options.dialect == Dialect::linuxcnc) parser_.parameters().keep(modal_.state.parameters);
+  if (is_linuxcnc_like(options.dialect)) parser_.parameters().keep(modal_.state.parameters);
 }
 
 /// Before the first line: G-code is read here, commands by their own reader. False: what a pipe has
@@ -215,11 +215,11 @@ void Interpreter::lose_motion() noexcept {
 bool Interpreter::fanuc_goes_to_machine_point() const noexcept {
   constexpr int kG53 = 530;
   const GCode* code = command_.find(Group::non_modal);
-  return options_.dialect == Dialect::fanuc && code != nullptr && code->number == kG53;
+  return is_fanuc_like(options_.dialect) && code != nullptr && code->number == kG53;
 }
 
 const GCode* Interpreter::after_g80() const noexcept {
-  return options_.dialect == Dialect::fanuc ? modal_.motion_below : nullptr;
+  return is_fanuc_like(options_.dialect) ? modal_.motion_below : nullptr;
 }
 
 /// Words that no code of the line takes may be meant for the motion in force.
@@ -245,7 +245,7 @@ bool Interpreter::begins_data_input() const noexcept {
   const GCode* code = command_.find(Group::non_modal);
   const double what = command_.values().value_or('L', 0);
   const bool refused = what == 50 || what == 52;
-  return refused && options_.dialect == Dialect::fanuc && code != nullptr && code->number == kG10;
+  return refused && is_fanuc_like(options_.dialect) && code != nullptr && code->number == kG10;
 }
 
 void Interpreter::check_axes() {

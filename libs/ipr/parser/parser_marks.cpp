@@ -168,7 +168,7 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
 std::optional<Token> Parser::sign_of_program(Lexer& lexer, const Token& mark) const {
   using Kind = Token::Kind;
   const bool possible = mark.kind == Kind::unknown || mark.kind == Kind::macro;
-  if (!possible || options_.dialect != Dialect::fanuc || !only_line_number()) return std::nullopt;
+  if (!possible || !is_fanuc_like(options_.dialect) || !only_line_number()) return std::nullopt;
   const std::string_view text = text_of(line_.text, mark);
   Lexer ahead = lexer;
   const bool named = text == "<" && ahead.take_name() && ahead.peek() == 0;
@@ -234,7 +234,7 @@ Token Parser::read_macro(Lexer& lexer, const Token& mark) {
   const std::string_view text = text_of(line_.text, mark);
   if (text == "#") return read_assignment(lexer, mark);
   const bool name = text == "<" && calls_program();
-  const bool fanuc = options_.dialect == Dialect::fanuc;
+  const bool fanuc = is_fanuc_like(options_.dialect);
   if (name && fanuc && line_.called.empty()) return read_called(lexer, mark);
   if (text == "[")
     give_up(Code::SC1007, mark, "'[' has no letter before it");
@@ -259,7 +259,7 @@ Token Parser::read_percent(Lexer& lexer, const Token& percent) {
   }
   started_ = true;
   opened_ = opened_ || file_ == 0;
-  if (options_.dialect == Dialect::fanuc) return {};  // a title may stand after it
+  if (is_fanuc_like(options_.dialect)) return {};  // a title may stand after it
   const Token after = lexer.next();
   if (after.kind != Token::Kind::end)
     give_up(Code::SC1012, percent, "'%' with more after it; it stands on a line of its own");

@@ -81,7 +81,7 @@ bool Parser::refuse_operation(Lexer& lexer, int begin) {
 Token Parser::read_expression(Lexer& lexer, const Token& letter) {
   Expression expression(lexer, parameters_);
   const int begin = lexer.column();
-  const bool may_round = options_.dialect == Dialect::fanuc || parameters_.watching();
+  const bool may_round = is_fanuc_like(options_.dialect) || parameters_.watching();
   if (may_round && kLengths.has(letter.letter))
     expression.round_to(parameters_.read("_metric") == 0.0 ? kPerInch : kPerMm);
   expression.compare_with(assigned_there());

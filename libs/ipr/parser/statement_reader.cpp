@@ -164,7 +164,7 @@ void StatementReader::refuse_signed_label() {
 StatementReader::Found StatementReader::read_after_label(bool by_number) {
   if (broke_off_) return Found::statement;
   const char next = lexer_.peek();
-  const bool may_be_named = parameters_.dialect() == Dialect::fanuc && !statement_.label_computed;
+  const bool may_be_named = is_fanuc_like(parameters_.dialect()) && !statement_.label_computed;
   if (next == 0 && (by_number || may_be_named)) {
     statement_.kind = StatementKind::program;
     return by_number ? Found::program : Found::statement;
