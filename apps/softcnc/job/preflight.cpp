@@ -43,7 +43,7 @@ runtime::ChannelOptions channel_options(const Options& options, const std::strin
 Preflight preflight(runtime::Program& program, const Machine& machine,
                     const runtime::ChannelOptions& options, Messages& messages,
                     runtime::Watcher* watcher, runtime::CheckNotes notes) {
-  ShownOnce errors(program, messages.sink(program));
+  ShownOnce errors(program, options.interpreter, messages.sink(program));
   Diagnostics diagnostics(errors.sink());
   diagnostics.set_file(program.name());
   Preflight result;

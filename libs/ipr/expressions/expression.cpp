@@ -47,6 +47,21 @@ std::string name_of(const Variable& variable) {
                                : "#<" + shortened(variable.name, kLongestShown) + ">";
 }
 
+const Function* take_function(Lexer& lexer, Dialect dialect) noexcept {
+  const Lexer before = lexer;
+  for (const Function& function : functions()) {
+    if (lexer.take(function.name) && !lexer.at_letter()) return &function;
+    lexer = before;
+  }
+  if (!is_fanuc_like(dialect)) return nullptr;
+  for (const Function& function : functions()) {
+    const bool known = function.kind != FunctionKind::exists && function.name.size() > 2;
+    if (known && lexer.take(function.name.substr(0, 2)) && lexer.peek() == '[') return &function;
+    lexer = before;
+  }
+  return nullptr;
+}
+
 std::string lacks_variable(const Variable& variable, Dialect dialect) {
   const auto is_clock = [&] {
     constexpr std::array kClocks{3001, 3002, 3011, 3012};
@@ -208,12 +223,7 @@ std::optional<Variable> Expression::variable() {
 }
 
 double Expression::function(int begin) {
-  for (const Function& function : functions()) {
-    const Lexer before = lexer_;
-    if (!lexer_.take(function.name)) continue;
-    if (!lexer_.at_letter()) return call(function, begin);
-    lexer_ = before;
-  }
+  if (const Function* function = take_function(lexer_, dialect_)) return call(*function, begin);
   return stop_at_next(Code::SC1018, "a function");
 }
 

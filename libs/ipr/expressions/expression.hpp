@@ -32,6 +32,10 @@ std::string name_of(const Variable& variable);
 
 /// Returns the message that there is no such variable, and why.
 std::string lacks_variable(const Variable& variable, Dialect dialect);
+
+/// Passes the name of a function and returns it; nullptr, and passes nothing, where none is next.
+/// In the fanuc and haas dialects two letters before a '[' are enough, as in `SI[30]`; EX is EXP.
+const Function* take_function(Lexer& lexer, Dialect dialect) noexcept;
 /// Returns a name in the form in which it is looked up: in lower case, without blanks.
 std::string lower_case(std::string_view name);
 

@@ -24,10 +24,6 @@ std::optional<int> known_tool(Task& task, const Word& word) {
   return std::nullopt;
 }
 
-bool counts_milliseconds(const Task& task, const Word& dwell) {
-  return is_fanuc_like(task.options.dialect) && dwell.letter == 'P';
-}
-
 /// The time of G04 in seconds. The fanuc dialect: X or U in seconds, or P in milliseconds.
 double dwell_time(const Task& task, const Word& word) {
   return counts_milliseconds(task, word) ? s_from_ms(word.value) : word.value;
@@ -51,8 +47,10 @@ bool looks_like_other_unit(const Task& task, const Word& word) {
 
 void check_dwell_unit(Task& task, const Word& word) {
   if (task.modal.dwell_warned || !looks_like_other_unit(task, word)) {
-    if (word.letter == 'P') task.out.note_difference(DialectDifference::dwell, word.pos);
-    return;
+    if (word.letter != 'P') return;
+    const bool by_point = is_fanuc_like(task.options.dialect) && !counts_milliseconds(task, word);
+    return task.out.note_difference(
+        by_point ? DialectDifference::dwell_with_point : DialectDifference::dwell, word.pos);
   }
   const std::string letter(1, word.letter), number = number_text(word.value);
   task.out.report(Code::SC2210, word.pos,

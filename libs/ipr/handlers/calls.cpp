@@ -35,7 +35,7 @@ std::optional<int> optional_number(Task& task, char letter) {
 void split_old_form(Task& task, Jump& jump) {
   if (task.values.has('L') || jump.number < kOldForm) return;
   task.out.note_difference(DialectDifference::old_call, task.values.word('P').pos);
-  if (!is_fanuc_like(task.options.dialect)) return;
+  if (task.options.dialect != Dialect::fanuc) return;
   jump.times = jump.number / kOldForm;
   jump.number %= kOldForm;
 }

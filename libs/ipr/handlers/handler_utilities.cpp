@@ -123,6 +123,11 @@ bool has_point(const Task& task, const Word& word) {
   return task.out.text().substr(column, length).find('.') != std::string_view::npos;
 }
 
+bool counts_milliseconds(const Task& task, const Word& dwell) {
+  if (dwell.letter != 'P' || !is_fanuc_like(task.options.dialect)) return false;
+  return task.options.dialect != Dialect::haas || !has_point(task, dwell);
+}
+
 SourcePos place_of(const Task& task, char letter) {
   return task.values.has(letter) ? task.values.word(letter).pos : task.word.pos;
 }

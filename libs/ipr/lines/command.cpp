@@ -52,7 +52,7 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
   if (code == nullptr || of_other) {
     out.report(Code::SC2001, word.pos,
                code_name(word.letter, word.value) + " is not supported" +
-                   (of_other ? " in the linuxcnc dialect" : ""));
+                   (of_other ? " in the " + std::string(name(dialect)) + " dialect" : ""));
     unknown_ |= word.letter == 'G' ? Unknown{Part::motion} : set_by("M");
     probes_ = probes_ || is_probing(word, dialect);
     return;

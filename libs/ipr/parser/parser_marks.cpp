@@ -187,8 +187,25 @@ bool Parser::is_decimal_comma(const Token& mark, Lexer after) const {
   return is_digit(last) && is_digit(after.peek()) && !is_acting(words_.back().letter);
 }
 
+/// Its first mark is where the line begins.
+bool Parser::refuse_sender_line() {
+  const bool whole = is_sender_line(line_.text);
+  const std::size_t star = checksum_at(line_.text);
+  if (!whole && star == std::string_view::npos) return false;
+  const std::size_t begin = whole ? line_.text.find_first_not_of(" \t") : star;
+  const std::string_view marked = line_.text.substr(begin);
+  const auto length = static_cast<int>(marked.find_last_not_of(" \t") + 1);
+  give_up(Code::SC1054, static_cast<int>(begin) + 1, length,
+          quoted(marked.substr(0, static_cast<std::size_t>(length))) +
+              (whole ? " is a line for a sender of grbl" : " is a checksum of a sender") +
+              "; --dialect grbl skips " + (whole ? "such lines" : "checksums"));
+  return true;
+}
+
 void Parser::refuse_stranger(Lexer& lexer, const Token& stranger) {
   const std::string_view text = text_of(line_.text, stranger);
+  constexpr std::string_view kOfSenders{"$?!~"};
+  if (kOfSenders.find(text) != text.npos && refuse_sender_line()) return;
   if (is_decimal_comma(stranger, lexer))
     return give_up(Code::SC1001, stranger, "unknown character ','; the decimal point is '.'");
   const bool name = text == ":" && only_line_number() && is_digit(lexer.peek());
@@ -233,6 +250,7 @@ Token Parser::read_called(Lexer& lexer, const Token& mark) {
 Token Parser::read_macro(Lexer& lexer, const Token& mark) {
   const std::string_view text = text_of(line_.text, mark);
   if (text == "#") return read_assignment(lexer, mark);
+  if (text == "*" && refuse_sender_line()) return {};
   const bool name = text == "<" && calls_program();
   const bool fanuc = is_fanuc_like(options_.dialect);
   if (name && fanuc && line_.called.empty()) return read_called(lexer, mark);
