@@ -39,7 +39,9 @@ class SOFTCNC_API Program {
   std::unique_ptr<Data> data_;
 };
 
-enum class Dialect : std::uint8_t { linuxcnc, fanuc };
+/// Whose reading of G-code counts; automatic: by the text of the program, linuxcnc where that shows
+/// none.
+enum class Dialect : std::uint8_t { linuxcnc, fanuc, haas, grbl, automatic };
 
 /// How a program is run.
 struct RunOptions {

@@ -39,8 +39,9 @@ RunSetup::RunSetup(const RunOptions& options, runtime::Program* program) {
           : std::clamp(options.feed_override, kSmallestOverride, kLargestOverride);
   channel_.interpreter.block_skip = options.block_skip;
   channel_.interpreter.optional_stop = options.optional_stop;
-  channel_.interpreter.dialect =
-      options.dialect == Dialect::fanuc ? ipr::Dialect::fanuc : ipr::Dialect::linuxcnc;
+  channel_.interpreter.guess_dialect = options.dialect == Dialect::automatic;
+  if (options.dialect != Dialect::automatic)
+    channel_.interpreter.dialect = ipr::kAllDialects[static_cast<std::size_t>(options.dialect)];
   for (const auto& constraint : options.constraints) {
     if (!constraint) continue;
     constraints_.push_back(std::make_unique<CustomConstraint>(constraint));

@@ -41,7 +41,7 @@ TEST_CASE("a word that is no command is named, with the commands and the nearest
 
 TEST_CASE("of a name that an option does not know the nearest is named", "[apps][cli]") {
   CHECK(shows(call("run --dialect fanux p.nc").err,
-              "'fanux' is not one of fanuc, linuxcnc; did you mean 'fanuc'?"));
+              "'fanux' is not one of linuxcnc, fanuc, haas, grbl, auto; did you mean 'fanuc'?"));
   CHECK(shows(call("run --backend hal-streams p.nc").err, "; did you mean 'hal-stream'?"));
   CHECK(shows(call("check --diagnostics xml p.nc").err, "'xml' is not one of text, json, sarif\n"));
 }
@@ -80,6 +80,10 @@ TEST_CASE("the option --dialect says whose reading counts", "[apps][cli]") {
   CHECK(call("blocks -", part).out.find("\"duration_s\":250}") != std::string::npos);
   CHECK(call("blocks --dialect linuxcnc -", part).out == call("blocks -", part).out);
   CHECK(call("blocks --dialect=fanuc -", part).out.find("\"duration_s\":0.25}") !=
+        std::string::npos);
+  CHECK(call("blocks --dialect haas -", part).out == call("blocks --dialect fanuc -", part).out);
+  CHECK(call("blocks --dialect grbl -", part).out == call("blocks -", part).out);
+  CHECK(call("blocks --dialect auto -", "#1=#2+1\n" + part).out.find("\"duration_s\":0.25}") !=
         std::string::npos);
   CHECK(parse_trace(call("run -q --dry-run --dialect fanuc -", part).out).rows.size() == 251);
   const std::string missing = "G04\nM30\n";

@@ -147,6 +147,14 @@ TEST_CASE("a program is replayed in the dialect it was recorded in", "[apps][rec
   pack(file, held);
   CHECK(call("replay -q " + file).status == 1);
 
+  for (const char* dialect : {"haas", "auto"}) {
+    CAPTURE(dialect);
+    const std::string other =
+        recorded(folder, (folder / "p.nc") + " --dialect " + std::string(dialect));
+    CHECK(json::parse(content(other).meta)["options"]["dialect"] == dialect);
+    CHECK(call("replay -q " + other).status == 0);
+  }
+
   meta["options"]["dialect"] = "siemens";
   held.meta = meta.dump();
   pack(file, held);

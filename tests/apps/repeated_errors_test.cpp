@@ -60,6 +60,52 @@ TEST_CASE("one cause does not hide another, nor another error", "[apps][check]")
   CHECK(out.find("axis B, here") == std::string::npos);
 }
 
+TEST_CASE("of other errors with the same text ten are shown, and the rest is counted",
+          "[apps][check]") {
+  const Folder folder;
+  std::string program = "G21 G90\n";
+  for (int i = 0; i < 5000; ++i) program += "G1 X1\n";
+  const Ended ended = check(folder, program + "M2\n");
+  CHECK(ended.status == 1);
+  const json list = json::parse(check(folder, program + "M2\n", "--diagnostics json").out);
+  REQUIRE(list.size() == 11);
+  for (std::size_t i = 0; i < 10; ++i) CHECK(list[i]["code"] == "SC2102");
+  CHECK(list[10]["code"] == "SC6005");
+  CHECK(list[10]["line"] == 2);
+  CHECK(shows(ended.out, ", here and on 4999 more lines, the last of them 5001 [SC6005]"));
+}
+
+TEST_CASE("of errors of one code a hundred are shown, and the rest is counted", "[apps][check]") {
+  const Folder folder;
+  std::string program;
+  for (int i = 0; i < 300; ++i) program += "G1 X1 F-" + std::to_string(i + 1) + "\n";
+  for (int i = 0; i < 300; ++i) program += "#" + std::to_string(9000 + i) + "=1\n";
+  const std::string out = check(folder, program + "M2\n").out;
+  CHECK(shows(out,
+              "p.nc:301:1: note: 200 errors SC1025 like this one and the 99 shown, the last on "
+              "line 600 [SC6005]\n"));
+}
+
+TEST_CASE("errors of a program that looks like one of another dialect name it", "[apps][check]") {
+  const Folder folder;
+  const std::string grbl = "(grbl, TinyG, g2core)\nG21 G90\nZ5\nX10 Y10\nG1 Z-1 F100\nM2\n";
+  const std::string out = check(folder, grbl).out;
+  CHECK(shows(out, "p.nc:3:1: error: Z with no motion code in force [SC2101]"));
+  CHECK(shows(out,
+              "p.nc:1:1: note: 'GRBL' in a comment looks like a program for grbl: --dialect "
+              "grbl [SC1059]\n"));
+  CHECK(check(folder, grbl, "--dialect grbl").status == 0);
+  const std::string chosen = check(folder, grbl, "--dialect auto").out;
+  CHECK(shows(chosen,
+              "p.nc:1:1: note: the program is read in the grbl dialect; 'GRBL' in a comment "
+              "shows it [SC1058]\n"));
+  CHECK(chosen.find("SC1059") == std::string::npos);
+  CHECK(check(folder, "(for grbl)\nG0 X1\nM2\n").out.empty());
+  CHECK(shows(check(folder, "%\nO0001\nG65 P9 A1\n#1=#2+1\nM30\n%\n").out,
+              "note: an operator without brackets looks like a program for fanuc: --dialect fanuc "
+              "[SC1059]"));
+}
+
 TEST_CASE("every command says a cause once, and a pipe does, too", "[apps]") {
   const Folder folder;
   write(folder / "p.nc", rotary(50));

@@ -59,8 +59,8 @@ TEST_CASE("an offset beyond what a machine keeps is reported, and the one before
   CHECK(reported("G20 G43.1 Z[10**308]\nG92 Z[10**308]\nG0 Z1\nM2\n") == Places{"SC3008 1:11"});
   CHECK(reported("G10 L1 P1 Z600000\nG43 H1\nG43.2 H1\nM2\n") == Places{"SC3008 3:1"});
   CHECK(reported("G52 X600000\nG91 G10 L2 P1 X600000\nG10 L2 P1 X600000\nM2\n", kFanuc) ==
-        Places{"SC3008 3:11"});
-  CHECK(reported("G10 L11 P1 R1000001\nM2\n", kFanuc) == Places{"SC3008 1:12"});
+        Places{"SC3008 3:11", "SC1057 1:5"});
+  CHECK(reported("G10 L11 P1 R1000001\nM2\n", kFanuc) == Places{"SC3008 1:12", "SC1057 1:12"});
   CHECK(reported("G10 L10 P1 Z-1000001\nM2\n") == Places{"SC3008 1:12"});
   const Interpreted result =
       interpret("G10 L2 P2 X7\nG10 L2 P2 X2000000 R9\nG10 L2 P1 R36001\n#5241=1000001\nM2\n");

@@ -144,6 +144,13 @@ const std::vector<Case> kCases{
     {C::feed_out, "S500 M3 G0 Z20\nG99 G84 X1 Z-1 R2 F100\nM30", "", ""},
 };
 
+/// What haas reads as linuxcnc does, and fanuc otherwise.
+const std::vector<Case> kHaasCases{
+    {C::dwell_with_point, "G4 P2.\nM30", "SC2384 1:4", ""},
+    {C::dwell_with_point, "G0 Z5.\nG99 G82 X1. Z-1. R2. P.5 F100\nM30", "SC2384 2:22", ""},
+    {C::old_call, "M98 P10002\nM30\nO10002\nG0 X1\nM99\nO2\nG0 X2\nM99", "SC2128 1:5", ""},
+};
+
 std::string words_of(const DialectDifferenceRow& row, Dialect dialect) {
   const bool fanuc = dialect == Dialect::fanuc;
   return std::string(row.what) + ' ' + std::string(fanuc ? row.fanuc : row.linuxcnc) +
@@ -188,7 +195,44 @@ TEST_CASE("every dialect difference has an example", "[ipr][differences]") {
   std::set<DialectDifference> seen;
   for (const Case& example : kCases)
     if (!example.place.empty()) seen.insert(example.kind);
+  for (const Case& example : kHaasCases) seen.insert(example.kind);
   CHECK(seen.size() == dialect_difference_table().size());
+}
+
+TEST_CASE("what haas reads as linuxcnc does is reported beside fanuc", "[ipr][differences]") {
+  for (const Case& example : kHaasCases) {
+    CAPTURE(example.program);
+    const Interpreted haas = run(example.program, Dialect::haas);
+    REQUIRE(places(haas) == Places{example.place});
+    CHECK(deeds(haas) == deeds(run(example.program, Dialect::linuxcnc)));
+    CHECK(deeds(haas) != deeds(run(example.program, Dialect::fanuc)));
+    const DialectDifferenceRow& row =
+        dialect_difference_table()[static_cast<std::size_t>(example.kind)];
+    CHECK(haas.diagnostics[0].message == std::string(row.what) + ' ' + std::string(row.haas) +
+                                             "; in the fanuc dialect: " + std::string(row.fanuc));
+  }
+}
+
+TEST_CASE("haas reads what its rows leave out as fanuc does, and grbl as linuxcnc",
+          "[ipr][differences]") {
+  for (const Case& example : kCases) {
+    const bool own =
+        !dialect_difference_table()[static_cast<std::size_t>(example.kind)].haas.empty();
+    if (own) continue;
+    CAPTURE(example.program);
+    CHECK(deeds(run(example.program, Dialect::haas)) ==
+          deeds(run(example.program, Dialect::fanuc)));
+    CHECK(deeds(run(example.program, Dialect::grbl)) ==
+          deeds(run(example.program, Dialect::linuxcnc)));
+  }
+}
+
+TEST_CASE("in haas a dwell without a decimal point is told beside linuxcnc", "[ipr][differences]") {
+  const Interpreted haas = run("G4 P2\nM30", Dialect::haas);
+  REQUIRE(places(haas) == Places{"SC2120 1:4"});
+  CHECK(haas.diagnostics[0].message ==
+        "G04 P counts milliseconds, with a decimal point seconds; in the linuxcnc dialect: counts "
+        "seconds");
 }
 
 TEST_CASE("a dialect difference is reported once, with the number of its lines",
@@ -245,12 +289,24 @@ TEST_CASE("a program that the dialects read otherwise is reported", "[ipr][diffe
 TEST_CASE("docs/gcode.md shows the table of differences as it is", "[ipr][differences][docs]") {
   std::ifstream stream(std::string(SOFTCNC_SOURCE_DIR) + "/docs/gcode.md");
   const std::string page{std::istreambuf_iterator<char>(stream), {}};
-  std::string table = "| what | linuxcnc | fanuc | code |\n|---|---|---|---|\n";
+  std::string table =
+      "| what | linuxcnc, grbl | fanuc | haas | code | source |\n|---|---|---|---|---|---|\n";
   for (const DialectDifferenceRow& row : dialect_difference_table())
     table += "| " + std::string(row.what) + " | " + std::string(row.linuxcnc) + " | " +
-             std::string(row.fanuc) + " | " + code_name(row.code) + " |\n";
+             std::string(row.fanuc) + " | " +
+             (row.haas.empty() ? "as fanuc" : std::string(row.haas)) + " | " + code_name(row.code) +
+             " | " + std::string(row.source) + " |\n";
   INFO("expected in docs/gcode.md:\n" << table);
   CHECK(page.find(table) != std::string::npos);
+  std::string traits =
+      "| what | linuxcnc | fanuc | haas | grbl | source |\n|---|---|---|---|---|---|\n";
+  for (const DialectTraitRow& row : dialect_trait_table()) {
+    traits += "| " + std::string(row.what);
+    for (const std::string_view does : row.does) traits += " | " + std::string(does);
+    traits += " | " + std::string(row.source) + " |\n";
+  }
+  INFO("expected in docs/gcode.md:\n" << traits);
+  CHECK(page.find(traits) != std::string::npos);
 }
 
 }  // namespace softcnc::ipr

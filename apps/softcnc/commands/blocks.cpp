@@ -18,13 +18,13 @@ int write_blocks(runtime::Program& program, const Machine& machine, const Option
   Messages messages;
   auto state = open_state(options.state, messages);
   if (!state) return messages.fail(state.error());
-  ShownOnce shown(program, messages.sink(program));
+  const ipr::InterpreterOptions reading = interpreter_options(options, program.folder());
+  ShownOnce shown(program, reading, messages.sink(program));
   Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(program.name());
   ipr::Reader reader = program.reader();
   ipr::Parser parser(reader, diagnostics);
-  ipr::Interpreter interpreter(parser, machine, diagnostics,
-                               interpreter_options(options, program.folder()), std::move(*state));
+  ipr::Interpreter interpreter(parser, machine, diagnostics, reading, std::move(*state));
   StandardOutput out;
   BlockJson json;
   const auto take = [&](const Block& block) {

@@ -193,9 +193,14 @@ void backend(CLI::App& app, const OptionEntry& entry, Options& options) {
          });
 }
 
+constexpr const char* kGuessed = "auto";  // the dialect by the program
+
 void dialect(CLI::App& app, const OptionEntry& entry, Options& options) {
-  choice(app, entry, options, {"fanuc", "linuxcnc"}, [](Options& to, std::size_t index) {
-    to.dialect = index == 0 ? ipr::Dialect::fanuc : ipr::Dialect::linuxcnc;
+  std::vector<std::string> words{ipr::kDialectNames.begin(), ipr::kDialectNames.end()};
+  words.emplace_back(kGuessed);
+  choice(app, entry, options, words, [](Options& to, std::size_t index) {
+    to.guess_dialect = index == ipr::kDialects;
+    if (!to.guess_dialect) to.dialect = ipr::kAllDialects[index];
   });
 }
 
@@ -475,7 +480,10 @@ constexpr OptionEntry kOptions[] = {
      events},
     {kReads, "--block-skip", "", "Skip lines that begin with '/'", flag<&Options::block_skip>},
     {kReads, "--optional-stop", "", "Stop at M01", flag<&Options::optional_stop>},
-    {kReads, "--dialect", "", "Dialect to use where controls differ (default linuxcnc)", dialect},
+    {kReads, "--dialect", "",
+     "Dialect to use where controls differ, auto: by the program "
+     "(default linuxcnc)",
+     dialect},
     {kPrograms, "--format", "",
      "Format of the program: G-code, the commands of paper 003 (l, pcw, s ...), or whichever the "
      "first line is in (auto)",

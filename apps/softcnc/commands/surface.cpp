@@ -66,7 +66,7 @@ class SurfaceJob {
 /// time of the run, and before that the size of the surface is known, and whether it can be cut at
 /// all.
 int SurfaceJob::read() {
-  ShownOnce shown(job_.program, messages_.sink(job_.program));
+  ShownOnce shown(job_.program, job_.options.interpreter, messages_.sink(job_.program));
   Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(job_.program.name());
   cutting_ =

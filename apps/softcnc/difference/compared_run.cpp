@@ -46,7 +46,7 @@ Result<int> run_program(const std::string& file, Options options, runtime::RowSt
   job->options.interpreter.stop = terminal.stop();
   terminal.begin(file, 0);
   terminal.begin_run(0, period);
-  ShownOnce shown(job->program, messages.sink(job->program));
+  ShownOnce shown(job->program, job->options.interpreter, messages.sink(job->program));
   Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(job->program.name());
   ipr::Reader reader = job->program.reader();

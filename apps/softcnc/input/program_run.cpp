@@ -126,10 +126,11 @@ Result<ReportedRun> run_program(Job& job, Terminal& terminal, Messages& messages
   run.period = machine.control.period;
   run.history = std::make_unique<runtime::RunHistory>(run.period, &machine);
   runtime::RunRows rows(*run.history, runtime::knows_contour(**backend));
-  ShownOnce shown(job.program, [&, show = messages.sink(job.program)](const Diagnostic& one) {
-    show(one);
-    run.diagnostics.push_back(one);
-  });
+  ShownOnce shown(job.program, job.options.interpreter,
+                  [&, show = messages.sink(job.program)](const Diagnostic& one) {
+                    show(one);
+                    run.diagnostics.push_back(one);
+                  });
   Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(job.program.name());
   job.options.line_times = true;

@@ -23,6 +23,7 @@ ipr::InterpreterOptions interpreter_options(const Options& options, const std::s
   interpreter.block_skip = options.block_skip;
   interpreter.optional_stop = options.optional_stop;
   interpreter.dialect = options.dialect;
+  interpreter.guess_dialect = options.guess_dialect;
   interpreter.format = options.format;
   interpreter.folder = folder;
   return interpreter;
@@ -42,7 +43,7 @@ runtime::ChannelOptions channel_options(const Options& options, const std::strin
 Preflight preflight(runtime::Program& program, const Machine& machine,
                     const runtime::ChannelOptions& options, Messages& messages,
                     runtime::Watcher* watcher, runtime::CheckNotes notes) {
-  ShownOnce errors(program, messages.sink(program));
+  ShownOnce errors(program, options.interpreter, messages.sink(program));
   Diagnostics diagnostics(errors.sink());
   diagnostics.set_file(program.name());
   Preflight result;

@@ -116,7 +116,7 @@ Diagnostics::Sink JobRunner::sink() {
 }
 
 void JobRunner::run(hal::Backend& backend, runtime::TraceRows& rows) {
-  ShownOnce shown(job_.program, sink());
+  ShownOnce shown(job_.program, job_.options.interpreter, sink());
   Diagnostics diagnostics(shown.sink());
   diagnostics.set_file(job_.program.name());
   ipr::Reader reader = job_.program.reader();

@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "ipr/dialects/dialect_guess.hpp"
 #include "messages/foreign_language.hpp"
 
 namespace softcnc::app {
@@ -14,6 +15,8 @@ namespace {
 
 constexpr std::size_t kMostCauses = 1000;  // those after them are shown line by line
 constexpr int kLinesOfHead = 300;          // in which a language is looked for
+constexpr std::size_t kShownOfText = 10;   // errors with the same text
+constexpr std::int64_t kShownOfCode = 100;
 
 /// Codes of which errors with the same text have the same cause.
 bool has_one_cause(Code code) {
@@ -32,17 +35,35 @@ bool RepeatedErrors::takes(Diagnostic& diagnostic) {
   if (foreign_) return true;
   if (diagnostic.severity() != Severity::error) return false;
   if (is_foreign(diagnostic)) return false;
-  if (!has_one_cause(diagnostic.code) && !is_unused_word(diagnostic)) return false;
+  return is_of_known_cause(diagnostic) || is_of_frequent_code(diagnostic);
+}
+
+bool RepeatedErrors::is_of_known_cause(const Diagnostic& error) {
   const auto same = [&](const Cause& cause) {
-    return cause.first.code == diagnostic.code && cause.first.message == diagnostic.message &&
-           cause.first.file == diagnostic.file;
+    return cause.first.code == error.code && cause.first.message == error.message &&
+           cause.first.file == error.file;
   };
   const auto known = std::find_if(causes_.begin(), causes_.end(), same);
   if (known == causes_.end()) {
-    if (causes_.size() < kMostCauses) causes_.push_back({diagnostic, 0, diagnostic.pos.line});
+    const bool once = has_one_cause(error.code) || is_unused_word(error);
+    if (causes_.size() < kMostCauses)
+      causes_.push_back({error, once ? 1 : kShownOfText, 0, error.pos.line});
     return false;
   }
-  if (std::exchange(known->last_line, diagnostic.pos.line) != diagnostic.pos.line) ++known->lines;
+  if (std::exchange(known->last_line, error.pos.line) != error.pos.line) ++known->lines;
+  return known->is_hidden();
+}
+
+/// Errors whose texts differ, each with a number of its own.
+bool RepeatedErrors::is_of_frequent_code(const Diagnostic& error) {
+  Kind& kind = kinds_[error.code];
+  if (kind.shown == 0) kind.first = error;
+  if (kind.shown < kShownOfCode) {
+    ++kind.shown;
+    return false;
+  }
+  ++kind.hidden;
+  kind.last_line = error.pos.line;
   return true;
 }
 
@@ -52,6 +73,7 @@ bool RepeatedErrors::is_foreign(Diagnostic& error) {
                       error.pos.line > 0 && exit_status(error) == 1;
   if (!may_be || program_->streamed()) return false;
   looked_ = true;
+  guess_dialect(error);
   ForeignLanguage language;
   std::string line = program_->line(1);
   for (int number = 1; number <= kLinesOfHead; line = program_->line(++number))
@@ -70,11 +92,29 @@ bool RepeatedErrors::is_foreign(Diagnostic& error) {
   return true;
 }
 
+/// By the first lines of the program, as `--dialect auto` does.
+void RepeatedErrors::guess_dialect(const Diagnostic& error) {
+  if (guessed_) return;
+  ipr::DialectGuess guess;
+  for (int number = 1; number <= ipr::DialectGuess::kLines; ++number)
+    guess.see(program_->line(number), number);
+  const auto dialect = guess.dialect();
+  if (!dialect || *dialect == dialect_) return;
+  Diagnostic note = error;
+  note.code = Code::SC1059;
+  note.pos = {guess.line(), 0, 1};
+  note.source_line = guess.text();
+  note.message = fmt::format("{} looks like a program for {}: --dialect {}", guess.mark(),
+                             name(*dialect), name(*dialect));
+  note.calls.clear();
+  other_dialect_ = std::move(note);
+}
+
 std::vector<Diagnostic> RepeatedErrors::notes() const {
   std::vector<Diagnostic> all;
   if (foreign_) return all;
   for (const Cause& cause : causes_) {
-    if (cause.lines == 0) continue;
+    if (!cause.is_hidden()) continue;
     Diagnostic note = cause.first;
     note.code = Code::SC6005;
     note.message =
@@ -82,6 +122,16 @@ std::vector<Diagnostic> RepeatedErrors::notes() const {
                     cause.lines, cause.lines == 1 ? "" : "s", cause.last_line);
     all.push_back(std::move(note));
   }
+  for (const auto& [code, kind] : kinds_) {
+    if (kind.hidden == 0) continue;
+    Diagnostic note = kind.first;
+    note.code = Code::SC6005;
+    note.message = fmt::format(
+        "{} more error{} {} like this one and the {} shown, the last on line {}", kind.hidden,
+        kind.hidden == 1 ? "" : "s", code_name(code), kind.shown - 1, kind.last_line);
+    all.push_back(std::move(note));
+  }
+  if (other_dialect_) all.push_back(*other_dialect_);
   return all;
 }
 

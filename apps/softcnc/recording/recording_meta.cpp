@@ -72,12 +72,23 @@ Result<std::vector<CalledFile>> read_called(const Json& json) {
   return called;
 }
 
+constexpr const char* kGuessed = "auto";  // the dialect by the program
+
 /// Recordings made before there were dialects name none.
-Result<ipr::Dialect> read_dialect(const Json& options) {
+Status read_dialect(const Json& options, ipr::InterpreterOptions& to) {
   const std::string word = options.value("dialect", std::string(name(ipr::Dialect::linuxcnc)));
-  for (const ipr::Dialect dialect : {ipr::Dialect::linuxcnc, ipr::Dialect::fanuc})
-    if (word == name(dialect)) return dialect;
+  to.guess_dialect = word == kGuessed;
+  if (to.guess_dialect) return {};
+  for (const ipr::Dialect dialect : ipr::kAllDialects) {
+    if (word != name(dialect)) continue;
+    to.dialect = dialect;
+    return {};
+  }
   return error(Code::SC6022, "was made in a dialect this version does not know: '" + word + "'");
+}
+
+std::string_view dialect_word(const ipr::InterpreterOptions& options) {
+  return options.guess_dialect ? kGuessed : name(options.dialect);
 }
 
 /// The same for formats.
@@ -102,8 +113,9 @@ Result<std::vector<runtime::FeedEvent>> read_events(const Json& options) {
 
 Result<RecordingMeta> read(const Json& json) {
   const Json& options = json.at("options");
-  const auto dialect = read_dialect(options);
-  if (!dialect) return tl::make_unexpected(dialect.error());
+  ipr::InterpreterOptions interpreter;
+  if (const auto known = read_dialect(options, interpreter); !known)
+    return tl::make_unexpected(known.error());
   const auto format = read_format(options);
   if (!format) return tl::make_unexpected(format.error());
   auto events = read_events(options);
@@ -124,10 +136,10 @@ Result<RecordingMeta> read(const Json& json) {
                      {}};
   meta.options.feed_override = *feed_override;
   meta.options.events = std::move(*events);
+  meta.options.interpreter = interpreter;
   meta.options.interpreter.block_skip = options.at("block_skip");
   meta.options.interpreter.optional_stop = options.at("optional_stop");
   meta.options.single_block = options.value("single_block", false);
-  meta.options.interpreter.dialect = *dialect;
   meta.options.interpreter.format = *format;
   return meta;
 }
@@ -145,7 +157,7 @@ std::string meta_json(const RecordingMeta& meta) {
              {{"feed_override", meta.options.feed_override},
               {"block_skip", meta.options.interpreter.block_skip},
               {"optional_stop", meta.options.interpreter.optional_stop},
-              {"dialect", name(meta.options.interpreter.dialect)},
+              {"dialect", dialect_word(meta.options.interpreter)},
               {"format", name(meta.options.interpreter.format)}}},
             {"start", {{"position_mm", {0, 0, 0}}, {"tool", nullptr}}}};
   if (meta.options.single_block) json["options"]["single_block"] = true;

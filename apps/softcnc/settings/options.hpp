@@ -52,6 +52,7 @@ struct Options {
   bool block_skip = false, optional_stop = false, single_block = false;
   bool rest_at_pauses = false;
   ipr::Dialect dialect = ipr::Dialect::linuxcnc;
+  bool guess_dialect = false;
   ipr::Format format = ipr::Format::automatic;
 
   int worst = 0;  // run, check: so many lines that lose most time are named

@@ -244,6 +244,8 @@ const MachineKey kKeys[] = {
      NumberKey{in_part<&Machine::program, &ProgramReading::motion_limit>, s_from_h, h_from_s, at_least_0(1e9)}},
     {"program.spline_parameter", "", "parameter of splines through points: the length of the chords between them, or the same from each point to the next",
      choice_in<&Machine::program, &ProgramReading::spline_parameter>(kSplineParameterNames)},
+    {"program.integers", "", "what a length without a decimal point counts in the fanuc and haas dialects: units (mm or inches), or increments of 0.001 mm or 0.0001 inch",
+     choice_in<&Machine::program, &ProgramReading::integers>(kIntegerUnitNames)},
 
     {"tool.*.radius_mm", "mm", "radius of the cutter",
      NumberKey{in_tool<&Tool::radius>, same, same, length_or_0(1e4)}},

@@ -32,7 +32,7 @@ bool is_switch(const Task& task) {
   if (words.has_any("IJK")) return false;
   if (task.code.number == kG05)
     return words.has('P') && !words.has('Q') && !words.has_any(kAxisWords);
-  const bool fanuc = task.options.dialect == Dialect::fanuc;
+  const bool fanuc = is_fanuc_like(task.options.dialect);
   return words.has('Q') && !(fanuc && words.has_any(kAxisWords));
 }
 
@@ -128,7 +128,7 @@ void quadratic_curve(Task& task, const PlaneAxes& axes, const AxisVector& to) {
 
 /// What the dialects make of it: a curve is drawn only where true is returned.
 bool is_curve(Task& task) {
-  const bool fanuc = task.options.dialect == Dialect::fanuc;
+  const bool fanuc = is_fanuc_like(task.options.dialect);
   if (fanuc == is_switch(task)) {
     if (fanuc) note_switch(task);
     return !fanuc;

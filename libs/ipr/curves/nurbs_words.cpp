@@ -20,7 +20,7 @@ constexpr std::string_view kSurfaceWords = "DJHL";
 bool is_first(const PendingCurve& curve) { return curve.spec.control.empty(); }
 
 void note_order(Task& task, const Word& word) {
-  if (task.options.dialect != Dialect::fanuc || word.value <= kFanucOrder) return;
+  if (!is_fanuc_like(task.options.dialect) || word.value <= kFanucOrder) return;
   if (task.modal.order_reported) return;
   task.modal.order_reported = true;
   task.out.report(Code::SC3113, word.pos,
@@ -166,7 +166,7 @@ void finish_curve(Task& task, PendingCurve& curve) {
 void read_chopping(Task& task) {
   if (!task.values.has('Q')) return;
   const Word& word = task.values.word('Q');
-  if (task.options.dialect == Dialect::fanuc)
+  if (is_fanuc_like(task.options.dialect))
     return task.out.report(Code::SC2004, word.pos, "unused word Q");
   if (task.modal.chopping_reported) return;
   task.modal.chopping_reported = true;
@@ -242,7 +242,7 @@ void check_pending_curve(const Command& command, Dialect dialect, Modal& modal, 
   for (const auto& [code, word] : command.codes()) {
     if (code->group == Group::line_number) continue;
     if (code == modal.motion && goes_on(curve, command)) {
-      if (dialect == Dialect::fanuc && !curve.repeats)
+      if (is_fanuc_like(dialect) && !curve.repeats)
         out.report(Code::SC3105, word->pos, "G06.2 within a curve of G06.2");
       curve.repeats = true;
       if (curve.order_word == 0) curve.order_word = command.values().value_or('P', 0);

@@ -56,18 +56,18 @@ Computed truth(bool value) noexcept { return {value ? 1.0 : 0.0, Trouble::none};
 
 bool are_equal(double left, double right, Dialect dialect) noexcept {
   if (is_vacant(left) || is_vacant(right)) return is_vacant(left) && is_vacant(right);
-  return dialect == Dialect::fanuc ? left == right : std::abs(left - right) < kEqual;
+  return is_fanuc_like(dialect) ? left == right : std::abs(left - right) < kEqual;
 }
 
 /// LinuxCNC: never negative. FANUC: of whole numbers, with the sign of the dividend.
 Computed remainder(double left, double right, Dialect dialect) noexcept {
-  if (dialect == Dialect::fanuc) {
+  if (is_fanuc_like(dialect)) {
     left = std::round(left);
     right = std::round(right);
   }
   if (right == 0) return {0, Trouble::zero_divisor};
   const double rest = std::fmod(left, right);
-  return finite(dialect == Dialect::linuxcnc && rest < 0 ? rest + std::abs(right) : rest);
+  return finite(is_linuxcnc_like(dialect) && rest < 0 ? rest + std::abs(right) : rest);
 }
 
 Computed power(double base, double exponent) noexcept {
@@ -95,7 +95,7 @@ Computed bitwise(OperatorKind kind, double left, double right) noexcept {
 }
 
 Computed logic(OperatorKind kind, double left, double right, Dialect dialect) noexcept {
-  if (dialect == Dialect::fanuc) return bitwise(kind, left, right);
+  if (is_fanuc_like(dialect)) return bitwise(kind, left, right);
   const bool a = left != 0, b = right != 0;
   return truth(kind == O::logic_and ? a && b : kind == O::logic_or ? a || b : a != b);
 }
@@ -121,18 +121,18 @@ double cosine(double degrees) noexcept {
 /// The angle of a point, in degrees: -180 to 180, in FANUC 0 to 360.
 double angle(double y, double x, Dialect dialect) noexcept {
   const double degrees = std::atan2(y, x) / kRadians;
-  return dialect == Dialect::fanuc && degrees < 0 ? degrees + 360 : degrees;
+  return is_fanuc_like(dialect) && degrees < 0 ? degrees + 360 : degrees;
 }
 
 /// In degrees: -90 to 90, in FANUC 270 to 360 for negative ones.
 double arc_sine(double value, Dialect dialect) noexcept {
   const double degrees = std::asin(value) / kRadians;
-  return dialect == Dialect::fanuc && degrees < 0 ? degrees + 360 : degrees;
+  return is_fanuc_like(dialect) && degrees < 0 ? degrees + 360 : degrees;
 }
 
 /// FIX: LinuxCNC rounds down, FANUC towards 0. FUP: up, or away from 0.
 double whole(FunctionKind kind, double value, Dialect dialect) noexcept {
-  const bool down = (kind == F::fix) != (dialect == Dialect::fanuc && value < 0);
+  const bool down = (kind == F::fix) != (is_fanuc_like(dialect) && value < 0);
   return down ? std::floor(value) : std::ceil(value);
 }
 

@@ -35,7 +35,7 @@ struct Operator {
   int linuxcnc_level, fanuc_level;
 
   int level(Dialect dialect) const noexcept {
-    return dialect == Dialect::fanuc ? fanuc_level : linuxcnc_level;
+    return is_fanuc_like(dialect) ? fanuc_level : linuxcnc_level;
   }
 };
 

@@ -57,7 +57,7 @@ double Expression::compared(Read read) {
   const Lexer start = lexer_;
   const double here = read(*this);
   Lexer again = start;
-  const Dialect other = dialect_ == Dialect::fanuc ? Dialect::linuxcnc : Dialect::fanuc;
+  const Dialect other = other_family(dialect_);
   Expression shadow(again, parameters_, other);
   shadow.rounding_ = rounding_;
   shadow.there_ = there_;

@@ -13,60 +13,79 @@ using C = DialectDifference;
 
 constexpr std::array<DialectDifferenceRow, kDialectDifferences> kTable{{
     {C::logic, Code::SC1032, "AND, OR, XOR", "ask whether numbers are 0",
-     "join the bits of whole numbers"},
+     "join the bits of whole numbers", "", "custom macro, arithmetic and logic operation"},
     {C::modulo, Code::SC1032, "MOD", "is never negative",
-     "rounds its operands and has the sign of the first"},
+     "rounds its operands and has the sign of the first", "",
+     "custom macro, arithmetic and logic operation"},
     {C::equality, Code::SC1032, "EQ, NE", "take numbers less than 0.0001 apart as equal",
-     "are exact"},
+     "are exact", "", "custom macro, branch and repetition"},
     {C::angle, Code::SC1033, "ATAN, ASIN", "give -180 to 180 degrees, -90 to 90",
-     "give 0 to 360 degrees, ASIN of a negative number 270 to 360"},
+     "give 0 to 360 degrees, ASIN of a negative number 270 to 360", "",
+     "custom macro, arithmetic and logic operation"},
     {C::whole, Code::SC1033, "FIX, FUP of a negative number", "round down, up",
-     "round towards 0, away from 0"},
+     "round towards 0, away from 0", "", "custom macro, arithmetic and logic operation"},
     {C::round, Code::SC1033, "ROUND in a length or an angle", "gives a whole number",
-     "gives a multiple of 0.001 mm or 0.0001 inch"},
+     "gives a multiple of 0.001 mm or 0.0001 inch", "",
+     "custom macro, arithmetic and logic operation"},
     {C::grouping, Code::SC1034, "AND, OR, XOR beside other operators",
-     "bind looser than all others", "AND binds as *, OR and XOR as +"},
+     "bind looser than all others", "AND binds as *, OR and XOR as +", "",
+     "custom macro, arithmetic and logic operation"},
     {C::vacant, Code::SC1035, "a variable without a value", "is 0",
-     "is vacant: a word with it counts as not written"},
+     "is vacant: a word with it counts as not written", "", "custom macro, variables"},
     {C::assignment, Code::SC1036, "a variable read on the line that assigns to it",
-     "has its value from before", "has the value assigned, if that stands before"},
+     "has its value from before", "has the value assigned, if that stands before", "",
+     "custom macro, processing macro statements"},
     {C::system_variable, Code::SC1037,
      "#2001 to #2400, #3000, #3006, #4001 to #4120, #5001 to #5203", "are variables like others",
-     "are those of the system: tools, alarm, stop, modes, positions"},
+     "are those of the system: tools, alarm, stop, modes, positions", "",
+     "custom macro, system variables"},
     {C::local_variable, Code::SC1038, "#31 to #33 in a called program", "belong to all programs",
-     "belong to the call"},
+     "belong to the call", "", "custom macro, macro call"},
     {C::assigned_offset, Code::SC1039, "an offset assigned to (#5211 to #5382)",
-     "counts from the next code that selects or changes one", "counts at once"},
+     "counts from the next code that selects or changes one", "counts at once", "",
+     "custom macro, system variables"},
     {C::offset_unit, Code::SC1040, "the variable of an offset (#5161 to #5382) in G20", "counts mm",
-     "counts inches"},
-    {C::dwell, Code::SC2120, "G04 P", "counts seconds", "counts milliseconds"},
-    {C::cycle_dwell, Code::SC2121, "P of a canned cycle", "counts seconds", "counts milliseconds"},
+     "counts inches", "", "custom macro, system variables"},
+    {C::dwell, Code::SC2120, "G04 P", "counts seconds", "counts milliseconds",
+     "counts milliseconds, with a decimal point seconds", "dwell (G04); Haas: G04"},
+    {C::cycle_dwell, Code::SC2121, "P of a canned cycle", "counts seconds", "counts milliseconds",
+     "counts milliseconds, with a decimal point seconds",
+     "canned cycles for drilling; Haas: G82, G04"},
+    {C::dwell_with_point, Code::SC2384, "P of a dwell with a decimal point", "counts seconds",
+     "counts milliseconds", "counts seconds", "Haas: G04"},
     {C::work_system_in_g91, Code::SC2122, "G10 L2 in G91", "sets the origin to the values",
-     "adds the values to the origin"},
+     "adds the values to the origin", "", "changing work coordinate systems"},
     {C::tool_value, Code::SC2123, "G10 L1, L10, L11 with R alone", "sets the radius of tool P",
-     "sets the length of offset P (L10) or its wear (L1, L11)"},
+     "sets the length of offset P (L10) or its wear (L1, L11)", "", "tool compensation values"},
     {C::length_number, Code::SC2124, "G43 without H", "takes the length of the tool in the spindle",
-     "takes the last H"},
+     "takes the last H", "", "tool length compensation"},
     {C::zero_radius, Code::SC2125, "G41, G42 with D0",
-     "takes the radius of the tool in the spindle", "takes a radius of 0"},
+     "takes the radius of the tool in the spindle", "takes a radius of 0", "",
+     "tool compensation values"},
     {C::radius_number, Code::SC2130, "G41, G42 without D",
-     "take the radius of the tool in the spindle", "take the last D"},
+     "take the radius of the tool in the spindle", "take the last D", "", "cutter compensation"},
     {C::local_shift, Code::SC2126, "G52 beside G92", "is one and the same shift",
-     "is a shift of its own, which adds to that of G92"},
-    {C::machine_point, Code::SC2127, "G53 with G01", "moves at the feed", "moves as a rapid"},
+     "is a shift of its own, which adds to that of G92", "", "local coordinate system (G52)"},
+    {C::machine_point, Code::SC2127, "G53 with G01", "moves at the feed", "moves as a rapid", "",
+     "machine coordinate system (G53)"},
     {C::old_call, Code::SC2128, "M98 P of five digits or more without L", "calls the program O P",
-     "calls the program of the last four digits, as often as those before them say"},
+     "calls the program of the last four digits, as often as those before them say",
+     "calls the program O P", "subprogram call; Haas: M98"},
     {C::retract, Code::SC2129, "a canned cycle before any G98 or G99", "goes out to R",
-     "goes out to the height at which the first of the series started"},
+     "goes out to the height at which the first of the series started", "",
+     "canned cycles for drilling"},
     {C::feed_out, Code::SC2131, "G74, G84, G89 with G98", "go out at the feed all the way",
-     "go out at the feed to R, where the spindle of a tap turns back, and on as a rapid"},
+     "go out at the feed to R, where the spindle of a tap turns back, and on as a rapid", "",
+     "canned cycles for drilling"},
     {C::entry, Code::SC2132, "the line on which cutter compensation begins",
-     "ends offset from its programmed end", "ends perpendicular to the next move"},
+     "ends offset from its programmed end", "ends perpendicular to the next move", "",
+     "details of cutter compensation"},
     {C::exact_stop, Code::SC2133, "G61", "follows the path exactly, without a stop",
-     "stops at the end of every block"},
+     "stops at the end of every block", "", "exact stop (G09, G61)"},
     {C::named_shift, Code::SC2134, "G92.1 with axes",
      "forgets the shift of all axes, and moves where a motion is in force",
-     "forgets the shift of the axes named, and moves nothing"},
+     "forgets the shift of the axes named, and moves nothing", "",
+     "workpiece coordinate system preset (G92.1)"},
 }};
 
 constexpr bool in_order() {
@@ -76,7 +95,50 @@ constexpr bool in_order() {
 }
 static_assert(in_order());
 
+constexpr std::string_view kNo = "an error", kAsFanuc = "as fanuc", kAsLinuxcnc = "as linuxcnc";
+
+constexpr DialectTraitRow kTraits[] = {
+    {"motion in force at the start",
+     {"none", "none", "none", "G00"},
+     "grbl: gcode.c, gc_init: all modes at 0, G0 among them"},
+    {"`$H`, `$X`, `$$`, `$J=`, `?`, `!`, `~` on lines of their own; `*57` at the end of a line",
+     {kNo, kNo, kNo, "skipped, with one note"},
+     "grbl: Grbl v1.1 Commands; RepRap: G-code, checking"},
+    {"X Y Z I J K R Q without a decimal point",
+     {"units", "units, or by `program.integers` increments", kAsFanuc, "units"},
+     "FANUC: decimal point programming; Haas: setting 162"},
+    {"E right after a number, as in `F600E41`",
+     {"an exponent, an error", "a word", kAsFanuc, kAsLinuxcnc},
+     "FANUC: custom macro, argument specification I"},
+    {"`WH` `EN` `GO` `TH`, and functions by two letters, as in `SI[30]`",
+     {kNo, "the keyword, the function", kAsFanuc, kNo},
+     "FANUC: custom macro, abbreviation of functions and of control statements"},
+    {"K of a canned cycle",
+     {kNo, "number of repetitions", kNo, kNo},
+     "FANUC: canned cycles for drilling; Haas: G81"},
+    {"L of a canned cycle; L0",
+     {"repetitions; an error", "as K; only keeps the words", "repetitions; only keeps the words",
+      kAsLinuxcnc},
+     "Haas: G81"},
+    {"P of G81 and G85, which do not dwell",
+     {kNo, "no effect, with one note", kAsFanuc, kNo},
+     "FANUC: canned cycles for drilling"},
+    {"H beside G41 or G42 without D",
+     {kNo, "an error that asks for D", kAsFanuc, kNo},
+     "FANUC: Series 0-M, tool compensation memory A: H and D are one table"},
+    {"outside corners within cutter compensation",
+     {"an arc", "an arc", "an arc", "an arc"},
+     "LinuxCNC: cutter compensation; FANUC: parameter CCC, straight lines or an arc"},
+};
+
 }  // namespace
+
+std::string_view DialectDifferenceRow::meaning(Dialect dialect) const noexcept {
+  if (is_linuxcnc_like(dialect)) return linuxcnc;
+  return dialect == Dialect::haas && !haas.empty() ? haas : fanuc;
+}
+
+std::span<const DialectTraitRow> dialect_trait_table() noexcept { return kTraits; }
 
 std::span<const DialectDifferenceRow> dialect_difference_table() noexcept { return kTable; }
 
@@ -94,11 +156,13 @@ void DialectDifferences::note(DialectDifference kind, SourcePos pos, std::string
 
 /// "G04 P counts seconds; in the fanuc dialect: counts milliseconds (here and on 2 more lines)"
 std::string DialectDifferences::text_of(const DialectDifferenceRow& row, const Met& met) const {
-  const bool fanuc = dialect_ == Dialect::fanuc;
+  const std::string_view own = row.meaning(dialect_);
+  const Dialect main = other_family(dialect_);
+  const Dialect other = row.meaning(main) != own ? main : other_family(main);
   std::string text = std::string(row.what) + ' ';
-  text += fanuc ? row.fanuc : row.linuxcnc;
-  text += fanuc ? "; in the linuxcnc dialect: " : "; in the fanuc dialect: ";
-  text += fanuc ? row.linuxcnc : row.fanuc;
+  text += own;
+  text += "; in the " + std::string(name(other)) + " dialect: ";
+  text += row.meaning(other);
   text += met.detail;
   const std::size_t more = met.lines.size() - 1;
   if (more > 0)

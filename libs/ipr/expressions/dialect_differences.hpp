@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the dialects contradict each other: the table of it, and the lines of a program that would
-// mean something else in the other one.
+// Where the dialects differ: the tables of it, and the lines of a program that would mean something
+// else in another one.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@
 
 namespace softcnc::ipr {
 
-/// A kind of line that both dialects accept with different meanings. What one of them refuses is
-/// not a difference: there it is an error, and reported as such.
+/// A kind of line that linuxcnc and fanuc, or fanuc and haas, accept with different meanings. What
+/// one of them refuses is not a difference: there it is an error, and reported as such.
 enum class DialectDifference : std::uint8_t {
   logic,
   modulo,
@@ -35,6 +35,7 @@ enum class DialectDifference : std::uint8_t {
   offset_unit,
   dwell,
   cycle_dwell,
+  dwell_with_point,
   work_system_in_g91,
   tool_value,
   length_number,
@@ -49,25 +50,41 @@ enum class DialectDifference : std::uint8_t {
   exact_stop,
   named_shift,
 };
-inline constexpr std::size_t kDialectDifferences = 28;
+inline constexpr std::size_t kDialectDifferences = 29;
 
 struct DialectDifferenceRow {
   DialectDifference kind;
   Code code;
   std::string_view what;             // as written in a program
-  std::string_view linuxcnc, fanuc;  // what it means
+  std::string_view linuxcnc, fanuc;  // what it means; grbl reads as linuxcnc
+  std::string_view haas;             // empty: as fanuc
+  std::string_view source;           // where fanuc's and haas' meaning is written down
+
+  /// Returns what it means in a dialect.
+  std::string_view meaning(Dialect dialect) const noexcept;
 };
 
 /// Returns the table of dialect differences, in the order of their kinds.
 std::span<const DialectDifferenceRow> dialect_difference_table() noexcept;
 
-/// Collects the lines that mean something else in the other dialect, and reports each kind once.
+/// What one of the dialects has, and another refuses or does without.
+struct DialectTraitRow {
+  std::string_view what;
+  std::array<std::string_view, kDialects> does;  // in the order of Dialect
+  std::string_view source;
+};
+
+/// Returns the table of what some dialects have alone.
+std::span<const DialectTraitRow> dialect_trait_table() noexcept;
+
+/// Collects the lines that mean something else in another dialect, and reports each kind once.
 class DialectDifferences {
  public:
   DialectDifferences(Diagnostics& diagnostics, Dialect dialect, bool watching)
       : diagnostics_(diagnostics), dialect_(dialect), watching_(watching) {}
 
   bool watching() const noexcept { return watching_; }
+  void set_dialect(Dialect dialect) noexcept { dialect_ = dialect; }
   /// Records a line of this kind, if watching(); `detail` follows the text of the table.
   void note(DialectDifference kind, SourcePos pos, std::string_view line,
             const std::string& detail = {});

@@ -47,12 +47,27 @@ std::string name_of(const Variable& variable) {
                                : "#<" + shortened(variable.name, kLongestShown) + ">";
 }
 
+const Function* take_function(Lexer& lexer, Dialect dialect) noexcept {
+  const Lexer before = lexer;
+  for (const Function& function : functions()) {
+    if (lexer.take(function.name) && !lexer.at_letter()) return &function;
+    lexer = before;
+  }
+  if (!is_fanuc_like(dialect)) return nullptr;
+  for (const Function& function : functions()) {
+    const bool known = function.kind != FunctionKind::exists && function.name.size() > 2;
+    if (known && lexer.take(function.name.substr(0, 2)) && lexer.peek() == '[') return &function;
+    lexer = before;
+  }
+  return nullptr;
+}
+
 std::string lacks_variable(const Variable& variable, Dialect dialect) {
   const auto is_clock = [&] {
     constexpr std::array kClocks{3001, 3002, 3011, 3012};
     return std::find(kClocks.begin(), kClocks.end(), variable.number) != kClocks.end();
   };
-  const bool clock = dialect == Dialect::fanuc && is_clock();
+  const bool clock = is_fanuc_like(dialect) && is_clock();
   return "there is no variable " + name_of(variable) +
          (clock ? ", a clock: a program does the same whenever it runs" : "");
 }
@@ -208,12 +223,7 @@ std::optional<Variable> Expression::variable() {
 }
 
 double Expression::function(int begin) {
-  for (const Function& function : functions()) {
-    const Lexer before = lexer_;
-    if (!lexer_.take(function.name)) continue;
-    if (!lexer_.at_letter()) return call(function, begin);
-    lexer_ = before;
-  }
+  if (const Function* function = take_function(lexer_, dialect_)) return call(*function, begin);
   return stop_at_next(Code::SC1018, "a function");
 }
 
@@ -251,7 +261,7 @@ bool Expression::take_second_bracket() {
 
 /// ROUND.
 double Expression::rounded(double value, Dialect dialect) const noexcept {
-  const double per_unit = dialect == Dialect::fanuc ? rounding_ : 1;
+  const double per_unit = is_fanuc_like(dialect) ? rounding_ : 1;
   const double whole = std::round(value * per_unit);
   return std::isfinite(whole) ? whole / per_unit : value;
 }

@@ -32,6 +32,10 @@ std::string name_of(const Variable& variable);
 
 /// Returns the message that there is no such variable, and why.
 std::string lacks_variable(const Variable& variable, Dialect dialect);
+
+/// Passes the name of a function and returns it; nullptr, and passes nothing, where none is next.
+/// In the fanuc and haas dialects two letters before a '[' are enough, as in `SI[30]`; EX is EXP.
+const Function* take_function(Lexer& lexer, Dialect dialect) noexcept;
 /// Returns a name in the form in which it is looked up: in lower case, without blanks.
 std::string lower_case(std::string_view name);
 
@@ -124,7 +128,7 @@ class Expression {
   double stop(Code code, int begin, int end, std::string message);
   double stop_at_next(Code code, std::string_view expected);
   int end() const noexcept { return lexer_.end(); }
-  bool is_fanuc() const noexcept { return dialect_ == Dialect::fanuc; }
+  bool is_fanuc() const noexcept { return is_fanuc_like(dialect_); }
 
   Lexer& lexer_;
   const Parameters& parameters_;

@@ -31,14 +31,14 @@ constexpr bool is_fanuc_ordinary(int number) noexcept {
 
 Parameters::Parameters(Dialect dialect)
     : dialect_(dialect),
-      locals_(dialect == Dialect::fanuc ? kFanucLocals : kLocals),
-      first_system_(dialect == Dialect::fanuc ? kFanucFirstKept : kFirstSystem) {
+      locals_(is_fanuc_like(dialect) ? kFanucLocals : kLocals),
+      first_system_(is_fanuc_like(dialect) ? kFanucFirstKept : kFirstSystem) {
   push({});
 }
 
 /// Whether the number is that of a variable that only programs use.
 bool Parameters::is_ordinary(int number) const noexcept {
-  return dialect_ == Dialect::fanuc ? is_fanuc_ordinary(number) : number >= 1 && number < kEnd;
+  return is_fanuc_like(dialect_) ? is_fanuc_ordinary(number) : number >= 1 && number < kEnd;
 }
 
 /// Vacant where nothing has been assigned. Expects an ordinary variable.
@@ -56,7 +56,7 @@ void Parameters::store(int number, double value) {
 }
 
 std::optional<double> Parameters::read(int number) const {
-  if (number == 0 && dialect_ == Dialect::fanuc) return kVacant;
+  if (number == 0 && is_fanuc_like(dialect_)) return kVacant;
   if (probed_point_lost_ && is_touch(number)) return kUnknown;
   if (!refused_.empty() && refused_.contains(number)) return kUnknown;
   if (is_system(number) && system_ != nullptr) {
@@ -65,12 +65,12 @@ std::optional<double> Parameters::read(int number) const {
   }
   if (!is_ordinary(number)) return std::nullopt;
   const double value = stored(number);
-  if (dialect_ == Dialect::fanuc || !is_vacant(value)) return value;
+  if (is_fanuc_like(dialect_) || !is_vacant(value)) return value;
   return number == kDebugSwitch ? 1 : 0;
 }
 
 std::optional<double> Parameters::read_as(int number, Dialect other) const {
-  if (other == Dialect::linuxcnc) {
+  if (is_linuxcnc_like(other)) {
     const auto value = number >= 1 && number < kEnd ? read(number) : std::nullopt;
     return value && is_vacant(*value) ? 0 : value;
   }
@@ -118,7 +118,7 @@ std::optional<double> Parameters::read(std::string_view name) const {
 }
 
 Parameters::Access Parameters::access(int number) const {
-  if (number == 0 && dialect_ == Dialect::fanuc) return Access::read_only;
+  if (number == 0 && is_fanuc_like(dialect_)) return Access::read_only;
   if (is_system(number) && system_ != nullptr && system_->read(number))
     return system_->is_read_only(number) ? Access::read_only : Access::granted;
   return is_ordinary(number) ? Access::granted : Access::no_such;
@@ -177,7 +177,7 @@ void Parameters::lose_all(bool locals) {
 }
 
 void Parameters::lose_probed_point() {
-  if (dialect_ == Dialect::fanuc)
+  if (is_fanuc_like(dialect_))
     probed_point_lost_ = true;
   else
     for (int number = kTouch; number < kTouchEnd; ++number) store(number, kUnknown);

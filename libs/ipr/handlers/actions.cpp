@@ -30,10 +30,6 @@ std::optional<int> known_tool(Task& task, const Word& word) {
   return std::nullopt;
 }
 
-bool counts_milliseconds(const Task& task, const Word& dwell) {
-  return task.options.dialect == Dialect::fanuc && dwell.letter == 'P';
-}
-
 /// The time of G04 in seconds. The fanuc dialect: X or U in seconds, or P in milliseconds.
 double dwell_time(const Task& task, const Word& word) {
   return counts_milliseconds(task, word) ? s_from_ms(word.value) : word.value;
@@ -41,7 +37,7 @@ double dwell_time(const Task& task, const Word& word) {
 
 const Word* dwell_word(const Task& task) {
   for (const char letter : {'P', 'X', 'U'}) {
-    const bool taken = letter == 'P' || task.options.dialect == Dialect::fanuc;
+    const bool taken = letter == 'P' || is_fanuc_like(task.options.dialect);
     if (taken && task.values.has(letter)) return &task.values.word(letter);
   }
   return nullptr;
@@ -57,8 +53,10 @@ bool looks_like_other_unit(const Task& task, const Word& word) {
 
 void check_dwell_unit(Task& task, const Word& word) {
   if (task.modal.dwell_warned || !looks_like_other_unit(task, word)) {
-    if (word.letter == 'P') task.out.note_difference(DialectDifference::dwell, word.pos);
-    return;
+    if (word.letter != 'P') return;
+    const bool by_point = is_fanuc_like(task.options.dialect) && !counts_milliseconds(task, word);
+    return task.out.note_difference(
+        by_point ? DialectDifference::dwell_with_point : DialectDifference::dwell, word.pos);
   }
   const std::string letter(1, word.letter), number = number_text(word.value);
   task.out.report(Code::SC2210, word.pos,
@@ -73,7 +71,7 @@ void check_dwell_unit(Task& task, const Word& word) {
 }  // namespace
 
 void dwell(Task& task) {
-  const bool fanuc = task.options.dialect == Dialect::fanuc;
+  const bool fanuc = is_fanuc_like(task.options.dialect);
   const Word* time = dwell_word(task);
   if (time == nullptr)
     return task.out.report(

@@ -41,7 +41,7 @@ void note_across(Task& task, char across) {
 bool is_well_given(Task& task, const PlaneAxes& axes) {
   const Values& values = task.values;
   const bool radius = values.has('R');
-  if (radius && task.options.dialect == Dialect::fanuc) return true;
+  if (radius && is_fanuc_like(task.options.dialect)) return true;
   if (radius && values.letters().has_any(kOffsetLetters)) {
     task.out.report(Code::SC2106, span_of(values, "IJKR"),
                     code_name(task.code) + " takes R or a centre, not both");

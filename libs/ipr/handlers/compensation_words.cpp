@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kG41Dynamic = 411, kG42 = 420, kG42Dynamic = 421;
 
-bool is_fanuc(const Task& task) { return task.options.dialect == Dialect::fanuc; }
+bool is_fanuc(const Task& task) { return is_fanuc_like(task.options.dialect); }
 
 bool is_dynamic(const GCode& code) {
   return code.number == kG41Dynamic || code.number == kG42Dynamic;
@@ -183,10 +183,23 @@ bool end_contour(Task& task) {
   return true;
 }
 
+/// Old controls have one table for lengths and radii, so that H selects a radius there.
+bool refuse_length_number(Task& task) {
+  const Values& values = task.values;
+  const bool length = !values.has('H') || task.command.has(Group::tool_length);
+  if (!is_fanuc(task) || values.has('D') || length) return false;
+  report_word(task, 'H', Code::SC2231,
+              "H" + number_text(values['H']) + " beside " + code_name(task.code) +
+                  " is the number of a length; the radius is that of D: D" +
+                  number_text(values['H']));
+  return true;
+}
+
 }  // namespace
 
 void compensate(Task& task) {
   const bool on = task.out.compensating();
+  if (refuse_length_number(task)) return;
   if (on && !is_fanuc(task)) return report_twice(task);
   if (!may_start(task)) return;
   const std::optional<double> radius = tool_radius(task);

@@ -11,8 +11,8 @@
 namespace softcnc::ipr {
 namespace {
 
-constexpr int kG73 = 730, kG74 = 740, kG82 = 820, kG83 = 830, kG84 = 840, kG85 = 850, kG86 = 860,
-              kG89 = 890;
+constexpr int kG73 = 730, kG74 = 740, kG81 = 810, kG82 = 820, kG83 = 830, kG84 = 840, kG85 = 850,
+              kG86 = 860, kG89 = 890;
 constexpr double kChipClearance = 0.254;  // mm (0.01 inch): over the last peck, as in RS274
 constexpr double kMostPecks = 1e4;        // of one line: its moves are made at once
 
@@ -22,8 +22,10 @@ bool dwells(const GCode& code) {
   return code.number == kG82 || code.number == kG86 || code.number == kG89;
 }
 
+bool never_dwells(const GCode& code) { return code.number == kG81 || code.number == kG85; }
+
 bool feeds_out(const GCode& code) { return taps(code) || code.number == kG89; }
-bool is_fanuc(const Task& task) { return task.options.dialect == Dialect::fanuc; }
+bool is_fanuc(const Task& task) { return is_fanuc_like(task.options.dialect); }
 
 /// What one line asks for, in mm and programmed coordinates.
 struct Holes {
@@ -46,6 +48,25 @@ bool in_row(const Modal& modal) {
   return modal.motion != nullptr && is_canned_cycle(*modal.motion);
 }
 
+/// FANUC passes over the dwell of a cycle that has none.
+void report_idle_dwell(Task& task, const Word& word) {
+  if (std::exchange(task.modal.idle_dwell_reported, true)) return;
+  task.out.report(Code::SC2230, word.pos,
+                  code_name(task.code) + " does not dwell; its P has no effect");
+}
+
+void keep_dwell(Task& task, CycleWords& words) {
+  if (!task.values.has('P')) return;
+  const Word& word = task.values.word('P');
+  const bool milliseconds = counts_milliseconds(task, word);
+  words.dwell = milliseconds ? s_from_ms(word.value) : word.value;
+  if (never_dwells(task.code)) return is_fanuc(task) ? report_idle_dwell(task, word) : void();
+  if (word.value == 0 || pecks(task.code)) return;
+  task.out.note_difference(is_fanuc(task) && !milliseconds ? DialectDifference::dwell_with_point
+                                                           : DialectDifference::cycle_dwell,
+                           word.pos);
+}
+
 /// Words stay in force from hole to hole as long as the cycle does, in the fanuc dialect as long
 /// as any cycle does. After a code that is not known they may.
 void keep_words(Task& task, const PlaneAxes& axes) {
@@ -56,9 +77,7 @@ void keep_words(Task& task, const PlaneAxes& axes) {
   keep(task, 'R', words.retract, task.modal.mm_per_unit);
   keep(task, across_letter(axes), words.bottom, task.modal.mm_per_unit);
   keep(task, 'Q', words.peck, task.modal.mm_per_unit);
-  keep(task, 'P', words.dwell, is_fanuc(task) ? s_from_ms(1) : 1);
-  if (task.values.value_or('P', 0) != 0 && !pecks(task.code))
-    task.out.note_difference(DialectDifference::cycle_dwell, task.values.word('P').pos);
+  keep_dwell(task, words);
 }
 
 bool has(Task& task, const std::optional<double>& value, char letter, std::string_view what) {
@@ -189,7 +208,7 @@ bool spindle_turns(Task& task) {
 /// How often; FANUC: K, and 0 only keeps the words.
 std::optional<int> repeats(Task& task) {
   const bool fanuc = is_fanuc(task);
-  if (task.values.has('K') && !fanuc) {
+  if (task.values.has('K') && task.options.dialect != Dialect::fanuc) {
     refuse(task, 'K', Code::SC2007, "K repeats a cycle in the fanuc dialect; here L does");
     return std::nullopt;
   }

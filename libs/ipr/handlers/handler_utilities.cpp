@@ -123,6 +123,11 @@ bool has_point(const Task& task, const Word& word) {
   return task.out.text().substr(column, length).find('.') != std::string_view::npos;
 }
 
+bool counts_milliseconds(const Task& task, const Word& dwell) {
+  if (dwell.letter != 'P' || !is_fanuc_like(task.options.dialect)) return false;
+  return task.options.dialect != Dialect::haas || !has_point(task, dwell);
+}
+
 SourcePos place_of(const Task& task, char letter) {
   return task.values.has(letter) ? task.values.word(letter).pos : task.word.pos;
 }
@@ -215,7 +220,7 @@ void begin_motion(Task& task) {
 bool fanuc_goes_home(const Command& command, Dialect dialect) noexcept {
   constexpr int kG28 = 280, kG30 = 300;
   const GCode* code = command.find(Group::non_modal);
-  if (dialect != Dialect::fanuc || code == nullptr) return false;
+  if (!is_fanuc_like(dialect) || code == nullptr) return false;
   return code->number == kG28 || code->number == kG30;
 }
 

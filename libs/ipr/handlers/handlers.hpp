@@ -188,6 +188,9 @@ bool has_near_lengths(Task& task, std::string_view letters);
 SourcePos place_of(const Task& task, char letter);
 /// Returns whether the word is written with a decimal point.
 bool has_point(const Task& task, const Word& word);
+/// Returns whether the word of a dwell counts milliseconds: P in the fanuc dialect, and in the haas
+/// dialect P without a decimal point.
+bool counts_milliseconds(const Task& task, const Word& dwell);
 /// Returns where the axis words lead from the position, in mm and machine coordinates.
 AxisVector end_point(const Task& task);
 /// Records where an offset that has been assigned to makes a difference between the dialects.

@@ -13,7 +13,7 @@ constexpr double kRadPerDegree = std::numbers::pi / 180;
 constexpr int kFanucSystems = 6;  // G54 to G59
 constexpr std::size_t kG593 = kWorkSystems - 1;
 
-bool is_fanuc(const Task& task) { return task.options.dialect == Dialect::fanuc; }
+bool is_fanuc(const Task& task) { return is_fanuc_like(task.options.dialect); }
 
 std::string form(const Task& task) { return "G10 L" + number_text(task.values['L']); }
 

@@ -14,7 +14,7 @@ constexpr int kSecond = 2;  // of G30 P
 bool check_point(Task& task) {
   if (!task.values.has('P')) return true;
   const Word& word = task.values.word('P');
-  const bool may_choose = task.options.dialect == Dialect::fanuc && task.code.number != kG28;
+  const bool may_choose = is_fanuc_like(task.options.dialect) && task.code.number != kG28;
   if (!may_choose) {
     task.out.report(Code::SC2004, word.pos, "P is not used by " + code_name(task.code));
   } else if (word.value != kSecond) {
@@ -34,7 +34,7 @@ LetterSet going(Task& task) {
     if (task.machine.axes[i].present) present.add(letter);
   }
   if (!named.empty()) return named;
-  if (task.options.dialect != Dialect::fanuc) return present;
+  if (!is_fanuc_like(task.options.dialect)) return present;
   task.out.report(Code::SC2005, task.word.pos, code_name(task.code) + " needs the axes that go");
   return {};
 }

@@ -69,7 +69,7 @@ void use_machine_coordinates(Task& task) {
 void set_local_shift(Task& task) {
   if (!names_axes(task)) return;
   Modal& modal = task.modal;
-  const bool own = task.options.dialect == Dialect::fanuc;
+  const bool own = is_fanuc_like(task.options.dialect);
   compare_shift(task);
   AxisVector shift = own ? modal.local_shift : shift_in_force(modal.state);
   for_named_axes(task, [&](int axis, double value) { shift[axis] = value; });
@@ -99,7 +99,7 @@ void name_position(Task& task) {
 void clear_shift(Task& task) {
   const bool named = task.values.letters().has_any(kAxisWords);
   if (named) task.out.note_difference(DialectDifference::named_shift, task.word.pos);
-  if (named && task.options.dialect == Dialect::fanuc) {
+  if (named && is_fanuc_like(task.options.dialect)) {
     for_named_axes(task, [&](int axis, double) {
       task.modal.local_shift[axis] = task.modal.shift_of_g52[axis] = 0;
       task.modal.state.shift[axis] = 0;

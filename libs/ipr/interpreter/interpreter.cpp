@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "ipr/dialects/dialect_guess.hpp"
 #include "ipr/handlers/handlers.hpp"
 #include "ipr/lines/operands.hpp"
 
@@ -79,14 +80,43 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       levels_(modal_),
       flow_(parser, diagnostics,
             {options_.folder, options_.called, machine.program.block_limit, &levels_,
-             options_.unreachable_too}) {
+             options_.unreachable_too}),
+      lengths_(machine.program.integers) {
   modal_.state = std::move(state);
   modal_.update_coordinates();
   modal_.corner_tolerance = modal_.chord_tolerance = machine.control.corner_tolerance;
   parser_.reader().set_stop(options.stop);
-  parser_.configure({options.dialect, options.block_skip, &differences_});
+  use_dialect(options.dialect);
+}
+
+/// Before the first line.
+void Interpreter::use_dialect(Dialect dialect) {
+  options_.dialect = dialect;
+  differences_.set_dialect(dialect);
+  variables_.set_dialect(dialect);
+  parser_.configure({dialect, options_.block_skip, &differences_});
   parser_.parameters().set_system(&variables_);
-  if (options.dialect == Dialect::linuxcnc) parser_.parameters().keep(modal_.state.parameters);
+  if (is_linuxcnc_like(dialect)) parser_.parameters().keep(modal_.state.parameters);
+  if (dialect == Dialect::grbl) modal_.motion = find_gcode('G', 0);
+}
+
+/// By what the program shows of it. False: what a pipe has given so far is not enough.
+bool Interpreter::choose_dialect() {
+  Reader& reader = parser_.reader();
+  reader.do_not_wait();
+  const DialectGuess guess = guess_dialect(reader);
+  if (reader.waiting()) return false;
+  options_.guess_dialect = false;
+  const auto dialect = guess.dialect();
+  if (dialect) use_dialect(*dialect);
+  const std::string chosen =
+      "the program is read in the " + std::string(name(options_.dialect)) + " dialect; ";
+  if (dialect)
+    diagnostics_.report(Code::SC1058, {guess.line(), 0, 1}, chosen + guess.mark() + " shows it",
+                        guess.text());
+  else
+    diagnostics_.report(Code::SC1058, {}, chosen + "its first lines show no other");
+  return true;
 }
 
 /// Before the first line: G-code is read here, commands by their own reader. False: what a pipe has
@@ -100,7 +130,7 @@ bool Interpreter::choose_format() {
     options_.format = format;
   }
   if (options_.format == Format::commands) commands_.emplace(reader, machine_, diagnostics_);
-  return true;
+  return commands_ || !options_.guess_dialect || choose_dialect();
 }
 
 [[gnu::hot]] std::optional<Block> Interpreter::next() {
@@ -152,13 +182,20 @@ bool Interpreter::emit_restored(const ProgramLine& next) {
   return true;
 }
 
+/// As the fanuc and haas dialects count them.
+const ProgramLine& Interpreter::with_lengths(const ProgramLine& line) {
+  const bool in_cycle = modal_.motion != nullptr && is_canned_cycle(*modal_.motion);
+  return lengths_.read(line, {modal_.mm_per_unit, in_cycle, modal_.curve.has_value()});
+}
+
 [[gnu::hot]] void Interpreter::interpret(const ProgramLine& line) {
   if (entering_data_) {
     entering_data_ = is_data(line);
     if (entering_data_) return;
   }
   out_.begin(line);
-  command_.read(line, options_.dialect, out_);
+  command_.read(is_fanuc_like(options_.dialect) ? with_lengths(line) : line, options_.dialect,
+                out_);
   if (modal_.ended) return;  // it is only read
   modal_.unknown |= command_.unknown();
   if (command_.unknown().has(Part::end)) flow_.lose_order();
@@ -185,7 +222,7 @@ bool Interpreter::emit_restored(const ProgramLine& next) {
   if (!modal_.ended) return;
   flow_.finish();
   read_unreachable();
-  differences_.report();
+  report_at_end();
 }
 
 /// A curve over several lines of which one has an error: whether it goes on is not known.
@@ -215,11 +252,11 @@ void Interpreter::lose_motion() noexcept {
 bool Interpreter::fanuc_goes_to_machine_point() const noexcept {
   constexpr int kG53 = 530;
   const GCode* code = command_.find(Group::non_modal);
-  return options_.dialect == Dialect::fanuc && code != nullptr && code->number == kG53;
+  return is_fanuc_like(options_.dialect) && code != nullptr && code->number == kG53;
 }
 
 const GCode* Interpreter::after_g80() const noexcept {
-  return options_.dialect == Dialect::fanuc ? modal_.motion_below : nullptr;
+  return is_fanuc_like(options_.dialect) ? modal_.motion_below : nullptr;
 }
 
 /// Words that no code of the line takes may be meant for the motion in force.
@@ -245,7 +282,7 @@ bool Interpreter::begins_data_input() const noexcept {
   const GCode* code = command_.find(Group::non_modal);
   const double what = command_.values().value_or('L', 0);
   const bool refused = what == 50 || what == 52;
-  return refused && options_.dialect == Dialect::fanuc && code != nullptr && code->number == kG10;
+  return refused && is_fanuc_like(options_.dialect) && code != nullptr && code->number == kG10;
 }
 
 void Interpreter::check_axes() {
@@ -356,6 +393,13 @@ void Interpreter::finish() {
   out_.emit(Action{Action::Kind::end, 30, 0});
   modal_.ended = true;
   read_unreachable();
+  report_at_end();
+}
+
+/// What is reported once, with the number of its lines.
+void Interpreter::report_at_end() {
+  parser_.report_sender_lines();
+  lengths_.report(diagnostics_);
   differences_.report();
 }
 

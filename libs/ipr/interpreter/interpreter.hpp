@@ -14,6 +14,7 @@
 #include "ipr/flow/flow.hpp"
 #include "ipr/handlers/saved_modes.hpp"
 #include "ipr/lines/command.hpp"
+#include "ipr/lines/integer_lengths.hpp"
 #include "ipr/lines/options.hpp"
 #include "ipr/lines/output.hpp"
 #include "ipr/parser/parser.hpp"
@@ -53,6 +54,10 @@ class Interpreter {
  private:
   bool read_on();
   bool choose_format();
+  bool choose_dialect();
+  void use_dialect(Dialect dialect);
+  const ProgramLine& with_lengths(const ProgramLine& line);
+  void report_at_end();
   void interpret(const ProgramLine& line);
   /// Returns the motion in force on a line with G80.
   const GCode* after_g80() const noexcept;
@@ -84,6 +89,7 @@ class Interpreter {
   SavedLevels levels_;
   Flow flow_;
   Command command_;
+  IntegerLengths lengths_;
   std::optional<CommandFile> commands_;  // where the text is not G-code
   bool entering_data_ = false;           // up to G11 lines are passed over
   std::optional<ProgramLine> next_;      // waits for what its blocks come after

@@ -18,7 +18,7 @@ void report_twice(const Word& word, Output& out) {
 
 /// G38.2 to G38.9; G31 of FANUC.
 bool is_probing(const Word& word, Dialect dialect) noexcept {
-  const double code = dialect == Dialect::fanuc ? 31 : 38;
+  const double code = is_fanuc_like(dialect) ? 31 : 38;
   return word.letter == 'G' && std::floor(word.value) == code;
 }
 
@@ -48,18 +48,18 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
 [[gnu::always_inline]] inline void Command::read_code(const Word& word, Dialect dialect,
                                                       Output& out) {
   const GCode* code = find_gcode(word.letter, word.value);
-  const bool of_other = code != nullptr && dialect != Dialect::fanuc && is_of_fanuc(*code);
+  const bool of_other = code != nullptr && !is_fanuc_like(dialect) && is_of_fanuc(*code);
   if (code == nullptr || of_other) {
     out.report(Code::SC2001, word.pos,
                code_name(word.letter, word.value) + " is not supported" +
-                   (of_other ? " in the linuxcnc dialect" : ""));
+                   (of_other ? " in the " + std::string(name(dialect)) + " dialect" : ""));
     unknown_ |= word.letter == 'G' ? Unknown{Part::motion} : set_by("M");
     probes_ = probes_ || is_probing(word, dialect);
     return;
   }
   calls_macro_ = calls_macro(*code);
   if (!has(code->group)) return add(*code, word);
-  if (dialect == Dialect::fanuc && put_above(*code, word)) return;
+  if (is_fanuc_like(dialect) && put_above(*code, word)) return;
   unknown_ |= settled(*code);
   if (code->number == kAnyNumber) return report_twice(word, out);
   out.report(Code::SC2002, word.pos,
@@ -116,7 +116,7 @@ bool Command::put_above(const GCode& cycle, const Word& word) {
 }
 
 void Command::add_lone_letters(Dialect dialect) {
-  if (dialect != Dialect::fanuc || !values_.letters().has_any(kLoneLetters)) return;
+  if (!is_fanuc_like(dialect) || !values_.letters().has_any(kLoneLetters)) return;
   const LetterSet lone = unused(dialect);
   for (const char letter : {'D', 'H'})
     if (lone.has(letter)) add(*find_gcode(letter, 0), values_.word(letter));
@@ -140,7 +140,7 @@ const Word& Command::find_word(Group group) const noexcept {
   LetterSet used;
   for (const CodeWord& code : codes()) {
     used |= LetterSet(code.code->words);
-    if (dialect == Dialect::fanuc) used |= LetterSet(code.code->fanuc_words);
+    if (is_fanuc_like(dialect)) used |= LetterSet(code.code->fanuc_words);
   }
   return values_.letters().without(used);
 }

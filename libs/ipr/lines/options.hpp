@@ -26,6 +26,7 @@ struct InterpreterOptions {
   bool block_skip = false;     // leave out lines that begin with '/'
   bool optional_stop = false;  // M01 stops
   Dialect dialect = Dialect::linuxcnc;
+  bool guess_dialect = false;  // choose the dialect by the text; `dialect` where that shows none
   Format format = Format::automatic;
   bool compare_dialects = false;  // warn where a line means something else in the other one
   bool unreachable_too = false;   // read lines that are never run as well, for their errors

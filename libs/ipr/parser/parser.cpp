@@ -101,6 +101,7 @@ void Parser::read_line(Depth depth) {
   depth_ = depth;
   parameters_.set_line(line_.number);
   if (!is_readable()) return;
+  if (options_.dialect == Dialect::grbl && skip_sender_line()) return;
   read_words();
   if (!assignments_.empty()) apply_assignments();
   line_.words = words_;
@@ -115,6 +116,17 @@ bool Parser::is_readable() {
             "the line is longer than " + std::to_string(Reader::kLongestLine) + " bytes");
   }
   return !given_up_;
+}
+
+/// grbl's senders keep such lines to themselves, and take a checksum off before they send a line.
+/// False: there is something to read.
+bool Parser::skip_sender_line() {
+  const bool whole = is_sender_line(line_.text);
+  const std::size_t star = whole ? 0 : checksum_at(line_.text);
+  if (star == std::string_view::npos) return false;
+  sender_lines_.note({line_.number, static_cast<int>(star) + 1, 1, file_}, line_.text);
+  line_.text = line_.text.substr(0, star);
+  return whole;
 }
 
 /// No line of it can be read, or shown.
@@ -143,7 +155,8 @@ void Parser::refuse_file(std::string_view encoding) {
 
 /// Returns the first token that does not belong to the word.
 Token Parser::read_word(Lexer& lexer, const Token& letter) {
-  if (letter.letter == 'E' && has_word_before(letter.column) && !takes_e(words_.back())) {
+  const bool may_be_exponent = letter.letter == 'E' && is_linuxcnc_like(options_.dialect);
+  if (may_be_exponent && has_word_before(letter.column) && !takes_e(words_.back())) {
     refuse_exponent(lexer, letter);
     return {};
   }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ipr/dialects/sender_lines.hpp"
 #include "ipr/expressions/parameters.hpp"
 #include "ipr/parser/statement_reader.hpp"
 #include "ipr/text/letter_set.hpp"
@@ -73,6 +74,8 @@ class Parser {
   int file() const noexcept { return file_; }
 
   Parameters& parameters() noexcept { return parameters_; }
+  /// Reports the lines for senders that have been skipped so far.
+  void report_sender_lines() { sender_lines_.report(diagnostics_); }
 
   /// Records that an error has left open which lines are executed. From then on an alarm of the
   /// program is skipped, since it may be unreachable.
@@ -101,6 +104,8 @@ class Parser {
   void read_outline();
   Token pass_slash(Lexer& lexer, const Token& token);
   bool is_readable();
+  bool skip_sender_line();
+  bool refuse_sender_line();
   void refuse_file(std::string_view encoding);
   void read_nul(const Token& nul);
   void read_words();
@@ -161,6 +166,7 @@ class Parser {
   std::vector<Word> words_;
   std::string called_;
   ParserOptions options_;
+  SenderLines sender_lines_;
   Parameters parameters_;
   std::vector<Assigned> assignments_;  // of the line; all is read before one takes effect
   std::vector<Assigned> before_;       // what they have replaced on the line

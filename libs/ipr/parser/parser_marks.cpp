@@ -168,7 +168,7 @@ Token Parser::read_mark(Lexer& lexer, const Token& mark) {
 std::optional<Token> Parser::sign_of_program(Lexer& lexer, const Token& mark) const {
   using Kind = Token::Kind;
   const bool possible = mark.kind == Kind::unknown || mark.kind == Kind::macro;
-  if (!possible || options_.dialect != Dialect::fanuc || !only_line_number()) return std::nullopt;
+  if (!possible || !is_fanuc_like(options_.dialect) || !only_line_number()) return std::nullopt;
   const std::string_view text = text_of(line_.text, mark);
   Lexer ahead = lexer;
   const bool named = text == "<" && ahead.take_name() && ahead.peek() == 0;
@@ -187,8 +187,25 @@ bool Parser::is_decimal_comma(const Token& mark, Lexer after) const {
   return is_digit(last) && is_digit(after.peek()) && !is_acting(words_.back().letter);
 }
 
+/// Its first mark is where the line begins.
+bool Parser::refuse_sender_line() {
+  const bool whole = is_sender_line(line_.text);
+  const std::size_t star = checksum_at(line_.text);
+  if (!whole && star == std::string_view::npos) return false;
+  const std::size_t begin = whole ? line_.text.find_first_not_of(" \t") : star;
+  const std::string_view marked = line_.text.substr(begin);
+  const auto length = static_cast<int>(marked.find_last_not_of(" \t") + 1);
+  give_up(Code::SC1054, static_cast<int>(begin) + 1, length,
+          quoted(marked.substr(0, static_cast<std::size_t>(length))) +
+              (whole ? " is a line for a sender of grbl" : " is a checksum of a sender") +
+              "; --dialect grbl skips " + (whole ? "such lines" : "checksums"));
+  return true;
+}
+
 void Parser::refuse_stranger(Lexer& lexer, const Token& stranger) {
   const std::string_view text = text_of(line_.text, stranger);
+  constexpr std::string_view kOfSenders{"$?!~"};
+  if (kOfSenders.find(text) != text.npos && refuse_sender_line()) return;
   if (is_decimal_comma(stranger, lexer))
     return give_up(Code::SC1001, stranger, "unknown character ','; the decimal point is '.'");
   const bool name = text == ":" && only_line_number() && is_digit(lexer.peek());
@@ -233,8 +250,9 @@ Token Parser::read_called(Lexer& lexer, const Token& mark) {
 Token Parser::read_macro(Lexer& lexer, const Token& mark) {
   const std::string_view text = text_of(line_.text, mark);
   if (text == "#") return read_assignment(lexer, mark);
+  if (text == "*" && refuse_sender_line()) return {};
   const bool name = text == "<" && calls_program();
-  const bool fanuc = options_.dialect == Dialect::fanuc;
+  const bool fanuc = is_fanuc_like(options_.dialect);
   if (name && fanuc && line_.called.empty()) return read_called(lexer, mark);
   if (text == "[")
     give_up(Code::SC1007, mark, "'[' has no letter before it");
@@ -259,7 +277,7 @@ Token Parser::read_percent(Lexer& lexer, const Token& percent) {
   }
   started_ = true;
   opened_ = opened_ || file_ == 0;
-  if (options_.dialect == Dialect::fanuc) return {};  // a title may stand after it
+  if (is_fanuc_like(options_.dialect)) return {};  // a title may stand after it
   const Token after = lexer.next();
   if (after.kind != Token::Kind::end)
     give_up(Code::SC1012, percent, "'%' with more after it; it stands on a line of its own");

@@ -176,7 +176,7 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
     note(DialectDifference::system_variable, sign.column, lexer.end() - sign.column);
   if (variable && parameters_.fanuc_unit(variable->number) != 1)
     note(DialectDifference::offset_unit, sign.column, lexer.end() - sign.column);
-  if (variable && is_order(*variable) && options_.dialect == Dialect::fanuc)
+  if (variable && is_order(*variable) && is_fanuc_like(options_.dialect))
     return read_order(lexer, sign, variable->number);
   const SourcePos at{line_.number, sign.column, lexer.end() - sign.column};
   const bool assigns = lexer.peek() == '=';
@@ -185,7 +185,7 @@ Token Parser::read_assignment(Lexer& lexer, const Token& sign) {
                            : access_to(*variable, parameters_) == Parameters::Access::granted);
   if (!expression.broke_off() && !lexer.take('='))
     expression.refuse_next(Code::SC1028, "'=' and a value");
-  const bool bare = options_.dialect == Dialect::fanuc;  // RS274 wants brackets around operators
+  const bool bare = is_fanuc_like(options_.dialect);  // RS274 wants brackets around operators
   expression.compare_with(assigned_there());
   const int begin = lexer.column();
   const double value = expression.broke_off() ? kUnknown
@@ -231,7 +231,7 @@ Token Parser::read_order(Lexer& lexer, const Token& sign, int number) {
 /// LinuxCNC's (ABORT,text), as the last comment of a line that is no statement.
 void Parser::obey_comment(int column) {
   const bool skipped = line_.broken || line_.statement != nullptr || ended_;
-  if (skipped || options_.dialect != Dialect::linuxcnc) return;
+  if (skipped || !is_linuxcnc_like(options_.dialect)) return;
   const std::string_view after = line_.text.substr(static_cast<std::size_t>(column));
   const std::string_view comment = after.substr(0, after.find(')'));
   const auto text = text_of_abort(comment);
@@ -282,9 +282,9 @@ double Parser::within_limit(const Variable& variable, double value, SourcePos at
 
 /// FANUC: an assignment takes effect at once; RS274: when all of the line has been read.
 void Parser::assign(Variable variable, double value) {
-  if (parameters_.watching() && options_.dialect == Dialect::fanuc) keep_before(variable);
+  if (parameters_.watching() && is_fanuc_like(options_.dialect)) keep_before(variable);
   assignments_.push_back({std::move(variable), value});
-  if (options_.dialect == Dialect::fanuc) apply_assignments();
+  if (is_fanuc_like(options_.dialect)) apply_assignments();
 }
 
 /// The value of a variable before the line.
@@ -298,7 +298,7 @@ void Parser::keep_before(const Variable& variable) {
 
 /// What the other dialect reads instead on this line.
 std::span<const Assigned> Parser::assigned_there() const noexcept {
-  return options_.dialect == Dialect::fanuc ? before_ : assignments_;
+  return is_fanuc_like(options_.dialect) ? before_ : assignments_;
 }
 
 void Parser::note(DialectDifference why, int column, int length, const std::string& detail) {

@@ -11,13 +11,8 @@ constexpr LetterSet kLengths{"ABCIJKQRUVWXYZ"};
 constexpr double kPerMm = 1000, kPerInch = 10000;
 
 /// A function's name, followed by its bracket.
-bool is_function(Lexer lexer) {
-  for (const Function& function : functions()) {
-    const Lexer before = lexer;
-    if (lexer.take(function.name) && lexer.peek() == '[') return true;
-    lexer = before;
-  }
-  return false;
+bool is_function(Lexer lexer, Dialect dialect) {
+  return take_function(lexer, dialect) != nullptr && lexer.peek() == '[';
 }
 
 bool take_operator(Lexer& lexer) {
@@ -26,10 +21,10 @@ bool take_operator(Lexer& lexer) {
 }
 
 /// Whether an operator comes next, and after it what it would apply to.
-bool is_operation(Lexer lexer) {
+bool is_operation(Lexer lexer, Dialect dialect) {
   if (!take_operator(lexer)) return false;
   const char operand = lexer.peek();
-  return is_number_part(operand) || operand == '#' || operand == '[' || is_function(lexer);
+  return is_number_part(operand) || operand == '#' || operand == '[' || is_function(lexer, dialect);
 }
 
 }  // namespace
@@ -37,7 +32,8 @@ bool is_operation(Lexer lexer) {
 /// Whether nothing that could be the value of a letter comes after it.
 bool Parser::lacks_value(Lexer after) const {
   const char next = after.peek();
-  return !is_number_part(next) && next != '#' && next != '[' && !is_function(after);
+  return !is_number_part(next) && next != '#' && next != '[' &&
+         !is_function(after, options_.dialect);
 }
 
 /// A word whose value begins with no digit: `first` is the token after its letter.
@@ -46,7 +42,7 @@ Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) 
   Lexer at_value = lexer;
   if (!sign) at_value.back_to(first);
   const char begin = at_value.peek();
-  if (begin == '#' || begin == '[' || is_function(at_value)) {
+  if (begin == '#' || begin == '[' || is_function(at_value, options_.dialect)) {
     lexer.back_to(first);
     return read_expression(lexer, letter);
   }
@@ -62,7 +58,7 @@ Token Parser::read_value(Lexer& lexer, const Token& letter, const Token& first) 
 /// `#1+#2` without brackets is reported as one thing; the value in column `begin` has been read.
 /// False where no operation follows it.
 bool Parser::refuse_operation(Lexer& lexer, int begin) {
-  if (!is_operation(lexer)) return false;
+  if (!is_operation(lexer, options_.dialect)) return false;
   bool broke_off = false;
   while (!broke_off && take_operator(lexer)) {
     Expression operand(lexer, parameters_);
@@ -81,7 +77,7 @@ bool Parser::refuse_operation(Lexer& lexer, int begin) {
 Token Parser::read_expression(Lexer& lexer, const Token& letter) {
   Expression expression(lexer, parameters_);
   const int begin = lexer.column();
-  const bool may_round = options_.dialect == Dialect::fanuc || parameters_.watching();
+  const bool may_round = is_fanuc_like(options_.dialect) || parameters_.watching();
   if (may_round && kLengths.has(letter.letter))
     expression.round_to(parameters_.read("_metric") == 0.0 ? kPerInch : kPerMm);
   expression.compare_with(assigned_there());

@@ -50,6 +50,21 @@ const Keyword* take_keyword(Lexer& lexer) {
   return nullptr;
 }
 
+/// FANUC: the first two letters of WHILE, END and GOTO are enough, if no letter follows.
+bool take_name(Lexer& lexer, std::string_view name, Dialect dialect) {
+  const Lexer before = lexer;
+  if (lexer.take(name)) return true;
+  if (is_fanuc_like(dialect) && lexer.take(name.substr(0, 2)) && !is_letter(lexer.peek()))
+    return true;
+  lexer = before;
+  return false;
+}
+
+/// The same for THEN; a word may follow it.
+bool take_then(Lexer& lexer, Dialect dialect) {
+  return lexer.take("THEN") || (is_fanuc_like(dialect) && lexer.take("TH"));
+}
+
 /// What begins with two letters is no word.
 bool is_word(Lexer lexer) {
   lexer.pass();
@@ -164,7 +179,7 @@ void StatementReader::refuse_signed_label() {
 StatementReader::Found StatementReader::read_after_label(bool by_number) {
   if (broke_off_) return Found::statement;
   const char next = lexer_.peek();
-  const bool may_be_named = parameters_.dialect() == Dialect::fanuc && !statement_.label_computed;
+  const bool may_be_named = is_fanuc_like(parameters_.dialect()) && !statement_.label_computed;
   if (next == 0 && (by_number || may_be_named)) {
     statement_.kind = StatementKind::program;
     return by_number ? Found::program : Found::statement;
@@ -213,18 +228,19 @@ StatementReader::Found StatementReader::read_keyword(SourcePos at) {
   if (lexer_.take("IF")) {
     const int end = lexer_.end();
     if (!is_letter(lexer_.peek())) return read_if();
-    if (lexer_.take("GOTO") || lexer_.take("THEN"))
+    if (take_name(lexer_, "GOTO", parameters_.dialect()) || lexer_.take("THEN"))
       return refuse(at, end, "IF needs a condition between '[' and ']'");
   }
   lexer_ = before;
-  if (lexer_.take("WHILE")) return read_while();
-  if (lexer_.take("GOTO")) return read_jump();
+  const Dialect dialect = parameters_.dialect();
+  if (take_name(lexer_, "WHILE", dialect)) return read_while();
+  if (take_name(lexer_, "GOTO", dialect)) return read_jump();
   if (lexer_.take("DO")) {
     if (is_digit(lexer_.peek())) return read_loop(StatementKind::loop_begin);
     if (lacks_number(lexer_.peek())) return refuse(at, lexer_.end(), "DO needs its number");
   }
   lexer_ = before;
-  if (lexer_.take("END")) {
+  if (take_name(lexer_, "END", dialect)) {
     if (is_digit(lexer_.peek())) return read_loop(StatementKind::loop_end);
     if (lacks_number(lexer_.peek()))
       return refuse(at, lexer_.end(), "END needs the number of its DO");
@@ -244,8 +260,8 @@ StatementReader::Found StatementReader::refuse(SourcePos at, int end, const char
 StatementReader::Found StatementReader::read_if() {
   const bool holds = condition();
   if (broke_off_) return Found::statement;
-  if (lexer_.take("THEN")) return read_then(holds);
-  if (!lexer_.take("GOTO")) {
+  if (take_then(lexer_, parameters_.dialect())) return read_then(holds);
+  if (!take_name(lexer_, "GOTO", parameters_.dialect())) {
     stop_at_next(Code::SC1029, "GOTO or THEN");
     return Found::statement;
   }

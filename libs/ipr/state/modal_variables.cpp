@@ -238,16 +238,16 @@ std::optional<double> ModalVariables::read(int number) const {
   if ((modal_.unknown.has_any(kOffsets) || !knows_unit()) && is_offset(number)) return kUnknown;
   if (const auto offset = offset_variable(number, modal_.state, dialect_))
     return *offset->value / (offset->unit * unit());
-  return dialect_ == Dialect::fanuc ? read_fanuc(number) : read_linuxcnc(number);
+  return is_fanuc_like(dialect_) ? read_fanuc(number) : read_linuxcnc(number);
 }
 
 /// Mm, of the lengths that are kept.
 double ModalVariables::unit() const noexcept {
-  return dialect_ == Dialect::fanuc ? modal_.mm_per_unit : 1;
+  return is_fanuc_like(dialect_) ? modal_.mm_per_unit : 1;
 }
 
 bool ModalVariables::knows_unit() const noexcept {
-  return dialect_ != Dialect::fanuc || !modal_.unknown.has(Part::units);
+  return !is_fanuc_like(dialect_) || !modal_.unknown.has(Part::units);
 }
 
 double ModalVariables::fanuc_unit(int number) const {
@@ -303,17 +303,17 @@ std::optional<double> ModalVariables::read_fanuc(int number) const {
 
 bool ModalVariables::is_offset(int number) const {
   return offset_variable(number, modal_.state, dialect_) ||
-         (dialect_ == Dialect::fanuc && tool_variable(number));
+         (is_fanuc_like(dialect_) && tool_variable(number));
 }
 
 bool ModalVariables::has(int number, Dialect dialect) const {
   if (offset_variable(number, modal_.state, dialect)) return true;
-  return (dialect == Dialect::fanuc ? read_fanuc(number) : read_linuxcnc(number)).has_value();
+  return (is_fanuc_like(dialect) ? read_fanuc(number) : read_linuxcnc(number)).has_value();
 }
 
 bool ModalVariables::is_read_only(int number) const {
   if (is_offset(number)) return false;
-  return dialect_ != Dialect::fanuc ||
+  return !is_fanuc_like(dialect_) ||
          !((number >= kKept && number < kKeptEnd) || number == kNoSingleBlock || number == kNoHold);
 }
 
@@ -325,7 +325,7 @@ double ModalVariables::limit(int number) const {
 
 /// A vacant offset is 0.
 bool ModalVariables::write(int number, double value) {
-  if (!is_offset(number) && dialect_ != Dialect::fanuc) return false;
+  if (!is_offset(number) && !is_fanuc_like(dialect_)) return false;
   unknown_.erase(number);
   if (is_unknown(value) || (is_offset(number) && !knows_unit())) {
     unknown_.insert(number);
@@ -335,7 +335,7 @@ bool ModalVariables::write(int number, double value) {
   }
   if (!is_offset(number)) return write_fanuc(number, value);
   write_offset(number, is_vacant(value) ? 0 : value);
-  modal_.assign_offset(dialect_ == Dialect::fanuc);
+  modal_.assign_offset(is_fanuc_like(dialect_));
   return true;
 }
 

@@ -19,6 +19,8 @@ class ModalVariables final : public SystemVariables {
   ModalVariables(Modal& modal, const Machine& machine, Dialect dialect)
       : modal_(modal), machine_(machine), dialect_(dialect) {}
 
+  void set_dialect(Dialect dialect) noexcept { dialect_ = dialect; }
+
   std::optional<double> read(int number) const override;
   std::optional<double> read(std::string_view name) const override;
   bool has(int number, Dialect dialect) const override;

@@ -39,7 +39,7 @@ std::optional<OffsetVariable> offset_variable(int number, MachineState& state, D
   WorkOffset& work = state.work[static_cast<std::size_t>((number - kWork) / kWorkStep)];
   const int which = (number - kWork) % kWorkStep;
   if (which < kAxes) return OffsetVariable{&work.origin[which]};
-  if (which != kRotation || dialect == Dialect::fanuc) return std::nullopt;
+  if (which != kRotation || is_fanuc_like(dialect)) return std::nullopt;
   return OffsetVariable{&work.rotation, kRadPerDegree, kMostTurned};
 }
 

@@ -11,7 +11,7 @@ std::optional<ToolOffset> ToolTable::find(int number) const {
     tool.radius = found->second.radius;
     return tool;
   }
-  const bool any_number = dialect == Dialect::fanuc || number == 0;
+  const bool any_number = is_fanuc_like(dialect) || number == 0;
   if (any_number || (state.tools.empty() && machine.tools.empty())) return tool;
   return std::nullopt;
 }

@@ -167,10 +167,16 @@ struct HalStream {
   double patience = 5.0;               // s: timeout for a blocked pipe
 };
 
+/// What a length without a decimal point counts in the fanuc and haas dialects: units of G20 or
+/// G21, or the least input increments of these controls, 0.001 mm or 0.0001 inch.
+enum class IntegerUnit : std::uint8_t { units, increments };
+inline constexpr std::array<std::string_view, 2> kIntegerUnitNames{"units", "increments"};
+
 struct ProgramReading {
   int block_limit = 2'000'000;  // lines that one loop, or one call with all it calls, may run
   double motion_limit = 3.6e7;  // s: a program that moves for longer is refused; 0: no limit
   SplineParameter spline_parameter = SplineParameter::chord_length;  // of splines through points
+  IntegerUnit integers = IntegerUnit::units;                         // of lengths without a point
 };
 
 struct Tool {

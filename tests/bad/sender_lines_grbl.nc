@@ -1,0 +1,4 @@
+(expect SC1055 2:1; grbl)
+$H
+X1*57
+M2

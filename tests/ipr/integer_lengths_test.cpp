@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Lengths without a decimal point: when they are told, and what they are as increments.
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include "ipr/interpret.hpp"
+
+namespace softcnc::ipr {
+namespace {
+
+Interpreted run(const std::string& text, Dialect dialect = Dialect::fanuc,
+                IntegerUnit unit = IntegerUnit::units) {
+  InterpreterOptions options;
+  options.dialect = dialect;
+  Machine machine;
+  machine.program.integers = unit;
+  return interpret(text, machine, options);
+}
+
+std::vector<AxisVector> ends(const std::string& text, Dialect dialect = Dialect::fanuc) {
+  std::vector<AxisVector> all;
+  const Interpreted result = run(text, dialect, IntegerUnit::increments);
+  for (const Diagnostic& diagnostic : result.diagnostics) FAIL(render(diagnostic));
+  for (const Block& block : result.blocks)
+    if (const auto* move = std::get_if<Move>(&block.what)) all.push_back(end(move->path));
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a program of whole numbers is told if they look like increments", "[ipr][dialects]") {
+  const Interpreted result = run("G21 G90\nG00 X1000 Y500\nG01 Z-500 F100\nX0\nM30");
+  REQUIRE(places(result) == Places{"SC1057 2:5"});
+  CHECK(result.diagnostics[0].message ==
+        "X1000 without a decimal point is 1000 mm; a control that counts increments goes 1 mm "
+        "(here and on 1 more line)");
+  CHECK(places(run("G20\nG00 X5000\nM30", Dialect::haas)) == Places{"SC1057 2:5"});
+  CHECK(run("G20\nG00 X5000\nM30").diagnostics[0].message ==
+        "X5000 without a decimal point is 5000 inch; a control that counts increments goes 0.5 "
+        "inch");
+}
+
+TEST_CASE("a program that has both kinds of lengths is told", "[ipr][dialects]") {
+  const Interpreted result = run("G0 X10. Y20.\nX5\nG3 X3 I-1 F100\nM30");
+  REQUIRE(places(result) == Places{"SC1057 2:1"});
+  CHECK(result.diagnostics[0].message.ends_with("(here and on 1 more line)"));
+}
+
+TEST_CASE("ordinary programs are not", "[ipr][dialects]") {
+  for (const char* text :
+       {"G0 X10 Y20\nG1 Z-5 F100\nX0\nM30", "G0 X10. Y20.\nG28 Z0\nG3 X20. Y20. I5. J0 F100.\nM30",
+        "G0 X1.\nG4 X3\nG4 P500\nM30", "#1=5\nG0 X1.5\nX#1\nX[#1+2]\nM30",
+        "G0 Z5.\nG91 G99 G81 X1. Z-1. R-2. F100 K300\nM30", "G65 P2 X100 A5\nM30\nO2\nG0 X1.\nM99",
+        "G0 X100.\nG43 H1 Z5.\nT2\nS5000 M3\nN100 G1 F500 X1.\nM30"}) {
+    CAPTURE(text);
+    CHECK(places(run(text)).empty());
+  }
+  CHECK(places(run("G0 X1000 Y0.5\nM30", Dialect::linuxcnc)).empty());
+  CHECK(places(run("G0 X1000 Y0.5\nM30", Dialect::grbl)).empty());
+}
+
+TEST_CASE("every line counts once, whatever the order in which they run", "[ipr][dialects]") {
+  const Interpreted result =
+      run("G91\nM98 P2\n#1=0\nWHILE [#1 LT 5] DO1\nG0 X1\nX.5\n#1=#1+1\nEND1\nM98 P2\nM30\nO2\nG0 "
+          "Y2\nM99");
+  REQUIRE(places(result) == Places{"SC1057 12:4"});
+  CHECK(result.diagnostics[0].message.ends_with("(here and on 1 more line)"));
+}
+
+TEST_CASE("as increments they are thousandths of a mm or ten-thousandths of an inch",
+          "[ipr][dialects]") {
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::haas}) {
+    const auto points = ends(
+        "G21 G90\nG0 X1000 Y500.\nG1 Z-500 F100\nG3 X3000 I1000\nG20 G1 X10000\n#1=2\nG21 X#1\nM30",
+        dialect);
+    REQUIRE(points.size() == 5);
+    CHECK(near(points[0], {1, 500, 0}));
+    CHECK(near(points[1], {1, 500, -0.5}));
+    CHECK(near(points[2], {3, 500, -0.5}));
+    CHECK(near(points[3], {25.4, 500, -0.5}));
+    CHECK(near(points[4], {2, 500, -0.5}));
+  }
+}
+
+TEST_CASE("increments are the lengths alone", "[ipr][dialects]") {
+  const auto points = ends(
+      "G0 Z10.\nG99 G83 X1000 Z-2000 R1000 Q1500 K2 F100\nG80\nG4 P500\nM98 P2 L2\nM30\nO2\nG0 "
+      "Y3000\nM99");
+  REQUIRE_FALSE(points.empty());
+  CHECK(near(points.back(), {1, 3, 1}));
+  double deepest = 0;
+  for (const AxisVector& point : points) deepest = std::min(deepest, point.z());
+  CHECK(deepest == Approx(-2));
+}
+
+TEST_CASE("linuxcnc and grbl have units whatever the machine", "[ipr][dialects]") {
+  for (const Dialect dialect : {Dialect::linuxcnc, Dialect::grbl}) {
+    const Interpreted result = run("G0 X7\nM2", dialect, IntegerUnit::increments);
+    CHECK(end(std::get<Move>(result.blocks[0].what).path).x() == 7);
+  }
+}
+
+}  // namespace softcnc::ipr
