@@ -8,6 +8,7 @@
 
 #include "motion/core/diagnostic.hpp"
 #include "motion/geometry/path.hpp"
+#include "motion/model/machine_code.hpp"
 #include "motion/roughness/roughness_request.hpp"
 
 namespace softcnc {
@@ -23,9 +24,9 @@ struct Move {
   bool rapid = false;  // G00: only axis limits bind
   double feed = 0;     // mm/s along the path, as programmed; unused for rapids
   PathMode path_mode = PathMode::follow;
-  double corner_tolerance = 0;    // mm: how far the next joint may be rounded (G64 P)
-  double chord_tolerance = 0;     // mm: how far merged chords may deviate (G64 Q)
-  bool feed_override = true;      // false: the feed is as programmed, whatever the override (M49)
+  double corner_tolerance = 0;  // mm: how far the next joint may be rounded (G64 P)
+  double chord_tolerance = 0;   // mm: how far merged chords may deviate (G64 Q)
+  bool feed_override = true;    // false: the feed is as programmed, whatever the override (M49)
   std::optional<Surface> surface{};  // of G06.4, on cutting moves
   bool exact = false;                // requested by G61, G61.1 or G09: no corner may be rounded
 };
@@ -43,10 +44,12 @@ struct Dwell {
 
 /// Something that happens at rest, between moves.
 struct Action {
-  enum class Kind : std::uint8_t { tool, spindle, coolant, stop, end };
+  enum class Kind : std::uint8_t { tool, spindle, coolant, stop, end, output };
   Kind kind;
-  int code = 0;      // the number of its M code (M03: 3; S alone: 0)
-  double value = 0;  // tool number; spindle speed in rpm, signed (positive: M03, clockwise)
+  int code = 0;       // the number of its M code (M03: 3; S alone: 0)
+  double value = 0;   // tool number; spindle speed in rpm, signed (positive: M03, clockwise); of an
+                      // output; coolant by an M code of the machine: the code that it stands for
+  OutputPort port{};  // of an output
 };
 
 struct Block {
