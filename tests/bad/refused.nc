@@ -1,11 +1,5 @@
-(expect SC2114 2:1, SC2114 3:1, SC2114 5:1, SC2114 6:1, SC2114 7:1, SC2114 8:1, SC2114 10:1)
+(expect SC2114 2:1, SC2114 3:1)
 G33 Z-5 K1
 G76 P1 Z-10 I-1 J0.2 K0.5
 (where the axes are is not known)
-M62 P1
-M66 P0 L3 Q5
-M68 E0 Q5
-M52
-M53 P0
-M53 P1
 M30

@@ -47,12 +47,17 @@ Places expected_places(const std::string& expectation) {
   return all;
 }
 
-/// "; axes XZ": the machine has these only. "; limit 1000": its loops run so many lines.
+/// "; axes XZ": the machine has these only. "; limit 1000": its loops run so many lines. ";
+/// inputs": it has a digital and an analog input, which are 0.
 Machine machine_for(const std::string& expectation) {
   Machine machine;
   const std::string limit = "; limit ";
   if (const std::size_t at = expectation.find(limit); at != std::string::npos)
     machine.program.block_limit = std::stoi(expectation.substr(at + limit.size()));
+  if (expectation.find("; inputs") != std::string::npos) {
+    machine.inputs["door"].kind = SignalKind::digital;
+    machine.inputs["adaptive-feed"].kind = SignalKind::analog;
+  }
   const std::string key = "; axes ";
   const std::size_t found = expectation.find(key);
   if (found == std::string::npos) return machine;

@@ -171,7 +171,7 @@ TEST_CASE("what an error has left uncertain is not held against later lines", "[
   CHECK(places(interpret("T--1\nM06\nM30\n")) == Places{"SC1003 1:2"});
   CHECK(places(interpret("G0X--#1\nX+-[1] Q1.2.3\nM30\n")) == Places{"SC1003 1:4", "SC1003 2:2"});
   CHECK(places(interpret("S1E3\nM03\nM30\n")) == Places{"SC1006 1:1"});
-  CHECK(places(interpret("M66E0L0\nM30\n")) == Places{"SC2114 1:1"});  // its E is a word
+  CHECK(places(interpret("M66E0L0\nM30\n")) == Places{"SC2241 1:4"});  // its E is a word
   CHECK(places(interpret("F100\nG99.1 X5\nG03 X9 I1\nM30\n")) == Places{"SC2001 2:1"});
   CHECK(places(interpret("F100 G91\nG01 X1$\nG90 G02 Y1 R.1\nM30\n")) == Places{"SC1001 2:7"});
 }

@@ -26,7 +26,7 @@ int write_blocks(runtime::Program& program, const Machine& machine, const Option
   ipr::Parser parser(reader, diagnostics);
   ipr::Interpreter interpreter(parser, machine, diagnostics, reading, std::move(*state));
   StandardOutput out;
-  BlockJson json;
+  BlockJson json(&machine.outputs);
   const auto take = [&](const Block& block) {
     out.write(json(block, diagnostics.file(block.source.file)));
     return out.ok();

@@ -23,8 +23,15 @@ std::string_view name(Plane plane) {
 }
 
 std::string_view name(Action::Kind kind) {
-  constexpr std::array<std::string_view, 5> names{"tool", "spindle", "coolant", "stop", "end"};
+  constexpr std::array<std::string_view, 6> names{"tool", "spindle", "coolant",
+                                                  "stop", "end",     "output"};
   return names[static_cast<std::size_t>(kind)];
+}
+
+/// What an M code of the machine switches, by the code that it stands for.
+std::string_view coolant_of(int code) {
+  constexpr int kMist = 7, kFlood = 8;
+  return code == kMist ? "mist" : code == kFlood ? "flood" : "off";
 }
 
 /// Without what the way through mm has rounded.
@@ -80,6 +87,19 @@ void BlockJson::write(const Action& action) {
   if (action.code > 0) value("\"code\":", action.code);
   if (action.kind == Action::Kind::tool) value("\"tool\":", action.value);
   if (action.kind == Action::Kind::spindle) value("\"rpm\":", action.value);
+  if (action.kind == Action::Kind::coolant && action.value > 0)
+    word("\"coolant\":", coolant_of(static_cast<int>(action.value)));
+  if (action.kind == Action::Kind::output) write_output(action);
+}
+
+void BlockJson::write_output(const Action& action) {
+  const OutputPort& port = action.port;
+  if (outputs_ != nullptr)
+    if (const auto named = find_port(*outputs_, port.kind, port.number); named != outputs_->end())
+      word("\"output\":", named->first);
+  word("\"signal\":", name(port.kind));
+  value("\"number\":", port.number);
+  value("\"value\":", action.value);
 }
 
 void BlockJson::details(const Arc& arc) {

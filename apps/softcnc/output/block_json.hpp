@@ -14,6 +14,9 @@ namespace softcnc::app {
 /// what does not move stands where the last move ended.
 class BlockJson {
  public:
+  /// `outputs` give their names to blocks that set them, and must outlive this; nullptr: none do.
+  explicit BlockJson(const OutputPorts* outputs = nullptr) noexcept : outputs_(outputs) {}
+
   /// Valid until the next call; ends with a newline. `file`: of a block of another file than the
   /// program's own.
   std::string_view operator()(const Block& block, const std::string& file = {});
@@ -39,7 +42,9 @@ class BlockJson {
   void details(const Arc& arc);
   void details(const Nurbs& nurbs);
   void write(const Surface& surface);
+  void write_output(const Action& action);
 
+  const OutputPorts* outputs_;
   TextBuffer text_;
   AxisVector last_ = AxisVector::Zero();  // the place written last, most often the next `from`
   TextBuffer last_text_;                  // how it is written; empty before the first

@@ -96,6 +96,21 @@ void add_axes(Json& report, const Machine& machine, const JobResult& result) {
   report["settled_counts"] = counts(machine, result.settled);
 }
 
+void add_outputs(Json& report, const Machine& machine, const runtime::TimeSheet& sheet) {
+  if (machine.outputs.empty()) return;
+  Json list = Json::array();
+  for (const runtime::OutputEvent& event : sheet.outputs) {
+    const auto port = find_port(machine.outputs, event.port.kind, event.port.number);
+    Json output{{"t_s", event.t}, {"line", event.source.line}};
+    if (!event.file.empty()) output["file"] = event.file;
+    output["output"] = port == machine.outputs.end() ? std::string() : port->first;
+    output["value"] = event.value;
+    list.push_back(std::move(output));
+  }
+  report["outputs"] = std::move(list);
+  if (sheet.outputs_left_out > 0) report["outputs_left_out"] = sheet.outputs_left_out;
+}
+
 void add_punctuality(Json& report, const runtime::Punctuality& punctuality) {
   const runtime::Lateness& lateness = punctuality.lateness;
   Json figures{{"periods", lateness.wakeups()},
@@ -136,6 +151,7 @@ std::string report_json(Job& job, const JobResult& result) {
     if (outcome.contour) add_contour(*outcome.contour, report);
     report["time_by_limit_s"] = time_by_limit(outcome);
     add_times(report, outcome);
+    add_outputs(report, job.machine, outcome.time_sheet);
     add_axes(report, job.machine, result);
     report["planner_nodes"] = outcome.planner.nodes;
     report["planner_passes"] = outcome.planner.passes;

@@ -16,8 +16,9 @@ using Json = nlohmann::ordered_json;
 /// "at corners", "for a dwell", ...
 std::string_view reason(runtime::RestCause cause) {
   constexpr std::array<std::string_view, runtime::kRestCauses> reasons{
-      "at corners",      "for a dwell", "for a tool", "for the spindle",
-      "for the coolant", "at a stop",   "on hold",    "where no faster plan was found"};
+      "at corners",      "for a dwell",     "for a tool",
+      "for the spindle", "for the coolant", "at a stop",
+      "at an output",    "on hold",         "where no faster plan was found"};
   return reasons[static_cast<std::size_t>(cause)];
 }
 

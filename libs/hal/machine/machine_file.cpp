@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "hal/files/text_file.hpp"
+#include "hal/machine/device_keys.hpp"
 #include "hal/machine/machine_confinement.hpp"
 #include "hal/machine/machine_keys.hpp"
 #include "hal/machine/machine_loader.hpp"
@@ -123,20 +124,24 @@ tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_val
     values.push_back({path, value_text(ref, loaded->machine), std::string(ref.key->unit),
                       origin_of(*loaded, path), std::string(ref.key->meaning)});
   }
+  for (const DeviceValue& value : device_values(loaded->machine))
+    values.push_back({value.path, value.value, std::string(value.key->unit),
+                      origin_of(*loaded, value.path), std::string(value.key->meaning)});
   return values;
 }
 
 std::string machine_toml(const Machine& machine) {
   Machine copy = machine;
   std::string text, section;
-  for (const KeyRef& ref : all_instances(machine)) {
-    const std::string path = path_of(ref);
+  const auto add = [&](const std::string& path, const std::string& value) {
     const auto dot = path.rfind('.');
     const std::string table = dot == path.npos ? "" : path.substr(0, dot);
     if (table != section) text += "\n[" + table + "]\n";
     section = table;
-    text += path.substr(dot + 1) + " = " + value_text(ref, copy) + '\n';
-  }
+    text += path.substr(dot + 1) + " = " + value + '\n';
+  };
+  for (const KeyRef& ref : all_instances(machine)) add(path_of(ref), value_text(ref, copy));
+  for (const DeviceValue& value : device_values(machine)) add(value.path, value.value);
   return text;
 }
 

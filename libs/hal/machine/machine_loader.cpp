@@ -10,6 +10,7 @@
 
 #include "hal/files/axis_name.hpp"
 #include "hal/files/number.hpp"
+#include "hal/machine/device_keys.hpp"
 #include "motion/core/spelling.hpp"
 #include "motion/core/units.hpp"
 #include "motion/core/utf8.hpp"
@@ -137,7 +138,9 @@ void MachineLoader::take(const TomlEntry& entry, const TextLines& lines, const s
   const auto at = [&](const SourcePos& pos) {
     return GivenAt{name, pos, std::string(lines[pos.line])};
   };
-  if (is_section(entry.path)) {
+  if (is_device_path(entry.path)) {
+    take_device(entry, lines, name);
+  } else if (is_section(entry.path)) {
     if (entry.table) return;
     is_doubtful_ = true;
     fail(Code::SC7004, at(entry.value_pos), entry.path + " must be a table");
@@ -175,6 +178,9 @@ void MachineLoader::set(const std::string& setting) {
     return fail(Code::SC7011, place_in(setting, value), "a setting reads KEY=VALUE");
   if (!is_utf8(value))
     return fail(Code::SC7002, place_in(setting, value), "not TOML: a value that is not UTF-8");
+  if (is_device_path(key))
+    return set_device(std::string(key), std::string(value), place_in(setting, key),
+                      place_in(setting, value));
   const auto ref = find_key(key);
   if (!ref) {
     is_doubtful_ = true;
@@ -197,6 +203,7 @@ LoadedOrErrors MachineLoader::finish() {
   if (!is_doubtful_) {
     check_periods();
     for (int axis = 0; axis < kAxes; ++axis) check_travel(axis);
+    check_devices();
     const Control& control = loaded_.machine.control;
     const bool steps =
         control.backend == BackendKind::stepdir || control.backend == BackendKind::parport;

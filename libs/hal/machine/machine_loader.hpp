@@ -47,9 +47,15 @@ class MachineLoader {
                 const std::string& name);
   void take(const TomlEntry& entry, const TextLines& lines, const std::string& name);
   void take(const KeyRef& ref, const FileValue& value, GivenAt place);
+  void take_device(const TomlEntry& entry, const TextLines& lines, const std::string& name);
+  bool take_device_table(const std::string& path, GivenAt place);
+  void take_device_value(const std::string& path, const FileValue& value, GivenAt place);
+  void set_device(const std::string& key, const std::string& value, const GivenAt& key_place,
+                  GivenAt value_place);
   void keep_named_axes(const std::vector<TomlEntry>& entries);
   void check_periods();
   void check_travel(int index);
+  void check_devices();
   void check_method();
   void check_rough_period();
   void check_averages();

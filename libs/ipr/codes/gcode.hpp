@@ -81,6 +81,9 @@ std::string_view group_name(Group group) noexcept;
 /// Returns the row of a word, or nullptr if softcnc does not know the code.
 const GCode* find_gcode(char letter, double value) noexcept;
 
+/// Returns the row of an M code in the rows of the machine's own (machine_codes()), or nullptr.
+const GCode* find_machine_code(std::span<const GCode> codes, double value) noexcept;
+
 /// The letters of words that are codes; is_code_letter() returns whether a word of this letter is a
 /// code, rather than a value for one.
 inline constexpr LetterSet kCodeLetters{"GMFSTNO"};

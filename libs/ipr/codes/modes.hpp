@@ -38,6 +38,7 @@ struct Modes {
   bool zero_feed = false;               // the feed is not set since F was 0
   bool feed_override = true;            // off: M49, M50 P0, and within taps
   bool speed_override = true;           // off: M49, M51 P0, and within taps; there is none
+  double adaptive_feed = 1;             // of M52 P1: the feed is multiplied by it
   std::optional<double> spindle_speed;  // rpm, as programmed by S, within the machine's range
   int spindle_direction = 0;            // 1: M03, -1: M04, 0: at rest
   bool mist = false, flood = false;     // coolant

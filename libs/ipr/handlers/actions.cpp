@@ -134,9 +134,11 @@ void name_tool(Task& task) {
   emit_action(task, Action::Kind::tool, *number);
 }
 
-void turn_spindle(Task& task) {
-  constexpr int kM03 = 30, kM04 = 40;
-  task.modal.spindle_direction = task.code.number == kM03 ? 1 : (task.code.number == kM04 ? -1 : 0);
+void turn_spindle(Task& task) { turn_spindle_as(task, m_number(task)); }
+
+void turn_spindle_as(Task& task, int number) {
+  constexpr int kM03 = 3, kM04 = 4;
+  task.modal.spindle_direction = number == kM03 ? 1 : (number == kM04 ? -1 : 0);
   const bool on = task.modal.spindle_direction != 0;
   if (on && !task.modal.spindle_speed)
     task.out.report(Code::SC2203, task.word.pos,
@@ -145,12 +147,14 @@ void turn_spindle(Task& task) {
   emit_action(task, Action::Kind::spindle, on ? task.modal.spindle_direction * speed : 0);
 }
 
-void switch_coolant(Task& task) {
-  constexpr int kM07 = 70, kM08 = 80;
-  const int number = task.code.number;
+void switch_coolant(Task& task) { switch_coolant_as(task, m_number(task)); }
+
+void switch_coolant_as(Task& task, int number) {
+  constexpr int kM07 = 7, kM08 = 8;
   task.modal.mist = number == kM07 || (number == kM08 && task.modal.mist);
   task.modal.flood = number == kM08 || (number == kM07 && task.modal.flood);
-  emit_action(task, Action::Kind::coolant);
+  const bool own = m_number(task) == number;
+  emit_action(task, Action::Kind::coolant, own ? 0 : number);
 }
 
 void stop_program(Task& task) { emit_action(task, Action::Kind::stop); }

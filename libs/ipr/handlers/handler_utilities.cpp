@@ -154,7 +154,7 @@ SourcePos place_of(const Task& task, char letter) {
 [[gnu::hot]] Move cutting_move(const Modal& modal, Path&& path, double feed) {
   return {std::move(path),
           false,
-          feed,
+          feed * modal.adaptive_feed,
           path_mode_of(modal),
           modal.corner_tolerance,
           modal.chord_tolerance,

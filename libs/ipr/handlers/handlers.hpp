@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "ipr/codes/axis_letters.hpp"
 #include "ipr/codes/gcode.hpp"
@@ -100,9 +101,18 @@ void restore_modes(Task& task);
 
 // refused.cpp
 void refuse_thread(Task& task);
-void refuse_signal(Task& task);
 void refuse_rigid_tapping(Task& task);
+
+// signals.cpp
+void set_digital_output(Task& task);
+void set_analog_output(Task& task);
+void read_input(Task& task);
 void switch_input(Task& task);
+
+// machine_codes.cpp
+/// Returns a row for each M code of the machine, by number. Their words are texts of `machine`,
+/// which must outlive them.
+std::vector<GCode> machine_codes(const Machine& machine);
 
 // point_words.cpp
 void control_points(Task& task);
@@ -150,6 +160,10 @@ void change_tool(Task& task);
 void name_tool(Task& task);
 void turn_spindle(Task& task);
 void switch_coolant(Task& task);
+/// Turns the spindle as M03, M04 or M05 (3 to 5) does.
+void turn_spindle_as(Task& task, int number);
+/// Switches the coolant as M07, M08 or M09 (7 to 9) does.
+void switch_coolant_as(Task& task, int number);
 void stop_program(Task& task);
 void stop_optionally(Task& task);
 void end_program(Task& task);

@@ -29,15 +29,4 @@ void refuse_rigid_tapping(Task& task) {
   task.modal.unknown.add(Part::spindle);
 }
 
-/// M62 to M68.
-void refuse_signal(Task& task) {
-  report(task, "softcnc has no inputs and outputs that a program could read or set");
-}
-
-/// M52 and M53: P0 asks for what is so anyway.
-void switch_input(Task& task) {
-  if (task.values.value_or('P', 1) != 0)
-    report(task, "softcnc has no input that could change or stop the feed; P0 is accepted");
-}
-
 }  // namespace softcnc::ipr

@@ -81,11 +81,13 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       flow_(parser, diagnostics,
             {options_.folder, options_.called, machine.program.block_limit, &levels_,
              options_.unreachable_too}),
+      machine_codes_(machine_codes(machine)),
       lengths_(machine.program.integers) {
   modal_.state = std::move(state);
   modal_.update_coordinates();
   modal_.corner_tolerance = modal_.chord_tolerance = machine.control.corner_tolerance;
   parser_.reader().set_stop(options.stop);
+  command_.set_machine_codes(machine_codes_);
   use_dialect(options.dialect);
 }
 
@@ -330,6 +332,14 @@ void Interpreter::execute() {
     act(task);
   }
   modal_.machine_coordinates = modal_.stops_once = false;
+  if (modal_.input_value) keep_input();
+}
+
+/// What M66 has read is in #5399 of the linuxcnc dialect; fanuc has no such variable.
+void Interpreter::keep_input() {
+  const double value = *std::exchange(modal_.input_value, std::nullopt);
+  constexpr int kInput = 5399;
+  if (options_.dialect == Dialect::linuxcnc) parser_.parameters().write(kInput, value);
 }
 
 /// A code that is refused is so whatever its words.
@@ -361,6 +371,7 @@ void Interpreter::act(Task& task) {
 
 /// A code that cannot act, or has reported an error; of a move it may be known where it ends.
 [[gnu::cold]] void Interpreter::skip(Task& task) {
+  if (task.code.act == read_input) modal_.input_value = kUnknown;
   Unknown parts = results(task.code, command_);
   if (task.code.group == Group::motion && follow_unmade_move(task))
     parts = parts.without(kPosition);

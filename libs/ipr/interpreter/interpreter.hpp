@@ -70,6 +70,7 @@ class Interpreter {
   bool has_unknown_operand(const GCode& code) const noexcept;
   void act(Task& task);
   void skip(Task& task);
+  void keep_input();
   void leave_curve();
   void lose_motion() noexcept;
   void leave_contour();
@@ -88,6 +89,7 @@ class Interpreter {
   ModalVariables variables_;
   SavedLevels levels_;
   Flow flow_;
+  std::vector<GCode> machine_codes_;
   Command command_;
   IntegerLengths lengths_;
   std::optional<CommandFile> commands_;  // where the text is not G-code

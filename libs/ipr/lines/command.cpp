@@ -8,6 +8,7 @@
 
 #include "ipr/lines/operands.hpp"
 #include "ipr/text/text_errors.hpp"
+#include "motion/model/machine_code.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -22,6 +23,22 @@ bool is_probing(const Word& word, Dialect dialect) noexcept {
   return word.letter == 'G' && std::floor(word.value) == code;
 }
 
+bool may_be_of_machine(const Word& word) noexcept {
+  return word.letter == 'M' && word.value > 0 && word.value <= kLastMachineCode &&
+         word.value == std::floor(word.value);
+}
+
+/// The three lines of a machine file that define this M code. Words of its line that seldom belong
+/// to another code are taken for its own.
+std::string lines_of_machine(const Word& code, std::span<const Word> words) {
+  std::string letters;
+  for (const Word& word : words)
+    if (LetterSet("PQELRH").has(word.letter) && letters.find(word.letter) == letters.npos)
+      letters += word.letter;
+  return "; if the machine has it, its machine file says so in three lines: [mcode." +
+         number_text(code.value) + "] | do = \"ignore\" | words = \"" + letters + "\"";
+}
+
 }  // namespace
 
 void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
@@ -33,6 +50,7 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
   probes_ = calls_macro_ = false;
   below_cycle_ = nullptr;
   called_ = line.called;
+  words_ = line.words;
   for (const Word& word : line.words) {
     is_code_letter(word.letter) ? read_code(word, dialect, out) : read_value(word, out);
     if (!calls_macro_) continue;
@@ -48,11 +66,10 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
 [[gnu::always_inline]] inline void Command::read_code(const Word& word, Dialect dialect,
                                                       Output& out) {
   const GCode* code = find_gcode(word.letter, word.value);
+  if (code == nullptr && word.letter == 'M') code = find_machine_code(machine_codes_, word.value);
   const bool of_other = code != nullptr && !is_fanuc_like(dialect) && is_of_fanuc(*code);
   if (code == nullptr || of_other) {
-    out.report(Code::SC2001, word.pos,
-               code_name(word.letter, word.value) + " is not supported" +
-                   (of_other ? " in the " + std::string(name(dialect)) + " dialect" : ""));
+    report_unknown(word, of_other ? name(dialect) : std::string_view{}, out);
     unknown_ |= word.letter == 'G' ? Unknown{Part::motion} : set_by("M");
     probes_ = probes_ || is_probing(word, dialect);
     return;
@@ -64,6 +81,14 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
   if (code->number == kAnyNumber) return report_twice(word, out);
   out.report(Code::SC2002, word.pos,
              code_name(*code) + " conflicts with another code of its group on this line");
+}
+
+[[gnu::cold]] void Command::report_unknown(const Word& word, std::string_view dialect,
+                                             Output& out) {
+  std::string message = code_name(word.letter, word.value) + " is not supported";
+  if (!dialect.empty()) message += " in the " + std::string(dialect) + " dialect";
+  if (dialect.empty() && may_be_of_machine(word)) message += lines_of_machine(word, words_);
+  out.report(Code::SC2001, word.pos, std::move(message));
 }
 
 /// After G65 and its like only P and L are words of the line's own.

@@ -43,6 +43,9 @@ class Command {
     const Word* word;
   };
 
+  /// Sets the rows of the machine's M codes, which must outlive the command.
+  void set_machine_codes(std::span<const GCode> codes) noexcept { machine_codes_ = codes; }
+
   /// Sorts the words of a line. Reports codes that are unknown or exclude each other, and words
   /// given twice.
   void read(const ProgramLine& line, Dialect dialect, Output& out);
@@ -79,12 +82,15 @@ class Command {
 
  private:
   void read_code(const Word& word, Dialect dialect, Output& out);
+  void report_unknown(const Word& word, std::string_view dialect, Output& out);
   void read_value(const Word& word, Output& out);
   void read_arguments(std::span<const Word> words, Output& out);
   void check_program_number(const ProgramLine& line, Output& out);
   void add(const GCode& code, const Word& word);
   bool put_above(const GCode& cycle, const Word& word);
 
+  std::span<const GCode> machine_codes_;
+  std::span<const Word> words_;  // of the line
   Values values_;
   std::array<CodeWord, kGroups> codes_{};  // no group twice
   std::size_t count_ = 0;

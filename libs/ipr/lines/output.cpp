@@ -13,13 +13,26 @@ namespace softcnc::ipr {
   source_ = diagnostics_.in_calls(source_);
   failed_ = false;
   errors_ = 0;
-  if (!closed_) kept_ = blocks_.size();
+  if (closed_) return;
+  kept_ = blocks_.size();
+  kept_before_move_ = before_move_.size();
 }
 
 void Output::end() {
   if (closed_) return;
-  if (failed_) drop();
+  if (failed_) {
+    drop();
+    before_move_.erase(before_move_.begin() + static_cast<std::ptrdiff_t>(
+                                                  std::min(kept_before_move_, before_move_.size())),
+                       before_move_.end());
+  }
   if (compensation_.on()) compensate();
+}
+
+void Output::emit_waiting() {
+  for (Made& action : before_move_) blocks_.push_back(std::move(action));
+  before_move_.clear();
+  kept_before_move_ = 0;
 }
 
 /// Hands over the blocks of the line.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "ipr/compensation/compensation.hpp"
@@ -51,13 +52,19 @@ class Output {
   }
   template <typename What>
   void emit(What&& what, SourcePos source) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<What>, Move>)
+      if (!before_move_.empty()) emit_waiting();
     blocks_.emplace_back(std::forward<What>(what), source);
   }
+
+  /// Emits an action when the next move is emitted, right before it; never if none is.
+  void emit_before_move(const Action& action) { before_move_.emplace_back(action, source_); }
 
   /// Emits a block of the lines before, which stays even if this line fails. Requires that this
   /// line has emitted nothing yet.
   template <typename What>
   void emit_before(What&& what, SourcePos source) {
+    if (!before_move_.empty()) emit_waiting();
     blocks_.emplace_back(std::forward<What>(what), source);
     kept_ = blocks_.size();
   }
@@ -84,6 +91,7 @@ class Output {
 
   std::optional<Block> pop_compensated();
   std::optional<Block> pop_own();
+  void emit_waiting();
   void compensate();
   void drop();  // the blocks of the line
 
@@ -91,6 +99,8 @@ class Output {
   DialectDifferences& differences_;
   std::vector<Made> blocks_;  // those before next_ are gone
   std::size_t next_ = 0, kept_ = 0;
+  std::vector<Made> before_move_;     // actions that wait for the next move
+  std::size_t kept_before_move_ = 0;  // those of the lines before
   int popped_ = 0, errors_ = 0;
   SourcePos source_;
   std::string_view text_;

@@ -9,6 +9,7 @@
 #include "ipr/codes/gcode.hpp"
 #include "ipr/codes/modes.hpp"
 #include "ipr/state/coordinates.hpp"
+#include "ipr/state/simulated_inputs.hpp"
 #include "ipr/state/unknown.hpp"
 #include "ipr/text/letter_set.hpp"
 #include "motion/geometry/nurbs.hpp"
@@ -104,6 +105,9 @@ struct Modal : Modes {
   CycleWords cycle;
   std::vector<std::optional<SavedModes>> saved{1};  // by level of calls
   std::optional<Restored> restored;
+
+  SimulatedInputs inputs;
+  std::optional<double> input_value;  // that M66 of this line has read, for #5399
 
   Unknown unknown;  // what errors have left open
 

@@ -8,6 +8,7 @@
 
 #include "motion/core/diagnostic.hpp"
 #include "motion/geometry/path.hpp"
+#include "motion/model/machine_code.hpp"
 #include "motion/roughness/roughness_request.hpp"
 
 namespace softcnc {
@@ -44,10 +45,12 @@ struct Dwell {
 
 /// Something that happens at rest, between moves.
 struct Action {
-  enum class Kind : std::uint8_t { tool, spindle, coolant, stop, end };
+  enum class Kind : std::uint8_t { tool, spindle, coolant, stop, end, output };
   Kind kind;
-  int code = 0;      // the number of its M code (M03: 3; S alone: 0)
-  double value = 0;  // tool number; spindle speed in rpm, signed (positive: M03, clockwise)
+  int code = 0;       // the number of its M code (M03: 3; S alone: 0)
+  double value = 0;   // tool number; spindle speed in rpm, signed (positive: M03, clockwise); of an
+                      // output; coolant by an M code of the machine: the code that it stands for
+  OutputPort port{};  // of an output
 };
 
 struct Block {

@@ -19,7 +19,8 @@
 
 #include "motion/core/axes.hpp"
 #include "motion/geometry/spline.hpp"
-#include "motion/model/method.hpp"  // IWYU pragma: export
+#include "motion/model/machine_code.hpp"  // IWYU pragma: export
+#include "motion/model/method.hpp"        // IWYU pragma: export
 #include "motion/roughness/roughness_request.hpp"
 
 namespace softcnc {
@@ -205,6 +206,9 @@ struct Machine {
   Surfacing surfacing;
   Stock stock;
   std::map<int, Tool> tools;
+  std::map<int, MachineCode> m_codes;  // by number: those of its builder or user
+  OutputPorts outputs;
+  InputPorts inputs;
 };
 
 /// Returns the time, s, over which methods that accelerate after interpolation average the

@@ -21,6 +21,8 @@ std::optional<RestCause> cause_of(const Block& block) {
       return RestCause::coolant;
     case Action::Kind::stop:
       return RestCause::stop;
+    case Action::Kind::output:
+      return RestCause::output;
     case Action::Kind::end:
       return std::nullopt;
   }
@@ -36,8 +38,8 @@ double lost_in(const ipo::Profile::Span& span, double feed) {
 }  // namespace
 
 std::string_view name(RestCause cause) noexcept {
-  constexpr std::array<std::string_view, kRestCauses> names{"corner",  "dwell", "tool", "spindle",
-                                                            "coolant", "stop",  "hold", "planning"};
+  constexpr std::array<std::string_view, kRestCauses> names{
+      "corner", "dwell", "tool", "spindle", "coolant", "stop", "output", "hold", "planning"};
   return names[static_cast<std::size_t>(cause)];
 }
 
@@ -52,7 +54,7 @@ ToolTime& TimeKeeper::tool() {
 
 void TimeKeeper::add(const ipo::TimedBlock& timed, double until, double feed_override) {
   const Move* move = timed.move();
-  if (move == nullptr) pass(timed.block);
+  if (move == nullptr) pass(timed);
   timed.profile.for_each_span(until, [&](const ipo::Profile::Span& span) {
     if (move != nullptr) return add(*move, span, feed_override);
     tool().dwell += span.t1 - span.t0;
@@ -60,12 +62,21 @@ void TimeKeeper::add(const ipo::TimedBlock& timed, double until, double feed_ove
 }
 
 /// A block that does not move.
-void TimeKeeper::pass(const Block& block) {
+void TimeKeeper::pass(const ipo::TimedBlock& timed) {
+  const Block& block = timed.block;
   if (const auto cause = cause_of(block); rests_ && cause) rest_for(*cause);
   rests_ = rests_at_corner_ = false;
   const auto* action = std::get_if<Action>(&block.what);
   if (action != nullptr && action->kind == Action::Kind::tool)
     tool_ = static_cast<int>(action->value);
+  if (action != nullptr && action->kind == Action::Kind::output) keep_output(*action, timed);
+}
+
+void TimeKeeper::keep_output(const Action& action, const ipo::TimedBlock& timed) {
+  if (sheet_.outputs.size() < kMostOutputEvents)
+    sheet_.outputs.push_back({timed.t_start, timed.block.source, action.port, action.value});
+  else
+    ++sheet_.outputs_left_out;
 }
 
 void TimeKeeper::add(const Move& move, const ipo::Profile::Span& span, double feed_override) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,10 +21,14 @@ enum class RestCause : std::uint8_t {
   spindle,   // M03, M04, M05, and S while it turns
   coolant,   // M07, M08, M09
   stop,      // M00, M01, M60
+  output,    // M62 to M65, M67, M68
   hold,      // a feed hold, or an override of 0
   planning,  // no faster plan was found: planner_fallbacks
 };
-inline constexpr std::size_t kRestCauses = 8;
+inline constexpr std::size_t kRestCauses = 9;
+
+/// Later events are counted only, so that memory stays bounded.
+inline constexpr std::size_t kMostOutputEvents = 10'000;
 
 /// Returns the report's word: "corner", "dwell", ...
 std::string_view name(RestCause cause) noexcept;
@@ -53,10 +58,21 @@ struct CornerCost {
   double tolerance = 0;    // mm: P and Q of the G64 that does it
 };
 
+/// An output that the program has set.
+struct OutputEvent {
+  double t = 0;  // s from the start of the motion, of the plan
+  SourcePos source;
+  OutputPort port;
+  double value = 0;
+  std::string file{};  // empty: the program itself
+};
+
 struct TimeSheet {
   std::vector<ToolTime> tools;  // in the order in which they come
   std::array<std::int64_t, kRestCauses> rests{};
   CornerRests corners;
+  std::vector<OutputEvent> outputs;  // the first kMostOutputEvents
+  std::int64_t outputs_left_out = 0;
   std::optional<CornerCost> corner_cost{};  // where corner_cost.hpp has planned the program again
 
   std::int64_t rests_by(RestCause cause) const noexcept {
@@ -74,7 +90,8 @@ class TimeKeeper {
 
  private:
   ToolTime& tool();
-  void pass(const Block& block);
+  void pass(const ipo::TimedBlock& timed);
+  void keep_output(const Action& action, const ipo::TimedBlock& timed);
   void add(const Move& move, const ipo::Profile::Span& span, double feed_override);
   void add_lost(const Move& move, double seconds);
   void come_to_rest(const ipo::Profile::Span& span);

@@ -12,6 +12,7 @@
 #include "runtime/program/descriptor.hpp"
 #include "runtime/realtime/realtime_cycle.hpp"
 #include "runtime/session/channel.hpp"
+#include "runtime/session/output_events.hpp"
 #include "runtime/session/verification.hpp"
 #include "runtime/sinks/contour_rows.hpp"
 
@@ -118,6 +119,7 @@ class Simulation {
       : input_(input),
         channel_(reader, input, machine, options, diagnostics),
         backend_(backend),
+        backend_kind_(machine.control.backend),
         realtime_(realtime),
         buffer_(realtime ? nullptr : &backend),
         batch_(batch_of(machine)),
@@ -164,6 +166,7 @@ class Simulation {
   Panel panel_;
   Channel channel_;
   hal::Backend& backend_;
+  BackendKind backend_kind_;
   RealtimeCycle* realtime_;
   RowBuffer buffer_;
   std::size_t batch_;           // rows
@@ -290,6 +293,7 @@ void Simulation::keep_times() {
   const RunTimes& times = channel_.end_times();
   outcome_.time_by_limit = times.by_limit();
   outcome_.time_sheet = times.sheet();
+  settle_outputs(outcome_.time_sheet, backend_kind_, diagnostics_);
   if (line_times_) outcome_.line_times = times.lines().times();
   outcome_.worst_lines =
       times.lines().worst(worst_lines_, [this](int file) { return diagnostics_.file(file); });

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/session/output_events.hpp"
+
+#include <string>
+
+namespace softcnc::runtime {
+
+void settle_outputs(TimeSheet& sheet, BackendKind backend, Diagnostics& diagnostics) {
+  for (OutputEvent& event : sheet.outputs)
+    if (event.source.file != 0) event.file = diagnostics.file(event.source.file);
+  const bool moves_a_machine = backend != BackendKind::none && backend != BackendKind::sim;
+  if (sheet.outputs.empty() || !moves_a_machine) return;
+  const auto count = static_cast<std::int64_t>(sheet.outputs.size()) + sheet.outputs_left_out;
+  diagnostics.report(Code::SC5050, {},
+                     "the program sets outputs " + std::to_string(count) +
+                         (count == 1 ? " time" : " times") + ", which backend " +
+                         std::string(name(backend)) + " does not pass on");
+}
+
+}  // namespace softcnc::runtime

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The outputs that a program has set, at the end of its run.
+#pragma once
+
+#include "motion/model/machine.hpp"
+#include "runtime/figures/time_sheet.hpp"
+
+namespace softcnc::runtime {
+
+/// Names the files of the events, and reports once if the backend moves a machine whose outputs it
+/// does not set: SC5050. No backend of softcnc sets outputs; the simulated mill has none.
+void settle_outputs(TimeSheet& sheet, BackendKind backend, Diagnostics& diagnostics);
+
+}  // namespace softcnc::runtime
