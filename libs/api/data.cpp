@@ -41,6 +41,11 @@ RunSetup::RunSetup(const RunOptions& options, runtime::Program* program) {
   channel_.interpreter.optional_stop = options.optional_stop;
   channel_.interpreter.dialect =
       options.dialect == Dialect::fanuc ? ipr::Dialect::fanuc : ipr::Dialect::linuxcnc;
+  channel_.interpreter.subprogram_folders = options.subprogram_folders;
+  for (const auto& [name, value] : options.definitions) {
+    const auto known = ipr::parse_definition(name + "=0");
+    channel_.interpreter.definitions.push_back({known ? known->name : name, value});
+  }
   for (const auto& constraint : options.constraints) {
     if (!constraint) continue;
     constraints_.push_back(std::make_unique<CustomConstraint>(constraint));

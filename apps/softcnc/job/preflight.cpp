@@ -25,6 +25,8 @@ ipr::InterpreterOptions interpreter_options(const Options& options, const std::s
   interpreter.dialect = options.dialect;
   interpreter.format = options.format;
   interpreter.folder = folder;
+  interpreter.subprogram_folders = options.subprogram_folders;
+  interpreter.definitions = options.definitions;
   return interpreter;
 }
 

@@ -13,6 +13,7 @@
 #include "hal/machine/machine_keys.hpp"
 #include "hal/machine/machine_loader.hpp"
 #include "hal/machine/machine_value.hpp"
+#include "motion/model/subprogram_path.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -117,6 +118,7 @@ tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_val
     const std::string& file, std::span<const std::string> settings) {
   auto loaded = load_file(file, settings);
   if (!loaded) return tl::make_unexpected(std::move(loaded.error()));
+  loaded->machine = with_whole_paths(std::move(loaded->machine));
   std::vector<EffectiveValue> values;
   for (const KeyRef& ref : all_instances(loaded->machine)) {
     const std::string path = path_of(ref);
@@ -126,8 +128,9 @@ tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_val
   return values;
 }
 
-std::string machine_toml(const Machine& machine) {
-  Machine copy = machine;
+namespace {
+
+std::string toml_of(Machine machine, bool explained) {
   std::string text, section;
   for (const KeyRef& ref : all_instances(machine)) {
     const std::string path = path_of(ref);
@@ -135,9 +138,31 @@ std::string machine_toml(const Machine& machine) {
     const std::string table = dot == path.npos ? "" : path.substr(0, dot);
     if (table != section) text += "\n[" + table + "]\n";
     section = table;
-    text += path.substr(dot + 1) + " = " + value_text(ref, copy) + '\n';
+    if (explained) text += "# " + std::string(ref.key->meaning) + '\n';
+    text += path.substr(dot + 1) + " = " + value_text(ref, machine) + '\n';
   }
   return text;
+}
+
+}  // namespace
+
+std::string machine_toml(const Machine& machine) { return toml_of(machine, false); }
+
+std::string readable_machine_toml(const Machine& machine, bool explained) {
+  return "# A machine of softcnc. Units are in the names of the keys; docs/machine.md says what "
+         "they mean.\n\n" +
+         toml_of(with_whole_paths(machine), explained);
+}
+
+Machine with_whole_paths(Machine machine) {
+  std::vector<std::string> whole;
+  for (const std::string& folder : subprogram_path(machine.program)) {
+    std::error_code unreadable;
+    const auto path = std::filesystem::absolute(folder, unreadable);
+    whole.push_back(unreadable ? folder : path.lexically_normal().string());
+  }
+  machine.program.path = std::move(whole);
+  return machine;
 }
 
 std::string key_table() {

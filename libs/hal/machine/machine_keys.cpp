@@ -64,6 +64,7 @@ template <auto Member, std::size_t axis>
 int& axis_pin(Machine& machine, int) {
   return (machine.parallel_port.*Member)[axis];
 }
+std::vector<std::string>& subprogram_folders(Machine& machine, int) { return machine.program.path; }
 std::string& stream_file(Machine& machine, int) { return machine.hal_stream.file; }
 
 template <auto Part, auto Member>
@@ -244,6 +245,8 @@ const MachineKey kKeys[] = {
      NumberKey{in_part<&Machine::program, &ProgramReading::motion_limit>, s_from_h, h_from_s, at_least_0(1e9)}},
     {"program.spline_parameter", "", "parameter of splines through points: the length of the chords between them, or the same from each point to the next",
      choice_in<&Machine::program, &ProgramReading::spline_parameter>(kSplineParameterNames)},
+    {"program.path", "", "folders of subprograms, looked through in this order after the folder of the program and those of --subprograms; relative ones count from the folder of the machine file",
+     ListKey{subprogram_folders}},
 
     {"tool.*.radius_mm", "mm", "radius of the cutter",
      NumberKey{in_tool<&Tool::radius>, same, same, length_or_0(1e4)}},

@@ -9,6 +9,7 @@
 
 #include "ipr/handlers/handlers.hpp"
 #include "ipr/lines/operands.hpp"
+#include "motion/model/subprogram_path.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -60,6 +61,15 @@ Unknown axes_of(const std::vector<AxisVector>& points) noexcept {
   return axes;
 }
 
+Folders folders_of(const InterpreterOptions& options, const ProgramReading& reading) {
+  Folders folders{options.folder};
+  const std::vector<std::string> of_machine = subprogram_path(reading);
+  folders.insert(folders.end(), options.subprogram_folders.begin(),
+                 options.subprogram_folders.end());
+  folders.insert(folders.end(), of_machine.begin(), of_machine.end());
+  return folders;
+}
+
 bool is_straight(const GCode& code) noexcept {
   constexpr int kG01 = 10;
   return code.letter == 'G' && code.number <= kG01;
@@ -78,8 +88,8 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       variables_(modal_, machine, options.dialect),
       levels_(modal_),
       flow_(parser, diagnostics,
-            {options_.folder, options_.called, machine.program.block_limit, &levels_,
-             options_.unreachable_too}) {
+            {folders_of(options_, machine.program), options_.called, machine.program.block_limit,
+             &levels_, options_.unreachable_too}) {
   modal_.state = std::move(state);
   modal_.update_coordinates();
   modal_.corner_tolerance = modal_.chord_tolerance = machine.control.corner_tolerance;
@@ -87,6 +97,18 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
   parser_.configure({options.dialect, options.block_skip, &differences_});
   parser_.parameters().set_system(&variables_);
   if (options.dialect == Dialect::linuxcnc) parser_.parameters().keep(modal_.state.parameters);
+  parser_.parameters().keep(modal_.state.globals);
+  for (const Definition& definition : options_.definitions) define(definition);
+}
+
+void Interpreter::define(const Definition& definition) {
+  if (parser_.parameters().define(definition.name, definition.value)) return;
+  const std::string shown = shown_name(definition);
+  diagnostics_.report({.code = Code::SC2318,
+                       .message = shown +
+                                  " cannot be defined: it is no variable that outlives calls "
+                                  "and belongs to programs",
+                       .file = "--define"});
 }
 
 /// Before the first line: G-code is read here, commands by their own reader. False: what a pipe has

@@ -171,6 +171,8 @@ struct ProgramReading {
   int block_limit = 2'000'000;  // lines that one loop, or one call with all it calls, may run
   double motion_limit = 3.6e7;  // s: a program that moves for longer is refused; 0: no limit
   SplineParameter spline_parameter = SplineParameter::chord_length;  // of splines through points
+  std::vector<std::string> path;  // folders of subprograms, after that of the program
+  std::string path_base;          // from where they count; empty: from the working folder
 };
 
 struct Tool {
