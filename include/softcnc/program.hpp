@@ -3,6 +3,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,6 +50,11 @@ struct RunOptions {
   Dialect dialect = Dialect::linuxcnc;
   bool block_skip = false;     // leave out lines that begin with '/'
   bool optional_stop = false;  // M01 stops
+  /// Folders of called files, after that of the program and before `program.path` of the machine.
+  std::vector<std::string> subprogram_folders;
+  /// Variables that are set before the first line: "_td" is #<_td>, "100" is #100. A name that no
+  /// program could assign to is reported when the program is read (SC2318).
+  std::map<std::string, double> definitions;
   /// Limits beyond those of the machine.
   std::vector<std::shared_ptr<const Constraint>> constraints;
 };

@@ -42,6 +42,11 @@ RunSetup::RunSetup(const RunOptions& options, runtime::Program* program) {
   channel_.interpreter.guess_dialect = options.dialect == Dialect::automatic;
   if (options.dialect != Dialect::automatic)
     channel_.interpreter.dialect = ipr::kAllDialects[static_cast<std::size_t>(options.dialect)];
+  channel_.interpreter.subprogram_folders = options.subprogram_folders;
+  for (const auto& [name, value] : options.definitions) {
+    const auto known = ipr::parse_definition(name + "=0");
+    channel_.interpreter.definitions.push_back({known ? known->name : name, value});
+  }
   for (const auto& constraint : options.constraints) {
     if (!constraint) continue;
     constraints_.push_back(std::make_unique<CustomConstraint>(constraint));

@@ -45,6 +45,8 @@ Expected<Machine> Machine::with(const std::vector<std::string>& settings) const 
 }
 
 double Machine::period() const noexcept { return data_->machine.control.period; }
-std::string Machine::toml() const { return hal::machine_toml(data_->machine); }
+std::string Machine::toml() const {
+  return hal::machine_toml(hal::with_whole_paths(data_->machine));
+}
 
 }  // namespace softcnc::api

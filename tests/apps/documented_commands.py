@@ -91,6 +91,7 @@ STANDS_FOR = {
     "softcnc pulses FILE": "softcnc pulses arc.vcd",
     "softcnc pulses FILE [--machine M.toml] [--backend parport]":
         "softcnc pulses arc.vcd --machine programs/machines/bench_mill.toml",
+    "softcnc machine import FILE": "softcnc machine import programs/settings/router.txt",
     "softcnc codes [CODE...]": "softcnc codes G02 SC2103",
     "softcnc report RUN -o F.html": "softcnc report programs/03_arc.nc -o F.html",
     "softcnc report FILE -o PAGE.html": "softcnc report programs/03_arc.nc -o PAGE.html",

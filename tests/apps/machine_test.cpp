@@ -29,10 +29,10 @@ TEST_CASE("machine shows each value with its unit and where it comes from", "[ap
     }
     return std::string();
   };
-  CHECK(words_of("axis.x.velocity_mm_min") == "axis.x.velocity_mm_min = 6000 mm/min mill.toml:2");
-  CHECK(words_of("axis.y.velocity_mm_min") == "axis.y.velocity_mm_min = 15000 mm/min default");
-  CHECK(words_of("control.period_ms") == "control.period_ms = 2 ms --set");
-  CHECK(words_of("control.backend") == "control.backend = \"none\" --set");
+  CHECK(words_of("axis.x.velocity_mm_min") == "axis.x.velocity_mm_min = 6000 # mm/min mill.toml:2");
+  CHECK(words_of("axis.y.velocity_mm_min") == "axis.y.velocity_mm_min = 15000 # mm/min default");
+  CHECK(words_of("control.period_ms") == "control.period_ms = 2 # ms --set");
+  CHECK(words_of("control.backend") == "control.backend = \"none\" # --set");
   CHECK(words_of("axis.z.velocity_mm_min").empty());
 }
 

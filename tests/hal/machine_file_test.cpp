@@ -69,6 +69,8 @@ bool identical(Machine a, Machine b) {
       return choice->get(a) == choice->get(b);
     if (const auto* point = std::get_if<PointKey>(&key.value))
       return point->place(a, index) == point->place(b, index);
+    if (const auto* list = std::get_if<ListKey>(&key.value))
+      return list->place(a, index) == list->place(b, index);
     return std::get<TextKey>(key.value).place(a, index) ==
            std::get<TextKey>(key.value).place(b, index);
   };
@@ -720,6 +722,8 @@ TEST_CASE("a machine reads back from its text bit for bit", "[hal][machine][prop
       }
       if (std::holds_alternative<PointKey>(key.value))
         return *rc::gen::element<std::string>("[]", "[1, -2.5, 1e-3]");
+      if (std::holds_alternative<ListKey>(key.value))
+        return *rc::gen::element<std::string>("[]", R"(["a b", "/c\"d\\", "ü"])");
       return "\"a \\\" \\\\ \\u0007 ü\"";
     };
     std::string text = *rc::gen::element<std::string>("", "[axis.x]\n", "[axis.x]\n[axis.z]\n");

@@ -117,12 +117,44 @@ TEST_CASE("parameters that are 0 need not be stated", "[hal][state]") {
   CHECK(state_toml(state) == state_toml({}));
 }
 
+TEST_CASE("named globals are numbers of the state", "[hal][state]") {
+  MachineState state;
+  state.globals = {{"_td", 3}, {"_zero", 0}, {"_a.b \\\"ü", -1e-3}};
+  const std::string text = state_toml(state);
+  CHECK(text.ends_with("\n[parameter]\n\"_a.b \\\\\\\"ü\" = -0.001\n_td = 3\n_zero = 0\n"));
+  MachineState plain = state;
+  plain.globals.erase("_a.b \\\"ü");
+  plain.globals["_a.b\\\"ü"] = -1e-3;  // without blanks, as programs read names
+  const auto back = parse_state(text, "mill.state");
+  REQUIRE(back);
+  CHECK(*back == plain);
+  const auto capitals = parse_state("schema = 1\n[parameter]\n_TD = 3.5\n500 = 1\n", "a");
+  REQUIRE(capitals);
+  CHECK(capitals->globals == std::map<std::string, double>{{"_td", 3.5}});
+  CHECK(capitals->parameters == std::map<int, double>{{500, 1.0}});
+}
+
+TEST_CASE("a name that is no global is refused with its place", "[hal][state]") {
+  CHECK(begins_showing(refused("[parameter]\ntd = 3\n"),
+                       "mill.state:3:1: error: unknown key 'parameter.td': ... [SC7015]"));
+  CHECK(begins_showing(refused("[parameter]\n_ = 3\n"), "mill.state:3:1: error: ... [SC7015]"));
+  CHECK(
+      begins_showing(refused("[parameter]\n\"_a>\" = 3\n"), "mill.state:3:1: error: ... [SC7015]"));
+  CHECK(begins_showing(refused("[parameter]\n_td = \"a\"\n"),
+                       "mill.state:3:7: error: parameter._td takes a number [SC7004]"));
+  CHECK(begins_showing(refused("[parameter]\n_td = inf\n"), "mill.state:3:7: error: ... [SC7005]"));
+  CHECK(begins_showing(refused("[parameter]\n_td = 1\n_TD = 2\n"),
+                       "mill.state:4:1: error: '_td' is given twice [SC7012]"));
+}
+
 TEST_CASE("what is wrong with a state file is reported with its place", "[hal][state]") {
   CHECK(refused("[work.G54]\nx = 3\n") ==
         "mill.state:3:1: error: unknown key 'work.G54.x' [SC7015]\n"
         "    3 | x = 3\n      | ^\n");
   CHECK(refused("[parameter]\n30 = 3\n")
-            .starts_with("mill.state:3:1: error: unknown key 'parameter.30' [SC7015]\n"));
+            .starts_with("mill.state:3:1: error: unknown key 'parameter.30': a parameter is a "
+                         "number from 31 to 5999, or the name of a global variable, which begins "
+                         "with '_' [SC7015]\n"));
   CHECK(refused("[work.G60]\n")
             .starts_with("mill.state:2:7: error: unknown key 'work.G60' [SC7015]\n"));
   CHECK(refused("[g28]\nx_mm = \"a\"\n")

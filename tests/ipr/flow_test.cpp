@@ -374,7 +374,9 @@ TEST_CASE("the files that have been called are reported by their names", "[ipr][
   Interpreter interpreter(parser, machine, diagnostics, options);
   while (interpreter.next()) {
   }
-  CHECK(interpreter.called_files() == std::vector<std::string>{"100.ngc"});
+  REQUIRE(interpreter.called_files().size() == 1);
+  CHECK(interpreter.called_files().front().name == "100.ngc");
+  CHECK(interpreter.called_files().front().path == folder / "100.ngc");
 }
 
 TEST_CASE("a subprogram of the program itself comes before a file", "[ipr][flow]") {

@@ -31,9 +31,11 @@ class TwoVariables final : public SystemVariables {
     return true;
   }
   void keep(int number, double value) override { kept[number] = value; }
+  void keep(std::string_view name, double value) override { kept_names[std::string(name)] = value; }
 
   double offset = 0;
   std::map<int, double> kept;
+  std::map<std::string, double> kept_names;
 };
 
 }  // namespace
@@ -51,6 +53,56 @@ TEST_CASE("what an earlier program has left counts, and is kept", "[ipr][paramet
   parameters.write(600, 1.0);
   CHECK(parameters.read(500) == 4.5);
   CHECK(system.kept == std::map<int, double>{{500, 4.5}});
+}
+
+TEST_CASE("so does what has a name, if it is global and not of the system", "[ipr][parameters]") {
+  Parameters parameters;
+  TwoVariables system;
+  parameters.set_system(&system);
+  parameters.keep({{"_td", 3.0}, {"_x", 4.0}, {"td", 5.0}});
+  CHECK(parameters.read("_td") == 3.0);
+  CHECK(parameters.read("_x") == 12.5);
+  CHECK_FALSE(parameters.read("td"));
+  parameters.write("_td", 3.5);
+  parameters.write("_other", 1.0);
+  parameters.write("td", 2.0);
+  CHECK(parameters.read("_td") == 3.5);
+  CHECK(system.kept_names == std::map<std::string, double>{{"_td", 3.5}});
+  parameters.write("_td", kUnknown);
+  CHECK(system.kept_names == std::map<std::string, double>{{"_td", 3.5}});
+}
+
+TEST_CASE("what is defined counts, and is not kept", "[ipr][parameters]") {
+  Parameters parameters;
+  TwoVariables system;
+  parameters.set_system(&system);
+  parameters.keep({{500, 1.0}});
+  parameters.keep({{"_td", 1.0}});
+  CHECK(parameters.define("_td", 3.0));
+  CHECK(parameters.define("500", 3.5));
+  CHECK(parameters.define("31", 4.0));
+  CHECK(parameters.read("_td") == 3.0);
+  CHECK(parameters.read(500) == 3.5);
+  CHECK(parameters.read(31) == 4.0);
+  CHECK(system.kept.empty());
+  CHECK(system.kept_names.empty());
+  parameters.write("_td", 6.0);
+  CHECK(system.kept_names.at("_td") == 6.0);
+  for (const char* refused : {"_x", "td", "30", "0", "5221", "5420", "9999", "", "5x"}) {
+    CAPTURE(refused);
+    CHECK_FALSE(parameters.define(refused, 1.0));
+  }
+  CHECK_FALSE(parameters.define("_td", kUnknown));
+  CHECK(system.offset == 0);
+}
+
+TEST_CASE("FANUC's common variables can be defined, its local ones cannot", "[ipr][parameters]") {
+  Parameters parameters(Dialect::fanuc);
+  CHECK(parameters.define("100", 2.5));
+  CHECK(parameters.read(100) == 2.5);
+  CHECK(parameters.define("500", 3.5));
+  CHECK(parameters.read(500) == 3.5);
+  for (const char* refused : {"33", "200", "5001"}) CHECK_FALSE(parameters.define(refused, 1.0));
 }
 
 TEST_CASE("numbered variables of LinuxCNC are 0 until assigned to", "[ipr][parameters]") {

@@ -4,7 +4,6 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -70,9 +69,8 @@ int check_program(const std::string& name, const Machine& machine,
   beside.interpreter.called = &program->called();
   const Preflight checked =
       preflight(*program, machine, beside, messages, watcher, runtime::CheckNotes::surface_too);
-  const std::filesystem::path folder = program->folder();
-  for (const std::string& file : checked.outcome.called_files) called.push_back(folder / file);
-  for (const std::string& file : checked.outcome.missing_files) called.push_back(folder / file);
+  for (const ipr::FoundFile& file : checked.outcome.called_files) called.push_back(file.path);
+  for (const std::string& file : checked.outcome.missing_files) called.push_back(file);
   if (checked.status == 0) {
     spdlog::debug("{}: {}, {:.3f} mm in {} blocks", program->name(),
                   duration_text(checked.outcome.time), checked.outcome.last.s,

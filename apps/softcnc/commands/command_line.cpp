@@ -149,6 +149,19 @@ std::string misplaced_option(const Options& options) {
   return {};
 }
 
+/// What the command `machine` is asked for that does not go together; empty where all of it does.
+std::string misplaced_machine_option(const Options& options) {
+  if (options.command != CommandName::machine) return {};
+  const bool imports = !options.imported.empty();
+  if (imports && (options.toml || options.names_machine || !options.settings.empty()))
+    return "import reads settings alone: without --toml, --machine, --set and --backend";
+  if (!imports && (!options.state.empty() || options.imports_inches))
+    return "--state and --inch belong to 'softcnc machine import FILE'";
+  if (!imports && !options.toml && !options.output.empty())
+    return "-o needs --toml or 'import FILE'";
+  return {};
+}
+
 /// Returns what is wrong where options exclude each other; empty where nothing is.
 std::string conflict(const Options& options) {
   if (options.command == CommandName::codes) return {};
@@ -172,6 +185,8 @@ std::string conflict(const Options& options) {
     return "--columns needs a trace as CSV (--trace), or --report";
   if (std::string idle = runs_nothing(options); !idle.empty()) return idle;
   if (std::string misplaced = misplaced_option(options); !misplaced.empty()) return misplaced;
+  if (std::string misplaced = misplaced_machine_option(options); !misplaced.empty())
+    return misplaced;
   return file_clash(options);
 }
 

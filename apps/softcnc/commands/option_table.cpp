@@ -291,6 +291,51 @@ void columns(CLI::App& app, const OptionEntry& entry, Options& options) {
       ->allow_extra_args(false);
 }
 
+/// The two words "import FILE".
+void import_words(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option_function<std::vector<std::string>>(
+         entry.names,
+         [&options](const std::vector<std::string>& words) {
+           if (words.front() != "import")
+             throw CLI::ValidationError(
+                 "'" + words.front() + "'",
+                 "is not known to 'softcnc machine'; 'softcnc machine import FILE' reads settings");
+           options.imported = words.back();
+         },
+         entry.help)
+      ->expected(2)
+      ->type_name("");
+}
+
+/// A folder that is not there is a name that is wrong.
+void subprograms(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option(entry.names, options.subprogram_folders, entry.help)
+      ->check(CLI::ExistingDirectory)
+      ->type_name(entry.value)
+      ->allow_extra_args(false);
+}
+
+void definitions(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option_function<std::vector<std::string>>(
+         entry.names,
+         [&options](const std::vector<std::string>& texts) {
+           options.definitions.clear();
+           for (const std::string& text : texts) {
+             auto definition = ipr::parse_definition(text);
+             if (!definition)
+               throw CLI::ValidationError("--define",
+                                          "takes NAME=VALUE, with the name of a global variable, "
+                                          "which begins with '_', or "
+                                          "the number of a variable, not '" +
+                                              text + "'");
+             options.definitions.push_back(*std::move(definition));
+           }
+         },
+         entry.help)
+      ->type_name(entry.value)
+      ->allow_extra_args(false);
+}
+
 void trace(CLI::App& app, const OptionEntry& entry, Options& options) {
   app.add_option(entry.names, options.trace, entry.help + (" (" + hal::trace_suffixes() + ")"))
       ->type_name(entry.value);
@@ -440,6 +485,13 @@ constexpr OptionEntry kOptions[] = {
      "",
      "List of edges: .vcd or .edges, also with .zst; - is standard input",
      one_file},
+    {{machine},
+     "ACTION",
+     "",
+     "'import FILE': make a machine file of a tool table (.tbl) or configuration (.ini) of "
+     "LinuxCNC, "
+     "or of what grbl answers to $$",
+     import_words},
     {{codes},
      "CODE",
      "",
@@ -459,6 +511,26 @@ constexpr OptionEntry kOptions[] = {
     {kMachines, "--set", "KEY=VALUE",
      "Set one value of the machine, for example axis.x.acceleration_mm_s2=500 (repeatable)",
      settings},
+    {{machine},
+     "--toml",
+     "",
+     "Print a machine file that reads back to the same machine; with -v, the meaning of each key",
+     flag<&Options::toml>},
+    {{machine},
+     "-o,--output",
+     "FILE.toml",
+     "With --toml and import: where the machine file is written (default: standard output)",
+     text<&Options::output>},
+    {{machine},
+     "--state",
+     "FILE.toml",
+     "With import: write tool lengths and offsets to this new state file",
+     text<&Options::state>},
+    {{machine},
+     "--inch",
+     "",
+     "With import of a tool table: its lengths are inches, not mm",
+     flag<&Options::imports_inches>},
     {{run},
      "--state",
      "FILE.toml",
@@ -469,6 +541,14 @@ constexpr OptionEntry kOptions[] = {
      "FILE.toml",
      "State file (work offsets, tool table, parameters) to begin with",
      text<&Options::state>},
+    {kReads, "--subprograms", "DIR",
+     "Look for called files in DIR too, after the folder of the program and before program.path "
+     "(repeatable)",
+     subprograms},
+    {kReads, "--define", "NAME=VALUE",
+     "Set a variable before the first line, for example _td=3 for #<_td>, or 100=3 for #100 "
+     "(repeatable)",
+     definitions},
     {{run, record, report, machine}, "--backend", "", "Where setpoints are sent", backend},
     {{pulses}, "--backend", "", "With parport, the drivers' times are whole base periods", backend},
 

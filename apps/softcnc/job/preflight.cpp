@@ -26,6 +26,8 @@ ipr::InterpreterOptions interpreter_options(const Options& options, const std::s
   interpreter.guess_dialect = options.guess_dialect;
   interpreter.format = options.format;
   interpreter.folder = folder;
+  interpreter.subprogram_folders = options.subprogram_folders;
+  interpreter.definitions = options.definitions;
   return interpreter;
 }
 

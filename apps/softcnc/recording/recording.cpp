@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "recording/recording.hpp"
 
+#include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -69,13 +71,25 @@ Result<hal::TemporaryFile> copy_of(runtime::Program& program) {
 
 std::string entry_of(const CalledFile& called) { return "called/" + called.name; }
 
+/// The folder of the search path that a name begins with: 3 of "3/hole.ngc"; 0: none, as of a
+/// number that no path of this length has.
+int number_of_folder(std::string_view name) {
+  constexpr int kMostFolders = 1000;
+  const auto slash = name.find('/');
+  if (slash == std::string_view::npos) return 0;
+  int number = 0;
+  const auto read = std::from_chars(name.data(), name.data() + slash, number);
+  const bool whole = read.ec == std::errc() && read.ptr == name.data() + slash;
+  return whole && number > 0 && number <= kMostFolders ? number : 0;
+}
+
 std::string path_in(const std::string& folder, const CalledFile& called) {
   return (std::filesystem::path(folder) / called.name).lexically_normal();
 }
 
 /// Where that lies which has been run, whatever has become of the file itself.
 std::string path_of(const runtime::Program& program, const CalledFile& called) {
-  const std::string path = path_in(program.folder(), called);
+  const std::string path = called.path.empty() ? path_in(program.folder(), called) : called.path;
   const auto& text = program.called().find(path);
   return text && *text ? (*text)->name() : path;
 }
@@ -194,6 +208,16 @@ Status Recording::put_called(const std::string& folder, ipr::CalledTexts& texts)
     texts.put(path_in(folder, called), std::move(*kept));
   }
   return {};
+}
+
+std::vector<std::string> Recording::folders_of_called(const std::string& folder) const {
+  int last = 0;
+  for (const CalledFile& called : meta_.called)
+    last = std::max(last, number_of_folder(called.name));
+  std::vector<std::string> folders;
+  for (int i = 1; i <= last; ++i)
+    folders.push_back((std::filesystem::path(folder) / std::to_string(i)).string());
+  return folders;
 }
 
 }  // namespace softcnc::app

@@ -20,9 +20,10 @@ namespace softcnc::app {
 /// Raised when a recording changes its form.
 inline constexpr int kRecordingSchema = 2;
 
-/// A file that the program called: its name beside the program, and hash_hex() of it.
+/// A file that the program called: its name as of ipr::FoundFile, and hash_hex() of it.
 struct CalledFile {
   std::string name, hash;
+  std::string path;  // of a run that is recorded; empty: it is that of a replay
 };
 
 /// meta.json. Hashes are hash_hex() of the entries' bytes.
@@ -50,9 +51,11 @@ class Recording {
   const std::string& machine() const noexcept { return machine_; }
   /// The program, in an unlinked file of its own.
   Result<runtime::Program> program() const;
-  /// Makes the files that the program called, and no others, those that are found in `folder`.
-  /// Errors: SC6003, SC6021.
+  /// Makes the files that the program called, and no others, those that are found in `folder` and
+  /// in folders_of_called(). Errors: SC6003, SC6021.
   Status put_called(const std::string& folder, ipr::CalledTexts& texts) const;
+  /// Returns the folders below `folder` that stand for the search path of the run.
+  std::vector<std::string> folders_of_called(const std::string& folder) const;
   /// trace.csv.zst
   Result<hal::ZipEntry> trace() const { return zip_.entry("trace.csv.zst"); }
   /// Errors: SC6021, where the trace is not what was recorded.

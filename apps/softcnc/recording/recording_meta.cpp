@@ -5,6 +5,7 @@
 #include <set>
 
 #include "hal/files/hash.hpp"
+#include "hal/files/number.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -65,7 +66,7 @@ Result<std::vector<CalledFile>> read_called(const Json& json) {
   std::vector<CalledFile> called;
   std::set<std::string> names;
   for (const Json& file : json.value("called", Json::array())) {
-    called.push_back({file.at("name"), file.at("hash")});
+    called.push_back({file.at("name"), file.at("hash"), {}});
     if (!names.insert(called.back().name).second)
       return error(Code::SC6021, "names a called file twice: '" + called.back().name + "'");
   }
@@ -111,6 +112,16 @@ Result<std::vector<runtime::FeedEvent>> read_events(const Json& options) {
   return events;
 }
 
+Result<std::vector<ipr::Definition>> read_definitions(const Json& options) {
+  std::vector<ipr::Definition> definitions;
+  for (const std::string text : options.value("define", Json::array())) {
+    auto definition = ipr::parse_definition(text);
+    if (!definition) return error(Code::SC6021, "has an invalid definition: '" + text + "'");
+    definitions.push_back(*std::move(definition));
+  }
+  return definitions;
+}
+
 Result<RecordingMeta> read(const Json& json) {
   const Json& options = json.at("options");
   ipr::InterpreterOptions interpreter;
@@ -141,6 +152,9 @@ Result<RecordingMeta> read(const Json& json) {
   meta.options.interpreter.optional_stop = options.at("optional_stop");
   meta.options.single_block = options.value("single_block", false);
   meta.options.interpreter.format = *format;
+  auto definitions = read_definitions(options);
+  if (!definitions) return tl::make_unexpected(std::move(definitions.error()));
+  meta.options.interpreter.definitions = std::move(*definitions);
   return meta;
 }
 
@@ -163,6 +177,8 @@ std::string meta_json(const RecordingMeta& meta) {
   if (meta.options.single_block) json["options"]["single_block"] = true;
   for (const runtime::FeedEvent& event : meta.options.events)
     json["options"]["at"].push_back(runtime::event_text(event));
+  for (const ipr::Definition& definition : meta.options.interpreter.definitions)
+    json["options"]["define"].push_back(definition.name + '=' + hal::number_text(definition.value));
   for (const CalledFile& file : meta.called)
     json["called"].push_back({{"name", file.name}, {"hash", file.hash}});
   return sealed_meta(dumped(json));

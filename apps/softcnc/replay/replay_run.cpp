@@ -132,6 +132,8 @@ Rerun Replay::run_again(Material& material, runtime::TraceRows& rows, Terminal& 
   ipr::Reader reader = material.program.reader();
   runtime::ChannelOptions options = material.recording.meta().options;
   options.interpreter.folder = material.program.folder();
+  options.interpreter.subprogram_folders =
+      material.recording.folders_of_called(material.program.folder());
   options.interpreter.called = &material.program.called();
   options.interpreter.stop = terminal.stop();
   Rerun rerun;

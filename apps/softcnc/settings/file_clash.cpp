@@ -30,6 +30,7 @@ std::string clash(const Options& options, std::span<const NamedFile> written) {
   std::vector<NamedFile> others{{"--machine", options.machine_file}};
   for (const std::string& file : options.machine_files) others.push_back({"--machine", file});
   others.push_back({"--compare", options.compared});
+  others.push_back({"FILE", options.imported});
   for (const std::string& file : options.files)
     if (file != "-") others.push_back({"PART", file});
   for (const std::string& file : options.files)

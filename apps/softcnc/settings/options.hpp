@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ipr/commands/format.hpp"
+#include "ipr/expressions/definition.hpp"
 #include "ipr/expressions/dialect.hpp"
 #include "messages/diagnostic_document.hpp"
 #include "messages/progress.hpp"
@@ -46,6 +47,13 @@ struct Options {
   std::vector<std::string> machine_files;  // compare: instead of machine_file, each as there
   std::vector<std::string> settings;       // KEY=VALUE, on top of it
   std::string state;                       // file; empty: none
+
+  bool toml = false;            // machine: as a machine file
+  std::string imported;         // machine: settings of another control; empty: none
+  bool imports_inches = false;  // machine: such a tool table is in inches
+
+  std::vector<std::string> subprogram_folders;  // of --subprograms, before those of the machine
+  std::vector<ipr::Definition> definitions;     // of --define
 
   double feed_override = 1;                // of the programmed feed
   std::vector<runtime::FeedEvent> events;  // in the order of time

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "hal/machine/machine_confinement.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace softcnc::hal {
 namespace {
@@ -48,10 +51,47 @@ Diagnostic ignored(const OutsideKey& opening, std::string_view key, const GivenA
           .source_line = place.line};
 }
 
+std::filesystem::path real_path(const std::string& path) {
+  std::error_code unreadable;
+  auto real = std::filesystem::weakly_canonical(path, unreadable);
+  if (unreadable) return std::filesystem::path(path).lexically_normal();
+  return real.has_filename() ? real : real.parent_path();
+}
+
+/// Whether a path is a folder or lies in it.
+bool is_within(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  const auto differ = std::mismatch(path.begin(), path.end(), folder.begin(), folder.end());
+  return differ.second == folder.end();
+}
+
+/// Leaves only the folders of subprograms that lie in the folder of the machine file.
+void confine_path(LoadedMachine& loaded, std::vector<Diagnostic>& changes) {
+  constexpr std::string_view kPathKey = "program.path";
+  const GivenAt* place = place_in_file(loaded, kPathKey);
+  if (!place) return;
+  ProgramReading& reading = loaded.machine.program;
+  const std::string base = reading.path_base.empty() ? "." : reading.path_base;
+  const auto leads_out = [&](const std::string& folder) {
+    const std::string path = folder.starts_with('/') ? folder : base + '/' + folder;
+    return !is_within(real_path(path), real_path(base));
+  };
+  const auto first = std::find_if(reading.path.begin(), reading.path.end(), leads_out);
+  if (first == reading.path.end()) return;
+  changes.push_back({.code = Code::SC7021,
+                     .pos = place->pos,
+                     .message = std::string(kPathKey) + ": '" + *first +
+                                "' is ignored unless --machine names the file: it is not in the "
+                                "folder of the file",
+                     .file = place->file,
+                     .source_line = place->line});
+  std::erase_if(reading.path, leads_out);
+}
+
 }  // namespace
 
 std::vector<Diagnostic> confine(LoadedMachine& loaded) {
   std::vector<Diagnostic> changes;
+  confine_path(loaded, changes);
   for (const OutsideKey& opening : kOutsideKeys) {
     if (is_set(loaded, opening.key)) continue;
     const GivenAt* named = place_in_file(loaded, opening.key);

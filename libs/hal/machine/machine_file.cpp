@@ -14,6 +14,7 @@
 #include "hal/machine/machine_keys.hpp"
 #include "hal/machine/machine_loader.hpp"
 #include "hal/machine/machine_value.hpp"
+#include "motion/model/subprogram_path.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -118,6 +119,7 @@ tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_val
     const std::string& file, std::span<const std::string> settings) {
   auto loaded = load_file(file, settings);
   if (!loaded) return tl::make_unexpected(std::move(loaded.error()));
+  loaded->machine = with_whole_paths(std::move(loaded->machine));
   std::vector<EffectiveValue> values;
   for (const KeyRef& ref : all_instances(loaded->machine)) {
     const std::string path = path_of(ref);
@@ -130,19 +132,45 @@ tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_val
   return values;
 }
 
-std::string machine_toml(const Machine& machine) {
-  Machine copy = machine;
+namespace {
+
+std::string toml_of(Machine machine, bool explained) {
   std::string text, section;
-  const auto add = [&](const std::string& path, const std::string& value) {
+  const auto add = [&](const std::string& path, const std::string& value,
+                       std::string_view meaning) {
     const auto dot = path.rfind('.');
     const std::string table = dot == path.npos ? "" : path.substr(0, dot);
     if (table != section) text += "\n[" + table + "]\n";
     section = table;
+    if (explained) text += "# " + std::string(meaning) + '\n';
     text += path.substr(dot + 1) + " = " + value + '\n';
   };
-  for (const KeyRef& ref : all_instances(machine)) add(path_of(ref), value_text(ref, copy));
-  for (const DeviceValue& value : device_values(machine)) add(value.path, value.value);
+  for (const KeyRef& ref : all_instances(machine))
+    add(path_of(ref), value_text(ref, machine), ref.key->meaning);
+  for (const DeviceValue& value : device_values(machine))
+    add(value.path, value.value, value.key->meaning);
   return text;
+}
+
+}  // namespace
+
+std::string machine_toml(const Machine& machine) { return toml_of(machine, false); }
+
+std::string readable_machine_toml(const Machine& machine, bool explained) {
+  return "# A machine of softcnc. Units are in the names of the keys; docs/machine.md says what "
+         "they mean.\n\n" +
+         toml_of(with_whole_paths(machine), explained);
+}
+
+Machine with_whole_paths(Machine machine) {
+  std::vector<std::string> whole;
+  for (const std::string& folder : subprogram_path(machine.program)) {
+    std::error_code unreadable;
+    const auto path = std::filesystem::absolute(folder, unreadable);
+    whole.push_back(unreadable ? folder : path.lexically_normal().string());
+  }
+  machine.program.path = std::move(whole);
+  return machine;
 }
 
 std::string key_table() {

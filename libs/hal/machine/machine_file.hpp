@@ -55,12 +55,21 @@ struct EffectiveValue {
 };
 
 /// Returns every value of the machine that load_machine() returns, in the order of the table.
+/// Folders of subprograms are whole paths.
 tl::expected<std::vector<EffectiveValue>, std::vector<Diagnostic>> effective_values(
     const std::string& file, std::span<const std::string> settings);
 
 /// A complete TOML file. It loads back to the identical machine, bit for bit, for every machine
 /// that load_machine() returns.
 std::string machine_toml(const Machine& machine);
+
+/// Returns the same file for a person: with a head, and with the meaning of each key above it if
+/// `explained`. Folders of subprograms are whole paths in it, so that it may lie anywhere. What is
+/// printed of the machine that it loads back to is the same text.
+std::string readable_machine_toml(const Machine& machine, bool explained);
+
+/// Returns the machine with whole paths of the folders of subprograms.
+Machine with_whole_paths(Machine machine);
 
 /// The table of keys in Markdown, as it stands in docs/machine.md.
 std::string key_table();

@@ -64,6 +64,7 @@ template <auto Member, std::size_t axis>
 int& axis_pin(Machine& machine, int) {
   return (machine.parallel_port.*Member)[axis];
 }
+std::vector<std::string>& subprogram_folders(Machine& machine, int) { return machine.program.path; }
 std::string& stream_file(Machine& machine, int) { return machine.hal_stream.file; }
 
 template <auto Part, auto Member>
@@ -246,6 +247,8 @@ const MachineKey kKeys[] = {
      choice_in<&Machine::program, &ProgramReading::spline_parameter>(kSplineParameterNames)},
     {"program.integers", "", "what a length without a decimal point counts in the fanuc and haas dialects: units (mm or inches), or increments of 0.001 mm or 0.0001 inch",
      choice_in<&Machine::program, &ProgramReading::integers>(kIntegerUnitNames)},
+    {"program.path", "", "folders of subprograms, looked through in this order after the folder of the program and those of --subprograms; relative ones count from the folder of the machine file",
+     ListKey{subprogram_folders}},
 
     {"tool.*.radius_mm", "mm", "radius of the cutter",
      NumberKey{in_tool<&Tool::radius>, same, same, length_or_0(1e4)}},

@@ -47,13 +47,18 @@ struct PointKey {
   ValueRange range;
 };
 
+/// Texts, none of them empty.
+struct ListKey {
+  std::vector<std::string>& (*place)(Machine&, int index);
+};
+
 /// A row of the table. A '*' in the name stands for an axis letter or a tool number, which is then
 /// the `index` of the functions above.
 struct MachineKey {
   std::string_view name;
   std::string_view unit;
   std::string_view meaning;
-  std::variant<NumberKey, WholeKey, ChoiceKey, TextKey, PointKey> value;
+  std::variant<NumberKey, WholeKey, ChoiceKey, TextKey, PointKey, ListKey> value;
 };
 
 std::span<const MachineKey> machine_keys() noexcept;

@@ -11,6 +11,7 @@
 #include "hal/files/axis_name.hpp"
 #include "hal/files/number.hpp"
 #include "hal/machine/device_keys.hpp"
+#include "hal/machine/foreign_keys.hpp"
 #include "motion/core/spelling.hpp"
 #include "motion/core/units.hpp"
 #include "motion/core/utf8.hpp"
@@ -20,6 +21,13 @@ namespace {
 
 std::string unknown(std::string_view key, const std::string& nearest) {
   return "unknown key '" + std::string(key) + "'" + did_you_mean(nearest);
+}
+
+/// Of a key that other controls have, what softcnc has in its place.
+std::string unknown_value(const std::string& key, const FileValue& value) {
+  const std::string counterpart = counterpart_of(key, value);
+  if (counterpart.empty()) return unknown(key, nearest_key(key));
+  return "unknown key '" + key + "': " + counterpart;
 }
 
 /// Those of settings come last, in the order in which they are found.
@@ -149,7 +157,8 @@ void MachineLoader::take(const TomlEntry& entry, const TextLines& lines, const s
   } else {
     is_doubtful_ = true;
     fail(Code::SC7001, at(entry.key_pos),
-         unknown(entry.path, entry.table ? nearest_section(entry.path) : nearest_key(entry.path)));
+         entry.table ? unknown(entry.path, nearest_section(entry.path))
+                     : unknown_value(entry.path, entry.value));
   }
 }
 
@@ -159,6 +168,9 @@ void MachineLoader::take(const KeyRef& ref, const FileValue& value, GivenAt plac
     fail(stored.error().code, place, stored.error().message);
     refused_.insert(path_of(ref));
   }
+  if (std::holds_alternative<ListKey>(ref.key->value))
+    loaded_.machine.program.path_base =
+        place.file == kSettingFile ? "" : std::filesystem::path(place.file).parent_path().string();
   loaded_.given.insert_or_assign(path_of(ref), std::move(place));
 }
 
@@ -184,7 +196,8 @@ void MachineLoader::set(const std::string& setting) {
   const auto ref = find_key(key);
   if (!ref) {
     is_doubtful_ = true;
-    return fail(Code::SC7001, place_in(setting, key), unknown(key, nearest_key(key)));
+    return fail(Code::SC7001, place_in(setting, key),
+                unknown_value(std::string(key), read_toml_value(std::string(value))));
   }
   if (!has_axis_of(*ref)) {
     if (is_doubtful_) return;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hal/files/number.hpp"
+#include "hal/machine/toml_text.hpp"
 #include "motion/core/spelling.hpp"
 
 namespace softcnc::hal {
@@ -22,6 +23,7 @@ struct TypeName {
   std::string_view operator()(std::int64_t) const { return "a number"; }
   std::string_view operator()(const std::string&) const { return "a string"; }
   std::string_view operator()(const std::vector<double>&) const { return "an array"; }
+  std::string_view operator()(const std::vector<std::string>&) const { return "an array"; }
   std::string_view operator()(const OtherTomlValue& other) const { return other.type; }
 };
 
@@ -98,19 +100,18 @@ Status store(const PointKey& point, const KeyRef& ref, const FileValue& value, M
   return {};
 }
 
-/// A TOML basic string.
-std::string toml_string(std::string_view text) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') out += '\\';
-    if (byte >= 0x20 && byte != 0x7F)
-      out += c;
-    else
-      out.append("\\u00").append(1, kDigits[byte >> 4U]).append(1, kDigits[byte & 15U]);
+Status store(const ListKey& list, const KeyRef& ref, const FileValue& value, Machine& machine) {
+  const auto* numbers = std::get_if<std::vector<double>>(&value);
+  if (numbers && numbers->empty()) {
+    list.place(machine, ref.index).clear();
+    return {};
   }
-  return out + '"';
+  const auto* texts = std::get_if<std::vector<std::string>>(&value);
+  if (!texts) return wrong_type(ref, "an array of strings", value);
+  if (std::find(texts->begin(), texts->end(), "") != texts->end())
+    return failure(Code::SC7030, path_of(ref) + " names a folder by an empty string");
+  list.place(machine, ref.index) = *texts;
+  return {};
 }
 
 struct Allowed {
@@ -120,6 +121,7 @@ struct Allowed {
   }
   std::string operator()(const ChoiceKey& choice) const { return list(choice.words); }
   std::string operator()(const TextKey&) const { return "a string"; }
+  std::string operator()(const ListKey&) const { return "an array of strings"; }
   std::string operator()(const PointKey& point) const {
     return "three numbers, each " + range_text(point.range) + ", or none";
   }
@@ -145,6 +147,12 @@ struct Spell {
     std::string text;
     for (const double number : point.place(machine, ref.index))
       text += (text.empty() ? "" : ", ") + number_text(number);
+    return '[' + text + ']';
+  }
+  std::string operator()(const ListKey& list) const {
+    std::string text;
+    for (const std::string& one : list.place(machine, ref.index))
+      text += (text.empty() ? "" : ", ") + toml_string(one);
     return '[' + text + ']';
   }
 };

@@ -6,6 +6,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <optional>
 #include <tuple>
 #include <vector>
@@ -13,7 +15,9 @@
 #include "hal/files/axis_name.hpp"
 #include "hal/files/number.hpp"
 #include "hal/files/text_file.hpp"
+#include "hal/machine/state_keys.hpp"
 #include "hal/machine/toml_reader.hpp"
+#include "hal/machine/toml_text.hpp"
 #include "motion/core/units.hpp"
 
 namespace softcnc::hal {
@@ -66,6 +70,8 @@ std::optional<StateSlot> tool_slot(MachineState& state, int number, std::string_
 }
 
 std::optional<StateSlot> parameter_slot(MachineState& state, std::string_view key) {
+  if (const std::string name = global_name(key); !name.empty())
+    return StateSlot{&state.globals[name], same, std::numeric_limits<double>::max()};
   const auto number = number_of(key);
   if (!number || *number < kFirstParameter || *number > kLastParameter) return std::nullopt;
   return StateSlot{&state.parameters[*number], same, std::numeric_limits<double>::max()};
@@ -76,13 +82,14 @@ std::string_view without(std::string_view text, std::string_view prefix) {
 }
 
 std::optional<StateSlot> find_slot(MachineState& state, std::string_view path) {
+  if (const std::string_view name = without(path, "parameter."); !name.empty())
+    return parameter_slot(state, name);
   const auto dot = std::min(path.rfind('.'), path.size());
   const std::string_view table = path.substr(0, dot),
                          key = path.substr(std::min(dot + 1, path.size()));
   if (table == "g92") return axis_slot(state.shift, key);
   if (table == "g28") return axis_slot(state.home, key);
   if (table == "g30") return axis_slot(state.second_home, key);
-  if (table == "parameter") return parameter_slot(state, key);
   if (const auto work = index_in(kWorkNames, without(table, "work.")))
     return work_slot(state.work[static_cast<std::size_t>(*work)], key);
   if (const auto tool = number_of(without(table, "tool."))) return tool_slot(state, *tool, key);
@@ -123,6 +130,7 @@ class StateReader {
   void take(const TomlEntry& entry);
   void take_value(const TomlEntry& entry);
   void take_number(const TomlEntry& entry);
+  bool is_new(const TomlEntry& entry);
   std::optional<int> word(const TomlEntry& entry, std::span<const std::string_view> words);
   void fail(Code code, const SourcePos& pos, std::string message);
 
@@ -131,6 +139,7 @@ class StateReader {
   std::string name_;
   MachineState state_;
   std::string refused_;  // the last table that was
+  std::map<std::string, SourcePos> globals_;
   std::vector<Diagnostic> errors_;
 };
 
@@ -197,9 +206,22 @@ void StateReader::read_schema(const std::vector<TomlEntry>& entries) {
            std::to_string(kStateSchema));
 }
 
+/// Names that differ in case or blanks alone are one; tables are not in the order of their lines.
+bool StateReader::is_new(const TomlEntry& entry) {
+  const std::string name = global_name(without(entry.path, "parameter."));
+  if (name.empty()) return true;
+  const auto [known, added] = globals_.try_emplace(name, entry.key_pos);
+  if (added) return true;
+  const SourcePos& first = known->second;
+  const bool is_later = first.line < entry.key_pos.line;
+  fail(Code::SC7012, is_later ? entry.key_pos : first, "'" + name + "' is given twice");
+  return false;
+}
+
 void StateReader::take_number(const TomlEntry& entry) {
+  if (!is_new(entry)) return;
   const auto slot = find_slot(state_, entry.path);
-  if (!slot) return fail(Code::SC7015, entry.key_pos, "unknown key '" + entry.path + "'");
+  if (!slot) return fail(Code::SC7015, entry.key_pos, unknown_state_key(entry.path));
   const auto value = as_number(entry.value);
   if (!value) return fail(Code::SC7004, entry.value_pos, entry.path + " takes a number");
   if (!(std::abs(*value) <= slot->limit))
@@ -271,6 +293,7 @@ std::string state_toml(const MachineState& state) {
   text += section("parameter");
   for (const auto& [number, value] : state.parameters)
     if (value != 0) text += number_line(std::to_string(number), value);
+  for (const auto& [name, value] : state.globals) text += number_line(toml_key(name), value);
   return text;
 }
 

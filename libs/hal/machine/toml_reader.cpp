@@ -44,9 +44,13 @@ SourcePos BytePositions::of(const toml::source_region& region) const {
   return {static_cast<int>(region.begin.line), first, std::max(1, end - first)};
 }
 
-/// Numbers, or else just an array.
+/// Numbers, or strings, or else just an array.
 FileValue value_of(const toml::array& array) {
   std::vector<double> numbers;
+  std::vector<std::string> texts;
+  for (const auto& element : array)
+    if (element.is_string()) texts.push_back(element.as_string()->get());
+  if (!texts.empty() && texts.size() == array.size()) return texts;
   for (const auto& element : array) {
     const auto number = element.value<double>();
     if (!number || !element.is_number()) return OtherTomlValue{"an array"};

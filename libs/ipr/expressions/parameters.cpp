@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
+#include <cmath>
 
 namespace softcnc::ipr {
 namespace {
@@ -156,8 +158,41 @@ void Parameters::keep(const std::map<int, double>& values) {
   }
 }
 
+void Parameters::keep(const std::map<std::string, double>& values) {
+  for (const auto& [name, value] : values) {
+    if (!name.starts_with('_') || access(name) != Access::granted) continue;
+    global_.insert_or_assign(name, value);
+    kept_names_.insert(name);
+  }
+}
+
+bool Parameters::define(std::string_view name, double value) {
+  if (!std::isfinite(value)) return false;
+  if (name.starts_with('_')) {
+    if (access(name) != Access::granted) return false;
+    global_.insert_or_assign(std::string(name), value);
+    return true;
+  }
+  int number = 0;
+  const char* const end = name.data() + name.size();
+  const auto read = std::from_chars(name.data(), end, number);
+  if (read.ec != std::errc() || read.ptr != end) return false;
+  const bool of_system = system_ != nullptr && is_system(number) && system_->read(number);
+  if (number <= locals_ || !is_ordinary(number)) return false;
+  if (of_system && (!is_fanuc_like(dialect_) || system_->is_read_only(number))) return false;
+  if (std::abs(value) > limit(number)) return false;
+  if (is_fanuc_like(dialect_))
+    write(number, value);
+  else
+    store(number, value);
+  return true;
+}
+
 void Parameters::write(std::string_view name, double value) {
   may_differ_ = true;
+  if (!kept_names_.empty() && system_ != nullptr && !is_unknown(value) &&
+      kept_names_.contains(name))
+    system_->keep(name, value);
   Names& names = name.starts_with('_') ? global_ : levels_.back().named;
   if (const auto found = names.find(name); found != names.end())
     found->second = value;

@@ -47,6 +47,8 @@ class SystemVariables {
   virtual bool write(int number, double value) = 0;
   /// Remembers the value of an ordinary variable for the next program.
   virtual void keep(int number, double value) = 0;
+  /// Does the same for a global variable with a name.
+  virtual void keep(std::string_view name, double value) = 0;
 };
 
 class Parameters {
@@ -62,6 +64,12 @@ class Parameters {
   /// Sets ordinary variables to what an earlier program has left in them, and makes the system keep
   /// what is assigned to them. Others, and those local to a call, are skipped.
   void keep(const std::map<int, double>& values);
+  /// Does the same for global variables with names (as read() takes them).
+  void keep(const std::map<std::string, double>& values);
+  /// Sets a variable before the first line: a global one by its name, or an ordinary one by its
+  /// number in digits. Returns false, and sets nothing, for those of the system and those local to
+  /// a call.
+  bool define(std::string_view name, double value);
 
   /// Returns the value of a variable; nothing if there is no such variable, or none of this name
   /// has been assigned.
@@ -148,6 +156,7 @@ class Parameters {
   std::vector<double> numbered_;  // by number, unset_ after the last; local ones lie in levels_
   double unset_ = kVacant;
   std::set<int> kept_, refused_;
+  std::set<std::string, std::less<>> kept_names_;
   std::vector<Level> levels_;
   Names global_;
   std::optional<double> given_back_;

@@ -39,7 +39,7 @@ Flow::Flow(Parser& parser, Diagnostics& diagnostics, FlowOptions options)
     : parser_(parser),
       diagnostics_(diagnostics),
       options_(std::move(options)),
-      library_(parser, diagnostics, options_.folder, options_.called) {
+      library_(parser, diagnostics, options_.folders, options_.called) {
   if (options_.unreachable_too) parser_.show_skipped();
   Call main;
   main.sub.kind = SubKind::program;

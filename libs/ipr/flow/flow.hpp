@@ -33,7 +33,7 @@ class CallObserver {
 };
 
 struct FlowOptions {
-  std::string folder;                // where called files lie; empty: nowhere
+  Folders folders;                   // where called files lie
   CalledTexts* called = nullptr;     // where their texts are kept; must outlive the flow
   int block_limit = 2'000'000;       // lines that one loop, or one call with all it calls, may run
   CallObserver* observer = nullptr;  // must outlive the flow
@@ -98,9 +98,9 @@ class Flow {
   /// has been reported.
   bool ended_by_repeat() const noexcept { return ended_by_repeat_; }
   const Parameters& parameters() const noexcept { return parser_.parameters(); }
-  /// Returns the names, in the folder, of the files that have been called.
-  std::vector<std::string> called_files() const { return library_.files(); }
-  /// Returns the names, in the folder, under which no called file has been found.
+  /// Returns the files that have been called.
+  std::vector<FoundFile> called_files() const { return library_.files(); }
+  /// Returns the paths under which no called file has been found.
   const std::set<std::string>& missing_files() const noexcept { return library_.missing_files(); }
 
  private:

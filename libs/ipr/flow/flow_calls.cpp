@@ -132,9 +132,8 @@ std::optional<Subprogram> Flow::find(const std::string& label, bool program,
   if (!missing_.insert(label).second) return sub;
   const std::string nearest = library_.nearest(label);
   report(Code::SC2301, call,
-         "no subprogram " + (program ? program_name(label) : o_word(label)) + " in this program" +
-             (library_.folder().empty() ? "" : " or beside it") +
-             (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+         "no subprogram " + (program ? program_name(label) : o_word(label)) + " " +
+             library_.places() + (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
   return sub;
 }
 

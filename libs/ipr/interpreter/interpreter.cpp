@@ -10,6 +10,7 @@
 #include "ipr/dialects/dialect_guess.hpp"
 #include "ipr/handlers/handlers.hpp"
 #include "ipr/lines/operands.hpp"
+#include "motion/model/subprogram_path.hpp"
 
 namespace softcnc::ipr {
 namespace {
@@ -61,6 +62,15 @@ Unknown axes_of(const std::vector<AxisVector>& points) noexcept {
   return axes;
 }
 
+Folders folders_of(const InterpreterOptions& options, const ProgramReading& reading) {
+  Folders folders{options.folder};
+  const std::vector<std::string> of_machine = subprogram_path(reading);
+  folders.insert(folders.end(), options.subprogram_folders.begin(),
+                 options.subprogram_folders.end());
+  folders.insert(folders.end(), of_machine.begin(), of_machine.end());
+  return folders;
+}
+
 bool is_straight(const GCode& code) noexcept {
   constexpr int kG01 = 10;
   return code.letter == 'G' && code.number <= kG01;
@@ -79,8 +89,8 @@ Interpreter::Interpreter(Parser& parser, const Machine& machine, Diagnostics& di
       variables_(modal_, machine, options.dialect),
       levels_(modal_),
       flow_(parser, diagnostics,
-            {options_.folder, options_.called, machine.program.block_limit, &levels_,
-             options_.unreachable_too}),
+            {folders_of(options_, machine.program), options_.called, machine.program.block_limit,
+             &levels_, options_.unreachable_too}),
       machine_codes_(machine_codes(machine)),
       lengths_(machine.program.integers) {
   modal_.state = std::move(state);
@@ -99,7 +109,10 @@ void Interpreter::use_dialect(Dialect dialect) {
   parser_.configure({dialect, options_.block_skip, &differences_});
   parser_.parameters().set_system(&variables_);
   if (is_linuxcnc_like(dialect)) parser_.parameters().keep(modal_.state.parameters);
+  parser_.parameters().keep(modal_.state.globals);
   if (dialect == Dialect::grbl) modal_.motion = find_gcode('G', 0);
+  if (options_.guess_dialect) return;  // it may be another one
+  for (const Definition& definition : options_.definitions) define(definition);
 }
 
 /// By what the program shows of it. False: what a pipe has given so far is not enough.
@@ -110,7 +123,7 @@ bool Interpreter::choose_dialect() {
   if (reader.waiting()) return false;
   options_.guess_dialect = false;
   const auto dialect = guess.dialect();
-  if (dialect) use_dialect(*dialect);
+  use_dialect(dialect.value_or(options_.dialect));
   const std::string chosen =
       "the program is read in the " + std::string(name(options_.dialect)) + " dialect; ";
   if (dialect)
@@ -119,6 +132,16 @@ bool Interpreter::choose_dialect() {
   else
     diagnostics_.report(Code::SC1058, {}, chosen + "its first lines show no other");
   return true;
+}
+
+void Interpreter::define(const Definition& definition) {
+  if (parser_.parameters().define(definition.name, definition.value)) return;
+  const std::string shown = shown_name(definition);
+  diagnostics_.report({.code = Code::SC2318,
+                       .message = shown +
+                                  " cannot be defined: it is no variable that outlives calls "
+                                  "and belongs to programs",
+                       .file = "--define"});
 }
 
 /// Before the first line: G-code is read here, commands by their own reader. False: what a pipe has

@@ -38,9 +38,9 @@ class Interpreter {
   /// (Modal::unknown), and what depends on that is not reported.
   std::optional<Block> next();
 
-  /// Returns the names, in the folder, of the files that have been called so far.
-  std::vector<std::string> called_files() const { return flow_.called_files(); }
-  /// Returns the names, in the folder, under which calls have found no file.
+  /// Returns the files that have been called so far.
+  std::vector<FoundFile> called_files() const { return flow_.called_files(); }
+  /// Returns the paths under which calls have found no file.
   const std::set<std::string>& missing_files() const noexcept { return flow_.missing_files(); }
 
   /// Returns whether next() has returned nothing because a pipe has nothing more yet, so that it
@@ -58,6 +58,7 @@ class Interpreter {
   void use_dialect(Dialect dialect);
   const ProgramLine& with_lengths(const ProgramLine& line);
   void report_at_end();
+  void define(const Definition& definition);
   void interpret(const ProgramLine& line);
   /// Returns the motion in force on a line with G80.
   const GCode* after_g80() const noexcept;

@@ -8,7 +8,9 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "ipr/expressions/definition.hpp"
 #include "ipr/expressions/dialect.hpp"
 #include "ipr/text/called_texts.hpp"
 
@@ -30,7 +32,9 @@ struct InterpreterOptions {
   Format format = Format::automatic;
   bool compare_dialects = false;  // warn where a line means something else in the other one
   bool unreachable_too = false;   // read lines that are never run as well, for their errors
-  std::string folder = {};        // where files lie that the program calls; empty: it can call none
+  std::string folder = {};        // of the program, with files that it calls; empty: it has none
+  std::vector<std::string> subprogram_folders = {};  // next, before those of the machine
+  std::vector<Definition> definitions = {};          // of variables, before the first line
   CalledTexts* called = nullptr;  // where their texts are kept; must outlive the interpreter
   std::stop_token stop = {};      // to read no further: waiting() then
 };

@@ -5,12 +5,18 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace softcnc::ipr {
 namespace {
 
-constexpr std::size_t kMostMissing = 1000;
+constexpr std::size_t kMostMissing = 1000, kMostFoldersShown = 4;
+
+std::string shown_folder(const std::string& folder) {
+  std::error_code unreadable;
+  return std::filesystem::is_directory(folder, unreadable) ? folder : folder + " (no such folder)";
+}
 
 bool is_number(std::string_view label) { return !label.empty() && is_digit(label.front()); }
 
@@ -71,10 +77,10 @@ std::string program_name(std::string_view label) {
   return is_number(label) ? "O" + name : "O<" + name + ">";
 }
 
-Library::Library(Parser& parser, Diagnostics& diagnostics, std::string folder, CalledTexts* called)
+Library::Library(Parser& parser, Diagnostics& diagnostics, Folders folders, CalledTexts* called)
     : parser_(parser),
       diagnostics_(diagnostics),
-      folder_(std::move(folder)),
+      folders_(std::move(folders)),
       called_(called != nullptr ? called : &own_) {
   Text main;
   main.reader = &parser.reader();
@@ -153,42 +159,46 @@ Subprogram Library::begun_by(const Statement& statement) const {
 
 std::optional<Subprogram> Library::find_file(const std::string& label, bool program,
                                              const SourcePos& call, std::string_view line) {
-  if (folder_.empty() || label.find('/') != std::string::npos || label.starts_with('.'))
-    return std::nullopt;
-  for (const std::string& name : file_names(label, program)) {
-    const auto file = open(name, call, line);
-    if (!file) continue;
-    if (const auto* sub = find_in(*file, label, program)) return *sub;
-    if (program) return Subprogram{SubKind::program, label, {*file, {}}};
+  if (label.find('/') != std::string::npos || label.starts_with('.')) return std::nullopt;
+  const std::vector<std::string> names = file_names(label, program);
+  for (std::size_t folder = 0; folder < folders_.size(); ++folder) {
+    if (folders_[folder].empty()) continue;
+    for (const std::string& name : names) {
+      const auto file = open(folder, name, call, line);
+      if (!file) continue;
+      if (const auto* sub = find_in(*file, label, program)) return *sub;
+      if (program) return Subprogram{SubKind::program, label, {*file, {}}};
+    }
   }
   return std::nullopt;
 }
 
-/// The file of this name in the folder; nothing if there is none, or none that can be read.
-std::optional<int> Library::open(const std::string& name, const SourcePos& call,
+/// The file of this name in a folder; nothing if there is none, or none that can be read.
+std::optional<int> Library::open(std::size_t folder, const std::string& name, const SourcePos& call,
                                  std::string_view line) {
-  const auto path = (std::filesystem::path(folder_) / name).lexically_normal();
-  if (const auto at = file_of_.find(name); at != file_of_.end())
+  const std::string path =
+      (std::filesystem::path(folders_[folder]) / name).lexically_normal().string();
+  if (const auto at = file_of_.find(path); at != file_of_.end())
     return at->second < 0 ? std::nullopt : std::optional(at->second);
-  const auto& found = called_->find(path.string());
+  const auto& found = called_->find(path, folder == 0 ? std::string() : folders_[folder]);
   if (!found) {
     diagnostics_.report(found.error().code, call, found.error().message, line);
-    file_of_[name] = -1;
+    file_of_[path] = -1;
     return std::nullopt;
   }
   if (!*found) {
-    if (missing_.size() < kMostMissing) missing_.insert(name);
+    if (missing_.size() < kMostMissing) missing_.insert(path);
     return std::nullopt;
   }
   Text text;
   text.own = std::make_unique<Reader>(Reader::of_file((*found)->descriptor(), 0));
   text.own->set_stop(parser_.reader().stop());
   text.reader = text.own.get();
-  text.name = name;
-  const int file = diagnostics_.add_file(path.string());
+  text.found = {folder == 0 ? name : std::to_string(folder) + '/' + name, path};
+  const int file = diagnostics_.add_file(path);
   text.searched.file = file;
   texts_.emplace(file, std::move(text));
-  file_of_[name] = file;
+  file_of_[path] = file;
   return file;
 }
 
@@ -213,11 +223,24 @@ std::string Library::nearest(const std::string& label) const {
   return best;
 }
 
-std::vector<std::string> Library::files() const {
-  std::vector<std::string> names;
+std::vector<FoundFile> Library::files() const {
+  std::vector<FoundFile> found;
   for (const auto& [file, text] : texts_)
-    if (text.own) names.push_back(text.name);
-  return names;
+    if (text.own) found.push_back(text.found);
+  return found;
+}
+
+std::string Library::places() const {
+  std::vector<std::string> places{"in this program"};
+  if (!folders_.empty() && !folders_.front().empty()) places.emplace_back("beside it");
+  const std::size_t shown = std::min(folders_.size(), kMostFoldersShown + 1);
+  for (std::size_t i = 1; i < shown; ++i) places.push_back("in " + shown_folder(folders_[i]));
+  if (folders_.size() > shown)
+    places.push_back("in " + std::to_string(folders_.size() - shown) + " more folders");
+  std::string text = places.front();
+  for (std::size_t i = 1; i < places.size(); ++i)
+    text += (i + 1 == places.size() ? " or " : ", ") + places[i];
+  return text;
 }
 
 }  // namespace softcnc::ipr

@@ -2,6 +2,7 @@
 // The texts of a program, its own and those it calls, and the subprograms in them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -40,13 +41,22 @@ std::string o_word(std::string_view label, std::string_view keyword = {});
 /// Returns the name of a program: "O1000", "O<name>".
 std::string program_name(std::string_view label);
 
+/// The folders of called files: first that of the program, empty if it has none, then those of the
+/// search path, out of which no link may lead.
+using Folders = std::vector<std::string>;
+
+/// A called file. In the folder of the program `name` is its name there, in the n-th folder of the
+/// search path (from 1) it is "n/NAME": so a recording names it, wherever the folders were.
+struct FoundFile {
+  std::string name, path;
+};
+
 class Library {
  public:
-  /// Makes a library that looks for called files in `folder`; nowhere if that is empty. Their texts
-  /// are kept in `called`, which must outlive the library, or in the library itself if `called` is
-  /// nullptr.
-  Library(Parser& parser, Diagnostics& diagnostics, std::string folder,
-          CalledTexts* called = nullptr);
+  /// Makes a library that looks for called files in `folders`, in their order; nowhere if there are
+  /// none. Their texts are kept in `called`, which must outlive the library, or in the library
+  /// itself if `called` is nullptr.
+  Library(Parser& parser, Diagnostics& diagnostics, Folders folders, CalledTexts* called = nullptr);
 
   /// Returns where the parser stands.
   Spot here() const;
@@ -54,7 +64,7 @@ class Library {
   bool go(const Spot& spot);
 
   /// Returns the subprogram that a call means, looked for in the file of the call, in the main
-  /// program and in the folder. `program` says that the call is M98 or G65. Returns nothing if
+  /// program and in the folders. `program` says that the call is M98 or G65. Returns nothing if
   /// there is none, or if its file cannot be read, which is reported at `call`. The parser's place
   /// stays; its line is lost.
   std::optional<Subprogram> find(const std::string& label, bool program, const SourcePos& call,
@@ -68,20 +78,20 @@ class Library {
   /// Returns the known label that resembles an unknown one; an empty string if none does.
   std::string nearest(const std::string& label) const;
 
-  /// Returns the names, in the folder, of the files that have been called.
-  std::vector<std::string> files() const;
-  /// Returns the names, in the folder, under which calls have looked for a file that is not there;
-  /// 1000 at most.
+  /// Returns the files that have been called.
+  std::vector<FoundFile> files() const;
+  /// Returns the paths under which calls have looked for a file that is not there; 1000 at most.
   const std::set<std::string>& missing_files() const noexcept { return missing_; }
+  /// Returns where find() looks, in words: "in this program, beside it or in macros".
+  std::string places() const;
   /// Returns whether a go() has failed: the parser then stands nowhere in particular.
   bool is_lost() const noexcept { return lost_; }
-  const std::string& folder() const noexcept { return folder_; }
 
  private:
   struct Text {
     std::unique_ptr<Reader> own;  // of a called file
     Reader* reader = nullptr;
-    std::string name;  // in the folder
+    FoundFile found;
     std::map<std::string, Subprogram> subs, programs;
     Spot searched;  // subprograms before here are known
     bool searched_all = false;
@@ -94,17 +104,18 @@ class Library {
   Subprogram begun_by(const Statement& statement) const;
   std::optional<Subprogram> find_file(const std::string& label, bool program, const SourcePos& call,
                                       std::string_view line);
-  std::optional<int> open(const std::string& name, const SourcePos& call, std::string_view line);
+  std::optional<int> open(std::size_t folder, const std::string& name, const SourcePos& call,
+                          std::string_view line);
   Text& text(int file) { return texts_.at(file); }
 
   Parser& parser_;
   Diagnostics& diagnostics_;
-  std::string folder_;
+  Folders folders_;
   CalledTexts own_;
   CalledTexts* called_;
   bool lost_ = false, unread_label_ = false;
   std::map<int, Text> texts_;                        // by SourcePos::file
-  std::map<std::string, int, std::less<>> file_of_;  // by name in the folder; -1: unreadable
+  std::map<std::string, int, std::less<>> file_of_;  // by path; -1: unreadable
   std::set<std::string> missing_;
 };
 

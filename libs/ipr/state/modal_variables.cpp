@@ -343,6 +343,10 @@ void ModalVariables::keep(int number, double value) {
   if (!is_unknown(value)) modal_.state.parameters[number] = value;
 }
 
+void ModalVariables::keep(std::string_view name, double value) {
+  modal_.state.globals.insert_or_assign(std::string(name), value);
+}
+
 /// Expects a number that is_offset().
 void ModalVariables::write_offset(int number, double value) {
   if (const auto offset = offset_variable(number, modal_.state, dialect_))

@@ -29,6 +29,7 @@ class ModalVariables final : public SystemVariables {
   double fanuc_unit(int number) const override;
   bool write(int number, double value) override;
   void keep(int number, double value) override;
+  void keep(std::string_view name, double value) override;
 
  private:
   ToolTable tools() const noexcept { return {modal_.state, machine_, dialect_}; }

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <string_view>
@@ -79,12 +80,30 @@ Found look(const std::string& path) {
   return found;
 }
 
+bool is_below(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  const auto [left_of_path, left_of_folder] =
+      std::mismatch(path.begin(), path.end(), folder.begin(), folder.end());
+  return left_of_folder == folder.end() && left_of_path != path.end();
+}
+
+/// What is read is the file that was found below the folder, not where its name leads by then.
+Found look_within(const std::string& path, const std::string& folder) {
+  std::error_code missing;
+  const auto real = std::filesystem::canonical(path, missing);
+  if (missing) return std::nullopt;
+  const auto real_folder = std::filesystem::canonical(folder, missing);
+  if (missing) return std::nullopt;
+  if (is_below(real, real_folder)) return look(real.string());
+  return uncallable(Code::SC2317, path, "a link that leads out of '" + folder + "'");
+}
+
 }  // namespace
 
-const Found& CalledTexts::find(const std::string& path) {
+const Found& CalledTexts::find(const std::string& path, const std::string& within) {
   const auto known = found_.find(path);
   if (known != found_.end()) return known->second;
-  return found_.emplace(path, is_closed_ ? Found(std::nullopt) : look(path)).first->second;
+  const auto read = [&] { return within.empty() ? look(path) : look_within(path, within); };
+  return found_.emplace(path, is_closed_ ? Found(std::nullopt) : read()).first->second;
 }
 
 void CalledTexts::put(const std::string& path, Snapshot text) {

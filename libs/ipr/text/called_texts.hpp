@@ -19,8 +19,10 @@ class CalledTexts {
   /// Returns what the file held when it was first asked for, or nothing where there was none then;
   /// a folder without a suffix counts as none. Errors: SC6031; SC6033 if the path, or where it
   /// links to, is not a regular file; SC6034 if it is longer than kLongest; SC6003 if its text
-  /// cannot be kept.
-  const Result<std::optional<Snapshot>>& find(const std::string& path);
+  /// cannot be kept; SC2317 if `within` names a folder and the path, with all its links followed,
+  /// leads out of it.
+  const Result<std::optional<Snapshot>>& find(const std::string& path,
+                                              const std::string& within = {});
 
   /// Makes later calls of find() return this text for `path`.
   void put(const std::string& path, Snapshot text);

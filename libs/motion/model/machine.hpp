@@ -178,6 +178,8 @@ struct ProgramReading {
   double motion_limit = 3.6e7;  // s: a program that moves for longer is refused; 0: no limit
   SplineParameter spline_parameter = SplineParameter::chord_length;  // of splines through points
   IntegerUnit integers = IntegerUnit::units;                         // of lengths without a point
+  std::vector<std::string> path;  // folders of subprograms, after that of the program
+  std::string path_base;          // from where they count; empty: from the working folder
 };
 
 struct Tool {

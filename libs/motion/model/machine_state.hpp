@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <string>
 
 #include "motion/core/axes.hpp"
 
@@ -51,6 +52,7 @@ struct MachineState {
   AxisVector second_home = AxisVector::Zero();  // G30
   std::map<int, ToolOffset> tools;              // by tool number
   std::map<int, double> parameters;             // numbered ones that outlive a program
+  std::map<std::string, double> globals;        // named ones, without #< and >
 
   friend bool operator==(const MachineState&, const MachineState&) = default;
 };

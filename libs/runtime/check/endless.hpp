@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ipr/parser/library.hpp"
 #include "runtime/program/program.hpp"
 #include "runtime/session/channel_options.hpp"
 #include "runtime/session/watcher.hpp"
@@ -21,7 +22,7 @@ bool is_endless(Program& program, const Machine& machine, const ChannelOptions& 
                 Watcher* watcher);
 
 struct Unplanned {
-  std::vector<std::string> called_files;  // as of Outcome
+  std::vector<ipr::FoundFile> called_files;  // as of Outcome
   std::set<std::string> missing_files;
 };
 

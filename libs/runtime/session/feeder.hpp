@@ -71,7 +71,7 @@ class Feeder {
   /// Passes every block to `programmed` before the planner gets it.
   void show(ProgrammedPath& programmed) noexcept { programmed_ = &programmed; }
 
-  std::vector<std::string> called_files() const { return interpreter_.called_files(); }
+  std::vector<ipr::FoundFile> called_files() const { return interpreter_.called_files(); }
   const std::set<std::string>& missing_files() const noexcept {
     return interpreter_.missing_files();
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ipo/planner/planner.hpp"
+#include "ipr/parser/library.hpp"
 #include "motion/model/cycle.hpp"
 #include "motion/model/machine_state.hpp"
 #include "motion/model/setpoint.hpp"
@@ -48,8 +49,8 @@ struct Outcome {
   std::size_t events_left = 0;         // of the script: their moments were never reached
   MachineState state;                  // where the machine rests, if ChannelOptions::keeps_state
   ipo::PlannerCounts planner;
-  std::vector<std::string> called_files;  // their names in the folder
-  std::set<std::string> missing_files;    // names in the folder under which calls have found none
+  std::vector<ipr::FoundFile> called_files;
+  std::set<std::string> missing_files;  // paths under which calls have found no file
   Cpu cpu;
 };
 
