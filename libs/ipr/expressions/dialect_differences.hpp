@@ -48,8 +48,9 @@ enum class DialectDifference : std::uint8_t {
   entry,
   exact_stop,
   named_shift,
+  further_system,
 };
-inline constexpr std::size_t kDialectDifferences = 28;
+inline constexpr std::size_t kDialectDifferences = 29;
 
 struct DialectDifferenceRow {
   DialectDifference kind;

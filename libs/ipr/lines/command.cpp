@@ -22,6 +22,12 @@ bool is_probing(const Word& word, Dialect dialect) noexcept {
   return word.letter == 'G' && std::floor(word.value) == code;
 }
 
+bool is_refused_probing(const GCode& code) noexcept {
+  constexpr int kG31 = 310, kG382 = 382, kG385 = 385;
+  return code.letter == 'G' &&
+         (code.number == kG31 || (code.number >= kG382 && code.number <= kG385));
+}
+
 }  // namespace
 
 void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
@@ -33,6 +39,7 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
   probes_ = calls_macro_ = false;
   below_cycle_ = nullptr;
   called_ = line.called;
+  corner_ = line.corner;
   for (const Word& word : line.words) {
     is_code_letter(word.letter) ? read_code(word, dialect, out) : read_value(word, out);
     if (!calls_macro_) continue;
@@ -57,6 +64,7 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
     probes_ = probes_ || is_probing(word, dialect);
     return;
   }
+  if (is_refused_probing(*code)) probes_ = probes_ || is_probing(word, dialect);
   calls_macro_ = calls_macro(*code);
   if (!has(code->group)) return add(*code, word);
   if (dialect == Dialect::fanuc && put_above(*code, word)) return;
