@@ -23,7 +23,11 @@ MachineState full_state(std::mt19937& random) {
   const auto vector = [&] { return AxisVector(any(random), any(random), any(random)); };
   MachineState state;
   for (WorkOffset& work : state.work) work = {vector(), rad_from_deg(any(random))};
-  state.active = static_cast<int>(random() % kWorkSystems);
+  for (int i = 0; i < 10; ++i)
+    state.further_work[1 + static_cast<int>(random() % kFurtherSystems)] = {
+        vector(), rad_from_deg(any(random))};
+  state.further_homes[random() % 2] = vector();
+  state.active = static_cast<int>(random() % (kWorkSystems + kFurtherSystems));
   state.shift = vector();
   state.shift_on = random() % 2 == 0;
   state.home = vector();
@@ -97,6 +101,35 @@ radius_wear_mm = -0.02
   expected.tools[12] = {{0, 0, 61.5}, 3, -0.1, -0.02};
   expected.parameters = {{500, 1e-3}, {5399, -7}};
   CHECK(*state == expected);
+}
+
+TEST_CASE("further work systems and reference points stand in a state file if they are used",
+          "[hal][state]") {
+  const auto state = parse_state(
+      "schema = 1\nactive = \"G54.1 P300\"\n[g30_p3]\nz_mm = -100\n"
+      "[work.\"G54.1 P2\"]\nx_mm = 7\n[work.\"G54.1 P300\"]\ny_mm = 8\n",
+      "mill.state");
+  REQUIRE(state);
+  MachineState expected;
+  expected.active = kWorkSystems + 299;
+  expected.further_work[2].origin[0] = 7;
+  expected.further_work[300].origin[1] = 8;
+  expected.further_homes[0] = AxisVector(0, 0, -100);
+  CHECK(*state == expected);
+  const std::string text = state_toml(expected);
+  CHECK(text.find("[g30_p3]\nx_mm = 0\ny_mm = 0\nz_mm = -100\n") != std::string::npos);
+  CHECK(text.find("g30_p4") == std::string::npos);
+  CHECK(text.find("[work.\"G54.1 P2\"]\nx_mm = 7\n") != std::string::npos);
+  MachineState zero;
+  zero.further_work[5] = {};
+  CHECK(state_toml(zero) == state_toml({}));
+}
+
+TEST_CASE("names of further work systems that are none are refused", "[hal][state]") {
+  for (const char* name : {"G54.1 P0", "G54.1 P301", "G54.1", "G54.1 P", "G54.1 P03"})
+    CHECK(refused("[work.\"" + std::string(name) + "\"]\n")
+              .starts_with("mill.state:2:7: error: unknown key"));
+  CHECK(shows(refused("active = \"G54.1 P301\"\n"), "or 'G54.1 P1' to 'G54.1 P300' [SC7006]"));
 }
 
 TEST_CASE("any state reads back bit for bit, and is the same text again", "[hal][state]") {

@@ -117,6 +117,8 @@ const std::vector<Case> kCases{
     {C::dwell, "G4 P0\nM30", "", ""},
     {C::cycle_dwell, "G0 Z5\nG99 G82 X1 Z-1 R2 P2 F100\nM30", "SC2121 2:19", ""},
     {C::work_system_in_g91, "G10 L2 P1 X5\nG91 G10 L2 P1 X5\nG90 G0 X0\nM30", "SC2122 2:5", ""},
+    {C::further_system, "G10 L20 P1 X5\nG0 X0\nM30", "SC2269 1:1", ""},
+    {C::further_system, "G10 L20 P2\nG0 X1\nM30", "", ""},
     {C::tool_value, "G10 L1 P1 R5\nG43 H1\nG0 Z0\nM30", "SC2123 1:11", ""},
     {C::length_number, "T1 M6\nG43\nG0 Z1\nM30", "SC2124 2:1", ""},
     {C::length_number, "T1 M6\nG43 H1\nG43\nG0 Z1\nM30", "", ""},
@@ -254,7 +256,7 @@ TEST_CASE("nothing is compared unless it is asked for", "[ipr][differences]") {
 
 TEST_CASE("what one dialect refuses is no dialect difference", "[ipr][differences]") {
   for (const char* text :
-       {"G04 X1\nM30", "#1=1+1\nM30", "G28\nM30", "G10 L20 P1 X0\nM30", "G1 F100 X[#0+1]\nM30",
+       {"G04 X1\nM30", "#1=1+1\nM30", "G30 P2 X0\nM30", "G54 P2\nM30", "G10 L20 P0 X0\nM30", "G1 F100 X[#0+1]\nM30",
         "G0 X[1 EQ 1 AND 2 EQ 2]\nM30", "G0 X[1.5 AND 1]\nM30", "G10 L12 P1 R1\nM30",
         "G0 X1 H1\nM30", "G0 X1 D1\nM30", "G0 G28 X0\nM30", "G0 X1\nG80 X2\nM30",
         "F9 G0 Z3\nG99 G81 X1 Z0 R1\nG83 X2 Q1\nM30", "F9 G0 Z3\nG99 G83 X1 Z0 R1 Q1 P1\nM30",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -19,13 +20,21 @@ std::string page() {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The rows as docs/gcode.md shows them.
+/// "g54-1": the place of a code on the page.
+std::string place_of(const GCode& code) {
+  std::string place = code_name(code);
+  for (char& c : place) c = c == '.' ? '-' : static_cast<char>(std::tolower(c));
+  return place;
+}
+
+/// The rows as docs/gcode.md shows them, each with a place to link to.
 std::string table_for_users() {
   std::string all = "| code | words | what it does |\n|---|---|---|\n";
   for (const GCode& code : gcode_table()) {
     std::string words;
     for (const char letter : code.words) words += std::string(words.empty() ? "" : " ") + letter;
-    all += "| " + code_name(code) + " | " + words + " | " + std::string(code.says) + " |\n";
+    all += "| <a id=\"" + place_of(code) + "\"></a>" + code_name(code) + " | " + words + " | " +
+           std::string(code.says) + " |\n";
   }
   return all;
 }
@@ -53,6 +62,8 @@ TEST_CASE("a code is found by its letter and number", "[ipr][table]") {
   CHECK(find_gcode('G', 1.001) == nullptr);
   CHECK(find_gcode('G', -1) == nullptr);
   CHECK(find_gcode('G', 100) == nullptr);
+  CHECK(find_gcode('G', 200) == nullptr);
+  CHECK(find_gcode('G', 154)->letter == 'G');
   CHECK(find_gcode('M', 1e9) == nullptr);
   CHECK(find_gcode('F', 123.4) == find_gcode('F', 0));
 }
@@ -70,6 +81,18 @@ TEST_CASE("a code is named as people write it", "[ipr][table]") {
 TEST_CASE("docs/gcode.md shows the table as it is", "[ipr][table][docs]") {
   INFO("expected in docs/gcode.md:\n" << table_for_users());
   CHECK(page().find(table_for_users()) != std::string::npos);
+}
+
+TEST_CASE("every code has one place on the page to link to", "[ipr][table][docs]") {
+  const std::string text = page();
+  std::set<std::string> places;
+  for (const GCode& code : gcode_table()) {
+    const std::string place = "<a id=\"" + place_of(code) + "\"></a>";
+    INFO(place);
+    CHECK(places.insert(place).second);
+    CHECK(text.find(place) != std::string::npos);
+    CHECK(text.find(place) == text.rfind(place));
+  }
 }
 
 TEST_CASE("docs/gcode.md reports the order on a line as it is", "[ipr][table][docs]") {

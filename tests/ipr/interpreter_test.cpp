@@ -120,7 +120,7 @@ TEST_CASE("after an unknown character words are looked at, but nothing it may ex
   CHECK(reported("\u00d75 X1 \u00d7[1+2] [") == Places{"SC1001 2:1"});
   CHECK(reported("? 5 Q") == Places{"SC1001 2:1"});
   CHECK(reported("? Q 5 WHILE X1") == Places{"SC1001 2:1"});
-  CHECK(reported("G01 X1 ,R5 R3 Q--1") == Places{"SC1001 2:8"});
+  CHECK(reported("G01 X1 ,A5 R3 Q--1") == Places{"SC1001 2:8"});
   CHECK(reported("// a comment") == Places{"SC1011 2:2"});
   CHECK(reported("X1 // 5 ? S-1 S2") == Places{"SC1011 2:4"});
   CHECK(reported("X1 ? #1=5 Y2 Y3") == Places{"SC1001 2:4"});

@@ -75,6 +75,31 @@ TEST_CASE("in the fanuc dialect G30 takes P2", "[ipr][reference][fanuc]") {
   CHECK(places(interpret("G30 P2 Z0\nM30\n")) == Places{"SC2004 1:5"});
 }
 
+TEST_CASE("in the fanuc dialect all axes go home where none is named", "[ipr][reference][fanuc]") {
+  CHECK(places_of("G00 X5 Y6 Z7\nG28\n", kFanuc) == Path{{5, 6, 7}, {0, 0, 0}});
+  CHECK(places_of("G00 X5 Y6 Z7\nG30.1\nX0\nG91 G30\n", kFanuc) ==
+        Path{{5, 6, 7}, {0, 6, 7}, {5, 6, 7}});
+  CHECK(places_of("G00 X5 Y6 Z7\nG30 P2\n", kFanuc) == Path{{5, 6, 7}, {0, 0, 0}});
+}
+
+TEST_CASE("in the fanuc dialect G30 P3 and P4 lead to places of the state",
+          "[ipr][reference][fanuc]") {
+  MachineState state;
+  state.further_homes = {AxisVector(1, 2, 3), AxisVector(4, 5, 6)};
+  Reader reader = Reader::from_text("G91 G30 P3 Z1\nG30 P4\nG28 X0\nM30\n");
+  Diagnostics diagnostics;
+  Parser parser(reader, diagnostics);
+  const Machine machine;
+  Interpreter interpreter(parser, machine, diagnostics, kFanuc, state);
+  Path all;
+  while (auto block = interpreter.next())
+    if (const auto* move = std::get_if<Move>(&block->what)) all.push_back(end(move->path));
+  CHECK(diagnostics.all().empty());
+  CHECK(all == Path{{0, 0, 1}, {0, 0, 3}, {4, 5, 6}, {0, 5, 6}});
+  CHECK(places(interpret("G30 P3\nG00 X0 Y0 Z0\nG30 P4\nX0 Y0 Z0\nG30 P5\nM30\n", {}, kFanuc)) ==
+        Places{"SC2260 1:5", "SC2260 3:5", "SC2007 5:5"});
+}
+
 TEST_CASE("in the fanuc dialect G00 and G01 beside G28 are in force after it",
           "[ipr][reference][fanuc]") {
   CHECK(places_of("G0 X3 Y4 Z5\nG00 G91 G28 Z0.\nG90 X7\n", kFanuc) ==

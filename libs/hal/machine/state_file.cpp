@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -16,6 +15,7 @@
 #include "hal/files/number.hpp"
 #include "hal/files/text_file.hpp"
 #include "hal/machine/state_keys.hpp"
+#include "hal/machine/state_names.hpp"
 #include "hal/machine/toml_reader.hpp"
 #include "hal/machine/toml_text.hpp"
 #include "motion/core/units.hpp"
@@ -23,8 +23,7 @@
 namespace softcnc::hal {
 namespace {
 
-constexpr std::array<std::string_view, kWorkSystems> kWorkNames{
-    "G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
+constexpr std::array<std::string_view, 2> kFurtherHomes{"g30_p3", "g30_p4"};
 constexpr std::array<std::string_view, 2> kNoYes{"no", "yes"};
 
 constexpr double same(double value) noexcept { return value; }
@@ -35,20 +34,6 @@ struct StateSlot {
   double (*to_internal)(double) = same;
   double limit = kFarthest;  // either way, in the unit of the file
 };
-
-template <typename Words>
-std::optional<int> index_in(const Words& words, std::string_view word) {
-  const auto found = std::find(words.begin(), words.end(), word);
-  return found == words.end() ? std::nullopt
-                              : std::optional(static_cast<int>(found - words.begin()));
-}
-
-std::optional<int> number_of(std::string_view word) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  const bool whole = error == std::errc{} && end == word.data() + word.size() && word[0] != '0';
-  return whole && number > 0 ? std::optional(number) : std::nullopt;
-}
 
 std::optional<StateSlot> axis_slot(AxisVector& vector, std::string_view key) {
   for (int axis = 0; axis < kAxes; ++axis)
@@ -77,8 +62,12 @@ std::optional<StateSlot> parameter_slot(MachineState& state, std::string_view ke
   return StateSlot{&state.parameters[*number], same, std::numeric_limits<double>::max()};
 }
 
-std::string_view without(std::string_view text, std::string_view prefix) {
-  return text.starts_with(prefix) ? text.substr(prefix.size()) : std::string_view();
+/// The place of G30 P3 and P4, which is known once the file names one of its axes.
+std::optional<StateSlot> further_home_slot(std::optional<AxisVector>& home, std::string_view key) {
+  AxisVector none;
+  if (!axis_slot(none, key)) return std::nullopt;
+  if (!home) home = AxisVector::Zero();
+  return axis_slot(*home, key);
 }
 
 std::optional<StateSlot> find_slot(MachineState& state, std::string_view path) {
@@ -90,8 +79,10 @@ std::optional<StateSlot> find_slot(MachineState& state, std::string_view path) {
   if (table == "g92") return axis_slot(state.shift, key);
   if (table == "g28") return axis_slot(state.home, key);
   if (table == "g30") return axis_slot(state.second_home, key);
-  if (const auto work = index_in(kWorkNames, without(table, "work.")))
-    return work_slot(state.work[static_cast<std::size_t>(*work)], key);
+  if (const auto home = index_in(kFurtherHomes, table))
+    return further_home_slot(state.further_homes[static_cast<std::size_t>(*home)], key);
+  if (const auto work = system_index(without(table, "work.")))
+    return work_slot(state.work_system_entry(*work), key);
   if (const auto tool = number_of(without(table, "tool."))) return tool_slot(state, *tool, key);
   return std::nullopt;
 }
@@ -99,8 +90,8 @@ std::optional<StateSlot> find_slot(MachineState& state, std::string_view path) {
 bool is_table(std::string_view path) {
   constexpr std::array<std::string_view, 6> kTables{"work", "g92",  "g28",
                                                     "g30",  "tool", "parameter"};
-  return index_in(kTables, path) || index_in(kWorkNames, without(path, "work.")) ||
-         number_of(without(path, "tool."));
+  return index_in(kTables, path) || index_in(kFurtherHomes, path) ||
+         system_index(without(path, "work.")) || number_of(without(path, "tool."));
 }
 
 std::optional<double> as_number(const FileValue& value) {
@@ -131,6 +122,7 @@ class StateReader {
   void take_value(const TomlEntry& entry);
   void take_number(const TomlEntry& entry);
   bool is_new(const TomlEntry& entry);
+  std::optional<int> work_system(const TomlEntry& entry);
   std::optional<int> word(const TomlEntry& entry, std::span<const std::string_view> words);
   void fail(Code code, const SourcePos& pos, std::string message);
 
@@ -184,7 +176,7 @@ void StateReader::take(const TomlEntry& entry) {
 void StateReader::take_value(const TomlEntry& entry) {
   if (entry.path == "schema") return;
   if (entry.path == "active") {
-    state_.active = word(entry, kWorkNames).value_or(0);
+    state_.active = work_system(entry).value_or(0);
   } else if (entry.path == "g92_in_force") {
     state_.shift_on = word(entry, kNoYes).value_or(0) == 1;
   } else if (is_table(entry.path)) {
@@ -231,6 +223,16 @@ void StateReader::take_number(const TomlEntry& entry) {
   *slot->place = slot->to_internal(*value + 0.0);
 }
 
+std::optional<int> StateReader::work_system(const TomlEntry& entry) {
+  const auto* given = std::get_if<std::string>(&entry.value);
+  const auto index = given ? system_index(*given) : std::nullopt;
+  if (!index)
+    fail(given ? Code::SC7006 : Code::SC7004, entry.value_pos,
+         entry.path + " takes one of " + list(kWorkNames) + ", or '" + system_name(kWorkSystems) +
+             "' to '" + system_name(kWorkSystems + kFurtherSystems - 1) + "'");
+  return index;
+}
+
 std::optional<int> StateReader::word(const TomlEntry& entry,
                                      std::span<const std::string_view> words) {
   const auto* given = std::get_if<std::string>(&entry.value);
@@ -256,9 +258,8 @@ std::string axis_lines(const AxisVector& vector) {
 
 std::string quoted(std::string_view name) { return '"' + std::string(name) + '"'; }
 
-std::string work_text(const MachineState& state, std::size_t i) {
-  const WorkOffset& work = state.work[i];
-  return section("work." + quoted(kWorkNames[i])) + axis_lines(work.origin) +
+std::string work_text(const std::string& name, const WorkOffset& work) {
+  return section("work." + quoted(name)) + axis_lines(work.origin) +
          "rotation_deg = " + scaled_text(work.rotation, rad_from_deg, deg_from_rad) + '\n';
 }
 
@@ -283,12 +284,17 @@ StateOrErrors parse_state(const std::string& text, const std::string& name) {
 std::string state_toml(const MachineState& state) {
   std::string text = "# What programs have left on the machine. softcnc run --state writes it.\n";
   text += number_line("schema", kStateSchema);
-  text += "active = " + quoted(kWorkNames[static_cast<std::size_t>(state.active)]) + '\n';
+  text += "active = " + quoted(system_name(state.active)) + '\n';
   text += "g92_in_force = " + quoted(kNoYes[state.shift_on ? 1 : 0]) + '\n';
   text += section("g92") + axis_lines(state.shift);
   text += section("g28") + axis_lines(state.home);
   text += section("g30") + axis_lines(state.second_home);
-  for (std::size_t i = 0; i < kWorkNames.size(); ++i) text += work_text(state, i);
+  for (std::size_t i = 0; i < kFurtherHomes.size(); ++i)
+    if (const auto& home = state.further_homes[i])
+      text += section(std::string(kFurtherHomes[i])) + axis_lines(*home);
+  for (int i = 0; i < kWorkSystems; ++i) text += work_text(system_name(i), state.work_system(i));
+  for (const auto& [number, work] : state.further_work)
+    if (work != WorkOffset{}) text += work_text(system_name(kWorkSystems + number - 1), work);
   for (const auto& [number, tool] : state.tools) text += tool_text(number, tool);
   text += section("parameter");
   for (const auto& [number, value] : state.parameters)

@@ -49,6 +49,7 @@ enum class DialectDifference : std::uint8_t {
   entry,
   exact_stop,
   named_shift,
+  further_system,
 };
 inline constexpr std::size_t kDialectDifferences = 29;
 

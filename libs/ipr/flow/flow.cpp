@@ -177,11 +177,12 @@ void Flow::end_text() {
   const auto& [kind, label, begin] = calls_.back().sub;
   const SourcePos pos{parser_.line(), 0, 1, parser_.file()};
   if (!order_unknown_)
-    report_structure(label, Code::SC2303, pos,
-                     kind == SubKind::o_word
-                         ? "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'"
-                         : program_name(label) + " ends without M99",
-                     {});
+    report_structure(
+        label, Code::SC2303, pos,
+        kind == SubKind::o_word
+            ? "'" + o_word(label, "sub") + "' has no '" + o_word(label, "endsub") + "'"
+            : (kind == SubKind::lines ? label : program_name(label)) + " ends without M99",
+        {});
   calls_.back().times = 1;
   leave(std::nullopt, pos);
 }

@@ -42,9 +42,9 @@ struct FlowOptions {
 
 /// A jump that a code asks for. It is done after the line of the code.
 struct Jump {
-  enum class Kind : std::uint8_t { call, call_macro, leave };
+  enum class Kind : std::uint8_t { call, call_macro, call_lines, leave };
   Kind kind = Kind::call;
-  int number = 0;                  // of the program called
+  int number = 0;                  // of the program called, or of its first line
   std::string name;                // the same of one that is called by name
   int times = 1;                   // how often it runs
   std::optional<int> line_number;  // N at which to go on
@@ -121,8 +121,9 @@ class Flow {
   /// The main program, or a call.
   struct Call {
     Subprogram sub;
-    Spot back;      // where to go on after it
-    SourcePos pos;  // of the call
+    Spot back;                  // where to go on after it
+    std::optional<Spot> entry;  // where it begins, if that is not its beginning
+    SourcePos pos;              // of the call
     std::string text;
     std::size_t opens = 0;   // those of its callers
     int times = 1;           // how often it runs yet, this time included
@@ -167,12 +168,15 @@ class Flow {
   void call();
   std::optional<Subprogram> find(const std::string& label, bool program, const SourcePos& call);
   void jump_now();
+  void enter_lines(Jump jump);
+  bool begin_at(int number, const SourcePos& pos);
+  std::string program_in_work() const;
   void enter(Subprogram sub, Jump jump, bool has_level);
   void start();
   void leave_by_statement();
   void leave_by_code(const Jump& jump);
   void leave(std::optional<double> value, const SourcePos& pos);
-  void go_to_line(int number, const SourcePos& pos);
+  bool go_to_line(int number, const SourcePos& pos);
   bool find_line(int number, int last);
   void land(const SourcePos& pos);
   std::vector<Landing>::iterator landing_of(const SourcePos& pos);
@@ -260,6 +264,7 @@ class Flow {
   std::int64_t made_since_jump_ = 0;                    // blocks of cycles, since the last one back
   std::int64_t vain_ = 0;                               // lines passed to find what is missing
   std::map<std::tuple<int, int, int>, Spot> backward_;  // targets of GOTO: by file, line and number
+  std::map<std::tuple<int, int, int>, Spot> called_lines_;  // of M97, likewise
 };
 
 }  // namespace softcnc::ipr

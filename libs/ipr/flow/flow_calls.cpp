@@ -11,6 +11,7 @@ namespace softcnc::ipr {
 namespace {
 
 std::string name_of(const Subprogram& sub) {
+  if (sub.kind == SubKind::lines) return sub.label;
   return sub.kind == SubKind::program ? program_name(sub.label)
                                       : "'" + o_word(sub.label, "sub") + "'";
 }
@@ -146,6 +147,7 @@ void Flow::jump_now() {
   Jump jump = std::move(*jump_);
   jump_.reset();
   if (jump.kind == Jump::Kind::leave) return leave_by_code(jump);
+  if (jump.kind == Jump::Kind::call_lines) return enter_lines(std::move(jump));
   const bool macro = jump.kind == Jump::Kind::call_macro;
   if (jump.times <= 0) return;
   const std::string label = jump.name.empty() ? std::to_string(jump.number) : jump.name;
@@ -153,6 +155,24 @@ void Flow::jump_now() {
     enter(std::move(*sub), std::move(jump), macro);
   else
     miss_call(macro);
+}
+
+/// M97: the lines are those of the program or subprogram of the call.
+void Flow::enter_lines(Jump jump) {
+  if (jump.times <= 0) return;
+  const int number = jump.number;
+  const Spot begin = calls_.back().sub.begin;
+  const std::size_t level = calls_.size();
+  const SourcePos pos = jump.pos;
+  enter({SubKind::lines, "N" + std::to_string(number), begin}, std::move(jump), false);
+  if (calls_.size() == level) return;
+  const std::tuple key{begin.file, begin.place.line, number};
+  if (const auto known = called_lines_.find(key); known != called_lines_.end()) {
+    calls_.back().entry = known->second;
+    go(known->second);
+  } else if (begin_at(number, pos) && called_lines_.size() < kMostTargets) {
+    called_lines_.emplace(key, *calls_.back().entry);
+  }
 }
 
 void Flow::enter(Subprogram sub, Jump jump, bool has_level) {
@@ -187,7 +207,19 @@ void Flow::enter(Subprogram sub, Jump jump, bool has_level) {
   diagnostics_.enter_call(call.pos);
   calls_.push_back(std::move(call));
   start();
-  if (jump.line_number) go_to_line(*jump.line_number, jump.pos);
+  if (jump.line_number) begin_at(*jump.line_number, jump.pos);
+}
+
+/// The innermost call goes on at a line, each time that it runs. Without that line the called lines
+/// are missing: false.
+bool Flow::begin_at(int number, const SourcePos& pos) {
+  const bool found = go_to_line(number, pos);
+  if (found) calls_.back().entry = library_.here();
+  if (found || calls_.back().sub.kind != SubKind::lines || ended_) return found;
+  calls_.back().times = 1;
+  leave(std::nullopt, pos);
+  miss_call(false);
+  return false;
 }
 
 /// Begins the innermost call, once or again.
@@ -195,7 +227,7 @@ void Flow::start() {
   const Call& call = calls_.back();
   if (call.has_level) parser_.parameters().push(call.arguments);
   if (options_.observer != nullptr) options_.observer->begin_call();
-  go(call.sub.begin);
+  go(call.entry.value_or(call.sub.begin));
 }
 
 /// A return leaves the subprogram in which it stands, whatever its label, as in LinuxCNC.
@@ -265,29 +297,40 @@ void Flow::leave(std::optional<double> value, const SourcePos& pos) {
   go(back);
 }
 
+/// The name of the called program whose lines are executed; empty in the main program.
+std::string Flow::program_in_work() const {
+  const auto of_lines = [](const Call& call) { return call.sub.kind == SubKind::lines; };
+  const auto call = std::find_if_not(calls_.rbegin(), calls_.rend() - 1, of_lines);
+  return call == calls_.rend() - 1 ? std::string() : name_of(call->sub);
+}
+
 /// Looks from here to the end of the program, then from its beginning to here.
-void Flow::go_to_line(int number, const SourcePos& pos) {
+bool Flow::go_to_line(int number, const SourcePos& pos) {
   const Spot here = library_.here();
   const std::tuple key{here.file, here.place.line, number};
-  if (const auto known = backward_.find(key); known != backward_.end())
-    return go_back(here, known->second, pos);
+  if (const auto known = backward_.find(key); known != backward_.end()) {
+    go_back(here, known->second, pos);
+    return true;
+  }
   if (find_line(number, std::numeric_limits<int>::max())) {
     if (go(before_)) land(pos);
-    return;
+    return !ended_;
   }
   const int end = parser_.line();
-  if (!go(calls_.back().sub.begin)) return;
+  if (!go(calls_.back().sub.begin)) return false;
   if (find_line(number, here.place.line)) {
     if (backward_.size() < kMostTargets) backward_.emplace(key, before_);
-    return go_back(here, before_, pos);
+    go_back(here, before_, pos);
+    return true;
   }
   lose_order();
+  const std::string name = program_in_work();
   if (!line_numbers_unknown_)
     report(Code::SC2308, pos,
-           "no line N" + std::to_string(number) + " in " +
-               (in_subprogram() ? name_of(calls_.back().sub) : "the program"));
+           "no line N" + std::to_string(number) + " in " + (name.empty() ? "the program" : name));
   vain_ += end;
   sought_in_vain(here, pos);
+  return false;
 }
 
 /// Passes to the line of this number; loops whose end is passed are no longer open.

@@ -30,7 +30,7 @@ bool may_pass_over(const Task& task, char across) {
 
 /// Once a file.
 void note_across(Task& task, char across) {
-  if (task.options.dialect == Dialect::fanuc || std::exchange(task.modal.across_reported, true))
+  if (is_fanuc_like(task.options.dialect) || std::exchange(task.modal.across_reported, true))
     return;
   task.out.report(
       Code::SC2171, task.values.word(across).pos,

@@ -61,6 +61,17 @@ void call_program(Task& task) {
   task.flow.jump(std::move(jump), task.out.text());
 }
 
+/// M97: Haas' mill operator's manual, "M97 Local Sub-Program Call".
+void call_lines(Task& task) {
+  if (!task.values.has('P')) {
+    task.out.report(Code::SC2005, task.word.pos, "M97 needs P, the number of the line N to call");
+    return task.flow.miss_call(false);
+  }
+  const auto number = whole_number(task, task.values.word('P'));
+  if (!number) return task.flow.miss_call(false);
+  task.flow.jump(call_of(task, Jump::Kind::call_lines, *number), task.out.text());
+}
+
 void call_macro(Task& task) {
   const auto number = program_number(task);
   auto arguments = macro_arguments(task);

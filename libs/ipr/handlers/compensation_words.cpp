@@ -108,12 +108,12 @@ bool may_start(Task& task) {
 }
 
 /// Codes that would move the contour or the tool under it.
-constexpr std::array kNever{50,  51,  52,  60,  61,  62,  73,  280, 281, 300, 301,
-                            430, 431, 432, 490, 520, 530, 730, 740, 760, 810, 820,
+constexpr std::array kNever{50,  51,  52,  60,  61,  62,  73,  120, 130, 280, 281, 300,
+                            301, 430, 431, 432, 490, 520, 530, 730, 740, 760, 810, 820,
                             830, 840, 850, 860, 870, 880, 890, 920, 921, 922, 923};
 /// LinuxCNC refuses these too, though the contour stays what it is.
 constexpr std::array kNotInLinuxcnc{610, 611, 640, 980, 990};
-constexpr int kG54 = 540, kG59_3 = 593, kG10 = 100, kG17 = 170, kG19 = 190;
+constexpr int kG10 = 100, kG17 = 170, kG19 = 190;
 
 template <typename Numbers>
 bool among(int number, const Numbers& numbers) {
@@ -131,6 +131,7 @@ bool changes_plane(const Task& task) {
 bool moves_work_system(const Task& task) {
   if (task.code.number != kG10) return false;
   const double what = task.values.value_or('L', 0), which = task.values.value_or('P', 0);
+  if (what == 20 && is_fanuc(task)) return kWorkSystems + which == task.modal.state.active + 1;
   return (what == 2 || what == 20) && (which == 0 || which == task.modal.state.active + 1);
 }
 
@@ -138,7 +139,7 @@ bool is_refused(const Task& task) {
   const int number = task.code.number;
   if (task.code.letter != 'G')
     return task.code.group == Group::tool_change || task.code.group == Group::length_number;
-  if (number >= kG54 && number <= kG59_3) return true;
+  if (task.code.group == Group::work_offset) return true;
   if (among(number, kNever) || changes_plane(task) || moves_work_system(task)) return true;
   return !is_fanuc(task) && among(number, kNotInLinuxcnc);
 }
@@ -150,7 +151,7 @@ double round_shown(double value) {
 }
 
 bool is_curve(const Task& task) {
-  constexpr std::array kCurves{20, 30, 50, 51, 52, 61, 62};
+  constexpr std::array kCurves{20, 30, 50, 51, 52, 61, 62, 120, 130};
   return task.code.letter == 'G' && among(task.code.number, kCurves) &&
          task.values.letters().has_any(task.code.words);
 }
@@ -211,6 +212,14 @@ void compensate(Task& task) {
   if (on) return report_twice(task);
   task.modal.cutter = wanted;
   task.out.start_compensation(*task.modal.cutter);
+}
+
+/// Without D the last one counts, even after G40, as Haas has it.
+std::optional<double> radius_of_pocket_tool(Task& task) {
+  if (!task.values.has('D')) return radius_of_last_number(task);
+  if (task.values['D'] != 0) return radius_by_number(task);
+  keep_number(task, 0);
+  return 0;
 }
 
 /// D beside no code that takes it, in the fanuc dialect.

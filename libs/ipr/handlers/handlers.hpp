@@ -68,6 +68,7 @@ void end_pending_curve(Modal& modal, Output& out);
 
 // work_offsets.cpp
 void select_work_system(Task& task);
+void select_further_system(Task& task);
 void use_machine_coordinates(Task& task);
 void set_local_shift(Task& task);
 void name_position(Task& task);
@@ -90,6 +91,9 @@ void switch_look_ahead(Task& task);
 void stop_once(Task& task);
 void select_length(Task& task);
 
+// circular_pocket.cpp
+void circular_pocket(Task& task);
+
 // reference_points.cpp
 void go_home(Task& task);
 void keep_home(Task& task);
@@ -101,6 +105,9 @@ void restore_modes(Task& task);
 
 // refused.cpp
 void refuse_thread(Task& task);
+void refuse_probing(Task& task);
+/// Notes that the code has no effect.
+void pass_over(Task& task);
 void refuse_rigid_tapping(Task& task);
 
 // signals.cpp
@@ -170,6 +177,9 @@ void end_program(Task& task);
 
 // compensation_words.cpp
 void compensate(Task& task);
+/// Returns the radius that D names for G12 and G13, mm; without D that of the last D. Returns
+/// nothing, after a report, if it is not known.
+std::optional<double> radius_of_pocket_tool(Task& task);
 void select_radius(Task& task);
 void end_compensation(Task& task);
 /// Returns false, after a report, for codes that would move the contour or the tool while G41 or
@@ -177,8 +187,15 @@ void end_compensation(Task& task);
 /// is known.
 bool may_act(Task& task);
 
+// corner_words.cpp
+/// Asks for the chamfer or the rounding that the line has by ,C or ,R.
+void ask_for_corner(const Command& command, const Modal& modal, Output& out);
+/// Gives up the corner of an earlier line where this one cannot go on from it.
+void check_pending_corner(const Command& command, const Modal& modal, Output& out);
+
 // calls.cpp
 void call_program(Task& task);
+void call_lines(Task& task);
 void call_macro(Task& task);
 void refuse_modal_macro(Task& task);
 void leave_program(Task& task);

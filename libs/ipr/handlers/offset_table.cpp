@@ -47,15 +47,15 @@ std::optional<int> read_p(Task& task, int first, int last, std::string_view what
 }
 
 /// The index of the work system that P names.
-std::optional<std::size_t> read_system(Task& task) {
+std::optional<int> read_system(Task& task) {
   const auto number = is_fanuc(task) ? read_p(task, 1, kFanucSystems, "the work system (1 is G54)")
                                      : read_p(task, 0, kWorkSystems, "the work system (1 is G54)");
   if (!number) return std::nullopt;
-  return static_cast<std::size_t>(*number == 0 ? task.modal.state.active : *number - 1);
+  return *number == 0 ? task.modal.state.active : *number - 1;
 }
 
 /// In G91 the fanuc dialect adds what its form of G10 L2 gives; R and other systems it refuses.
-void compare_system(Task& task, std::size_t system) {
+void compare_system(Task& task, int system) {
   const bool fanuc_form = task.values['P'] != 0 && system < kFanucSystems && !task.values.has('R');
   if (task.modal.incremental && fanuc_form && task.values.letters().has_any(kAxisWords))
     task.out.note_difference(DialectDifference::work_system_in_g91, task.word.pos);
@@ -75,17 +75,37 @@ bool set_rotation(Task& task, double& rotation) {
   return false;
 }
 
+AxisVector given_origin(const Task& task, AxisVector origin) {
+  for_named_axes(task, [&](int axis, double value) {
+    origin[axis] = adds(task) ? origin[axis] + value : value;
+  });
+  return origin;
+}
+
 /// L2: origin and rotation as given.
 bool set_system(Task& task) {
   const auto system = read_system(task);
   if (!system || (is_fanuc(task) && !lacks(task, "R"))) return false;
   compare_system(task, *system);
-  WorkOffset& work = task.modal.state.work[*system];
-  AxisVector origin = work.origin;
-  for_named_axes(task, [&](int axis, double value) {
-    origin[axis] = adds(task) ? origin[axis] + value : value;
-  });
+  WorkOffset& work = task.modal.state.work_system_entry(*system);
+  const AxisVector origin = given_origin(task, work.origin);
   return set_rotation(task, work.rotation) && keep_offset(task, work.origin, origin);
+}
+
+/// L20 of both dialects: systems of another kind.
+void compare_further_system(Task& task) {
+  const double number = task.values.value_or('P', 0);
+  const bool common = number >= 1 && number <= kWorkSystems && !task.values.has('R');
+  if (common && task.values.letters().has_any(kAxisWords))
+    task.out.note_difference(DialectDifference::further_system, task.word.pos);
+}
+
+/// L20 of the fanuc dialect: the origin of a further system as given.
+bool set_further_system(Task& task) {
+  const auto number = read_p(task, 1, kFurtherSystems, "the work system (1 is G54.1 P1)");
+  if (!number || !lacks(task, "R")) return false;
+  AxisVector& origin = task.modal.state.work_system_entry(kWorkSystems + *number - 1).origin;
+  return keep_offset(task, origin, given_origin(task, origin));
 }
 
 /// Moves what is subtracted from the position, as `with` takes it, so that the axes named get the
@@ -108,7 +128,7 @@ bool set_system_by_position(Task& task) {
   const auto system = read_system(task);
   if (!system || !lacks(task, "R")) return false;
   const Modal& modal = task.modal;
-  WorkOffset& work = task.modal.state.work[*system];
+  WorkOffset& work = task.modal.state.work_system_entry(*system);
   return rename_position(task, work.origin, [&](const AxisVector& origin) {
     return Coordinates({origin, work.rotation}, modal.shift(), modal.tool_offset);
   });
@@ -137,7 +157,7 @@ bool set_tool_by_position(Task& task, bool fixture) {
   if (!number || !needs(task, "XYZR", "X, Y, Z or R")) return false;
   const Modal& modal = task.modal;
   ToolOffset& tool = tools_of(task).row(*number);
-  const WorkOffset& work = fixture ? modal.state.work[kG593] : modal.work();
+  const WorkOffset work = fixture ? modal.state.work[kG593] : modal.work();
   const AxisVector shift = fixture ? AxisVector::Zero() : modal.shift();
   return rename_position(
              task, tool.length,
@@ -170,7 +190,7 @@ bool write_compensation(Task& task, int table) {
 
 bool refuse_form(Task& task) {
   task.out.report(Code::SC2007, task.values.word('L').pos,
-                  is_fanuc(task) ? "G10 takes L1, L2, L10, L11, L12 or L13"
+                  is_fanuc(task) ? "G10 takes L1, L2, L10, L11, L12, L13 or L20"
                                  : "G10 takes L1, L2, L10, L11 or L20");
   return false;
 }
@@ -184,6 +204,7 @@ void compare_tool_value(Task& task, int table) {
 
 bool write_fanuc(Task& task, int table) {
   if (table == 2) return set_system(task);
+  if (table == 20) return set_further_system(task);
   const bool known = table == 1 || (table >= 10 && table <= 13);
   return known ? write_compensation(task, table) : refuse_form(task);
 }
@@ -196,6 +217,7 @@ bool write_table(Task& task) {
   const auto table = whole_number(task, task.values.word('L'));
   if (!table) return false;
   compare_tool_value(task, *table);
+  if (*table == 20) compare_further_system(task);
   if (is_fanuc(task)) return write_fanuc(task, *table);
   switch (*table) {
     case 1:

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // G28 and G30: to a place kept in machine coordinates; G28.1 and G30.1 keep one.
+#include <cstddef>
+#include <optional>
 #include <string>
 
 #include "ipr/handlers/handlers.hpp"
@@ -8,35 +10,46 @@ namespace softcnc::ipr {
 namespace {
 
 constexpr int kG28 = 280, kG281 = 281;
-constexpr int kSecond = 2;  // of G30 P
+constexpr int kSecond = 2, kThird = 3, kFourth = 4;  // of G30 P
 
-/// G30 P2 is G30; third and fourth points there are none.
-bool check_point(Task& task) {
-  if (!task.values.has('P')) return true;
-  const Word& word = task.values.word('P');
-  const bool may_choose = is_fanuc_like(task.options.dialect) && task.code.number != kG28;
-  if (!may_choose) {
-    task.out.report(Code::SC2004, word.pos, "P is not used by " + code_name(task.code));
-  } else if (word.value != kSecond) {
-    report_word(task, 'P', Code::SC2007, "G30 takes P2: there is no other reference point");
-  } else {
-    return true;
-  }
-  return false;
+/// P3 and P4 of G30 are parameters of a FANUC control, which no code sets.
+std::optional<AxisVector> further_home(Task& task, double number) {
+  const auto& places = task.modal.state.further_homes;
+  const auto& place = places[static_cast<std::size_t>(number) - kThird];
+  if (!place)
+    report_word(task, 'P', Code::SC2260,
+                "G30 P" + number_text(number) + ": the " + (number == kThird ? "third" : "fourth") +
+                    " reference point is not known");
+  return place;
 }
 
-/// The axes that go: those named; all of them where none is, except in the fanuc dialect.
-LetterSet going(Task& task) {
+/// The reference point; nothing, after a report, if there is none.
+std::optional<AxisVector> home_of(Task& task) {
+  const MachineState& state = task.modal.state;
+  const bool second = task.code.number != kG28;
+  if (!task.values.has('P')) return second ? state.second_home : state.home;
+  const Word& word = task.values.word('P');
+  if (!second || !is_fanuc_like(task.options.dialect)) {
+    task.out.report(Code::SC2004, word.pos, "P is not used by " + code_name(task.code));
+  } else if (word.value == kSecond) {
+    return state.second_home;
+  } else if (word.value == kThird || word.value == kFourth) {
+    return further_home(task, word.value);
+  } else {
+    report_word(task, 'P', Code::SC2007, "G30 takes P2, P3 or P4, the reference point");
+  }
+  return std::nullopt;
+}
+
+/// The axes that go: those named; all of them where none is.
+LetterSet going(const Task& task) {
   LetterSet named, present;
   for (std::size_t i = 0; i < kAxes; ++i) {
     const char letter = kAxisLetters[i];
     if (task.values.has(letter)) named.add(letter);
     if (task.machine.axes[i].present) present.add(letter);
   }
-  if (!named.empty()) return named;
-  if (!is_fanuc_like(task.options.dialect)) return present;
-  task.out.report(Code::SC2005, task.word.pos, code_name(task.code) + " needs the axes that go");
-  return {};
+  return named.empty() ? present : named;
 }
 
 /// In coordinates of the program, where a rotated work system turns the axes.
@@ -57,15 +70,15 @@ AxisVector reached(const Task& task, const AxisVector& home, LetterSet axes) {
 void go_home(Task& task) {
   Modal& modal = task.modal;
   const LetterSet axes = going(task);
-  if (!check_point(task) || axes.empty()) return;
+  const auto home = home_of(task);
+  if (!home) return;
   if (modal.beside && !task.values.letters().has_any(kAxisWords)) {
     modal.position = modal.beside->tool;
     modal.beside.reset();
   }
   const AxisVector between = end_point(task);
-  const AxisVector& home = task.code.number == kG28 ? modal.state.home : modal.state.second_home;
   move_straight(task, between, true);
-  move_straight(task, reached(task, home, axes), true);
+  move_straight(task, reached(task, *home, axes), true);
 }
 
 void keep_home(Task& task) {

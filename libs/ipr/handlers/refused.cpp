@@ -29,4 +29,18 @@ void refuse_rigid_tapping(Task& task) {
   task.modal.unknown.add(Part::spindle);
 }
 
+/// G31, G38.2 to G38.5. Where the tool would stop is not known.
+void refuse_probing(Task& task) {
+  report(task, "it moves up to the signal of a probe, and the machine has none");
+  if (task.code.group == Group::motion) task.modal.motion = task.modal.motion_below = nullptr;
+}
+
+/// G103 and G187: how far a control looks ahead, and how closely it follows the path.
+void pass_over(Task& task) {
+  task.out.report(Code::SC2268, task.word.pos,
+                  code_name(task.code) +
+                      " has no effect: softcnc looks ahead over the whole program, and keeps the "
+                      "tolerance of G64");
+}
+
 }  // namespace softcnc::ipr

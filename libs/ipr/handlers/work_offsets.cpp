@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which coordinates count: work systems, the machine's own, and the shifts of G52 and G92.
+#include <optional>
+#include <string>
+
 #include "ipr/handlers/handlers.hpp"
 
 namespace softcnc::ipr {
@@ -8,6 +11,8 @@ namespace {
 constexpr int kG00 = 0, kG01 = 10;  // as GCode::number
 constexpr int kG54 = 540, kG59 = 590, kWhole = 10;
 constexpr int kFirstTenth = 6;  // index of G59.1
+constexpr int kG110 = 1100, kG154 = 1540;
+constexpr int kMostOfHaas = 99;  // G154 P
 
 AxisVector shift_in_force(const MachineState& state) {
   return state.shift_on ? state.shift : AxisVector::Zero();
@@ -41,14 +46,64 @@ void compare_suspension(Task& task) {
   if (shifted) task.out.note_difference(DialectDifference::local_shift, task.word.pos);
 }
 
+void select_system(Task& task, int index) {
+  task.modal.state.active = index;
+  task.modal.update_coordinates();
+}
+
+/// The code beside this one that takes P, or nullptr if there is none.
+const GCode* other_user_of_p(const Task& task) {
+  const bool fanuc = is_fanuc_like(task.options.dialect);
+  for (const auto& [code, word] : task.command.codes()) {
+    if (code == &task.code) continue;
+    const bool takes =
+        LetterSet(code->words).has('P') || (fanuc && LetterSet(code->fanuc_words).has('P'));
+    if (takes) return code;
+  }
+  return nullptr;
+}
+
+/// P of G54.1 and G154: FANUC takes the first system without it, and forbids codes beside it that
+/// take P.
+std::optional<int> further_number(Task& task) {
+  const bool of_haas = task.code.number == kG154;
+  if (!task.values.has('P') && !of_haas) return 1;
+  if (!task.values.has('P')) {
+    task.out.report(Code::SC2005, task.word.pos, "G154 needs P, the work system");
+    return std::nullopt;
+  }
+  if (const GCode* other = other_user_of_p(task)) {
+    report_word(task, 'P', Code::SC2266,
+                "P may belong to " + code_name(task.code) + " or to " + code_name(*other));
+    return std::nullopt;
+  }
+  const auto number = whole_number(task, task.values.word('P'));
+  const int most = of_haas ? kMostOfHaas : kFurtherSystems;
+  if (!number || (*number >= 1 && *number <= most)) return number;
+  report_word(
+      task, 'P', Code::SC2007,
+      code_name(task.code) + " takes P from 1 to " + std::to_string(most) + ", the work system");
+  return std::nullopt;
+}
+
 }  // namespace
 
-/// G54 to G59, G59.1 to G59.3.
+/// G54 to G59, G59.1 to G59.3. In the fanuc dialect G54 P is G54.1 P, unless another code of the
+/// line takes P.
 void select_work_system(Task& task) {
   const int number = task.code.number;
-  task.modal.state.active =
-      number > kG59 ? kFirstTenth + number - kG59 - 1 : (number - kG54) / kWhole;
-  task.modal.update_coordinates();
+  const bool further = number == kG54 && is_fanuc_like(task.options.dialect) &&
+                       task.values.has('P') && other_user_of_p(task) == nullptr;
+  if (further) return select_further_system(task);
+  select_system(task, number > kG59 ? kFirstTenth + number - kG59 - 1 : (number - kG54) / kWhole);
+}
+
+/// G54.1 P, G154 P, G110 to G129.
+void select_further_system(Task& task) {
+  const int code = task.code.number;
+  const bool by_code = code >= kG110 && code < kG154;
+  const auto number = by_code ? std::optional((code - kG110) / kWhole + 1) : further_number(task);
+  if (number) select_system(task, kWorkSystems + *number - 1);
 }
 
 /// G53.

@@ -236,7 +236,9 @@ const ProgramLine& Interpreter::with_lengths(const ProgramLine& line) {
   check_axes();
   if (command_.has(Group::non_modal) || command_.has(Group::tool_length)) check_axis_codes();
   check_unused();
+  if (out_.in_corner() && !out_.failed()) check_pending_corner(command_, modal_, out_);
   execute();
+  if (command_.corner() != nullptr) ask_for_corner(command_, modal_, out_);
   modal_.unknown |= command_.unknown();
   if (out_.failed()) {
     leave_curve();
@@ -423,6 +425,7 @@ void Interpreter::finish() {
     out_.report(Code::SC2205, {line.number, 0, 1}, "the program ends without M02 or M30");
   out_.end();
   out_.begin(line);
+  if (out_.in_corner()) out_.leave_corner(Code::SC2263, "the program ends");
   out_.stop_compensation();
   out_.emit(Action{Action::Kind::end, 30, 0});
   modal_.ended = true;

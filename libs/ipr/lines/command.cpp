@@ -39,6 +39,12 @@ std::string lines_of_machine(const Word& code, std::span<const Word> words) {
          number_text(code.value) + "] | do = \"ignore\" | words = \"" + letters + "\"";
 }
 
+bool is_refused_probing(const GCode& code) noexcept {
+  constexpr int kG31 = 310, kG382 = 382, kG385 = 385;
+  return code.letter == 'G' &&
+         (code.number == kG31 || (code.number >= kG382 && code.number <= kG385));
+}
+
 }  // namespace
 
 void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
@@ -51,6 +57,7 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
   below_cycle_ = nullptr;
   called_ = line.called;
   words_ = line.words;
+  corner_ = line.corner;
   for (const Word& word : line.words) {
     is_code_letter(word.letter) ? read_code(word, dialect, out) : read_value(word, out);
     if (!calls_macro_) continue;
@@ -74,6 +81,7 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
     probes_ = probes_ || is_probing(word, dialect);
     return;
   }
+  if (is_refused_probing(*code)) probes_ = probes_ || is_probing(word, dialect);
   calls_macro_ = calls_macro(*code);
   if (!has(code->group)) return add(*code, word);
   if (is_fanuc_like(dialect) && put_above(*code, word)) return;

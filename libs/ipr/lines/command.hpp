@@ -72,6 +72,8 @@ class Command {
   std::span<const Word> arguments() const noexcept { return arguments_; }
   /// Returns ProgramLine::called.
   std::string_view called() const noexcept { return called_; }
+  /// Returns ProgramLine::corner.
+  const Word* corner() const noexcept { return corner_; }
   /// Returns the letters of the words whose value is unknown: they could not be read, or are given
   /// twice.
   LetterSet unread() const noexcept { return unread_; }
@@ -99,6 +101,7 @@ class Command {
   const GCode* below_cycle_ = nullptr;
   std::span<const Word> arguments_;
   std::string_view called_;
+  const Word* corner_ = nullptr;
   LetterSet unread_;
   Unknown unknown_;
   bool probes_ = false;

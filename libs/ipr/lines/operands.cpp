@@ -7,8 +7,8 @@ namespace softcnc::ipr {
 namespace {
 
 constexpr int kG00 = 0, kG02 = 20, kG03 = 30, kG05 = 50, kG051 = 51, kG053 = 53;
-constexpr int kG10 = 100, kG28 = 280, kG30 = 300, kG40 = 400, kG411 = 411, kG421 = 421, kG43 = 430,
-              kG432 = 432, kG52 = 520, kG53 = 530, kG65 = 650;
+constexpr int kG10 = 100, kG12 = 120, kG13 = 130, kG31 = 310, kG28 = 280, kG30 = 300, kG40 = 400,
+              kG411 = 411, kG421 = 421, kG43 = 430, kG432 = 432, kG52 = 520, kG53 = 530, kG65 = 650;
 constexpr int kG92 = 920, kG923 = 923, kM72 = 720;
 
 Unknown named_axes(const Command& command) noexcept {
@@ -75,8 +75,11 @@ Unknown tables(const Command& command) noexcept {
   return of_tools ? Unknown{Part::tool_data} : Unknown{Part::shift, Part::tool_data};
 }
 
-Unknown operands_of_offset(const GCode& code, const Command& command) noexcept {
+Unknown operands_of_offset(const GCode& code, const Command& command, const Modal& modal) noexcept {
   switch (code.number) {
+    case kG12:
+    case kG13:
+      return kPosition | kCoordinates | of_feed(modal) | Unknown{Part::tool_data};
     case kG10:
       return operands_of_table(command);
     case kG28:
@@ -116,7 +119,7 @@ Unknown operands(const GCode& code, const Command& command, const Modal& modal) 
     case Group::motion:
       return operands_of_motion(code, command, modal);
     case Group::non_modal:
-      return operands_of_offset(code, command);
+      return operands_of_offset(code, command, modal);
     case Group::feed:
       return {Part::units, Part::feed_mode};
     case Group::cutter_compensation:
@@ -153,7 +156,8 @@ Unknown results(const GCode& code, const Command& command) noexcept {
       return parts;
     }
     case Group::non_modal:
-      if (code.number == kG28 || code.number == kG30) return kPosition;
+      if (code.number == kG28 || code.number == kG30 || code.number == kG31) return kPosition;
+      if (code.number == kG12 || code.number == kG13) return named_axes(command);
       if (code.number == kG53) return named_axes(command);
       if (code.number == kG10) return tables(command);
       if (code.number == kG52) return {Part::shift};

@@ -13,6 +13,7 @@ namespace softcnc::ipr {
   source_ = diagnostics_.in_calls(source_);
   failed_ = false;
   errors_ = 0;
+  asked_.reset();
   if (closed_) return;
   kept_ = blocks_.size();
   kept_before_move_ = before_move_.size();
@@ -26,6 +27,7 @@ void Output::end() {
                                                   std::min(kept_before_move_, before_move_.size())),
                        before_move_.end());
   }
+  if (asked_ || corners_.waiting()) pass_corners();
   if (compensation_.on()) compensate();
 }
 
@@ -33,6 +35,47 @@ void Output::emit_waiting() {
   for (Made& action : before_move_) blocks_.push_back(std::move(action));
   before_move_.clear();
   kept_before_move_ = 0;
+}
+
+bool Output::has_move() const noexcept {
+  return std::any_of(blocks_.begin() + static_cast<std::ptrdiff_t>(kept_), blocks_.end(),
+                     [](const Block& block) { return std::holds_alternative<Move>(block.what); });
+}
+
+/// The blocks of the line go in, those that are ready come out.
+void Output::pass_corners() {
+  std::vector<BlockOfLine> ready;
+  if (failed_) corners_.leave(ready);  // whether the next move is missing is not known
+  std::vector<BlockOfLine> line;
+  for (std::size_t i = kept_; i < blocks_.size(); ++i)
+    line.push_back({std::move(blocks_[i]), std::string(text_)});
+  drop();
+  const auto last = std::find_if(line.rbegin(), line.rend(), [](const BlockOfLine& one) {
+    return std::holds_alternative<Move>(one.block.what);
+  });
+  const BlockOfLine* asking = asked_ && last != line.rend() ? &*last : nullptr;
+  for (BlockOfLine& one : line) {
+    const AskedCorner* asked = &one == asking ? &*asked_ : nullptr;
+    corners_.follow(std::move(one), asked, ready);
+  }
+  hand_over(ready);
+}
+
+void Output::hand_over(std::vector<BlockOfLine>& blocks) {
+  for (BlockOfLine& one : blocks) {
+    if (compensation_.on())
+      compensation_.follow(std::move(one.block), one.text);
+    else
+      blocks_.emplace_back(std::move(one.block.what), one.block.source);
+  }
+}
+
+void Output::leave_corner(Code code, const std::string& reason) {
+  if (closed_) return;
+  std::vector<BlockOfLine> ready;
+  corners_.leave(code, reason, ready);
+  hand_over(ready);
+  kept_ = blocks_.size();
 }
 
 /// Hands over the blocks of the line.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ipr/compensation/compensation.hpp"
+#include "ipr/corners/corners.hpp"
 #include "ipr/expressions/dialect_differences.hpp"
 #include "ipr/parser/parser.hpp"
 #include "motion/model/block.hpp"
@@ -21,7 +22,8 @@ class Output {
   Output(Diagnostics& diagnostics, DialectDifferences& differences)
       : diagnostics_(diagnostics),
         differences_(differences),
-        compensation_(diagnostics, differences) {}
+        compensation_(diagnostics, differences),
+        corners_(diagnostics) {}
 
   void begin(const ProgramLine& line);
   void end();
@@ -79,6 +81,16 @@ class Output {
   /// programmed position.
   std::optional<AxisVector> stop_compensation();
 
+  /// Returns whether the line has emitted a move.
+  bool has_move() const noexcept;
+  /// Asks for a chamfer or a rounding after the last move of the line.
+  void ask_for_corner(AskedCorner asked) { asked_ = std::move(asked); }
+  /// Returns whether a line before has asked for a corner whose second move has not come yet.
+  bool in_corner() const noexcept { return corners_.waiting(); }
+  /// Reports why that corner cannot be made; its first move stays as it is. Requires that this line
+  /// has emitted nothing yet.
+  void leave_corner(Code code, const std::string& reason);
+
   SourcePos source() const noexcept { return source_; }
   std::string_view text() const noexcept { return text_; }
 
@@ -93,6 +105,8 @@ class Output {
   std::optional<Block> pop_own();
   void emit_waiting();
   void compensate();
+  void pass_corners();
+  void hand_over(std::vector<BlockOfLine>& blocks);
   void drop();  // the blocks of the line
 
   Diagnostics& diagnostics_;
@@ -106,6 +120,8 @@ class Output {
   std::string_view text_;
   bool failed_ = false, closed_ = false;
   Compensation compensation_;
+  Corners corners_;
+  std::optional<AskedCorner> asked_;  // by the line
 };
 
 }  // namespace softcnc::ipr

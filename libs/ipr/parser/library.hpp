@@ -25,8 +25,9 @@ struct Spot {
 
 /// The two ways in which a subprogram begins.
 enum class SubKind : std::uint8_t {
-  o_word,  // `o100 sub`, ended by `o100 endsub`
-  program  // `O100` alone, or the beginning of a file of its own; ended by M99
+  o_word,   // `o100 sub`, ended by `o100 endsub`
+  program,  // `O100` alone, or the beginning of a file of its own; ended by M99
+  lines     // the lines from one number on, `N100`; ended by M99
 };
 
 /// A subprogram: its name, and what lies after its first line.

@@ -69,7 +69,8 @@ std::optional<ProgramLine> Parser::next_line(Read read) {
     read();
     if (ended_) break;
     const bool shown = line_.skipped && skipped_too_;
-    const bool says_nothing = words_.empty() && line_.statement == nullptr && !shown;
+    const bool says_nothing =
+        words_.empty() && line_.statement == nullptr && line_.corner == nullptr && !shown;
     if (says_nothing && !line_.broken) continue;
     if (!line_.broken) started_ = true;
     if (file_ != 0) name_file();

@@ -35,6 +35,7 @@ struct ProgramLine {
   bool broken = false;                   // reported already; `words` are those that could be read
   LetterSet unread;                      // letters of words whose value is not known
   bool skipped = false;                  // what stands after a THEN: it does not count
+  const Word* corner = nullptr;          // FANUC: `,C` or `,R`, with the letter C or R
   std::string_view called;               // FANUC: the program that it calls by name, in lower case
 };
 
@@ -133,6 +134,7 @@ class Parser {
   Token read_mark(Lexer& lexer, const Token& mark);
   bool calls_program() const;
   Token read_called(Lexer& lexer, const Token& mark);
+  Token read_corner(Lexer& lexer, const Token& mark);
   Token read_macro(Lexer& lexer, const Token& mark);
   Token read_percent(Lexer& lexer, const Token& percent);
   std::optional<Token> sign_of_program(Lexer& lexer, const Token& mark) const;
@@ -165,6 +167,7 @@ class Parser {
   ProgramLine line_;
   std::vector<Word> words_;
   std::string called_;
+  Word corner_;
   ParserOptions options_;
   SenderLines sender_lines_;
   Parameters parameters_;

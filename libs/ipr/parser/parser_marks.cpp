@@ -32,7 +32,7 @@ bool is_name(std::string_view line, const Token& letter, std::string_view letter
   return following != std::string_view::npos && line[following] == '[';
 }
 
-/// Of FANUC's ,C and ,R; LinuxCNC's polar coordinates, and the number of a spindle; dashes of
+/// Of FANUC's angle of a line; LinuxCNC's polar coordinates, and the number of a spindle; dashes of
 /// texts.
 std::string meant_by(std::string_view mark, Lexer lexer) {
   if (mark == "@" || mark == "^") return "; polar coordinates are not supported";
@@ -40,8 +40,8 @@ std::string meant_by(std::string_view mark, Lexer lexer) {
   constexpr std::array<std::string_view, 6> kMinus{"\u2010", "\u2011", "\u2012",
                                                    "\u2013", "\u2014", "\u2212"};
   if (std::find(kMinus.begin(), kMinus.end(), mark) != kMinus.end()) return "; a minus sign is '-'";
-  const bool corner = mark == "," && (lexer.peek() == 'C' || lexer.peek() == 'R');
-  return corner ? "; chamfers and roundings within a line are not supported" : "";
+  const bool angle = mark == "," && lexer.peek() == 'A';
+  return angle ? "; the angle of a line is not supported" : "";
 }
 
 /// FANUC's orders to a device that takes down what a program says.
@@ -76,6 +76,11 @@ LetterSet letters_in(std::string_view text) noexcept {
     if (is_letter(text[at])) letters.add(upper_case(text[at]));
   }
   return letters;
+}
+
+/// Whether a comma is that of FANUC's ,C and ,R.
+bool begins_corner(std::string_view mark, Lexer lexer) {
+  return mark == "," && (lexer.peek() == 'C' || lexer.peek() == 'R');
 }
 
 }  // namespace
@@ -136,6 +141,7 @@ void Parser::refuse_number(const Token& letter, const Token& number) {
 
 /// Whatever does not begin a word.
 Token Parser::read_mark(Lexer& lexer, const Token& mark) {
+  if (begins_corner(text_of(line_.text, mark), lexer)) return read_corner(lexer, mark);
   if (const auto sign = sign_of_program(lexer, mark)) return read_word(lexer, *sign);
   switch (mark.kind) {
     case Token::Kind::percent:
@@ -245,6 +251,25 @@ Token Parser::read_called(Lexer& lexer, const Token& mark) {
   }
   line_.called = called_ = named->name;
   return lexer.next();
+}
+
+/// A word of its own beside those of the same letter. A vacant one counts as not written.
+Token Parser::read_corner(Lexer& lexer, const Token& mark) {
+  const std::size_t count = words_.size();
+  Token after = read_word(lexer, lexer.next());
+  if (words_.size() == count) return after;
+  Word word = words_.back();
+  words_.pop_back();
+  word.pos.length += word.pos.column - mark.column;
+  word.pos.column = mark.column;
+  if (line_.corner != nullptr) {
+    report(Code::SC2262, word.pos.column, word.pos.length,
+           "a second chamfer or rounding for one corner");
+    return after;
+  }
+  corner_ = word;
+  line_.corner = &corner_;
+  return after;
 }
 
 Token Parser::read_macro(Lexer& lexer, const Token& mark) {

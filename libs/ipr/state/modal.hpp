@@ -119,9 +119,7 @@ struct Modal : Modes {
   bool rest_reported = false;  // once a G06.4: that the spindle rests
   bool ended = false;          // M02 or M30 was read
 
-  const WorkOffset& work() const noexcept {
-    return state.work[static_cast<std::size_t>(state.active)];
-  }
+  WorkOffset work() const { return state.work_system(state.active); }
   AxisVector shift() const noexcept {
     return state.shift_on ? AxisVector(state.shift + local_shift) : local_shift;
   }

@@ -2,6 +2,7 @@
 // A table of names; numbers by their ranges.
 #include "ipr/state/modal_variables.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "ipr/codes/gcode.hpp"
@@ -46,6 +47,7 @@ double known(const Modal& modal, Part part, double value) {
 double coordinate_system(const Modal& modal) {
   constexpr int kFirst = 540, kLastWhole = 5;  // G54 to G59, then G59.1 to G59.3
   const int active = modal.state.active;
+  if (active >= kWorkSystems) return known(modal, Part::work_system, kFirst + 1);  // G54.1
   const double code =
       active <= kLastWhole ? kFirst + 10 * active : kFirst + 10 * kLastWhole + active - kLastWhole;
   return known(modal, Part::work_system, code);
@@ -193,6 +195,11 @@ double feed_code(const Modal& modal) {
   return known(modal, Part::feed_mode, code);
 }
 
+/// P of G54.1; 0 in another system.
+double further_system(const Modal& modal) {
+  return known(modal, Part::work_system, std::max(modal.state.active - kWorkSystems + 1, 0));
+}
+
 bool in_cycle(const Modal& modal) {
   return modal.motion != nullptr && is_canned_cycle(*modal.motion);
 }
@@ -223,6 +230,7 @@ constexpr Coded kFanucCodes[] = {
     {111, [](const Modal& m) -> double { return m.length_number; }},
     {119, spindle_speed},
     {120, selected_tool},
+    {130, further_system},
 };
 
 }  // namespace
@@ -251,7 +259,9 @@ bool ModalVariables::knows_unit() const noexcept {
 }
 
 double ModalVariables::fanuc_unit(int number) const {
-  return offset_variable(number, modal_.state, Dialect::fanuc) ? modal_.mm_per_unit : 1;
+  const bool offset =
+      offset_variable(number, modal_.state, Dialect::fanuc) || further_system_variable(number);
+  return offset ? modal_.mm_per_unit : 1;
 }
 
 std::optional<double> ModalVariables::read_linuxcnc(int number) const {
@@ -295,6 +305,8 @@ std::optional<double> ModalVariables::read_fanuc(int number) const {
     ToolOffset tool = tools().find(of_tool->tool).value_or(ToolOffset{});
     return of_tool->of(tool) / unit();
   }
+  if (const auto of_system = further_system_variable(number))
+    return modal_.state.work_system(of_system->index).origin[of_system->axis] / unit();
   if (number == kNoSingleBlock || number == kNoHold) return 0;
   for (const Coded& row : kFanucCodes)
     if (kCodes + row.number == number) return row.read(modal_);
@@ -303,7 +315,7 @@ std::optional<double> ModalVariables::read_fanuc(int number) const {
 
 bool ModalVariables::is_offset(int number) const {
   return offset_variable(number, modal_.state, dialect_) ||
-         (is_fanuc_like(dialect_) && tool_variable(number));
+         (is_fanuc_like(dialect_) && (tool_variable(number) || further_system_variable(number)));
 }
 
 bool ModalVariables::has(int number, Dialect dialect) const {
@@ -353,6 +365,8 @@ void ModalVariables::write_offset(int number, double value) {
     *offset->value = value * offset->unit * unit();
   else if (const auto of_tool = tool_variable(number))
     of_tool->of(tools().row(of_tool->tool)) = value * unit();
+  else if (const auto of_system = further_system_variable(number))
+    modal_.state.work_system_entry(of_system->index).origin[of_system->axis] = value * unit();
 }
 
 bool ModalVariables::write_fanuc(int number, double value) {

@@ -43,6 +43,15 @@ std::optional<OffsetVariable> offset_variable(int number, MachineState& state, D
   return OffsetVariable{&work.rotation, kRadPerDegree, kMostTurned};
 }
 
+std::optional<FurtherSystemVariable> further_system_variable(int number) {
+  constexpr int kFew = 7001, kMany = 14001, kCountOfFew = 48;
+  const int first = number >= kMany ? kMany : kFew;
+  const int count = number >= kMany ? kFurtherSystems : kCountOfFew;
+  const int at = number - first;
+  if (at < 0 || at >= count * kWorkStep || at % kWorkStep >= kAxes) return std::nullopt;
+  return FurtherSystemVariable{kWorkSystems + at / kWorkStep, at % kWorkStep};
+}
+
 std::optional<ToolVariable> tool_variable(int number) {
   for (const ToolRange& range : kToolRanges)
     if (number >= range.first && number < range.first + range.count)

@@ -32,6 +32,16 @@ struct ToolVariable {
 /// number is of none of them.
 std::optional<ToolVariable> tool_variable(int number);
 
+/// A coordinate of the origin of a further work system, mm.
+struct FurtherSystemVariable {
+  int index;  // of the work system
+  int axis;
+};
+
+/// Returns the variable of a further work system, as FANUC numbers them: #7001 and up for G54.1 P1
+/// to P48, #14001 and up for P1 to P300; nothing if the number is of none of them.
+std::optional<FurtherSystemVariable> further_system_variable(int number);
+
 /// Returns the index of an axis if `number` is in the range of one number per axis that begins at
 /// `first`; otherwise -1.
 constexpr int axis_in(int number, int first) noexcept {

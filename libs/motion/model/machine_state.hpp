@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "motion/core/axes.hpp"
@@ -41,18 +43,34 @@ struct ToolOffset {
 };
 
 inline constexpr int kWorkSystems = 9;
+/// The number of further work systems: G54.1 P1 to P300.
+inline constexpr int kFurtherSystems = 300;
 
 /// The initial state is that of a new MachineState.
 struct MachineState {
   std::array<WorkOffset, kWorkSystems> work;    // G54, G55, ... G59.3
-  int active = 0;                               // index into `work`
+  std::map<int, WorkOffset> further_work;       // by P of G54.1; what is not there is zero
+  int active = 0;                               // index of a work system
   AxisVector shift = AxisVector::Zero();        // mm: of G92 and G52
   bool shift_on = false;                        // off after G92.2
   AxisVector home = AxisVector::Zero();         // mm, machine coordinates: G28
   AxisVector second_home = AxisVector::Zero();  // G30
-  std::map<int, ToolOffset> tools;              // by tool number
-  std::map<int, double> parameters;             // numbered ones that outlive a program
-  std::map<std::string, double> globals;        // named ones, without #< and >
+  std::array<std::optional<AxisVector>, 2> further_homes;  // G30 P3 and P4; unset: no such place
+  std::map<int, ToolOffset> tools;                         // by tool number
+  std::map<int, double> parameters;                        // numbered ones that outlive a program
+  std::map<std::string, double> globals;                   // named ones, without #< and >
+
+  /// Returns the work system of an index: those of `work`, then G54.1 P1, P2 and so on.
+  WorkOffset work_system(int index) const {
+    if (index < kWorkSystems) return work[static_cast<std::size_t>(index)];
+    const auto found = further_work.find(index - kWorkSystems + 1);
+    return found == further_work.end() ? WorkOffset{} : found->second;
+  }
+  /// Returns the same to be changed, and adds it if it is not there.
+  WorkOffset& work_system_entry(int index) {
+    if (index < kWorkSystems) return work[static_cast<std::size_t>(index)];
+    return further_work[index - kWorkSystems + 1];
+  }
 
   friend bool operator==(const MachineState&, const MachineState&) = default;
 };

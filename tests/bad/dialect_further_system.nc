@@ -1,0 +1,4 @@
+(expect SC2269 2:1; check)
+G10 L20 P2 X5
+G10 L20 P0 X5
+M30

@@ -1,0 +1,5 @@
+(expect SC2303 5:0; fanuc)
+M97 P10
+M30
+N10 G00 X1
+X2
