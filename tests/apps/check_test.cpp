@@ -58,7 +58,7 @@ TEST_CASE("check reports no travel after offsets that an error has left unknown"
   CHECK(carets("G0 Z-500\nG38.2 Z0 F100\nG92 Z0\nG1 Z-1200\n") == 1);
   CHECK(carets("M70\nG20\nM72\nG0 X1500\n") == 1);
   CHECK(carets("G68 X0 Y0 R90\nG0 X1500\n") == 1);
-  CHECK(carets("G51 X0 P0.5\nG0 X1500\n") == 1);
+  CHECK(carets("G51 X0 P0.5\nG0 X3000\n") == 1);
 }
 
 TEST_CASE("check reports once what is wrong with all moves of a line", "[apps][check]") {

@@ -141,6 +141,29 @@ class Program:
         if absolute:
             self.add("G91.1")
 
+    def polar(self):
+        """LinuxCNC's @ and ^. In G91 both add to what the position has, seen from the zero point."""
+        if self.plane != "G17":
+            self.plane = "G17"
+            self.add("G17")
+        if math.hypot(self.at["X"], self.at["Y"]) < 1e-3:
+            self.everywhere()
+        out = math.hypot(self.at["X"], self.at["Y"])
+        angle = math.degrees(math.atan2(self.at["Y"], self.at["X"]))
+        letters = self.rng.choice(("@^", "@", "^"))
+        radius = self.length(2, 60) if "@" in letters else 0.0
+        turn = round(self.rng.uniform(-360, 360), 3) if "^" in letters else 0.0
+        if self.incremental:
+            out, angle = out + radius, angle + turn
+        else:
+            out, angle = radius if "@" in letters else out, turn if "^" in letters else angle
+        self.at["X"], self.at["Y"] = out * math.cos(math.radians(angle)), out * math.sin(math.radians(angle))
+        words = [letter + self.number(radius if letter == "@" else turn) for letter in letters]
+        if self.chance(0.3):
+            words.append(self.word("Z", self.length()))
+        feed = self.feed() if self.mode == "G93" else ""
+        self.add("G1" if feed or self.chance(0.8) else "G0", feed, *words, shuffle=True)
+
     def arc_by_radius(self):
         first, second, across = AXES[self.plane]
         to = {a: self.at[a] + self.length(3, 30) * self.rng.choice((-1, 1)) for a in (first, second)}
@@ -477,6 +500,7 @@ SUBJECTS = {  # what a program is about: its statements, each as often as it sta
     "reference": "reference line shift set_system tool_length",
     "cycles": "cycle cycle tap choose_plane line units override",
     "contours": "contour line units spindle",
+    "polar": "polar polar polar line distance units system set_system arc feed_mode",
     "programming": "variables loop loop line arc nested named_sub",
     "calls": "named_sub named_sub nested loop line units",
     "programs": "repeated_call repeated_call line units variables",

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "ipr/codes/transformation.hpp"
 #include "motion/geometry/arc.hpp"
 #include "motion/model/block.hpp"
 
@@ -47,7 +48,9 @@ struct Modes {
   bool length_on = false;                       // G43 and its like
   std::optional<int> radius_number;             // D last used; unset: none was
   std::optional<bool> retract_to_r;             // G99; G98: false; unset: as the dialect has it
-  std::optional<CutterSide> cutter;             // G41, G42
+  std::optional<CutterSide> cutter;             // G41, G42, as programmed
+  bool polar = false;                           // G16
+  Transformation transformation;                // G51.1, G51, G68
 };
 
 }  // namespace softcnc::ipr

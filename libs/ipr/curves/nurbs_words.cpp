@@ -158,8 +158,11 @@ void finish_curve(Task& task, PendingCurve& curve) {
   if (!made)
     return task.out.report(made.error().code, curve.head.word, std::move(made.error().message),
                            curve.head.line);
+  Path path = std::move(*made);
+  const PlacedWord at{curve.head.word, curve.head.line, code_name(task.code)};
+  if (task.modal.placement && !place_path(task.modal, task.out, at, path)) return;
   if (has_surface_speed(task.modal, task.out, curve.head.word, curve.head.line))
-    task.out.emit(cutting_move(task.modal, std::move(*made), curve.head.feed), curve.head.source);
+    task.out.emit(cutting_move(task.modal, std::move(path), curve.head.feed), curve.head.source);
 }
 
 /// LinuxCNC's Q chooses how the curve is chopped; here it is not.

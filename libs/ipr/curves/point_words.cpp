@@ -50,10 +50,13 @@ Result<Nurbs> make_curve(PendingPoints& curve) {
 void emit_points(Modal& modal, Output& out, PendingPoints& curve) {
   Result<Nurbs> made = make_curve(curve);
   if (!made)
-    out.report(made.error().code, curve.head.word, std::move(made.error().message),
-               curve.head.line);
-  else if (has_surface_speed(modal, out, curve.head.word, curve.head.line))
-    out.emit_before(cutting_move(modal, std::move(*made), curve.head.feed), curve.head.source);
+    return out.report(made.error().code, curve.head.word, std::move(made.error().message),
+                      curve.head.line);
+  Path path = std::move(*made);
+  const PlacedWord at{curve.head.word, curve.head.line, name_of(curve)};
+  if (modal.placement && !place_path(modal, out, at, path)) return;
+  if (has_surface_speed(modal, out, curve.head.word, curve.head.line))
+    out.emit_before(cutting_move(modal, std::move(path), curve.head.feed), curve.head.source);
 }
 
 /// Its block stands before those of the line at which the curve has ended.

@@ -135,11 +135,21 @@ bool moves_work_system(const Task& task) {
   return (what == 2 || what == 20) && (which == 0 || which == task.modal.state.active + 1);
 }
 
+/// A mirror would change the side of the contour; FANUC's manual allows G68 unless scales are in
+/// force.
+bool changes_scales(const Task& task) {
+  constexpr int kG50 = 500, kG501 = 501, kG51 = 510, kG511 = 511, kG68 = 680;
+  const Transformation& now = task.modal.transformation;
+  const int number = task.code.number;
+  if (number == kG50 || number == kG68) return now.scaling.has_value();
+  return number == kG51 || number == kG511 || (number == kG501 && now.mirrors());
+}
+
 bool is_refused(const Task& task) {
   const int number = task.code.number;
   if (task.code.letter != 'G')
     return task.code.group == Group::tool_change || task.code.group == Group::length_number;
-  if (task.code.group == Group::work_offset) return true;
+  if (task.code.group == Group::work_offset || changes_scales(task)) return true;
   if (among(number, kNever) || changes_plane(task) || moves_work_system(task)) return true;
   return !is_fanuc(task) && among(number, kNotInLinuxcnc);
 }
@@ -211,7 +221,7 @@ void compensate(Task& task) {
   if (on && task.modal.cutter == wanted) return;
   if (on) return report_twice(task);
   task.modal.cutter = wanted;
-  task.out.start_compensation(*task.modal.cutter);
+  task.out.start_compensation(placed_cutter(task.modal));
 }
 
 /// Without D the last one counts, even after G40, as Haas has it.
@@ -232,7 +242,7 @@ void select_radius(Task& task) {
 
 void end_compensation(Task& task) {
   const auto tool = task.out.stop_compensation();
-  if (tool) task.modal.beside = Beside{*tool, task.modal.plane};
+  if (tool) task.modal.beside = Beside{task.modal.unplaced(*tool), task.modal.plane};
   task.modal.cutter.reset();
 }
 

@@ -35,6 +35,7 @@ struct Holes {
   double dwell, peck;             // s, mm
   int count;
   AxisVector first, step;
+  double clearance = kChipClearance;  // mm
 };
 
 char across_letter(const PlaneAxes& axes) { return axis_letter(axes.across); }
@@ -221,6 +222,19 @@ std::optional<int> repeats(Task& task) {
   return std::nullopt;
 }
 
+/// FANUC's and Haas' manuals: G51 does not scale pecks, nor the clearance over them.
+void leave_pecks(const Modal& modal, Holes& holes) {
+  const double factor = std::abs(modal.transformation.factor(holes.axes.across));
+  holes.peck /= factor;
+  holes.clearance /= factor;
+}
+
+bool goes_down(Task& task, const PlaneAxes& axes) {
+  if (task.modal.transformation.factor(axes.across) > 0) return true;
+  return refuse_at(task, task.word.pos, Code::SC2257,
+                   code_name(task.code) + " along a mirrored axis " + axis_letter(axes.across));
+}
+
 Holes holes_of(const Task& task, const PlaneAxes& axes, const AxisVector& from, int count) {
   const CycleWords& words = task.modal.cycle;
   const Modal& modal = task.modal;
@@ -245,6 +259,7 @@ Holes holes_of(const Task& task, const PlaneAxes& axes, const AxisVector& from, 
       holes.first[axis] = value;
   }
   holes.first += holes.step;
+  leave_pecks(modal, holes);
   return holes;
 }
 
@@ -300,7 +315,7 @@ void peck(CyclePath& path, const Holes& holes, bool clears) {
   for (double depth = holes.retract - holes.peck; depth > holes.bottom; depth -= holes.peck) {
     path.feed_to(depth);
     if (clears) path.rapid_to(holes.retract);
-    path.rapid_to(std::min(depth + kChipClearance, holes.retract));
+    path.rapid_to(std::min(depth + holes.clearance, holes.retract));
   }
   path.feed_to(holes.bottom);
   path.rest();
@@ -351,6 +366,12 @@ void drill(CyclePath& path, const Holes& holes, const GCode& code, Modal& modal)
   if (code.number == kG86) path.turn(modal.spindle_direction);
 }
 
+AxisVector next_hole(const Task& task, const Holes& holes, const AxisVector& hole) {
+  const bool polar = task.modal.polar || task.command.has_polar_words();
+  if (!polar || !task.modal.polar_end || !task.modal.incremental) return hole + holes.step;
+  return task.modal.polar_end->from(hole);
+}
+
 void drill_all(Task& task, const Holes& holes, const AxisVector& from) {
   CyclePath path(task, holes, from);
   if (path.height() < holes.retract) path.rapid_to(holes.retract);
@@ -359,7 +380,7 @@ void drill_all(Task& task, const Holes& holes, const AxisVector& from) {
     path.over(hole);
     path.rapid_to(holes.retract);
     drill(path, holes, task.code, task.modal);
-    hole += holes.step;
+    hole = next_hole(task, holes, hole);
   }
   task.flow.count_more_blocks(std::max(path.blocks() - 1, 0));
 }
@@ -392,7 +413,7 @@ void canned_cycle(Task& task) {
   begin_motion(task);
   const auto count = repeats(task);
   has_feed(task);
-  if (count && has_words(task, axes)) {
+  if (count && has_words(task, axes) && goes_down(task, axes)) {
     const Holes holes = holes_of(task, axes, from, *count);
     if (is_possible(task, holes) && spindle_turns(task)) {
       compare_retracts(task, holes);

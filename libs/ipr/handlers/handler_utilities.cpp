@@ -140,6 +140,9 @@ SourcePos place_of(const Task& task, char letter) {
 [[gnu::hot]] void emit_move(Task& task, Path&& path, bool rapid) {
   Modal& modal = task.modal;
   modal.beside.reset();
+  if (modal.placement &&
+      !place_path(modal, task.out, {task.word.pos, {}, code_name(task.code)}, path))
+    return;
   if (!rapid && modal.feed_mode == FeedMode::inverse_time)
     modal.feed = held_feed(task, mm_s_from_mm_min(length(path) * modal.feed_word));
   if (!rapid) {

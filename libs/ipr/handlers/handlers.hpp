@@ -143,6 +143,37 @@ bool has_surface_speed(Modal& modal, Output& out, SourcePos word, std::string_vi
 /// Returns the roughness in force, at the speed of the spindle; nothing if none is asked for.
 std::optional<Surface> surface_at_speed(const Modal& modal) noexcept;
 
+// polar_words.cpp
+void switch_polar(Task& task);
+/// Puts words with the letters of the plane in the place of @ and ^. Reports what they may not
+/// stand beside.
+void begin_polar_words(Command& command, Modal& modal, Output& out);
+/// Gives the words of a move in the plane the values that its polar coordinates stand for. Returns
+/// false, after a report, if they stand for no point.
+bool resolve_polar_words(Task& task, Command& command);
+
+// transformation_words.cpp
+void rotate(Task& task);
+void end_rotation(Task& task);
+void scale(Task& task);
+void end_scaling(Task& task);
+void mirror(Task& task);
+void end_mirror(Task& task);
+/// Returns false, after a report, for codes that must not act while coordinates are transformed.
+bool may_be_transformed(Task& task);
+/// Returns the compensation in force as the transformed contour needs it: a mirror changes its
+/// side.
+CutterSide placed_cutter(const Modal& modal);
+/// What a path comes from, for reports; `line` is empty for the line in work.
+struct PlacedWord {
+  SourcePos pos;
+  std::string_view line;
+  std::string code;
+};
+/// Moves a path to where the transformation in force puts it. Returns false if nothing is left of
+/// it, or after a report. Requires a transformation in force.
+bool place_path(Modal& modal, Output& out, const PlacedWord& at, Path& path);
+
 // modes.cpp
 void select_plane(Task& task);
 void use_inches(Task& task);

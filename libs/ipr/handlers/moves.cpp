@@ -42,9 +42,11 @@ void line(Task& task, bool rapid) {
 
 /// Whether it is known where a word leads along its axis.
 bool is_known(const Command& command, const Modal& modal, int axis) {
-  Unknown needed{Part::units, Part::distance};
+  Unknown needed{Part::units, Part::distance, Part::polar};
   if (modal.incremental) needed.add(position_part(axis));
   if (!modal.machine_coordinates) needed |= kOffsets;
+  if (modal.polar || command.has_polar_words()) return false;
+  if (modal.placement && modal.machine_coordinates) return false;
   return !modal.unknown.has_any(needed) && !modal.coordinates.rotated() &&
          !command.unread().has(axis_letter(axis));
 }

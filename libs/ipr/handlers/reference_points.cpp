@@ -84,7 +84,7 @@ void go_home(Task& task) {
 void keep_home(Task& task) {
   AxisVector& home =
       task.code.number == kG281 ? task.modal.state.home : task.modal.state.second_home;
-  keep_offset(task, home, task.modal.position);
+  keep_offset(task, home, task.modal.machine_position());
 }
 
 }  // namespace softcnc::ipr

@@ -60,11 +60,24 @@ SavedModes modes_of(const Modal& modal) {
   return saved;
 }
 
+/// Whether a mirror changes the side of a contour in this plane.
+bool changes_side(const Modes& modes, Plane plane) {
+  const PlaneAxes axes = plane_axes(plane);
+  return modes.transformation.factor(axes.first) * modes.transformation.factor(axes.second) < 0;
+}
+
+bool has_same_cutter(const Modes& before, const Modal& modal) {
+  if (before.cutter != modal.cutter || !modal.cutter) return before.cutter == modal.cutter;
+  const Plane plane = modal.cutter->plane;
+  return changes_side(before, plane) == changes_side(modal, plane);
+}
+
 /// As G40, and as the G41 or G42 that was in force.
 void follow_cutter(const Modes& before, Modal& modal, Output& out) {
-  if (before.cutter == modal.cutter) return;
-  if (const auto tool = out.stop_compensation()) modal.beside = Beside{*tool, before.cutter->plane};
-  if (modal.cutter) out.start_compensation(*modal.cutter);
+  if (has_same_cutter(before, modal)) return;
+  if (const auto tool = out.stop_compensation())
+    modal.beside = Beside{modal.unplaced(*tool), before.cutter->plane};
+  if (modal.cutter) out.start_compensation(placed_cutter(modal));
 }
 
 }  // namespace
@@ -79,7 +92,7 @@ void SavedLevels::end_call(const SourcePos& pos) {
   const std::optional<SavedModes> ended = std::move(modal_.saved.back());
   modal_.saved.pop_back();
   if (!ended || !ended->automatic) return;
-  if (!modal_.restored) modal_.restored = Restored{modal_, pos};
+  if (!modal_.restored) modal_.restored = Restored{modal_, pos, modal_.placement};
   restore(modal_, *ended);
 }
 

@@ -196,7 +196,9 @@ bool Interpreter::emit_restored(const ProgramLine& next) {
   out_.begin(line);
   if (modal_.points) {
     std::swap<Modes>(modal_, restored.before);
+    std::swap(modal_.placement, restored.placement);
     end_pending_spline(modal_, out_);
+    std::swap(modal_.placement, restored.placement);
     std::swap<Modes>(modal_, restored.before);
     if (modal_.points) return false;
   }
@@ -231,10 +233,13 @@ const ProgramLine& Interpreter::with_lengths(const ProgramLine& line) {
   if (modal_.curve) check_pending_curve(command_, options_.dialect, modal_, out_);
   if (modal_.points) check_pending_points(command_, modal_, out_);
   if (out_.failed()) leave_curve();
+  if (command_.has_polar_words()) begin_polar_words(command_, modal_, out_);
   if (!command_.has(Group::motion)) find_motion();
   if (!modal_.curve && !modal_.points) command_.add_lone_letters(options_.dialect);
   check_axes();
-  if (command_.has(Group::non_modal) || command_.has(Group::tool_length)) check_axis_codes();
+  if (command_.has(Group::non_modal) || command_.has(Group::tool_length) ||
+      command_.has(Group::scaling) || command_.has(Group::rotation))
+    check_axis_codes();
   check_unused();
   if (out_.in_corner() && !out_.failed()) check_pending_corner(command_, modal_, out_);
   execute();
@@ -354,6 +359,10 @@ void Interpreter::execute() {
   for (const auto& [code, word] : command_.codes()) {
     Task task{*code, *word, command_, command_.values(), machine_, options_, modal_, out_, flow_};
     if ((out_.compensating() || modal_.beside) && !may_act(task)) continue;
+    if (modal_.placement && !may_be_transformed(task)) {
+      skip(task);
+      continue;
+    }
     act(task);
   }
   modal_.machine_coordinates = modal_.stops_once = false;
@@ -388,7 +397,11 @@ void Interpreter::act(Task& task) {
   if (code.act == nullptr) return;
   const int errors = out_.errors();
   const AxisVector position = modal_.position;
-  code.act(task);
+  const bool polar = modal_.polar || command_.has_polar_words();
+  if (polar && code.group == Group::motion && !resolve_polar_words(task, command_))
+    begin_motion(task);
+  else
+    code.act(task);
   if (out_.errors() == errors) return;
   modal_.position = position;
   skip(task);

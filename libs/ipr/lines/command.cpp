@@ -53,7 +53,7 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
   groups_ = {};
   unread_ = line.unread;
   unknown_ = {};
-  probes_ = calls_macro_ = false;
+  probes_ = calls_macro_ = polar_ = false;
   below_cycle_ = nullptr;
   called_ = line.called;
   words_ = line.words;
@@ -66,6 +66,8 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
     break;
   }
   if (has(Group::program_number)) check_program_number(line, out);
+  if (values_.letters_.has_any(kPolarWords)) take_polar_words();
+  if (unread_.has_any(kPolarWords)) lose_polar_words();
   if (!unread_.empty()) unknown_ |= set_by(unread_);
   if (unknown_.has(Part::motion)) unknown_ |= set_by(values_.letters_);
 }
@@ -113,6 +115,38 @@ void Command::read_arguments(std::span<const Word> words, Output& out) {
   }
   values_.letters_.add(word.letter);
   values_.words_[Values::index(word.letter)] = &word;
+}
+
+[[gnu::cold]] void Command::take_polar_words() {
+  polar_ = true;
+  for (const char letter : {'@', '^'})
+    polar_words_[letter == '@' ? 0 : 1] = values_.has(letter) ? &values_.word(letter) : nullptr;
+  values_.letters_ = values_.letters_.without(kPolarWords);
+}
+
+[[gnu::cold]] void Command::replace_polar_words(const PlaneAxes& axes) {
+  const Word* const radius = polar_words_[0];
+  const Word* const angle = polar_words_[1];
+  set_axis(axes.first, 0, radius != nullptr ? *radius : *angle);
+  set_axis(axes.second, 0, angle != nullptr ? *angle : *radius);
+}
+
+[[gnu::cold]] void Command::lose_polar_words() {
+  unread_ |= kAxisWords;
+  unknown_ |= set_by(kAxisWords);
+}
+
+void Command::set_axis(int axis, double value, const Word& like) {
+  const char letter = axis_letter(axis);
+  Word& own = axis_words_[static_cast<std::size_t>(axis)];
+  if (values_.has(letter)) {
+    own = values_.word(letter);
+  } else {
+    own = like;
+    values_.letters_.add(letter);
+  }
+  own.value = value;
+  values_.words_[Values::index(letter)] = &own;
 }
 
 /// O names the program; only a line number may stand beside it.

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "ipr/codes/axis_letters.hpp"
 #include "ipr/codes/gcode.hpp"
 #include "ipr/expressions/dialect.hpp"
 #include "ipr/lines/output.hpp"
@@ -30,10 +31,10 @@ class Values {
 
  private:
   friend class Command;
-  static std::size_t index(char letter) noexcept { return static_cast<std::size_t>(letter - 'A'); }
+  static std::size_t index(char letter) noexcept { return static_cast<std::size_t>(letter - '@'); }
 
   LetterSet letters_;
-  std::array<const Word*, 26> words_{};
+  std::array<const Word*, 32> words_{};
 };
 
 class Command {
@@ -82,12 +83,23 @@ class Command {
   /// Returns whether one of the codes was a probing move, which is not supported.
   bool probes() const noexcept { return probes_; }
 
+  /// Returns whether the line has @ or ^, and the word; nullptr if it has only the other.
+  bool has_polar_words() const noexcept { return polar_; }
+  const Word* polar_word(char letter) const noexcept { return polar_words_[letter == '@' ? 0 : 1]; }
+  /// Puts words with the letters of the plane in the place of @ and ^; their values are set later.
+  void replace_polar_words(const PlaneAxes& axes);
+  /// Makes the ends unknown to which @ and ^ would lead.
+  void lose_polar_words();
+  /// Gives the word of an axis another value; adds it, with the place of `like`, if there is none.
+  void set_axis(int axis, double value, const Word& like);
+
  private:
   void read_code(const Word& word, Dialect dialect, Output& out);
   void report_unknown(const Word& word, std::string_view dialect, Output& out);
   void read_value(const Word& word, Output& out);
   void read_arguments(std::span<const Word> words, Output& out);
   void check_program_number(const ProgramLine& line, Output& out);
+  void take_polar_words();
   void add(const GCode& code, const Word& word);
   bool put_above(const GCode& cycle, const Word& word);
 
@@ -105,6 +117,9 @@ class Command {
   LetterSet unread_;
   Unknown unknown_;
   bool probes_ = false;
+  bool polar_ = false;
+  std::array<const Word*, 2> polar_words_{};  // @, ^
+  std::array<Word, 3> axis_words_{};          // by axis: those of set_axis()
 };
 
 }  // namespace softcnc::ipr

@@ -9,6 +9,7 @@ namespace {
 constexpr int kG00 = 0, kG02 = 20, kG03 = 30, kG05 = 50, kG051 = 51, kG053 = 53;
 constexpr int kG10 = 100, kG12 = 120, kG13 = 130, kG31 = 310, kG28 = 280, kG30 = 300, kG40 = 400,
               kG411 = 411, kG421 = 421, kG43 = 430, kG432 = 432, kG52 = 520, kG53 = 530, kG65 = 650;
+constexpr int kG501 = 501, kG511 = 511, kG68 = 680;
 constexpr int kG92 = 920, kG923 = 923, kM72 = 720;
 
 Unknown named_axes(const Command& command) noexcept {
@@ -44,7 +45,7 @@ Unknown of_feed(const Modal& modal) noexcept {
 }
 
 Unknown operands_of_motion(const GCode& code, const Command& command, const Modal& modal) noexcept {
-  Unknown parts = kPosition | Unknown{Part::units, Part::distance, Part::cutter};
+  Unknown parts = kPosition | Unknown{Part::units, Part::distance, Part::cutter, Part::polar};
   if (code.number == kG053 || may_go_on(code, command)) parts.add(Part::motion);
   if (follows_tangent(code, command)) parts |= {Part::motion, Part::tangent};
   if (!goes_to_machine_point(command)) parts |= kOffsets;
@@ -52,6 +53,7 @@ Unknown operands_of_motion(const GCode& code, const Command& command, const Moda
   const bool in_plane = code.number == kG02 || code.number == kG03 || is_canned_cycle(code) ||
                         code.number == kG05 || code.number == kG051 || is_curve_of_lines(code);
   if (in_plane) parts |= {Part::plane, Part::centres};
+  if (modal.polar || command.has_polar_words()) parts.add(Part::plane);
   if (is_canned_cycle(code)) parts.add(Part::spindle);
   const bool by_mode = command.has(Group::motion) && command.find_word(Group::motion).letter != 'G';
   if (is_canned_cycle(code) && by_mode) parts.add(Part::cycle_words);
@@ -103,6 +105,27 @@ Unknown operands_of_compensation(const GCode& code) noexcept {
   return {Part::plane, Part::tool, Part::tool_data, Part::units};
 }
 
+/// Whether the line names all the axes of the plane, or with G51 all axes.
+bool names_centre(const GCode& code, const Command& command, const Modal& modal) noexcept {
+  const LetterSet given = command.values().letters();
+  const PlaneAxes plane = plane_axes(modal.plane);
+  const LetterSet needed = code.number == kG68 ? plane_letters(plane) : kAxisWords;
+  return needed.without(given).empty();
+}
+
+/// Of G68, G51 and G51.1; what cancels them reads nothing.
+Unknown operands_of_transformation(const GCode& code, const Command& command,
+                                   const Modal& modal) noexcept {
+  if (code.act == nullptr || code.words.empty() || code.number == kG501) return {};
+  Unknown parts{Part::units};
+  if (code.number == kG68) parts |= {Part::plane, Part::distance};
+  if (code.number == kG68 && modal.incremental) parts.add(Part::rotation);
+  const Part own = code.number == kG68 ? Part::rotation : Part::scaling;
+  if (code.number != kG511 && !names_centre(code, command, modal))
+    parts |= kPosition | kOffsets.without({own});
+  return parts;
+}
+
 /// G43.1 gives the length itself.
 Unknown operands_of_length(const GCode& code, const Command& command) noexcept {
   Unknown parts{Part::units};
@@ -126,6 +149,9 @@ Unknown operands(const GCode& code, const Command& command, const Modal& modal) 
       return operands_of_compensation(code);
     case Group::tool_length:
       return operands_of_length(code, command);
+    case Group::scaling:
+    case Group::rotation:
+      return operands_of_transformation(code, command, modal);
     case Group::tool:
     case Group::length_number:
       return {Part::tool_data};
@@ -208,6 +234,12 @@ Unknown settled(const GCode& code) noexcept {
       return {Part::work_system};
     case Group::saving:
       return code.number == kM72 ? Unknown{} : Unknown{Part::saved_modes};
+    case Group::polar:
+      return {Part::polar};
+    case Group::rotation:
+      return {Part::rotation};
+    case Group::scaling:
+      return {code.number == kG501 || code.number == kG511 ? Part::mirror : Part::scaling};
     default:
       return {};
   }

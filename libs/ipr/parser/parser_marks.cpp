@@ -32,10 +32,8 @@ bool is_name(std::string_view line, const Token& letter, std::string_view letter
   return following != std::string_view::npos && line[following] == '[';
 }
 
-/// Of FANUC's angle of a line; LinuxCNC's polar coordinates, and the number of a spindle; dashes of
-/// texts.
+/// Of LinuxCNC's number of a spindle; dashes of texts.
 std::string meant_by(std::string_view mark, Lexer lexer) {
-  if (mark == "@" || mark == "^") return "; polar coordinates are not supported";
   if (mark == "$") return "; no spindle can be chosen, there is one";
   constexpr std::array<std::string_view, 6> kMinus{"\u2010", "\u2011", "\u2012",
                                                    "\u2013", "\u2014", "\u2212"};
@@ -57,6 +55,16 @@ std::string title_meant(int line) {
   return line == 1 ? "; a title before the program stands in ( )" : "";
 }
 
+/// LinuxCNC's letters of polar coordinates.
+std::optional<Token> polar_letter(std::string_view line, const Token& mark) {
+  const std::string_view text = text_of(line, mark);
+  if (mark.kind != Token::Kind::unknown || (text != "@" && text != "^")) return std::nullopt;
+  Token letter = mark;
+  letter.kind = Token::Kind::letter;
+  letter.letter = text.front();
+  return letter;
+}
+
 constexpr const char* kFanucName = "; the name of a program is read in the fanuc dialect only";
 
 /// Of a code whose number may go on, so that nobody knows which it is.
@@ -74,6 +82,7 @@ LetterSet letters_in(std::string_view text) noexcept {
   for (std::size_t at = 0; at < text.size() && text[at] != ';'; ++at) {
     if (text[at] == '(') at = std::min(text.find(')', at), text.size() - 1);
     if (is_letter(text[at])) letters.add(upper_case(text[at]));
+    if (text[at] == '@' || text[at] == '^') letters |= kPolarWords;
   }
   return letters;
 }
@@ -113,7 +122,7 @@ bool Parser::refuse_name(const Token& letter) {
 /// number may be meant for a digit: then that word is not known either.
 void Parser::refuse_missing_number(const Token& letter, const Token& instead) {
   using Kind = Token::Kind;
-  if (instead.kind == Kind::unknown) {
+  if (instead.kind == Kind::unknown && !polar_letter(line_.text, instead)) {
     Lexer after(line_.text);
     after.back_to(instead);
     after.next();
@@ -143,6 +152,7 @@ void Parser::refuse_number(const Token& letter, const Token& number) {
 Token Parser::read_mark(Lexer& lexer, const Token& mark) {
   if (begins_corner(text_of(line_.text, mark), lexer)) return read_corner(lexer, mark);
   if (const auto sign = sign_of_program(lexer, mark)) return read_word(lexer, *sign);
+  if (const auto letter = polar_letter(line_.text, mark)) return read_word(lexer, *letter);
   switch (mark.kind) {
     case Token::Kind::percent:
       return read_percent(lexer, mark);

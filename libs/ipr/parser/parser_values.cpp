@@ -7,7 +7,7 @@ namespace softcnc::ipr {
 namespace {
 
 // FANUC: in a length ROUND keeps the digits of its least increment.
-constexpr LetterSet kLengths{"ABCIJKQRUVWXYZ"};
+constexpr LetterSet kLengths{"ABCIJKQRUVWXYZ@^"};
 constexpr double kPerMm = 1000, kPerInch = 10000;
 
 /// A function's name, followed by its bracket.

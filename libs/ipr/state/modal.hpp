@@ -10,6 +10,7 @@
 #include "ipr/codes/modes.hpp"
 #include "ipr/state/coordinates.hpp"
 #include "ipr/state/simulated_inputs.hpp"
+#include "ipr/state/polar_point.hpp"
 #include "ipr/state/unknown.hpp"
 #include "ipr/text/letter_set.hpp"
 #include "motion/geometry/nurbs.hpp"
@@ -55,9 +56,16 @@ struct CurveEnd {
   Plane plane;          // in which it lies
 };
 
+/// The transformation in force, as a map of machine coordinates: from where a point would be
+/// without it to where it is.
+struct Placement {
+  AffineMap map;
+  AxisVector reached;  // mm, machine coordinates: where the tool is
+};
+
 /// The place where G40 has left the tool: beside the programmed position, until a move leads away.
 struct Beside {
-  AxisVector tool;  // mm, machine coordinates
+  AxisVector tool;  // mm, machine coordinates, as Modal::position
   Plane plane;      // of the contour
 };
 
@@ -79,19 +87,23 @@ struct SavedModes {
 /// Modes that the end of a call has restored, before blocks have followed them.
 struct Restored {
   Modes before;
-  SourcePos pos;  // of the end of the call
+  SourcePos pos;                       // of the end of the call
+  std::optional<Placement> placement;  // of before
 };
 
 /// The state from line to line; a new Modal is that at the start of a program.
 struct Modal : Modes {
-  AxisVector position = AxisVector::Zero();     // mm, machine coordinates: the end of the last move
-  MachineState state;                           // offsets and what else outlives the program
-  AxisVector local_shift = AxisVector::Zero();  // mm: of G52 in the fanuc dialect
+  /// mm, machine coordinates: the end of the last move, as if nothing were transformed.
+  AxisVector position = AxisVector::Zero();
+  std::optional<Placement> placement;  // where the position is; empty: nothing is transformed
+  MachineState state;                  // offsets and what else outlives the program
+  AxisVector local_shift = AxisVector::Zero();   // mm: of G52 in the fanuc dialect
   AxisVector shift_of_g52 = AxisVector::Zero();  // mm: in linuxcnc, what of the shift G52 has set
   Coordinates coordinates;                       // made of these by update_coordinates()
   /// The coordinates of the other dialect, once an offset has been assigned to.
   std::optional<Coordinates> coordinates_there;
   bool machine_coordinates = false;     // on this line: G53
+  std::optional<PolarPoint> polar_end;  // on this line: of its move
   bool stops_once = false;              // on this line: G09
   const GCode* motion = nullptr;        // the motion code in force
   const GCode* motion_below = nullptr;  // G00 to G03: in force unless a cycle is
@@ -123,18 +135,43 @@ struct Modal : Modes {
   AxisVector shift() const noexcept {
     return state.shift_on ? AxisVector(state.shift + local_shift) : local_shift;
   }
-  /// Recomputes the coordinates after a change of an offset. The position of the machine stays.
+  /// Returns where the machine is at the position, mm, machine coordinates.
+  AxisVector machine_position() const noexcept { return placement ? placed_position() : position; }
+  /// Returns where the position would have to be for the machine to be at `place`.
+  AxisVector unplaced(const AxisVector& place) const noexcept {
+    return placement ? placement->map.inverse()(place) : place;
+  }
+  /// Recomputes the coordinates after a change of an offset, or of what M72 restores. The position
+  /// of the machine stays.
   void update_coordinates() noexcept {
-    coordinates = Coordinates(work(), shift(), tool_offset);
+    use(Coordinates(work(), shift(), tool_offset));
     coordinates_there.reset();
+  }
+  /// Puts a transformation in force. The position of the machine stays.
+  void transform(const Transformation& wanted) noexcept {
+    transformation = wanted;
+    use(coordinates);
   }
   /// Recomputes the coordinates after an assignment to an offset, which counts at once or when
   /// coordinates are updated next.
   void assign_offset(bool at_once) noexcept {
     const Coordinates assigned(work(), shift(), tool_offset);
     if (!coordinates_there) coordinates_there = coordinates;
-    (at_once ? coordinates : *coordinates_there) = assigned;
+    if (at_once)
+      use(assigned);
+    else
+      *coordinates_there = assigned;
   }
+
+ private:
+  void use(const Coordinates& wanted) noexcept {
+    if (!placement && transformation.empty())
+      coordinates = wanted;
+    else
+      place_again(wanted);
+  }
+  AxisVector placed_position() const noexcept;
+  void place_again(const Coordinates& wanted) noexcept;
 };
 
 }  // namespace softcnc::ipr

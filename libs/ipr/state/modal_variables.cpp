@@ -28,9 +28,21 @@ double program_position(const Modal& modal, int axis) {
   return modal.coordinates.to_program(modal.position)[axis] / modal.mm_per_unit;
 }
 
+/// Where a transformation is in force, each axis may depend on all.
+bool knows_place(const Modal& modal, int axis) {
+  if (!modal.placement) return !modal.unknown.has(position_part(axis));
+  return !modal.unknown.has_any(kPosition | kOffsets);
+}
+
 double machine_position(const Modal& modal, int axis) {
-  if (modal.unknown.has(position_part(axis))) return kUnknown;
-  return modal.position[axis] / modal.mm_per_unit;
+  if (!knows_place(modal, axis)) return kUnknown;
+  return modal.machine_position()[axis] / modal.mm_per_unit;
+}
+
+/// Where the tool is in the work system, after what is transformed.
+double work_position(const Modal& modal, int axis) {
+  if (!knows_place(modal, axis) || modal.unknown.has_any(kOffsets)) return kUnknown;
+  return modal.coordinates.to_program(modal.machine_position())[axis] / modal.mm_per_unit;
 }
 
 double motion_mode(const Modal& modal) {
@@ -224,7 +236,20 @@ constexpr Coded kFanucCodes[] = {
     {8, [](const Modal& m) { return m.length_on ? 43.0 : 49.0; }},
     {9, cycle_code},
     {10, [](const Modal& m) { return m.retract_to_r.value_or(false) ? 99.0 : 98.0; }},
+    {11,
+     [](const Modal& m) {
+       return known(m, Part::scaling, m.transformation.scaling ? 51.0 : 50.0);
+     }},
     {14, [](const Modal& m) { return coordinate_system(m) / kTenths; }},
+    {16,
+     [](const Modal& m) {
+       return known(m, Part::rotation, m.transformation.rotation ? 68.0 : 69.0);
+     }},
+    {17, [](const Modal& m) { return known(m, Part::polar, m.polar ? 16.0 : 15.0); }},
+    {22,
+     [](const Modal& m) {
+       return known(m, Part::mirror, m.transformation.mirrors() ? 51.1 : 50.1);
+     }},
     {107, [](const Modal& m) -> double { return m.radius_number.value_or(0); }},
     {109, feed},
     {111, [](const Modal& m) -> double { return m.length_number; }},
@@ -291,8 +316,8 @@ double ModalVariables::tool_length(int axis) const {
 }
 
 std::optional<double> ModalVariables::read_fanuc(int number) const {
-  for (const int first : {kBlockEnd, kCurrent})
-    if (const int axis = axis_in(number, first); axis >= 0) return program_position(modal_, axis);
+  if (const int axis = axis_in(number, kBlockEnd); axis >= 0) return program_position(modal_, axis);
+  if (const int axis = axis_in(number, kCurrent); axis >= 0) return work_position(modal_, axis);
   if (const int axis = axis_in(number, kMachine); axis >= 0) return machine_position(modal_, axis);
   if (const int axis = axis_in(number, kLength); axis >= 0)
     return knows_unit() ? modal_.tool_offset[axis] / unit() : kUnknown;

@@ -32,6 +32,10 @@ enum class Part : std::uint8_t {
   z,
   cycle_words,  // what a canned cycle keeps from hole to hole
   tangent,      // at the end of G05, where a G05 without I and J goes on
+  polar,        // G15, G16
+  mirror,       // G50.1, G51.1
+  scaling,      // G50, G51
+  rotation,     // G68, G69
   end,          // whether the program has ended: M02, M30
 };
 
@@ -44,7 +48,8 @@ class Unknown : public SmallSet<Unknown, Part> {
 
 inline constexpr Unknown kPosition{Part::x, Part::y, Part::z};
 /// The parts between programmed and machine coordinates.
-inline constexpr Unknown kOffsets{Part::tool_length, Part::work_system, Part::shift};
+inline constexpr Unknown kOffsets{Part::tool_length, Part::work_system, Part::shift,
+                                  Part::mirror,      Part::scaling,     Part::rotation};
 /// The parts by which a programmed coordinate is read.
 inline constexpr Unknown kCoordinates = kOffsets | Unknown{Part::units, Part::distance};
 inline constexpr Unknown kEverything = Unknown::up_to(Part::end);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A set of the letters A to Z.
+// A set of the letters A to Z, and of @ and ^.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace softcnc::ipr {
 
-/// A set of letters. Requires upper-case letters everywhere.
+/// A set of letters, which the characters from @ to _ are. Requires upper-case letters everywhere.
 class LetterSet : public SmallSet<LetterSet, char, 'A'> {
  public:
   constexpr LetterSet() = default;
@@ -19,6 +19,7 @@ class LetterSet : public SmallSet<LetterSet, char, 'A'> {
 };
 
 inline constexpr LetterSet kAxisWords{"XYZ"};
+inline constexpr LetterSet kPolarWords{"@^"};
 inline constexpr LetterSet kAllLetters = LetterSet::up_to('Z');
 
 }  // namespace softcnc::ipr

@@ -46,7 +46,7 @@ class SmallSet {
 
  private:
   static constexpr std::uint32_t bit(Item item) noexcept {
-    return 1U << (static_cast<unsigned>(item) - static_cast<unsigned>(kFirst));
+    return 1U << ((static_cast<unsigned>(item) - static_cast<unsigned>(kFirst)) & 31U);
   }
 
   std::uint32_t bits_ = 0;

@@ -1,0 +1,4 @@
+(expect SC2250 2:14)
+G68 X0 Y0 Z0 I0 J0 K1 R30.
+G00 X10
+M30

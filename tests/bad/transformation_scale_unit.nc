@@ -1,0 +1,4 @@
+(expect SC2253 2:14)
+G51 X0 Y0 Z0 P2
+G00 X10 Y0 Z0
+M30
