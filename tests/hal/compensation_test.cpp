@@ -90,6 +90,13 @@ TEST_CASE("a compensated pitch puts the table where it is to be", "[hal][screw]"
   }
 }
 
+TEST_CASE("commands know how fast they have been", "[hal][screw]") {
+  Commands commands(mill(0.1));
+  commands(at({0, 0, 0}));
+  commands(at({0.2, 0.2, 0}));
+  CHECK(commands.velocity_max() == AxisVector(0.2 / kPeriod, 0, 0));
+}
+
 TEST_CASE("a table waits while its screw turns through the lost motion", "[hal][screw]") {
   LeadScrew screw({0.1, {}});
   screw.begin(5);

@@ -38,6 +38,8 @@ class SimulatedMill final : public Backend {
   AxisVector settle() const noexcept override;
   static constexpr double kSettleTime = 10.0;  // s
 
+  AxisVector command_velocity_max() const noexcept override { return commands_.velocity_max(); }
+
  private:
   struct Slide {
     int axis;

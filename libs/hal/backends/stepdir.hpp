@@ -31,6 +31,7 @@ class StepDir final : public Backend {
   std::span<const std::string> columns() const noexcept override { return columns_; }
   void values(std::span<double> out) const noexcept override;
   AxisVector settle() const noexcept override { return position(); }
+  AxisVector command_velocity_max() const noexcept override { return commands_.velocity_max(); }
   void rest() noexcept override;
   Status finish() override;
 

@@ -2,6 +2,7 @@
 #include "hal/signals/commands.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "hal/files/axis_name.hpp"
 
@@ -50,9 +51,16 @@ void Commands::begin() noexcept {
 
 void Commands::move() noexcept {
   const double time = period_ / static_cast<double>(fine_.size());
-  for (FinePoint& point : fine_)
-    for (Compensated& axis : axes_)
-      point.position[axis.axis] = axis.compensation.move(point.position[axis.axis], time);
+  AxisVector before = path_.position + added_;
+  for (FinePoint& point : fine_) {
+    for (Compensated& axis : axes_) {
+      double& position = point.position[axis.axis];
+      position = axis.compensation.move(position, time);
+      double& largest = velocity_max_[axis.axis];
+      largest = std::max(largest, std::abs(position - before[axis.axis]) / time);
+    }
+    before = point.position;
+  }
   sent_.position = fine_.back().position;
   sent_.fine = fine_;
 }

@@ -35,6 +35,9 @@ class Commands {
   /// Returns the command of an axis at the last setpoint, mm. Realtime.
   double position(int axis) const noexcept { return sent_.position[axis]; }
 
+  /// Returns the largest speed of the commands so far, mm/s by axis; 0 where they are the path.
+  const AxisVector& velocity_max() const noexcept { return velocity_max_; }
+
   /// Adds the name of the column of an axis's commands, such as "x_cmd_mm", where they differ.
   void add_column(int axis, std::vector<std::string>& columns) const;
 
@@ -53,8 +56,9 @@ class Commands {
   bool started_ = false;
   Setpoint sent_;
   std::vector<FinePoint> fine_;
-  FinePoint path_;                         // of the last setpoint
-  AxisVector added_ = AxisVector::Zero();  // mm
+  FinePoint path_;                                // of the last setpoint
+  AxisVector added_ = AxisVector::Zero();         // mm
+  AxisVector velocity_max_ = AxisVector::Zero();  // mm/s
 };
 
 }  // namespace softcnc::hal
