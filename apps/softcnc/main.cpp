@@ -73,6 +73,8 @@ int dispatch(const Options& options) {
       return replay(options);
     case CommandName::report:
       return report(options);
+    case CommandName::circle:
+      return circle(options);
     case CommandName::diff:
       return diff(options);
     case CommandName::surface:

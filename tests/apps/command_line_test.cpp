@@ -11,8 +11,7 @@ namespace {
 
 const std::string kKnown =
     "; the commands are run, check, blocks, record, replay, diff, report, surface, compare, "
-    "machine, "
-    "latency, pulses, codes\nRun with --help for more information.\n";
+    "circle, machine, latency, pulses, codes\nRun with --help for more information.\n";
 
 }  // namespace
 

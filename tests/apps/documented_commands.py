@@ -87,6 +87,7 @@ STANDS_FOR = {
     "softcnc check PART...": "softcnc check programs/01_line.nc programs/02_square.nc",
     "softcnc replay F.rec...": "softcnc replay F.rec",
     "softcnc diff A B": "softcnc diff n.rec programs/01_line.nc",
+    "softcnc circle FILE": "softcnc circle ball_bar.csv",
     "softcnc replay FOLDER": "softcnc replay .",
     "softcnc pulses FILE": "softcnc pulses arc.vcd",
     "softcnc pulses FILE [--machine M.toml] [--backend parport]":
@@ -108,7 +109,10 @@ BUSY = {"--realtime": "[SC504"}
 EDGES = "softcnc run -q programs/03_arc.nc --backend stepdir --set backend.stepdir.file=arc.vcd"
 BEFORE = {  # what a page requires
     "docs/cli.md": [EDGES, "softcnc record -q programs/01_line.nc -o n.rec",
-                    "softcnc run -q --dry-run programs/03_arc.nc --trace before.csv.zst"],
+                    "softcnc run -q --dry-run programs/03_arc.nc --trace before.csv.zst",
+                    "softcnc run -q programs/27_ball_bar.nc --trace ball_bar.csv"],
+    "docs/backlash.md": ["printf '[axis.x]\\nbacklash_um = 100\\n[axis.y]\\n[axis.z]\\n' > worn.toml"],
+    "docs/circle.md": ["printf '[axis.x]\\nbacklash_um = 100\\n[axis.y]\\n[axis.z]\\n' > worn.toml"],
     "docs/pulses.md": [EDGES],
     "docs/machine.md": ["cp programs/machines/bench_mill.toml mill.toml"],
     "docs/trace.md": ["softcnc run -q programs/03_arc.nc --trace trace.csv"],

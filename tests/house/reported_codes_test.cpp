@@ -24,7 +24,7 @@ const std::set<Code> kWithoutPlace{
     Code::SC6016, Code::SC6017, Code::SC6021, Code::SC6022, Code::SC6023, Code::SC6024,
     Code::SC6025, Code::SC6026, Code::SC6032, Code::SC6041, Code::SC6050, Code::SC6060,
     Code::SC6062, Code::SC6070, Code::SC6071, Code::SC6072, Code::SC6073, Code::SC6074,
-    Code::SC6075, Code::SC6076, Code::SC6081, Code::SC6090, Code::SC7003, Code::SC7014,
+    Code::SC6075, Code::SC6076, Code::SC6081, Code::SC6084, Code::SC6085, Code::SC6090, Code::SC7003, Code::SC7014,
     Code::SC7017, Code::SC7031, Code::SC7032, Code::SC7033, Code::SC7038, Code::SC7050,
     Code::SC7072, Code::SC9001};
 

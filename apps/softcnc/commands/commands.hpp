@@ -19,6 +19,7 @@ int machine(const Options& options);
 int latency(const Options& options);
 int pulses(const Options& options);
 int codes(const Options& options);
+int circle(const Options& options);
 /// The codes of programs, one a line: name, words, what it does.
 std::string list_of_codes();
 

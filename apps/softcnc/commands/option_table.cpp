@@ -39,6 +39,8 @@ constexpr CommandEntry kCommands[] = {
      "Compute the surface that a part program machines, with its Rmax"},
     {CommandName::compare, "compare",
      "Compare interpolation methods on part programs, begun at several places within the period"},
+    {CommandName::circle, "circle",
+     "Measure the circles of a run: deviations, reversals, both directions (ISO 230-4)"},
     {CommandName::machine, "machine", "Print the machine, with the origin of each value"},
     {CommandName::latency, "latency", "Measure scheduling latency and the feed it permits"},
     {CommandName::pulses, "pulses", "Check step and direction pulses against the drivers' timing"},
@@ -410,6 +412,28 @@ void text_or_json(CLI::App& app, const OptionEntry& entry, Options& options) {
   });
 }
 
+void plane(CLI::App& app, const OptionEntry& entry, Options& options) {
+  const auto& names = runtime::kCirclePlaneNames;
+  choice(app, entry, options, {names.begin(), names.end()}, [](Options& to, std::size_t index) {
+    to.plane = static_cast<runtime::CirclePlane>(index);
+  });
+}
+
+void centre(CLI::App& app, const OptionEntry& entry, Options& options) {
+  app.add_option_function<std::string>(
+         entry.names,
+         [&options](const std::string& text) {
+           double first = 0, second = 0;
+           char end = 0;
+           if (std::sscanf(text.c_str(), "%lf,%lf%c", &first, &second, &end) != 2 ||
+               !std::isfinite(first) || !std::isfinite(second))
+             throw CLI::ValidationError("--center", "'" + text + "' is not A,B, two numbers in mm");
+           options.centre = {first, second};
+         },
+         entry.help)
+      ->type_name(entry.value);
+}
+
 void tolerance(CLI::App& app, const OptionEntry& entry, Options& options) {
   app.add_option_function<std::vector<std::string>>(
          entry.names,
@@ -473,6 +497,7 @@ constexpr OptionEntry kOptions[] = {
      "",
      "Part program, trace (.csv, .npz, also .zst) or recording (.rec)",
      one_file},
+    {{circle}, "FILE", "", "Trace (.csv, .npz, also .zst) or recording (.rec)", one_file},
     {{replay}, "FILE.rec", "", "Recordings, or folders of them", files},
     {{diff},
      "FILE",
@@ -607,6 +632,14 @@ constexpr OptionEntry kOptions[] = {
     {{compare}, "--format", "", "Format of the comparison (default text)", table},
     {{diff}, "--format", "", "Format of the differences (default text)", text_or_json},
     {{replay}, "--format", "", "Format of the results (default text)", text_or_json},
+    {{circle}, "--format", "", "Format of the figures (default text)", text_or_json},
+    {{circle}, "--plane", "", "Plane of the circles (default XY)", plane},
+    {{circle},
+     "--center",
+     "A,B",
+     "Centre of the radial deviations, in mm along the axes of the plane (default: that of the "
+     "least squares of each circle)",
+     centre},
     {{diff},
      "--tolerance",
      "LIST",
@@ -650,6 +683,11 @@ constexpr OptionEntry kOptions[] = {
      "FILE",
      "The page (.html) or the picture (.svg, .png) to write",
      required_text<&Options::output>},
+    {{circle},
+     "-o,--output",
+     "FILE",
+     "The picture of the deviations to write (.svg, .png)",
+     text<&Options::output>},
     {{report},
      "--plot",
      "NAME,...",
@@ -708,6 +746,11 @@ constexpr OptionEntry kOptions[] = {
      "Name the N lines that lose most time against their feed, with the limit",
      worst},
 
+    {{circle},
+     "-q,--quiet",
+     "",
+     "Print nothing but diagnostics and figures",
+     flag<&Options::quiet>},
     {kMachines, "--diagnostics", "", "Diagnostics format: text, or one JSON or SARIF document",
      diagnostics},
     {{run, record, replay, report, surface, compare, diff},

@@ -56,7 +56,7 @@ class JobRunner {
   void run(hal::Backend& backend, runtime::TraceRows& rows);
   bool in_real_time() const;
   hal::Patience patience() const;
-  void judge(Diagnostics& diagnostics);
+  void judge(Diagnostics& diagnostics, const AxisVector& command_velocity);
   void judge_punctuality();
   bool is_dropped(const std::string& file) const;
   void close(runtime::TraceRows& rows, const std::string& trace);
@@ -130,7 +130,7 @@ void JobRunner::run(hal::Backend& backend, runtime::TraceRows& rows) {
   if (realtime) result_.punctuality = realtime->punctuality();
   result_.following_error = backend.following_error_max();
   result_.settled = backend.settle();
-  judge(diagnostics);
+  judge(diagnostics, backend.command_velocity_max());
   if (realtime) judge_punctuality();
 }
 
@@ -147,7 +147,7 @@ hal::Patience JobRunner::patience() const {
   return {terminal_.stop(), waits ? -1 : kOfTheClock};
 }
 
-void JobRunner::judge(Diagnostics& diagnostics) {
+void JobRunner::judge(Diagnostics& diagnostics, const AxisVector& command_velocity) {
   const runtime::Outcome& outcome = result_.outcome;
   if (runtime::is_of_axis(outcome.feedback.alarm))
     diagnostics.report(runtime::alarm_diagnostic(outcome));
@@ -155,6 +155,8 @@ void JobRunner::judge(Diagnostics& diagnostics) {
       outcome.end == runtime::Outcome::End::done || outcome.end == runtime::Outcome::End::stopped;
   if (at_rest && diagnostics.errors() == 0)
     runtime::report_excess(outcome.measured, outcome.deviation, job_.machine, diagnostics);
+  if (at_rest && diagnostics.errors() == 0)
+    runtime::report_command_excess(command_velocity, job_.machine, diagnostics);
   if (options_.dry_run && outcome.end == runtime::Outcome::End::done && diagnostics.errors() == 0)
     runtime::report_corner_cost(job_.program, job_.machine, job_.options, result_.outcome,
                                 &terminal_, diagnostics);

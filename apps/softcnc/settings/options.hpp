@@ -13,6 +13,7 @@
 #include "messages/progress.hpp"
 #include "motion/model/machine.hpp"
 #include "pictures/picture_options.hpp"
+#include "runtime/circle/circle_plane.hpp"
 #include "runtime/session/feed_script.hpp"
 #include "runtime/sinks/curve_columns.hpp"
 #include "settings/tolerance.hpp"
@@ -32,7 +33,8 @@ enum class CommandName : std::uint8_t {
   machine,
   latency,
   pulses,
-  codes
+  codes,
+  circle
 };
 
 /// How a table is written.
@@ -74,7 +76,7 @@ struct Options {
 
   std::vector<Method> methods;            // compare: in the order of its rows; empty: all
   int phases = 16;                        // compare: places within the period
-  TableFormat table = TableFormat::text;  // compare, diff, replay
+  TableFormat table = TableFormat::text;  // compare, diff, replay, circle
 
   Tolerance tolerance;        // diff
   std::string junit;          // diff, replay: file; empty: none
@@ -91,6 +93,9 @@ struct Options {
   DiagnosticsFormat diagnostics = DiagnosticsFormat::text;
   ProgressMode progress = ProgressMode::automatic;
   bool quiet = false, verbose = false;
+
+  runtime::CirclePlane plane = runtime::CirclePlane::xy;  // circle
+  std::vector<double> centre;  // circle: mm, in the plane; empty: that of each circle's own points
 };
 
 }  // namespace softcnc::app

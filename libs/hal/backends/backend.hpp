@@ -62,6 +62,9 @@ class Backend {
   /// Returns where the axes come to rest if the last command stands, in mm. Leaves the backend as
   /// it is.
   virtual AxisVector settle() const noexcept = 0;
+
+  /// Returns the largest speed of what was sent so far, mm/s by axis; 0 where that is the path.
+  virtual AxisVector command_velocity_max() const noexcept { return AxisVector::Zero(); }
 };
 
 /// Returns the machine with a backend that counts as before, but sends nothing.

@@ -149,4 +149,16 @@ void report_excess(const Measured& measured, const ProgrammedPath::Deviation& wo
           "um");
 }
 
+void report_command_excess(const AxisVector& largest, const Machine& machine,
+                           Diagnostics& diagnostics) {
+  ExcessReporter check(machine, diagnostics);
+  for (int i = 0; i < kAxes; ++i) {
+    const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
+    if (axis.present)
+      check(fmt::format("the velocity of the commands of {}",
+                        kAxisLetters[static_cast<std::size_t>(i)]),
+            largest[i], axis.velocity, kAxisTolerance, "mm/s");
+  }
+}
+
 }  // namespace softcnc::runtime

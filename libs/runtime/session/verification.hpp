@@ -55,4 +55,9 @@ class Verification {
 void report_excess(const Measured& measured, const ProgrammedPath::Deviation& worst,
                    const Machine& machine, Diagnostics& diagnostics);
 
+/// Reports where what was sent has been faster than an axis: SC4002, or SC4003 likewise. `largest`
+/// is hal::Backend::command_velocity_max().
+void report_command_excess(const AxisVector& largest, const Machine& machine,
+                           Diagnostics& diagnostics);
+
 }  // namespace softcnc::runtime
