@@ -39,6 +39,7 @@ constexpr CommandEntry kCommands[] = {
      "Compute the surface that a part program machines, with its Rmax"},
     {CommandName::compare, "compare",
      "Compare interpolation methods on part programs, begun at several places within the period"},
+    {CommandName::identify, "identify", "Find the drives of a machine from a trace of its motion"},
     {CommandName::machine, "machine", "Print the machine, with the origin of each value"},
     {CommandName::latency, "latency", "Measure scheduling latency and the feed it permits"},
     {CommandName::pulses, "pulses", "Check step and direction pulses against the drivers' timing"},
@@ -410,10 +411,10 @@ constexpr Commands kRuns{run, record};
 constexpr Commands kPlans{run, check, record, report, surface, compare, diff};
 constexpr Commands kPrograms{run, check, blocks, record, report, surface};
 constexpr Commands kReads{run, check, blocks, record, report, surface, compare, diff};
-constexpr Commands kMachine{run,     check,   blocks,  record, replay, report,
-                            surface, machine, latency, pulses, diff};
-constexpr Commands kMachines{run,     check,   blocks,  record,  replay, report,
-                             surface, compare, machine, latency, pulses, diff};
+constexpr Commands kMachine{run,     check,   blocks,   record,  replay, report,
+                            surface, machine, identify, latency, pulses, diff};
+constexpr Commands kMachines{run,     check,   blocks,   record,  replay, report, surface,
+                             compare, machine, identify, latency, pulses, diff};
 
 constexpr OptionEntry kOptions[] = {
     {{run, record, blocks, surface}, "PART", "", "Part program; - is standard input", one_file},
@@ -434,6 +435,11 @@ constexpr OptionEntry kOptions[] = {
      "FILE",
      "",
      "List of edges: .vcd or .edges, also with .zst; - is standard input",
+     one_file},
+    {{identify},
+     "TRACE",
+     "",
+     "Trace with actual positions: .csv or .npz, also with .zst",
      one_file},
     {{codes},
      "CODE",
@@ -518,6 +524,7 @@ constexpr OptionEntry kOptions[] = {
      phases},
     {{compare}, "--format", "", "Format of the comparison (default text)", table},
     {{diff}, "--format", "", "Format of the differences (default text)", text_or_json},
+    {{identify}, "--format", "", "Format of the figures (default text)", text_or_json},
     {{replay}, "--format", "", "Format of the results (default text)", text_or_json},
     {{diff},
      "--tolerance",
@@ -596,6 +603,11 @@ constexpr OptionEntry kOptions[] = {
      "-o,--output",
      "FILE",
      "Where the comparison is written (default: standard output)",
+     text<&Options::output>},
+    {{identify},
+     "-o,--output",
+     "FILE.toml",
+     "Write the machine with the figures that have been found",
      text<&Options::output>},
     {kRuns, "--report", "FILE.json", "Write the figures of the run as JSON",
      text<&Options::report>},
