@@ -25,14 +25,34 @@ Result<std::unique_ptr<HalRows>> HalRows::open(const Machine& machine) {
 }
 
 HalRows::HalRows(const Machine& machine, std::unique_ptr<ByteSink> out)
-    : rows_(machine, kLead), enough_(kLead), out_(std::move(out)) {
+    : commands_(machine), rows_(machine, kLead), enough_(kLead), out_(std::move(out)) {
+  for (int axis = 0; axis < kAxes; ++axis) {
+    if (!machine.axes[static_cast<std::size_t>(axis)].present) continue;
+    axes_.push_back(axis);
+    commands_.add_column(axis, columns_);
+  }
   if (out_) status_ = out_->write(rows_.head());
 }
 
 Feedback HalRows::exchange(const Setpoint& setpoint) noexcept {
-  rows_.add(setpoint);
+  send(commands_(setpoint));
+  return {position(), status_ ? Alarm::none : Alarm::port, -1};
+}
+
+void HalRows::send(const Setpoint& sent) noexcept {
+  rows_.add(sent);
   if (rows_.bytes().size() >= enough_) hand_on();
-  return {rows_.last(), status_ ? Alarm::none : Alarm::port, -1};
+}
+
+/// What has been sent, less what makes up for the screws.
+AxisVector HalRows::position() const noexcept {
+  AxisVector position = rows_.last();
+  for (const int axis : axes_) position[axis] -= commands_.added(axis);
+  return position;
+}
+
+void HalRows::values(std::span<double> out) const noexcept {
+  for (std::size_t i = 0; i < columns_.size(); ++i) out[i] = commands_.position(axes_[i]);
 }
 
 void HalRows::hand_on() noexcept {
@@ -48,7 +68,9 @@ void HalRows::rest() noexcept {
   hand_on();
 }
 
+/// First takes out the backlash, so that the next program begins as this one did.
 Status HalRows::finish() {
+  while (const Setpoint* sent = status_ ? commands_.next_to_release() : nullptr) send(*sent);
   rest();
   if (!out_) return {};
   if (status_) status_ = out_->write(rows_.tail());

@@ -1,26 +1,30 @@
 // SPDX-License-Identifier: MIT
-// The simulated mill: a servo axis for each axis of the machine.
+// The simulated mill: a servo axis and a screw for each axis of the machine.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "hal/backends/backend.hpp"
+#include "hal/backends/lead_screw.hpp"
 #include "hal/backends/servo.hpp"
+#include "hal/signals/commands.hpp"
 #include "hal/signals/pulse_source.hpp"
 
 namespace softcnc::hal {
 
 /// Its up/down counters count the very pulses that a drive with step and direction inputs would
-/// get.
+/// get. The axes are those of the machine, or of its plant if it has one. Their loop is closed at
+/// the motor, so it does not see what the screw makes of it; the position of an axis is its
+/// table's.
 class SimulatedMill final : public Backend {
  public:
   explicit SimulatedMill(const Machine& machine);
 
   Feedback exchange(const Setpoint& setpoint) noexcept override;
 
-  /// Returns, for each axis, the columns of actual position (mm), command minus actual (um) and
-  /// motor current (A).
+  /// Returns, for each axis, the columns of the position sent (mm) where it is not that of the
+  /// path, actual position (mm), path minus actual (um) and motor current (A).
   std::span<const std::string> columns() const noexcept override { return columns_; }
   void values(std::span<double> out) const noexcept override;
   std::span<const AxisVector> actual() const noexcept override {
@@ -38,23 +42,25 @@ class SimulatedMill final : public Backend {
   struct Slide {
     int axis;
     ServoAxis servo;
+    LeadScrew screw;
     PulseSource source;
   };
 
-  void begin(const AxisVector& position) noexcept;
-  void run_period(Slide& slide, const Setpoint& setpoint) noexcept;
+  void begin(const Setpoint& sent) noexcept;
+  void run_period(Slide& slide, const Setpoint& sent) noexcept;
 
   static constexpr std::size_t kPulses = 4096;  // in a period without a further allocation
 
+  Commands commands_;
   std::vector<Slide> slides_;
   std::vector<std::string> columns_;
   double servo_period_;  // s: of the position loop
   int servo_periods_;    // in one period
   bool started_ = false;
-  std::vector<CommandPulse> pulses_;  // of one axis and period
-  AxisVector commanded_ = AxisVector::Zero();
-  std::vector<AxisVector> actual_;  // of each servo period
-  std::size_t seen_ = 0;            // so many of them, the last ones, are of the last exchange
+  std::vector<CommandPulse> pulses_;           // of one axis and period
+  AxisVector commanded_ = AxisVector::Zero();  // mm: of the path
+  std::vector<AxisVector> actual_;             // of each servo period
+  std::size_t seen_ = 0;  // so many of them, the last ones, are of the last exchange
   std::array<double, kAxes> error_max_;
 };
 

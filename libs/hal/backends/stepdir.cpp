@@ -22,46 +22,61 @@ Result<std::unique_ptr<StepDir>> StepDir::open(const Machine& machine) {
 }
 
 StepDir::StepDir(const Machine& machine, const StepTiming& timing, std::unique_ptr<EdgeSink> out)
-    : period_(ns_from_s(machine.control.period)), edges_(timing), out_(std::move(out)) {
+    : commands_(machine),
+      period_(ns_from_s(machine.control.period)),
+      edges_(timing),
+      out_(std::move(out)) {
   for (int axis = 0; axis < kAxes; ++axis) {
     if (!machine.axes[static_cast<std::size_t>(axis)].present) continue;
     motors_.emplace_back(axis, machine);
+    commands_.add_column(axis, columns_);
     columns_.push_back(axis_name(axis) + "_count");
   }
 }
 
 Feedback StepDir::exchange(const Setpoint& setpoint) noexcept {
+  const Setpoint& sent = commands_(setpoint);
+  last_ = setpoint.position;
   if (!std::exchange(started_, true)) {
-    begin(setpoint.position);
+    begin(sent.position);
     return {position(), Alarm::none, -1};
   }
+  alarm_ = send(sent);
+  return {position(), alarm_, -1};
+}
+
+/// Makes the pulses of a period.
+Alarm StepDir::send(const Setpoint& sent) {
   const auto begins = static_cast<double>(periods_++) * period_;
   for (PulseSource& motor : motors_)
-    motor.move(setpoint, [&](double part, int direction) {
+    motor.move(sent, [&](double part, int direction) {
       edges_.add(motor.axis(), std::llround(begins + part * period_), direction);
     });
-  last_ = setpoint.position;
   const std::int64_t ends = std::llround(begins + period_);
   const auto edges = edges_.release(ends);
-  return {position(), out_ ? out_->take(edges, ends) : Alarm::none, -1};
+  return out_ ? out_->take(edges, ends) : Alarm::none;
 }
 
 /// The counts begin where the machine stands, without pulses.
 void StepDir::begin(const AxisVector& position) {
-  last_ = position;
   for (PulseSource& motor : motors_) motor.begin(position[motor.axis()]);
 }
 
-/// What has been sent, or waits to be; an axis the machine lacks is where it is commanded.
+/// What has been sent, or waits to be, less what makes up for the screws; an axis the machine lacks
+/// is where it is commanded.
 AxisVector StepDir::position() const noexcept {
   AxisVector position = last_;
-  for (const PulseSource& motor : motors_) position[motor.axis()] = motor.position();
+  for (const PulseSource& motor : motors_)
+    position[motor.axis()] = motor.position() - commands_.added(motor.axis());
   return position;
 }
 
 void StepDir::values(std::span<double> out) const noexcept {
-  for (std::size_t i = 0; i < motors_.size(); ++i)
-    out[i] = static_cast<double>(motors_[i].counts());
+  std::size_t i = 0;
+  for (const PulseSource& motor : motors_) {
+    if (commands_.differ()) out[i++] = commands_.position(motor.axis());
+    out[i++] = static_cast<double>(motor.counts());
+  }
 }
 
 /// Time goes on until the last step is long over.
@@ -74,7 +89,17 @@ void StepDir::rest() noexcept {
   out_->rest();
 }
 
+/// Takes out the backlash, so that the next program begins as this one did.
+void StepDir::release() {
+  while (alarm_ == Alarm::none)
+    if (const Setpoint* sent = commands_.next_to_release())
+      alarm_ = send(*sent);
+    else
+      return;
+}
+
 Status StepDir::finish() {
+  release();
   if (!out_) return {};
   out_->take(edges_.release_all(), edges_.end() + 1);
   return out_->finish();

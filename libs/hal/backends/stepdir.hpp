@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hal/backends/backend.hpp"
+#include "hal/signals/commands.hpp"
 #include "hal/signals/edge_sink.hpp"
 #include "hal/signals/pulse_source.hpp"
 
@@ -25,7 +26,8 @@ class StepDir final : public Backend {
 
   Feedback exchange(const Setpoint& setpoint) noexcept override;
 
-  /// Returns, for each axis, the column of the pulses so far, as counts of its position.
+  /// Returns, for each axis, the columns of the position sent (mm) where it is not that of the
+  /// path, and of the pulses so far, as counts of that position.
   std::span<const std::string> columns() const noexcept override { return columns_; }
   void values(std::span<double> out) const noexcept override;
   AxisVector settle() const noexcept override { return position(); }
@@ -34,14 +36,18 @@ class StepDir final : public Backend {
 
  private:
   void begin(const AxisVector& position);
+  Alarm send(const Setpoint& sent);
+  void release();
   AxisVector position() const noexcept;
 
+  Commands commands_;
   std::vector<PulseSource> motors_;
   std::vector<std::string> columns_;
   double period_;             // ns
   std::int64_t periods_ = 0;  // that have passed
   bool started_ = false;
-  AxisVector last_ = AxisVector::Zero();  // mm, commanded
+  Alarm alarm_ = Alarm::none;             // of the last exchange
+  AxisVector last_ = AxisVector::Zero();  // mm, of the path
   StepEdges edges_;
   std::unique_ptr<EdgeSink> out_;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <system_error>
 #include <tuple>
@@ -17,25 +18,30 @@
 namespace softcnc::hal {
 namespace {
 
-/// In bytes: hundreds of times what any machine needs, a thousand tools included.
-constexpr std::size_t kLongestMachine = std::size_t{1} << 20U;
-
 LoadedOrErrors load_text(const std::string* text, const std::string& name,
-                         std::span<const std::string> settings) {
+                         std::span<const std::string> settings, MachineOrigin origin) {
+  const auto names_plant = [](const std::string& setting) {
+    return setting.substr(0, setting.find_first_of(" \t=")) == kPlantKey;
+  };
   MachineLoader loader;
   if (text) loader.read(*text, name);
-  for (const std::string& setting : settings) loader.set(setting);
+  for (const std::string& setting : settings)
+    if (names_plant(setting)) loader.set(setting);
+  loader.read_plant(origin);
+  for (const std::string& setting : settings)
+    if (!names_plant(setting)) loader.set(setting);
   return loader.finish();
 }
 
-LoadedOrErrors load_file(const std::string& file, std::span<const std::string> settings) {
-  if (file.empty()) return load_text(nullptr, {}, settings);
+LoadedOrErrors load_file(const std::string& file, std::span<const std::string> settings,
+                         MachineOrigin origin = MachineOrigin::file) {
+  if (file.empty()) return load_text(nullptr, {}, settings, origin);
   const auto text = read_text(file, Code::SC7003);
   if (!text) return tl::make_unexpected(std::vector{text.error()});
   if (text->size() > kLongestMachine)
     return tl::make_unexpected(std::vector{Diagnostic{
         .code = Code::SC7003, .message = "cannot be read: longer than 1 MiB", .file = file}});
-  return load_text(&*text, file, settings);
+  return load_text(&*text, file, settings, origin);
 }
 
 /// A file that nobody has named is neither waited for nor passed over.
@@ -57,6 +63,9 @@ std::vector<KeyRef> instances(const MachineKey& key, const Machine& machine) {
   if (is_axis_key(key)) {
     for (int axis = 0; axis < kAxes; ++axis)
       if (machine.axes[static_cast<std::size_t>(axis)].present) refs.push_back({&key, axis});
+    for (int axis = 0; machine.plant.given && axis < kAxes; ++axis)
+      if (machine.plant.axes[static_cast<std::size_t>(axis)].present)
+        refs.push_back({&key, kAxes + axis});
   } else if (is_tool_key(key)) {
     for (const auto& [number, tool] : machine.tools) refs.push_back({&key, number});
   } else {
@@ -96,7 +105,7 @@ MachineOrErrors load_machine(const std::string& file, std::span<const std::strin
 
 MachineOrErrors parse_machine(const std::string& text, const std::string& name,
                               std::span<const std::string> settings) {
-  return load_text(&text, name, settings).map(machine_of);
+  return load_text(&text, name, settings, MachineOrigin::memory).map(machine_of);
 }
 
 tl::expected<FoundMachine, std::vector<Diagnostic>> find_machine(
@@ -104,10 +113,12 @@ tl::expected<FoundMachine, std::vector<Diagnostic>> find_machine(
   if (source.confined)
     if (auto error = unlike_a_file(source.file))
       return tl::make_unexpected(std::vector{*std::move(error)});
-  auto loaded = load_file(source.file, settings);
+  const auto origin = source.confined ? MachineOrigin::confined : MachineOrigin::file;
+  auto loaded = load_file(source.file, settings, origin);
   if (!loaded) return tl::make_unexpected(std::move(loaded.error()));
   FoundMachine found;
-  if (source.confined) found.ignored = confine(*loaded);
+  found.ignored = std::move(loaded->ignored);
+  if (source.confined) std::ranges::move(confine(*loaded), std::back_inserter(found.ignored));
   found.default_file = writes_default_file(*loaded);
   found.machine = std::move(loaded->machine);
   return found;

@@ -18,11 +18,13 @@ using MachineOrErrors = tl::expected<Machine, std::vector<Diagnostic>>;
 /// Loads the machine of a TOML file with `settings` ("KEY=VALUE": a TOML value, else a string) on
 /// top. An empty name means the built-in machine. A file that names any [axis.*] has exactly those
 /// axes; a key that is absent keeps its default, except the limit along the path, which then is
-/// none. Errors: the SC70xx codes, with line and column; those of settings in a file called
+/// none. The plant that it names is read from its folder, the one of a setting from the present
+/// folder. Errors: the SC70xx codes, with line and column; those of settings in a file called
 /// "--set". None is reported that follows from another; of a file that is not TOML only the first.
 MachineOrErrors load_machine(const std::string& file, std::span<const std::string> settings);
 
-/// The same for a text that is already in memory; `name` stands for the file in diagnostics.
+/// The same for a text that is already in memory; `name` stands for the file in diagnostics. The
+/// text contains its plant (SC7003).
 MachineOrErrors parse_machine(const std::string& text, const std::string& name,
                               std::span<const std::string> settings);
 

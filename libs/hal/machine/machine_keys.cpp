@@ -42,11 +42,17 @@ auto& in_part(Machine& machine, int) {
 }
 template <auto Member>
 auto& in_axis(Machine& machine, int axis) {
-  return machine.axes[static_cast<std::size_t>(axis)].*Member;
+  return axis_at(machine, axis).*Member;
 }
 template <auto Part, auto Member>
 auto& in_axis_part(Machine& machine, int axis) {
-  return machine.axes[static_cast<std::size_t>(axis)].*Part.*Member;
+  return axis_at(machine, axis).*Part.*Member;
+}
+template <auto Member>
+auto& in_screw(Machine& machine, int axis) {
+  const bool of_plant = axis >= kAxes;
+  auto& screws = of_plant ? machine.plant.screws : machine.screws;
+  return screws[static_cast<std::size_t>(of_plant ? axis - kAxes : axis)].*Member;
 }
 template <auto Member>
 auto& in_tool(Machine& machine, int number) {
@@ -64,6 +70,7 @@ template <auto Member, std::size_t axis>
 int& axis_pin(Machine& machine, int) {
   return (machine.parallel_port.*Member)[axis];
 }
+std::string& plant_file(Machine& machine, int) { return machine.plant.file; }
 std::string& stream_file(Machine& machine, int) { return machine.hal_stream.file; }
 
 template <auto Part, auto Member>
@@ -110,6 +117,8 @@ const MachineKey kKeys[] = {
      NumberKey{control<&Control::acc_dec>, s_from_ms, ms_from_s, {0.001, 1e4, true}}},
     {"control.rough_period_ms", "ms", "period of the rough interpolation of two-step; period_ms must divide it",
      NumberKey{control<&Control::rough_period>, s_from_ms, ms_from_s, {0.001, 1000}}},
+    {"control.follow", "", "what commands do about the lag of the drives (docs/following.md): nothing; lead: they are ahead of the path by one time an axis, of the least contour error; model: they are those with which the axes of this file go where they should",
+     choice_in<&Machine::control, &Control::follow>(kFollowNames)},
     {"control.constant_feed", "", "whether an interpolation by pulses keeps the feed along the path on every slope: by the times of the profile, or by clocks that are dropped; off: a move for each clock, as paper 003 before its compensation",
      choice_in<&Machine::control, &Control::constant_feed>(kConstantFeedNames)},
     {"control.corner_tolerance_um", "um", "largest deviation of corners that G64 without P rounds; 0: the path is followed exactly",
@@ -140,6 +149,10 @@ const MachineKey kKeys[] = {
      NumberKey{in_axis<&Axis::screw_lead>, same, same, {0.01, 1000}}},
     {"axis.*.counts_per_rev", "", "encoder counts per turn of the motor, all edges",
      WholeKey{in_axis<&Axis::counts_per_rev>, {1, 1e8}}},
+    {"axis.*.backlash_um", "um", "lost motion of the screw when it turns back: the commands of every backend make up for it, and the simulated table stays where it is while the screw turns through it",
+     NumberKey{in_screw<&Screw::backlash>, mm_from_um, um_from_mm, at_least_0(1e4)}},
+    {"axis.*.pitch_table", "", "errors of the screw as [position_mm, error_um] pairs: how far the table is beyond that position; linear between them, constant outside. The commands of every backend make up for them, and the simulated table has them",
+     PairsKey{in_screw<&Screw::pitch_table>, mm_from_um, um_from_mm, {-1e5, 1e5}, {-1e4, 1e4}, 100, 0.1}},
 
     {"axis.*.motor.resistance_ohm", "ohm", "terminal resistance of the armature circuit",
      NumberKey{motor<&Motor::resistance>, same, same, {1e-3, 1e4}}},
@@ -184,6 +197,9 @@ const MachineKey kKeys[] = {
      choice_in<&Machine::surfacing, &Surfacing::model>(kRoughnessModels)},
     {"surface.phase", "", "phase between the cutting edges of neighbouring passes in the simulated surface: aligned as in the paper, or by time",
      choice_in<&Machine::surfacing, &Surfacing::phase>(kSpindlePhases)},
+
+    {"backend.sim.plant", "", "machine file whose axes are simulated instead of those of the machine, in the folder of the machine file; empty: none",
+     TextKey{plant_file}},
 
     {"backend.stepdir.file", "", "file for the edges of the step and direction lines: .vcd or .edges; empty: none",
      TextKey{edge_file}},
@@ -260,6 +276,20 @@ std::vector<std::string_view> split(std::string_view path) {
   return parts;
 }
 
+constexpr std::string_view kPlant = "plant.";
+
+/// A path as that of the machine itself, and whether it is one of an axis of the plant.
+struct Owner {
+  std::string_view path;
+  bool plant;
+};
+Owner owner_of(std::string_view path) {
+  constexpr std::string_view kAxis = "axis";
+  const std::string_view own = path.substr(path.starts_with(kPlant) ? kPlant.size() : path.size());
+  const bool plant = own == kAxis || (own.starts_with(kAxis) && own[kAxis.size()] == '.');
+  return {plant ? own : path, plant};
+}
+
 std::optional<int> axis_of(std::string_view part) {
   if (part.size() != 1 || part[0] < 'a') return std::nullopt;
   const int axis = axis_index(part[0]);
@@ -317,18 +347,30 @@ std::span<const MachineKey> machine_keys() noexcept { return kKeys; }
 bool is_axis_key(const MachineKey& key) noexcept { return key.name.starts_with("axis."); }
 bool is_tool_key(const MachineKey& key) noexcept { return key.name.starts_with("tool."); }
 
+Axis& axis_at(Machine& machine, int index) noexcept {
+  return index < kAxes ? machine.axes[static_cast<std::size_t>(index)]
+                       : machine.plant.axes[static_cast<std::size_t>(index - kAxes)];
+}
+const Axis& axis_at(const Machine& machine, int index) noexcept {
+  return index < kAxes ? machine.axes[static_cast<std::size_t>(index)]
+                       : machine.plant.axes[static_cast<std::size_t>(index - kAxes)];
+}
+
 std::optional<KeyRef> find_key(std::string_view path) {
-  const auto parts = split(path);
+  const auto [own_path, of_plant] = owner_of(path);
+  const auto parts = split(own_path);
   for (const MachineKey& key : kKeys) {
     const auto pattern = split(key.name);
     if (pattern.size() != parts.size()) continue;
-    if (const auto index = match_prefix(parts, pattern)) return KeyRef{&key, *index};
+    if (const auto index = match_prefix(parts, pattern))
+      return KeyRef{&key, of_plant ? *index + kAxes : *index};
   }
   return std::nullopt;
 }
 
 bool is_section(std::string_view path) {
-  const auto parts = split(path);
+  if (path == kPlant.substr(0, kPlant.size() - 1)) return true;
+  const auto parts = split(owner_of(path).path);
   return std::any_of(std::begin(kKeys), std::end(kKeys), [&](const MachineKey& key) {
     const auto pattern = split(key.name);
     return parts.size() < pattern.size() && match_prefix(parts, pattern);
@@ -339,12 +381,16 @@ std::string path_of(const KeyRef& ref) {
   std::string path(ref.key->name);
   const auto star = path.find('*');
   if (star == path.npos) return path;
-  const std::string stands_for =
-      is_axis_key(*ref.key) ? axis_name(ref.index) : std::to_string(ref.index);
-  return path.replace(star, 1, stands_for);
+  if (!is_axis_key(*ref.key)) return path.replace(star, 1, std::to_string(ref.index));
+  path.replace(star, 1, axis_name(ref.index % kAxes));
+  return ref.index < kAxes ? path : std::string(kPlant) + path;
 }
 
-std::string nearest_key(std::string_view path) { return nearest(path, std::string_view::npos); }
+std::string nearest_key(std::string_view path) {
+  const auto [own_path, of_plant] = owner_of(path);
+  const std::string known = nearest(own_path, std::string_view::npos);
+  return of_plant && known.starts_with("axis.") ? std::string(kPlant) + known : known;
+}
 
 std::string nearest_section(std::string_view path) {
   return nearest(path, static_cast<std::size_t>(std::count(path.begin(), path.end(), '.')) + 1);

@@ -47,13 +47,23 @@ struct PointKey {
   ValueRange range;
 };
 
+/// A list of pairs: a position, mm, and a value in the unit of the name.
+struct PairsKey {
+  std::vector<PitchPoint>& (*place)(Machine&, int index);
+  double (*to_internal)(double);  // of the second number
+  double (*to_file)(double);
+  ValueRange position, range;
+  std::size_t most;  // pairs
+  double steepest;   // change of the value over that of the position
+};
+
 /// A row of the table. A '*' in the name stands for an axis letter or a tool number, which is then
-/// the `index` of the functions above.
+/// the `index` of the functions above; that of an axis of the plant is kAxes larger.
 struct MachineKey {
   std::string_view name;
   std::string_view unit;
   std::string_view meaning;
-  std::variant<NumberKey, WholeKey, ChoiceKey, TextKey, PointKey> value;
+  std::variant<NumberKey, WholeKey, ChoiceKey, TextKey, PointKey, PairsKey> value;
 };
 
 std::span<const MachineKey> machine_keys() noexcept;
@@ -71,6 +81,9 @@ std::optional<KeyRef> find_key(std::string_view path);
 bool is_section(std::string_view path);
 
 bool is_axis_key(const MachineKey& key) noexcept;
+/// Returns the axis of an index, of the machine or of its plant. Requires 0 <= index < 2 kAxes.
+Axis& axis_at(Machine& machine, int index) noexcept;
+const Axis& axis_at(const Machine& machine, int index) noexcept;
 bool is_tool_key(const MachineKey& key) noexcept;
 
 std::string path_of(const KeyRef& ref);

@@ -21,10 +21,13 @@ std::string unknown(std::string_view key, const std::string& nearest) {
   return "unknown key '" + std::string(key) + "'" + did_you_mean(nearest);
 }
 
-/// Those of settings come last, in the order in which they are found.
-bool earlier(const Diagnostic& a, const Diagnostic& b) {
-  const bool a_is_setting = a.file == kSettingFile, b_is_setting = b.file == kSettingFile;
-  if (a_is_setting || b_is_setting) return a_is_setting < b_is_setting;
+/// Those of the file come first, then those of its plant, and those of settings last, in the order
+/// in which they are found.
+bool earlier(const Diagnostic& a, const Diagnostic& b, const std::string& file) {
+  const auto rank = [&](const Diagnostic& error) {
+    return error.file == kSettingFile ? 2 : error.file == file ? 0 : 1;
+  };
+  if (rank(a) != rank(b) || rank(a) == 2) return rank(a) < rank(b);
   return std::tie(a.pos.line, a.pos.column) < std::tie(b.pos.line, b.pos.column);
 }
 
@@ -101,6 +104,7 @@ void MachineLoader::clash(Code code, Keys keys, std::string message) {
 void MachineLoader::read(std::string_view text, const std::string& name) {
   const std::string stem = as_utf8(std::filesystem::path(name).stem().string());
   if (!stem.empty()) loaded_.machine.name = stem;
+  file_ = name;
   const TextLines lines(text);
   const auto place = [&](const SourcePos& pos) {
     return GivenAt{name, pos, std::string(lines[pos.line])};
@@ -118,6 +122,7 @@ void MachineLoader::read(std::string_view text, const std::string& name) {
   }
   take_all(*entries, lines, name);
   if (std::any_of(entries->begin(), entries->end(), names_axis)) keep_named_axes(*entries);
+  keep_named_axes_of_plant(*entries, lines);
 }
 
 /// The contents of a table that is refused are not reported as well. Tables come before them.
@@ -183,20 +188,24 @@ void MachineLoader::set(const std::string& setting) {
   if (!has_axis_of(*ref)) {
     if (is_doubtful_) return;
     return fail(Code::SC7007, place_in(setting, key),
-                "the machine has no axis " + axis_name(ref->index));
+                std::string(ref->index < kAxes ? "the machine" : "the plant") + " has no axis " +
+                    axis_name(ref->index % kAxes));
   }
   take(*ref, read_toml_value(std::string(value)), place_in(setting, value));
 }
 
 bool MachineLoader::has_axis_of(const KeyRef& ref) const {
-  return !is_axis_key(*ref.key) ||
-         loaded_.machine.axes[static_cast<std::size_t>(ref.index)].present;
+  if (!is_axis_key(*ref.key)) return true;
+  return axis_at(loaded_.machine, ref.index).present &&
+         (ref.index < kAxes || loaded_.machine.plant.given);
 }
 
 LoadedOrErrors MachineLoader::finish() {
   if (!is_doubtful_) {
     check_periods();
     for (int axis = 0; axis < kAxes; ++axis) check_travel(axis);
+    for (int axis = 0; axis < kAxes; ++axis) check_plant(axis);
+    check_compensation();
     const Control& control = loaded_.machine.control;
     const bool steps =
         control.backend == BackendKind::stepdir || control.backend == BackendKind::parport;
@@ -205,7 +214,10 @@ LoadedOrErrors MachineLoader::finish() {
     if (ignores_plan(control.interpolation)) check_method();
   }
   if (errors_.empty()) return std::move(loaded_);
-  std::stable_sort(errors_.begin(), errors_.end(), earlier);
+  const auto sooner = [this](const Diagnostic& a, const Diagnostic& b) {
+    return earlier(a, b, file_);
+  };
+  std::stable_sort(errors_.begin(), errors_.end(), sooner);
   return tl::make_unexpected(std::move(errors_));
 }
 

@@ -2,8 +2,10 @@
 // From the text of a machine file and the settings on the command line to a Machine.
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,6 +16,13 @@
 #include "motion/core/result.hpp"
 
 namespace softcnc::hal {
+
+/// The longest text of a machine, in bytes: hundreds of times what any machine needs, a thousand
+/// tools included.
+inline constexpr std::size_t kLongestMachine = std::size_t{1} << 20U;
+
+/// The key that names the plant.
+inline constexpr std::string_view kPlantKey = "backend.sim.plant";
 
 /// The file that diagnostics of settings name.
 inline constexpr std::string_view kSettingFile = "--set";
@@ -28,6 +37,14 @@ struct GivenAt {
 struct LoadedMachine {
   Machine machine;
   std::map<std::string, GivenAt, std::less<>> given;  // by full name of the key
+  std::vector<Diagnostic> ignored;                    // SC7021: a plant that is not read
+};
+
+/// Where the text of a machine comes from, and which files it may name as its plant.
+enum class MachineOrigin : std::uint8_t {
+  file,      // that a user has named: any
+  confined,  // that nobody has named: one in the same folder
+  memory,    // none: its plant stands in it
 };
 
 using LoadedOrErrors = tl::expected<LoadedMachine, std::vector<Diagnostic>>;
@@ -38,6 +55,9 @@ class MachineLoader {
  public:
   void read(std::string_view text, const std::string& name);
   void set(const std::string& setting);  // "KEY=VALUE"
+  /// Reads the plant that the file or a setting names, unless it stands in the file itself: to be
+  /// called after read() and the settings that choose it, before those that change it.
+  void read_plant(MachineOrigin origin);
 
   /// Fills in what was left out and checks values against one another. To be called once.
   LoadedOrErrors finish();
@@ -48,6 +68,11 @@ class MachineLoader {
   void take(const TomlEntry& entry, const TextLines& lines, const std::string& name);
   void take(const KeyRef& ref, const FileValue& value, GivenAt place);
   void keep_named_axes(const std::vector<TomlEntry>& entries);
+  void keep_named_axes_of_plant(const std::vector<TomlEntry>& entries, const TextLines& lines);
+  std::optional<std::string> plant_to_read(MachineOrigin origin);
+  void take_plant(MachineLoader&& plant);
+  void check_plant(int index);
+  void check_compensation();
   void check_periods();
   void check_travel(int index);
   void check_method();
@@ -67,6 +92,7 @@ class MachineLoader {
   void clash(Code code, Keys keys, std::string message);
 
   LoadedMachine loaded_;
+  std::string file_;                            // as diagnostics of its text name it
   std::map<int, std::string> used_pins_;        // of the parallel port, and by which key
   std::set<std::string, std::less<>> refused_;  // keys whose values are
   bool is_doubtful_ = false;  // what could not be read may have been meant for any key

@@ -22,6 +22,7 @@ struct TypeName {
   std::string_view operator()(std::int64_t) const { return "a number"; }
   std::string_view operator()(const std::string&) const { return "a string"; }
   std::string_view operator()(const std::vector<double>&) const { return "an array"; }
+  std::string_view operator()(const NumberRows&) const { return "an array of arrays"; }
   std::string_view operator()(const OtherTomlValue& other) const { return other.type; }
 };
 
@@ -98,6 +99,47 @@ Status store(const PointKey& point, const KeyRef& ref, const FileValue& value, M
   return {};
 }
 
+/// An empty array has no type of its own.
+const NumberRows* as_rows(const FileValue& value) {
+  static const NumberRows kNone;
+  if (const auto* numbers = std::get_if<std::vector<double>>(&value))
+    return numbers->empty() ? &kNone : nullptr;
+  return std::get_if<NumberRows>(&value);
+}
+
+/// The pairs must describe a function that can be undone.
+Status check(const PairsKey& pairs, const KeyRef& ref, const std::vector<PitchPoint>& points) {
+  if (points.size() > pairs.most)
+    return failure(Code::SC7052, path_of(ref) + " has " + std::to_string(points.size()) +
+                                     " pairs, more than " + std::to_string(pairs.most));
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const PitchPoint &low = points[i - 1], &high = points[i];
+    const std::string place = " at " + number_text(high.position) + " mm";
+    if (!(high.position > low.position))
+      return failure(Code::SC7052, path_of(ref) + " does not ascend" + place);
+    if (std::abs(high.error - low.error) > pairs.steepest * (high.position - low.position))
+      return failure(Code::SC7052, path_of(ref) + " changes by more than " +
+                                       number_text(1e3 * pairs.steepest) + " um in a mm" + place);
+  }
+  return {};
+}
+
+Status store(const PairsKey& pairs, const KeyRef& ref, const FileValue& value, Machine& machine) {
+  const NumberRows* rows = as_rows(value);
+  const auto is_pair = [](const std::vector<double>& row) { return row.size() == 2; };
+  if (!rows || !std::all_of(rows->begin(), rows->end(), is_pair))
+    return wrong_type(ref, "an array of pairs of numbers", value);
+  std::vector<PitchPoint> points;
+  for (const auto& row : *rows) {
+    if (auto checked = check(ref, row[0], pairs.position); !checked) return checked;
+    if (auto checked = check(ref, row[1], pairs.range); !checked) return checked;
+    points.push_back({row[0] + 0.0, pairs.to_internal(row[1] + 0.0)});
+  }
+  auto checked = check(pairs, ref, points);
+  if (checked) pairs.place(machine, ref.index) = std::move(points);
+  return checked;
+}
+
 /// A TOML basic string.
 std::string toml_string(std::string_view text) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
@@ -123,6 +165,9 @@ struct Allowed {
   std::string operator()(const PointKey& point) const {
     return "three numbers, each " + range_text(point.range) + ", or none";
   }
+  std::string operator()(const PairsKey& pairs) const {
+    return "up to " + std::to_string(pairs.most) + " pairs of numbers, in ascending order";
+  }
 };
 
 struct Spell {
@@ -145,6 +190,13 @@ struct Spell {
     std::string text;
     for (const double number : point.place(machine, ref.index))
       text += (text.empty() ? "" : ", ") + number_text(number);
+    return '[' + text + ']';
+  }
+  std::string operator()(const PairsKey& pairs) const {
+    std::string text;
+    for (const PitchPoint& point : pairs.place(machine, ref.index))
+      text += (text.empty() ? "[" : ", [") + number_text(point.position) + ", " +
+              scaled_text(point.error, pairs.to_internal, pairs.to_file) + ']';
     return '[' + text + ']';
   }
 };

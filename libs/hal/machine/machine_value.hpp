@@ -16,15 +16,16 @@ namespace softcnc::hal {
 struct OtherTomlValue {
   std::string_view type;
 };
-using FileValue =
-    std::variant<double, std::int64_t, std::string, std::vector<double>, OtherTomlValue>;
+using NumberRows = std::vector<std::vector<double>>;
+using FileValue = std::variant<double, std::int64_t, std::string, std::vector<double>, NumberRows,
+                               OtherTomlValue>;
 
 /// The number of errors after which nothing more is reported of a machine or state file: each of
 /// them keeps its line, and a hostile file may have millions.
 inline constexpr std::size_t kMostErrors = 1000;
 
 /// Checks `value` against type and range of the key and stores it in internal units.
-/// Errors: SC7004, SC7005, SC7006, SC7009; their place is left to the caller.
+/// Errors: SC7004, SC7005, SC7006, SC7009, SC7052; their place is left to the caller.
 Status assign(const KeyRef& ref, const FileValue& value, Machine& machine);
 
 /// Returns what the key takes, in words: "greater than 0 and at most 1000".

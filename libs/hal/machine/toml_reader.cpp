@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "hal/machine/toml_depth.hpp"
 
@@ -44,15 +45,26 @@ SourcePos BytePositions::of(const toml::source_region& region) const {
   return {static_cast<int>(region.begin.line), first, std::max(1, end - first)};
 }
 
-/// Numbers, or else just an array.
-FileValue value_of(const toml::array& array) {
+std::optional<std::vector<double>> numbers_of(const toml::array& array) {
   std::vector<double> numbers;
   for (const auto& element : array) {
     const auto number = element.value<double>();
-    if (!number || !element.is_number()) return OtherTomlValue{"an array"};
+    if (!number || !element.is_number()) return std::nullopt;
     numbers.push_back(*number);
   }
   return numbers;
+}
+
+/// Numbers, or arrays of numbers, or else just an array.
+FileValue value_of(const toml::array& array) {
+  if (auto numbers = numbers_of(array)) return *std::move(numbers);
+  NumberRows rows;
+  for (const auto& element : array) {
+    auto row = element.is_array() ? numbers_of(*element.as_array()) : std::nullopt;
+    if (!row) return OtherTomlValue{"an array"};
+    rows.push_back(*std::move(row));
+  }
+  return rows;
 }
 
 FileValue value_of(const toml::node& node) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "hal/backends/stream_rows.hpp"
+#include "hal/signals/commands.hpp"
 
 namespace softcnc::hal {
 namespace {
@@ -13,12 +14,13 @@ constexpr std::size_t kBuffer = 1U << 16U;  // bytes
 class HalTrace final : public TraceWriter {
  public:
   HalTrace(std::unique_ptr<ByteSink> out, const Machine& machine)
-      : out_(std::move(out)), rows_(machine, kBuffer), status_(out_->write(rows_.head())) {}
+      : out_(std::move(out)),
+        commands_(machine),
+        rows_(machine, kBuffer),
+        status_(out_->write(rows_.head())) {}
 
   void row(const Setpoint& setpoint, std::span<const double> /*backend_values*/) noexcept override {
-    if (!ok()) return;
-    rows_.add(setpoint);
-    if (rows_.bytes().size() >= kBuffer) flush();
+    send(commands_(setpoint));
   }
 
   void rest() noexcept override { rows_.rest(); }
@@ -32,6 +34,7 @@ class HalTrace final : public TraceWriter {
   bool ok() const noexcept override { return status_.has_value(); }
 
   Status finish() override {
+    while (const Setpoint* sent = ok() ? commands_.next_to_release() : nullptr) send(*sent);
     rest();
     flush();
     if (ok()) status_ = out_->write(rows_.tail());
@@ -40,7 +43,14 @@ class HalTrace final : public TraceWriter {
   }
 
  private:
+  void send(const Setpoint& sent) noexcept {
+    if (!ok()) return;
+    rows_.add(sent);
+    if (rows_.bytes().size() >= kBuffer) flush();
+  }
+
   std::unique_ptr<ByteSink> out_;
+  Commands commands_;
   StreamRows rows_;
   Status status_;
 };

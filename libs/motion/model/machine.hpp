@@ -139,6 +139,22 @@ struct Axis {
   Drive drive;
 };
 
+/// A place of a lead screw and how far the table is beyond it, mm: position and error.
+struct PitchPoint {
+  double position = 0;
+  double error = 0;
+};
+
+/// How the table follows the screw: exactly, unless it says otherwise.
+struct Screw {
+  double backlash = 0;                  // mm: lost in negative direction after a reversal
+  std::vector<PitchPoint> pitch_table;  // by position; linear in between, constant outside
+};
+
+inline bool has_errors(const Screw& screw) noexcept {
+  return screw.backlash > 0 || !screw.pitch_table.empty();
+}
+
 struct Spindle {
   double min_rpm = 0;
   double max_rpm = 24000;
@@ -192,6 +208,14 @@ struct Stock {
   double grid = 0.01;  // mm between neighbouring points
 };
 
+/// The machine that is simulated where it is not the one that softcnc knows.
+struct Plant {
+  std::string file;                // as the machine names it; empty: none, or none by name
+  bool given = false;              // otherwise the machine itself is simulated
+  std::array<Axis, kAxes> axes{};  // present: those it has
+  std::array<Screw, kAxes> screws{};
+};
+
 struct Machine {
   std::string name = "retrofitted mill (built-in)";
   Control control;
@@ -205,6 +229,8 @@ struct Machine {
   Surfacing surfacing;
   Stock stock;
   std::map<int, Tool> tools;
+  std::array<Screw, kAxes> screws;  // of the axes
+  Plant plant;
 };
 
 /// Returns the time, s, over which methods that accelerate after interpolation average the

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "hal/signals/commands.hpp"
+
+#include <algorithm>
+
+#include "hal/files/axis_name.hpp"
+
+namespace softcnc::hal {
+namespace {
+
+/// The most fine points of a period that are reserved: those of the simulated axes.
+constexpr std::size_t kReserved = 64;
+
+}  // namespace
+
+Commands::Commands(const Machine& machine)
+    : parts_(
+          static_cast<std::size_t>(parts_of_period(machine.control, fine_period(machine.control)))),
+      period_(machine.control.period) {
+  for (int axis = 0; axis < kAxes; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    const bool differs = has_errors(machine.screws[i]) || machine.control.follow != Follow::off;
+    if (machine.axes[i].present && differs)
+      axes_.push_back({axis, AxisCompensation(machine.axes[i], machine.screws[i]),
+                       AxisFollowing(machine.axes[i], machine.control.follow,
+                                     loop_period(machine.control))});
+  }
+  if (differ()) fine_.reserve(std::max(kReserved, 4 * parts_));
+}
+
+const Setpoint& Commands::operator()(const Setpoint& path) noexcept {
+  if (!differ()) return path;
+  sent_ = path;
+  if (started_) {
+    fine_.clear();
+    const std::size_t parts = path.fine.empty() ? parts_ : path.fine.size();
+    for_instants(path, path_, static_cast<int>(parts),
+                 [this](const FinePoint& point) { fine_.push_back(point); });
+    move();
+  } else {
+    begin();
+  }
+  started_ = true;
+  path_ = {path.s, path.position};
+  added_ = sent_.position - path_.position;
+  return sent_;
+}
+
+void Commands::begin() noexcept {
+  for (Chain& axis : axes_) {
+    double& position = sent_.position[axis.axis];
+    position = axis.compensation.begin(position);
+    axis.following.begin(position);
+  }
+}
+
+void Commands::move() noexcept {
+  const double time = period_ / static_cast<double>(fine_.size());
+  for (FinePoint& point : fine_)
+    for (Chain& axis : axes_)
+      point.position[axis.axis] =
+          axis.following.move(axis.compensation.move(point.position[axis.axis], time), time);
+  sent_.position = fine_.back().position;
+  sent_.fine = fine_;
+}
+
+const Setpoint* Commands::next_to_release() noexcept {
+  if (!started_) return nullptr;
+  bool complete = true;
+  for (Chain& axis : axes_) {
+    axis.compensation.release();
+    complete = complete && axis.compensation.is_complete();
+  }
+  if (complete) return nullptr;
+  Setpoint rest = sent_;
+  rest.position = path_.position;
+  rest.fine = {};
+  (*this)(rest);
+  return &sent_;
+}
+
+void Commands::add_column(int axis, std::vector<std::string>& columns) const {
+  if (differ()) columns.push_back(axis_name(axis) + "_cmd_mm");
+}
+
+}  // namespace softcnc::hal
