@@ -21,9 +21,9 @@ Commands::Commands(const Machine& machine)
     const auto i = static_cast<std::size_t>(axis);
     const bool differs = has_errors(machine.screws[i]) || machine.control.follow != Follow::off;
     if (machine.axes[i].present && differs)
-      axes_.push_back({axis, AxisCompensation(machine.axes[i], machine.screws[i]),
-                       AxisFollowing(machine.axes[i], machine.control.follow,
-                                     loop_period(machine.control))});
+      axes_.push_back(
+          {axis, AxisCompensation(machine.axes[i], machine.screws[i]),
+           AxisFollowing(machine.axes[i], machine.control.follow, loop_period(machine.control))});
   }
   if (differ()) fine_.reserve(std::max(kReserved, 4 * parts_));
 }
