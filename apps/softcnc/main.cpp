@@ -81,6 +81,8 @@ int dispatch(const Options& options) {
       return surface(options);
     case CommandName::compare:
       return compare(options);
+    case CommandName::identify:
+      return identify(options);
     case CommandName::machine:
       return machine(options);
     case CommandName::latency:

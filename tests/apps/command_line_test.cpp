@@ -11,7 +11,8 @@ namespace {
 
 const std::string kKnown =
     "; the commands are run, check, blocks, record, replay, diff, report, surface, compare, "
-    "circle, machine, latency, pulses, codes\nRun with --help for more information.\n";
+    "circle, identify, machine, latency, pulses, codes\nRun with --help for more "
+    "information.\n";
 
 }  // namespace
 
@@ -48,7 +49,7 @@ TEST_CASE("of a name that an option does not know the nearest is named", "[apps]
 TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
   CHECK(call("--version").out == "softcnc " SOFTCNC_VERSION "\n");
   for (const char* command : {"", "run", "check", "blocks", "record", "replay", "surface",
-                              "compare", "machine", "latency", "pulses", "codes"}) {
+                              "compare", "identify", "machine", "latency", "pulses", "codes"}) {
     CAPTURE(command);
     const Ended ended = call(std::string(command) + " --help");
     CHECK(ended.status == 0);
@@ -67,8 +68,9 @@ TEST_CASE("what does not exist is refused as wrong usage", "[apps][cli]") {
     CHECK(ended.out.empty());
     CHECK(ended.err.find("Run with --help for more information.") != std::string::npos);
   }
-  for (const char* command : {"report x", "surface x", "latency x", "run", "check", "replay",
-                              "compare", "record $data/square.nc", "run a.nc b.nc", "machine x"}) {
+  for (const char* command :
+       {"report x", "surface x", "latency x", "run", "check", "replay", "compare", "identify",
+        "record $data/square.nc", "run a.nc b.nc", "machine x"}) {
     CAPTURE(command);
     CHECK(call(command).status == 2);
   }

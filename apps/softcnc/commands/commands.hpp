@@ -13,6 +13,7 @@ int record(const Options& options);
 int replay(const Options& options);
 int report(const Options& options);
 int diff(const Options& options);
+int identify(const Options& options);
 int surface(const Options& options);
 int compare(const Options& options);
 int machine(const Options& options);

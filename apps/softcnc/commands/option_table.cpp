@@ -41,6 +41,7 @@ constexpr CommandEntry kCommands[] = {
      "Compare interpolation methods on part programs, begun at several places within the period"},
     {CommandName::circle, "circle",
      "Measure the circles of a run: deviations, reversals, both directions (ISO 230-4)"},
+    {CommandName::identify, "identify", "Find the drives of a machine from a trace of its motion"},
     {CommandName::machine, "machine", "Print the machine, with the origin of each value"},
     {CommandName::latency, "latency", "Measure scheduling latency and the feed it permits"},
     {CommandName::pulses, "pulses", "Check step and direction pulses against the drivers' timing"},
@@ -484,10 +485,10 @@ constexpr Commands kRuns{run, record};
 constexpr Commands kPlans{run, check, record, report, surface, compare, diff};
 constexpr Commands kPrograms{run, check, blocks, record, report, surface};
 constexpr Commands kReads{run, check, blocks, record, report, surface, compare, diff};
-constexpr Commands kMachine{run,     check,   blocks,  record, replay, report,
-                            surface, machine, latency, pulses, diff};
-constexpr Commands kMachines{run,     check,   blocks,  record,  replay, report,
-                             surface, compare, machine, latency, pulses, diff};
+constexpr Commands kMachine{run,     check,   blocks,   record,  replay, report,
+                            surface, machine, identify, latency, pulses, diff};
+constexpr Commands kMachines{run,     check,   blocks,   record,  replay, report, surface,
+                             compare, machine, identify, latency, pulses, diff};
 
 constexpr OptionEntry kOptions[] = {
     {{run, record, blocks, surface}, "PART", "", "Part program; - is standard input", one_file},
@@ -517,6 +518,11 @@ constexpr OptionEntry kOptions[] = {
      "LinuxCNC, "
      "or of what grbl answers to $$",
      import_words},
+    {{identify},
+     "TRACE",
+     "",
+     "Trace with actual positions: .csv or .npz, also with .zst",
+     one_file},
     {{codes},
      "CODE",
      "",
@@ -631,6 +637,7 @@ constexpr OptionEntry kOptions[] = {
      phases},
     {{compare}, "--format", "", "Format of the comparison (default text)", table},
     {{diff}, "--format", "", "Format of the differences (default text)", text_or_json},
+    {{identify}, "--format", "", "Format of the figures (default text)", text_or_json},
     {{replay}, "--format", "", "Format of the results (default text)", text_or_json},
     {{circle}, "--format", "", "Format of the figures (default text)", text_or_json},
     {{circle}, "--plane", "", "Plane of the circles (default XY)", plane},
@@ -722,6 +729,11 @@ constexpr OptionEntry kOptions[] = {
      "-o,--output",
      "FILE",
      "Where the comparison is written (default: standard output)",
+     text<&Options::output>},
+    {{identify},
+     "-o,--output",
+     "FILE.toml",
+     "Write the machine with the figures that have been found",
      text<&Options::output>},
     {kRuns, "--report", "FILE.json", "Write the figures of the run as JSON",
      text<&Options::report>},

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace softcnc::app {
 
 Diagnostic missed_periods(const runtime::Punctuality& punctuality, const std::string& program) {
@@ -12,6 +14,20 @@ Diagnostic missed_periods(const runtime::Punctuality& punctuality, const std::st
       .message = fmt::format("{} of {} periods {} missed; the latest came {:.1f} us late", overruns,
                              punctuality.lateness.wakeups(), overruns == 1 ? "was" : "were",
                              static_cast<double>(punctuality.lateness.largest()) / 1e3),
+      .file = program};
+}
+
+std::optional<Diagnostic> lag_misfit(const Machine& machine, std::size_t axis, double misfit,
+                                     const std::string& program) {
+  constexpr double kFits = 0.005;
+  if (!(std::abs(misfit) > kFits)) return std::nullopt;
+  const double kv = machine.axes[axis].drive.kv;
+  return Diagnostic{
+      .code = Code::SC5060,
+      .message = fmt::format(
+          "{} lags {:.1f} % {} than its machine file says: its gain is {:.4g} 1/s, not {:.4g}",
+          kAxisLetters[axis], 100 * std::abs(misfit), misfit > 0 ? "more" : "less",
+          kv / (1 + misfit), kv),
       .file = program};
 }
 

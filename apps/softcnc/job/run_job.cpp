@@ -57,6 +57,7 @@ class JobRunner {
   bool in_real_time() const;
   hal::Patience patience() const;
   void judge(Diagnostics& diagnostics, const AxisVector& command_velocity);
+  void judge_lag(const std::array<double, kAxes>& misfit);
   void judge_punctuality();
   bool is_dropped(const std::string& file) const;
   void close(runtime::TraceRows& rows, const std::string& trace);
@@ -130,8 +131,16 @@ void JobRunner::run(hal::Backend& backend, runtime::TraceRows& rows) {
   if (realtime) result_.punctuality = realtime->punctuality();
   result_.following_error = backend.following_error_max();
   result_.settled = backend.settle();
+  judge_lag(backend.lag_misfit());
   judge(diagnostics, backend.command_velocity_max());
   if (realtime) judge_punctuality();
+}
+
+/// The model of the axes is a promise about where they are.
+void JobRunner::judge_lag(const std::array<double, kAxes>& misfit) {
+  for (std::size_t axis = 0; axis < misfit.size(); ++axis)
+    if (const auto found = lag_misfit(job_.machine, axis, misfit[axis], job_.program.name()))
+      messages_.show(*found);
 }
 
 /// A parallel port keeps a clock of its own.

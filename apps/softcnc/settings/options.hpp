@@ -30,6 +30,7 @@ enum class CommandName : std::uint8_t {
   diff,
   surface,
   compare,
+  identify,
   machine,
   latency,
   pulses,
@@ -71,12 +72,12 @@ struct Options {
   bool realtime = false;                      // run, record: as fast as the clock goes
   std::string trace, report;                  // files; empty: none
   std::vector<runtime::CurveColumn> columns;  // run: further ones of the trace
-  std::string output;                         // of record, surface and compare
+  std::string output;                         // of record, surface, compare, identify
   bool actual = false;                        // surface: cut by where the simulated mill is
 
   std::vector<Method> methods;            // compare: in the order of its rows; empty: all
   int phases = 16;                        // compare: places within the period
-  TableFormat table = TableFormat::text;  // compare, diff, replay, circle
+  TableFormat table = TableFormat::text;  // compare, diff, replay, circle, identify
 
   Tolerance tolerance;        // diff
   std::string junit;          // diff, replay: file; empty: none

@@ -70,6 +70,10 @@ std::array<double, kAxes> Backend::following_error_max() const noexcept {
   return none;
 }
 
+std::array<double, kAxes> Backend::lag_misfit() const noexcept {
+  return Backend::following_error_max();
+}
+
 Machine without_port(Machine machine) {
   machine.step_port.file.clear();
   machine.hal_stream.file.clear();

@@ -44,6 +44,10 @@ class Backend {
   /// without feedback.
   virtual std::array<double, kAxes> following_error_max() const noexcept;
 
+  /// Returns by which part of 1/Kv each axis has lagged more than its machine file says; NaN where
+  /// that is not known.
+  virtual std::array<double, kAxes> lag_misfit() const noexcept;
+
   /// Is called where the machine is at rest and the next exchange may take long.
   virtual void rest() noexcept {}
 

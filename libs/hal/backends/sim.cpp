@@ -31,8 +31,12 @@ SimulatedMill::SimulatedMill(const Machine& machine)
   for (int axis = 0; axis < kAxes; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
     if (!machine.axes[i].present) continue;
-    slides_.push_back({axis, ServoAxis(simulated_axis(machine, i), servo_period_),
-                       LeadScrew(simulated_screw(machine, i)), PulseSource(axis, machine)});
+    slides_.push_back({axis,
+                       ServoAxis(simulated_axis(machine, i), servo_period_),
+                       LeadScrew(simulated_screw(machine, i)),
+                       PulseSource(axis, machine),
+                       {}});
+    if (machine.plant.given) slides_.back().monitor.emplace(machine.axes[i], servo_period_);
     error_max_[i] = 0;
     commands_.add_column(axis, columns_);
     for (const char* quantity : {"_act_mm", "_err_um", "_current_a"})
@@ -67,6 +71,7 @@ void SimulatedMill::begin(const Setpoint& sent) noexcept {
   for (Slide& slide : slides_) {
     slide.source.begin(sent.position[slide.axis]);
     slide.servo.reset(sent.position[slide.axis]);
+    if (slide.monitor) slide.monitor->begin(sent.position[slide.axis]);
     slide.screw.begin(slide.servo.position());
     actual_.back()[slide.axis] = slide.screw.table();
   }
@@ -83,6 +88,7 @@ void SimulatedMill::run_period(Slide& slide, const Setpoint& sent) noexcept {
     for (; next != pulses_.end() && (next->part <= i || i == servo_periods_); ++next)
       next->part -= i - 1;
     slide.servo.advance({first, next});
+    if (slide.monitor) slide.monitor->advance({first, next}, slide.servo.position());
     slide.screw.turn(slide.servo.position());
     actual_[static_cast<std::size_t>(i - 1)][slide.axis] = slide.screw.table();
   }
@@ -97,6 +103,13 @@ void SimulatedMill::values(std::span<double> out) const noexcept {
     out[i++] = um_from_mm(commanded_[slide.axis] - actual);
     out[i++] = slide.servo.current();
   }
+}
+
+std::array<double, kAxes> SimulatedMill::lag_misfit() const noexcept {
+  std::array<double, kAxes> misfit = Backend::lag_misfit();
+  for (const Slide& slide : slides_)
+    if (slide.monitor) misfit[static_cast<std::size_t>(slide.axis)] = slide.monitor->misfit();
+  return misfit;
 }
 
 AxisVector SimulatedMill::settle() const noexcept {

@@ -2,10 +2,12 @@
 // The simulated mill: a servo axis and a screw for each axis of the machine.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hal/backends/backend.hpp"
+#include "hal/backends/lag_monitor.hpp"
 #include "hal/backends/lead_screw.hpp"
 #include "hal/backends/servo.hpp"
 #include "hal/signals/commands.hpp"
@@ -33,6 +35,8 @@ class SimulatedMill final : public Backend {
   std::size_t instants() const noexcept override { return actual_.size(); }
   std::array<double, kAxes> following_error_max() const noexcept override { return error_max_; }
 
+  std::array<double, kAxes> lag_misfit() const noexcept override;
+
   /// Returns where a copy that runs on comes to rest: until no encoder moves any more, for at most
   /// kSettleTime.
   AxisVector settle() const noexcept override;
@@ -46,6 +50,7 @@ class SimulatedMill final : public Backend {
     ServoAxis servo;
     LeadScrew screw;
     PulseSource source;
+    std::optional<LagMonitor> monitor;  // of a plant
   };
 
   void begin(const Setpoint& sent) noexcept;

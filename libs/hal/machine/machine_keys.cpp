@@ -118,6 +118,8 @@ const MachineKey kKeys[] = {
      NumberKey{control<&Control::acc_dec>, s_from_ms, ms_from_s, {0.001, 1e4, true}}},
     {"control.rough_period_ms", "ms", "period of the rough interpolation of two-step; period_ms must divide it",
      NumberKey{control<&Control::rough_period>, s_from_ms, ms_from_s, {0.001, 1000}}},
+    {"control.follow", "", "what commands do about the lag of the drives (docs/following.md): nothing; lead: they are ahead of the path by one time an axis, of the least contour error; model: they are those with which the axes of this file go where they should",
+     choice_in<&Machine::control, &Control::follow>(kFollowNames)},
     {"control.constant_feed", "", "whether an interpolation by pulses keeps the feed along the path on every slope: by the times of the profile, or by clocks that are dropped; off: a move for each clock, as paper 003 before its compensation",
      choice_in<&Machine::control, &Control::constant_feed>(kConstantFeedNames)},
     {"control.corner_tolerance_um", "um", "largest deviation of corners that G64 without P rounds; 0: the path is followed exactly",

@@ -149,6 +149,10 @@ void MachineLoader::check_plant(int index) {
 void MachineLoader::check_compensation() {
   const Machine& machine = loaded_.machine;
   if (!is_by_pulses(machine.control.interpolation)) return;
+  const std::string method(name(machine.control.interpolation));
+  if (machine.control.follow != Follow::off)
+    clash(Code::SC7053, {"control.follow", "control.interpolation"},
+          "control.follow leads no commands by control.interpolation = " + method);
   for (int axis = 0; axis < kAxes; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
     if (!machine.axes[i].present || !has_errors(machine.screws[i])) continue;
@@ -157,8 +161,7 @@ void MachineLoader::check_compensation() {
     clash(Code::SC7053,
           {backlash ? key + ".backlash_um" : key + ".pitch_table", "control.interpolation"},
           key + (backlash ? ".backlash_um" : ".pitch_table") +
-              " cannot be compensated by control.interpolation = " +
-              std::string(name(machine.control.interpolation)));
+              " cannot be compensated by control.interpolation = " + method);
   }
 }
 

@@ -20,8 +20,11 @@ Commands::Commands(const Machine& machine)
       period_(machine.control.period) {
   for (int axis = 0; axis < kAxes; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
-    if (machine.axes[i].present && has_errors(machine.screws[i]))
-      axes_.push_back({axis, AxisCompensation(machine.axes[i], machine.screws[i])});
+    const bool differs = has_errors(machine.screws[i]) || machine.control.follow != Follow::off;
+    if (machine.axes[i].present && differs)
+      axes_.push_back(
+          {axis, AxisCompensation(machine.axes[i], machine.screws[i]),
+           AxisFollowing(machine.axes[i], machine.control.follow, loop_period(machine.control))});
   }
   if (differ()) fine_.reserve(std::max(kReserved, 4 * parts_));
 }
@@ -45,17 +48,20 @@ const Setpoint& Commands::operator()(const Setpoint& path) noexcept {
 }
 
 void Commands::begin() noexcept {
-  for (Compensated& axis : axes_)
-    sent_.position[axis.axis] = axis.compensation.begin(sent_.position[axis.axis]);
+  for (Chain& axis : axes_) {
+    double& position = sent_.position[axis.axis];
+    position = axis.compensation.begin(position);
+    axis.following.begin(position);
+  }
 }
 
 void Commands::move() noexcept {
   const double time = period_ / static_cast<double>(fine_.size());
   AxisVector before = path_.position + added_;
   for (FinePoint& point : fine_) {
-    for (Compensated& axis : axes_) {
+    for (Chain& axis : axes_) {
       double& position = point.position[axis.axis];
-      position = axis.compensation.move(position, time);
+      position = axis.following.move(axis.compensation.move(position, time), time);
       double& largest = velocity_max_[axis.axis];
       largest = std::max(largest, std::abs(position - before[axis.axis]) / time);
     }
@@ -68,7 +74,7 @@ void Commands::move() noexcept {
 const Setpoint* Commands::next_to_release() noexcept {
   if (!started_) return nullptr;
   bool complete = true;
-  for (Compensated& axis : axes_) {
+  for (Chain& axis : axes_) {
     axis.compensation.release();
     complete = complete && axis.compensation.is_complete();
   }

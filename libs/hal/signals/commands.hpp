@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "hal/signals/axis_compensation.hpp"
+#include "hal/signals/axis_following.hpp"
 #include "motion/model/machine.hpp"
 #include "motion/model/setpoint.hpp"
 
 namespace softcnc::hal {
 
-/// Compensates backlash and pitch errors of the axes that have any. On a machine without, the
-/// commands are the setpoints themselves.
+/// Compensates backlash and pitch errors of the axes that have any, and then the lag of the drives,
+/// as control.follow says. On a machine with neither the commands are the setpoints themselves.
 class Commands {
  public:
   explicit Commands(const Machine& machine);
@@ -42,15 +43,16 @@ class Commands {
   void add_column(int axis, std::vector<std::string>& columns) const;
 
  private:
-  struct Compensated {
+  struct Chain {
     int axis;
     AxisCompensation compensation;
+    AxisFollowing following;
   };
 
   void begin() noexcept;
   void move() noexcept;
 
-  std::vector<Compensated> axes_;
+  std::vector<Chain> axes_;
   std::size_t parts_;  // fine points of a period
   double period_;      // s
   bool started_ = false;

@@ -41,6 +41,11 @@ constexpr std::string_view name(BackendKind backend) noexcept {
   return kBackendNames[static_cast<std::size_t>(backend)];
 }
 
+/// What commands do about the lag of the drives: nothing, lead by one time an axis, or invert the
+/// model of the machine file.
+enum class Follow : std::uint8_t { off, lead, model };
+inline constexpr std::array<std::string_view, 3> kFollowNames{"off", "lead", "model"};
+
 struct Control {
   double period = 0.001;           // s: one setpoint each
   double servo_period = 0;         // s: of fine interpolation; 0: see fine_period()
@@ -52,6 +57,7 @@ struct Control {
   double acc_dec = 0;           // s: of acceleration after interpolation; 0: see acc_dec_time()
   double rough_period = 0.008;  // s: of rough interpolation by Method::two_step
   ConstantFeed constant_feed = ConstantFeed::on;
+  Follow follow = Follow::off;
 };
 
 /// Returns whether the clocks of a move are equal parts of it, in whatever direction they lead: by

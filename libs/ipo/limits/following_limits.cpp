@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/limits/following_limits.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace softcnc::ipo {
+namespace {
+
+constexpr double kMostMargin = 0.25;  // of the velocity of an axis
+constexpr double kLeastDrive = 0.01;  // of its acceleration: a motor too weak is not worth more
+constexpr double kMotorShare = 0.95;  // of torque and voltage that the path may ask for
+
+/// Returns the acceleration that current and voltage of a motor allow at the velocity of its axis,
+/// mm/s^2, against its friction.
+double motor_acceleration(const Axis& axis) noexcept {
+  const Motor& motor = axis.motor;
+  const double mm_per_rad = axis.screw_lead / (2 * std::numbers::pi);
+  const double w = axis.velocity / mm_per_rad;
+  const double current =
+      std::min(axis.drive.current_limit,
+               (axis.drive.supply_voltage - motor.emf_constant * w) / motor.resistance);
+  const double torque = kMotorShare * motor.torque_constant * current - motor.coulomb_friction -
+                        motor.viscous_friction * w;
+  return torque / motor.inertia * mm_per_rad;
+}
+
+/// Returns by how much commands may be faster than the path, mm/s.
+double margin(const Axis& axis) noexcept {
+  const Motor& motor = axis.motor;
+  const double lead = 1 / axis.drive.kv, reach = axis.jerk * lead;
+  const double lag = motor.inertia * motor.resistance /
+                     (motor.torque_constant * (motor.emf_constant + axis.drive.velocity_gain));
+  const double most = reach < axis.acceleration
+                          ? reach * lead / 2
+                          : axis.acceleration * (lead - axis.acceleration / (2 * axis.jerk));
+  return most + reach * lag;
+}
+
+void make_room(Axis& axis) noexcept {
+  axis.acceleration = std::min(axis.acceleration,
+                               std::max(motor_acceleration(axis), kLeastDrive * axis.acceleration));
+  if (axis.jerk == 0) axis.jerk = axis.acceleration * axis.drive.kv;
+  const double part = std::min(1.0, kMostMargin * axis.velocity / margin(axis));
+  axis.acceleration *= part;
+  axis.jerk *= part;
+  axis.velocity -= margin(axis);
+}
+
+}  // namespace
+
+Machine planned_machine(const Machine& machine) {
+  Machine planned = machine;
+  if (machine.control.follow == Follow::off) return planned;
+  for (Axis& axis : planned.axes)
+    if (axis.present) make_room(axis);
+  return planned;
+}
+
+}  // namespace softcnc::ipo

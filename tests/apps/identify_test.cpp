@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// softcnc identify: the figures of drives that only a trace knows.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/shell.hpp"
+#include "support/shown.hpp"
+
+using namespace softcnc::app::test;
+using nlohmann::json;
+
+namespace {
+
+constexpr const char* kProgram = SOFTCNC_SOURCE_DIR "/programs/26_identify.nc";
+
+/// A trace of programs/26_identify.nc on the built-in mill with some values changed.
+void run(const Folder& at, const std::string& settings, const std::string& trace) {
+  const Ended ended = call("run -q --machine builtin " + std::string(kProgram) + " " + settings +
+                           " --trace " + (at / trace));
+  CAPTURE(ended.err);
+  REQUIRE(ended.status == 0);
+}
+
+json identified(const std::string& arguments) {
+  const Ended ended = call("identify --format json " + arguments);
+  CAPTURE(ended.err);
+  REQUIRE(ended.status == 0);
+  return json::parse(ended.out);
+}
+
+/// Whether a figure is within `part` of the truth, and the truth within its uncertainty.
+void check_figure(const json& axis, const char* name, double truth, double part) {
+  CAPTURE(axis.dump(), name, truth);
+  const double value = axis[name]["value"], uncertainty = axis[name]["uncertainty"];
+  CHECK(value == Approx(truth).epsilon(part));
+  CHECK(std::abs(value - truth) <= uncertainty);
+  CHECK(uncertainty < 0.1 * truth);
+}
+
+}  // namespace
+
+TEST_CASE("drives are identified from the trace of a run", "[apps][identify]") {
+  const Folder at;
+  run(at,
+      "--set axis.x.drive.kv_1_s=29.1 --set axis.y.motor.inertia_kg_m2=7.3e-4 "
+      "--set axis.z.motor.coulomb_friction_nm=0.25 --set axis.z.drive.kv_1_s=31",
+      "t.npz");
+  const json axes = identified((at / "t.npz") + " --machine builtin -o " + (at / "m.toml"))["axes"];
+  check_figure(axes["x"], "kv_1_s", 29.1, 0.003);
+  check_figure(axes["y"], "kv_1_s", 30, 0.003);
+  check_figure(axes["z"], "kv_1_s", 31, 0.003);
+  // J R / (Kt (Ke + Kp)), Kt / (R J) and Tc / J times 5 mm a turn, by hand
+  check_figure(axes["y"], "velocity_lag_ms", 7.3e-4 * 1500 / (0.158 * 2.1576), 0.05);
+  const double mm_per_rad = 5 / (2 * std::acos(-1.0));
+  check_figure(axes["y"], "torque_over_inertia_mm_s2_v", mm_per_rad * 0.158 / (1.5 * 7.3e-4), 0.15);
+  check_figure(axes["y"], "friction_over_inertia_mm_s2", mm_per_rad * 0.18 / 7.3e-4, 0.15);
+  check_figure(axes["z"], "friction_over_inertia_mm_s2", mm_per_rad * 0.25 / 6.1e-4, 0.15);
+  for (const char* axis : {"x", "y", "z"}) {
+    CHECK(double(axes[axis]["backlash_um"]["value"]) < 2.5);
+    CHECK(double(axes[axis]["residual_um_rms"]) < 1);
+  }
+  // The measured machine goes as the trace does.
+  const json again = identified((at / "t.npz") + " --machine " + (at / "m.toml"))["axes"];
+  for (const char* axis : {"x", "y", "z"})
+    CHECK(double(again[axis]["residual_of_machine_file_um_rms"]) < 1);
+}
+
+TEST_CASE("what a motion does not tell is unknown", "[apps][identify]") {
+  const Folder at;
+  write(at / "one_way.nc", "G21 G90 G1 X50 F3000\nM30\n");
+  const Ended ran =
+      call("run -q --machine builtin " + (at / "one_way.nc") + " --trace " + (at / "t.csv"));
+  REQUIRE(ran.status == 0);
+  const json axes = identified((at / "t.csv") + " --machine builtin")["axes"];
+  CHECK(axes["x"]["kv_1_s"]["value"] == Approx(30).epsilon(0.003));
+  CHECK(axes["x"]["backlash_um"].is_null());
+  CHECK(axes["y"] == json{{"moved", false}});
+  const Ended text = call("identify --machine builtin " + (at / "t.csv"));
+  CHECK(shows(text.out, "Y does not move: nothing is known of it"));
+  CHECK(shows(text.out, "  backlash, um                               unknown"));
+}
+
+TEST_CASE("a trace without actual positions is refused", "[apps][identify]") {
+  const Folder at;
+  const Ended ran = call("run -q --backend none $data/square.nc --trace " + (at / "t.csv"));
+  REQUIRE(ran.status == 0);
+  const Ended ended = call("identify " + (at / "t.csv") + " -o " + (at / "m.toml"));
+  CHECK(ended.status == 5);
+  CHECK(ended.out.empty());
+  CHECK(shows(ended.err, "has no actual positions"));
+  CHECK(shows(ended.err, "[SC6100]"));
+  CHECK(at.files() == std::vector<std::string>{"t.csv"});
+  CHECK(call("identify " + (at / "none.csv")).status == 5);
+}
