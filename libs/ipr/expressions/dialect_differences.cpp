@@ -86,10 +86,10 @@ constexpr std::array<DialectDifferenceRow, kDialectDifferences> kTable{{
      "forgets the shift of all axes, and moves where a motion is in force",
      "forgets the shift of the axes named, and moves nothing", "",
      "workpiece coordinate system preset (G92.1)"},
-     "forgets the shift of the axes named, and moves nothing"},
     {C::further_system, Code::SC2269, "G10 L20 P1 to P9",
      "sets the origin of work system P by the position",
-     "sets the origin of the further work system G54.1 P to the values"},
+     "sets the origin of the further work system G54.1 P to the values", "",
+     "additional workpiece coordinate systems"},
 }};
 
 constexpr bool in_order() {

@@ -51,7 +51,7 @@ enum class DialectDifference : std::uint8_t {
   named_shift,
   further_system,
 };
-inline constexpr std::size_t kDialectDifferences = 29;
+inline constexpr std::size_t kDialectDifferences = 30;
 
 struct DialectDifferenceRow {
   DialectDifference kind;

@@ -36,13 +36,13 @@ Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
                const ChannelOptions& options, Diagnostics& diagnostics)
     : input_(input),
       machine_(machine),
-      planned_(ipo::planned_machine(machine)),
+      path_machine_(ipo::planned_machine(machine)),
       options_(options),
       diagnostics_(diagnostics),
       unplanned_travel_(machine, diagnostics),
       parser_(reader, diagnostics),
       interpreter_(parser_, machine, diagnostics, options.interpreter, options.state),
-      planner_(planned_, options.feed_override, diagnostics, {}, options.constraints),
+      planner_(path_machine_, options.feed_override, diagnostics, {}, options.constraints),
       first_cut_delay_(options.first_cut_delay),
       delay_place_(ignores_plan(machine.control.interpolation) ? DelayPlace::at_start
                                                                : DelayPlace::before_cut),
@@ -204,7 +204,7 @@ void Feeder::read_unplanned(std::optional<Block> block) {
 /// gap, which no corner may round.
 void Feeder::read_on(std::optional<Block> block) {
   if (diagnostics_.errors() == 0) return;
-  ipo::Planner rest(planned_, options_.feed_override, diagnostics_);
+  ipo::Planner rest(path_machine_, options_.feed_override, diagnostics_);
   std::optional<AxisVector> end;  // of the move before
   if (!block) block = wait_for_block();
   for (; block; block = wait_for_block()) {

@@ -91,7 +91,7 @@ class Feeder {
 
   int input_;  // where it reads
   const Machine& machine_;
-  const Machine planned_;  // the machine with the limits of its paths
+  const Machine path_machine_;  // with the limits of its paths
   const ChannelOptions options_;
   Diagnostics& diagnostics_;
   UnplannedTravel unplanned_travel_;
