@@ -45,6 +45,23 @@ bool is_refused_probing(const GCode& code) noexcept {
          (code.number == kG31 || (code.number >= kG382 && code.number <= kG385));
 }
 
+/// The '#' of an assignment outside comments; column 0: there is none.
+SourcePos assignment_in(const ProgramLine& line) noexcept {
+  bool comment = false;
+  SourcePos sign = line.words.front().pos;
+  sign.column = 0;
+  sign.length = 1;
+  for (std::size_t i = 0; i < line.text.size() && line.text[i] != ';'; ++i) {
+    const char c = line.text[i];
+    comment = c == '(' || (comment && c != ')');
+    if (comment) continue;
+    if (c == '#') sign.column = static_cast<int>(i) + 1;
+    if (c == '=') return sign;
+  }
+  sign.column = 0;
+  return sign;
+}
+
 }  // namespace
 
 void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
@@ -157,10 +174,12 @@ void Command::check_program_number(const ProgramLine& line, Output& out) {
   const auto other = std::find_if(words.begin(), words.end(), [](const Word& word) {
     return word.letter != 'O' && word.letter != 'N';
   });
-  if (other == words.end()) return;
-  const bool after = other < number;
+  const SourcePos assigned = assignment_in(line);
+  if (other == words.end() && assigned.column == 0) return;
+  const SourcePos first = other == words.end() ? assigned : other->pos;
+  const bool after = first.column < number->pos.column;
   unknown_.add(Part::motion);
-  out.report(Code::SC2006, after ? number->pos : other->pos,
+  out.report(Code::SC2006, after ? number->pos : first,
              std::string("O stands alone on its line") + (after ? kLetterForDigit : ""));
 }
 
