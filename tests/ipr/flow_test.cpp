@@ -505,8 +505,8 @@ TEST_CASE("programs of FANUC have numbers after a colon, names and a title", "[i
 }
 
 TEST_CASE("blocks of cycles count as lines of a loop", "[ipr][flow]") {
-  const std::string drill = "G83 X1 Y1 Z-10 R1 Q0.1";
-  const std::string start = "G21 G90 F100 G0 Z5\n";
+  const std::string drill = "G83 X1. Y1. Z-10. R1. Q0.1";
+  const std::string start = "G21 G90 F100 G0 Z5.\n";
   CHECK(reported(start + "N10 " + drill + "\nGOTO 10\nM30", Dialect::fanuc) ==
         Told{"3:1 SC2310 jumping back to line 2 has run more than 1000 blocks"});
   CHECK(reported(start + "o1 repeat [5]\n" + drill + "\no1 endrepeat\nM2") ==

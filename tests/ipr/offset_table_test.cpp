@@ -70,7 +70,7 @@ TEST_CASE("G10 L11 measures a tool by G59.3, without the shift", "[ipr][offset_t
 
 TEST_CASE("the fanuc dialect keeps geometry and wear of H and D", "[ipr][offset_table][fanuc]") {
   const ToolOffset tool =
-      state_after("G10 L10 P1 R50\nG10 L11 P1 R-0.1\nG10 L12 P1 R5\nG10 L13 P1 R0.02\n", kFanuc)
+      state_after("G10 L10 P1 R50.\nG10 L11 P1 R-0.1\nG10 L12 P1 R5.\nG10 L13 P1 R0.02\n", kFanuc)
           .tools.at(1);
   CHECK(tool.length == AxisVector(0, 0, 50));
   CHECK(tool.length_wear == -0.1);

@@ -59,10 +59,10 @@ TEST_CASE("a tool that only the machine file knows has no length", "[ipr][tool_l
 }
 
 TEST_CASE("in the fanuc dialect wear adds, and H is modal", "[ipr][tool_length][fanuc]") {
-  const std::string set = "G10 L10 P3 R50\nG10 L11 P3 R-0.25\n";
-  CHECK(place(set + "G43 H3\nG00 Z1\n", kFanuc).z() == 50.75);
-  CHECK(place(set + "G43 H3 G00 Z1\nG43 H3\nG10 L10 P3 R10\nG43\nZ2\n", kFanuc).z() == 11.75);
-  CHECK(place(set + "G43 H9 G00 Z1\n", kFanuc).z() == 1);
+  const std::string set = "G10 L10 P3 R50.\nG10 L11 P3 R-0.25\n";
+  CHECK(place(set + "G43 H3\nG00 Z1.\n", kFanuc).z() == 50.75);
+  CHECK(place(set + "G43 H3 G00 Z1.\nG43 H3\nG10 L10 P3 R10.\nG43\nZ2.\n", kFanuc).z() == 11.75);
+  CHECK(place(set + "G43 H9 G00 Z1.\n", kFanuc).z() == 1);
 }
 
 TEST_CASE("in the fanuc dialect H counts by itself too", "[ipr][tool_length][fanuc]") {

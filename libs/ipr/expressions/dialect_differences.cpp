@@ -132,7 +132,7 @@ constexpr DialectTraitRow kTraits[] = {
      "FANUC: Series 0-M, tool compensation memory A: H and D are one table"},
     {"outside corners within cutter compensation",
      {"an arc", "an arc", "an arc", "an arc"},
-     "LinuxCNC: cutter compensation; FANUC: parameter CCC, straight lines or an arc"},
+     "LinuxCNC: cutter compensation; FANUC: details of cutter compensation"},
 };
 
 }  // namespace

@@ -131,6 +131,8 @@ bool Interpreter::choose_dialect() {
                         guess.text());
   else
     diagnostics_.report(Code::SC1058, {}, chosen + "its first lines show no other");
+  diagnostics_.release();  // before what is reported of that line
+  diagnostics_.hold();
   return true;
 }
 
