@@ -20,7 +20,8 @@ constexpr std::int64_t kShownOfCode = 100;
 
 /// Codes of which errors with the same text have the same cause.
 bool has_one_cause(Code code) {
-  constexpr std::array kCodes{Code::SC1020, Code::SC1050, Code::SC2001, Code::SC2008};
+  constexpr std::array kCodes{Code::SC1020, Code::SC1050, Code::SC2001,
+                              Code::SC2008, Code::SC2240, Code::SC2241};
   return std::find(kCodes.begin(), kCodes.end(), code) != kCodes.end();
 }
 

@@ -175,7 +175,7 @@ class Simulation {
   bool wanted_ = true;  // rows
   Verification verification_;
   const RowSink* rows_ = nullptr;
-  const Diagnostics& diagnostics_;
+  Diagnostics& diagnostics_;
   std::size_t worst_lines_;
   bool line_times_;
   std::optional<Contour> contour_;

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Outputs that a program sets: when, and with which backend.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "hal/backends/backend.hpp"
+#include "hal/machine/machine_file.hpp"
+#include "motion/geometry/path.hpp"
+#include "runtime/session/output_events.hpp"
+#include "runtime/session/simulate.hpp"
+
+using namespace softcnc;
+using namespace softcnc::runtime;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+struct Ran {
+  Outcome outcome;
+  std::vector<Diagnostic> diagnostics;
+};
+
+Ran run(const std::string& text, const Machine& machine) {
+  Diagnostics diagnostics;
+  ipr::Reader reader = ipr::Reader::from_text(text);
+  const auto backend = hal::open_backend(machine);
+  REQUIRE(backend);
+  Ran ran;
+  ran.outcome = simulate(reader, -1, machine, {}, **backend, diagnostics, nullptr, nullptr);
+  ran.diagnostics.assign(diagnostics.all().begin(), diagnostics.all().end());
+  return ran;
+}
+
+Machine machine_with_outputs() {
+  Machine machine;
+  machine.control.backend = BackendKind::none;
+  machine.outputs["pump"] = {2, SignalKind::digital};
+  machine.outputs["lamp"] = {0, SignalKind::analog};
+  InputPort& door = machine.inputs["door"];
+  door.lines = {3};
+  door.values = {1};
+  door.after = {0.3};
+  return machine;
+}
+
+}  // namespace
+
+TEST_CASE("outputs are set when the motion before them has ended", "[runtime][outputs]") {
+  // A rapid of 10 mm at 1000 mm/s^2 from rest to rest takes 2 sqrt(10/1000) s.
+  const double rapid = 2 * std::sqrt(10.0 / 1000);
+  const Ran ran =
+      run("G0 X10\nM64 P2\nM66 P0 L3 Q5\nM68 E0 Q-1.5\nM62 P2 X[20+#5399]\nM63 P2\nM2\n",
+          machine_with_outputs());
+  CHECK(ran.diagnostics.empty());
+  const auto& outputs = ran.outcome.time_sheet.outputs;
+  REQUIRE(outputs.size() == 3);
+  CHECK_THAT(outputs[0].t, WithinAbs(rapid, 1e-6));
+  CHECK(outputs[0].source.line == 2);
+  CHECK(outputs[0].port.number == 2);
+  CHECK(outputs[0].value == 1);
+  CHECK_THAT(outputs[1].t, WithinAbs(rapid + 0.3, 1e-6));
+  CHECK(outputs[1].source.line == 4);
+  CHECK(outputs[1].port.kind == SignalKind::analog);
+  CHECK(outputs[1].value == -1.5);
+  CHECK(outputs[2].t == outputs[1].t);
+  CHECK(outputs[2].source.line == 5);
+  CHECK(ran.outcome.time_sheet.outputs_left_out == 0);
+  CHECK_THAT(ran.outcome.last.s, WithinAbs(21, 1e-9));
+}
+
+TEST_CASE("an output within a path stops it there", "[runtime][outputs]") {
+  const Machine machine = machine_with_outputs();
+  const Ran without = run("F600 G1 X10\nX20\nM2\n", machine);
+  const Ran with = run("F600 G1 X10\nM62 P2 X20\nM2\n", machine);
+  // A stop from 10 mm/s at 1000 mm/s^2 and the start after it take 10 ms each for 5 ms of path.
+  CHECK_THAT(with.outcome.time - without.outcome.time, WithinAbs(0.01, 1e-6));
+  CHECK(with.outcome.time_sheet.rests_by(RestCause::output) == 1);
+  REQUIRE(with.outcome.time_sheet.outputs.size() == 1);
+  CHECK_THAT(with.outcome.time_sheet.outputs[0].t, WithinAbs(1.01, 1e-6));
+}
+
+TEST_CASE("of very many outputs the first are kept, and the others counted", "[runtime][outputs]") {
+  const Ran ran =
+      run("o1 repeat [5003]\nM64 P2\nM65 P2\no1 endrepeat\nM2\n", machine_with_outputs());
+  CHECK(ran.outcome.time_sheet.outputs.size() == kMostOutputEvents);
+  CHECK(ran.outcome.time_sheet.outputs_left_out == 6);
+}
+
+TEST_CASE("a backend that passes no outputs on reports that once", "[runtime][outputs]") {
+  TimeSheet sheet;
+  sheet.outputs.resize(2);
+  const auto reported = [&](BackendKind backend) {
+    Diagnostics diagnostics;
+    settle_outputs(sheet, backend, diagnostics);
+    std::string text;
+    for (const Diagnostic& diagnostic : diagnostics.all()) text += render(diagnostic);
+    return text;
+  };
+  CHECK(reported(BackendKind::none).empty());
+  CHECK(reported(BackendKind::sim).empty());
+  CHECK(reported(BackendKind::stepdir) ==
+        "softcnc: note: the program sets outputs 2 times, which backend stepdir does not pass on "
+        "[SC5050]\n");
+  CHECK(reported(BackendKind::hal_stream).find("backend hal-stream") != std::string::npos);
+  sheet.outputs.resize(1);
+  CHECK(reported(BackendKind::parport).find("outputs 1 time,") != std::string::npos);
+  sheet.outputs.clear();
+  CHECK(reported(BackendKind::parport).empty());
+}
+
+TEST_CASE("the example of M codes runs on its machine", "[runtime][outputs]") {
+  const std::string name = SOFTCNC_SOURCE_DIR "/programs/24_machine_codes";
+  const std::vector<std::string> settings{"control.backend=none"};
+  const auto machine = hal::load_machine(name + ".toml", settings);
+  REQUIRE(machine);
+  std::stringstream text;
+  text << std::ifstream(name + ".nc").rdbuf();
+  const Ran ran = run(text.str(), *machine);
+  for (const Diagnostic& diagnostic : ran.diagnostics) CHECK(render(diagnostic).empty());
+  REQUIRE(ran.outcome.time_sheet.outputs.size() == 7);
+  CHECK(ran.outcome.time_sheet.outputs[0].source.line == 7);
+  CHECK(ran.outcome.last.position[0] == 60);
+}
