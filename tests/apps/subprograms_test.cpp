@@ -41,6 +41,9 @@ TEST_CASE("every command finds subprograms in other folders", "[apps][subprogram
     if (!std::string(command).starts_with("surface")) CHECK(ended.status == 0);
   }
   CHECK(shell(in(folder) + "$softcnc diff" + how + " p.ngc").status == 0);
+  CHECK(shows(read(folder / "p.html"), "\"name\":\"lib/hole.ngc\""));
+  REQUIRE(shell(in(folder) + "$softcnc run -q --report r.json" + how).status == 0);
+  CHECK(json::parse(read(folder / "r.json"))["called_files"] == json::array({"lib/hole.ngc"}));
   CHECK(shows(shell(in(folder) + "$softcnc check p.ngc --define _td=3").out,
               "p.ngc:2:1: error: no subprogram o<hole> in this program or beside it [SC2301]"));
 }
@@ -72,7 +75,7 @@ TEST_CASE("a recording contains the files of other folders", "[apps][subprograms
   const json meta = json::parse(shell(in(folder) + "unzip -p p.rec meta.json").out);
   REQUIRE(meta["called"].size() == 1);
   CHECK(meta["called"][0]["name"] == "2/hole.ngc");
-  CHECK(meta["options"]["define"] == json({"_td=3", "100=2.5"}));
+  CHECK(meta["options"]["define"] == json::array({"_td=3", "100=2.5"}));
   std::filesystem::remove_all(folder / "lib");
   std::filesystem::remove(folder / "p.ngc");
   const Ended replayed = shell(in(folder) + "$softcnc replay p.rec");

@@ -21,8 +21,8 @@ void keep(Job& job, hal::OutputFile& file, const std::string& to, JobResult& res
   RecordingMeta meta;
   meta.rows = result.outcome.setpoints;
   meta.options = job.options;
-  for (const ipr::FoundFile& file : result.outcome.called_files)
-    meta.called.push_back({file.name, {}, file.path});
+  for (const ipr::FoundFile& called : result.outcome.called_files)
+    meta.called.push_back({called.name, {}, called.path});
   const Status written = write_recording(file, job.program, job.machine, meta, trace);
   if (written)
     result.written.push_back({"recording", to});

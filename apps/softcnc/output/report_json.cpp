@@ -140,6 +140,8 @@ std::string report_json(Job& job, const JobResult& result) {
   report["program_hash"] = job.program.hash();
   report["machine"] = job.machine.name;
   if (!job.machine_file.empty()) report["machine_file"] = job.machine_file;
+  for (const ipr::FoundFile& file : outcome.called_files)
+    report["called_files"].push_back(file.path);
   report["machine_hash"] = hal::hash_hex(hal::machine_toml(job.machine));
   report["softcnc"] = SOFTCNC_VERSION;
   if (result.moved) {
