@@ -234,6 +234,13 @@ TEST_CASE("cutter compensation follows the contour with its corners", "[ipr][cor
                                                 {0, 30, 0}});
 }
 
+TEST_CASE("a rounding that the tool does not fit into is reported at its line", "[ipr][corners]") {
+  const Interpreted result =
+      interpret("T1 M06 F600\nG00 X-20\nG41 G01 X0\nX20 ,R1\nY30\nG40 X0\nM30\n", mill());
+  CHECK(places(result) == Places{"SC2145 4:1"});
+  CHECK(result.diagnostics.front().source_line == "X20 ,R1");
+}
+
 TEST_CASE("what stands between the moves comes after the piece", "[ipr][corners]") {
   const auto blocks = blocks_of("F600\nG01 X20 ,R5\nG04 P1\nM08\nY30\nM30\n");
   REQUIRE(blocks.size() == 6);
@@ -292,6 +299,9 @@ TEST_CASE("a corner without room is refused with its numbers", "[ipr][corners]")
 TEST_CASE("an error after a corner leaves it", "[ipr][corners][unknown]") {
   CHECK(reported("G01 X10 ,R2\nY1.2.3\nX30 ,R1\nY20") == Places{"SC1004 3:2"});
   CHECK(reported("G01 X1.2.3 ,R2\nY10") == Places{"SC1004 2:6"});
+  CHECK(reported("G17 G18\nG01 X10 ,R2\nZ10") == Places{"SC2002 2:5"});
+  CHECK(reported("G01 G02\n,R2\nG01 Z10") == Places{"SC2002 2:5"});
+  CHECK(reported("G01 X10 ,R#1.2.3\nY10 ,R1\nX0").size() == 1);
 }
 
 }  // namespace softcnc::ipr

@@ -70,6 +70,19 @@ TEST_CASE("called lines share variables, and M99 P and GOTO lead on", "[ipr][flo
         Stops{6, 1});
 }
 
+TEST_CASE("a check of lines that are not run finds nothing wrong with called ones",
+          "[ipr][flow][local]") {
+  InterpreterOptions options = kFanuc;
+  options.unreachable_too = true;
+  for (const char* text :
+       {"O30\nM97 P100\nG00 X5\nM30\nN100 G00 X1\nX2\nM99\n",
+        "GOTO 5\nN1 G00 X1\nM97 P2\nM99\nN2 X2\nM99\nN5 M97 P1\nM30\n",
+        "M97 P9\nIF [#1 EQ 1] GOTO 3\nG00 X1\nN3 M30\nN9 G00 X2\nM99\nO4\nG00 X1\nM99\n"}) {
+    INFO(text);
+    CHECK(places(interpret(text, {}, options)).empty());
+  }
+}
+
 TEST_CASE("M30 within called lines ends the program", "[ipr][flow][local]") {
   CHECK(places_along_x("M97 P9\nG00 X1\nN9 G00 X2\nM30\n") == Stops{2});
 }

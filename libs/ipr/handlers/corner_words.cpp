@@ -43,6 +43,7 @@ std::string why_no_first_move(const Command& command, const Output& out) {
 void ask_for_corner(const Command& command, const Modal& modal, Output& out) {
   const Word* word = command.corner();
   if (word == nullptr || out.failed() || word->value == 0) return;
+  if (modal.unknown.has_any({Part::motion, Part::plane, Part::units})) return;
   const double size = word->value * modal.mm_per_unit;
   if (!(size > 0) || !is_near(size))
     return out.report(
