@@ -48,7 +48,7 @@ TEST_CASE("of a name that an option does not know the nearest is named", "[apps]
 TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
   CHECK(call("--version").out == "softcnc " SOFTCNC_VERSION "\n");
   for (const char* command : {"", "run", "check", "blocks", "record", "replay", "surface",
-                              "compare", "machine", "latency", "pulses", "codes"}) {
+                              "compare", "circle", "machine", "latency", "pulses", "codes"}) {
     CAPTURE(command);
     const Ended ended = call(std::string(command) + " --help");
     CHECK(ended.status == 0);
