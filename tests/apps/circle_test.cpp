@@ -139,6 +139,25 @@ TEST_CASE("pictures of circles are drawn", "[apps][circle]") {
               "no form of a picture has this suffix; known are .svg, .png [SC6060]"));
 }
 
+TEST_CASE("circles of other planes are found there", "[apps][circle]") {
+  const Folder folder;
+  const std::string trace = folder / "zx.csv";
+  write(folder / "zx.nc",
+        "G18 F2000\nG00 X30\nG02 X30 Z0 I-30 K0\nG02 X30 Z0 I-30 K0\nG03 X30 Z0 I-30 K0\n"
+        "G03 X30 Z0 I-30 K0\nM30\n");
+  REQUIRE(call("run -q " + (folder / "zx.nc") + " --trace " + trace).status == 0);
+  CHECK(call("circle " + trace).status == 5);
+  const Ended found = call("circle --plane ZX " + trace);
+  CHECK(found.status == 0);
+  CHECK(shows(found.out, "circle in ZX: radius 30.0000 mm about 0.0000 0.0000 mm\n  clockwise"));
+  const Ended off = call("circle --plane ZX --format json --center 0,1 " + trace);
+  REQUIRE(off.status == 0);
+  const json pass = json::parse(off.out)["circles"][0]["passes"][0];
+  CHECK(pass["f_max_um"].get<double>() - pass["f_min_um"].get<double>() ==
+        Approx(2000).epsilon(0.02));
+  CHECK(pass["g_um"].get<double>() < 20);
+}
+
 TEST_CASE("what has no circles is refused", "[apps][circle]") {
   const Folder folder;
   const std::string trace = folder / "line.csv";

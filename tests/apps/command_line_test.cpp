@@ -48,8 +48,9 @@ TEST_CASE("of a name that an option does not know the nearest is named", "[apps]
 
 TEST_CASE("help and version are data: stdout, exit status 0", "[apps][cli]") {
   CHECK(call("--version").out == "softcnc " SOFTCNC_VERSION "\n");
-  for (const char* command : {"", "run", "check", "blocks", "record", "replay", "surface",
-                              "compare", "identify", "machine", "latency", "pulses", "codes"}) {
+  for (const char* command :
+       {"", "run", "check", "blocks", "record", "replay", "surface", "compare", "circle",
+        "identify", "machine", "latency", "pulses", "codes"}) {
     CAPTURE(command);
     const Ended ended = call(std::string(command) + " --help");
     CHECK(ended.status == 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What runs every period allocates nothing.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <vector>
 
 #include "hal/backends/backend.hpp"
@@ -25,6 +26,24 @@ TEST_CASE("a period on the simulated mill with its trace allocates nothing", "[h
             (*mill)->exchange(setpoint);
             (*mill)->values(values);
             (*trace)->row(setpoint, values);
+          }
+        }) == 0);
+}
+
+TEST_CASE("a period with compensation allocates nothing", "[hal][realtime]") {
+  Machine machine;
+  machine.screws[0] = {0.1, {{0, 0}, {50, 0.02}}};
+  machine.control.backend = GENERATE(BackendKind::sim, BackendKind::hal_stream);
+  const auto backend = open_backend(without_port(machine));
+  REQUIRE(backend);
+  std::vector<FinePoint> fine(4);
+  Setpoint setpoint;
+  CHECK(test::allocations_during([&] {
+          for (int i = 0; i < 20'000; ++i) {
+            setpoint.position[0] = std::abs(i % 1000 - 500) * 0.01;
+            fine.assign(4, {0, setpoint.position});
+            setpoint.fine = fine;
+            (*backend)->exchange(setpoint);
           }
         }) == 0);
 }
