@@ -3,7 +3,7 @@
 
 G10 L20 sets an origin by the position; G28 goes to the place of G28.1, via a point if one is given.
 """
-WARNINGS = ["SC1039", "SC2122", "SC2134"]
+WARNINGS = ["SC1039", "SC2122", "SC2134", "SC2269"]
 
 
 def turned(x, y):
