@@ -20,17 +20,24 @@ MOVES = ("rapid", "feed", "arc", "nurbs")
 
 
 def steps(text):
-    """The moves, waits and ends of the JSON lines that softcnc prints. Each has the state in force; lines of no length
-    are left out."""
+    """The moves, waits and ends of the JSON lines that softcnc prints. Each has the state in force; moves of no length
+    and waits of no time are left out."""
     state = {"tool": 0, "rpm": 0, "mist": False, "flood": False, "outputs": {}}
     found = []
     for block in map(json.loads, text.splitlines()):
         if not changed(state, block):
             made = step(block)
-            if made.kind not in ("rapid", "feed") or math.dist(made.start, made.end) > NO_MOVE:
+            if is_something(made):
                 made.state = {**state, "outputs": dict(state["outputs"])}
                 found.append(made)
     return found
+
+
+def is_something(made):
+    """Whether a move has a length, and a wait a time."""
+    if made.kind in ("rapid", "feed"):
+        return math.dist(made.start, made.end) > NO_MOVE
+    return made.kind != "dwell" or made.seconds > 0
 
 
 def changed(state, block):
