@@ -35,6 +35,7 @@ LEFT_OUT = {
     "scripts/make_golden": BUILDS + ", and replaces what the tests compare with",
     "scripts/make_programs.py": "writes into the sources; a test of its own runs it with --check",
     "scripts/make_codes.py": "writes into the sources; a test of its own runs it with --check",
+    "scripts/make_code_table.py": "writes into the sources; a test of its own runs it with --check",
     "scripts/report_page": BUILDS + ", with Node, and writes into the sources; scripts/test runs it with --check",
     "scripts/pictures": BUILDS + ", and writes into the sources",
     "scripts/tidy": BUILDS,

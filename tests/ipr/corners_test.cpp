@@ -277,6 +277,14 @@ TEST_CASE("a corner needs a second move", "[ipr][corners]") {
   CHECK(text_of("G01 X10 ,R2\nG00 Y10") == ",R2: G00 follows, and not G01, G02 or G03");
 }
 
+TEST_CASE("where a program breaks off, its last corner is not reported", "[ipr][corners]") {
+  Machine machine;
+  machine.program.block_limit = 10;
+  const Interpreted result = interpret("F600\nG91 G01 X10 ,R1\nM99\n", machine);
+  for (const Diagnostic& diagnostic : result.diagnostics) CHECK(diagnostic.code == Code::SC2310);
+  CHECK(result.diagnostics.size() == 1);
+}
+
 TEST_CASE("both moves of a corner lie in its plane", "[ipr][corners]") {
   CHECK(reported("G01 X10 ,R2\nZ10") == Places{"SC2264 2:9"});
   CHECK(reported("G01 X10 Z1 ,R2\nY10") == Places{"SC2264 2:12"});
@@ -292,6 +300,8 @@ TEST_CASE("a corner without room is refused with its numbers", "[ipr][corners]")
         ",C12: a chamfer of 12 mm does not fit on both moves, which are 10 mm and 30 mm long");
   CHECK(text_of("G01 X10 ,R1\nX0") ==
         ",R1: no arc of radius 1 mm touches both moves, which are 10 mm and 10 mm long");
+  CHECK(text_of("G01 X10 ,C3\nX0") ==
+        ",C3: the second move leads back to where the piece would begin");
   CHECK(reported("G01 X10 ,C6\nY10 ,C6\nX0") == Places{"SC2265 3:5"});
   CHECK(reported("G01 X10 ,C5\nY5 ,C1\nX0") == Places{"SC2265 3:4"});
 }

@@ -53,6 +53,10 @@ std::string why_no_chamfer(const PlaneCurve& before, const PlaneCurve& after, do
          lengths_of(before, after) + " long";
 }
 
+tl::unexpected<Diagnostic> does_not_fit(std::string message) {
+  return tl::make_unexpected(Diagnostic{.code = Code::SC2265, .message = std::move(message)});
+}
+
 /// The point of a curve, of this radius if it is an arc, next to one on its parallel.
 PlaneVector foot(const PlaneCurve& curve, const PlaneVector& beside, double radius) {
   if (curve.is_arc()) return curve.center() + (beside - curve.center()).normalized() * radius;
@@ -140,14 +144,14 @@ Result<PiecedCorner> piece_corner(const Path& before, const Path& after, Plane p
   const auto cuts = piece.round ? cuts_of_rounding(first, second, piece.size)
                                 : cuts_of_chamfer(first, second, piece.size);
   if (!cuts)
-    return tl::make_unexpected(
-        Diagnostic{.code = Code::SC2265,
-                   .message = piece.round ? why_no_rounding(first, second, piece.size)
-                                          : why_no_chamfer(first, second, piece.size)});
+    return does_not_fit(piece.round ? why_no_rounding(first, second, piece.size)
+                                    : why_no_chamfer(first, second, piece.size));
   const bool no_first = is_all(cuts->before, first), no_second = is_all(cuts->after, second);
   const AxisVector start = softcnc::start(before), end = softcnc::end(after);
   const AxisVector from = no_first ? start : in_space(cuts->before.at, start, axes);
   const AxisVector to = no_second ? end : in_space(cuts->after.at, end, axes);
+  if ((to - from).norm() < kNothing)
+    return does_not_fit("the second move leads back to where the piece would begin");
 
   PiecedCorner pieced;
   Result<Path> made = Path(softcnc::Line(from, to));

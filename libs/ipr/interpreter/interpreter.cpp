@@ -435,12 +435,12 @@ void Interpreter::finish() {
   const bool broke_off = flow_.broke_off();
   if (modal_.curve && !broke_off) end_pending_curve(modal_, out_);
   if (modal_.points && !broke_off) end_pending_points(modal_, out_);
-  const bool known = !modal_.unknown.has(Part::end) && !flow_.order_unknown();
-  if (!broke_off && known && !flow_.ended_by_repeat())
+  const bool ends_here = !broke_off && !modal_.unknown.has(Part::end) && !flow_.order_unknown();
+  if (ends_here && out_.in_corner()) out_.leave_corner(Code::SC2263, "the program ends");
+  if (ends_here && !flow_.ended_by_repeat())
     out_.report(Code::SC2205, {line.number, 0, 1}, "the program ends without M02 or M30");
   out_.end();
   out_.begin(line);
-  if (out_.in_corner()) out_.leave_corner(Code::SC2263, "the program ends");
   out_.stop_compensation();
   out_.emit(Action{Action::Kind::end, 30, 0});
   modal_.ended = true;

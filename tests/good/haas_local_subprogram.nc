@@ -1,0 +1,8 @@
+(expect 6 blocks, 50 mm, to 10 0 0)
+G21 G90 G00
+M97 P100 L2
+G154 P3 X10.
+M30
+N100 X10.
+X0.
+M99
