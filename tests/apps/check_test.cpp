@@ -126,7 +126,10 @@ TEST_CASE("check reports of an endless loop all that it reports of others", "[ap
                          ":5:1: error: 'DO 1' has run more than 1000 blocks [SC2310]\n"
                          "    5 | WHILE [1] DO 1\n"
                          "      | ^~~~~~~~~~~~~~\n" +
-                         part + ":2:1: note: called from here\n");
+                         part + ":2:1: note: called from here\n" + part +
+                         ":5:1: note: the program looks like one for fanuc (WHILE DO): --dialect "
+                         "fanuc [SC1059]\n"
+                         "    5 | WHILE [1] DO 1\n");
 }
 
 TEST_CASE("a diagnostic in a subprogram names the calls that led there", "[apps][check]") {

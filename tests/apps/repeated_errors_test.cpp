@@ -91,8 +91,8 @@ TEST_CASE("errors of a program that looks like one of another dialect name it", 
   const std::string out = check(folder, grbl).out;
   CHECK(shows(out, "p.nc:3:1: error: Z with no motion code in force [SC2101]"));
   CHECK(shows(out,
-              "p.nc:1:1: note: 'GRBL' in a comment looks like a program for grbl: --dialect "
-              "grbl [SC1059]\n"));
+              "p.nc:1:1: note: the program looks like one for grbl ('GRBL' in a comment): "
+              "--dialect grbl [SC1059]\n"));
   CHECK(check(folder, grbl, "--dialect grbl").status == 0);
   const std::string chosen = check(folder, grbl, "--dialect auto").out;
   CHECK(shows(chosen,
@@ -101,8 +101,8 @@ TEST_CASE("errors of a program that looks like one of another dialect name it", 
   CHECK(chosen.find("SC1059") == std::string::npos);
   CHECK(check(folder, "(for grbl)\nG0 X1\nM2\n").out.empty());
   CHECK(shows(check(folder, "%\nO0001\nG65 P9 A1\n#1=#2+1\nM30\n%\n").out,
-              "note: an operator without brackets looks like a program for fanuc: --dialect fanuc "
-              "[SC1059]"));
+              "note: the program looks like one for fanuc (an operator without brackets): "
+              "--dialect fanuc [SC1059]"));
 }
 
 TEST_CASE("every command says a cause once, and a pipe does, too", "[apps]") {

@@ -54,6 +54,11 @@ TEST_CASE("what every control has shows none", "[ipr][dialects]") {
   }
 }
 
+TEST_CASE("a text in another encoding shows no dialect", "[ipr][dialects]") {
+  using namespace std::string_literals;
+  CHECK(shown("X\0001\0\n\0X\0002\0\n"s) == "none");
+}
+
 TEST_CASE("with auto the program is read in the dialect that it shows", "[ipr][dialects]") {
   InterpreterOptions options;
   options.guess_dialect = true;

@@ -44,6 +44,8 @@ TEST_CASE("a program that has both kinds of lengths is told", "[ipr][dialects]")
   const Interpreted result = run("G0 X10. Y20.\nX5\nG3 X3 I-1 F100\nM30");
   REQUIRE(places(result) == Places{"SC1057 2:1"});
   CHECK(result.diagnostics[0].message.ends_with("(here and on 1 more line)"));
+  CHECK(run("G20\nG0 X1 Y.5\nM30").diagnostics[0].message ==
+        "X1 without a decimal point is 1 inch; a control that counts increments goes 0.0001 inch");
 }
 
 TEST_CASE("ordinary programs are not", "[ipr][dialects]") {

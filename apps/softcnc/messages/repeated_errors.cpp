@@ -105,8 +105,8 @@ void RepeatedErrors::guess_dialect(const Diagnostic& error) {
   note.code = Code::SC1059;
   note.pos = {guess.line(), 0, 1};
   note.source_line = guess.text();
-  note.message = fmt::format("{} looks like a program for {}: --dialect {}", guess.mark(),
-                             name(*dialect), name(*dialect));
+  note.message = fmt::format("the program looks like one for {} ({}): --dialect {}", name(*dialect),
+                             guess.mark(), name(*dialect));
   note.calls.clear();
   other_dialect_ = std::move(note);
 }

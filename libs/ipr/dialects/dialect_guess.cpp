@@ -151,6 +151,7 @@ void DialectGuess::add(std::size_t kind, Dialect dialect, int weight, std::strin
 }
 
 void DialectGuess::see(std::string_view line, int number) {
+  if (line.find('\0') != line.npos) return;  // damaged, or in another encoding
   line_ = line;
   number_ = number;
   auto [comments, code] = parts_of(line);

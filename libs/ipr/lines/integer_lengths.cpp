@@ -2,7 +2,9 @@
 #include "ipr/lines/integer_lengths.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "ipr/text/number.hpp"
 
@@ -50,6 +52,13 @@ double increment_of(const ProgramLine& line, const LengthContext& context) noexc
   if (has_code(line, 'G', 20)) return kInch;
   if (has_code(line, 'G', 21)) return kMetric;
   return context.mm_per_unit == 1 ? kMetric : kInch;
+}
+
+/// With all the digits of an increment.
+std::string exact_text(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.10g", value);
+  return text.data();
 }
 
 std::string_view text_of(const ProgramLine& line, const Word& word) noexcept {
@@ -130,7 +139,7 @@ void IntegerLengths::report(Diagnostics& diagnostics) {
   const std::int64_t more = lines_ - 1;
   std::string message = word_ + " without a decimal point is " + number_text(value_) + unit_name_;
   message +=
-      "; a control that counts increments goes " + number_text(value_ * increment_) + unit_name_;
+      "; a control that counts increments goes " + exact_text(value_ * increment_) + unit_name_;
   if (more > 0)
     message +=
         " (here and on " + std::to_string(more) + (more == 1 ? " more line)" : " more lines)");
