@@ -109,10 +109,12 @@ JobResult JobRunner::move(const TraceTarget& trace, double total) {
   return std::move(result_);
 }
 
-/// After a pre-flight only errors are news.
+/// After a pre-flight only errors are news, and what concerns the backend, which it does not have.
 Diagnostics::Sink JobRunner::sink() {
   return [this, show = messages_.sink(job_.program)](const Diagnostic& diagnostic) {
-    if (options_.dry_run || diagnostic.severity() == Severity::error) show(diagnostic);
+    const bool of_backend = diagnostic.code == Code::SC5050;
+    const bool is_news = of_backend || diagnostic.severity() == Severity::error;
+    if (options_.dry_run || is_news) show(diagnostic);
   };
 }
 
