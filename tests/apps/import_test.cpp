@@ -41,13 +41,13 @@ TEST_CASE("settings of other controls become machines on which programs run", "[
     CAPTURE(settings);
     const Folder folder;
     const std::string mill = folder / "m.toml";
-    const Ended made = shell(std::string("$softcnc machine import $programs/settings/") + settings +
-                             " -o " + mill);
+    const std::string import =
+        "cd " + folder / "" + "; $softcnc machine import $programs/settings/" + settings;
+    const Ended made = shell(import + " -o m.toml");
     CAPTURE(made.err);
     CHECK(made.status == 0);
     CHECK(made.out.empty());
-    CHECK(shell(std::string("$softcnc machine import $programs/settings/") + settings).out ==
-          read(mill));
+    CHECK(shell(import).out == read(mill));
     const Ended checked = shell("$softcnc check $programs/01_line.nc --machine " + mill);
     CAPTURE(checked.out);
     CHECK(checked.status == 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Files of subprograms in other folders, and variables from outside, with every command.
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 

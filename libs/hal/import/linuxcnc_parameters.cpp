@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "hal/import/setting_value.hpp"
 #include "motion/core/axes.hpp"
 #include "motion/core/units.hpp"
 
@@ -18,7 +19,7 @@ bool is_axis(int number, int first) { return number >= first && number < first +
 /// Returns false where the value is beyond what a state may hold.
 bool put(double& place, double value) {
   if (std::abs(value) > kFarthest) return false;
-  place = value;
+  place = without_rounding(value);
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "hal/files/number.hpp"
+#include "hal/import/setting_value.hpp"
 #include "hal/machine/machine_file.hpp"
 #include "hal/machine/toml_text.hpp"
 
@@ -50,7 +51,7 @@ void MachineDraft::set(const std::string& key, std::string value, const GivenAt&
 }
 
 void MachineDraft::set(const std::string& key, double value, const GivenAt& from) {
-  set(key, number_text(value), from);
+  set(key, number_text(without_rounding(value)), from);
 }
 
 void MachineDraft::choose(const std::string& key, std::string value, std::string why) {

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "hal/import/setting_value.hpp"
 #include "motion/core/axes.hpp"
 
 namespace softcnc::hal {
@@ -120,7 +121,8 @@ void take_tool(int number, const ToolLine& tool, const GivenAt& from, double mm_
   if (!is_near(length * mm_per_unit))
     return draft.fail(Code::SC7035, from,
                       "a tool longer than " + std::to_string(kFarthestM) + " m");
-  if (!length.isZero(0)) draft.state().tools[number].length = length * mm_per_unit;
+  if (!length.isZero(0))
+    draft.state().tools[number].length = (length * mm_per_unit).unaryExpr(&without_rounding);
   if (const std::string unused = unused_entries(tool); !unused.empty()) draft.leave(from, unused);
 }
 
