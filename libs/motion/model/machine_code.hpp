@@ -67,9 +67,9 @@ inline constexpr int kLastMachineCode = 99'999;
 
 /// The numbers of the M codes that softcnc itself defines, in ascending order; a machine cannot
 /// define them otherwise. A test of ipr compares them with its table of codes.
-inline constexpr std::array kOwnMCodes{0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  29,
-                                       30, 48, 49, 50, 51, 52, 53, 60, 61, 62, 63,
-                                       64, 65, 66, 67, 68, 70, 71, 72, 73, 98, 99};
+inline constexpr std::array kOwnMCodes{0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  29, 30,
+                                       48, 49, 50, 51, 52, 53, 60, 61, 62, 63, 64, 65,
+                                       66, 67, 68, 70, 71, 72, 73, 97, 98, 99};
 constexpr bool is_own_m_code(int number) noexcept {
   return std::find(kOwnMCodes.begin(), kOwnMCodes.end(), number) != kOwnMCodes.end();
 }
