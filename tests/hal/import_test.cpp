@@ -178,6 +178,8 @@ TEST_CASE("a configuration of LinuxCNC becomes a machine", "[hal][import]") {
   CHECK(m.control.backend == BackendKind::none);
   CHECK(m.spindle.max_rpm == 8000);
   CHECK(m.spindle.min_rpm == 200);
+  CHECK(m.screws[0].backlash == Approx(0.01));
+  CHECK(m.screws[1].backlash == 0);
   CHECK(m.step_port.step_length == Approx(7e-6));
   CHECK(m.step_port.direction_hold == Approx(20e-6));
   CHECK(m.step_port.step_space == StepPort().step_space);
@@ -185,8 +187,8 @@ TEST_CASE("a configuration of LinuxCNC becomes a machine", "[hal][import]") {
   CHECK(m.program.path[0].ends_with("nc"));
   CHECK(m.program.path[2] == "/opt/subs");
   CHECK(has(mill.machine, "# MAX_VELOCITY = 30 ("));
-  for (const char* left : {"#   BACKLASH = 0.01 (", "#   FERROR = 1.27 (", "#   INPUT_SCALE = 10 (",
-                           "#   the variables of [DISPLAY]\n"})
+  for (const char* left :
+       {"#   FERROR = 1.27 (", "#   INPUT_SCALE = 10 (", "#   the variables of [DISPLAY]\n"})
     CHECK(has(mill.machine, left));
 }
 

@@ -119,6 +119,8 @@ const std::vector<Case> kCases{
     {C::work_system_in_g91, "G10 L2 P1 X5\nG91 G10 L2 P1 X5\nG90 G0 X0\nM30", "SC2122 2:5", ""},
     {C::further_system, "G10 L20 P1 X5\nG0 X0\nM30", "SC2269 1:1", ""},
     {C::further_system, "G10 L20 P2\nG0 X1\nM30", "", ""},
+    {C::kept_height, "G0 Z5\nG99 G81 X1 Z-1 R2 F100\nG91 X1\nM30", "SC2385 3:5", ""},
+    {C::kept_height, "G0 Z5\nG99 G81 X1 Z-1 R2 F100\nG91 X1 Z-3 R-3\nM30", "", ""},
     {C::tool_value, "G10 L1 P1 R5\nG43 H1\nG0 Z0\nM30", "SC2123 1:11", ""},
     {C::length_number, "T1 M6\nG43\nG0 Z1\nM30", "SC2124 2:1", ""},
     {C::length_number, "T1 M6\nG43 H1\nG43\nG0 Z1\nM30", "", ""},

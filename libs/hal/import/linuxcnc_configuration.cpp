@@ -190,6 +190,8 @@ void ConfigurationReader::take_axis(int axis) {
   take_best(table + ".jerk_mm_s3", sections, "MAX_JERK", std::less<>(), unit_);
   take_limit(table + ".min_mm", sections, "MIN_LIMIT", std::greater<>());
   take_limit(table + ".max_mm", sections, "MAX_LIMIT", std::less<>());
+  take_best(table + ".backlash_um", joints_of(axis), "BACKLASH", std::greater<>(),
+            um_from_mm(unit_));
   take_scale(table, joints_of(axis));
 }
 

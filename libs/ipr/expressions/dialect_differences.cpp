@@ -90,6 +90,10 @@ constexpr std::array<DialectDifferenceRow, kDialectDifferences> kTable{{
      "sets the origin of work system P by the position",
      "sets the origin of the further work system G54.1 P to the values", "",
      "additional workpiece coordinate systems"},
+    {C::kept_height, Code::SC2385,
+     "R and the depth of a canned cycle, kept where G90 or G91 changes",
+     "are read anew by the mode of the line", "stay the heights that they were", "",
+     "canned cycles for drilling; polar coordinate command, example with incremental angles"},
 }};
 
 constexpr bool in_order() {

@@ -50,8 +50,9 @@ enum class DialectDifference : std::uint8_t {
   exact_stop,
   named_shift,
   further_system,
+  kept_height,
 };
-inline constexpr std::size_t kDialectDifferences = 30;
+inline constexpr std::size_t kDialectDifferences = 31;
 
 struct DialectDifferenceRow {
   DialectDifference kind;

@@ -45,6 +45,15 @@ void keep(Task& task, char letter, std::optional<double>& value, double scale) {
   value = task.values[letter] * scale;
 }
 
+/// `relative`: whether the height is a distance from another one.
+void keep_height(Task& task, char letter, std::optional<double>& height, bool& relative) {
+  const bool incremental = task.modal.incremental;
+  if (!task.values.has(letter) && height && relative != incremental)
+    task.out.note_difference(DialectDifference::kept_height, task.word.pos);
+  if (task.values.has(letter) || !is_fanuc(task)) relative = incremental;
+  keep(task, letter, height, task.modal.mm_per_unit);
+}
+
 bool in_row(const Modal& modal) {
   return modal.motion != nullptr && is_canned_cycle(*modal.motion);
 }
@@ -75,8 +84,8 @@ void keep_words(Task& task, const PlaneAxes& axes) {
   const Modal& modal = task.modal;
   const bool stay = is_fanuc(task) ? in_row(modal) : modal.motion == &task.code;
   if (!stay) words = {{}, {}, {}, {}, words.start};
-  keep(task, 'R', words.retract, task.modal.mm_per_unit);
-  keep(task, across_letter(axes), words.bottom, task.modal.mm_per_unit);
+  keep_height(task, 'R', words.retract, words.retract_from_start);
+  keep_height(task, across_letter(axes), words.bottom, words.bottom_from_retract);
   keep(task, 'Q', words.peck, task.modal.mm_per_unit);
   keep_dwell(task, words);
 }
@@ -242,10 +251,8 @@ Holes holes_of(const Task& task, const PlaneAxes& axes, const AxisVector& from, 
               0,    words.dwell.value_or(0), words.peck.value_or(0), count,
               from, AxisVector::Zero()};
   if (pecks(task.code) && !is_fanuc(task)) holes.dwell = 0;
-  if (modal.incremental) {
-    holes.retract += words.start;
-    holes.bottom += holes.retract;
-  }
+  if (words.retract_from_start) holes.retract += words.start;
+  if (words.bottom_from_retract) holes.bottom += holes.retract;
   const bool to_retract = modal.retract_to_r.value_or(!is_fanuc(task));
   holes.clear = to_retract ? holes.retract : std::max(words.start, holes.retract);
   holes.feed_end = is_fanuc(task) ? holes.retract : holes.clear;

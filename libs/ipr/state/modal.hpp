@@ -73,6 +73,8 @@ struct Beside {
 struct CycleWords {
   std::optional<double> retract, bottom, dwell, peck;
   double start = 0;  // mm, programmed: the height before the first cycle of a row
+  /// Written in G91: FANUC's controls keep the height that the word had, whatever comes after it.
+  bool retract_from_start = false, bottom_from_retract = false;
 };
 
 /// The modes that M70 or M73 has saved.

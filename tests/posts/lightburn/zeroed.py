@@ -4,7 +4,7 @@
 G55 is at (20, 10, 0) in machine coordinates, since its zero was set there; G54 stays at the machine's zero.
 """
 OPTIONS = ["--dialect", "grbl"]
-WARNINGS = ["SC2120", "SC2134"]  # P of a dwell; G92.1
+WARNINGS = ["SC2269", "SC2120", "SC2134"]  # P of a dwell; G92.1
 
 
 def path(p):
