@@ -38,7 +38,7 @@ std::array<Figure, 5> figures(const IdentifiedAxis& axis) {
             fit.figures.friction_over_inertia, fit.uncertainty.friction_over_inertia,
             described.friction_over_inertia},
            {"backlash", "um", "backlash_um", um_from_mm(fit.figures.backlash),
-            um_from_mm(fit.uncertainty.backlash), um_from_mm(described.backlash)}}};
+            um_from_mm(fit.uncertainty.backlash), um_from_mm(axis.described_backlash)}}};
 }
 
 std::string name_of(const IdentifiedAxis& axis) {

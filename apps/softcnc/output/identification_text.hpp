@@ -12,7 +12,8 @@ namespace softcnc::app {
 
 struct IdentifiedAxis {
   int axis;
-  Axis described;  // as the machine file has it
+  Axis described;                 // as the machine file has it,
+  double described_backlash = 0;  // mm, and its screw
   runtime::AxisFit fit;
 };
 
