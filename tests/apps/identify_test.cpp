@@ -68,6 +68,30 @@ TEST_CASE("drives are identified from the trace of a run", "[apps][identify]") {
     CHECK(double(again[axis]["residual_of_machine_file_um_rms"]) < 1);
 }
 
+TEST_CASE("a plant is identified with its backlash, and then followed", "[apps][identify]") {
+  const Folder at;
+  write(at / "plant.toml",
+        "[axis.x]\nbacklash_um = 60\ndrive.kv_1_s = 28.8\n[axis.y]\nmotor.inertia_kg_m2 = 5e-4\n"
+        "[axis.z]\nmotor.coulomb_friction_nm = 0.1\n");
+  const std::string plant = "--set backend.sim.plant=" + (at / "plant.toml");
+  run(at, plant, "t.npz");
+  const json axes = identified((at / "t.npz") + " --machine builtin -o " + (at / "m.toml"))["axes"];
+  check_figure(axes["x"], "kv_1_s", 28.8, 0.003);
+  CHECK(double(axes["x"]["backlash_um"]["value"]) == Approx(60).margin(2.5));
+  CHECK(double(axes["y"]["backlash_um"]["value"]) < 2.5);
+  const std::string circle = "G21 G17 G90 G1 X50 F6000\nG3 X50 I-50\nG2 X50 I-50\nG1 X0\nM30\n";
+  const auto contour = [&](const std::string& machine, bool warns) {
+    const Ended ended = call("run - --machine " + machine + " --set control.follow=model " + plant +
+                                 " --report " + (at / "r.json"),
+                             circle);
+    REQUIRE(ended.status == 0);
+    CHECK(shows(ended.err, "[SC5060]") == warns);
+    return double(json::parse(read(at / "r.json"))["contour_error_um_max"]);
+  };
+  CHECK(contour("builtin", true) > 40);
+  CHECK(contour(at / "m.toml", false) < 10);
+}
+
 TEST_CASE("what a motion does not tell is unknown", "[apps][identify]") {
   const Folder at;
   write(at / "one_way.nc", "G21 G90 G1 X50 F3000\nM30\n");

@@ -23,7 +23,7 @@ std::vector<IdentifiedAxis> identify_axes(const Machine& machine,
     const Axis& axis = machine.axes[i];
     if (!axis.present || record.axes[i].actual.empty()) continue;
     axes.push_back(
-        {static_cast<int>(i), axis,
+        {static_cast<int>(i), axis, machine.screws[i].backlash,
          runtime::fit_axis(axis, record.axes[i], record.period, loop_period(machine.control))});
   }
   return axes;
@@ -33,6 +33,7 @@ std::vector<IdentifiedAxis> identify_axes(const Machine& machine,
 /// file.
 runtime::AxisFigures determined(const IdentifiedAxis& axis) {
   runtime::AxisFigures figures = runtime::figures_of(axis.described);
+  figures.backlash = axis.described_backlash;
   const runtime::AxisFit& fit = axis.fit;
   for (double runtime::AxisFigures::*figure : runtime::kAxisFigures)
     if (std::isfinite(fit.uncertainty.*figure)) figures.*figure = fit.figures.*figure;
@@ -41,10 +42,13 @@ runtime::AxisFigures determined(const IdentifiedAxis& axis) {
 
 /// Returns the machine with the figures that have been found.
 Machine with_axes(Machine machine, const std::vector<IdentifiedAxis>& axes) {
-  for (const IdentifiedAxis& found : axes)
-    if (found.fit.moved)
-      machine.axes[static_cast<std::size_t>(found.axis)] =
-          runtime::with_figures(found.described, determined(found));
+  for (const IdentifiedAxis& found : axes) {
+    if (!found.fit.moved) continue;
+    const auto i = static_cast<std::size_t>(found.axis);
+    const runtime::AxisFigures figures = determined(found);
+    machine.axes[i] = runtime::with_figures(found.described, figures);
+    machine.screws[i].backlash = figures.backlash;
+  }
   return machine;
 }
 
