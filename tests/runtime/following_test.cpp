@@ -130,7 +130,7 @@ TEST_CASE("a plant near the model is near the path", "[runtime][following]") {
     const Followed followed = contour(other);
     CHECK(followed.contour <= 2 * contour(other, Follow::lead).contour);
     for (const int axis : {0, 1})
-      CHECK(followed.misfit[static_cast<std::size_t>(axis)] == Approx(1 / part - 1).margin(0.002));
+      CHECK(followed.misfit[static_cast<std::size_t>(axis)] == Approx(1 / part - 1).margin(0.006));
     CHECK(std::isnan(followed.misfit[2]));  // does not move
   }
 }

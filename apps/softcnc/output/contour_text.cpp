@@ -95,14 +95,27 @@ std::string feeds_text(const ContourReport& report, const Machine& machine, cons
                      fmt::join(feeds, ", "));
 }
 
+/// What commands ahead of the path leave.
+std::string following_text(const Machine& machine) {
+  return fmt::format(
+      "\n  Commands are ahead of the path (control.follow = \"{}\"): what is left comes from "
+      "counts,"
+      "\n  and from what the machine file does not know of its axes.",
+      kFollowNames[static_cast<std::size_t>(machine.control.follow)]);
+}
+
 std::string explanation(const ContourReport& report, const Machine& machine) {
+  if (machine.control.follow != Follow::off) return following_text(machine);
   const Gains loop = gains(machine);
   std::string text = fmt::format(
       "\n  A position loop of gain Kv ({:.6g} 1/s) makes a circle of radius R smaller by"
       "\n  v^2/(2 R Kv^2){}, and rounds corners.",
       loop.least, circle_text(report.cutting, loop.least));
   if (loop.least != loop.largest) text += unequal_text(loop);
-  return text + feeds_text(report, machine, loop);
+  text += feeds_text(report, machine, loop);
+  if (report.cutting.max > ContourReport::kGoal)
+    text += "\n  control.follow = \"model\" sends commands that make up for the lag of the drives.";
+  return text;
 }
 
 }  // namespace
