@@ -78,8 +78,9 @@ TEST_CASE("many errors of the planner are reported with their lines in time", "[
   for (int i = 0; i < 20000; ++i) part += "X" + std::to_string(2000 + i % 2) + "\n";
   const Ended ended = call("check -", part + "M30\n");
   CHECK(ended.status == 3);
-  CHECK(shows(ended.out, "<stdin>:20001:1: error: X reaches 2001 mm... [SC4001]"));
-  CHECK(ended.out.find("20001 | X2001\n") != std::string::npos);
+  CHECK(shows(ended.out, "<stdin>:21:1: error: X reaches 2001 mm... [SC4001]"));
+  CHECK(ended.out.find("21 | X2001\n") != std::string::npos);
+  CHECK(shows(ended.out, "here and on 9999 more lines, the last of them 20001 [SC6005]"));
 }
 
 TEST_CASE("a line with / and M01 count as they are switched", "[apps][check]") {

@@ -79,7 +79,8 @@ TEST_CASE("a document says that nothing is wrong, too", "[apps][diagnostics]") {
 TEST_CASE("columns count characters, and no bytes of a program break JSON", "[apps][diagnostics]") {
   const std::string part = "(\xc3\xa9t\xc3\xa9 \xff\x01) X1.2.3\nM30\n";
   const json list = json::parse(call("check --diagnostics json -", part).out);
-  REQUIRE(list.size() == 1);
+  REQUIRE(list.size() == 2);
+  CHECK(list[1]["code"] == "SC1059");  // coordinates before any motion code
   CHECK(list[0]["file"] == "<stdin>");
   CHECK(list[0]["column"] == 11);
   CHECK(list[0]["end_column"] == 16);

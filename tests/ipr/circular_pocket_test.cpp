@@ -136,6 +136,14 @@ TEST_CASE("the example of a training manual of Haas reaches its radius and depth
   CHECK(widest == Approx(38.1 - 6.35));
 }
 
+TEST_CASE("G51 makes the pocket larger and leaves the tool", "[ipr][pocket]") {
+  // The wall is at 2 x 12 mm, and the tool has a radius of 3 mm.
+  const auto all = moves("G51 X0 Y0 P2.\nG00 X10 Y20 Z1\nG13 I6 K12 Q3 Z-5 D1");
+  CHECK(reach({all.begin() + 2, all.end()}, {20, 40, 0}) == Approx(21).epsilon(1e-9));
+  CHECK(reported("G51 X0 Y0 I2. J1. K1.\nG13 I12 Z-5 D1") == Places{"SC2256 3:1"});
+  CHECK(reported("G18 G68 X0 Z0 R30\nG13 I12 Z-5 D1") == Places{"SC2251 3:1"});
+}
+
 TEST_CASE("words of a pocket that are missing or cannot be are reported", "[ipr][pocket]") {
   CHECK(reported("G12 Z-1 D1") == Places{"SC2005 2:1"});
   CHECK(reported("G12 I5 D1") == Places{"SC2005 2:1"});

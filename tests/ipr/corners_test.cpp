@@ -277,12 +277,31 @@ TEST_CASE("a corner needs a second move", "[ipr][corners]") {
   CHECK(text_of("G01 X10 ,R2\nG00 Y10") == ",R2: G00 follows, and not G01, G02 or G03");
 }
 
+TEST_CASE("a corner without a number, or on the last line, loses no move", "[ipr][corners]") {
+  for (const char* line : {"X1,R", "X1,RX", "X1,C", "G01 X10,R", "D11,RG16", ",R"}) {
+    CAPTURE(line);
+    CHECK(reported(line).size() == 1);
+  }
+  CHECK(places(interpret("F600\nG01 X10 ,R1 M30\n")) == Places{"SC2263 2:9"});
+  const auto both = interpret("F600\nG01 X10 ,R1\nY5 M30\n");
+  CHECK(both.diagnostics.empty());
+  CHECK(both.blocks.size() == 4);
+}
+
+TEST_CASE("G51 makes chamfers and roundings larger", "[ipr][corners]") {
+  const auto all = moves_of("F600\nG51 X0 Y0 P2.\nG01 X20 ,R5\nY20\nM30\n");
+  CHECK(std::get<Arc>(all.at(1).path).radius() == Approx(10));
+  CHECK(reported("G51 X0 Y0 I2. J1. K1.\nG01 X20 ,R5\nY20") == Places{"SC2263 3:9"});
+}
+
 TEST_CASE("where a program breaks off, its last corner is not reported", "[ipr][corners]") {
   Machine machine;
   machine.program.block_limit = 10;
-  const Interpreted result = interpret("F600\nG91 G01 X10 ,R1\nM99\n", machine);
+  const Interpreted result =
+      interpret("F600\n#1=[#1+1]\no1 if [#1 LT 0]\nM2\no1 endif\nG91 G01 X10 ,R1\nM99\n", machine);
   for (const Diagnostic& diagnostic : result.diagnostics) CHECK(diagnostic.code == Code::SC2310);
   CHECK(result.diagnostics.size() == 1);
+  CHECK(places(interpret("F600\nG91 G01 X10 ,R1\nM99\n")) == Places{"SC2172 3:1"});
 }
 
 TEST_CASE("both moves of a corner lie in its plane", "[ipr][corners]") {

@@ -538,7 +538,7 @@ TEST_CASE("a program that M99 starts again ends where a value says so", "[ipr][f
   const std::string counts = "\nM99\nN9 M30";
   CHECK(fanuc_way("#100=#100+1\nG0 X#100\nIF [#100 GE 3] GOTO 9" + counts) == Positions{1, 2, 3});
   CHECK(fanuc_way("G91 G0 X1\nIF [#5041 GT 2.5] GOTO 9" + counts) == Positions{1, 2, 3});
-  CHECK(fanuc_way("G91 G0 X1\n#1=#1+1\nGOTO [8+FIX[#1/3]]\nN8 G0 X0.5" + counts) ==
+  CHECK(fanuc_way("G91 G0 X1.\n#1=#1+1\nGOTO [8+FIX[#1/3]]\nN8 G0 X0.5" + counts) ==
         Positions{1, 1.5, 2.5, 3, 4});
   CHECK(way("#<_n>=[EXISTS[#<_n>]]\nG91 G0 X1\no1 if [#<_x> GE 2]\nM2\no1 endif\nM99") ==
         Positions{1, 2});

@@ -95,6 +95,19 @@ TEST_CASE("increments are the lengths alone", "[ipr][dialects]") {
   CHECK(deepest == Approx(-2));
 }
 
+TEST_CASE("of polar coordinates the radius is a length; pieces and steps are too",
+          "[ipr][dialects]") {
+  const auto polar = ends("G16 G0 X10000 Y90\nX5000 Y0\nG15 X5000 Y1000\nM30");
+  REQUIRE(polar.size() == 3);
+  CHECK(near(polar[0], {0, 10, 0}));
+  CHECK(near(polar[1], {5, 0, 0}));
+  CHECK(near(polar[2], {5, 1, 0}));
+  const auto corner = ends("G1 F600 X10000 ,R1000\nY10000\nM30");
+  REQUIRE(corner.size() == 3);
+  CHECK(near(corner[0], {9, 0, 0}));
+  CHECK(ends("F600\nG12 I2000 K4000 Q1000 Z-1000 D0\nM30").size() == 8);
+}
+
 TEST_CASE("linuxcnc and grbl have units whatever the machine", "[ipr][dialects]") {
   for (const Dialect dialect : {Dialect::linuxcnc, Dialect::grbl}) {
     const Interpreted result = run("G0 X7\nM2", dialect, IntegerUnit::increments);

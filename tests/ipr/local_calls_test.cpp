@@ -35,8 +35,8 @@ TEST_CASE("L repeats the lines", "[ipr][flow][local]") {
 TEST_CASE("the example of Haas' manual goes down in ten steps", "[ipr][flow][local]") {
   // 96-8000, "M97 Local Sub-Program Call": two cuts each time, five times, each 0.1 deeper.
   const auto all = moves_of(
-      "O11\nG00 G90 X0 Y0\nG01 Z0 F20\nM97 P1000 L5\nG00 G90 Z1\nM30\n"
-      "N1000 G01 G91 Z-0.1\nG90 X2\nG91 Z-0.1\nG90 X0\nM99\n",
+      "O11\nG00 G90 X0 Y0\nG01 Z0 F20\nM97 P1000 L5\nG00 G90 Z1.\nM30\n"
+      "N1000 G01 G91 Z-0.1\nG90 X2.\nG91 Z-0.1\nG90 X0\nM99\n",
       {}, kFanuc);
   REQUIRE(all.size() == 5 * 4 + 1);
   for (int i = 0; i < 10; ++i) {

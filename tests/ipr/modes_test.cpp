@@ -92,7 +92,7 @@ TEST_CASE("G64 takes its tolerances in the units in force", "[ipr][modes]") {
 TEST_CASE("R of G64 has no effect, which is noted once", "[ipr][modes]") {
   for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc}) {
     const auto read =
-        interpret("F100\nG64 P0.01 R0.5\nG64 P0.2 R1\nG01 X1\nM30\n", {}, {.dialect = dialect});
+        interpret("F100\nG64 P0.01 R0.5\nG64 P0.2 R1.\nG01 X1.\nM30\n", {}, {.dialect = dialect});
     CHECK(places(read) == Places{"SC2170 2:11"});
     CHECK(std::get<Move>(read.blocks[0].what).corner_tolerance == 0.2);
   }

@@ -123,6 +123,16 @@ TEST_CASE("the centre of G68 is the position where it is not written", "[ipr][tr
   check_ends("F100\nG0 X10 Y20\nG68 Y0 R90\nG1 X15 Y0", {{10, 20, 0}, {10, 5, 0}});
 }
 
+TEST_CASE("no other work system is selected while coordinates are transformed",
+          "[ipr][transformation]") {
+  for (const char* code : {"G55", "G59.3", "G54.1 P5", "G154 P5", "G110", "G54 P3"}) {
+    CAPTURE(code);
+    const std::string text = "G68 X0. Y0. R90.\n" + std::string(code) + "\nM30\n";
+    CHECK(places(interpret(text, {}, {.dialect = Dialect::fanuc})) == Places{"SC2251 2:1"});
+  }
+  CHECK(places(interpret("G68 X0. Y0. R90.\nG54\nM30\n")).empty());
+}
+
 TEST_CASE("in G91 moves turn, and R adds to the angle before", "[ipr][transformation]") {
   check_ends("F100\nG0 X3 Y4\nG91 G68 X0 Y0 R90\nG1 X10", {{3, 4, 0}, {3, 14, 0}});
   check_ends("F100\nG91 G68 X0 Y0 R30\nG68 X0 Y0 R60\nG1 X10", {{0, 10, 0}});

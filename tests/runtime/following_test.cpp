@@ -75,7 +75,6 @@ Followed follow(const std::string& text, const Machine& machine) {
   ipr::Reader reader = ipr::Reader::from_text(text);
   const Outcome outcome =
       simulate(reader, -1, machine, {}, **backend, diagnostics, nullptr, nullptr);
-  for (const Diagnostic& diagnostic : diagnostics.all()) CAPTURE(diagnostic.message);
   REQUIRE(diagnostics.errors() == 0);
   REQUIRE(outcome.contour);
   return {1e3 * outcome.contour->cutting.max, outcome.time, (*backend)->lag_misfit()};

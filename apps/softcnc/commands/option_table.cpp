@@ -313,7 +313,7 @@ void import_words(CLI::App& app, const OptionEntry& entry, Options& options) {
 /// A folder that is not there is a name that is wrong.
 void subprograms(CLI::App& app, const OptionEntry& entry, Options& options) {
   app.add_option(entry.names, options.subprogram_folders, entry.help)
-      ->check(CLI::ExistingDirectory)
+      ->check(CLI::Validator(CLI::ExistingDirectory).description(""))
       ->type_name(entry.value)
       ->allow_extra_args(false);
 }

@@ -109,12 +109,10 @@ JobResult JobRunner::move(const TraceTarget& trace, double total) {
   return std::move(result_);
 }
 
-/// After a pre-flight only errors are news, and what concerns the backend, which it does not have.
+/// After a pre-flight only errors are news.
 Diagnostics::Sink JobRunner::sink() {
   return [this, show = messages_.sink(job_.program)](const Diagnostic& diagnostic) {
-    const bool of_backend = diagnostic.code == Code::SC5050;
-    const bool is_news = of_backend || diagnostic.severity() == Severity::error;
-    if (options_.dry_run || is_news) show(diagnostic);
+    if (options_.dry_run || diagnostic.severity() == Severity::error) show(diagnostic);
   };
 }
 

@@ -70,11 +70,30 @@ std::optional<int> loops_of(Task& task) {
   return std::nullopt;
 }
 
+/// By which G51 makes the pocket, and not the tool, larger. Nothing, after a report, where the
+/// pocket would not be a circle in X Y.
+std::optional<double> scale_of_pocket(Task& task) {
+  const Transformation& transformation = task.modal.transformation;
+  if (transformation.rotation && task.modal.plane != Plane::xy) {
+    task.out.report(Code::SC2251, task.word.pos,
+                    code_name(task.code) + " while G68 turns another plane than X Y");
+    return std::nullopt;
+  }
+  const double scale = std::abs(transformation.factor(0));
+  if (scale == std::abs(transformation.factor(1))) return scale;
+  task.out.report(Code::SC2256, task.word.pos,
+                  code_name(task.code) + " is no circle under different scales of X and Y");
+  return std::nullopt;
+}
+
 std::optional<Pocket> pocket_of(Task& task) {
   if (!has_words(task) || !has_near_lengths(task, "IKQ")) return std::nullopt;
+  const auto scale = scale_of_pocket(task);
+  if (!scale) return std::nullopt;
   const auto loops = loops_of(task);
-  const auto tool = loops ? radius_of_pocket_tool(task) : std::nullopt;
+  auto tool = loops ? radius_of_pocket_tool(task) : std::nullopt;
   if (!tool) return std::nullopt;
+  *tool /= *scale;
   const double unit = task.modal.mm_per_unit;
   Pocket pocket;
   pocket.first = task.values['I'] * unit - *tool;

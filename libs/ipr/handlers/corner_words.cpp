@@ -2,6 +2,8 @@
 // ,C and ,R: a chamfer or a rounding after the move of their line. FANUC: operator's manual,
 // "Optional chamfering and corner R"; Haas: mill operator's manual, "Corner Rounding and
 // Chamfering".
+#include <cmath>
+#include <optional>
 #include <string>
 
 #include "ipr/handlers/handlers.hpp"
@@ -31,6 +33,14 @@ std::string name_of(const Word& word) {
   return std::string(",") + word.letter + number_text(word.value);
 }
 
+/// By which G51 makes the piece larger; nothing where it would make another one of it.
+std::optional<double> scale_of_plane(const Modal& modal) {
+  const PlaneAxes axes = plane_axes(modal.plane);
+  const double first = std::abs(modal.transformation.factor(axes.first));
+  if (first != std::abs(modal.transformation.factor(axes.second))) return std::nullopt;
+  return first;
+}
+
 /// Nothing if the line moves as it must.
 std::string why_no_first_move(const Command& command, const Output& out) {
   const GCode* motion = command.find(Group::motion);
@@ -44,13 +54,20 @@ void ask_for_corner(const Command& command, const Modal& modal, Output& out) {
   const Word* word = command.corner();
   if (word == nullptr || out.failed() || word->value == 0) return;
   if (modal.unknown.has_any({Part::motion, Part::plane, Part::units})) return;
-  const double size = word->value * modal.mm_per_unit;
+  double size = word->value * modal.mm_per_unit;
   if (!(size > 0) || !is_near(size))
     return out.report(
         Code::SC2007, word->pos,
         name_of(*word) + " must " + (size > 0 ? "be 1000000 mm at most" : "not be negative"));
   if (const std::string why = why_no_first_move(command, out); !why.empty())
     return out.report(Code::SC2261, word->pos, name_of(*word) + ": " + why);
+  if (modal.ended)
+    return out.report(Code::SC2263, word->pos, name_of(*word) + ": the program ends");
+  const auto scale = scale_of_plane(modal);
+  if (!scale)
+    return out.report(Code::SC2263, word->pos,
+                      name_of(*word) + ": the axes of the plane have different scales");
+  size *= *scale;
   out.ask_for_corner({{word->letter == 'R', size}, modal.plane, name_of(*word), word->pos});
 }
 
@@ -63,7 +80,8 @@ void check_pending_corner(const Command& command, const Modal& modal, Output& ou
       return out.leave_corner(Code::SC2263, name + " comes before its second move");
     if (code->group == Group::plane && plane_of(*code) != modal.plane)
       return out.leave_corner(Code::SC2264, name + " changes the plane before its second move");
-    if (ends_program(*code)) return out.leave_corner(Code::SC2263, "the program ends");
+    if (ends_program(*code) && !command.values().letters().has_any(kAxisWords))
+      return out.leave_corner(Code::SC2263, "the program ends");
   }
 }
 

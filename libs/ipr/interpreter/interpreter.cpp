@@ -214,7 +214,9 @@ bool Interpreter::emit_restored(const ProgramLine& next) {
 /// As the fanuc and haas dialects count them.
 const ProgramLine& Interpreter::with_lengths(const ProgramLine& line) {
   const bool in_cycle = modal_.motion != nullptr && is_canned_cycle(*modal_.motion);
-  return lengths_.read(line, {modal_.mm_per_unit, in_cycle, modal_.curve.has_value()});
+  const char angle = axis_letter(plane_axes(modal_.plane).second);
+  return lengths_.read(
+      line, {modal_.mm_per_unit, in_cycle, modal_.curve.has_value(), modal_.polar, angle});
 }
 
 [[gnu::hot]] void Interpreter::interpret(const ProgramLine& line) {
@@ -375,7 +377,7 @@ void Interpreter::execute() {
 void Interpreter::keep_input() {
   const double value = *std::exchange(modal_.input_value, std::nullopt);
   constexpr int kInput = 5399;
-  if (options_.dialect == Dialect::linuxcnc) parser_.parameters().write(kInput, value);
+  if (is_linuxcnc_like(options_.dialect)) parser_.parameters().write(kInput, value);
 }
 
 /// A code that is refused is so whatever its words.
@@ -436,7 +438,10 @@ void Interpreter::finish() {
   if (modal_.curve && !broke_off) end_pending_curve(modal_, out_);
   if (modal_.points && !broke_off) end_pending_points(modal_, out_);
   const bool ends_here = !broke_off && !modal_.unknown.has(Part::end) && !flow_.order_unknown();
-  if (ends_here && out_.in_corner()) out_.leave_corner(Code::SC2263, "the program ends");
+  if (ends_here && flow_.ended_by_repeat())
+    out_.leave_corner();
+  else if (ends_here && out_.in_corner())
+    out_.leave_corner(Code::SC2263, "the program ends");
   if (ends_here && !flow_.ended_by_repeat())
     out_.report(Code::SC2205, {line.number, 0, 1}, "the program ends without M02 or M30");
   out_.end();

@@ -36,16 +36,23 @@ bool begins_cycle(const ProgramLine& line) noexcept {
   });
 }
 
-/// The letters of lengths on this line: K may be a number of repetitions or a knot, R a weight or
-/// an angle, I J K factors.
-LetterSet lengths_of(const ProgramLine& line, const LengthContext& context) noexcept {
+/// K may be a number of repetitions or a knot, R a weight or an angle, I J K factors.
+LetterSet lengths_beside_angles(const ProgramLine& line, const LengthContext& context) noexcept {
   if (context.in_curve || has_code(line, 'G', 6.2)) return {"XYZ"};
   if (has_code(line, 'G', 68) || has_code(line, 'G', 51)) return {"XYZ"};
   if (begins_cycle(line)) return {"XYZRQIJ"};
+  if (has_code(line, 'G', 12) || has_code(line, 'G', 13)) return {"XYZIKQ"};
   const bool leaves_cycle = has_code(line, 'G', 80) || has_code(line, 'G', 0) ||
                             has_code(line, 'G', 1) || has_code(line, 'G', 2) ||
                             has_code(line, 'G', 3);
   return context.in_cycle && !leaves_cycle ? LetterSet("XYZRQIJ") : LetterSet("XYZIJKR");
+}
+
+/// The letters of lengths on this line.
+LetterSet lengths_of(const ProgramLine& line, const LengthContext& context) noexcept {
+  const LetterSet letters = lengths_beside_angles(line, context);
+  const bool polar = has_code(line, 'G', 16) || (context.polar && !has_code(line, 'G', 15));
+  return polar ? letters.without(std::string_view(&context.angle, 1)) : letters;
 }
 
 double increment_of(const ProgramLine& line, const LengthContext& context) noexcept {
@@ -131,6 +138,12 @@ const ProgramLine& IntegerLengths::scaled(const ProgramLine& line, const LengthC
       word.value *= increment;
   line_ = line;
   line_.words = words_;
+  if (line.corner != nullptr && !has_point(line, *line.corner) &&
+      !is_computed(line, *line.corner)) {
+    corner_ = *line.corner;
+    corner_.value *= increment;
+    line_.corner = &corner_;
+  }
   return line_;
 }
 

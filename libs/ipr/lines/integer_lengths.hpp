@@ -19,6 +19,8 @@ struct LengthContext {
   double mm_per_unit = 1;  // before the line; G20 and G21 on it come first
   bool in_cycle = false;   // a canned cycle is in force before the line
   bool in_curve = false;   // the line may be one of a NURBS: K is a knot, R a weight
+  bool polar = false;      // G16 is in force before the line: the letter below is an angle
+  char angle = 'Y';        // the second axis of the plane
 };
 
 /// Reads the lengths of lines: those without a decimal point as increments, if that is asked for;
@@ -44,6 +46,7 @@ class IntegerLengths {
 
   IntegerUnit unit_;
   ProgramLine line_;
+  Word corner_;
   std::vector<Word> words_;
   std::map<int, std::vector<bool>> seen_;  // by file: which lines have been counted
   std::int64_t lines_ = 0;                 // with lengths without a point

@@ -78,6 +78,14 @@ void Output::leave_corner(Code code, const std::string& reason) {
   kept_ = blocks_.size();
 }
 
+void Output::leave_corner() {
+  if (closed_) return;
+  std::vector<BlockOfLine> ready;
+  corners_.leave(ready);
+  hand_over(ready);
+  kept_ = blocks_.size();
+}
+
 /// Hands over the blocks of the line.
 void Output::compensate() {
   for (std::size_t i = kept_; i < blocks_.size(); ++i)

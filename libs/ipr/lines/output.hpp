@@ -90,6 +90,8 @@ class Output {
   /// Reports why that corner cannot be made; its first move stays as it is. Requires that this line
   /// has emitted nothing yet.
   void leave_corner(Code code, const std::string& reason);
+  /// Lets go of that corner where its second move may only not have been read.
+  void leave_corner();
 
   SourcePos source() const noexcept { return source_; }
   std::string_view text() const noexcept { return text_; }

@@ -267,7 +267,7 @@ Token Parser::read_called(Lexer& lexer, const Token& mark) {
 Token Parser::read_corner(Lexer& lexer, const Token& mark) {
   const std::size_t count = words_.size();
   Token after = read_word(lexer, lexer.next());
-  if (words_.size() == count) return after;
+  if (words_.size() <= count) return after;
   Word word = words_.back();
   words_.pop_back();
   word.pos.length += word.pos.column - mark.column;
