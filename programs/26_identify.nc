@@ -12,9 +12,7 @@ o200 sub
   #6 = 10
   o210 while [#6 LE 160]
     o100 call [#1] [#2] [#3] [#6/2] [60*#6]
-    G4 P0.2
     o100 call [#1] [#2] [#3] [-#6/2] [60*#6]
-    G4 P0.2
     #6 = [#6*4]
   o210 endwhile
   (ramps one after another, for the velocity loop)
@@ -38,7 +36,6 @@ o200 sub
     #7 = [#7+1]
   o240 endwhile
   o100 call [#1] [#2] [#3] [0] [6000]
-  G4 P0.3
 o200 endsub
 o200 call [1] [0] [0]
 o200 call [0] [1] [0]

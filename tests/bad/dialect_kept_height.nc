@@ -1,4 +1,4 @@
-(expect SC2385 4:5)
+(expect SC2385 4:5; check)
 G00 Z5 F100
 G99 G81 X1 Z-1 R2
 G91 X1

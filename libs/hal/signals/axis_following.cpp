@@ -28,26 +28,26 @@ double gain_at(const Axis& axis, double loop_period, double w) {
 }
 
 /// A circle: its angular speed, its radius, and the gain of the loop there.
-struct Turn {
+struct CircularMotion {
   double w, radius, gain;
 };
 
-std::vector<Turn> turns(const Axis& axis, double loop_period) {
-  constexpr int kTurns = 400;
+std::vector<CircularMotion> circular_motions(const Axis& axis, double loop_period) {
+  constexpr int kMotions = 400;
   constexpr double kFastest = 10;  // times Kv: errors of faster circles are smaller
   const double slowest = axis.acceleration / axis.velocity;
   const double fastest = std::max(kFastest * axis.drive.kv, 2 * slowest);
-  std::vector<Turn> all;
-  for (int i = 0; i <= kTurns; ++i) {
-    const double w = slowest * std::pow(fastest / slowest, static_cast<double>(i) / kTurns);
+  std::vector<CircularMotion> all;
+  for (int i = 0; i <= kMotions; ++i) {
+    const double w = slowest * std::pow(fastest / slowest, static_cast<double>(i) / kMotions);
     all.push_back({w, axis.acceleration / (w * w), gain_at(axis, loop_period, w)});
   }
   return all;
 }
 
-double largest_error(const std::vector<Turn>& turns, double lead) noexcept {
+double largest_error(const std::vector<CircularMotion>& motions, double lead) noexcept {
   double most = 0;
-  for (const Turn& turn : turns)
+  for (const CircularMotion& turn : motions)
     most = std::max(most, turn.radius * std::abs(turn.gain * std::hypot(1, turn.w * lead) - 1));
   return most;
 }
@@ -55,7 +55,7 @@ double largest_error(const std::vector<Turn>& turns, double lead) noexcept {
 }  // namespace
 
 double lead_time(const Axis& axis, double loop_period) {
-  const std::vector<Turn> all = turns(axis, loop_period);
+  const std::vector<CircularMotion> all = circular_motions(axis, loop_period);
   double low = 0, high = 2 / axis.drive.kv;
   while (high - low > 1e-9 * high) {  // a largest of functions that fall and then rise
     const double third = (high - low) / 3;

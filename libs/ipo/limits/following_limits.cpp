@@ -37,7 +37,7 @@ double margin(const Axis& axis) noexcept {
   return most + reach * lag;
 }
 
-void make_room(Axis& axis) noexcept {
+void leave_margin(Axis& axis) noexcept {
   axis.acceleration = std::min(axis.acceleration,
                                std::max(motor_acceleration(axis), kLeastDrive * axis.acceleration));
   if (axis.jerk == 0) axis.jerk = axis.acceleration * axis.drive.kv;
@@ -53,7 +53,7 @@ Machine planned_machine(const Machine& machine) {
   Machine planned = machine;
   if (machine.control.follow == Follow::off) return planned;
   for (Axis& axis : planned.axes)
-    if (axis.present) make_room(axis);
+    if (axis.present) leave_margin(axis);
   return planned;
 }
 

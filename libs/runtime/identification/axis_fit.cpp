@@ -15,12 +15,12 @@ namespace {
 /// kv, torque and friction as multiples of those of the machine file (the first two by their
 /// logarithms), and the two sides of the gap, mm.
 enum Parameter { kGain, kTorque, kFriction, kAhead, kAfter, kParameters };
-using Parameters = Eigen::Matrix<double, kParameters, 1>;
+using FitParameters = Eigen::Matrix<double, kParameters, 1>;
 using Square = Eigen::Matrix<double, kParameters, kParameters>;
 using Sensitivity = Eigen::Matrix<double, Eigen::Dynamic, kParameters>;
 
 /// Differences by which derivatives are taken: well above what one count changes.
-const Parameters kDifference{{0.004, 0.05, 0.1, 0.004, 0.004}};
+const FitParameters kDifference{{0.004, 0.05, 0.1, 0.004, 0.004}};
 constexpr int kMostSteps = 25;
 constexpr double kSettled = 1e-4;     // of the differences: a step below ends the search
 constexpr double kBlock = 0.25;       // s
@@ -40,10 +40,10 @@ class AxisFitter {
   AxisFit fit();
 
  private:
-  AxisFigures figures(const Parameters& p) const noexcept;
-  Eigen::VectorXd residual(const Parameters& p) const;
-  Sensitivity sensitivity(const Parameters& p) const;
-  bool improve(Parameters& p, Eigen::VectorXd& left, double& damping) const;
+  AxisFigures figures(const FitParameters& p) const noexcept;
+  Eigen::VectorXd residual(const FitParameters& p) const;
+  Sensitivity sensitivity(const FitParameters& p) const;
+  bool improve(FitParameters& p, Eigen::VectorXd& left, double& damping) const;
   Square covariance(const Sensitivity& by, const Eigen::VectorXd& left) const;
 
   const Axis& axis_;
@@ -52,12 +52,12 @@ class AxisFitter {
   double period_, loop_period_;
 };
 
-AxisFigures AxisFitter::figures(const Parameters& p) const noexcept {
+AxisFigures AxisFitter::figures(const FitParameters& p) const noexcept {
   return {nominal_.kv * std::exp(p[kGain]), nominal_.torque_over_inertia * std::exp(p[kTorque]),
           nominal_.friction_over_inertia * p[kFriction], p[kAhead] + p[kAfter]};
 }
 
-Eigen::VectorXd AxisFitter::residual(const Parameters& p) const {
+Eigen::VectorXd AxisFitter::residual(const FitParameters& p) const {
   const std::vector<double> model =
       replay_axis(with_figures(axis_, figures(p)), {p[kAhead], p[kAfter]}, period_, loop_period_,
                   record_.commanded, record_.actual[0]);
@@ -67,10 +67,10 @@ Eigen::VectorXd AxisFitter::residual(const Parameters& p) const {
 }
 
 /// One-sided at zero for what cannot be negative.
-Sensitivity AxisFitter::sensitivity(const Parameters& p) const {
+Sensitivity AxisFitter::sensitivity(const FitParameters& p) const {
   Sensitivity by(static_cast<Eigen::Index>(record_.actual.size()), kParameters);
   for (int i = 0; i < kParameters; ++i) {
-    Parameters above = p, below = p;
+    FitParameters above = p, below = p;
     above[i] += kDifference[i];
     below[i] -= kDifference[i];
     if (i >= kFriction) below[i] = std::max(below[i], 0.0);
@@ -80,15 +80,15 @@ Sensitivity AxisFitter::sensitivity(const Parameters& p) const {
 }
 
 /// Takes one step that leaves less; false where there is none, or it is too short to matter.
-bool AxisFitter::improve(Parameters& p, Eigen::VectorXd& left, double& damping) const {
+bool AxisFitter::improve(FitParameters& p, Eigen::VectorXd& left, double& damping) const {
   const Sensitivity by = sensitivity(p);
   const Square square = by.transpose() * by;
-  const Parameters slope = by.transpose() * left;
-  Parameters scale = square.diagonal();
+  const FitParameters slope = by.transpose() * left;
+  FitParameters scale = square.diagonal();
   scale = scale.cwiseMax(1e-12 * scale.maxCoeff());
   for (int tries = 0; tries < 8; ++tries, damping *= 8) {
     const Square damped = square + Square((damping * scale).asDiagonal());
-    Parameters next = p - damped.ldlt().solve(slope);
+    FitParameters next = p - damped.ldlt().solve(slope);
     for (const int i : {kFriction, kAhead, kAfter}) next[i] = std::max(next[i], 0.0);
     next[kGain] = std::clamp(next[kGain], p[kGain] - 0.3, p[kGain] + 0.3);
     next[kTorque] = std::clamp(next[kTorque], p[kTorque] - 0.5, p[kTorque] + 0.5);
@@ -113,15 +113,15 @@ Square AxisFitter::covariance(const Sensitivity& by, const Eigen::VectorXd& left
   for (Eigen::Index first = 0; first < left.size(); first += block) {
     const Eigen::Index count = std::min(block, left.size() - first);
     const auto rows = by.middleRows(first, count);
-    const Parameters slope = rows.transpose() * left.segment(first, count);
-    const Parameters shift = resolution * rows.colwise().sum().transpose();
+    const FitParameters slope = rows.transpose() * left.segment(first, count);
+    const FitParameters shift = resolution * rows.colwise().sum().transpose();
     spread += slope * slope.transpose() + shift * shift.transpose();
   }
-  const Parameters scale = kDifference;  // of comparable effect
+  const FitParameters scale = kDifference;  // of comparable effect
   const Square square = scale.asDiagonal() * Square(by.transpose() * by) * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Square> solver(square);
   const double largest = solver.eigenvalues().maxCoeff();
-  Parameters inverse;
+  FitParameters inverse;
   for (int i = 0; i < kParameters; ++i)
     inverse[i] = solver.eigenvalues()[i] > kSingular * largest ? 1 / solver.eigenvalues()[i] : 0;
   const Square bread =
@@ -136,7 +136,7 @@ Square AxisFitter::covariance(const Sensitivity& by, const Eigen::VectorXd& left
 
 AxisFit AxisFitter::fit() {
   AxisFit fit{.figures = nominal_, .uncertainty = {}, .moved = true};
-  Parameters p{{0, 0, 1, 0, 0}};
+  FitParameters p{{0, 0, 1, 0, 0}};
   Eigen::VectorXd left = residual(p);
   const auto rms = [&left] {
     return std::sqrt(left.squaredNorm() / static_cast<double>(left.size()));
