@@ -89,6 +89,7 @@ STANDS_FOR = {
     "softcnc replay F.rec...": "softcnc replay F.rec",
     "softcnc diff A B": "softcnc diff n.rec programs/01_line.nc",
     "softcnc circle FILE": "softcnc circle ball_bar.csv",
+    "softcnc identify TRACE": "softcnc identify t.npz",
     "softcnc replay FOLDER": "softcnc replay .",
     "softcnc pulses FILE": "softcnc pulses arc.vcd",
     "softcnc pulses FILE [--machine M.toml] [--backend parport]":
@@ -111,7 +112,8 @@ EDGES = "softcnc run -q programs/03_arc.nc --backend stepdir --set backend.stepd
 BEFORE = {  # what a page requires
     "docs/cli.md": [EDGES, "softcnc record -q programs/01_line.nc -o n.rec",
                     "softcnc run -q --dry-run programs/03_arc.nc --trace before.csv.zst",
-                    "softcnc run -q programs/27_ball_bar.nc --trace ball_bar.csv"],
+                    "softcnc run -q programs/27_ball_bar.nc --trace ball_bar.csv",
+                    "softcnc run -q programs/26_identify.nc --trace t.npz"],
     "docs/backlash.md": ["printf '[axis.x]\\nbacklash_um = 100\\n[axis.y]\\n[axis.z]\\n' > worn.toml"],
     "docs/circle.md": ["printf '[axis.x]\\nbacklash_um = 100\\n[axis.y]\\n[axis.z]\\n' > worn.toml"],
     "docs/pulses.md": [EDGES],

@@ -39,6 +39,7 @@ class Expectation:
         self.program, self.name = program, str(program.relative_to(HERE))
         stated = runpy.run_path(str(program.with_suffix(".py")))
         self.options, self.warnings = stated.get("OPTIONS", []), set(stated.get("WARNINGS", []))
+        self.no_effect = stated.get("NO_EFFECT", [])  # "line 15: X0": a coordinate that leads nowhere
         path = Path()
         stated["path"](path)
         self.steps = path.steps
@@ -149,7 +150,8 @@ def changed_programs(text):
 
 
 def unnoticed_changes(binary, expectation):
-    """Coordinates of the text whose change leads to no other path and no error, and how many were tried."""
+    """Coordinates of the text whose change leads to no other path and no error, and how many were tried. Those that the
+    expectation names as NO_EFFECT must be among them."""
     missed, tried = [], 0
     text = expectation.program.read_text(encoding="utf-8")
     with tempfile.TemporaryDirectory() as temporary:
@@ -161,7 +163,9 @@ def unnoticed_changes(binary, expectation):
             done = softcnc(binary, "blocks", expectation, folder)
             if done.returncode == 0 and not blocks.difference(expectation.steps, blocks.steps(done.stdout)):
                 missed.append(name)
-    return missed, tried
+    idle = list(expectation.no_effect)
+    return [name for name in missed if name not in idle] + [f"{name}, which has an effect" for name in idle
+                                                            if name not in missed], tried
 
 
 def main(words):

@@ -5,6 +5,7 @@ So the mirrored contour has its tool on the right of it, and arcs the other way 
 """
 OPTIONS = ["--dialect", "fanuc"]
 WARNINGS = ["SC2132"]  # how compensation begins
+NO_EFFECT = ["line 15: X0"]  # of a mirror that is cancelled
 
 
 def pocket(p, to, flips=False):

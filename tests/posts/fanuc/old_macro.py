@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """WH, EN, TH and GO; the argument E after a digit is #8, no exponent."""
 OPTIONS = ["--dialect", "fanuc"]
+NO_EFFECT = ["line 22: X0"]  # jumped over
 
 
 def path(p):

@@ -5,6 +5,7 @@ A mirror in one axis changes the direction of arcs, one in both does not. P and 
 """
 OPTIONS = ["--dialect", "fanuc"]
 WARNINGS = ["SC2253"]  # a scale written as a whole number
+NO_EFFECT = ["line 15: X0", "line 18: X0", "line 18: Y0", "line 19: X0"]  # of mirrors that are cancelled; a centre with the factor 1
 
 
 def shape(p, to, flips=False):

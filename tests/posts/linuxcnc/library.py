@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """o<slot> is found in another folder (--subprograms); #<_depth> comes from the command line."""
 OPTIONS = ["--subprograms", "subprograms", "--define", "_depth=2.5"]
+NO_EFFECT = ["line 9: X-99"]  # of a subprogram that another file comes before
 
 
 def path(p):

@@ -3,6 +3,7 @@
 from path import polar
 
 WARNINGS = ["SC2122"]
+NO_EFFECT = ["line 27: X0", "line 27: Y0"]  # nothing moves after it
 
 
 def path(p):
