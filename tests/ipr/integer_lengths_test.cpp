@@ -95,7 +95,7 @@ TEST_CASE("increments are the lengths alone", "[ipr][dialects]") {
   CHECK(deepest == Approx(-2));
 }
 
-TEST_CASE("of polar coordinates the radius is a length; pieces and steps are too",
+TEST_CASE("the radius of polar coordinates counts increments, the angle does not",
           "[ipr][dialects]") {
   const auto polar = ends("G16 G0 X10000 Y90\nX5000 Y0\nG15 X5000 Y1000\nM30");
   REQUIRE(polar.size() == 3);
