@@ -191,8 +191,7 @@ TEST_CASE("FANUC's peck drilling may dwell, and its tapping does not peck",
           "[ipr][cycles][fanuc]") {
   CHECK(way("G98 G83 X1 Z-4 R2 Q3 P250", Dialect::fanuc) ==
         "R1,0,20 R1,0,2 F1,0,-1 R1,0,2 R1,0,-0.746 F1,0,-4 D0.25 R1,0,20 ");
-  CHECK(way("G99 G73 X1 Z-1 R2 Q3 P250", Dialect::fanuc) ==
-        "R1,0,20 R1,0,2 F1,0,-1 D0.25 R1,0,2 ");
+  CHECK(way("G99 G73 X1 Z-1 R2 Q3 P250", Dialect::fanuc) == "R1,0,20 R1,0,2 F1,0,-1 D0.25 R1,0,2 ");
   CHECK(reported("F1 G83 X1 Z-1 R2 Q3 P1\nX2") == Places{"SC2004 1:21"});
   CHECK(reported("S9 M3\nF1 G84 X1 Z-1 R1 Q1", Dialect::fanuc) == Places{"SC2114 2:18"});
   CHECK(reported("S9 M3\nF1 G84 X1 Z-1 R1 Q0", Dialect::fanuc).empty());

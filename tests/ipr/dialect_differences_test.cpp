@@ -258,10 +258,11 @@ TEST_CASE("nothing is compared unless it is asked for", "[ipr][differences]") {
 
 TEST_CASE("what one dialect refuses is no dialect difference", "[ipr][differences]") {
   for (const char* text :
-       {"G04 X1\nM30", "#1=1+1\nM30", "G30 P2 X0\nM30", "G54 P2\nM30", "G10 L20 P0 X0\nM30", "G1 F100 X[#0+1]\nM30",
-        "G0 X[1 EQ 1 AND 2 EQ 2]\nM30", "G0 X[1.5 AND 1]\nM30", "G10 L12 P1 R1\nM30",
-        "G0 X1 H1\nM30", "G0 X1 D1\nM30", "G0 G28 X0\nM30", "G0 X1\nG80 X2\nM30",
-        "F9 G0 Z3\nG99 G81 X1 Z0 R1\nG83 X2 Q1\nM30", "F9 G0 Z3\nG99 G83 X1 Z0 R1 Q1 P1\nM30",
+       {"G04 X1\nM30", "#1=1+1\nM30", "G30 P2 X0\nM30", "G54 P2\nM30", "G10 L20 P0 X0\nM30",
+        "G1 F100 X[#0+1]\nM30", "G0 X[1 EQ 1 AND 2 EQ 2]\nM30", "G0 X[1.5 AND 1]\nM30",
+        "G10 L12 P1 R1\nM30", "G0 X1 H1\nM30", "G0 X1 D1\nM30", "G0 G28 X0\nM30",
+        "G0 X1\nG80 X2\nM30", "F9 G0 Z3\nG99 G81 X1 Z0 R1\nG83 X2 Q1\nM30",
+        "F9 G0 Z3\nG99 G83 X1 Z0 R1 Q1 P1\nM30",
         "T1 M6\nF9 G1 G41 D1 X20\nX40\nG41 D1 X50\nG40 X60\nM30"}) {
     CAPTURE(text);
     const Interpreted linuxcnc = run(text, Dialect::linuxcnc), fanuc = run(text, Dialect::fanuc);

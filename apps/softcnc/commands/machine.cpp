@@ -80,8 +80,8 @@ int list_values(const Options& options) {
                     unit = widest(&Value::unit), origin = widest(&Value::origin);
   StandardOutput out;
   for (const auto& value : *values) {
-    std::string line = fmt::format("{:<{}} = {:<{}}  # {:<{}}  {:<{}}", value.key, key,
-                                   value.value, text, value.unit, unit, value.origin, origin);
+    std::string line = fmt::format("{:<{}} = {:<{}}  # {:<{}}  {:<{}}", value.key, key, value.value,
+                                   text, value.unit, unit, value.origin, origin);
     if (options.verbose) line += "  " + value.meaning;
     line.erase(line.find_last_not_of(' ') + 1);
     out.write(line + '\n');

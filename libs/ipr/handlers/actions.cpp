@@ -19,8 +19,7 @@ void emit_action(Task& task, Action::Kind kind, double value = 0) {
 }
 
 void stop_spindle(Task& task) {
-  if (std::exchange(task.modal.spindle_direction, 0) != 0)
-    emit_action(task, Action::Kind::spindle);
+  if (std::exchange(task.modal.spindle_direction, 0) != 0) emit_action(task, Action::Kind::spindle);
 }
 
 std::optional<int> known_tool(Task& task, const Word& word) {

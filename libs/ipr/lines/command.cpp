@@ -111,7 +111,7 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
 }
 
 [[gnu::cold]] void Command::report_unknown(const Word& word, std::string_view dialect,
-                                             Output& out) {
+                                           Output& out) {
   std::string message = code_name(word.letter, word.value) + " is not supported";
   if (!dialect.empty()) message += " in the " + std::string(dialect) + " dialect";
   if (dialect.empty() && may_be_of_machine(word)) message += lines_of_machine(word, words_);
