@@ -462,7 +462,8 @@ std::string_view group_name(Group group) noexcept {
 
 const GCode* find_gcode(char letter, double value) noexcept {
   if (letter != 'G' && letter != 'M')
-    return row(kWordIndex[static_cast<std::size_t>(letter - 'A')]);
+    return letter < 'A' || letter > 'Z' ? nullptr  // @ and ^ are no codes
+                                        : row(kWordIndex[static_cast<std::size_t>(letter - 'A')]);
   constexpr double kRounding = 1e-3;  // as LinuxCNC rounds: G1.00001 is G01
   const double tenths = value * 10;
   if (!(tenths > -kRounding && tenths + kRounding < kNumbers)) return nullptr;
