@@ -13,6 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(reinterpret_cast<const char*>(data), size);
   InterpreterOptions options;
   options.dialect = kAllDialects[size % kDialects];
+  options.guess_dialect = size % 7 == 0;
   options.block_skip = size % 3 == 0;
   options.optional_stop = options.block_skip;
   options.unreachable_too = options.compare_dialects = size % 5 != 0;

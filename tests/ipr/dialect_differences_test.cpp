@@ -231,7 +231,8 @@ TEST_CASE("haas reads what its rows leave out as fanuc does, and grbl as linuxcn
   }
 }
 
-TEST_CASE("in haas a dwell without a decimal point is told beside linuxcnc", "[ipr][differences]") {
+TEST_CASE("in haas a dwell without a decimal point is reported beside linuxcnc",
+          "[ipr][differences]") {
   const Interpreted haas = run("G4 P2\nM30", Dialect::haas);
   REQUIRE(places(haas) == Places{"SC2120 1:4"});
   CHECK(haas.diagnostics[0].message ==

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "motion/model/servo_figures.hpp"
 #include "runtime/identification/axis_fit.hpp"
 #include "runtime/identification/axis_replay.hpp"
 #include "support/sanitized.hpp"

@@ -10,6 +10,7 @@
 
 #include "hal/files/axis_name.hpp"
 #include "motion/core/units.hpp"
+#include "motion/model/servo_figures.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -30,7 +31,7 @@ std::array<Figure, 5> figures(const IdentifiedAxis& axis) {
   return {{{"gain of the position loop", "1/s", "kv_1_s", fit.figures.kv, fit.uncertainty.kv,
             described.kv},
            {"lag of the velocity loop", "ms", "velocity_lag_ms", ms_from_s(fit.lag),
-            ms_from_s(fit.lag_uncertainty), ms_from_s(runtime::velocity_lag(axis.described))},
+            ms_from_s(fit.lag_uncertainty), ms_from_s(velocity_lag(axis.described))},
            {"torque over inertia", "mm/s2 per V", "torque_over_inertia_mm_s2_v",
             fit.figures.torque_over_inertia, fit.uncertainty.torque_over_inertia,
             described.torque_over_inertia},

@@ -62,17 +62,19 @@ constexpr BackendEntry kBackends[] = {
      }},
 };
 
-}  // namespace
-
-std::array<double, kAxes> Backend::following_error_max() const noexcept {
+std::array<double, kAxes> unknown_by_axis() noexcept {
   std::array<double, kAxes> none{};
   none.fill(std::numeric_limits<double>::quiet_NaN());
   return none;
 }
 
-std::array<double, kAxes> Backend::lag_misfit() const noexcept {
-  return Backend::following_error_max();
+}  // namespace
+
+std::array<double, kAxes> Backend::following_error_max() const noexcept {
+  return unknown_by_axis();
 }
+
+std::array<double, kAxes> Backend::lag_misfit() const noexcept { return unknown_by_axis(); }
 
 Machine without_port(Machine machine) {
   machine.step_port.file.clear();

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "motion/model/servo_figures.hpp"
+
 namespace softcnc::hal {
 namespace {
 
@@ -20,7 +22,7 @@ ServoAxis::ServoAxis(const Axis& axis, double servo_period)
     : drive_(axis.drive),
       motor_(axis.motor),
       counts_(axis.blu),
-      mm_per_rad_(axis.screw_lead / kTurn),
+      mm_per_rad_(mm_per_rad(axis)),
       counts_per_rad_(axis.counts_per_rev / kTurn),
       blu_per_count_(axis.screw_lead / axis.counts_per_rev / axis.blu),
       rad_s_per_blu_(axis.drive.kv * axis.blu / mm_per_rad_),

@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <vector>
+
+#include "motion/model/servo_figures.hpp"
 
 namespace softcnc::hal {
 namespace {
-
-double mm_per_rad(const Axis& axis) noexcept { return axis.screw_lead / (2 * std::numbers::pi); }
 
 /// Returns |P(i w)|: of the position loop closed by a counter that is read every `loop_period` s
 /// and held until then, over the velocity loop of ServoAxis.

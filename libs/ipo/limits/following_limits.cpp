@@ -2,7 +2,8 @@
 #include "ipo/limits/following_limits.hpp"
 
 #include <algorithm>
-#include <numbers>
+
+#include "motion/model/servo_figures.hpp"
 
 namespace softcnc::ipo {
 namespace {
@@ -15,26 +16,22 @@ constexpr double kMotorShare = 0.95;  // of torque and voltage that the path may
 /// mm/s^2, against its friction.
 double motor_acceleration(const Axis& axis) noexcept {
   const Motor& motor = axis.motor;
-  const double mm_per_rad = axis.screw_lead / (2 * std::numbers::pi);
-  const double w = axis.velocity / mm_per_rad;
+  const double w = axis.velocity / mm_per_rad(axis);
   const double current =
       std::min(axis.drive.current_limit,
                (axis.drive.supply_voltage - motor.emf_constant * w) / motor.resistance);
   const double torque = kMotorShare * motor.torque_constant * current - motor.coulomb_friction -
                         motor.viscous_friction * w;
-  return torque / motor.inertia * mm_per_rad;
+  return torque / motor.inertia * mm_per_rad(axis);
 }
 
 /// Returns by how much commands may be faster than the path, mm/s.
 double margin(const Axis& axis) noexcept {
-  const Motor& motor = axis.motor;
   const double lead = 1 / axis.drive.kv, reach = axis.jerk * lead;
-  const double lag = motor.inertia * motor.resistance /
-                     (motor.torque_constant * (motor.emf_constant + axis.drive.velocity_gain));
   const double most = reach < axis.acceleration
                           ? reach * lead / 2
                           : axis.acceleration * (lead - axis.acceleration / (2 * axis.jerk));
-  return most + reach * lag;
+  return most + reach * velocity_lag(axis);
 }
 
 void leave_margin(Axis& axis) noexcept {

@@ -49,6 +49,12 @@ bool Transformation::mirrors() const noexcept {
   return std::any_of(mirror.begin(), mirror.end(), [](const auto& place) { return place; });
 }
 
+std::optional<double> Transformation::scale(const PlaneAxes& axes) const noexcept {
+  const double first = std::abs(factor(axes.first));
+  if (first != std::abs(factor(axes.second))) return std::nullopt;
+  return first;
+}
+
 double Transformation::factor(int axis) const noexcept {
   const double sign = mirror[static_cast<std::size_t>(axis)] ? -1 : 1;
   return scaling ? sign * scaling->factors[axis] : sign;

@@ -47,6 +47,9 @@ struct Transformation {
   bool empty() const noexcept { return !rotation && !scaling && !mirrors(); }
   /// Returns by how much lengths along an axis are scaled before the rotation; below 0: mirrored.
   double factor(int axis) const noexcept;
+  /// Returns by how much lengths in a plane are scaled; nothing where that depends on their
+  /// direction.
+  std::optional<double> scale(const PlaneAxes& axes) const noexcept;
   /// Returns the map from programmed coordinates to those of the work system.
   AffineMap map() const noexcept;
 };

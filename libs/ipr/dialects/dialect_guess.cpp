@@ -239,12 +239,11 @@ DialectGuess guess_dialect(Reader& reader) {
   }
   DialectGuess guess;
   if (reader.waiting()) return guess;
-  std::string_view text = reader.unread();
-  for (int number = 1; !text.empty() && number <= DialectGuess::kLines; ++number) {
-    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    guess.see(text.substr(0, end), number);
-    const bool both = text.substr(end).starts_with("\r\n");
-    text.remove_prefix(std::min(end + (both ? 2 : 1), text.size()));
+  Reader lines = Reader::from_text(std::string(reader.unread()));
+  while (lines.line() < DialectGuess::kLines) {
+    const auto line = lines.next();
+    if (!line) break;
+    guess.see(*line, lines.line());
   }
   return guess;
 }

@@ -92,7 +92,7 @@ constexpr std::array<DialectDifferenceRow, kDialectDifferences> kTable{{
      "additional workpiece coordinate systems"},
     {C::kept_height, Code::SC2385,
      "R and the depth of a canned cycle, kept where G90 or G91 changes",
-     "are read anew by the mode of the line", "stay the heights that they were", "",
+     "are read again, by the mode of the line", "stay the heights that they were", "",
      "canned cycles for drilling; polar coordinate command, example with incremental angles"},
 }};
 

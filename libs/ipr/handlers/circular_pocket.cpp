@@ -79,8 +79,7 @@ std::optional<double> scale_of_pocket(Task& task) {
                     code_name(task.code) + " while G68 turns another plane than X Y");
     return std::nullopt;
   }
-  const double scale = std::abs(transformation.factor(0));
-  if (scale == std::abs(transformation.factor(1))) return scale;
+  if (const auto scale = transformation.scale(plane_axes(Plane::xy))) return scale;
   task.out.report(Code::SC2256, task.word.pos,
                   code_name(task.code) + " is no circle under different scales of X and Y");
   return std::nullopt;

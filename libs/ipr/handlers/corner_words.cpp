@@ -2,8 +2,6 @@
 // ,C and ,R: a chamfer or a rounding after the move of their line. FANUC: operator's manual,
 // "Optional chamfering and corner R"; Haas: mill operator's manual, "Corner Rounding and
 // Chamfering".
-#include <cmath>
-#include <optional>
 #include <string>
 
 #include "ipr/handlers/handlers.hpp"
@@ -33,14 +31,6 @@ std::string name_of(const Word& word) {
   return std::string(",") + word.letter + number_text(word.value);
 }
 
-/// By which G51 makes the piece larger; nothing where it would make another one of it.
-std::optional<double> scale_of_plane(const Modal& modal) {
-  const PlaneAxes axes = plane_axes(modal.plane);
-  const double first = std::abs(modal.transformation.factor(axes.first));
-  if (first != std::abs(modal.transformation.factor(axes.second))) return std::nullopt;
-  return first;
-}
-
 /// Nothing if the line moves as it must.
 std::string why_no_first_move(const Command& command, const Output& out) {
   const GCode* motion = command.find(Group::motion);
@@ -63,7 +53,7 @@ void ask_for_corner(const Command& command, const Modal& modal, Output& out) {
     return out.report(Code::SC2261, word->pos, name_of(*word) + ": " + why);
   if (modal.ended)
     return out.report(Code::SC2263, word->pos, name_of(*word) + ": the program ends");
-  const auto scale = scale_of_plane(modal);
+  const auto scale = modal.transformation.scale(plane_axes(modal.plane));
   if (!scale)
     return out.report(Code::SC2263, word->pos,
                       name_of(*word) + ": the axes of the plane have different scales");

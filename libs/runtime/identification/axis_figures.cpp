@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/identification/axis_figures.hpp"
 
-#include <numbers>
+#include "motion/model/servo_figures.hpp"
 
 namespace softcnc::runtime {
-namespace {
-
-double mm_per_rad(const Axis& axis) noexcept { return axis.screw_lead / (2 * std::numbers::pi); }
-
-}  // namespace
 
 AxisFigures figures_of(const Axis& axis) noexcept {
   const Motor& motor = axis.motor;
@@ -24,12 +19,6 @@ Axis with_figures(Axis axis, const AxisFigures& figures) noexcept {
       mm_per_rad(axis) * motor.torque_constant / (figures.torque_over_inertia * motor.inertia);
   motor.coulomb_friction = figures.friction_over_inertia * motor.inertia / mm_per_rad(axis);
   return axis;
-}
-
-double velocity_lag(const Axis& axis) noexcept {
-  const Motor& motor = axis.motor;
-  return motor.inertia * motor.resistance /
-         (motor.torque_constant * (motor.emf_constant + axis.drive.velocity_gain));
 }
 
 }  // namespace softcnc::runtime

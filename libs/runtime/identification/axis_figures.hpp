@@ -28,9 +28,4 @@ AxisFigures figures_of(const Axis& axis) noexcept;
 /// change.
 Axis with_figures(Axis axis, const AxisFigures& figures) noexcept;
 
-/// Returns the time constant of the velocity loop, s: that by which the speed follows a step of its
-/// command as long as the integral part of the amplifier is empty,
-/// J R / (Kt (Ke + Kp)), with the inductance and the lag of the F/V converter left out.
-double velocity_lag(const Axis& axis) noexcept;
-
 }  // namespace softcnc::runtime

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "motion/model/servo_figures.hpp"
 #include "runtime/identification/axis_replay.hpp"
 
 namespace softcnc::runtime {
