@@ -11,6 +11,7 @@
 
 #include "hal/backends/servo.hpp"
 #include "hal/signals/fine_pulses.hpp"
+#include "motion/model/position_loop.hpp"
 #include "support/property.hpp"
 
 namespace softcnc::hal {

@@ -39,10 +39,4 @@ class AxisFollowing {
   double integral_ = 0;              // rad: of the amplifier
 };
 
-/// Returns the lead time of an axis, s: of all times that with which the largest error over all
-/// circles that its velocity and its acceleration allow is the least, with the linear part of its
-/// model. A circle of the angular speed w is cut larger by its radius times
-/// |P(i w)| sqrt(1 + (w t)^2) - 1, where P is the closed position loop.
-double lead_time(const Axis& axis, double loop_period);
-
 }  // namespace softcnc::hal
