@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "motion/verification/contour_error.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -53,7 +54,8 @@ double Contour::sample(const Setpoint& setpoint, std::span<const AxisVector> act
 }
 
 double Contour::measure(const AxisVector& point, const Instant& now) noexcept {
-  const PathPieces::Nearest nearest = pieces_.nearest(point, foot_, now.s + kAhead);
+  const PathPieces::Nearest nearest =
+      pieces_.nearest(point, std::min(foot_, now.s), now.s + kAhead);
   foot_ = nearest.s;
   ContourFigures& figures = nearest.origin.rapid ? report_.rapids : report_.cutting;
   if (nearest.distance > figures.max) {

@@ -16,7 +16,8 @@ namespace softcnc {
 
 /// Measures the distance of the tool from the path. The point of the path that counts is the
 /// nearest one between the last such point and kAhead beyond the commanded one: it only moves
-/// forward, so that neither a neighbouring pass nor a crossing hides a deviation.
+/// forward, so that neither a neighbouring pass nor a crossing hides a deviation; a point beyond
+/// the commanded one, where the path turns back upon itself, does not count for the next sample.
 ///
 /// The path is added first, then its samples; they may come much later, as they do from a machine
 /// that runs in real time.
