@@ -160,3 +160,20 @@ TEST_CASE("on a line to and fro the tool is never off", "[apps][contour]") {
   const Run there = run("G21 G90\nG1 X5 F1000\nX0\nX5\nX0\nM2\n", "");
   CHECK(there.report["contour_error_um_max"].get<double>() < 0.02);
 }
+
+TEST_CASE("a contour error beyond its tolerance is reported", "[apps][contour]") {
+  const std::string tolerance =
+      "--set control.corner_tolerance_um=0 --set control.contour_tolerance_um=";
+  const Run kept = run(kCircle, tolerance + "10");
+  CHECK(kept.ended.status == 0);
+  CHECK(kept.ended.err.find("SC5061") == std::string::npos);
+  CHECK(double(kept.report["contour_error_um_max"]) <= 12.5);
+  CHECK(double(kept.report["time_by_limit_s"]["contour"]) > 10);
+  CHECK(shows(kept.ended.err, "leaves 10 um\n  (control.contour_tolerance_um)"));
+  // Friction holds an axis that turns back, however slow it is.
+  const Run beyond = run(kCircle, tolerance + "2");
+  CHECK(beyond.ended.status == 0);
+  CHECK(shows(beyond.ended.err,
+              "p.nc:3:1: warning: the table is ... um off the path at ... s, where "
+              "control.contour_tolerance_um allows 2 and a BLU of 2.5 [SC5061]"));
+}

@@ -108,7 +108,12 @@ TEST_CASE("a method starts on its curve with the row, whatever came before", "[s
   // What is left of a period at a joint may be nothing but rounding: that is no step.
   Machine machine;
   machine.limits.feed = 0;
-  machine.control = {8e-3, 1e-3, 5e-5, Method::curvature3p, 0, BackendKind::none};
+  machine.control = {.period = 8e-3,
+                     .servo_period = 1e-3,
+                     .chord_tolerance = 5e-5,
+                     .interpolation = Method::curvature3p,
+                     .corner_tolerance = 0,
+                     .backend = BackendKind::none};
   for (Axis& axis : machine.axes) {
     axis.velocity = 1e6;
     axis.acceleration = 1e9;

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -150,8 +151,41 @@ TEST_CASE("paths that commands are ahead of leave room for them", "[runtime][fol
   CHECK(ipo::planned_machine(machine).axes[0].jerk == 0);
 }
 
+TEST_CASE("a weak motor makes the plan slower, and the limit is its drive",
+          "[runtime][following]") {
+  for (const double jerk : {0.0, 50'000.0}) {
+    Machine machine = mill(Follow::model, jerk);
+    machine.axes[0].drive.current_limit = 3;  // A, of 16
+    const auto backend = hal::open_backend(machine);
+    Session session(machine, {}, **backend);
+    REQUIRE(session.feed(kSquare));
+    session.end();
+    double current = 0;
+    std::map<Limit, int> rows;
+    const auto columns = (*backend)->columns();
+    const auto at = std::ranges::find(columns, "x_current_a") - columns.begin();
+    while (const auto step = session.step()) {
+      ++rows[step->setpoint.limit];
+      current = std::max(current, std::abs(step->values[static_cast<std::size_t>(at)]));
+    }
+    CAPTURE(jerk, current);
+    CHECK(session.status() == SessionStatus::done);
+    CHECK(rows[Limit::drive] > 10);
+    CHECK(current <= 3);
+    CHECK(session.contour()->cutting.max <= 5e-3);
+    machine.axes[0].drive.current_limit = 16;
+    CHECK_FALSE(ipo::planned_machine(machine).axes[0].drive_limits);
+  }
+}
+
+/// SOFTCNC_FOLLOWED_PROGRAMS sets how many random programs are tried; 1000 take some minutes.
+unsigned followed_programs() {
+  const char* asked = std::getenv("SOFTCNC_FOLLOWED_PROGRAMS");
+  return asked != nullptr ? static_cast<unsigned>(std::stoul(asked)) : 40 / test::kPart;
+}
+
 TEST_CASE("commands keep the velocity of their axes, whatever is asked", "[runtime][following]") {
-  for (unsigned seed = 1; seed <= 40 / test::kPart; ++seed) {
+  for (unsigned seed = 1; seed <= followed_programs(); ++seed) {
     std::mt19937 random(seed);
     Machine machine = seed % 3 == 0 ? test::random_machine(random) : Machine();
     machine.control.backend = BackendKind::sim;
@@ -179,7 +213,7 @@ TEST_CASE("commands keep the velocity of their axes, whatever is asked", "[runti
             std::max(fastest, std::abs(command[axis] - before[axis]) / machine.control.period /
                                   machine.axes[static_cast<std::size_t>(axis)].velocity);
       before = command;
-      if (row > (test::kSanitized ? 1'000 : 20'000)) break;
+      if (row > (test::kSanitized ? 1'000 : 3'000)) break;
     }
     CAPTURE(seed, fastest);
     CHECK(fastest <= 1 + 1e-6);

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "motion/core/units.hpp"
 
 namespace softcnc::app {
 
@@ -29,6 +32,23 @@ std::optional<Diagnostic> lag_misfit(const Machine& machine, std::size_t axis, d
           kAxisLetters[axis], 100 * std::abs(misfit), misfit > 0 ? "more" : "less",
           kv / (1 + misfit), kv),
       .file = program};
+}
+
+std::optional<Diagnostic> contour_excess(const Machine& machine, const ContourReport& contour,
+                                         const std::string& program) {
+  const double tolerance = machine.control.contour_tolerance;
+  double blu = 0;
+  for (const Axis& axis : machine.axes)
+    if (axis.present) blu = std::max(blu, axis.blu);
+  const ContourFigures& worst = contour.cutting;
+  if (!(tolerance > 0 && worst.max > tolerance + blu)) return std::nullopt;
+  return Diagnostic{.code = Code::SC5061,
+                    .pos = {.line = worst.line},
+                    .message = fmt::format(
+                        "the table is {:.1f} um off the path at {:.3f} s, where "
+                        "control.contour_tolerance_um allows {:.6g} and a BLU of {:.6g}",
+                        um_from_mm(worst.max), worst.time, um_from_mm(tolerance), um_from_mm(blu)),
+                    .file = program};
 }
 
 }  // namespace softcnc::app

@@ -7,6 +7,7 @@
 
 #include "motion/core/diagnostic.hpp"
 #include "motion/model/machine.hpp"
+#include "motion/verification/contour_report.hpp"
 #include "runtime/realtime/realtime_cycle.hpp"
 
 namespace softcnc::app {
@@ -19,5 +20,10 @@ Diagnostic missed_periods(const runtime::Punctuality& punctuality, const std::st
 /// where that is less than half a percent, or not known.
 std::optional<Diagnostic> lag_misfit(const Machine& machine, std::size_t axis, double misfit,
                                      const std::string& program);
+
+/// Describes a contour error of cutting moves beyond control.contour_tolerance_um and the BLU of
+/// the coarsest axis: SC5061; nothing where there is none, or no tolerance.
+std::optional<Diagnostic> contour_excess(const Machine& machine, const ContourReport& contour,
+                                         const std::string& program);
 
 }  // namespace softcnc::app

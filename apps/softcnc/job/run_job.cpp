@@ -58,6 +58,7 @@ class JobRunner {
   hal::Patience patience() const;
   void judge(Diagnostics& diagnostics, const AxisVector& command_velocity);
   void judge_lag(const std::array<double, kAxes>& misfit);
+  void judge_contour();
   void judge_punctuality();
   bool is_dropped(const std::string& file) const;
   void close(runtime::TraceRows& rows, const std::string& trace);
@@ -132,6 +133,7 @@ void JobRunner::run(hal::Backend& backend, runtime::TraceRows& rows) {
   result_.following_error = backend.following_error_max();
   result_.settled = backend.settle();
   judge_lag(backend.lag_misfit());
+  judge_contour();
   judge(diagnostics, backend.command_velocity_max());
   if (realtime) judge_punctuality();
 }
@@ -141,6 +143,13 @@ void JobRunner::judge_lag(const std::array<double, kAxes>& misfit) {
   for (std::size_t axis = 0; axis < misfit.size(); ++axis)
     if (const auto found = lag_misfit(job_.machine, axis, misfit[axis], job_.program.name()))
       messages_.show(*found);
+}
+
+void JobRunner::judge_contour() {
+  if (!result_.outcome.contour) return;
+  if (const auto found =
+          contour_excess(job_.machine, *result_.outcome.contour, job_.program.name()))
+    messages_.show(*found);
 }
 
 /// A parallel port keeps a clock of its own.

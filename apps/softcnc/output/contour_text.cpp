@@ -104,10 +104,19 @@ std::string following_text(const Machine& machine) {
       kFollowNames[static_cast<std::size_t>(machine.control.follow)]);
 }
 
+std::string tolerance_text(const Machine& machine) {
+  return fmt::format(
+      "\n  Speeds and rests at corners are such that the lag of the drives leaves {:.6g} um"
+      "\n  (control.contour_tolerance_um); friction where an axis turns back, and counts, add "
+      "some.",
+      um_from_mm(machine.control.contour_tolerance));
+}
+
 std::string explanation(const ContourReport& report, const Machine& machine) {
-  if (machine.control.follow != Follow::off) return following_text(machine);
+  std::string text = machine.control.contour_tolerance > 0 ? tolerance_text(machine) : "";
+  if (machine.control.follow != Follow::off) return text + following_text(machine);
   const Gains loop = gains(machine);
-  std::string text = fmt::format(
+  text += fmt::format(
       "\n  A position loop of gain Kv ({:.6g} 1/s) makes a circle of radius R smaller by"
       "\n  v^2/(2 R Kv^2){}, and rounds corners.",
       loop.least, circle_text(report.cutting, loop.least));

@@ -12,6 +12,9 @@ std::string_view line_sentence(Limit limit) noexcept {
     case Limit::chord:
       return "The curve is so tight that at the programmed feed its chords would exceed "
              "control.chord_tolerance_um.";
+    case Limit::contour:
+      return "Its drives lag: any faster, the table would leave the curve by more than "
+             "control.contour_tolerance_um.";
     case Limit::corner:
       return "The path turns at a corner, where the machine must slow down or stop; a wider "
              "tolerance (G64 P) rounds it more.";
@@ -21,6 +24,8 @@ std::string_view line_sentence(Limit limit) noexcept {
       return "An axis is at its velocity limit.";
     case Limit::acceleration:
       return "An axis is at its acceleration limit, in a curve or where the speed changes.";
+    case Limit::drive:
+      return "A motor is at the current or the voltage of its drive where the speed changes.";
     case Limit::jerk:
       return "An axis is at its jerk limit, in a curve or where the acceleration changes.";
     case Limit::pulse_rate:

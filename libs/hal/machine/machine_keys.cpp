@@ -110,6 +110,8 @@ const MachineKey kKeys[] = {
      NumberKey{control<&Control::servo_period>, s_from_ms, ms_from_s, {0.001, 1000, true}}},
     {"control.chord_tolerance_um", "um", "largest distance between curve and chord within one period",
      NumberKey{control<&Control::chord_tolerance>, mm_from_um, um_from_mm, {kLeastTolerance, kMostTolerance}}},
+    {"control.contour_tolerance_um", "um", "largest distance that the drives may leave between table and path (docs/following.md): corners rest until the lag is within it, and the speed is limited where the path is curved; 0: not limited",
+     NumberKey{control<&Control::contour_tolerance>, mm_from_um, um_from_mm, {kLeastTolerance, kMostTolerance, true}}},
     {"control.interpolation", "", "how the next point on a curve is found",
      choice_in<&Machine::control, &Control::interpolation>(kMethodNames)},
     {"control.pulse_clock", "", "timing of the clocks of an interpolation by pulses: that of the feed profile, or that of paper 003",

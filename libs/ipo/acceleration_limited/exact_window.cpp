@@ -8,10 +8,11 @@
 namespace softcnc::ipo {
 namespace {
 
-Limit name_of(const SpeedPiece& piece, const ConstraintList& constraints, double share) {
+Limit name_of(const SpeedPiece& piece, const PathPoint& point, const ConstraintList& constraints,
+              double share) {
   if (piece.limit != Limit::acceleration) return piece.limit;
   const double u = 0.5 * (piece.q1 - piece.q0) / (piece.s1 - piece.s0);
-  return constraints.binding_acceleration(u, share);
+  return constraints.binding_acceleration({point, piece.q0}, u, share);
 }
 
 }  // namespace
@@ -117,9 +118,10 @@ bool ExactWindow::run_front(Profile& profile, std::optional<Limit> as) {
   const Node& end = chain_.nodes[front_ + 1];
   const bool along_controllable =
       end.brakes_to_corner && q_ >= end.controllable_q * (1 - tuning::optimum::kRounding);
+  const PathPoint& point = chain_.intervals[front_].left;
   for (const SpeedPiece& piece : pieces_) {
-    const Limit limit = corner_naming_.name(name_of(piece, constraints_, share), piece.q0, piece.q1,
-                                            along_controllable);
+    const Limit limit = corner_naming_.name(name_of(piece, point, constraints_, share), piece.q0,
+                                            piece.q1, along_controllable);
     profile.add_piece(piece.s0, piece.s1, std::sqrt(piece.q0), std::sqrt(piece.q1),
                       as.value_or(limit));
   }

@@ -22,10 +22,11 @@ constexpr std::array kSofter{tuning::horizon::kSofter, tuning::horizon::kSoftest
 
 double speed(const VelocityLimit& bound) noexcept { return std::sqrt(bound.q); }
 
-Limit name_of(const Ramp& ramp, const ConstraintList& constraints, double share) noexcept {
+Limit name_of(const Ramp& ramp, const PathPoint& point, const ConstraintList& constraints,
+              double share) noexcept {
   if (ramp.limit != Limit::acceleration) return ramp.limit;
   const double a = std::max(std::abs(ramp.a0), std::abs(ramp.a1));
-  return constraints.binding_acceleration(a, share);
+  return constraints.binding_acceleration({point, ramp.v0 * ramp.v0}, a, share);
 }
 
 /// Names the corner as the limit of the last ramps, which brake to a rest that a corner forces.
@@ -358,10 +359,11 @@ std::optional<std::size_t> JerkWindow::rest_early(double resolution) {
 
 bool JerkWindow::run_front(Profile& profile, std::optional<Limit> as) {
   const double share = chain_.inside[front_].share * share_;
+  const PathPoint& point = chain_.intervals[front_].left;
   begin_ramp(front_rests());
   for (Ramp ramp : planned_.front()) {
     ramp.limit = as.value_or(
-        corner_naming_.name(name_of(ramp, constraints_, share), ramp.v0, ramp.v1, false));
+        corner_naming_.name(name_of(ramp, point, constraints_, share), ramp.v0, ramp.v1, false));
     profile.add_ramp(ramp);
     motion_ = {ramp.v1, ramp.a1};
     run_ += ramp.duration;

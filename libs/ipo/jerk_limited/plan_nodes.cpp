@@ -36,11 +36,11 @@ double jump_step(const PlanSpan& span, std::size_t joint) noexcept {
              : 0;
 }
 
-/// Returns the spacing that the steep flanks of a roughness limit require where the path is level.
+/// Returns the spacing that steep limits require where the path is level.
 double limit_spacing(const Interval& in) noexcept {
   const VelocityLimit &left = in.left_limit, &right = in.right_limit;
   const double change = std::abs(right.q - left.q);
-  if (left.limit != Limit::roughness && right.limit != Limit::roughness) return kUnlimited;
+  if (!is_steep(left.limit) && !is_steep(right.limit)) return kUnlimited;
   return change > 0 ? tuning::nodes::kLimitChange * std::min(left.q, right.q) * in.length() / change
                     : kUnlimited;
 }

@@ -103,28 +103,26 @@ VelocityLimit PlanProblem::velocity_limit(std::size_t p) const noexcept {
   for (std::size_t i = node.interval; i >= span_.first && chain.nodes[i].s > from; --i) {
     include(i);
     if (i == span_.first) break;
-    if (chain.intervals[i - 1].straight()) most.lower_to(chain.inside[i - 1].velocity_limit);
+    if (chain.intervals[i - 1].level()) most.lower_to(chain.inside[i - 1].velocity_limit);
   }
   for (std::size_t i = node.interval + 1; i <= span_.last && chain.nodes[i].s < to; ++i) {
     include(i);
-    if (i < span_.last && chain.intervals[i].straight())
-      most.lower_to(chain.inside[i].velocity_limit);
+    if (i < span_.last && chain.intervals[i].level()) most.lower_to(chain.inside[i].velocity_limit);
   }
   return most;
 }
 
-/// Whether a roughness limit binds on a curve around interval i.
+/// Whether a limit that may be steep, or slopes ahead of a bend, binds around interval i.
 bool PlanProblem::slopes(std::size_t i, double from, double to) const noexcept {
   const Chain& chain = span_.chain;
   while (i > span_.first && chain.nodes[i].s > from) --i;
   bool binds = false;
   for (; i < span_.last && chain.nodes[i].s < to; ++i) {
     const Interval& in = chain.intervals[i];
-    if (in.straight() || chain.nodes[i + 1].velocity_limit.q == 0 ||
+    if (in.level() || chain.nodes[i + 1].velocity_limit.q == 0 ||
         chain.nodes[i].velocity_limit.q == 0)
       return false;
-    binds = binds || in.left_limit.limit == Limit::roughness ||
-            in.right_limit.limit == Limit::roughness;
+    binds = binds || is_steep(in.left_limit.limit) || is_steep(in.right_limit.limit);
   }
   return binds;
 }
@@ -148,16 +146,17 @@ VelocityLimit PlanProblem::sloped_limit(std::size_t p, double from, double to) c
   return {std::max(own.q - sag, 0.5 * own.q), own.limit};
 }
 
-/// Returns the limit on a curve, between the limits of its nodes, except for those at rest.
+/// Returns the limit on a curve or ahead of a bend, between the limits of its nodes, except for
+/// those at rest.
 VelocityLimit PlanProblem::limit_inside(std::size_t i, double s) const noexcept {
   const Chain& chain = span_.chain;
   const VelocityLimit &left = chain.nodes[i].velocity_limit,
                       &right = chain.nodes[i + 1].velocity_limit;
-  if (chain.intervals[i].straight() || (left.q == 0 && right.q == 0))
-    return chain.inside[i].velocity_limit;
+  const Interval& interval = chain.intervals[i];
+  if (interval.level() || (left.q == 0 && right.q == 0)) return chain.inside[i].velocity_limit;
   if (left.q == 0 || right.q == 0) return left.q == 0 ? right : left;
   VelocityLimit bound = left.q <= right.q ? left : right;
-  const double w = std::clamp((s - chain.nodes[i].s) / chain.intervals[i].length(), 0.0, 1.0);
+  const double w = std::clamp((s - chain.nodes[i].s) / interval.length(), 0.0, 1.0);
   bound.q = left.q + w * (right.q - left.q);
   return bound;
 }

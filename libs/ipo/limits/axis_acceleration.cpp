@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Acceleration limits of the axes: |x'' q + x' u| <= A on every axis.
+// Acceleration limits of the axes: |x'' q + x' u| <= A on every axis. Where a drive allows less
+// than its axis, the limit is the drive's.
 #include "ipo/limits/constraint_list.hpp"
 
 namespace softcnc::ipo {
@@ -7,7 +8,8 @@ namespace {
 
 class AxisAcceleration final : public Constraint {
  public:
-  explicit AxisAcceleration(const AxisVector& limits) : limits_(limits) {}
+  explicit AxisAcceleration(const PlannerLimits& limits)
+      : limits_(limits.acceleration), by_drive_(limits.by_drive) {}
 
   Limit limit(const Move&) const noexcept override { return Limit::acceleration; }
 
@@ -39,6 +41,15 @@ class AxisAcceleration final : public Constraint {
     return directions.most(limits_);
   }
 
+  std::optional<Limit> binding(const Passing& place, double u, double) const noexcept override {
+    int most = 0;
+    const AxisVector used =
+        (place.point.ddq * place.q + place.point.dq * u).cwiseAbs().cwiseQuotient(limits_);
+    used.maxCoeff(&most);
+    if (!by_drive_[static_cast<std::size_t>(most)]) return std::nullopt;
+    return Limit::drive;
+  }
+
  private:
   /// Returns the sum of |x| A over the axes that take part.
   double all_axes(const AxisVector& x) const noexcept {
@@ -49,12 +60,13 @@ class AxisAcceleration final : public Constraint {
   }
 
   AxisVector limits_;
+  std::array<bool, kAxes> by_drive_;
 };
 
 }  // namespace
 
 std::unique_ptr<Constraint> make_axis_acceleration(const PlannerLimits& limits) {
-  return std::make_unique<AxisAcceleration>(limits.acceleration);
+  return std::make_unique<AxisAcceleration>(limits);
 }
 
 }  // namespace softcnc::ipo

@@ -80,9 +80,12 @@ class Constraint {
   virtual double least_u(const Directions&) const noexcept { return kUnlimited; }
   /// Returns a |u| that nothing exceeds on a path of these directions.
   virtual double most_u(const Directions&) const noexcept { return kUnlimited; }
-  /// Returns its name if it, and not an axis, limits a path acceleration u, where `share` of the
-  /// limits may be used.
-  virtual std::optional<Limit> binding(double /*u*/, double /*share*/) const noexcept { return {}; }
+  /// Returns its name if it, and not the acceleration of an axis, limits a path acceleration u at
+  /// this place, where `share` of the limits may be used.
+  virtual std::optional<Limit> binding(const Passing&, double /*u*/,
+                                       double /*share*/) const noexcept {
+    return {};
+  }
 
   // As inequalities of jerk -----------------------------------------------------------------------
 

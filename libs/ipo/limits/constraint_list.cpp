@@ -37,7 +37,7 @@ class Borrowed final : public Constraint {
 /// path/corner_limits.cpp.
 ConstraintList::ConstraintList(const Machine& machine, double feed_override,
                                const FurtherConstraints& further)
-    : limits_(limits_of(machine)) {
+    : limits_(limits_of(machine)), contour_(contour_limit(machine)) {
   const auto add = [](List& list, std::unique_ptr<Constraint> constraint) {
     if (constraint) list.push_back(std::move(constraint));
   };
@@ -45,6 +45,7 @@ ConstraintList::ConstraintList(const Machine& machine, double feed_override,
   add(velocities_, make_axis_velocity(machine));
   add(velocities_, make_pulse_rate(machine));
   add(velocities_, make_chord_error(machine));
+  add(velocities_, make_contour_error(contour_));
   add(velocities_, make_roughness_limit(machine));
   add(velocities_, make_normal_acceleration(machine));
   for (const Constraint* constraint : further)
@@ -105,9 +106,10 @@ double ConstraintList::most_u(const Directions& directions) const noexcept {
   return least_of(accelerations_, [&](const Constraint& one) { return one.most_u(directions); });
 }
 
-Limit ConstraintList::binding_acceleration(double u, double share) const noexcept {
+Limit ConstraintList::binding_acceleration(const Passing& place, double u,
+                                           double share) const noexcept {
   for (const auto& constraint : accelerations_)
-    if (const auto limit = constraint->binding(u, share)) return *limit;
+    if (const auto limit = constraint->binding(place, u, share)) return *limit;
   return Limit::acceleration;
 }
 

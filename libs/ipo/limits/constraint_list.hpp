@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ipo/limits/constraint.hpp"
+#include "ipo/limits/contour_limit.hpp"
 
 namespace softcnc::ipo {
 
@@ -23,6 +24,9 @@ class ConstraintList {
 
   const PlannerLimits& limits() const noexcept { return limits_; }
   bool limits_jerk() const noexcept { return !jerks_.empty(); }
+
+  /// What the contour tolerance asks for beyond velocity limits at points; null if there is none.
+  const ContourLimit* contour() const noexcept { return contour_ ? &*contour_ : nullptr; }
 
   /// The constraints that act as velocity limits; the first is that of the feed.
   const std::vector<std::unique_ptr<Constraint>>& velocity_limits() const noexcept {
@@ -47,9 +51,9 @@ class ConstraintList {
   double straight_u(const AxisVector& direction) const noexcept;
   double least_u(const Directions& directions) const noexcept;
   double most_u(const Directions& directions) const noexcept;
-  /// Returns the name of the acceleration limit that binds, where the path acceleration is u and
-  /// `share` of the limits may be used.
-  Limit binding_acceleration(double u, double share) const noexcept;
+  /// Returns the name of the acceleration limit that binds at a place, where the path acceleration
+  /// is u and `share` of the limits may be used.
+  Limit binding_acceleration(const Passing& place, double u, double share) const noexcept;
 
  private:
   using List = std::vector<std::unique_ptr<Constraint>>;
@@ -57,6 +61,7 @@ class ConstraintList {
   void sort_limits();
 
   PlannerLimits limits_;
+  std::optional<ContourLimit> contour_;
   List velocities_, accelerations_, jerks_;
   std::vector<const Constraint*> step_limits_, point_limits_, strict_limits_;
   AxisVector centripetal_;
@@ -65,6 +70,7 @@ class ConstraintList {
 std::unique_ptr<Constraint> make_feed_limit(const Machine& machine, double feed_override);
 std::unique_ptr<Constraint> make_axis_velocity(const Machine& machine);
 std::unique_ptr<Constraint> make_chord_error(const Machine& machine);
+std::unique_ptr<Constraint> make_contour_error(const std::optional<ContourLimit>& limit);
 std::unique_ptr<Constraint> make_roughness_limit(const Machine& machine);
 std::unique_ptr<Constraint> make_normal_acceleration(const Machine& machine);
 std::unique_ptr<Constraint> make_pulse_rate(const Machine& machine);

@@ -35,8 +35,9 @@ double margin(const Axis& axis) noexcept {
 }
 
 void leave_margin(Axis& axis) noexcept {
-  axis.acceleration = std::min(axis.acceleration,
-                               std::max(motor_acceleration(axis), kLeastDrive * axis.acceleration));
+  const double allowed = std::max(motor_acceleration(axis), kLeastDrive * axis.acceleration);
+  axis.drive_limits = allowed < axis.acceleration;
+  axis.acceleration = std::min(axis.acceleration, allowed);
   if (axis.jerk == 0) axis.jerk = axis.acceleration * axis.drive.kv;
   const double part = std::min(1.0, kMostMargin * axis.velocity / margin(axis));
   axis.acceleration *= part;

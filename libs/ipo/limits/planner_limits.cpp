@@ -12,6 +12,7 @@ PlannerLimits limits_of(const Machine& machine) noexcept {
   for (int i = 0; i < kAxes; ++i) {
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
     limits.acceleration[i] = axis.present ? axis.acceleration : kUnlimited;
+    limits.by_drive[static_cast<std::size_t>(i)] = axis.present && axis.drive_limits;
     limits.jerk[i] = axis.present && axis.jerk > 0 ? axis.jerk : kUnlimited;
   }
   limits.jerk = limits.jerk.cwiseMin(2 * limits.acceleration / limits.fine_period);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,12 +15,13 @@ namespace softcnc::ipo {
 inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 struct PlannerLimits {
-  AxisVector acceleration;         // mm/s^2
-  AxisVector jerk;                 // mm/s^3; all unlimited, or none above what its axis can need
-  double tangential = kUnlimited;  // mm/s^2: of the speed along the path
-  double period = 0;               // s: from sample to sample; chords are limited by it
-  double fine_period = 0;          // s: from one fine point to the next; jumps are limited by it
-  double chord_tolerance = 0;      // mm
+  AxisVector acceleration;  // mm/s^2
+  AxisVector jerk;          // mm/s^3; all unlimited, or none above what its axis can need
+  std::array<bool, kAxes> by_drive{};  // whether its drive limits the acceleration of an axis
+  double tangential = kUnlimited;      // mm/s^2: of the speed along the path
+  double period = 0;                   // s: from sample to sample; chords are limited by it
+  double fine_period = 0;      // s: from one fine point to the next; jumps are limited by it
+  double chord_tolerance = 0;  // mm
 
   bool limits_jerk() const noexcept { return jerk.minCoeff() < kUnlimited; }
 };

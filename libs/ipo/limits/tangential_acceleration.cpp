@@ -20,7 +20,7 @@ class TangentialAcceleration final : public Constraint {
   double straight_u(const AxisVector&) const noexcept override { return limit_; }
   double least_u(const Directions&) const noexcept override { return limit_; }
   double most_u(const Directions&) const noexcept override { return limit_; }
-  std::optional<Limit> binding(double u, double share) const noexcept override {
+  std::optional<Limit> binding(const Passing&, double u, double share) const noexcept override {
     if (!(std::abs(u) >= tuning::limits::kTangentialBinds * share * limit_)) return std::nullopt;
     return Limit::tangential;
   }

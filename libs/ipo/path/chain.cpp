@@ -90,7 +90,8 @@ void Chain::append(const Move& move, const ConstraintList& constraints, RestBefo
     grid_.clear();
     felt = 0;
   });
-  if (std::holds_alternative<Line>(move.path) && constraints.limits_jerk())
+  if (std::holds_alternative<Line>(move.path) && constraints.limits_jerk() &&
+      constraints.contour() == nullptr)
     split_at_cruise(constraints);
 }
 
@@ -211,6 +212,34 @@ void Chain::split(std::size_t i, double s) {
   intervals[i] = halves.left;
   intervals.insert(intervals.begin() + n + 1, halves.right);
   nodes.insert(nodes.begin() + n + 1, between);
+}
+
+void Chain::split_from(std::size_t first, const std::vector<std::vector<double>>& cuts) {
+  const auto n = static_cast<std::ptrdiff_t>(first);
+  const std::vector<Interval> old(intervals.begin() + n, intervals.end());
+  const std::vector<Node> ends(nodes.begin() + n + 1, nodes.end());
+  intervals.resize(first);
+  nodes.resize(first + 1);
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    Interval rest = old[i];
+    for (const double s : cuts[i]) {
+      const Halves halves = cut(rest, s);
+      Node between;
+      between.own = halves.left.right_limit;
+      between.s = nodes.back().s + halves.left.length();
+      intervals.push_back(halves.left);
+      nodes.push_back(between);
+      rest = halves.right;
+    }
+    intervals.push_back(rest);
+    nodes.push_back(ends[i]);
+  }
+}
+
+void Chain::lower(std::size_t node, const VelocityLimit& bound) noexcept {
+  nodes[node].own.lower_to(bound);
+  if (node > 0) intervals[node - 1].right_limit.lower_to(bound);
+  if (node < intervals.size()) intervals[node].left_limit.lower_to(bound);
 }
 
 VelocityLimit Chain::left_limit(std::size_t interval) const noexcept {

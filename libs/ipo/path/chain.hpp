@@ -22,9 +22,10 @@ struct Node {
   AxisVector tangent_jump = AxisVector::Zero();    // |jump of x'| by axis
   AxisVector curvature_jump = AxisVector::Zero();  // jump of x'' by axis
   double s = 0;                                    // mm from the first node ever
-  VelocityLimit velocity_limit;   // own, and what neighbours require: derive_velocity_limits()
-  double controllable_q = 0;      // upper end of the controllable set [0, q]
-  bool brakes_to_corner = false;  // at controllable_q the machine brakes to a forced rest
+  VelocityLimit velocity_limit;  // own, and what neighbours require: derive_velocity_limits()
+  double controllable_q = 0;     // upper end of the controllable set [0, q]
+  double contour_velocity = kUnlimited;  // mm/s: what the contour tolerance allows
+  bool brakes_to_corner = false;         // at controllable_q the machine brakes to a forced rest
 
   bool turns() const noexcept { return turn > 0; }
   bool passes_tangent_jump() const noexcept { return turns() && own.q > 0; }
@@ -61,6 +62,13 @@ struct Chain {
 
   /// Splits interval i at `s` mm of its move. The velocity limits must be derived again afterwards.
   void split(std::size_t i, double s);
+
+  /// Splits the intervals from `first` on: the one after i others at cuts[i], mm of its move, in
+  /// ascending order. The velocity limits must be derived again afterwards.
+  void split_from(std::size_t first, const std::vector<std::vector<double>>& cuts);
+
+  /// Lowers the velocity limit at a node, on both sides of it.
+  void lower(std::size_t node, const VelocityLimit& bound) noexcept;
 
   /// Drops the first `count` intervals.
   void drop_front(std::size_t count);

@@ -21,7 +21,8 @@ inline RestBefore rest_after(const Move* move) noexcept {
 
 /// Whether the limit is one of how fast the speed may change.
 constexpr bool limits_ramps(Limit limit) noexcept {
-  return limit == Limit::acceleration || limit == Limit::jerk || limit == Limit::tangential;
+  return limit == Limit::acceleration || limit == Limit::drive || limit == Limit::jerk ||
+         limit == Limit::tangential;
 }
 
 /// Names the limits of a motion's pieces, in order, from one rest to the next.

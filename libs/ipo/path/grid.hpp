@@ -23,6 +23,11 @@ struct VelocityLimit {
   }
 };
 
+/// Whether a velocity limit of this kind may change a lot from node to node.
+constexpr bool is_steep(Limit limit) noexcept {
+  return limit == Limit::roughness || limit == Limit::contour;
+}
+
 /// A part of one move between two nodes.
 struct Interval {
   const Path* path = nullptr;
@@ -60,6 +65,12 @@ struct Interval {
     return all;
   }
   bool straight() const noexcept { return left.ddq.isZero(0) && right.ddq.isZero(0); }
+  /// Whether it is straight, with the same velocity limit everywhere. Where the contour tolerance
+  /// limits speeds ahead of a bend, the limit is the line between those of its ends.
+  bool level() const noexcept {
+    return straight() && (left_limit.q == right_limit.q || (left_limit.limit != Limit::contour &&
+                                                            right_limit.limit != Limit::contour));
+  }
 };
 
 /// Returns the place on a line that ends at `end`, mm of its move, from which on what follows it

@@ -35,9 +35,16 @@ class VelocityLimitDerivation {
   void reset(std::size_t first) {
     chain_.inside.resize(first);
     for (std::size_t i = first; i < chain_.intervals.size(); ++i)
-      chain_.inside.push_back({chain_.left_limit(i)});
+      chain_.inside.push_back({limit_inside(i)});
     for (std::size_t n = first; n < chain_.nodes.size(); ++n)
       chain_.nodes[n].velocity_limit = chain_.own_limit(n);
+  }
+
+  /// The contour tolerance is the only limit that differs between the ends of a line.
+  VelocityLimit limit_inside(std::size_t i) const {
+    const VelocityLimit left = chain_.left_limit(i);
+    const VelocityLimit& right = chain_.intervals[i].right_limit;
+    return left.limit == Limit::contour && right.q > left.q ? right : left;
   }
 
   void find_times(std::size_t first) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/path/window.hpp"
-#include "ipo/tuning.hpp"
 
 #include <algorithm>
+
+#include "ipo/path/contour_spread.hpp"
+#include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
 
@@ -12,6 +14,8 @@ void Window::append(const Move& move, RestBefore rest) {
   const bool passed = front_ > 0 && size() == 0;  // all of it: its last interval may be split now
   if (stand && !passed) derived_to_ = last_final_limit();
   chain_.append(move, constraints_, rest);
+  if (const ContourLimit* contour = constraints_.contour())
+    spread_contour_limits(chain_, *contour, chain_.intervals.size() - last_move().size());
   if (!passed) return;
   front_ = chain_.intervals.size() - last_move().size();
   derived_to_ = 0;
@@ -46,7 +50,10 @@ void Window::skip(std::size_t moves, double s) {
 }
 
 std::size_t Window::last_final_limit() const noexcept {
-  return std::max(front_, chain_.felt_from(chain_.nodes.size() - 1, constraints_.limits().period));
+  const std::size_t last =
+      std::max(front_, chain_.felt_from(chain_.nodes.size() - 1, constraints_.limits().period));
+  const ContourLimit* contour = constraints_.contour();
+  return contour ? last_final_by_contour(chain_, *contour, front_, last) : last;
 }
 
 std::span<const Interval> Window::last_move() const noexcept {
@@ -96,11 +103,23 @@ Window::Turn Window::front_turn() const noexcept {
   return {true, shares_its_step(chain_, front_, period), chain_.directions_around(front_, period)};
 }
 
+double Window::settling_time() const noexcept {
+  const ContourLimit* contour = constraints_.contour();
+  if (contour == nullptr || front_ == 0 || front_ == chain_.intervals.size()) return 0;
+  if (!chain_.nodes[front_].turns() && chain_.intervals[front_].straight()) return 0;
+  const Interval& before = chain_.intervals[front_ - 1];
+  return contour->settling_time(constraints_.most_u(before.directions()));
+}
+
 /// Drops what lies so far left of the front that it has no influence on what is ahead. Where that
 /// is almost nothing, it is looked for again when twice as much has been passed.
 void Window::forget() {
   std::size_t keep = front_;
   for (int i = 0; i < 3; ++i) keep = chain_.felt_from(keep, constraints_.limits().period);
+  if (const ContourLimit* contour = constraints_.contour()) {
+    const double late = contour->late_distance(contour->fastest());
+    while (keep > 0 && chain_.nodes[front_].s - chain_.nodes[keep].s < late) --keep;
+  }
   chain_.drop_front(keep);
   front_ -= keep;
   derived_to_ -= std::min(derived_to_, keep);

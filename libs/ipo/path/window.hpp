@@ -94,6 +94,10 @@ class Window {
   };
   Turn front_turn() const noexcept;
 
+  /// Returns how long, s, the machine must wait at a rest at the front until the drives leave no
+  /// more than the contour tolerance of what follows; 0 if that goes straight on.
+  double settling_time() const noexcept;
+
  protected:
   /// Returns the last node whose velocity limit cannot change any more, whatever follows the
   /// window.

@@ -15,7 +15,8 @@ double limit_or_none(double limit) noexcept { return limit > 0 ? limit : kUnlimi
 }  // namespace
 
 CornerChoice::CornerChoice(const Machine& machine)
-    : period_(machine.control.period),
+    : contour_(contour_limit(machine)),
+      period_(machine.control.period),
       chord_tolerance_(machine.control.chord_tolerance),
       feed_(limit_or_none(machine.limits.feed)),
       tangential_(limit_or_none(machine.limits.tangential)),
@@ -41,16 +42,23 @@ bool CornerChoice::is_sooner(const RoundedCorner& corner) const noexcept {
       std::sqrt(std::min(along(acceleration_, corner.ddq), normal_ / kappa));
   const double by_jerk = std::cbrt(along(jerk_, corner.dddq));
   const double by_chord = chord_step(kappa, chord_tolerance_) / period_;
-  const double v = std::min({by_acceleration, by_jerk, by_chord, feed});
+  const double by_contour =
+      contour_ ? contour_->velocity({AxisVector::Zero(), corner.tangent, corner.ddq, corner.dddq})
+               : kUnlimited;
+  const double v = std::min({by_acceleration, by_jerk, by_chord, by_contour, feed});
   const double passing =
-      corner.length * std::max({tuning::corners::kByAcceleration / by_acceleration,
-                                tuning::corners::kByJerk / by_jerk, 1 / by_chord, 1 / feed});
+      corner.length *
+      std::max({tuning::corners::kByAcceleration / by_acceleration,
+                tuning::corners::kByJerk / by_jerk, 1 / by_chord, 1 / by_contour, 1 / feed});
   const double jerk = along(jerk_, corner.tangent);
   const double brake =
       std::min({along(acceleration_, corner.tangent), tangential_, std::sqrt(feed * jerk)});
   const double stopping = 2 * v / brake - v * v / (brake * feed) + corner.length / feed;
   const double rows = jerk < kUnlimited ? 0 : tuning::corners::kPeriods * period_ * (1 - v / feed);
-  return passing + rows < stopping;
+  if (!contour_) return passing + rows < stopping;
+  const double fastest = std::min(feed, v + contour_->braking_rate() * corner.room);
+  const double approach = std::log(fastest / v) / contour_->braking_rate();
+  return passing + rows + approach < stopping + contour_->settling_time(brake);
 }
 
 }  // namespace softcnc::ipo

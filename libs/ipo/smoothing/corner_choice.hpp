@@ -5,9 +5,13 @@
 // accelerations or the jerk of the axes limit that speed, the ends of the curve are faster, and
 // some of it is braking that a rest would require as well. A rest takes, in addition, the speed
 // over the deceleration, to standstill and back, less the time of the length of the curve at the
-// feed.
+// feed. With a contour tolerance, speeds fall slowly towards the curve, and the axes have to come
+// to a rest.
 #pragma once
 
+#include <optional>
+
+#include "ipo/limits/contour_limit.hpp"
 #include "ipo/limits/planner_limits.hpp"
 #include "motion/model/machine.hpp"
 
@@ -20,6 +24,7 @@ struct RoundedCorner {
   AxisVector ddq = AxisVector::Zero();      // 1/mm
   AxisVector dddq = AxisVector::Zero();     // 1/mm^2, the largest by axis
   double feed = 0;                          // mm/s; kUnlimited: a rapid
+  double room = 0;                          // mm: the shorter one of the paths that it joins
 };
 
 class CornerChoice {
@@ -33,6 +38,7 @@ class CornerChoice {
   double fastest(const RoundedCorner& corner) const noexcept;
 
   AxisVector velocity_, acceleration_, jerk_;  // of absent axes and without limits: unlimited
+  std::optional<ContourLimit> contour_;
   double period_, chord_tolerance_, feed_, tangential_, normal_;
 };
 

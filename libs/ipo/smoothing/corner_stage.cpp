@@ -173,14 +173,15 @@ std::optional<Blend> CornerStage::blend_into(const Path& before, double left, do
   if (!needed) return std::nullopt;
   auto blend = make_blend({before, after, left, tuning::corners::kHalf * length(after), tolerance});
   if (blend && !within_travel(blend->curve)) return std::nullopt;
-  if (blend && jump.tangent > tuning::corners::kRests && !is_sooner(blend->curve, feed))
+  const double room = std::min(left, length(after));
+  if (blend && jump.tangent > tuning::corners::kRests && !is_sooner(blend->curve, feed, room))
     return std::nullopt;
   return blend;
 }
 
 /// Whether the curve is sooner than a rest in the corner.
-bool CornerStage::is_sooner(const Nurbs& curve, double feed) const {
-  RoundedCorner corner{curve.length(), curve.at(0).dq, {}, AxisVector::Zero(), feed};
+bool CornerStage::is_sooner(const Nurbs& curve, double feed, double room) const {
+  RoundedCorner corner{curve.length(), curve.at(0).dq, {}, AxisVector::Zero(), feed, room};
   corner.ddq.setZero();
   for (int k = 0; k <= tuning::corners::kSamples; ++k) {
     const PathPoint point = curve.at(curve.length() * k / tuning::corners::kSamples);

@@ -59,7 +59,7 @@ class CornerStage {
   bool joins(const Move& move) const;
   std::optional<Blend> blend_into(const Path& before, double left, double tolerance,
                                   const Path& after, double feed) const;
-  bool is_sooner(const Nurbs& curve, double feed) const;
+  bool is_sooner(const Nurbs& curve, double feed, double room) const;
   bool within_travel(const Nurbs& curve) const;
   void emit_held(double end);
   Side held_side() const;

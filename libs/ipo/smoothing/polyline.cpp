@@ -39,7 +39,8 @@ bool Polyline::goes_through_corner(const Chord& next) const {
   const auto feed_of = [](const MoveAttributes& m) { return m.rapid ? kUnlimited : m.feed; };
   return !choice_.is_sooner({2 * width, before.direction, tangent_jump / width,
                              tangent_jump.cwiseAbs() / (width * width),
-                             std::min(feed_of(before.attributes), feed_of(next.attributes))});
+                             std::min(feed_of(before.attributes), feed_of(next.attributes)),
+                             std::min(step.norm(), vertices_.back().t - before.t)});
 }
 
 void Polyline::end() {

@@ -52,6 +52,7 @@ struct Control {
   double chord_tolerance = 0.001;  // mm
   Method interpolation = Method::arc_length;
   double corner_tolerance = 0.01;  // mm; 0: the path is followed exactly
+  double contour_tolerance = 0;    // mm: what the drives may leave of the path; 0: not limited
   BackendKind backend = BackendKind::sim;
   PulseClock pulse_clock = PulseClock::profile;
   double acc_dec = 0;           // s: of acceleration after interpolation; 0: see acc_dec_time()
@@ -136,6 +137,7 @@ struct Axis {
   double blu = 0.0025;           // mm: basic length unit, one command pulse
   double screw_lead = 5.0;       // mm per revolution
   int counts_per_rev = 2000;     // of the encoder
+  bool drive_limits = false;     // the acceleration is what the drive allows, not the axis
   Motor motor;
   Drive drive;
 };

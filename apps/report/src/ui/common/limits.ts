@@ -30,6 +30,11 @@ const LOOKS: Record<string, LimitLook> = {
     colour: '#56b4e9',
     meaning: 'the step of one period must stay within the chord tolerance'
   },
+  contour: {
+    name: 'contour error',
+    colour: '#999933',
+    meaning: 'what the drives leave must stay within the contour tolerance'
+  },
   rapid: {name: 'rapid', colour: '#8c8c8c', meaning: 'a rapid at the velocity limits of the axes'},
   roughness: {
     name: 'roughness',
@@ -40,6 +45,11 @@ const LOOKS: Record<string, LimitLook> = {
     name: 'pulse rate',
     colour: '#332288',
     meaning: 'an axis would need more pulses per second than it may have'
+  },
+  drive: {
+    name: 'drive',
+    colour: '#ddcc77',
+    meaning: 'a motor reaches the current or the voltage of its drive'
   },
   tangential: {
     name: 'tangential acceleration',

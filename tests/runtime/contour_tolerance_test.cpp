@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// The table of the simulated mill where control.contour_tolerance_um limits what its drives leave.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <random>
+#include <span>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "runtime/session/session.hpp"
+#include "support/property.hpp"
+#include "support/random_program.hpp"
+
+using namespace softcnc;
+using namespace softcnc::runtime;
+
+namespace {
+
+constexpr double kBlu = 0.0025;
+
+std::string part(const std::string& name) {
+  std::stringstream text;
+  text << std::ifstream(SOFTCNC_SOURCE_DIR "/programs/" + name).rdbuf();
+  REQUIRE(text.str().size() > 0);
+  return text.str();
+}
+
+Machine mill(double tolerance, double jerk = 0) {
+  Machine machine;
+  machine.control.contour_tolerance = tolerance;
+  for (Axis& axis : machine.axes) axis.jerk = jerk;
+  return machine;
+}
+
+struct Motion {
+  std::vector<Setpoint> rows;
+  std::vector<double> lags;  // mm, by row: of all axes together
+  double contour = 0;        // mm: of cutting moves and of rapids, at every instant
+  Measured measured;
+};
+
+Motion finish(Session& session, std::span<const std::string> columns) {
+  Motion motion;
+  for (; session.status() == SessionStatus::running;) {
+    const auto step = session.step();
+    if (!step) break;
+    motion.rows.push_back(step->setpoint);
+    double square = 0;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (columns[i].ends_with("_err_um")) square += step->values[i] * step->values[i];
+    motion.lags.push_back(1e-3 * std::sqrt(square));
+  }
+  CHECK(session.errors() == 0);
+  const ContourReport contour = session.contour().value();
+  motion.contour = std::max(contour.cutting.max, contour.rapids.max);
+  motion.measured = session.measured();
+  return motion;
+}
+
+Motion run(const std::string& text, const Machine& machine) {
+  const auto backend = hal::open_backend(machine);
+  Session session(machine, {}, **backend);
+  REQUIRE(session.feed(text));
+  session.end();
+  return finish(session, (*backend)->columns());
+}
+
+/// Lines at 100 mm/s with tangent arcs of many radii between them, by many angles.
+std::string bends() {
+  std::ostringstream text;
+  text.precision(9);
+  text << std::fixed << "G21 G17 G90 G61 F6000\n";
+  double x = 0, y = 0, heading = 0, side = 1;
+  for (const double radius : {0.05, 0.2, 1.0, 5.0, 20.0})
+    for (const double angle : {0.2, 0.7, 1.57, 3.0}) {
+      x += 30 * std::cos(heading), y += 30 * std::sin(heading);
+      text << "G1 X" << x << " Y" << y << "\n";
+      const double i = -side * radius * std::sin(heading), j = side * radius * std::cos(heading);
+      heading += side * angle;
+      x += i + side * radius * std::sin(heading), y += j - side * radius * std::cos(heading);
+      text << (side > 0 ? "G3" : "G2") << " X" << x << " Y" << y << " I" << i << " J" << j << "\n";
+      side = -side;
+    }
+  text << "G1 X" << x + 30 * std::cos(heading) << " Y" << y + 30 * std::sin(heading) << "\nM30\n";
+  return text.str();
+}
+
+constexpr const char* kCircle =
+    "G21 G17 G90 G61 G1 X50 F15000\nG3 X50 I-50\nG3 X50 I-50\nG1 X0\nM30\n";
+constexpr const char* kSquare = "G21 G17 G90 G61 F6000\nG1 X20\nY20\nX0\nY0\nM30\n";
+
+}  // namespace
+
+TEST_CASE("the table keeps the contour tolerance within one BLU", "[runtime][contour]") {
+  const std::map<std::string, std::string> programs{{"butterfly", part("08_butterfly.nc")},
+                                                    {"circle", kCircle},
+                                                    {"square", kSquare},
+                                                    {"arcs", part("03_arc.nc")},
+                                                    {"rounded", part("19_rounded_corners.nc")},
+                                                    {"bends", bends()}};
+  for (const auto& [name, text] : programs)
+    for (const double jerk : {0.0, 50'000.0}) {
+      const Motion motion = run(text, mill(0.01, jerk));
+      CAPTURE(name, jerk, motion.contour);
+      CHECK(motion.contour <= 0.01 + kBlu);
+      CHECK(motion.measured.acceleration.maxCoeff() <= 1000 * 1.001);
+      CHECK(std::any_of(motion.rows.begin(), motion.rows.end(), [](const Setpoint& row) {
+        return row.limit == Limit::contour || row.limit == Limit::stop;
+      }));
+    }
+  CHECK(run(part("08_butterfly.nc"), mill(0)).contour > 0.5);
+}
+
+TEST_CASE("a circle within the contour tolerance is as fast as the closed form",
+          "[runtime][contour]") {
+  for (const double tolerance : {0.005, 0.01, 0.04}) {
+    double fastest = 0, steady = 0;
+    for (const Setpoint& row : run(kCircle, mill(tolerance)).rows) {
+      if (row.limit != Limit::contour) continue;
+      fastest = std::max(fastest, row.v);
+      if (row.line == 3) steady = std::max(steady, row.v);
+    }
+    // v = Kv sqrt(2 R e)
+    CAPTURE(tolerance, fastest);
+    CHECK(steady == Approx(30 * std::sqrt(2 * 50 * tolerance)).epsilon(0.03));
+  }
+}
+
+TEST_CASE("at exact corners the plan rests until the lag is within the tolerance",
+          "[runtime][contour]") {
+  for (const double tolerance : {0.005, 0.01, 0.1})
+    for (const double jerk : {0.0, 50'000.0}) {
+      const Motion motion = run(kSquare, mill(tolerance, jerk));
+      int corners = 0;
+      for (std::size_t i = 1; i < motion.rows.size(); ++i) {
+        if (!(motion.rows[i - 1].v == 0 && motion.rows[i].v > 0 && motion.rows[i].s > 1)) continue;
+        ++corners;
+        CAPTURE(tolerance, jerk, motion.rows[i].s, motion.lags[i - 1]);
+        CHECK(motion.lags[i - 1] <= tolerance + 1e-6);
+      }
+      CHECK(corners == 3);
+    }
+}
+
+TEST_CASE("random programs keep the contour tolerance where friction allows it",
+          "[runtime][contour]") {
+  constexpr double kFriction = 0.012;  // mm: what it leaves where an axis turns back
+  for (unsigned seed = 1; seed <= 24 / test::kPart; ++seed) {
+    std::mt19937 random(seed);
+    const double tolerance = seed % 2 == 0 ? 0.01 : 0.04;
+    const Machine machine = mill(tolerance, seed % 3 == 0 ? 30'000 : 0);
+    const auto backend = hal::open_backend(machine);
+    Session session(machine, {}, **backend);
+    for (Block& block : test::random_program(random, 5)) session.feed(std::move(block));
+    session.end();
+    const Motion motion = finish(session, (*backend)->columns());
+    CAPTURE(seed, tolerance, motion.contour);
+    CHECK(motion.contour <= tolerance + kBlu + kFriction);
+    CHECK(session.status() == SessionStatus::done);
+  }
+}
+
+TEST_CASE("holds and overrides under a contour tolerance keep every limit", "[runtime][contour]") {
+  for (unsigned seed = 1; seed <= 40 / test::kPart; ++seed) {
+    std::mt19937 random(seed);
+    const Machine machine = mill(0.02, seed % 3 == 0 ? 30'000 : 0);
+    const auto backend = hal::open_backend(machine);
+    Session session(machine, {}, **backend);
+    for (Block& block : test::random_program(random, 5)) session.feed(std::move(block));
+    session.end();
+    double end = 0;
+    bool goes_back = false;
+    for (int row = 0; session.status() == SessionStatus::running; ++row) {
+      if (random() % 200 == 0)
+        session.set_feed_override(static_cast<double>(random() % 200 + 1) / 100);
+      if (random() % 300 == 0) session.hold();
+      if (random() % 50 == 0) session.resume();
+      const auto step = session.step();
+      if (!step) break;
+      goes_back = goes_back || step->setpoint.s < end;
+      end = step->setpoint.s;
+    }
+    const Measured& measured = session.measured();
+    CAPTURE(seed, end);
+    CHECK_FALSE(goes_back);
+    CHECK(session.status() == SessionStatus::done);
+    CHECK(session.errors() == 0);
+    CHECK(measured.velocity.maxCoeff() <= 250 * 1.001);
+    CHECK(measured.acceleration.maxCoeff() <= 1000 * 1.001);
+  }
+}
