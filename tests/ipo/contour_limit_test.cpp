@@ -96,11 +96,19 @@ TEST_CASE("a corner leaves the lag over e, and the axes settle by 1/Kv", "[ipo][
   const ContourLimit limit(mill(0.01));
   CHECK(limit.corner_velocity(0.01, 100) == Approx(std::numbers::e * 30 * 0.01 / 0.01));
   CHECK(limit.corner_velocity(0.01, 0.1) == Approx(limit.velocity(bend(10))));
-  const double settling = limit.settling_time(1000);
+  const auto settling_time = [&](double acceleration, double length = 100, double turn = 1.4) {
+    return limit.settling_time({acceleration, length, turn});
+  };
+  const double settling = settling_time(1000);
   CHECK(settling == Approx(std::log(1000 / (900 * 0.01)) / 30).epsilon(0.05));
-  CHECK(limit.settling_time(2000) - settling == Approx(std::log(2.0) / 30));
-  CHECK(limit.settling_time(1) == 0);
-  CHECK(ContourLimit(mill(0.01, Follow::lead)).settling_time(1000) < settling / 2);
+  CHECK(settling_time(2000) - settling == Approx(std::log(2.0) / 30));
+  CHECK(settling_time(1) == 0);
+  CHECK(ContourLimit(mill(0.01, Follow::lead)).settling_time({1000, 100, 1.4}) < settling / 2);
+  // many moves of 0.05 mm, which take 14 ms each, are 3.5 mm/s in the mean: 118 um, and some more
+  CHECK(settling_time(1000, 0.05) > std::log(0.118 / 0.01) / 30);
+  CHECK(settling_time(1000, 0.05) < std::log(0.2 / 0.01) / 30);
+  CHECK(settling_time(1000, 0.005, 0.05) == 0);
+  CHECK(settling_time(1000, 100, 0.05) == Approx(settling - std::log(10) / 30));
 }
 
 TEST_CASE("speeds fall slowly towards a slow place, and not at once after it", "[ipo][contour]") {

@@ -104,6 +104,11 @@ std::string following_text(const Machine& machine) {
       kFollowNames[static_cast<std::size_t>(machine.control.follow)]);
 }
 
+bool limits_contour(const Control& control) {
+  return control.contour_tolerance > 0 && control.follow != Follow::model &&
+         !ignores_plan(control.interpolation);
+}
+
 std::string tolerance_text(const Machine& machine) {
   return fmt::format(
       "\n  Speeds and rests at corners are such that the lag of the drives leaves {:.6g} um"
@@ -113,7 +118,7 @@ std::string tolerance_text(const Machine& machine) {
 }
 
 std::string explanation(const ContourReport& report, const Machine& machine) {
-  std::string text = machine.control.contour_tolerance > 0 ? tolerance_text(machine) : "";
+  std::string text = limits_contour(machine.control) ? tolerance_text(machine) : "";
   if (machine.control.follow != Follow::off) return text + following_text(machine);
   const Gains loop = gains(machine);
   text += fmt::format(

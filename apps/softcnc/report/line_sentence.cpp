@@ -13,7 +13,7 @@ std::string_view line_sentence(Limit limit) noexcept {
       return "The curve is so tight that at the programmed feed its chords would exceed "
              "control.chord_tolerance_um.";
     case Limit::contour:
-      return "Its drives lag: any faster, the table would leave the curve by more than "
+      return "Its drives lag: any faster, the table would leave the path by more than "
              "control.contour_tolerance_um.";
     case Limit::corner:
       return "The path turns at a corner, where the machine must slow down or stop; a wider "

@@ -105,8 +105,11 @@ double ContourLimit::corner_velocity(double turn, double length) const noexcept 
   return std::min(std::numbers::e * kv_ * tolerance_ / (leftover_ * turn), velocity(chain));
 }
 
-double ContourLimit::settling_time(double acceleration) const noexcept {
-  const double lag = leftover_ * acceleration / (kv_ * kv_);
+double ContourLimit::settling_time(const Rest& rest) const noexcept {
+  const double time = 2 * std::sqrt(rest.length / rest.acceleration);
+  const double most =
+      std::min(rest.acceleration / (kv_ * kv_), rest.length / -std::expm1(-kv_ * time));
+  const double lag = leftover_ * most * std::min(2 * rest.turn, 1.0);
   const double settled = tuning::contour::kSettled * tolerance_;
   return lag > settled ? std::log(lag / settled) / kv_ : 0;
 }

@@ -32,9 +32,16 @@ class ContourLimit {
   /// the curve does that they are chords of.
   double corner_velocity(double turn, double length) const noexcept;
 
-  /// Returns how long, s, the axes take at rest to come within the tolerance of it, after braking
-  /// with `acceleration`, mm/s^2: ln(a / (Kv^2 tolerance)) / Kv without lead.
-  double settling_time(double acceleration) const noexcept;
+  /// A rest between two motions: how the first one brakes, mm/s^2, and how long it is, mm; and by
+  /// how much the direction changes, as the length of the difference of the two.
+  struct Rest {
+    double acceleration, length, turn;
+  };
+  /// Returns how long, s, the axes take to come within the tolerance of a rest, without lead ln(L /
+  /// tolerance) / Kv. The lag L is a / Kv^2 or, of a motion so short that others like it may still
+  /// be in it, its length / (1 - e^-Kvt) with t = 2 sqrt(length / a). Where the turn is small,
+  /// twice as much of the lag as goes across the next motion has to be within the tolerance.
+  double settling_time(const Rest& rest) const noexcept;
 
   /// Returns by how much speeds may fall per distance towards a slower place, 1/s.
   double braking_rate() const noexcept;

@@ -106,9 +106,14 @@ Window::Turn Window::front_turn() const noexcept {
 double Window::settling_time() const noexcept {
   const ContourLimit* contour = constraints_.contour();
   if (contour == nullptr || front_ == 0 || front_ == chain_.intervals.size()) return 0;
-  if (!chain_.nodes[front_].turns() && chain_.intervals[front_].straight()) return 0;
-  const Interval& before = chain_.intervals[front_ - 1];
-  return contour->settling_time(constraints_.most_u(before.directions()));
+  const bool turns = chain_.nodes[front_].turns();
+  if (!turns && chain_.intervals[front_].straight()) return 0;
+  std::size_t start = front_ - 1;
+  while (start > 0 && chain_.nodes[start].own.q > 0) --start;
+  return contour->settling_time(
+      {constraints_.most_u(chain_.intervals[front_ - 1].directions()),
+       chain_.nodes[start].own.q > 0 ? kUnlimited : chain_.nodes[front_].s - chain_.nodes[start].s,
+       turns ? chain_.nodes[front_].turn : 1});
 }
 
 /// Drops what lies so far left of the front that it has no influence on what is ahead. Where that

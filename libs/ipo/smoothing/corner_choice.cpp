@@ -58,7 +58,7 @@ bool CornerChoice::is_sooner(const RoundedCorner& corner) const noexcept {
   if (!contour_) return passing + rows < stopping;
   const double fastest = std::min(feed, v + contour_->braking_rate() * corner.room);
   const double approach = std::log(fastest / v) / contour_->braking_rate();
-  return passing + rows + approach < stopping + contour_->settling_time(brake);
+  return passing + rows + approach < stopping + contour_->settling_time({brake, corner.room, 1});
 }
 
 }  // namespace softcnc::ipo

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "motion/verification/contour_error.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -54,17 +53,16 @@ double Contour::sample(const Setpoint& setpoint, std::span<const AxisVector> act
 }
 
 double Contour::measure(const AxisVector& point, const Instant& now) noexcept {
-  const PathPieces::Nearest nearest =
-      pieces_.nearest(point, std::min(foot_, now.s), now.s + kAhead);
-  foot_ = nearest.s;
+  const PathPieces::Nearest nearest = pieces_.nearest(point, foot_, now.s + kAhead);
+  if (nearest.s <= now.s) foot_ = nearest.s;
   ContourFigures& figures = nearest.origin.rapid ? report_.rapids : report_.cutting;
   if (nearest.distance > figures.max) {
-    const double turn = pieces_.turn(foot_, now.s);
+    const double turn = pieces_.turn(nearest.s, now.s);
     figures.max = nearest.distance;
     figures.time = now.t;
     figures.line = nearest.origin.line;
     figures.speed = now.v;
-    figures.radius = turn > 0 ? (now.s - foot_) / turn : 0;
+    figures.radius = turn > 0 ? (now.s - nearest.s) / turn : 0;
   }
   figures.sum_of_squares += nearest.distance * nearest.distance;
   ++figures.instants;

@@ -16,8 +16,9 @@ namespace softcnc {
 
 /// Measures the distance of the tool from the path. The point of the path that counts is the
 /// nearest one between the last such point and kAhead beyond the commanded one: it only moves
-/// forward, so that neither a neighbouring pass nor a crossing hides a deviation; a point beyond
-/// the commanded one, where the path turns back upon itself, does not count for the next sample.
+/// forward, so that neither a neighbouring pass nor a crossing hides a deviation. A point beyond
+/// the commanded one does not count for the next sample: where the path turns sharply and the
+/// machine waits, the tool may come near the way on before it has come to the corner.
 ///
 /// The path is added first, then its samples; they may come much later, as they do from a machine
 /// that runs in real time.
@@ -64,8 +65,8 @@ class Contour {
   PathPieces pieces_;
   std::vector<CubicPiece> newest_;  // of the batch added last
   SharpestTurn turns_;              // of what was added before it
-  double foot_ = 0;                 // mm along the program: the last nearest point
-  double sample_s_ = 0;             // mm: the commanded point of the last sample
+  double foot_ = 0;      // mm along the program: the last nearest point up to the command
+  double sample_s_ = 0;  // mm: the commanded point of the last sample
   ContourReport report_;
 };
 

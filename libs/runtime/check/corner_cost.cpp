@@ -63,7 +63,8 @@ class CornerJudge {
                      [tolerance](Block& block) { round_corners(block, tolerance); });
       if (!rounded) return std::nullopt;
       const double won = outcome_.time - rounded->time;
-      if (is_much(won)) return CornerCost{rests().count - rounded->rests, won, tolerance};
+      const auto fewer = rests().count - rounded->rests;
+      if (is_much(won) && fewer > 0) return CornerCost{fewer, won, tolerance};
     }
     return std::nullopt;
   }
