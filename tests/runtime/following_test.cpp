@@ -181,7 +181,7 @@ TEST_CASE("a weak motor makes the plan slower, and the limit is its drive",
 /// SOFTCNC_FOLLOWED_PROGRAMS sets how many random programs are tried; 1000 take some minutes.
 unsigned followed_programs() {
   const char* asked = std::getenv("SOFTCNC_FOLLOWED_PROGRAMS");
-  return asked != nullptr ? static_cast<unsigned>(std::stoul(asked)) : 40 / test::kPart;
+  return asked != nullptr ? static_cast<unsigned>(std::stoul(asked)) : 16 / test::kPart;
 }
 
 TEST_CASE("commands keep the velocity of their axes, whatever is asked", "[runtime][following]") {

@@ -49,7 +49,7 @@ class ContourSpread {
     const double late = limit_.late_distance(limit_.fastest());
     for (std::size_t n = first; n-- > 0 && distance(n, first) <= late;) {
       if (rests_at(chain_.nodes[n])) break;
-      if (const double v = speed_at(n); v < limit_.fastest()) stay_after(n, v, first + 1);
+      stay_after(n, chain_.nodes[n].contour_velocity, first + 1);
     }
     for (std::size_t n = first; n < chain_.nodes.size(); ++n) {
       const double v = speed_at(n);
@@ -68,13 +68,13 @@ class ContourSpread {
     return chain_.nodes[to].s - chain_.nodes[from].s;
   }
 
+  /// The move before the node may have been passed, and be gone.
   double speed_at(std::size_t n) const noexcept {
     double v = kUnlimited;
     if (n > 0) v = std::min(v, limit_.velocity(chain_.intervals[n - 1].right));
     if (n < chain_.intervals.size()) v = std::min(v, limit_.velocity(chain_.intervals[n].left));
     if (!chain_.nodes[n].passes_tangent_jump()) return v;
-    const double around =
-        0.5 * (length(*chain_.intervals[n - 1].path) + length(*chain_.intervals[n].path));
+    const double around = 0.5 * (chain_.intervals[n - 1].s1 + length(*chain_.intervals[n].path));
     return std::min(v, limit_.corner_velocity(chain_.nodes[n].turn, around));
   }
 
@@ -104,6 +104,7 @@ class ContourSpread {
 
   /// From node `from` on.
   void stay_after(std::size_t n, double v, std::size_t from) {
+    if (v >= limit_.fastest()) return;
     const double late = limit_.late_distance(v);
     for (std::size_t i = from; i < chain_.nodes.size() && distance(n, i) <= late; ++i) {
       Node& node = chain_.nodes[i];
