@@ -45,13 +45,15 @@ struct Motion {
 
 Motion finish(Session& session, std::span<const std::string> columns) {
   Motion motion;
+  std::vector<std::size_t> errors;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (columns[i].ends_with("_err_um")) errors.push_back(i);
   for (; session.status() == SessionStatus::running;) {
     const auto step = session.step();
     if (!step) break;
     motion.rows.push_back(step->setpoint);
     double square = 0;
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      if (columns[i].ends_with("_err_um")) square += step->values[i] * step->values[i];
+    for (const std::size_t i : errors) square += step->values[i] * step->values[i];
     motion.lags.push_back(1e-3 * std::sqrt(square));
   }
   CHECK(session.errors() == 0);
@@ -104,6 +106,7 @@ TEST_CASE("the table keeps the contour tolerance within one BLU", "[runtime][con
                                                     {"bends", bends()}};
   for (const auto& [name, text] : programs)
     for (const double jerk : {0.0, 50'000.0}) {
+      if (test::kSanitized && name != "arcs" && name != "square") continue;
       const Motion motion = run(text, mill(0.01, jerk));
       CAPTURE(name, jerk, motion.contour);
       CHECK(motion.contour <= 0.01 + kBlu);
@@ -146,6 +149,30 @@ TEST_CASE("at exact corners the plan rests until the lag is within the tolerance
     }
 }
 
+TEST_CASE("a table that waits at acute corners is measured on the way to them",
+          "[runtime][contour]") {
+  const char* acute =
+      "G21 G17 G90 G61 F3000\nG1 X1.2203 Y0.2508\nX0.9365 Y-0.2027\nX0.4182 Y1.4889\nM30\n";
+  CHECK(run(acute, mill(0.02)).contour < 0.006);
+  // A circle begins where a line has come along its tangent, and leads back.
+  CHECK(run("G21 G17 G90 G61 F3000\nG1 X0 Y-30\nG3 I-15\nM30\n", mill(0.01)).contour <= 0.0125);
+}
+
+TEST_CASE("small corners between short moves need no long rests", "[runtime][contour]") {
+  std::ostringstream chords;
+  chords << "G21 G17 G90 G61 F3000\n";
+  double x = 0, y = 0;
+  for (int i = 0; i < 100; ++i) {
+    x += 0.1 * std::cos(0.035 * i), y += 0.1 * std::sin(0.035 * i);
+    chords << "G1 X" << x << " Y" << y << "\n";
+  }
+  chords << "M30\n";
+  const Motion kept = run(chords.str(), mill(0.01)), free = run(chords.str(), mill(0));
+  CHECK(kept.contour <= 0.0125);
+  CHECK(2 * kept.rows.size() < 5 * free.rows.size());
+  CHECK(kept.rows.size() > free.rows.size());
+}
+
 TEST_CASE("random programs keep the contour tolerance where friction allows it",
           "[runtime][contour]") {
   constexpr double kFriction = 0.012;  // mm: what it leaves where an axis turns back
@@ -165,7 +192,7 @@ TEST_CASE("random programs keep the contour tolerance where friction allows it",
 }
 
 TEST_CASE("holds and overrides under a contour tolerance keep every limit", "[runtime][contour]") {
-  for (unsigned seed = 1; seed <= 40 / test::kPart; ++seed) {
+  for (unsigned seed = 1; seed <= 24 / test::kPart; ++seed) {
     std::mt19937 random(seed);
     const Machine machine = mill(0.02, seed % 3 == 0 ? 30'000 : 0);
     const auto backend = hal::open_backend(machine);
