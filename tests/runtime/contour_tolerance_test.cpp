@@ -192,7 +192,7 @@ TEST_CASE("random programs keep the contour tolerance where friction allows it",
 }
 
 TEST_CASE("holds and overrides under a contour tolerance keep every limit", "[runtime][contour]") {
-  for (unsigned seed = 1; seed <= 24 / test::kPart; ++seed) {
+  for (unsigned seed = 1; seed <= (test::kSanitized ? 1 : 24); ++seed) {
     std::mt19937 random(seed);
     const Machine machine = mill(0.02, seed % 3 == 0 ? 30'000 : 0);
     const auto backend = hal::open_backend(machine);
