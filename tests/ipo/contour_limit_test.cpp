@@ -31,6 +31,12 @@ PathPoint straight(const AxisVector& direction) {
 
 Move cutting(Path path) { return {std::move(path), false, 200, PathMode::follow}; }
 
+void append(const Move& move, const ConstraintList& constraints, Chain& chain) {
+  const std::size_t count = chain.intervals.size();
+  chain.append(move, constraints, {});
+  spread_contour_limits(chain, *constraints.contour(), count);
+}
+
 }  // namespace
 
 TEST_CASE("without a contour tolerance, and by the model, nothing is limited", "[ipo][contour]") {
@@ -119,11 +125,7 @@ TEST_CASE("speeds fall slowly towards a slow place, and not at once after it", "
   const Move circle = cutting(Arc::make({start, start, {100, 2, 0}}).value());
   const Move after = cutting(Line(start, {200, 0, 0}));
   Chain chain;
-  for (const Move* move : {&before, &circle, &after}) {
-    const std::size_t count = chain.intervals.size();
-    chain.append(*move, constraints, {});
-    spread_contour_limits(chain, limit, count);
-  }
+  for (const Move* move : {&before, &circle, &after}) append(*move, constraints, chain);
   const double slow = limit.velocity(bend(2)), last = 100 + 4 * std::numbers::pi;
   const auto allowed = [&](double ahead) {
     return slow + limit.braking_rate() * std::max(ahead - limit.steady_distance(slow), 0.0);
@@ -150,11 +152,7 @@ TEST_CASE("a rest ends what a slow place asks for ahead of it", "[ipo][contour]"
   const Move before = cutting(Line({0, 0, 0}, start));
   const Move circle = cutting(Arc::make({start, start, {102, 0, 0}}).value());  // a right angle
   Chain chain;
-  for (const Move* move : {&before, &circle}) {
-    const std::size_t count = chain.intervals.size();
-    chain.append(*move, constraints, {});
-    spread_contour_limits(chain, *constraints.contour(), count);
-  }
+  for (const Move* move : {&before, &circle}) append(*move, constraints, chain);
   int fast = 0;
   for (const Node& node : chain.nodes)
     if (node.s < 100) {
@@ -171,14 +169,11 @@ TEST_CASE("no limit is final that a move to come could lower", "[ipo][contour]")
   const Move before = cutting(Line({0, 0, 0}, start));
   const Move circle = cutting(Arc::make({start, start, {100, 0.01, 0}}).value());
   Chain chain;
-  chain.append(before, constraints, {});
-  spread_contour_limits(chain, limit, 0);
+  append(before, constraints, chain);
   const std::size_t final = last_final_by_contour(chain, limit, 0, chain.nodes.size() - 1);
   std::vector<double> known;
   for (const Node& node : chain.nodes) known.push_back(node.own.q);
-  const std::size_t count = chain.intervals.size();
-  chain.append(circle, constraints, {});
-  spread_contour_limits(chain, limit, count);
+  append(circle, constraints, chain);
   CHECK(chain.nodes[final].s > 20);
   CHECK(chain.nodes[final].s < 100);
   int lowered = 0;

@@ -181,7 +181,7 @@ TEST_CASE("a weak motor makes the plan slower, and the limit is its drive",
 /// SOFTCNC_FOLLOWED_PROGRAMS sets how many random programs are tried; 1000 take some minutes.
 unsigned followed_programs() {
   const char* asked = std::getenv("SOFTCNC_FOLLOWED_PROGRAMS");
-  return asked != nullptr ? static_cast<unsigned>(std::stoul(asked)) : 16 / test::kPart;
+  return asked != nullptr ? static_cast<unsigned>(std::stoul(asked)) : 40 / test::kPart;
 }
 
 TEST_CASE("commands keep the velocity of their axes, whatever is asked", "[runtime][following]") {
@@ -213,7 +213,7 @@ TEST_CASE("commands keep the velocity of their axes, whatever is asked", "[runti
             std::max(fastest, std::abs(command[axis] - before[axis]) / machine.control.period /
                                   machine.axes[static_cast<std::size_t>(axis)].velocity);
       before = command;
-      if (row > (test::kSanitized ? 1'000 : 3'000)) break;
+      if (row > (test::kSanitized ? 1'000 : 20'000)) break;
     }
     CAPTURE(seed, fastest);
     CHECK(fastest <= 1 + 1e-6);

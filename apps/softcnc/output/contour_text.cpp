@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "motion/core/units.hpp"
+#include "motion/model/fastest_move.hpp"
+#include "motion/model/position_loop.hpp"
 
 namespace softcnc::app {
 namespace {
@@ -67,17 +69,9 @@ std::string feed_text(double mm_s) {
   return fmt::format("F{:.6g}", std::round(feed / unit) * unit);
 }
 
-/// mm/s along the path: no move is faster.
-double fastest(const Machine& machine) {
-  double squares = 0;
-  for (const Axis& axis : machine.axes)
-    if (axis.present) squares += axis.velocity * axis.velocity;
-  return std::sqrt(squares);
-}
-
 /// The feeds at which about kGoal is left, as far as the machine can be faster.
 std::string feeds_text(const ContourReport& report, const Machine& machine, const Gains& loop) {
-  const auto matters = [most = fastest(machine), &loop](double lag) {
+  const auto matters = [most = fastest_move(machine), &loop](double lag) {
     return lag > 0 && lag * loop.least < most;
   };
   std::vector<std::string> feeds;
@@ -104,11 +98,6 @@ std::string following_text(const Machine& machine) {
       kFollowNames[static_cast<std::size_t>(machine.control.follow)]);
 }
 
-bool limits_contour(const Control& control) {
-  return control.contour_tolerance > 0 && control.follow != Follow::model &&
-         !ignores_plan(control.interpolation);
-}
-
 std::string tolerance_text(const Machine& machine) {
   return fmt::format(
       "\n  Speeds and rests at corners are such that the lag of the drives leaves {:.6g} um"
@@ -118,7 +107,9 @@ std::string tolerance_text(const Machine& machine) {
 }
 
 std::string explanation(const ContourReport& report, const Machine& machine) {
-  std::string text = limits_contour(machine.control) ? tolerance_text(machine) : "";
+  std::string text = limits_contour(machine.control) && !ignores_plan(machine.control.interpolation)
+                         ? tolerance_text(machine)
+                         : "";
   if (machine.control.follow != Follow::off) return text + following_text(machine);
   const Gains loop = gains(machine);
   text += fmt::format(

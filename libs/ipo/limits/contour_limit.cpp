@@ -7,6 +7,7 @@
 
 #include "ipo/limits/planner_limits.hpp"
 #include "ipo/tuning.hpp"
+#include "motion/model/fastest_move.hpp"
 #include "motion/model/position_loop.hpp"
 #include "motion/model/servo_figures.hpp"
 
@@ -29,9 +30,9 @@ ContourLimit::ContourLimit(const Machine& machine)
     : tolerance_(machine.control.contour_tolerance),
       kv_(kUnlimited),
       late_(AxisVector::Zero()),
-      leftover_(0) {
+      leftover_(0),
+      fastest_(fastest_move(machine)) {
   const double period = loop_period(machine.control);
-  double square = 0;
   for (std::size_t i = 0; i < kAxes; ++i) {
     const Axis& axis = machine.axes[i];
     if (!axis.present) continue;
@@ -42,9 +43,7 @@ ContourLimit::ContourLimit(const Machine& machine)
     leftover_ = std::max({leftover_, std::abs(1 - lead * kv), std::abs(1 - lead * slow_pole)});
     circles_[i] = circles_of(axis, period, lead);
     kv_ = std::min(kv_, kv);
-    square += axis.velocity * axis.velocity;
   }
-  fastest_ = std::sqrt(square);
 }
 
 ContourLimit::Circles ContourLimit::circles_of(const Axis& axis, double loop_period, double lead) {
@@ -125,8 +124,7 @@ double ContourLimit::late_distance(double speed) const noexcept {
 }
 
 std::optional<ContourLimit> contour_limit(const Machine& machine) {
-  if (!(machine.control.contour_tolerance > 0) || machine.control.follow == Follow::model)
-    return std::nullopt;
+  if (!limits_contour(machine.control)) return std::nullopt;
   return ContourLimit(machine);
 }
 

@@ -16,4 +16,10 @@ double position_gain(const Axis& axis, double loop_period, double w);
 /// |P(i w)| sqrt(1 + (w t)^2) - 1, where P is the closed position loop.
 double lead_time(const Axis& axis, double loop_period);
 
+/// Returns whether the plan limits what the drives leave of the path: where there is a tolerance,
+/// and commands do not make up for all of the lag.
+constexpr bool limits_contour(const Control& control) noexcept {
+  return control.contour_tolerance > 0 && control.follow != Follow::model;
+}
+
 }  // namespace softcnc

@@ -7,18 +7,13 @@
 #include <cmath>
 
 #include "motion/core/units.hpp"
+#include "motion/model/fastest_move.hpp"
 
 namespace softcnc::runtime {
 namespace {
 
-double fastest(const Machine& machine) {
-  double squares = 0;
-  for (const Axis& axis : machine.axes) squares += axis.present ? axis.velocity * axis.velocity : 0;
-  return std::sqrt(squares);
-}
-
 double speed(const Move& move, const Machine& machine, double feed_override) {
-  return move.rapid ? fastest(machine) : asked_feed(move, feed_override);
+  return move.rapid ? fastest_move(machine) : asked_feed(move, feed_override);
 }
 
 }  // namespace
