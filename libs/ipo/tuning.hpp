@@ -702,17 +702,13 @@ inline constexpr double kSmallTurn = 2e-4;
 inline constexpr double kCurvatureJump = 1e-6;
 // rad. Choice: a smaller corner can be passed exactly: chain::kTangentTolerance.
 inline constexpr double kRests = 0.01;
-// Samples. Choice: of a curve that rounds a corner.
-inline constexpr int kSamples = 16;
 // rad. Choice: of a NURBS, which is cut in two there.
 inline constexpr double kInnerCorner = 0.01;
-// Of length / speed. Choice: a passage limited by acceleration, measured between long lines.
-// Test, x 3: "rounding corners never takes longer than resting in them" and 7 more.
-inline constexpr double kByAcceleration = 0.6;
-// Of length / speed. Choice: a passage limited by jerk, measured likewise.
-inline constexpr double kByJerk = 0.4;
-// Periods. Choice: that the samples of a short curve cost.
-inline constexpr double kPeriods = 2;
+// mm. Rounding: a shorter part of a path is none.
+inline constexpr double kShortestPart = 1e-9;
+// Of the time of the paths beside a corner. Choice: a rest that saves less is not worth it, and
+// plans under a jerk limit are no nearer to the optimum.
+inline constexpr double kNotWorth = 1.001;
 
 }  // namespace corners
 

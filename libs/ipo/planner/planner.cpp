@@ -7,6 +7,7 @@
 #include "ipo/path/long_curve.hpp"
 #include "ipo/path/travel.hpp"
 #include "ipo/planner/make_window.hpp"
+#include "ipo/planner/planned_time.hpp"
 #include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
@@ -24,7 +25,7 @@ Planner::Planner(const Machine& machine, double feed_override, Diagnostics& diag
       constraints_(machine, feed_override, further),
       horizon_(horizon),
       pulses_(machine),
-      corners_(machine),
+      corners_(machine, planned_time(machine, further)),
       window_(make_window(constraints_, 1, horizon)),
       running_(feed_override),
       ceiling_(feed_override) {

@@ -3,62 +3,66 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "ipo/limits/chord_error.hpp"
+#include "ipo/path/rest_to_rest.hpp"
 #include "ipo/tuning.hpp"
+#include "motion/geometry/section.hpp"
 
 namespace softcnc::ipo {
 namespace {
 
-double limit_or_none(double limit) noexcept { return limit > 0 ? limit : kUnlimited; }
+/// Appends a part of a path, unless it is too short to be one.
+void append(std::vector<Move>& moves, const Path& path, double begin, double end,
+            const MoveAttributes& attributes) {
+  if (end - begin > tuning::corners::kShortestPart)
+    moves.push_back(make_move(section(path, begin, end), attributes));
+}
+
+void append_curve(std::vector<Move>& moves, const RoundedCorner& corner) {
+  const double end = length(corner.curve);
+  const bool is_one = corner.before.attributes == corner.after.attributes;
+  const double middle = is_one ? end : 0.5 * end;
+  append(moves, corner.curve, 0, middle, corner.before.attributes);
+  append(moves, corner.curve, middle, end, corner.after.attributes);
+}
 
 }  // namespace
 
-CornerChoice::CornerChoice(const Machine& machine)
-    : contour_(contour_limit(machine)),
-      period_(machine.control.period),
-      chord_tolerance_(machine.control.chord_tolerance),
-      feed_(limit_or_none(machine.limits.feed)),
-      tangential_(limit_or_none(machine.limits.tangential)),
-      normal_(limit_or_none(machine.limits.normal)) {
-  const bool jerky = limits_jerk(machine);
+CornerChoice::CornerChoice(const Machine& machine, PlannedTime planned_time)
+    : limits_(limits_of(machine)),
+      feed_(machine.limits.feed > 0 ? machine.limits.feed : kUnlimited),
+      planned_time_(std::move(planned_time)) {
   for (int i = 0; i < kAxes; ++i) {
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
     velocity_[i] = axis.present ? axis.velocity : kUnlimited;
-    acceleration_[i] = axis.present ? axis.acceleration : kUnlimited;
-    jerk_[i] = axis.present && jerky ? limit_or_none(axis.jerk) : kUnlimited;
   }
 }
 
-/// Returns the highest speed beside the corner, mm/s.
-double CornerChoice::fastest(const RoundedCorner& corner) const noexcept {
-  return std::min({corner.feed, corner.feed < kUnlimited ? feed_ : kUnlimited,
-                   along(velocity_, corner.tangent)});
+/// Returns the distance, mm, in which the machine reaches the feed of a side at place s of it from
+/// rest, and brakes to rest again.
+double CornerChoice::needed(const CornerSide& side, double s) const {
+  const AxisVector tangent = at(side.path, s).dq;
+  const double v =
+      std::min(side.attributes.rapid ? kUnlimited : std::min(side.attributes.feed, feed_),
+               along(velocity_, tangent));
+  const double a = std::min(along(limits_.acceleration, tangent), limits_.tangential);
+  const double j = along(limits_.jerk, tangent);
+  if (!(v < kUnlimited && a < kUnlimited)) return kUnlimited;
+  return j < kUnlimited ? 2 * distance_to_cruise({v, a, j}) : v * v / a;
 }
 
-bool CornerChoice::is_sooner(const RoundedCorner& corner) const noexcept {
-  const double feed = fastest(corner), kappa = corner.ddq.norm();
-  const double by_acceleration =
-      std::sqrt(std::min(along(acceleration_, corner.ddq), normal_ / kappa));
-  const double by_jerk = std::cbrt(along(jerk_, corner.dddq));
-  const double by_chord = chord_step(kappa, chord_tolerance_) / period_;
-  const double by_contour =
-      contour_ ? contour_->velocity({AxisVector::Zero(), corner.tangent, corner.ddq, corner.dddq})
-               : kUnlimited;
-  const double v = std::min({by_acceleration, by_jerk, by_chord, by_contour, feed});
-  const double passing =
-      corner.length *
-      std::max({tuning::corners::kByAcceleration / by_acceleration,
-                tuning::corners::kByJerk / by_jerk, 1 / by_chord, 1 / by_contour, 1 / feed});
-  const double jerk = along(jerk_, corner.tangent);
-  const double brake =
-      std::min({along(acceleration_, corner.tangent), tangential_, std::sqrt(feed * jerk)});
-  const double stopping = 2 * v / brake - v * v / (brake * feed) + corner.length / feed;
-  const double rows = jerk < kUnlimited ? 0 : tuning::corners::kPeriods * period_ * (1 - v / feed);
-  if (!contour_) return passing + rows < stopping;
-  const double fastest = std::min(feed, v + contour_->braking_rate() * corner.room);
-  const double approach = std::log(fastest / v) / contour_->braking_rate();
-  return passing + rows + approach < stopping + contour_->settling_time({brake, corner.room, 1});
+bool CornerChoice::is_sooner(const RoundedCorner& corner) const {
+  const auto& [before, after, curve, cut_before, cut_after] = corner;
+  const double begin = std::max(before.begin, before.end - cut_before - needed(before, before.end));
+  const double end = std::min(after.end, after.begin + cut_after + needed(after, after.begin));
+  std::vector<Move> rounded, resting;
+  append(rounded, before.path, begin, before.end - cut_before, before.attributes);
+  append_curve(rounded, corner);
+  append(rounded, after.path, after.begin + cut_after, end, after.attributes);
+  append(resting, before.path, begin, before.end, before.attributes);
+  append(resting, after.path, after.begin, end, after.attributes);
+  return planned_time_(rounded) < tuning::corners::kNotWorth * planned_time_(resting);
 }
 
 }  // namespace softcnc::ipo

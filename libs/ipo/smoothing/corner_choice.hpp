@@ -1,45 +1,53 @@
 // SPDX-License-Identifier: MIT
 // Whether a corner is passed sooner on a curve that rounds it, or with a rest in it.
 //
-// A curve takes its length over the speed at its tightest place, or a part of that: where the
-// accelerations or the jerk of the axes limit that speed, the ends of the curve are faster, and
-// some of it is braking that a rest would require as well. A rest takes, in addition, the speed
-// over the deceleration, to standstill and back, less the time of the length of the curve at the
-// feed. With a contour tolerance, speeds fall slowly towards the curve, and the axes have to come
-// to a rest.
+// Both ways are planned, as the planner plans all motions, over as much of the paths on either side
+// as the machine needs to reach their feed, from rest to rest. So every limit counts as it does in
+// the motion itself, a path and its reverse are treated alike, and a feed that the machine does not
+// reach beside the corner does not matter.
 #pragma once
 
-#include <optional>
+#include <functional>
+#include <vector>
 
-#include "ipo/limits/contour_limit.hpp"
 #include "ipo/limits/planner_limits.hpp"
+#include "ipo/path/piece.hpp"
 #include "motion/model/machine.hpp"
 
 namespace softcnc::ipo {
 
-/// A curve that replaces a corner, at its tightest place.
+/// Returns how long, s, a motion along these moves takes, which are connected, from rest to rest.
+using PlannedTime = std::function<double(const std::vector<Move>&)>;
+
+/// One side of a corner: the path that leads to it or away from it, from `begin` to `end` mm.
+struct CornerSide {
+  const Path& path;
+  double begin, end;
+  MoveAttributes attributes;
+};
+
+/// A corner, and a curve that replaces it and `cut_before` and `cut_after` mm of the paths beside
+/// it. The feed changes in the middle of the curve.
 struct RoundedCorner {
-  double length = 0;                        // mm, of all of it
-  AxisVector tangent = AxisVector::Zero();  // of the line or curve that leads into it
-  AxisVector ddq = AxisVector::Zero();      // 1/mm
-  AxisVector dddq = AxisVector::Zero();     // 1/mm^2, the largest by axis
-  double feed = 0;                          // mm/s; kUnlimited: a rapid
-  double room = 0;                          // mm: the shorter one of the paths that it joins
+  CornerSide before, after;
+  const Path& curve;
+  double cut_before, cut_after;
 };
 
 class CornerChoice {
  public:
-  explicit CornerChoice(const Machine& machine);
+  CornerChoice(const Machine& machine, PlannedTime planned_time);
 
   /// Returns false where a rest in the corner is sooner.
-  bool is_sooner(const RoundedCorner& corner) const noexcept;
+  bool is_sooner(const RoundedCorner& corner) const;
 
  private:
-  double fastest(const RoundedCorner& corner) const noexcept;
+  double needed(const CornerSide& side, double s) const;
 
-  AxisVector velocity_, acceleration_, jerk_;  // of absent axes and without limits: unlimited
-  std::optional<ContourLimit> contour_;
-  double period_, chord_tolerance_, feed_, tangential_, normal_;
+  PlannerLimits limits_;
+  AxisVector velocity_;  // mm/s; of absent axes: unlimited
+  double feed_;          // mm/s: the largest of the machine
+  PlannedTime planned_time_;
 };
 
 }  // namespace softcnc::ipo

@@ -16,8 +16,9 @@ bool is_rounded(const Move& move) {
          (move.corner_tolerance > 0 || move.chord_tolerance > 0);
 }
 
-double feed_of(const MoveAttributes& attributes) {
-  return attributes.rapid ? kUnlimited : attributes.feed;
+/// A path that begins at a corner, or ends there.
+CornerSide side_of(const Path& path, const MoveAttributes& attributes) {
+  return {path, 0, length(path), attributes};
 }
 
 Mark mark_of(const Block& block) { return {0, block.source, block.number}; }
@@ -34,8 +35,10 @@ std::vector<double> inner_corners(const Path& path) {
 
 }  // namespace
 
-CornerStage::CornerStage(const Machine& machine)
-    : machine_(machine), choice_(machine), has_jerk_limit_(limits_jerk(machine)) {}
+CornerStage::CornerStage(const Machine& machine, PlannedTime planned_time)
+    : machine_(machine),
+      choice_(machine, std::move(planned_time)),
+      has_jerk_limit_(limits_jerk(machine)) {}
 
 bool CornerStage::passes(const Block& block) const noexcept {
   if (!chord_.empty() || !polyline_.empty() || held_ || !out_.empty()) return false;
@@ -100,7 +103,7 @@ void CornerStage::hold(Block block) {
     begin = leave_chord(move.path, next);
   } else if (held_) {
     if (const auto blend =
-            leave_held(move.path, corner_tolerance(next.attributes, 0), feed_of(next.attributes))) {
+            leave_held(side_of(move.path, next.attributes), corner_tolerance(next.attributes, 0))) {
       emit_blend(*blend, held_side(), next);
       begin = blend->after;
     }
@@ -112,13 +115,13 @@ void CornerStage::hold(Block block) {
 double CornerStage::leave_chord(const Path& after, const Side& next) {
   Chord chord = chord_.take();
   if (held_) begin_with_held(chord);
-  const Line line(chord.from, chord.to);
+  const Path line = Line(chord.from, chord.to);
   const double left =
-      (polyline_.empty() ? 1 - tuning::corners::kRest : tuning::corners::kHalf) * line.length();
+      (polyline_.empty() ? 1 - tuning::corners::kRest : tuning::corners::kHalf) * length(line);
   const double tolerance = std::min(corner_tolerance(chord.attributes, chord.deviation),
                                     corner_tolerance(next.attributes, 0));
-  const double feed = std::min(feed_of(chord.attributes), feed_of(next.attributes));
-  const auto blend = blend_into(line, left, tolerance, after, feed);
+  const auto blend =
+      blend_into(side_of(line, chord.attributes), left, tolerance, side_of(after, next.attributes));
   Side last{chord.attributes, {}, chord.deviation};
   if (blend) last.marks = cut_back(chord, blend->before);
   polyline_.add(chord);
@@ -130,20 +133,19 @@ double CornerStage::leave_chord(const Path& after, const Side& next) {
 /// Makes the transition from the held curve into a chord.
 void CornerStage::begin_with_held(Chord& chord) {
   const Path line = Line(chord.from, chord.to);
-  if (const auto blend = leave_held(line, corner_tolerance(chord.attributes, chord.deviation),
-                                    feed_of(chord.attributes)))
+  if (const auto blend = leave_held(side_of(line, chord.attributes),
+                                    corner_tolerance(chord.attributes, chord.deviation)))
     emit_blend(*blend, held_side(),
                {chord.attributes, cut_front(chord, blend->after), chord.deviation});
   held_.reset();
 }
 
 /// Emits the curve up to where a blend into `after` begins, if there is one.
-std::optional<Blend> CornerStage::leave_held(const Path& after, double tolerance, double feed) {
+std::optional<Blend> CornerStage::leave_held(const CornerSide& after, double tolerance) {
   const double length = softcnc::length(held_->path());
-  const double own = corner_tolerance(attributes_of(held_->move()), 0);
-  auto blend = blend_into(held_->path(), (1 - tuning::corners::kRest) * (length - held_->begin),
-                          std::min(own, tolerance), after,
-                          std::min(feed_of(attributes_of(held_->move())), feed));
+  const CornerSide before{held_->path(), held_->begin, length, attributes_of(held_->move())};
+  auto blend = blend_into(before, (1 - tuning::corners::kRest) * (length - held_->begin),
+                          std::min(corner_tolerance(before.attributes, 0), tolerance), after);
   emit_held(length - (blend ? blend->before : 0));
   return blend;
 }
@@ -164,31 +166,20 @@ void CornerStage::flush() {
 }
 
 /// Without jerk limits a jump of curvature costs nothing, and the exact curve is better.
-std::optional<Blend> CornerStage::blend_into(const Path& before, double left, double tolerance,
-                                             const Path& after, double feed) const {
-  const JointJump jump = ipo::joint_jump(before, after);
+std::optional<Blend> CornerStage::blend_into(const CornerSide& before, double left,
+                                             double tolerance, const CornerSide& after) const {
+  const JointJump jump = ipo::joint_jump(before.path, after.path);
   const bool needed = has_jerk_limit_ ? jump.tangent > tuning::corners::kTurn ||
                                             jump.curvature > tuning::corners::kCurvatureJump
                                       : jump.tangent > tuning::corners::kSmallTurn;
   if (!needed) return std::nullopt;
-  auto blend = make_blend({before, after, left, tuning::corners::kHalf * length(after), tolerance});
-  if (blend && !within_travel(blend->curve)) return std::nullopt;
-  const double room = std::min(left, length(after));
-  if (blend && jump.tangent > tuning::corners::kRests && !is_sooner(blend->curve, feed, room))
+  auto blend = make_blend(
+      {before.path, after.path, left, tuning::corners::kHalf * length(after.path), tolerance});
+  if (!blend || !within_travel(blend->curve)) return std::nullopt;
+  if (jump.tangent > tuning::corners::kRests &&
+      !choice_.is_sooner({before, after, blend->curve, blend->before, blend->after}))
     return std::nullopt;
   return blend;
-}
-
-/// Whether the curve is sooner than a rest in the corner.
-bool CornerStage::is_sooner(const Nurbs& curve, double feed, double room) const {
-  RoundedCorner corner{curve.length(), curve.at(0).dq, {}, AxisVector::Zero(), feed, room};
-  corner.ddq.setZero();
-  for (int k = 0; k <= tuning::corners::kSamples; ++k) {
-    const PathPoint point = curve.at(curve.length() * k / tuning::corners::kSamples);
-    if (point.ddq.norm() > corner.ddq.norm()) corner.ddq = point.ddq;
-    corner.dddq = corner.dddq.cwiseMax(point.dddq.cwiseAbs());
-  }
-  return choice_.is_sooner(corner);
 }
 
 bool CornerStage::within_travel(const Nurbs& curve) const {

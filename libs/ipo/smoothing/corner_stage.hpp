@@ -18,7 +18,7 @@ namespace softcnc::ipo {
 class CornerStage {
  public:
   /// `machine` must outlive the stage.
-  explicit CornerStage(const Machine& machine);
+  CornerStage(const Machine& machine, PlannedTime planned_time);
   CornerStage(const CornerStage&) = delete;
   CornerStage& operator=(const CornerStage&) = delete;
 
@@ -52,14 +52,13 @@ class CornerStage {
   void push_curve(Block block);
   void hold(Block block);
   double leave_chord(const Path& after, const Side& next);
-  std::optional<Blend> leave_held(const Path& after, double tolerance, double feed);
+  std::optional<Blend> leave_held(const CornerSide& after, double tolerance);
   void close_chord();
   void begin_with_held(Chord& chord);
   void flush();
   bool joins(const Move& move) const;
-  std::optional<Blend> blend_into(const Path& before, double left, double tolerance,
-                                  const Path& after, double feed) const;
-  bool is_sooner(const Nurbs& curve, double feed, double room) const;
+  std::optional<Blend> blend_into(const CornerSide& before, double left, double tolerance,
+                                  const CornerSide& after) const;
   bool within_travel(const Nurbs& curve) const;
   void emit_held(double end);
   Side held_side() const;
@@ -69,7 +68,7 @@ class CornerStage {
   CornerChoice choice_;
   bool has_jerk_limit_ = false;
   std::deque<Piece> out_;
-  Polyline polyline_{out_, machine_};
+  Polyline polyline_{out_, choice_};
   ChordMerge chord_;
   std::optional<Held> held_;            // before the chord, if there is one
   std::optional<MoveAttributes> last_;  // of the move before, if it may be joined

@@ -22,6 +22,25 @@ void Polyline::add(const Chord& chord) {
   forget();
 }
 
+/// Whether a rest in the corner between the last line and the next is sooner than a curve whose
+/// basis function has this half-width.
+bool Polyline::rests_in_corner(const Chord& next, double width) const {
+  const LineVertex& before = vertices_[vertices_.size() - 2];
+  const double t = vertices_.back().t;
+  const AxisVector direction = (next.to - next.from).normalized();
+  const PolylineEdge edges[]{{before.t, before.point, before.direction}, {t, next.from, direction}};
+  const Turn turns[]{spread_evenly(t, direction - before.direction, width)};
+  const auto nurbs = Nurbs::make(rounded(edges, turns, t - width, t + width));
+  if (!nurbs) return true;
+  const Path curve = *nurbs;
+  const Path lines[]{Line(before.point, next.from), Line(next.from, next.to)};
+  return !choice_.is_sooner({{lines[0], 0, length(lines[0]), before.attributes},
+                             {lines[1], 0, length(lines[1]), next.attributes},
+                             curve,
+                             width,
+                             width});
+}
+
 /// Whether the path goes through the corner rather than around it, for a corner between lines that
 /// leave its basis function all the width it can use. Where they are shorter, many turns are
 /// rounded together.
@@ -36,11 +55,7 @@ bool Polyline::goes_through_corner(const Chord& next) const {
                                     corner_tolerance(before.attributes, before.deviation));
   const double width = 6 * tolerance / turn;
   if (width == 0 || width > std::min(step.norm(), vertices_.back().t - before.t)) return false;
-  const auto feed_of = [](const MoveAttributes& m) { return m.rapid ? kUnlimited : m.feed; };
-  return !choice_.is_sooner({2 * width, before.direction, tangent_jump / width,
-                             tangent_jump.cwiseAbs() / (width * width),
-                             std::min(feed_of(before.attributes), feed_of(next.attributes)),
-                             std::min(step.norm(), vertices_.back().t - before.t)});
+  return rests_in_corner(next, width);
 }
 
 void Polyline::end() {

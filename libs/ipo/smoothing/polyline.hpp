@@ -39,8 +39,8 @@ namespace softcnc::ipo {
 
 class Polyline {
  public:
-  /// Pieces are appended to `out`, which must outlive the polyline.
-  Polyline(std::deque<Piece>& out, const Machine& machine) : choice_(machine), segments_(out) {}
+  /// Pieces are appended to `out`; it and the choice must outlive the polyline.
+  Polyline(std::deque<Piece>& out, const CornerChoice& choice) : choice_(choice), segments_(out) {}
 
   bool empty() const noexcept { return vertices_.empty(); }
 
@@ -76,6 +76,7 @@ class Polyline {
     std::optional<std::size_t> stop;  // the last vertex that is dense, if that is near
   };
 
+  bool rests_in_corner(const Chord& next, double width) const;
   bool goes_through_corner(const Chord& next) const;
   void begin(const AxisVector& point);
   void append(const Chord& chord);
@@ -120,7 +121,7 @@ class Polyline {
   std::size_t densities_ = 0;                  // vertices known to be dense or not
   std::size_t smoothed_ = 0;                   // vertices handed to the segments
   std::optional<KnotVector> knots_;
-  CornerChoice choice_;
+  const CornerChoice& choice_;
   SmoothedSegments segments_;
   bool ended_ = false;
 };
