@@ -114,11 +114,14 @@ inline constexpr double kSwing = 2;
 inline constexpr double kBrakingParts = 2;
 // Of q. Choice: step limits that change less are even.
 inline constexpr double kEvenSteps = 0.01;
-// mm. Choice: shorter than any machine resolves.
-inline constexpr double kShortest = 1e-7;
+// mm. Choice: shorter than any machine resolves, and short enough that a hook of 1 nm is passed
+// without a rest.
+inline constexpr double kShortest = 1e-9;
 // mm. Rounding: far above the rounding of positions and lengths.
 inline constexpr double kLeastShortest = 1e-10;
-// Of the jerk. Choice: what a sample may see of a part left out.
+// Shortest intervals. Choice: that are passed as one, if no more of them is unfelt.
+inline constexpr double kUnresolved = 8;
+// Of the acceleration and the jerk. Choice: what a sample may see of a part left out.
 inline constexpr double kUnfelt = 0.01;
 // Looks. Choice: at a strict velocity limit between two nodes.
 // Test, x 0.25: "random curves keep their roughness with both models, with jerk limits and

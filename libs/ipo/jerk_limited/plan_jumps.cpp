@@ -12,24 +12,34 @@ double felt_time(const PlanSpan& span) noexcept {
   return tuning::joints::kJumpPeriods * span.constraints.limits().fine_period;
 }
 
-/// Returns a distance, mm: nothing that passes the joint is further away while the jump matters.
-double farthest(const PlanSpan& span, const CurvatureJump& jump) noexcept {
-  const double t = felt_time(span);
-  return (jump.fastest + 0.5 * jump.most_u * t) * t;
+/// Returns the least time, s, in which anything that passes the joint covers a distance. It has
+/// gained its acceleration a from rest, so that a^2 <= 2 j v, and dv/dt <= sqrt(2 j v) after it.
+double fewest_seconds(const CurvatureJump& jump, double distance) noexcept {
+  const double v = jump.fastest, j = jump.most_j;
+  const double by_acceleration = 2 * distance / (v + std::sqrt(v * v + 2 * jump.most_u * distance));
+  if (!(j < kUnlimited)) return by_acceleration;
+  const double rise = std::sqrt(0.5 * j);  // of sqrt(v)
+  return std::max(by_acceleration,
+                  (std::cbrt(v * std::sqrt(v) + 3 * rise * distance) - std::sqrt(v)) / rise);
 }
 
-/// Returns the least number of periods in which anything that passes the joint covers a distance.
-double fewest_periods(const PlanSpan& span, const CurvatureJump& jump, double distance) noexcept {
-  const double v = jump.fastest;
-  return 2 * distance / (v + std::sqrt(v * v + 2 * jump.most_u * distance)) /
-         span.constraints.limits().fine_period;
+/// Returns a distance, mm: nothing that passes the joint is further away while the jump matters.
+double farthest(const PlanSpan& span, const CurvatureJump& jump) noexcept {
+  const double t = felt_time(span), v = jump.fastest;
+  const double by_acceleration = (v + 0.5 * jump.most_u * t) * t;
+  return std::min(by_acceleration,
+                  (v + 0.5 * (std::sqrt(2 * jump.most_j * v) + jump.most_j * t / 3) * t) * t);
 }
 
 CurvatureJump jump_at(const PlanSpan& span, std::size_t n) noexcept {
   const Node& node = span.chain.nodes[n];
   const Directions around = span.chain.directions_around(n, felt_time(span));
-  return {node.s, std::sqrt(node.velocity_limit.q), span.constraints.most_u(around),
-          node.curvature_jump, std::nullopt};
+  return {node.s,
+          std::sqrt(node.velocity_limit.q),
+          span.constraints.most_u(around),
+          tuning::joints::kCurved * around.most(span.constraints.limits().jerk),
+          node.curvature_jump,
+          std::nullopt};
 }
 
 }  // namespace
@@ -55,16 +65,16 @@ std::vector<CurvatureJump> find_jumps(const PlanSpan& span, const std::vector<Pl
 std::vector<CurvatureJumpLoad> curvature_jump_loads(const PlanSpan& span,
                                                     const std::vector<PlanNode>& nodes,
                                                     const std::vector<CurvatureJump>& jumps) {
+  const double period = span.constraints.limits().fine_period;
   std::vector<CurvatureJumpLoad> loads(nodes.size());
   for (const CurvatureJump& jump : jumps) {
     const double most = farthest(span, jump);
     const auto first = std::partition_point(
         nodes.begin(), nodes.end(), [&](const PlanNode& node) { return node.s < jump.s - most; });
     for (auto node = first; node != nodes.end() && node->s <= jump.s + most; ++node) {
-      const double periods = fewest_periods(span, jump, std::abs(node->s - jump.s));
+      const double periods = fewest_seconds(jump, std::abs(node->s - jump.s)) / period;
       const double weight = jump_weight(std::max(periods - tuning::joints::kJumpNearer, 0.0));
-      loads[static_cast<std::size_t>(node - nodes.begin())].add(
-          jump.ddq * (weight / span.constraints.limits().fine_period));
+      loads[static_cast<std::size_t>(node - nodes.begin())].add(jump.ddq * (weight / period));
     }
   }
   return loads;

@@ -19,6 +19,7 @@ struct CurvatureJump {
   double s = 0;                         // mm of the chain
   double fastest = 0;                   // mm/s, there
   double most_u = 0;                    // mm/s^2, along the path around it
+  double most_j = 0;                    // mm/s^3, likewise
   AxisVector ddq = AxisVector::Zero();  // jump of x'', 1/mm
   std::optional<std::size_t> node;      // of the plan
 };
