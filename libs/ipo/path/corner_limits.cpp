@@ -60,7 +60,8 @@ class CornerLimits {
   /// at most turn * step / 4.
   void pass_joint(std::size_t n) {
     if (!constraints_.limits_jerk() && straight_around(n)) return pass_tangent_jump(n);
-    const double planned = std::sqrt(chain_.own_limit(n).q);
+    const double planned =
+        std::min(std::sqrt(chain_.own_limit(n).q), fastest_beside_rest(chain_, constraints_, n));
     double v = planned;
     Load load = joint_load(n, v);
     for (int i = 0; i < tuning::joints::kMostSteps && load.exceeds(); ++i) {
@@ -276,6 +277,23 @@ bool shares_its_step(const Chain& chain, std::size_t node, double period) noexce
     return !shares;
   });
   return shares;
+}
+
+/// With the jerk j from rest, v = j t^2 / 2 after s = j t^3 / 6.
+double fastest_beside_rest(const Chain& chain, const ConstraintList& constraints,
+                           std::size_t node) noexcept {
+  if (!constraints.limits_jerk()) return kUnlimited;
+  const double time = tuning::joints::kJerkSteps * constraints.limits().fine_period;
+  double nearest = kUnlimited;
+  chain.for_intervals_in_step(node, time, [&](std::size_t i) {
+    const Node& far = chain.nodes[i < node ? i : i + 1];
+    if (far.own.q == 0) nearest = std::min(nearest, std::abs(far.s - chain.nodes[node].s));
+    return far.own.q > 0;
+  });
+  if (nearest == kUnlimited) return kUnlimited;
+  const double jerk =
+      tuning::joints::kCurved * chain.directions_around(node, time).most(constraints.limits().jerk);
+  return std::cbrt(4.5 * nearest * nearest * jerk);
 }
 
 }  // namespace softcnc::ipo
