@@ -203,6 +203,11 @@ inline constexpr double kJumpFlat = 0.5;
 // Test, x 0.5: "where line and arc meet askew of the axes, jump and jerk share the third
 // difference".
 inline constexpr double kJumpWeight = 0.7942;
+// Of q at a node. Choice: of a joint that is passed far more slowly, a plan counts the whole jump
+// as it can be at most, and not in proportion to the speed at the node.
+inline constexpr double kFarSlower = 0.25;
+// Of the jerk. Choice: what may be counted so.
+inline constexpr double kWholeJump = 0.5;
 // Periods. Choice: plans take joints to be nearer, so that nodes need not lie at the corners
 // of w.
 inline constexpr double kJumpNearer = 0.1;

@@ -10,12 +10,6 @@
 namespace softcnc::ipo {
 namespace {
 
-// Of q at a node. Choice: of a joint that is passed far more slowly, a plan counts the whole jump
-// as it can be at most, and not in proportion to the speed at the node.
-constexpr double kFarSlower = 0.25;
-// Of the jerk. Choice: what may be counted so.
-constexpr double kWholeJump = 0.5;
-
 double felt_time(const PlanSpan& span) noexcept {
   return tuning::joints::kJumpPeriods * span.constraints.limits().fine_period;
 }
@@ -64,8 +58,9 @@ void add_jump(const PlanSpan& span, const PlanNode& node, const CurvatureJump& j
               double per_second, NodeLoad& load) noexcept {
   const double q = jump.fastest * jump.fastest;
   const AxisVector whole = load.whole + jump.ddq.cwiseAbs() * (q * per_second);
-  const AxisVector most = kWholeJump * span.jerk_limits();
-  if (q <= kFarSlower * highest_q(span, node) && (whole.array() <= most.array()).all())
+  const AxisVector most = tuning::joints::kWholeJump * span.jerk_limits();
+  if (q <= tuning::joints::kFarSlower * highest_q(span, node) &&
+      (whole.array() <= most.array()).all())
     load.whole = whole;
   else
     load.per_q.add(jump.ddq * per_second);
