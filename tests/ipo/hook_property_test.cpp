@@ -95,6 +95,35 @@ double samples_by_chord(const Path& path, double tolerance) {
 
 }  // namespace
 
+TEST_CASE("a hook of 6 um takes about as long at every period", "[ipo][jerk][hook]") {
+  Machine machine;
+  machine.limits.normal = 68.367;
+  machine.control.chord_tolerance = 2.946e-4;
+  for (Axis& axis : machine.axes) {
+    axis.velocity = 785;
+    axis.acceleration = 2883.1;
+    axis.jerk = 2905.2;
+  }
+  const std::vector<AxisVector> control{
+      {0, 0, 0}, {12, 9, 0}, {12, 8.999, 0}, {11.995, 8.997, 0}, {12, 8.999, 0}};
+  const std::vector<double> even(5, 1.0), weighted{1, 1.7, 0.4, 1, 0.6};
+  for (const auto& weights : {even, weighted}) {
+    const Nurbs hook = Nurbs::make({3, control, weights, {0, 0, 0, 0, 1, 2, 2, 2, 2}}).value();
+    const auto blocks = number_blocks({Move{hook, false, 875.0 / 60, PathMode::follow}});
+    machine.control.period = 2.5e-4;
+    const double least = run(machine, blocks).time;
+    for (const double period : {1e-3, 4e-3, 8e-3}) {
+      CAPTURE(weights, period);
+      machine.control.period = period;
+      const auto result = run(machine, blocks);
+      CHECK(exceeded(machine, result) == "");
+      CHECK(result.time <= 1.2 * least + 2 * period);
+      CHECK(kSecondsOfWork * static_cast<double>(result.counts.effort.work) <=
+            0.2 + 0.5 * result.time);
+    }
+  }
+}
+
 TEST_CASE("hooks, cusps and tiny curves cost hardly more time at long periods",
           "[ipo][jerk][property][hook]") {
   int tried = 0, slow = 0;
@@ -116,11 +145,11 @@ TEST_CASE("hooks, cusps and tiny curves cost hardly more time at long periods",
         ++tried;
         slow += result.time > expected ? 1 : 0;
         RC_ASSERT(exceeded(machine, result) == "");
-        RC_ASSERT(result.time <= 5 * expected);
+        RC_ASSERT(result.time <= 10 * expected);
         RC_ASSERT(kSecondsOfWork * static_cast<double>(result.counts.effort.work) <=
                   0.2 + 0.5 * result.time);
       },
       programs());
   INFO(slow << " of " << tried << " programs took longer");
-  CHECK(10 * slow <= tried + 10);
+  CHECK(20 * slow <= tried + 20);
 }

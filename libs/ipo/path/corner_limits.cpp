@@ -279,7 +279,8 @@ bool shares_its_step(const Chain& chain, std::size_t node, double period) noexce
   return shares;
 }
 
-/// With the jerk j from rest, v = j t^2 / 2 after s = j t^3 / 6.
+/// With the acceleration a from rest, v^2 = 2 a s; with the jerk j, v = j t^2 / 2 after s = j t^3
+/// / 6.
 double fastest_beside_rest(const Chain& chain, const ConstraintList& constraints,
                            std::size_t node) noexcept {
   if (!constraints.limits_jerk()) return kUnlimited;
@@ -291,9 +292,10 @@ double fastest_beside_rest(const Chain& chain, const ConstraintList& constraints
     return far.own.q > 0;
   });
   if (nearest == kUnlimited) return kUnlimited;
-  const double jerk =
-      tuning::joints::kCurved * chain.directions_around(node, time).most(constraints.limits().jerk);
-  return std::cbrt(4.5 * nearest * nearest * jerk);
+  const Directions around = chain.directions_around(node, time);
+  const double jerk = tuning::joints::kCurved * around.most(constraints.limits().jerk);
+  return std::min(std::sqrt(2 * constraints.most_u(around) * nearest),
+                  std::cbrt(4.5 * nearest * nearest * jerk));
 }
 
 }  // namespace softcnc::ipo
