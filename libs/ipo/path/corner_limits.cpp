@@ -279,8 +279,7 @@ bool shares_its_step(const Chain& chain, std::size_t node, double period) noexce
   return shares;
 }
 
-/// With the acceleration a from rest, v^2 = 2 a s; with the jerk j, v = j t^2 / 2 after s = j t^3
-/// / 6.
+/// From rest, v^2 = 2 a s with the acceleration a, and v^3 = 9/2 j s^2 with the jerk j.
 double fastest_beside_rest(const Chain& chain, const ConstraintList& constraints,
                            std::size_t node) noexcept {
   if (!constraints.limits_jerk()) return kUnlimited;
