@@ -114,11 +114,14 @@ inline constexpr double kSwing = 2;
 inline constexpr double kBrakingParts = 2;
 // Of q. Choice: step limits that change less are even.
 inline constexpr double kEvenSteps = 0.01;
-// mm. Choice: shorter than any machine resolves.
-inline constexpr double kShortest = 1e-7;
+// mm. Choice: shorter than any machine resolves, and short enough that a hook of 1 nm is passed
+// without a rest.
+inline constexpr double kShortest = 1e-9;
 // mm. Rounding: far above the rounding of positions and lengths.
 inline constexpr double kLeastShortest = 1e-10;
-// Of the jerk. Choice: what a sample may see of a part left out.
+// Shortest intervals. Choice: that are passed as one, if no more of them is unfelt.
+inline constexpr double kUnresolved = 8;
+// Of the acceleration and the jerk. Choice: what a sample may see of a part left out.
 inline constexpr double kUnfelt = 0.01;
 // Looks. Choice: at a strict velocity limit between two nodes.
 // Test, x 0.25: "random curves keep their roughness with both models, with jerk limits and
@@ -200,6 +203,11 @@ inline constexpr double kJumpFlat = 0.5;
 // Test, x 0.5: "where line and arc meet askew of the axes, jump and jerk share the third
 // difference".
 inline constexpr double kJumpWeight = 0.7942;
+// Of q at a node. Choice: of a joint that is passed far more slowly, a plan counts the whole jump
+// as it can be at most, and not in proportion to the speed at the node.
+inline constexpr double kFarSlower = 0.25;
+// Of the jerk. Choice: what may be counted so.
+inline constexpr double kWholeJump = 0.5;
 // Periods. Choice: plans take joints to be nearer, so that nodes need not lie at the corners
 // of w.
 inline constexpr double kJumpNearer = 0.1;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "motion/verification/path_pieces.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "support/curves.hpp"
+#include "support/property.hpp"
 #include "support/random_nurbs.hpp"
 
 using namespace softcnc;
@@ -31,6 +33,28 @@ double largest_gap(const Path& path) {
 
 Path circle(double radius) {
   return Arc::make({{radius, 0, 0}, {radius, 0, 0}, {0, 0, 0}}).value();
+}
+
+/// A random curve within a box: its control points are drawn from few places, so that it often
+/// turns back, and each is at times pulled near the one before it.
+NurbsSpec small_curve(double size) {
+  NurbsSpec spec;
+  spec.degree = test::integer(2, 4);
+  const int count = spec.degree + 1 + test::integer(0, 2);
+  const auto place = [size] { return size * test::integer(-9, 9) / 9; };
+  for (int i = 0; i < count; ++i) {
+    AxisVector point(place(), place(), 0);
+    if (i > 0 && test::integer(0, 2) == 0)
+      point = spec.control.back() + std::pow(10, test::real(-5, -1)) * point;
+    spec.control.push_back(point);
+    spec.weights.push_back(std::pow(10, test::real(-1, 1)));
+  }
+  const auto order = static_cast<std::size_t>(spec.degree) + 1;
+  spec.knots.assign(order, 0.0);
+  for (int i = 0; i < count - spec.degree - 1; ++i) spec.knots.push_back(test::real(0.1, 0.9));
+  std::sort(spec.knots.begin(), spec.knots.end());
+  spec.knots.insert(spec.knots.end(), order, 1.0);
+  return spec;
 }
 
 /// The smallest distance of a point from the path between two places, at places 10 um apart, then
@@ -67,6 +91,26 @@ TEST_CASE("cubic pieces lie on their curve, one after the other", "[motion][piec
       CHECK((pieces[i].q - pieces[i - 1].end).norm() < 1e-9);
     }
   }
+}
+
+/// Where such a curve swings more than once within a piece, one look does not see it: 10 nm.
+TEST_CASE("curves of 1 nm to 1 mm end, however sharp their last nanometres are",
+          "[motion][pieces][property]") {
+  test::holds(
+      [] {
+        const double size = std::pow(10, test::real(-6, 0));
+        const auto nurbs = Nurbs::make(small_curve(size));
+        if (!nurbs) return;
+        const auto pieces = pieces_of(*nurbs);
+        RC_ASSERT(pieces.size() < 2000U);
+        RC_ASSERT(pieces.back().s1 == length(Path(*nurbs)));
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+          RC_ASSERT(pieces[i].length() > 0);
+          RC_ASSERT(i == 0 || pieces[i].s0 == pieces[i - 1].s1);
+        }
+        RC_ASSERT(largest_gap(*nurbs) < 5e-5);
+      },
+      3000);
 }
 
 TEST_CASE("a line is one piece, a circle some dozen of them", "[motion][pieces]") {

@@ -19,6 +19,7 @@ struct CurvatureJump {
   double s = 0;                         // mm of the chain
   double fastest = 0;                   // mm/s, there
   double most_u = 0;                    // mm/s^2, along the path around it
+  double most_j = 0;                    // mm/s^3, likewise
   AxisVector ddq = AxisVector::Zero();  // jump of x'', 1/mm
   std::optional<std::size_t> node;      // of the plan
 };
@@ -26,11 +27,17 @@ struct CurvatureJump {
 /// Returns those that matter somewhere in a plan over these nodes, in the order of the path.
 std::vector<CurvatureJump> find_jumps(const PlanSpan& span, const std::vector<PlanNode>& nodes);
 
-/// Returns the load by node, per q of the joint, 1/(mm s). A motion is taken to be as fast as it
-/// can be, and so to be near a joint longer than it is.
-std::vector<CurvatureJumpLoad> curvature_jump_loads(const PlanSpan& span,
-                                                    const std::vector<PlanNode>& nodes,
-                                                    const std::vector<CurvatureJump>& jumps);
+/// What jumps take from the jerk at a node of a plan: per q, 1/(mm s), where the machine may be
+/// about as fast at the joint as at the node, and as a whole, mm/s^3, where it is far slower there.
+struct NodeLoad {
+  CurvatureJumpLoad per_q;
+  AxisVector whole = AxisVector::Zero();
+};
+
+/// Returns the load by node. A motion is taken to be as fast as it can be, and so to be near a
+/// joint longer than it is.
+std::vector<NodeLoad> curvature_jump_loads(const PlanSpan& span, const std::vector<PlanNode>& nodes,
+                                           const std::vector<CurvatureJump>& jumps);
 
 /// The curvature jumps of a motion, by its time.
 class PassedJumps {

@@ -184,10 +184,10 @@ void PlanProblem::add_constraints(std::size_t p, const PathPoint& point, const I
   const auto constrain_jerk = [&](const Inequality& limit) {
     const double part = j_part * inside.jerk_share[limit.axis] * span_.jerk_part;
     problem_.add_constraint({{limit.dddx, 1.5 * limit.ddx, 0.5 * limit.dx},
-                             part * limit.bound,
+                             part * (limit.bound - loads_[p].whole[limit.axis]),
                              true,
-                             part * loads_[p].above[limit.axis],
-                             part * loads_[p].below[limit.axis]});
+                             part * loads_[p].per_q.above[limit.axis],
+                             part * loads_[p].per_q.below[limit.axis]});
   };
   const auto is_at = [](int axis, const Inequality& limit) {
     return limit.axis == axis && (limit.dx != 0 || limit.ddx != 0 || limit.dddx != 0);

@@ -45,7 +45,7 @@ class PlanProblem {
   const PlanEnds ends_;
   const std::vector<NodeShare>& shares_;
   std::vector<CurvatureJump> jumps_;
-  std::vector<CurvatureJumpLoad> loads_;  // by node
+  std::vector<NodeLoad> loads_;  // by node
   SpeedProblem problem_;
   std::vector<VelocityLimit> limits_;  // by node, in full; none at the ends
   double faster_ = 0;  // mm from the start during which the machine still accelerates

@@ -61,6 +61,13 @@ double step_across(Iterator first, Iterator last, const VelocityLimit& neighbour
   return step;
 }
 
+/// Whether the first interval is a turn that is not resolved and ends in a corner. It begins with a
+/// rest as well: the curvature jumps there by far more than any speed allows.
+bool turns_unresolved(std::span<const Interval> ahead) {
+  return ahead.size() > 1 && ahead[0].straight() && !std::holds_alternative<Line>(*ahead[0].path) &&
+         (ahead[1].left.dq - ahead[0].right.dq).norm() > tuning::chain::kTangentTolerance;
+}
+
 }  // namespace
 
 PathPoint point_inside(const Interval& interval, double s) noexcept {
@@ -165,6 +172,7 @@ void Chain::add(std::span<const Interval> ahead, const ConstraintList& constrain
     }
     while (intervals.back().length() > back) split(intervals.size() - 1, middle(intervals.back()));
   }
+  if (turns_unresolved(ahead)) rest = rest.value_or(Limit::corner);
   if (rest) nodes.back().own.lower_to({0, *rest});
   if (interval.length() <= step) return push(interval);
   Interval rest_of_it = interval;

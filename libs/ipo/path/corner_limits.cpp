@@ -60,7 +60,8 @@ class CornerLimits {
   /// at most turn * step / 4.
   void pass_joint(std::size_t n) {
     if (!constraints_.limits_jerk() && straight_around(n)) return pass_tangent_jump(n);
-    const double planned = std::sqrt(chain_.own_limit(n).q);
+    const double planned =
+        std::min(std::sqrt(chain_.own_limit(n).q), fastest_beside_rest(chain_, constraints_, n));
     double v = planned;
     Load load = joint_load(n, v);
     for (int i = 0; i < tuning::joints::kMostSteps && load.exceeds(); ++i) {
@@ -276,6 +277,24 @@ bool shares_its_step(const Chain& chain, std::size_t node, double period) noexce
     return !shares;
   });
   return shares;
+}
+
+/// From rest, v^2 = 2 a s with the acceleration a, and v^3 = 9/2 j s^2 with the jerk j.
+double fastest_beside_rest(const Chain& chain, const ConstraintList& constraints,
+                           std::size_t node) noexcept {
+  if (!constraints.limits_jerk()) return kUnlimited;
+  const double time = tuning::joints::kJerkSteps * constraints.limits().fine_period;
+  double nearest = kUnlimited;
+  chain.for_intervals_in_step(node, time, [&](std::size_t i) {
+    const Node& far = chain.nodes[i < node ? i : i + 1];
+    if (far.own.q == 0) nearest = std::min(nearest, std::abs(far.s - chain.nodes[node].s));
+    return far.own.q > 0;
+  });
+  if (nearest == kUnlimited) return kUnlimited;
+  const Directions around = chain.directions_around(node, time);
+  const double jerk = tuning::joints::kCurved * around.most(constraints.limits().jerk);
+  return std::min(std::sqrt(2 * constraints.most_u(around) * nearest),
+                  std::cbrt(4.5 * nearest * nearest * jerk));
 }
 
 }  // namespace softcnc::ipo

@@ -14,4 +14,9 @@ namespace softcnc::ipo {
 void apply_corner_limits(Chain& chain, const ConstraintList& constraints,
                          const std::vector<double>& times, std::size_t first);
 
+/// Returns a speed, mm/s, that no machine with jerk limits exceeds at a node, given the rests
+/// within three fine periods of it; kUnlimited without any, or without jerk limits.
+double fastest_beside_rest(const Chain& chain, const ConstraintList& constraints,
+                           std::size_t node) noexcept;
+
 }  // namespace softcnc::ipo

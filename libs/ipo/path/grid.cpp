@@ -101,10 +101,13 @@ void keep_everywhere(Interval& interval, const Move& move, const ConstraintList&
 /// Whether a roughness limit may bind, which changes steeply along the path.
 bool is_rough(const Move& move) { return move.surface && move.surface->tooth_rate() > 0; }
 
-/// Returns a length, mm, below which a third difference over samples sees almost no jerk.
+/// Returns a length, mm, below which differences over samples see almost no acceleration nor jerk.
 double unfelt(const ConstraintList& constraints, const Directions& directions) {
-  return tuning::grid::kUnfelt * directions.least(constraints.limits().jerk) *
-         std::pow(constraints.limits().period, 3);
+  const double period = constraints.limits().period;
+  return tuning::grid::kUnfelt *
+         std::min(directions.least(constraints.limits().acceleration),
+                  directions.least(constraints.limits().jerk) * period) *
+         period * period;
 }
 
 /// Splits intervals until the constraints are nearly linear on each.
@@ -120,8 +123,9 @@ class Refiner {
     directions.add(move.path);
     acceleration_ = directions.most(constraints.limits().acceleration);
     gain_ = 2 * constraints.most_u(directions);
-    shortest_ = std::min(tuning::grid::kShortest,
-                         std::max(tuning::grid::kLeastShortest, unfelt(constraints, directions)));
+    const double least = std::max(tuning::grid::kLeastShortest, unfelt(constraints, directions));
+    shortest_ = std::min(tuning::grid::kShortest, least);
+    longest_unresolved_ = std::max(tuning::grid::kUnresolved * shortest_, least);
     highest_q_ = look(0, Side::after).asked.q;
   }
 
@@ -129,6 +133,7 @@ class Refiner {
   void refine(double s0, double s1) {
     start_ = s0;
     end_ = s1;
+    unresolved_ = false;
     const Look left = look(s0, Side::after), right = look(s1, Side::before);
     split({s0, s1, left, right, left.limit.q, right.limit.q}, 0);
   }
@@ -249,9 +254,14 @@ class Refiner {
   }
 
   void keep(const Subinterval& whole, const VelocityLimit& of_steps, bool fine) {
-    out_.push_back(make_interval(whole.s0, whole.s1, whole.left, whole.right, move_));
-    out_.back().step_limit.lower_to(of_steps);  // curvature may be largest inside
-    if (!fine) straighten(out_.back());
+    if (!fine && unresolved_ && whole.s1 - out_.back().s0 <= longest_unresolved_) {
+      extend(out_.back(), whole);
+    } else {
+      out_.push_back(make_interval(whole.s0, whole.s1, whole.left, whole.right, move_));
+      out_.back().step_limit.lower_to(of_steps);  // curvature may be largest inside
+      if (!fine) straighten(out_.back());
+    }
+    unresolved_ = !fine;
     keep_everywhere(out_.back(), move_, constraints_);
     q_after_ = std::min(whole.right.limit.q, whole.q0 + most_gain(whole.length()));
   }
@@ -264,6 +274,15 @@ class Refiner {
     interval.right.ddq.setZero();
     interval.right_limit = interval.left_limit;
     interval.step_limit = {};
+  }
+
+  /// Adds a part to a straight interval before it: one corner after both may cost one rest, where
+  /// each of many would cost its own.
+  static void extend(Interval& interval, const Subinterval& more) {
+    interval.s1 = more.s1;
+    interval.right.q = more.right.point.q;
+    interval.left_limit.lower_to(more.left.limit);
+    interval.right_limit = interval.left_limit;
   }
 
   /// Ramps begin and end at the ends of a part, or where a velocity limit changes. A ramp from rest
@@ -373,6 +392,8 @@ class Refiner {
   double gain_ = 0;          // of q by mm of path, at most
   double highest_q_ = 0;
   double shortest_ = tuning::grid::kShortest;  // mm
+  double longest_unresolved_ = 0;              // mm: as one interval
+  bool unresolved_ = false;                    // the last interval of the part
   double start_ = 0, end_ = 0;                 // of the part
   double q_after_ = kUnlimited;  // the highest that can be reached where what is kept so far ends
 };

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kShortest = 1e-6;  // mm: shorter ones are as good as points
 constexpr double kLeastTurn = 0.5;  // cosine of the largest turn in a piece
+constexpr double kRest = 0.1;       // of a piece: what is left after it and is added to it
 constexpr double kProbe = 0.4;      // where a cubic is compared with the curve, as a part of it
 constexpr int kNewtonSteps = 8;
 constexpr double kLastStep = 1e-7;  // mm
@@ -54,17 +55,20 @@ class SmoothPart {
   SmoothPart(const Portion& part, double offset, const PathOrigin& origin) noexcept
       : part_(part), offset_(offset), origin_(origin) {}
 
+  /// Every try is shorter than the one before: a rest that a step may take along is at most kRest
+  /// of it, less than what a try that does not fit takes off, and no try is much below kShortest.
   void append_to(std::vector<CubicPiece>& pieces) {
     double s = part_.s0;
     PathPoint here = at(*part_.path, s, Side::after);
-    double step = fitting_length(here.ddq.norm(), part_.s1 - s);
+    double step = std::max(kShortest, fitting_length(here.ddq.norm(), part_.s1 - s));
     while (s < part_.s1) {
-      const double next = part_.s1 - s - step < kShortest ? part_.s1 : s + step;
+      const double rest = part_.s1 - s - step;
+      const double next = rest < std::min(kShortest, kRest * step) ? part_.s1 : s + step;
       const PathPoint there = at(*part_.path, next, Side::before);
       const CubicPiece piece = hermite(here, there, s + offset_, next + offset_, origin_);
       const double growth = growth_of(piece, here, there);
       step = std::max(growth * (next - s), kShortest);
-      if (!fits_ && next - s > 1.001 * kShortest) continue;
+      if (!fits_ && next - s > (1 + 2 * kRest) * kShortest) continue;
       pieces.push_back(piece);
       s = next;
       here = there;
