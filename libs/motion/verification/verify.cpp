@@ -164,7 +164,11 @@ void Verifier::geometry(const Setpoint& setpoint, std::span<const PathStretch> s
     closeness(setpoint, stretches);
   }
   const double chord = (setpoint.position - before_.position).norm();
-  if (!(cuts && rapids)) fluctuation(off_path_ ? chord : travelled, chord, setpoint.advance);
+  if (setpoint.advance <= kSmallestAdvance) return;
+  last_period_.feed_fluctuation = (off_path_ ? chord : travelled) / setpoint.advance - 1;
+  if (cuts && rapids) return;
+  feed_.add(last_period_.feed_fluctuation);
+  chord_.add(chord / setpoint.advance - 1);
 }
 
 /// Pulses run no chord: how far they are from the curve is the error of the period.
@@ -190,13 +194,6 @@ void Verifier::chord(double error) noexcept {
   ++chords_;
   measured_.chord_error = std::max(measured_.chord_error, error);
   measured_.chord_error_rms = std::sqrt(chord_errors_ / static_cast<double>(chords_));
-}
-
-void Verifier::fluctuation(double travelled, double chord, double advance) noexcept {
-  if (advance <= kSmallestAdvance) return;
-  last_period_.feed_fluctuation = travelled / advance - 1;
-  feed_.add(last_period_.feed_fluctuation);
-  chord_.add(chord / advance - 1);
 }
 
 /// Teeth that rub are not asked to be slower.

@@ -41,7 +41,7 @@ struct Measured {
 /// What one sample adds: of the period that it ends.
 struct MeasuredPeriod {
   double chord_error = 0;       // mm: curve to chord; by pulses, of the pulse that is farthest off
-  double feed_fluctuation = 0;  // arc length / planned advance - 1; 0 where it does not count
+  double feed_fluctuation = 0;  // arc length / planned advance - 1; 0 for advances up to 1 um
   double rmax = 0;              // mm: what it leaves; 0 where there is no roughness target
 };
 
@@ -74,7 +74,6 @@ class Verifier {
 
   void closeness(const Setpoint& setpoint, std::span<const PathStretch> stretches) noexcept;
   void chord(double error) noexcept;
-  void fluctuation(double travelled, double chord, double advance) noexcept;
   void roughness(const Setpoint& setpoint, const PathStretch& here) noexcept;
 
   bool by_pulses_;
