@@ -44,6 +44,14 @@ class Tools:
                 columns = {name: file[name] for name in file.files}
             return columns | {"report": json.loads(report.read_text())}
 
+    def compare(self, part, methods, phases, settings=()):
+        """The rows of a comparison of methods on a program of programs/: {method: {key: value}}."""
+        text = subprocess.run([self.softcnc, "compare", PROGRAMS / part, "--quiet", "--progress", "none",
+                               "--format", "json", "--methods", ",".join(methods), "--phases", str(phases),
+                               *self._set(settings)],
+                              check=True, capture_output=True, text=True, stdin=subprocess.DEVNULL).stdout
+        return {row["method"]: row for row in json.loads(text)["rows"]}
+
     def step_times(self, text, settings=(), line="x_step"):
         """The instants, s, of the rising edges of a step line."""
         with tempfile.TemporaryDirectory() as folder:

@@ -83,6 +83,11 @@ TEST_CASE("the chord error of a circle is its sagitta, wherever it begins", "[ap
   }
   CHECK(row["chord_error_um_rms_worst"].get<double>() < sagitta_um);
   CHECK(row["feed_fluctuation_rms_worst"].get<double>() < 1e-9);
+  CHECK(row["feed_fluctuation_p99_worst"].get<double>() < 1e-9);
+  const double half = step / (2 * r), shorter = 1 - std::sin(half) / half;
+  for (const char* part : {"chord_fluctuation_max_median", "chord_fluctuation_max_worst",
+                           "chord_fluctuation_p99_median"})
+    CHECK(row[part].get<double>() == Approx(shorter).epsilon(1e-4));
   CHECK(row["path_deviation_um_max_worst"].get<double>() < 1e-6);
   CHECK(row["acceleration_over_limit_worst"].get<double>() == Approx(1).epsilon(1e-3));
   // The position loop makes the circle smaller by v^2 / (2 r Kv^2).
@@ -100,8 +105,11 @@ TEST_CASE("one phase has the figures of the report of a run", "[apps][compare]")
   const json report = json::parse(read(folder / "r.json"));
   const std::vector<std::string> of_all{"time_s", "path_deviation_um_max", "contour_error_um_max",
                                         "contour_error_um_rms"};
-  const std::vector<std::string> of_chords{"chord_error_um_max", "feed_fluctuation_max",
-                                           "feed_fluctuation_rms"};
+  const std::vector<std::string> of_chords{
+      "chord_error_um_max",    "feed_fluctuation_max",  "feed_fluctuation_rms",
+      "feed_fluctuation_p99",  "chord_fluctuation_max", "chord_fluctuation_rms",
+      "chord_fluctuation_p99",
+  };
   for (const auto& names : {of_all, of_chords})
     for (const std::string& name : names)
       for (const char* part : {"_median", "_worst"}) {
@@ -120,6 +128,37 @@ TEST_CASE("phases shift the samples along the path, not the path in time", "[app
   CHECK(four["feed_fluctuation_max_worst"] > four["feed_fluctuation_max_median"]);
   CHECK(four["time_s_worst"].get<double>() ==
         Approx(one["time_s_worst"].get<double>()).margin(0.0011));  // rows are 1 ms apart
+}
+
+TEST_CASE("on a line no chord fluctuates", "[apps][compare]") {
+  const json rows = compared("- --phases 4 --methods arc-length,taylor1,chords,acc-dec-linear",
+                             "G21 G90 G01 X30 Y40 F6000\nM30\n")["rows"];
+  for (const json& row : rows) {
+    CAPTURE(row["method"]);
+    CHECK(row["chord_fluctuation_max_worst"].get<double>() < 1e-9);
+    CHECK(row["feed_fluctuation_max_worst"].get<double>() < 1e-9);
+  }
+}
+
+TEST_CASE("the corner from a rapid to a cut is no fluctuation of chords", "[apps][compare]") {
+  const double step = 100 * 0.001, r = 20;  // mm of chord
+  const json row = compared("- --methods chords --phases 8", kCircle)["rows"][0];
+  const double half = std::asin(step / (2 * r));
+  CHECK(row["feed_fluctuation_max_worst"].get<double>() ==
+        Approx(half / std::sin(half) - 1).epsilon(0.01));
+}
+
+TEST_CASE("with the backend none no mill is simulated", "[apps][compare]") {
+  const std::string common = "- --phases 2 --methods taylor1";
+  json mill = compared(common, kCircle)["rows"][0];
+  const json none = compared(common + " --set control.backend=none", kCircle)["rows"][0];
+  for (const char* key : {"contour_error_um_max_median", "contour_error_um_max_worst",
+                          "contour_error_um_rms_median", "contour_error_um_rms_worst"}) {
+    CHECK(none[key].is_null());
+    CHECK(mill[key] > 0);
+    mill[key] = nullptr;
+  }
+  CHECK(none == mill);
 }
 
 TEST_CASE("CSV and JSON have the same keys and numbers", "[apps][compare]") {
@@ -152,9 +191,8 @@ TEST_CASE("a comparison as text has a table of medians and one of the worst", "[
   const std::vector<ComparisonRow> rows{row(Method::arc_length, 1.5, 2.25, 4), refused()};
   const std::string text = comparison_text(rows);
   const std::string columns =
-      "   time, s   max, um   rms, um   max, um       max       rms     limit     limit   max, um  "
-      " "
-      "rms, um\n";
+      "   time, s   max, um   rms, um   max, um       max       rms      99 %       max       rms"
+      "      99 %     limit     limit   max, um   rms, um\n";
   const auto figures = [](const std::string& value) {
     const std::string cell = std::string(10 - value.size(), ' ') + value;
     std::string line = cell + "         -";
@@ -213,6 +251,7 @@ TEST_CASE("a method that does not fit the machine has the reason as its note", "
 TEST_CASE("acceleration after interpolation is the same motion in every phase", "[apps][compare]") {
   const json rows = compared("- --phases 4 --methods acc-dec-linear,two-step", kCircle)["rows"];
   for (const json& row : rows) {
+    CHECK(row["chord_error_um_max_worst"].is_null());  // it is off the path
     const double median = row["time_s_median"].get<double>();
     CHECK(row["time_s_worst"].get<double>() - median < 0.0011);  // rounded to whole rows
     CHECK(row["path_deviation_um_max_worst"].get<double>() ==

@@ -86,6 +86,31 @@ TEST_CASE("the report reports the figures of the run", "[apps][run]") {
     CHECK(report[cpu].get<double>() > 0);
 }
 
+TEST_CASE("no stage is charged with the planning that another asks for", "[apps][run]") {
+  const Folder folder;
+  std::string part = "G21 G90 G64 P0.01 G01 F8000\n";
+  double x = 0, y = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double angle = 2.4 * i * i;  // turns about at random
+    x += 0.1 * std::cos(angle);
+    y += 0.1 * std::sin(angle);
+    part += "X" + std::to_string(x) + " Y" + std::to_string(y) + "\n";
+  }
+  write(folder / "chords.nc", part + "M30\n");
+  const json report = report_of((folder / "chords.nc") +
+                                " --set axis.x.jerk_mm_s3=50000 --set axis.y.jerk_mm_s3=50000");
+  const auto seconds = [&](const char* stage) { return report[stage].get<double>(); };
+  double stages = 0;
+  for (const char* stage :
+       {"cpu_planning_s", "cpu_interpolation_s", "cpu_verification_s", "cpu_output_s"}) {
+    CAPTURE(stage);
+    CHECK(seconds(stage) > 0);
+    stages += seconds(stage);
+  }
+  CHECK(stages <= seconds("cpu_s"));
+  CHECK(seconds("cpu_planning_s") > 2 * seconds("cpu_verification_s"));
+}
+
 TEST_CASE("the time of a method that goes its own way is that of its rows", "[apps][run]") {
   const json planned = report_of("--dry-run $programs/08_butterfly.nc");
   const json report = report_of(

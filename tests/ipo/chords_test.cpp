@@ -94,6 +94,37 @@ TEST_CASE("a chord goes across the corner of two lines, and ends where the machi
   CHECK(run.rows.back().position == AxisVector(1, 1.5, 2));
 }
 
+TEST_CASE("across the joint of two feeds a chord is as long as both allow", "[methods][chords]") {
+  const double slow = GENERATE(5.0, 50.0, 80.0);
+  const auto run =
+      test::run(chord_machine(),
+                number_blocks({Move{Line({0, 0, 0}, {1, 0, 0}), false, 50, PathMode::follow},
+                               Move{Line({1, 0, 0}, {1, 2, 0}), false, slow, PathMode::follow}}));
+  // At (0.8, 0) half of a period is left at the corner.
+  const double across = 0.2 + 0.004 * slow;
+  CHECK(chord(run, 3) == Approx(across).epsilon(1e-12));
+  CHECK(run.rows[3].position[1] == Approx(std::sqrt(across * across - 0.04)).epsilon(1e-12));
+  CHECK(run.rows[3].advance == Approx(across).epsilon(1e-12));
+  CHECK(chord(run, 4) == Approx(0.008 * slow).epsilon(1e-9));
+}
+
+TEST_CASE("where a rapid meets a cutting move a chord ends", "[methods][chords]") {
+  const bool rapid_first = GENERATE(false, true);
+  const auto line = [](AxisVector from, AxisVector to, bool rapid) {
+    return Move{Line(from, to), rapid, rapid ? 0.0 : 50.0, PathMode::follow};
+  };
+  const auto run =
+      test::run(chord_machine(), number_blocks({line({0, 0, 0}, {4.5, 0, 0}, rapid_first),
+                                                line({4.5, 0, 0}, {4.5, 4.5, 0}, !rapid_first)}));
+  bool at_joint = false;
+  for (std::size_t i = 1; i < run.rows.size(); ++i) {
+    if (run.rows[i].position == AxisVector(4.5, 0, 0)) at_joint = true;
+    CHECK(run.rows[i].advance == Approx(chord(run, i)).epsilon(1e-9));
+  }
+  CHECK(at_joint);
+  CHECK(run.measured.feed_fluctuation < 1e-9);
+}
+
 TEST_CASE("a path that stays within a chord's length is passed all the same", "[methods][chords]") {
   std::vector<AxisVector> zigzag;
   for (int i = 0; i <= 400; ++i) zigzag.emplace_back(0.001 * i, i % 2 ? 0.1 : 0, 0);

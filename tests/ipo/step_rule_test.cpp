@@ -145,6 +145,27 @@ TEST_CASE("the adaptive feed of Yeh and Hsu keeps the chord tolerance on a circl
   CHECK(asked.rows[40].s - asked.rows[39].s == Approx(feed * period).epsilon(1e-3));
 }
 
+TEST_CASE("in a part of a period a method takes that part of its longest step", "[methods]") {
+  const Nurbs circle = test::curve("circle_deg2");
+  WalkPlace place{&circle, 0, 0, {circle.point(0), {}, {}}, 1, 1e-3};
+  const double whole[] = {three_point_longest(place), yeh_hsu_2002_longest(place)};
+  CHECK(whole[0] == Approx(std::sqrt(8e-3 * kRadius)).epsilon(1e-9));
+  place.part = 0.25;
+  CHECK(three_point_longest(place) == Approx(0.25 * whole[0]).epsilon(1e-12));
+  CHECK(yeh_hsu_2002_longest(place) == Approx(0.25 * whole[1]).epsilon(1e-12));
+  // A curve that begins within a period: what is left of it, then whole steps.
+  const double period = 8e-3, left = GENERATE(0.125, 0.5, 1.0);
+  Machine machine = free_machine(GENERATE(Method::curvature3p, Method::yeh_hsu_2002), period);
+  machine.control.chord_tolerance = 1e-3;
+  const auto result =
+      test::run(machine, test::number_blocks({{Dwell{(2 - left) * period}},
+                                              {Move{circle, false, 1000, PathMode::follow}}}));
+  CAPTURE(name(machine.control.interpolation), left);
+  CHECK(result.rows[1].s == 0);
+  CHECK(result.rows[2].s == Approx(left * whole[0]).epsilon(0.01));
+  CHECK(result.rows[3].s - result.rows[2].s == Approx(whole[0]).epsilon(0.06));
+}
+
 TEST_CASE("a radius below the tolerance leaves a step of two tolerances", "[methods]") {
   const Nurbs circle = test::curve("circle_deg2");
   const WalkPlace place{&circle, 0, 0, {circle.point(0), {}, {}}, 1, 2 * kRadius};

@@ -222,6 +222,67 @@ TEST_CASE("the fluctuation of the feed is known in the root of the mean square, 
   CHECK(verifier.measured().feed_fluctuation_rms == Approx(0.25));
 }
 
+TEST_CASE("a period that a rapid and a cutting move share does not count as fluctuation",
+          "[verify]") {
+  const Path first = Line({0, 0, 0}, {1, 0, 0}), second = Line({1, 0, 0}, {1, 1, 0});
+  const bool rapid_first = GENERATE(false, true);
+  const auto shared = [&](bool both_cut) {
+    const std::vector<PathStretch> stretches{{&first, 0, nullptr, rapid_first && !both_cut},
+                                             {&second, 1, nullptr, !rapid_first && !both_cut}};
+    Verifier verifier(machine_at(1e-3));
+    verifier.sample(at_position(0, {0.2, 0, 0}, 0.2, 0), stretches);
+    verifier.sample(at_position(1, {0.6, 0, 0}, 0.6, 0.4), stretches);
+    verifier.sample(at_position(2, {1, 0.4, 0}, 1.4, 0.2), stretches);
+    CHECK(verifier.period().feed_fluctuation == Approx(3));
+    verifier.sample(at_position(3, {1, 0.5, 0}, 1.5, 0.08), stretches);
+    return verifier.measured();
+  };
+  const Measured alone = shared(false), cut = shared(true);
+  CHECK(alone.feed_fluctuation == Approx(0.25));
+  CHECK(alone.feed_fluctuation_rms == Approx(0.25 / std::sqrt(2.0)));
+  CHECK(alone.chord_fluctuation == Approx(0.25));
+  CHECK(cut.feed_fluctuation == Approx(3));
+  CHECK(cut.chord_fluctuation == Approx(std::sqrt(0.32) / 0.2 - 1));
+}
+
+TEST_CASE("a period that ends where a rapid meets a cutting move counts", "[verify]") {
+  const Path first = Line({0, 0, 0}, {1, 0, 0}), second = Line({1, 0, 0}, {1, 1, 0});
+  const std::vector<PathStretch> stretches{{&first, 0, nullptr, true}, {&second, 1}};
+  Verifier verifier(machine_at(1e-3));
+  verifier.sample(at_position(0, {0.8, 0, 0}, 0.8, 0), stretches);
+  verifier.sample(at_position(1, {1, 1e-15, 0}, 1 + 1e-15, 0.1), stretches);
+  CHECK(verifier.measured().feed_fluctuation == Approx(1));
+}
+
+TEST_CASE("the chords of a circle are shorter than its arcs by their sine", "[verify]") {
+  for (const int steps : {40, 400}) {
+    const double half = std::numbers::pi / steps;
+    const Measured measured = measure(circle(10), steps);
+    CHECK(measured.feed_fluctuation < 1e-12);
+    const double shorter = 1 - std::sin(half) / half;
+    CHECK(measured.chord_fluctuation == Approx(shorter).epsilon(1e-6));
+    CHECK(measured.chord_fluctuation_rms == Approx(shorter).epsilon(1e-6));
+    CHECK(measured.chord_fluctuation_p99 == Approx(shorter).epsilon(1e-6));
+  }
+  const Measured straight = measure(Line({0, 0, 0}, {3, 4, 0}), 100);
+  CHECK(straight.chord_fluctuation < 1e-12);
+}
+
+TEST_CASE("of a motion that leaves the path the nearest place of the path counts", "[verify]") {
+  const Path path = Line({0, 0, 0}, {10, 0, 0});
+  const PathStretch stretch{&path, 0};
+  const auto deviation = [&](Method method) {
+    Machine machine = machine_at(1e-3);
+    machine.control.interpolation = method;
+    Verifier verifier(machine);
+    verifier.sample(at_position(0, {0, 0, 0}, 0, 0), {&stretch, 1});
+    verifier.sample(at_position(1, {3.7, 0.4, 0}, 4, 4), {&stretch, 1});
+    return verifier.measured().path_deviation;
+  };
+  CHECK(deviation(Method::acc_dec_linear) == Approx(0.4));
+  CHECK(deviation(Method::arc_length) == Approx(0.5));
+}
+
 TEST_CASE("integrated length agrees with the exact one", "[verify]") {
   const Path round = test::curve("circle_deg2");
   CHECK(integrated_length(round, 0, length(round)) == Approx(20 * std::numbers::pi).epsilon(1e-12));

@@ -49,6 +49,18 @@ def paper_000():
         check_range(f"000 {name}: the limit is kept, and used", most[name], 0.99 * allowed, allowed)
     check("000 figure 6: the scheme exceeds its bound, times", most["scheme_005"] / 0.05, 8.3, 0.05)
     check("000 figure 9: the scheme exceeds its bound, times", most["scheme_2"] / 2, 3.3, 0.1)
+    starts = read(DATA / "000_starts.csv")
+    worst = dict(zip(starts["run"], starts["worst_um"]))
+    median = dict(zip(starts["run"], starts["median_um"]))
+    for name, allowed in (("000_plan_005", 0.05), ("000_plan_2", 2.0)):
+        check_range(f"{name}: the limit is kept from every start", worst[name], 0.99 * allowed, allowed)
+    # Another program's walks along the curve, from 16 (scheme) and 64 starts (chords).
+    check("000 figure 9: from the worst start, um", worst["000_scheme_2"], 6.682, 0.1)
+    check("000 figure 9: median over the starts, um", median["000_scheme_2"], 6.285, 0.1)
+    check("000 figure 10: from the worst start, um", worst["000_fixed"], 263.2, 3)
+    check("000 figure 10: median over the starts, um", median["000_fixed"], 161.75, 0.5)
+    check_range("000 figure 6: the scheme exceeds its bound from the worst start, times",
+                worst["000_scheme_005"] / 0.05, 9.3, 10.5)
     # At a fixed feed the chord of one period on a circle: r - sqrt(r^2 - (F T / 2)^2).
     curve = read(DATA / "000_curve.csv")
     step = 2000 / 60 * 0.008

@@ -37,11 +37,12 @@ Block spindle() { return {Action{Action::Kind::spindle, 3, 1000}}; }
 struct Delayed {
   std::size_t place = 0, blocks = 0;
 };
-Delayed delayed(std::vector<Block> blocks) {
+Delayed delayed(std::vector<Block> blocks, DelayPlace where = DelayPlace::at_rest) {
   for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].number = static_cast<int>(i) + 1;
   std::size_t next = 0;
   const auto all = with_first_cut_delayed(
-      [&] { return next < blocks.size() ? std::optional(blocks[next++]) : std::nullopt; }, 0.25);
+      [&] { return next < blocks.size() ? std::optional(blocks[next++]) : std::nullopt; }, 0.25,
+      where);
   Delayed result{all.size(), all.size() - 1};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto* dwell = std::get_if<Dwell>(&all[i].what);
@@ -103,6 +104,17 @@ TEST_CASE("a delay stands where the machine rests in any case before the first c
   CHECK(place({rapid(up, a), rapid(a, b), cut(b, c)}) == 0);    // into another
   CHECK(place({}) == 0);
   CHECK(place({rapid(a, b), spindle()}) == 1);
+}
+
+TEST_CASE("where a delay may stand depends on the method", "[compare]") {
+  const AxisVector a(0, 0, 0), b(10, 0, 0), c(20, 0, 0);
+  const std::vector<Block> blocks{rapid(a, b), spindle(), rapid(b, c), cut(c, b)};
+  const std::vector<Block> straight{rapid(a, b), cut(b, c)};
+  CHECK(delayed(blocks, delay_place(Method::chords)).place == 3);
+  CHECK(delayed(straight, delay_place(Method::chords)).place == 1);
+  CHECK(delayed(straight, delay_place(Method::taylor1)).place == 0);
+  CHECK(delayed(blocks, delay_place(Method::taylor1)).place == 3);
+  CHECK(delayed(blocks, delay_place(Method::acc_dec_linear)).place == 0);
 }
 
 TEST_CASE("a delay reads no further than the first cut, nor than so many blocks", "[compare]") {
@@ -167,6 +179,54 @@ TEST_CASE("methods of the literature begin a curve when the plan does", "[compar
   }
 }
 
+TEST_CASE("phases shift the setpoints along the curve, whatever the method", "[compare]") {
+  // Where steps are limited by the chord tolerance or have one length, the first one is as much
+  // shorter as the curve begins later.
+  Machine machine;
+  machine.control.period = machine.control.servo_period = 0.008;
+  machine.control.chord_tolerance = 1e-3;
+  for (Axis& axis : machine.axes) axis.acceleration = 1e6;
+  const std::string circle =
+      "G21 G90 G00 X20\nG06.2 P3 K0 X20 Y0 R1 F60000\nK0 X20 Y20 R0.7071067811865476\n"
+      "K0 X0 Y20 R1\nK1\nK1\nK1\nM30\n";
+  const double step = std::sqrt(8 * 1e-3 * 20);  // mm, of a chord 1 um off
+  const double part = GENERATE(0.25, 0.5, 0.875);
+  for (const Method method : {Method::curvature3p, Method::yeh_hsu_2002, Method::chords}) {
+    machine.control.interpolation = method;
+    const auto rows = rows_of(circle, machine, part * machine.control.period);
+    const auto first = std::find_if(rows.begin(), rows.end(),
+                                    [](const Setpoint& row) { return row.position[1] > 0; });
+    REQUIRE(first != rows.end());
+    CAPTURE(name(method), part);
+    const double angle = std::atan2(first->position[1], first->position[0]);
+    const double whole = method == Method::chords ? machine.limits.feed * 0.008 : step;
+    CHECK(20 * angle == Approx((1 - part) * whole).epsilon(0.01));
+  }
+}
+
+TEST_CASE("a machine without a backend has no contour error", "[compare]") {
+  auto program = Program::open(SOFTCNC_SOURCE_DIR "/programs/03_arc.nc");
+  REQUIRE(program);
+  const auto known = [&](BackendKind backend) {
+    Machine machine;
+    machine.control.backend = backend;
+    MethodComparison comparison(*program, machine, {}, Method::arc_length, 1);
+    CHECK(comparison.run_next(nullptr));
+    std::vector<bool> has;
+    for (const auto& spread : comparison.spreads()) has.push_back(spread.has_value());
+    return has;
+  };
+  const auto mill = known(BackendKind::sim), port = known(BackendKind::stepdir),
+             none = known(BackendKind::none);
+  CHECK(port == mill);
+  for (std::size_t i = 0; i < mill.size(); ++i) {
+    CAPTURE(compared_figures()[i].name);
+    const bool is_contour = compared_figures()[i].name.starts_with("contour_error");
+    CHECK(none[i] == (mill[i] && !is_contour));
+    if (is_contour) CHECK(mill[i]);
+  }
+}
+
 TEST_CASE("one phase has the figures of a run", "[compare]") {
   const Method method = GENERATE(Method::arc_length, Method::taylor1, Method::dsm);
   auto program = Program::open(SOFTCNC_SOURCE_DIR "/programs/08_butterfly.nc");
@@ -206,17 +266,24 @@ TEST_CASE("what means nothing for a method has no figure", "[compare]") {
     return names;
   };
   Machine machine;
-  const std::string always =
-      "time_s chord_error_um_max chord_error_um_rms path_deviation_um_max "
-      "feed_fluctuation_max feed_fluctuation_rms acceleration_over_limit ";
+  const std::string fluctuations =
+      "feed_fluctuation_max feed_fluctuation_rms feed_fluctuation_p99 ";
+  const std::string rest = "path_deviation_um_max " + fluctuations +
+                           "chord_fluctuation_max chord_fluctuation_rms chord_fluctuation_p99 "
+                           "acceleration_over_limit ";
+  const std::string always = "time_s chord_error_um_max chord_error_um_rms " + rest;
   CHECK(known(machine) == always);
+  for (const Method method : {Method::acc_dec_linear, Method::acc_dec_bell, Method::two_step}) {
+    machine.control.interpolation = method;  // what leaves the path has no chords of it
+    CHECK(known(machine) == "time_s " + rest);
+  }
+  machine.control.interpolation = Method::chords;
   machine.axes[1].jerk = 50000;
   CHECK(known(machine) == always + "jerk_over_limit ");
   machine.control.interpolation = Method::dda;
   CHECK(known(machine) == "time_s path_deviation_um_max ");
   machine.control.pulse_clock = PulseClock::paper;
-  CHECK(known(machine) ==
-        "time_s path_deviation_um_max feed_fluctuation_max feed_fluctuation_rms ");
+  CHECK(known(machine) == "time_s path_deviation_um_max " + fluctuations);
 }
 
 TEST_CASE("of several axes the one that takes most of its limit counts", "[compare]") {

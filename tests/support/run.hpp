@@ -123,7 +123,7 @@ inline Run run(const Machine& machine, const std::vector<Block>& blocks, const C
     queue.for_each_recent([&](const ipo::TimedBlock& timed) {
       if (const Move* move = timed.move())
         stretches.push_back(
-            {&move->path, timed.s_start, move->surface ? &*move->surface : nullptr});
+            {&move->path, timed.s_start, move->surface ? &*move->surface : nullptr, move->rapid});
     });
     verifier.sample(*setpoint, stretches);
     programmed.sample(*setpoint);

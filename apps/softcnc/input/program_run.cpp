@@ -41,6 +41,8 @@ std::vector<RunFigure> figures_of(const runtime::Outcome& outcome, const Machine
   };
   if (is_by_pulses(machine.control.interpolation))
     add("distance of the staircase from the path", um_from_mm(measured.path_deviation), "um");
+  else if (accelerates_after(machine.control.interpolation))
+    add("distance from the path", um_from_mm(measured.path_deviation), "um");
   else
     add("chord error", um_from_mm(measured.chord_error), "um");
   if (outcome.corner_deviation > 0)

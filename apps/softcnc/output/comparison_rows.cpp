@@ -28,10 +28,13 @@ struct Heading {
   const char* below;
 };
 constexpr std::array kHeadings{
-    Heading{"", "time, s"},         Heading{"chord", "max, um"}, Heading{"error", "rms, um"},
-    Heading{"off path", "max, um"}, Heading{"feed", "max"},      Heading{"fluct.", "rms"},
-    Heading{"accel. /", "limit"},   Heading{"jerk /", "limit"},  Heading{"contour", "max, um"},
-    Heading{"error", "rms, um"},
+    Heading{"", "time, s"},        Heading{"chord", "max, um"},
+    Heading{"error", "rms, um"},   Heading{"off path", "max, um"},
+    Heading{"feed", "max"},        Heading{"fluct.", "rms"},
+    Heading{"", "99 %"},           Heading{"chord", "max"},
+    Heading{"fluct.", "rms"},      Heading{"", "99 %"},
+    Heading{"accel. /", "limit"},  Heading{"jerk /", "limit"},
+    Heading{"contour", "max, um"}, Heading{"error", "rms, um"},
 };
 
 /// How a text cell is taken from a spread.

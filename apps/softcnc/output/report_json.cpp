@@ -68,6 +68,12 @@ void add_measured(Json& report, const Machine& machine, const runtime::Outcome& 
   report["corner_deviation_um_max"] = um_from_mm(outcome.corner_deviation);
   report["feed_fluctuation_max"] = measured.feed_fluctuation;
   report["feed_fluctuation_rms"] = measured.feed_fluctuation_rms;
+  report["feed_fluctuation_p99"] = measured.feed_fluctuation_p99;
+  if (!is_by_pulses(machine.control.interpolation)) {
+    report["chord_fluctuation_max"] = measured.chord_fluctuation;
+    report["chord_fluctuation_rms"] = measured.chord_fluctuation_rms;
+    report["chord_fluctuation_p99"] = measured.chord_fluctuation_p99;
+  }
   if (measured.rmax_target > 0) {
     report["rmax_um_max"] = um_from_mm(measured.rmax);
     report["rmax_target_um"] = um_from_mm(measured.rmax_target);

@@ -36,6 +36,8 @@ std::string closeness(const Machine& machine, const Measured& measured) {
     return fmt::format("staircase    {:.4f} um from the curve at most, {:.4f} um on average",
                        um_from_mm(measured.path_deviation),
                        um_from_mm(measured.path_deviation_mean));
+  if (accelerates_after(machine.control.interpolation))
+    return fmt::format("off the path {:.4f} um at most", um_from_mm(measured.path_deviation));
   return fmt::format("chord error  {:.4f} um, {:.6g} um allowed", um_from_mm(measured.chord_error),
                      um_from_mm(machine.control.chord_tolerance));
 }

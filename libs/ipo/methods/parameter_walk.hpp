@@ -14,6 +14,10 @@ class ParameterWalk {
   /// Requires a method that has a step rule in method_table.cpp. `nurbs` must outlive the walk.
   ParameterWalk(const Nurbs& nurbs, Method method, double chord_tolerance) noexcept;
 
+  /// Realtime. Begins what is left of a period: a method that limits its own step takes so large a
+  /// part of it, 1 for the whole period.
+  void begin_step(double part) noexcept { place_.part = part; }
+
   /// Realtime. Steps ahead by about `ds` mm by the rule of the method, and stops at the end of the
   /// curve.
   void step(double ds) noexcept;

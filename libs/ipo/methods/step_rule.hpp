@@ -13,12 +13,14 @@ struct WalkPlace {
   AxisVector last[3];      // the last points, newest first,
   int points;              // and how many of them there are
   double chord_tolerance;  // mm
+  double part = 1;         // of a period, which the next step may take
 };
 
 /// Realtime. Returns the change of the parameter that the method takes for `ds` mm, the planned
 /// speed integrated over the step.
 using Increment = double (*)(const WalkPlace& place, double ds) noexcept;
-/// Realtime. Returns the longest step, mm, that the method takes from there.
+/// Realtime. Returns the longest step, mm, that the method takes from there, in that part of a
+/// period.
 using LongestStep = double (*)(const WalkPlace& place) noexcept;
 
 struct StepRule {

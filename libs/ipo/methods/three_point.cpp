@@ -13,7 +13,7 @@ double three_point_longest(const WalkPlace& place) noexcept {
   const double kappa = place.points < 3
                            ? curvature_at(place)
                            : three_point_curvature(place.last[2], place.last[1], place.last[0]);
-  return kappa > 0 ? std::sqrt(8 * place.chord_tolerance / kappa)
+  return kappa > 0 ? place.part * std::sqrt(8 * place.chord_tolerance / kappa)
                    : std::numeric_limits<double>::infinity();
 }
 

@@ -8,7 +8,7 @@
 namespace softcnc::ipo {
 
 double yeh_hsu_2002_longest(const WalkPlace& place) noexcept {
-  return chord_step(curvature_at(place), place.chord_tolerance);
+  return place.part * chord_step(curvature_at(place), place.chord_tolerance);
 }
 
 double yeh_hsu_2002_increment(const WalkPlace& place, double ds) noexcept {

@@ -138,6 +138,7 @@ FinePoint Interpolator::ahead() const noexcept {
   FinePoint place{then.s, position(move->path, then.s)};
   if (walk_) {
     ParameterWalk walk = *walk_;
+    walk.begin_step(1);
     walk.step(then.s - walk.s());
     place = {walk.s(), walk.position()};
   }
@@ -190,6 +191,7 @@ void Interpolator::follow_method(double left) noexcept {
     const Profile& profile = queue_.front().profile;
     const double s = state().s;
     const double to_end = profile.duration() - t_;
+    if (walk_) walk_->begin_step(left / control_.period);
     const bool ends = left >= to_end - same;
     const double target = profile.at(ends ? profile.duration() : t_ + left, hint_).s;
     if (ends && (!walk_ || walk_->takes(target - s))) {

@@ -26,20 +26,22 @@ bool Interpolator::pass_rest(double& left) noexcept {
   return false;
 }
 
-/// One chord as long as the feed allows in what is left of the period, wherever the moves meet.
-/// Where the machine must rest the chord ends, and so does the period. Where the path stays within
-/// the chord's length, the chord ends after kChordPeriods times as much of the path.
+/// One chord as long as the feeds of its moves allow in what is left of the period, wherever they
+/// meet. Where the machine must rest, and between a rapid and a cutting move, the chord ends, and
+/// so does the period. Where the path stays within the chord's length, the chord ends after
+/// kChordPeriods times as much of the path.
 void Interpolator::follow_chord(double left) noexcept {
   if (!pass_rest(left)) return;
   const AxisVector from = last_.position;
   const double until = queue_.front().t_start + t_ + kChordPeriods * left;
+  double passed = 0;  // mm: of the chord, by the moves that it has passed
   for (bool follows = true; follows;) {
     const TimedBlock& block = queue_.front();
     const Move& move = *block.move();
     const State now = state();
     std::size_t hint = 0;
     const double farthest = block.profile.at(until - block.t_start, hint).s;
-    const double chord = now.v * left;
+    const double chord = passed + now.v * left;
     const auto s = chord_end(move.path, now.s, farthest, from, chord);
     if (s || farthest < block.profile.end_place()) {
       planned_ += chord;
@@ -47,7 +49,11 @@ void Interpolator::follow_chord(double left) noexcept {
       hint_ = 0;
       return;
     }
-    follows = move.path_mode == PathMode::follow && queue_.next() && queue_.next()->move();
+    const double taken = std::min(block.profile.duration() - t_, left);
+    passed += now.v * taken;
+    left -= taken;
+    const Move* next = queue_.next() ? queue_.next()->move() : nullptr;
+    follows = move.path_mode == PathMode::follow && next && next->rapid == move.rapid;
     leave_block();
   }
   planned_ += (last_.position - from).norm();

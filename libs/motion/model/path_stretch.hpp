@@ -14,6 +14,7 @@ struct PathStretch {
   const Path* path;
   double s_start;
   const Surface* surface = nullptr;  // that it is to produce
+  bool rapid = false;
 };
 
 /// Returns the stretch on which the path is at s, mm along the program, in stretches that follow

@@ -14,6 +14,8 @@ constexpr int kChordSamples = 8;
 constexpr double kIntegration = 1e-9;
 constexpr int kDepth = 20;
 constexpr double kSmallestAdvance = 1e-3;  // mm; interfaces: feed_fluctuation_max
+constexpr double kSamePlace = 1e-9;        // mm along the path: rounding
+constexpr double kMost = 0.99;             // of the periods
 
 // Gauss-Legendre nodes and weights on [-1, 1], the positive half; they integrate polynomials of
 // degree 15 exactly (Abramowitz and Stegun, table 25.4).
@@ -58,7 +60,7 @@ double integrate(const Nurbs& nurbs, double s0, double s1) noexcept {
 
 }  // namespace
 
-Verifier::Verifier(const Machine& machine) noexcept
+Verifier::Verifier(const Machine& machine)
     : by_pulses_(is_by_pulses(machine.control.interpolation)),
       off_path_(accelerates_after(machine.control.interpolation)),
       period_(by_pulses_ ? machine.control.period : fine_period(machine.control)),
@@ -81,6 +83,17 @@ void Verifier::sample(const Setpoint& setpoint, std::span<const PathStretch> str
   });
   before_ = setpoint;
   ++measured_.samples;
+}
+
+Measured Verifier::measured() const noexcept {
+  Measured measured = measured_;
+  measured.feed_fluctuation = feed_.largest();
+  measured.feed_fluctuation_rms = feed_.rms();
+  measured.feed_fluctuation_p99 = feed_.percentile(kMost);
+  measured.chord_fluctuation = chord_.largest();
+  measured.chord_fluctuation_rms = chord_.rms();
+  measured.chord_fluctuation_p99 = chord_.percentile(kMost);
+  return measured;
 }
 
 void Verifier::pass_over(const Setpoint& setpoint) noexcept {
@@ -126,6 +139,7 @@ void Verifier::differences() noexcept {
 
 void Verifier::geometry(const Setpoint& setpoint, std::span<const PathStretch> stretches) noexcept {
   double travelled = 0;
+  bool cuts = false, rapids = false;
   last_period_ = {};
   for (const PathStretch& stretch : stretches) {
     const double s_end = softcnc::length(*stretch.path);
@@ -137,6 +151,7 @@ void Verifier::geometry(const Setpoint& setpoint, std::span<const PathStretch> s
           std::max(last_period_.chord_error,
                    chord_error(*stretch.path, s0, s1, before_.position, setpoint.position));
     travelled += integrated_length(*stretch.path, s0, s1);
+    if (s1 > s0 + kSamePlace) (stretch.rapid ? rapids : cuts) = true;
   }
   if (!by_pulses_ && travelled > 0) chord(last_period_.chord_error);
   if (!stretches.empty()) {
@@ -148,8 +163,12 @@ void Verifier::geometry(const Setpoint& setpoint, std::span<const PathStretch> s
           std::max(measured_.normal, setpoint.v * setpoint.v * at(*here.path, s).ddq.norm());
     closeness(setpoint, stretches);
   }
-  const double run = off_path_ ? (setpoint.position - before_.position).norm() : travelled;
-  fluctuation(run, setpoint.advance);
+  const double chord = (setpoint.position - before_.position).norm();
+  if (setpoint.advance <= kSmallestAdvance) return;
+  last_period_.feed_fluctuation = (off_path_ ? chord : travelled) / setpoint.advance - 1;
+  if (cuts && rapids) return;
+  feed_.add(last_period_.feed_fluctuation);
+  chord_.add(chord / setpoint.advance - 1);
 }
 
 /// Pulses run no chord: how far they are from the curve is the error of the period.
@@ -163,7 +182,9 @@ void Verifier::closeness(const Setpoint& setpoint,
     return;
   }
   const PathStretch& here = stretch_at(stretches, setpoint.s);
-  const double s = std::clamp(setpoint.s - here.s_start, 0.0, softcnc::length(*here.path));
+  const double s_end = softcnc::length(*here.path);
+  double s = std::clamp(setpoint.s - here.s_start, 0.0, s_end);
+  if (off_path_) s = nearest({here.path, 0, s_end}, setpoint.position, s);
   measured_.path_deviation =
       std::max(measured_.path_deviation, (position(*here.path, s) - setpoint.position).norm());
 }
@@ -173,16 +194,6 @@ void Verifier::chord(double error) noexcept {
   ++chords_;
   measured_.chord_error = std::max(measured_.chord_error, error);
   measured_.chord_error_rms = std::sqrt(chord_errors_ / static_cast<double>(chords_));
-}
-
-void Verifier::fluctuation(double travelled, double advance) noexcept {
-  if (advance <= kSmallestAdvance) return;
-  last_period_.feed_fluctuation = travelled / advance - 1;
-  const double off = std::abs(last_period_.feed_fluctuation);
-  fluctuations_ += off * off;
-  ++advances_;
-  measured_.feed_fluctuation = std::max(measured_.feed_fluctuation, off);
-  measured_.feed_fluctuation_rms = std::sqrt(fluctuations_ / static_cast<double>(advances_));
 }
 
 /// Teeth that rub are not asked to be slower.

@@ -11,6 +11,7 @@
 #include "motion/model/machine.hpp"
 #include "motion/model/path_stretch.hpp"  // IWYU pragma: export
 #include "motion/model/setpoint.hpp"
+#include "motion/verification/fluctuation.hpp"
 #include "motion/verification/staircase_error.hpp"
 
 namespace softcnc {
@@ -26,9 +27,13 @@ struct Measured {
   double chord_error = 0;                        // mm: curve between two samples to their chord
   double chord_error_rms = 0;  // mm: of methods with chords, over periods that travel on the path
   double path_deviation = 0;   // mm: commanded position to the curve; of pulses, every place
-  double path_deviation_mean = 0;    // mm: of methods by pulses, over all clocks
-  double feed_fluctuation = 0;       // |length / planned advance - 1|, advances over 1 um: largest
-  double feed_fluctuation_rms = 0;   // and root of the mean square
+  double path_deviation_mean = 0;  // mm: of methods by pulses, over all clocks
+  /// |length / planned advance - 1|: the largest, the root of the mean square, and what 99 % of the
+  /// periods do not exceed. Periods that advance by 1 um or less, and those that a rapid and a
+  /// cutting move share, do not count.
+  double feed_fluctuation = 0, feed_fluctuation_rms = 0, feed_fluctuation_p99 = 0;
+  /// The same of the chord from sample to sample instead of the length between them.
+  double chord_fluctuation = 0, chord_fluctuation_rms = 0, chord_fluctuation_p99 = 0;
   double rmax = 0, rmax_target = 0;  // mm: of the sample that leaves most as part of its target
   std::int64_t samples = 0;
 };
@@ -42,7 +47,7 @@ struct MeasuredPeriod {
 
 class Verifier {
  public:
-  explicit Verifier(const Machine& machine) noexcept;
+  explicit Verifier(const Machine& machine);
 
   /// Takes the next sample. `stretches` are the paths from the one of the sample before to the one
   /// of this sample, in order; blocks without a path are omitted.
@@ -55,7 +60,8 @@ class Verifier {
   /// Measures, after the last sample, the differences that extend into the rest that follows.
   void finish() noexcept;
 
-  const Measured& measured() const noexcept { return measured_; }
+  /// Returns what has been measured so far.
+  Measured measured() const noexcept;
   /// Returns what the last sample has added.
   const MeasuredPeriod& period() const noexcept { return last_period_; }
 
@@ -68,7 +74,6 @@ class Verifier {
 
   void closeness(const Setpoint& setpoint, std::span<const PathStretch> stretches) noexcept;
   void chord(double error) noexcept;
-  void fluctuation(double travelled, double advance) noexcept;
   void roughness(const Setpoint& setpoint, const PathStretch& here) noexcept;
 
   bool by_pulses_;
@@ -82,10 +87,9 @@ class Verifier {
   std::array<AxisVector, 4> last_;  // positions, newest first
   std::array<double, 3> last_s_{};  // mm along the path, newest first
   Setpoint before_;
-  double fluctuations_ = 0;    // sum of squares
-  std::int64_t advances_ = 0;  // periods that count in it
-  double chord_errors_ = 0;    // sum of squares, mm^2
-  std::int64_t chords_ = 0;    // periods that count in it
+  Fluctuation feed_, chord_;
+  double chord_errors_ = 0;  // sum of squares, mm^2
+  std::int64_t chords_ = 0;  // periods that count in it
   Measured measured_;
 };
 

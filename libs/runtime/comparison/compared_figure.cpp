@@ -10,16 +10,23 @@ namespace {
 
 using Value = std::optional<double>;
 
-/// A staircase has no chords.
-bool has_chords(const Machine& machine) { return !is_by_pulses(machine.control.interpolation); }
+bool has_pulses(const Machine& machine) { return is_by_pulses(machine.control.interpolation); }
+
+/// A staircase has no chords, and those of a motion that leaves the path are none of the path.
+bool has_chord_error(const Machine& machine) {
+  return !has_pulses(machine) && !accelerates_after(machine.control.interpolation);
+}
 
 /// Under the clock of the profile a staircase is wherever the plan is.
 bool has_own_feed(const Machine& machine) {
-  return has_chords(machine) || machine.control.pulse_clock == PulseClock::paper;
+  return !has_pulses(machine) || machine.control.pulse_clock == PulseClock::paper;
 }
 
+/// From row to row a staircase is off by its BLU.
+bool has_own_chords(const Machine& machine) { return !has_pulses(machine); }
+
 /// Differences of a staircase would be those of its BLU.
-bool has_derivatives(const Machine& machine) { return has_chords(machine); }
+bool has_derivatives(const Machine& machine) { return !has_pulses(machine); }
 
 Value if_(bool means_something, double value) {
   return means_something ? Value(value) : std::nullopt;
@@ -46,11 +53,11 @@ constexpr ComparedFigure kFigures[] = {
     {"time_s", [](const Outcome& outcome, const Machine&) { return Value(outcome.time); }},
     {"chord_error_um_max",
      [](const Outcome& outcome, const Machine& machine) {
-       return if_(has_chords(machine), um_from_mm(outcome.measured.chord_error));
+       return if_(has_chord_error(machine), um_from_mm(outcome.measured.chord_error));
      }},
     {"chord_error_um_rms",
      [](const Outcome& outcome, const Machine& machine) {
-       return if_(has_chords(machine), um_from_mm(outcome.measured.chord_error_rms));
+       return if_(has_chord_error(machine), um_from_mm(outcome.measured.chord_error_rms));
      }},
     {"path_deviation_um_max",
      [](const Outcome& outcome, const Machine&) {
@@ -63,6 +70,22 @@ constexpr ComparedFigure kFigures[] = {
     {"feed_fluctuation_rms",
      [](const Outcome& outcome, const Machine& machine) {
        return if_(has_own_feed(machine), outcome.measured.feed_fluctuation_rms);
+     }},
+    {"feed_fluctuation_p99",
+     [](const Outcome& outcome, const Machine& machine) {
+       return if_(has_own_feed(machine), outcome.measured.feed_fluctuation_p99);
+     }},
+    {"chord_fluctuation_max",
+     [](const Outcome& outcome, const Machine& machine) {
+       return if_(has_own_chords(machine), outcome.measured.chord_fluctuation);
+     }},
+    {"chord_fluctuation_rms",
+     [](const Outcome& outcome, const Machine& machine) {
+       return if_(has_own_chords(machine), outcome.measured.chord_fluctuation_rms);
+     }},
+    {"chord_fluctuation_p99",
+     [](const Outcome& outcome, const Machine& machine) {
+       return if_(has_own_chords(machine), outcome.measured.chord_fluctuation_p99);
      }},
     {"acceleration_over_limit",
      [](const Outcome& outcome, const Machine& machine) {

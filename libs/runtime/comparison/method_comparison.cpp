@@ -16,10 +16,13 @@
 namespace softcnc::runtime {
 namespace {
 
-/// The machine with the method and the simulated mill, or why they do not fit each other.
+/// The machine with the method, and with the simulated mill in place of what moves a real one, or
+/// why they do not fit each other.
 Result<Machine> simulated(const Machine& machine, Method method) {
-  const std::string settings[] = {"control.interpolation=" + std::string(name(method)),
-                                  "control.backend=sim"};
+  const bool moves_nothing = machine.control.backend == BackendKind::none;
+  const std::string settings[] = {
+      "control.interpolation=" + std::string(name(method)),
+      moves_nothing ? std::string("control.backend=none") : std::string("control.backend=sim")};
   auto changed = hal::parse_machine(hal::machine_toml(machine), machine.name, settings);
   if (changed) return *std::move(changed);
   Diagnostic error = std::move(changed.error().front());

@@ -25,12 +25,13 @@ constexpr auto all_methods() noexcept {
   return methods;
 }
 
-/// Runs a program by one method on the simulated mill once for each of `phases` places, evenly
-/// spaced within the period: in run k of n the first cutting move begins k/n of a period later than
-/// in run 0, which is the run of the program as it is. Whatever method finds the setpoints, its
-/// clock is then k/n of a period ahead of the path. Two things are as they are in any run: a
+/// Runs a program by one method once for each of `phases` places, evenly spaced within the period:
+/// in run k of n the first cutting move begins k/n of a period later than in run 0, which is the
+/// run of the program as it is. So its first setpoint on the curve comes k/n of a step nearer to
+/// the start of the curve, and with it all that follow. Two things are as they are in any run: a
 /// machine that waits in a corner for the next setpoint (docs/feed.md) begins what follows at a
-/// setpoint, and times are those of the motion without the delay.
+/// setpoint, and times are those of the motion without the delay. The runs go to the simulated
+/// mill, or nowhere on a machine whose backend is `none`.
 class MethodComparison {
  public:
   /// `program` must outlive it; it is read once for each phase. A method that does not fit the

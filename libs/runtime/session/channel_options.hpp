@@ -26,8 +26,7 @@ struct ChannelOptions {
   bool rests_at_pauses = false;
   std::vector<FeedEvent> events;  // in the order of time
   /// s: so much later the first cutting move begins, see with_first_cut_delayed(), or the whole
-  /// program, by methods that ignore the plan and pass corners at speed; for programs
-  /// that are not fed and without `keeps_state`.
+  /// program, see DelayPlace; for programs that are not fed and without `keeps_state`.
   double first_cut_delay = 0;
   bool skims = false;           // rows that cannot come near a limit are not looked at one by one
   std::size_t worst_lines = 0;  // Outcome::worst_lines: so many are asked for

@@ -44,8 +44,7 @@ Feeder::Feeder(ipr::Reader& reader, int input, const Machine& machine,
       interpreter_(parser_, machine, diagnostics, options.interpreter, options.state),
       planner_(path_machine_, options.feed_override, diagnostics, {}, options.constraints),
       first_cut_delay_(options.first_cut_delay),
-      delay_place_(ignores_plan(machine.control.interpolation) ? DelayPlace::at_start
-                                                               : DelayPlace::before_cut),
+      delay_place_(delay_place(machine.control.interpolation)),
       states_(options.state),
       patient_(!options.events.empty()),
       limit_(machine, largest_override(options)) {}

@@ -41,9 +41,11 @@ std::deque<Block> with_first_cut_delayed(const std::function<std::optional<Block
   for (bool found = false; !found && blocks.size() < kMostBlocks;) {
     auto block = next();
     if (!block) break;
-    const bool may_stand = where == DelayPlace::before_cut && rests_before(blocks, *block);
-    if (may_stand) place = blocks.size();
     found = cuts(*block);
+    const bool may_stand = where == DelayPlace::before_cut
+                               ? found
+                               : where == DelayPlace::at_rest && rests_before(blocks, *block);
+    if (may_stand) place = blocks.size();
     blocks.push_back(std::move(*block));
   }
   Block dwell{Dwell{delay}};

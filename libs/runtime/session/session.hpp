@@ -84,7 +84,7 @@ class Session {
   int errors() const noexcept { return diagnostics_.errors(); }
 
   /// Returns what the rows so far have reached, and how far they were from the path.
-  const Measured& measured() const noexcept { return verification_.measured(); }
+  Measured measured() const noexcept { return verification_.measured(); }
   std::optional<ContourReport> contour() const;
   /// Returns offsets, modes and position as programs that follow find them.
   const MachineState& state() noexcept { return channel_.feeder().states().present(); }

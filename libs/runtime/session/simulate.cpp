@@ -160,6 +160,7 @@ class Simulation {
   bool collect();
   void end_realtime();
   void keep_times();
+  double lap() noexcept;
   Outcome finish();
 
   int input_;
@@ -182,6 +183,7 @@ class Simulation {
   double planned_s_ = 0;  // mm: of the last row that was planned
   Outcome outcome_;
   CpuLaps cpu_;
+  double planning_ = 0;  // s of CPU: until the last lap
 };
 
 /// All rows so far are out; the machine rests in the next one, whatever the answer.
@@ -228,6 +230,12 @@ void Simulation::pass_quiet_rows(Watcher* watcher) {
   }
 }
 
+/// The CPU time since the last lap, without that of planning, which any stage may ask for.
+double Simulation::lap() noexcept {
+  const double planned = channel_.feeder().cpu();
+  return std::max(cpu_.lap() - (planned - std::exchange(planning_, planned)), 0.0);
+}
+
 /// True if more may follow.
 bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   buffer_.clear();
@@ -235,16 +243,16 @@ bool Simulation::run_batch(RowSink* rows, Watcher* watcher) {
   Batch batch(channel_, batch_, skims_);
   const CycleReport cycle = realtime_ ? run_cycle(batch, *realtime_, buffer_, panel_)
                                       : run_cycle(batch, backend_, buffer_, panel_);
-  outcome_.cpu.cycle += cpu_.lap();
+  outcome_.cpu.cycle += lap();
   verify();
-  outcome_.cpu.verification += cpu_.lap();
+  outcome_.cpu.verification += lap();
   wanted_ = realtime_ ? collect() : write(rows, cycle);
   if (!wanted_) panel_.stop = true;  // the machine comes to rest on the path all the same
   quiet_ = batch.leads_into_quiet();
   if (watcher) watcher->sees(outcome_.last);
   channel_.feeder().states().pass(outcome_.last.block);
   channel_.forget_passed();
-  outcome_.cpu.output += cpu_.lap();
+  outcome_.cpu.output += lap();
   if (outcome_.feedback.alarm != Alarm::none) outcome_.end = Outcome::End::alarm;
   return outcome_.end == Outcome::End::done && !batch.at_end();
 }
@@ -318,7 +326,6 @@ Outcome Simulation::finish() {
   outcome_.called_files = channel_.feeder().called_files();
   outcome_.missing_files = channel_.feeder().missing_files();
   outcome_.cpu.planning = channel_.feeder().cpu();
-  outcome_.cpu.cycle -= outcome_.cpu.planning;
   return outcome_;
 }
 

@@ -70,8 +70,9 @@ void Verification::add(std::span<const Setpoint> rows, const ipo::BlockQueue& qu
   queue.for_each_recent([this](const ipo::TimedBlock& timed) {
     show(timed);
     if (!timed.move()) return;
-    const std::optional<Surface>& surface = timed.move()->surface;
-    stretches_.push_back({&timed.move()->path, timed.s_start, surface ? &*surface : nullptr});
+    const Move& move = *timed.move();
+    stretches_.push_back(
+        {&move.path, timed.s_start, move.surface ? &*move.surface : nullptr, move.rapid});
     blocks_.push_back(&timed);
     block_numbers_.push_back({timed.block.number, timed.last_number()});
   });

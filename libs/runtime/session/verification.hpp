@@ -16,7 +16,7 @@ namespace softcnc::runtime {
 /// Hands rows to the verifier together with the paths between them.
 class Verification {
  public:
-  explicit Verification(const Machine& machine) noexcept : verifier_(machine), surface_(machine) {}
+  explicit Verification(const Machine& machine) : verifier_(machine), surface_(machine) {}
 
   /// Informs `observer` of each row and block from now on; null: nobody any longer.
   void inform(RowObserver* observer) noexcept { observer_ = observer; }
@@ -27,7 +27,7 @@ class Verification {
   void pass_over(const Setpoint& row) noexcept;
   void finish() noexcept;
 
-  const Measured& measured() const noexcept { return verifier_.measured(); }
+  Measured measured() const noexcept { return verifier_.measured(); }
   /// Returns the path that sees every block as it is programmed.
   ProgrammedPath& programmed() noexcept { return programmed_; }
   const ProgrammedPath& programmed() const noexcept { return programmed_; }
