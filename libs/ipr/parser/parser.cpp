@@ -93,7 +93,7 @@ std::optional<ProgramLine> Parser::next_line(Read read) {
   before_.clear();
   line_ = ProgramLine{};
   line_.number = reader_->line();
-  line_.text = text;
+  line_.text = code_ = text;
   given_up_ = false;
   begin_ = 1;
 }
@@ -126,7 +126,7 @@ bool Parser::skip_sender_line() {
   const std::size_t star = whole ? 0 : checksum_at(line_.text);
   if (star == std::string_view::npos) return false;
   sender_lines_.note({line_.number, static_cast<int>(star) + 1, 1, file_}, line_.text);
-  line_.text = line_.text.substr(0, star);
+  code_ = code_.substr(0, star);
   return whole;
 }
 
@@ -139,7 +139,7 @@ void Parser::refuse_file(std::string_view encoding) {
 }
 
 [[gnu::hot]] void Parser::read_words() {
-  Lexer lexer(line_.text);
+  Lexer lexer(code_);
   for (PlainWord plain; lexer.take_plain_word(plain);) {
     Word& word = words_.emplace_back();
     word.letter = plain.letter;

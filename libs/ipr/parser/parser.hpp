@@ -167,6 +167,7 @@ class Parser {
   ProgramLine line_;
   std::vector<Word> words_;
   std::string called_;
+  std::string_view code_;  // its text without a checksum
   Word corner_;
   ParserOptions options_;
   SenderLines sender_lines_;
