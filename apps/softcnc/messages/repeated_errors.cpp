@@ -34,7 +34,7 @@ bool is_unused_word(const Diagnostic& diagnostic) {
 
 bool RepeatedErrors::takes(Diagnostic& diagnostic) {
   if (foreign_) return true;
-  if (diagnostic.severity() != Severity::error) return false;
+  if (diagnostic.severity() != Severity::error && !diagnostic.unreachable) return false;
   if (is_foreign(diagnostic)) return false;
   return is_of_known_cause(diagnostic) || is_of_frequent_code(diagnostic);
 }

@@ -36,6 +36,9 @@ class Output {
   /// fail.
   void report(Code code, SourcePos pos, std::string message, std::string_view source_line);
 
+  /// Makes errors warnings that say that nothing runs their line.
+  void set_unreachable(bool unreachable) noexcept { unreachable_ = unreachable; }
+
   /// Records that the line means something else in the other dialect.
   void note_difference(DialectDifference kind, SourcePos pos) {
     if (!failed_) differences_.note(kind, pos, text_);
@@ -120,7 +123,7 @@ class Output {
   int popped_ = 0, errors_ = 0;
   SourcePos source_;
   std::string_view text_;
-  bool failed_ = false, closed_ = false;
+  bool failed_ = false, closed_ = false, unreachable_ = false;
   Compensation compensation_;
   Corners corners_;
   std::optional<AskedCorner> asked_;  // by the line
