@@ -9,6 +9,7 @@
 
 #include "ipr/dialects/dialect_guess.hpp"
 #include "ipr/handlers/handlers.hpp"
+#include "ipr/lines/beyond_grbl.hpp"
 #include "ipr/lines/operands.hpp"
 #include "motion/model/subprogram_path.hpp"
 
@@ -227,6 +228,7 @@ const ProgramLine& Interpreter::with_lengths(const ProgramLine& line) {
   out_.begin(line);
   command_.read(is_fanuc_like(options_.dialect) ? with_lengths(line) : line, options_.dialect,
                 out_);
+  if (options_.dialect == Dialect::grbl) note_beyond_grbl(line, out_);
   if (modal_.ended) return warn_of_refused();  // it is only read
   modal_.unknown |= command_.unknown();
   if (command_.unknown().has(Part::end)) flow_.lose_order();

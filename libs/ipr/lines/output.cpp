@@ -115,6 +115,11 @@ void Output::report(Code code, SourcePos pos, std::string message) {
   diagnostics_.report(std::move(diagnostic));
 }
 
+void Output::report_once(Code code, SourcePos pos, const std::string& subject,
+                         std::string message) {
+  if (subjects_.emplace(pos.file, subject).second) report(code, pos, std::move(message));
+}
+
 void Output::report(Code code, SourcePos pos, std::string message, std::string_view source_line) {
   diagnostics_.report(code, pos, std::move(message), source_line);
 }

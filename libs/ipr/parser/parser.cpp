@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "ipr/dialects/grbl_reading.hpp"
 #include "ipr/text/text_errors.hpp"
 
 namespace softcnc::ipr {
@@ -106,6 +107,7 @@ void Parser::read_line(Depth depth) {
   read_words();
   if (!assignments_.empty()) apply_assignments();
   line_.words = words_;
+  if (options_.dialect == Dialect::grbl) note_computed();
 }
 
 bool Parser::is_readable() {
@@ -128,6 +130,14 @@ bool Parser::skip_sender_line() {
   sender_lines_.note({line_.number, static_cast<int>(star) + 1, 1, file_}, line_.text);
   code_ = code_.substr(0, star);
   return whole;
+}
+
+/// Once a file: grbl computes nothing.
+void Parser::note_computed() {
+  const std::size_t at = computed_at(line_.text);
+  if (at == std::string_view::npos || line_.broken || !computed_.insert(file_).second) return;
+  diagnostics_.report(Code::SC1056, {line_.number, static_cast<int>(at) + 1, 1, file_},
+                      "grbl 1.1 has no O-words, variables and expressions", line_.text);
 }
 
 /// No line of it can be read, or shown.
