@@ -103,6 +103,33 @@ TEST_CASE("errors of a program that looks like one of another dialect name it", 
   CHECK(shows(check(folder, "%\nO0001\nG65 P9 A1\n#1=#2+1\nM30\n%\n").out,
               "note: the program looks like one for fanuc (an operator without brackets): "
               "--dialect fanuc [SC1059]"));
+  const std::string numbered = "%\nO0001\nT1 M6\nG0 G91 G28 Z0\nM30\n%\n";
+  CHECK(shows(check(folder, numbered).out,
+              "p.nc:2:1: note: the program looks like one for fanuc (the number of a program): "
+              "--dialect fanuc [SC1059]\n"));
+  CHECK(shows(check(folder, numbered, "--dialect auto").out,
+              "p.nc:2:1: note: the program is read in the fanuc dialect; the number of a program "
+              "shows it [SC1058]\n"));
+  CHECK(check(folder, numbered, "--dialect auto").status == 0);
+  const std::string haas = check(folder, "O0001\nG0 X1..2\nM30\n", "--dialect haas").out;
+  CHECK(shows(haas, "SC1004"));
+  CHECK(haas.find("SC1059") == std::string::npos);
+}
+
+TEST_CASE("warnings of refused codes that nothing runs are counted as errors are",
+          "[apps][check]") {
+  const Folder folder;
+  std::string program = "o<touch> sub\n";
+  for (int i = 0; i < 30; ++i) program += "G38.2 Z-" + std::to_string(i + 1) + " F10\n";
+  const Ended ended = check(folder, program + "o<touch> endsub\nG0 X1\nM2\n");
+  CHECK(ended.status == 0);
+  CHECK(shows(ended.out,
+              "p.nc:2:1: warning: G38.2 is refused: it moves up to the signal of a probe, and the "
+              "machine has none; nothing runs this line [SC2114]\n"));
+  CHECK(shows(ended.out, "p.nc:11:1: warning: "));
+  CHECK_FALSE(shows(ended.out, "p.nc:12:1: warning: "));
+  CHECK(
+      shows(ended.out, "runs this line, here and on 29 more lines, the last of them 31 [SC6005]"));
 }
 
 TEST_CASE("every command says a cause once, and a pipe does, too", "[apps]") {

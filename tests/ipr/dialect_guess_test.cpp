@@ -46,11 +46,45 @@ TEST_CASE("a program shows its dialect", "[ipr][dialects]") {
 
 TEST_CASE("what every control has shows none", "[ipr][dialects]") {
   for (const char* text : {"", "G21 G90\nG0 X1 Y2\nG1 Z-1 F100\nM30", "%\nG0 X1\nM30\n%",
-                           "O0001\nG0 X1.\nM30", "G92 X0 Y0\nG28 X0\nG10 L2 P1 X0\nG0 X1\nM30",
+                           "G92 X0 Y0\nG28 X0\nG10 L2 P1 X0\nG0 X1\nM30",
                            "G81 X1 Z-1 R1 F100\nX2\nM30", "(for LinuxCNC and FANUC)\nG0 X1\nM30",
                            "G43 H1 Z5.\nG0 X1.\nM30", "#1=3\nG0 X[#1*57]\nM30"}) {
     CAPTURE(text);
     CHECK(shown(text) == "none");
+  }
+}
+
+TEST_CASE("the number of a program alone shows fanuc", "[ipr][dialects]") {
+  // Heads as posts and people write them: Fusion, Mastercam, HSMWorks, SolidCAM, Edgecam, GibbsCAM,
+  // BobCAD, NX, by hand; with coordinates before any G00, G64, G33 and M62 after them.
+  for (const char* text :
+       {"%\nO1001 (FACE)\nN10 G90 G94 G17\nN15 G21\nN20 G28 G91 Z0.\n",
+        "%\nO0000(CONTOUR)\n(DATE=DD-MM-YY - 01-01-25)\nN100 G21\nN102 G0 G17 G40 G49 G80 G90\n",
+        "O0007 (PLATE)\nT1 M6\nG54\nG0 G90 X10. Y10.\nG0 G91 G28 Z0\nM30\n", "%\n:0012\nG0 X1.\n",
+        "%\nO00012\nT5 M06\nG00 G90 G54 X0 Y0 S5000 M03\n", "%\n<PLATE>\nG0 X1.\n",
+        "%\n\n(TOOL 1)\nO12345678\nG0 X1.\n", "O7\nG0 X1.\nM30", "o0012 ( lower case )\ng0 x1.\n",
+        "%\nN1 O0100\nG91 G28 Z0\n", "O0001;\nG00 X1.;\nM30;\n", "/O5\nG0 X1.\n",
+        "O0001\nT1 M6\nG90 G54 X1. Y2. S900 M3\nG43 Z9. H1\n", "O0001\nG90 X1.\nG1 X2. F9\n",
+        "O0001\nG0 X1.\nG64 P0.01\nG33 Z1 K1\nM62 P1\nG59.1\n"}) {
+    CAPTURE(text);
+    CHECK(shown(text).starts_with("fanuc "));
+    CHECK(shown(text).ends_with(" the number of a program"));
+  }
+  CHECK(shown("%\nO0001\n(HAAS VF-2)\nG0 X1.\n") == "haas 3 'HAAS' in a comment");
+}
+
+TEST_CASE("against the number of a program count O-words, names and lines for senders",
+          "[ipr][dialects]") {
+  CHECK(shown("O0001\nG0 X1\no100 sub\no100 endsub\nM2") == "linuxcnc 3 an O-word");
+  CHECK(shown("O0001\no[#1+1] call\nM2") == "linuxcnc 2 an O-word");
+  CHECK(shown("O0001\n#<depth>=3\nM2") == "linuxcnc 2 a variable with a name");
+  CHECK(shown("(for LinuxCNC)\nO0001\nG0 X1\nM2") == "linuxcnc 1 'LINUXCNC' in a comment");
+  CHECK(shown("$H\nO0001\nG0 X1\nM2") == "grbl 1 a line for a sender of grbl");
+  CHECK(shown("O0001\nG0 X1*57\nM2") == "grbl 2 a checksum of a sender");
+  for (const char* text : {"o100 sub", "O[100]", "O#1", "O", "<PLATE", "O1 X1"}) {
+    CAPTURE(text);
+    CHECK(shown(std::string(text) + "\nG0 X1\nM2").find("number of a program") ==
+          std::string::npos);
   }
 }
 
@@ -76,6 +110,33 @@ TEST_CASE("with auto the program is read in the dialect that it shows", "[ipr][d
   CHECK(places(none) == Places{"SC1058 0:0"});
   CHECK(none.diagnostics[0].message ==
         "the program is read in the linuxcnc dialect; its first lines show no other");
+}
+
+TEST_CASE("the note of the dialect shows its line as it is written", "[ipr][dialects]") {
+  InterpreterOptions options;
+  options.guess_dialect = true;
+  const Interpreted sums = interpret("G0 X1*57\nG1 X2 *3\nM2", {}, options);
+  REQUIRE(places(sums) == Places{"SC1058 1:0", "SC2102 2:1", "SC1055 1:6"});
+  CHECK(sums.diagnostics[0].source_line == "G0 X1*57");
+  CHECK(sums.diagnostics[1].source_line == "G1 X2 *3");
+  CHECK(interpret("\xEF\xBB\xBF(grbl)\nG0 X1\nM2", {}, options).diagnostics[0].source_line ==
+        "(grbl)");
+}
+
+TEST_CASE("a line that a reader does not yet hold as a whole shows nothing", "[ipr][dialects]") {
+  std::string lines;
+  for (int i = 0; i < 293; ++i) lines += "(" + std::string(220, '-') + ")\n";
+  int shown = 0;
+  for (std::size_t more = 0; more < 300; ++more) {
+    Reader reader = Reader::fed();
+    REQUIRE(
+        reader.feed("(" + std::string(more, '-') + ")\n" + lines + "O0001         (PLATE)\nM2\n"));
+    reader.end_feed();
+    const DialectGuess found = guess_dialect(reader);
+    if (found.dialect()) CHECK(found.text() == "O0001         (PLATE)");
+    shown += found.dialect() ? 1 : 0;
+  }
+  CHECK((shown > 0 && shown < 300));
 }
 
 TEST_CASE("a pipe is read as far as the dialect needs it", "[ipr][dialects]") {

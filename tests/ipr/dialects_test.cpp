@@ -21,7 +21,10 @@ Interpreted run(const std::string& text, Dialect dialect) {
 
 std::vector<double> dwells(const std::string& text, Dialect dialect) {
   std::vector<double> all;
-  for (const Block& block : blocks_of(text, {}, in(dialect)))
+  const Interpreted result = interpret(text, {}, in(dialect));
+  for (const Diagnostic& one : result.diagnostics)
+    if (one.severity() != Severity::note) FAIL(render(one));
+  for (const Block& block : result.blocks)
     if (const auto* dwell = std::get_if<Dwell>(&block.what)) all.push_back(dwell->duration);
   return all;
 }
@@ -152,7 +155,9 @@ TEST_CASE("elsewhere each of them is an error that names the dialect", "[ipr][di
     CHECK(places(run("G1 F9\nX1*57\nM2", dialect)) == Places{"SC1054 2:3"});
   }
   CHECK(places(run("$0 M3 S100\nM2", Dialect::linuxcnc)) == Places{"SC1001 1:1"});
-  CHECK(moves_of("#1=2\nG0 X[#1*57]\nM2", {}, in(Dialect::grbl)).size() == 1);
+  const Interpreted product = run("#1=2\nG0 X[#1*57]\nM2", Dialect::grbl);
+  CHECK(places(product) == Places{"SC1056 1:1"});
+  CHECK(product.blocks.size() == 2);
 }
 
 }  // namespace softcnc::ipr

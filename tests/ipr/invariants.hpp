@@ -31,11 +31,7 @@ inline std::string broken_invariant(const std::string& text, InterpreterOptions 
     const int width = std::max(1, static_cast<int>(line.size()));
     if (pos.column < 0 || pos.length < 1 || pos.column - 1 + pos.length > width)
       broken = "place out of its line: " + render(d);
-    // In the grbl dialect a line is shown without its checksum.
-    const bool may_be_cut = options.dialect == Dialect::grbl || options.guess_dialect;
-    const bool cut = may_be_cut && line.starts_with(d.source_line + '*');
-    if (!d.source_line.empty() && d.source_line != line && !cut)
-      broken = "not the text of its line";
+    if (!d.source_line.empty() && d.source_line != line) broken = "not the text of its line";
   });
   Reader reader = Reader::from_text(text);
   Parser parser(reader, diagnostics);

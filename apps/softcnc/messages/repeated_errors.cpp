@@ -34,7 +34,7 @@ bool is_unused_word(const Diagnostic& diagnostic) {
 
 bool RepeatedErrors::takes(Diagnostic& diagnostic) {
   if (foreign_) return true;
-  if (diagnostic.severity() != Severity::error) return false;
+  if (diagnostic.severity() != Severity::error && !diagnostic.unreachable) return false;
   if (is_foreign(diagnostic)) return false;
   return is_of_known_cause(diagnostic) || is_of_frequent_code(diagnostic);
 }
@@ -93,7 +93,7 @@ bool RepeatedErrors::is_foreign(Diagnostic& error) {
   return true;
 }
 
-/// By the first lines of the program, as `--dialect auto` does.
+/// By the first lines of the program, as `--dialect auto` does. FANUC's marks are Haas' too.
 void RepeatedErrors::guess_dialect(const Diagnostic& error) {
   if (guessed_) return;
   ipr::DialectGuess guess;
@@ -101,6 +101,7 @@ void RepeatedErrors::guess_dialect(const Diagnostic& error) {
     guess.see(program_->line(number), number);
   const auto dialect = guess.dialect();
   if (!dialect || *dialect == dialect_) return;
+  if (*dialect == ipr::Dialect::fanuc && dialect_ == ipr::Dialect::haas) return;
   Diagnostic note = error;
   note.code = Code::SC1059;
   note.pos = {guess.line(), 0, 1};

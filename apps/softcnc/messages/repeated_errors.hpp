@@ -26,8 +26,9 @@ class RepeatedErrors {
   RepeatedErrors(runtime::Program* program, const ipr::InterpreterOptions& options)
       : program_(program), dialect_(options.dialect), guessed_(options.guess_dialect) {}
 
-  /// Counts an error whose cause has been shown, and returns whether it is not to be shown. The
-  /// first error of a program in another control's language becomes one that says so.
+  /// Counts an error, or a warning of a line that is never run, whose cause has been shown, and
+  /// returns whether it is not to be shown. The first error of a program in another control's
+  /// language becomes one that says so.
   bool takes(Diagnostic& diagnostic);
 
   /// A note for each cause that stands on more lines, in the order in which they came, for each

@@ -51,19 +51,14 @@ struct LineMark {
   const char* says;
 };
 constexpr LineMark kLineMarks[] = {
-    {L, 3, "O*[0-9>]SUB", "an O-word"},
-    {L, 3, "O*[0-9>]CALL*", "an O-word"},
-    {L, 3, "O*[0-9>]IF[[]*", "an O-word"},
-    {L, 3, "O*[0-9>]WHILE[[]*", "an O-word"},
-    {L, 3, "O*[0-9>]REPEAT[[]*", "an O-word"},
-    {L, 3, "O*[0-9>]DO", "an O-word"},
+    {L, 3, "O*[]0-9>]SUB", "an O-word"},
+    {L, 3, "O*[]0-9>]CALL*", "an O-word"},
+    {L, 3, "O*[]0-9>]IF[[]*", "an O-word"},
+    {L, 3, "O*[]0-9>]WHILE[[]*", "an O-word"},
+    {L, 3, "O*[]0-9>]REPEAT[[]*", "an O-word"},
+    {L, 3, "O*[]0-9>]DO", "an O-word"},
     {L, 3, "*#<*>*", "a variable with a name"},
     {L, 2, "*G64*P*", "G64 P"},
-    {F, 2, "[O:][0-9]", "the number of a program"},
-    {F, 2, "[O:][0-9][0-9]", "the number of a program"},
-    {F, 2, "[O:][0-9][0-9][0-9]", "the number of a program"},
-    {F, 2, "[O:][0-9][0-9][0-9][0-9]", "the number of a program"},
-    {F, 2, "[O:][0-9][0-9][0-9][0-9][0-9]", "the number of a program"},
     {F, 3, "WH*[[]*]DO[123]", "WHILE DO"},
     {F, 3, "IF[[]*]THEN*", "IF THEN"},
     {F, 3, "IF[[]*]GOTO*", "IF GOTO"},
@@ -82,7 +77,8 @@ constexpr LineMark kLineMarks[] = {
 constexpr std::size_t kFirstCode = std::size(kNames);
 constexpr std::size_t kFirstLine = kFirstCode + std::size(kCodes);
 constexpr std::size_t kSender = kFirstLine + std::size(kLineMarks);
-constexpr std::size_t kChecksum = kSender + 1, kStart = kSender + 2, kMarks = kSender + 3;
+constexpr std::size_t kChecksum = kSender + 1, kStart = kSender + 2, kNumber = kSender + 3;
+constexpr std::size_t kMarks = kSender + 4;
 
 /// The text in capitals: what stands in comments, and the code without blanks.
 std::pair<std::string, std::string> parts_of(std::string_view line) {
@@ -123,6 +119,14 @@ int tenths_at(std::string_view text) noexcept {
   if (at + 1 < text.size() && text[at] == '.') ++at;
   if (tenths >= 0 && at > 0 && text[at - 1] == '.' && digit()) tenths += text[at] - '0';
   return tenths < kMost ? tenths : -1;
+}
+
+/// Alone on a line: `O0012`, `:0012`, or a name as newer controls of FANUC have them, `<PLATE>`.
+bool names_program(std::string_view code) noexcept {
+  if (code.size() < 2) return false;
+  const bool named = code.front() == '<' && code.find('>') == code.size() - 1;
+  const bool number = code.front() == 'O' || code.front() == ':';
+  return named || (number && code.find_first_not_of("0123456789", 1) == code.npos);
 }
 
 bool is_axis(char letter) noexcept { return letter >= 'X' && letter <= 'Z'; }
@@ -174,6 +178,7 @@ void DialectGuess::see_comments(std::string_view comments) {
 }
 
 void DialectGuess::see_code(const std::string& code) {
+  if (names_program(code)) add(kNumber, F, 2, "the number of a program");
   for (std::size_t i = 0; i < std::size(kLineMarks); ++i) {
     const LineMark& mark = kLineMarks[i];
     if (!seen_[kFirstLine + i] && ::fnmatch(mark.pattern, code.c_str(), FNM_NOESCAPE) == 0)
@@ -212,12 +217,30 @@ void DialectGuess::see_words(const std::string& code) {
   moves_ = moves_ || axes;
 }
 
+/// O-words, named variables, names of controls and what is for senders: where one of them is, a
+/// number is only one mark among others.
+bool DialectGuess::may_be_numbered_elsewhere() const noexcept {
+  bool may = seen_[kSender] || seen_[kChecksum];
+  for (std::size_t i = 0; i < std::size(kNames); ++i)
+    may = may || (seen_[i] && is_linuxcnc_like(kNames[i].dialect));
+  for (std::size_t i = 0; i < std::size(kLineMarks); ++i) {
+    const LineMark& mark = kLineMarks[i];
+    may = may || (seen_[kFirstLine + i] && mark.dialect == L && mark.weight == kEnough);
+  }
+  return may;
+}
+
 /// Haas' controls have the marks of FANUC's beside their own.
 std::array<int, kDialects> DialectGuess::weights() const noexcept {
   std::array<int, kDialects> all{};
   for (std::size_t i = 0; i < kDialects; ++i) all[i] = evidence_[i].weight;
+  int& fanuc = all[static_cast<std::size_t>(F)];
   int& haas = all[static_cast<std::size_t>(H)];
-  if (haas > 0) haas += all[static_cast<std::size_t>(F)];
+  if (seen_[kNumber] && !may_be_numbered_elsewhere()) {
+    fanuc = std::max(fanuc, kEnough);
+    all[static_cast<std::size_t>(L)] = all[static_cast<std::size_t>(G)] = 0;
+  }
+  if (haas > 0) haas += fanuc;
   return all;
 }
 
@@ -233,13 +256,23 @@ const DialectGuess::Evidence& DialectGuess::best() const noexcept {
   return evidence_[static_cast<std::size_t>(dialect().value_or(L))];
 }
 
+namespace {
+
+/// Of a text that may go on, the last line may not be all there.
+std::string whole_lines(std::string_view text) {
+  if (text.size() > Reader::kLongestLine) text = text.substr(0, text.find_last_of("\r\n") + 1);
+  return std::string(text);
+}
+
+}  // namespace
+
 DialectGuess guess_dialect(Reader& reader) {
   while (std::count(reader.unread().begin(), reader.unread().end(), '\n') < DialectGuess::kLines &&
          reader.read_ahead()) {
   }
   DialectGuess guess;
   if (reader.waiting()) return guess;
-  Reader lines = Reader::from_text(std::string(reader.unread()));
+  Reader lines = Reader::from_text(whole_lines(reader.unread()));
   while (lines.line() < DialectGuess::kLines) {
     const auto line = lines.next();
     if (!line) break;

@@ -46,6 +46,7 @@ class DialectGuess {
   void see_comments(std::string_view comments);
   void see_code(const std::string& code);
   void see_words(const std::string& code);
+  bool may_be_numbered_elsewhere() const noexcept;
   std::array<int, kDialects> weights() const noexcept;
   const Evidence& best() const noexcept;
 

@@ -312,6 +312,15 @@ double Expression::stop(Code code, int begin, int end, std::string message) {
   return kUnknown;
 }
 
+/// For a comparison by signs, as other languages write it.
+std::string advice_for(char sign, char next) {
+  std::string_view name;
+  if (sign == '=') name = "EQ";
+  if (sign == '<') name = next == '=' ? "LE" : next == '>' ? "NE" : "LT";
+  if (sign == '>') name = next == '=' ? "GE" : "GT";
+  return name.empty() ? "" : "; write " + std::string(name);
+}
+
 /// What comes next is not what is expected.
 double Expression::stop_at_next(Code code, std::string_view expected) {
   const int begin = lexer_.column();
@@ -328,7 +337,9 @@ double Expression::stop_at_next(Code code, std::string_view expected) {
   const std::string_view letters = lexer_.take_letters();
   if (letters.empty()) lexer_.pass();
   const std::string found = quoted(letters.empty() ? std::string_view(&next, 1) : letters);
-  return stop(code, begin, end(), message + "instead of " + found);
+  const int after = end();
+  return stop(code, begin, after,
+              message + "instead of " + found + advice_for(next, lexer_.peek()));
 }
 
 }  // namespace softcnc::ipr

@@ -5,7 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "ipr/dialects/grbl_reading.hpp"
 #include "ipr/handlers/handlers.hpp"
+#include "ipr/lines/beyond_grbl.hpp"
 #include "motion/core/units.hpp"
 
 namespace softcnc::ipr {
@@ -137,10 +139,23 @@ std::optional<AxisVector> center_by_radius(Task& task, const PlaneAxes& axes, co
   return center;
 }
 
+/// Of an arc by its centre, which softcnc runs.
+void note_ends_beyond_grbl(Task& task, const Arc& arc) {
+  const PlaneAxes axes = plane_axes(arc.plane());
+  const double end = std::hypot(arc.to()[axes.first] - arc.center()[axes.first],
+                                arc.to()[axes.second] - arc.center()[axes.second]);
+  if (!takes_grbl_radii(arc.radius(), end))
+    note_beyond_grbl(task.out, span_of(task.values, "XYZIJK"), "ends of an arc",
+                     "an arc whose radii differ by " + number_text(std::abs(end - arc.radius())) +
+                         " mm, more than 0.005 mm and 0.1 % of the radius, or than 0.5 mm");
+}
+
 void emit_arc(Task& task, const ArcSpec& spec) {
   Result<Arc> made = Arc::make(spec);
-  if (made) return emit_move(task, std::move(*made));
   const bool by_radius = task.values.has('R');
+  if (made && !by_radius && task.options.dialect == Dialect::grbl)
+    note_ends_beyond_grbl(task, *made);
+  if (made) return emit_move(task, std::move(*made));
   if (made.error().code == Code::SC2103)
     made.error().message += mode_that_fits(task, spec, plane_axes(spec.plane));
   task.out.report(made.error().code,
@@ -152,6 +167,8 @@ void emit_arc(Task& task, const ArcSpec& spec) {
 int further_turns(Task& task) {
   if (!task.values.has('P')) return 0;
   const Word& word = task.values.word('P');
+  if (task.options.dialect == Dialect::grbl)
+    note_beyond_grbl(task.out, word.pos, "turns of an arc", "P, the turns of an arc");
   if (word.value >= 1 && word.value <= kMostTurns && word.value == std::floor(word.value))
     return static_cast<int>(word.value) - 1;
   task.out.report(

@@ -113,7 +113,9 @@ void use_machine_coordinates(Task& task) {
   modal.machine_coordinates = true;
   if (motion == nullptr || (motion->number != kG00 && motion->number != kG01)) {
     task.out.report(Code::SC2111, task.word.pos,
-                    "G53 moves by G00 or G01 only, written beside it or in force");
+                    task.values.letters().has_any(kAxisWords)
+                        ? "G53 moves by G00 or G01 only, written beside it or in force"
+                        : "G53 counts for its own line only, and this one names no axis");
   } else if (modal.incremental) {
     task.out.report(Code::SC2111, task.word.pos,
                     "G53 requires G90: machine coordinates are absolute");

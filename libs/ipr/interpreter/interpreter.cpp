@@ -9,6 +9,7 @@
 
 #include "ipr/dialects/dialect_guess.hpp"
 #include "ipr/handlers/handlers.hpp"
+#include "ipr/lines/beyond_grbl.hpp"
 #include "ipr/lines/operands.hpp"
 #include "motion/model/subprogram_path.hpp"
 
@@ -227,7 +228,8 @@ const ProgramLine& Interpreter::with_lengths(const ProgramLine& line) {
   out_.begin(line);
   command_.read(is_fanuc_like(options_.dialect) ? with_lengths(line) : line, options_.dialect,
                 out_);
-  if (modal_.ended) return;  // it is only read
+  if (options_.dialect == Dialect::grbl) note_beyond_grbl(line, out_);
+  if (modal_.ended) return warn_of_refused();  // it is only read
   modal_.unknown |= command_.unknown();
   if (command_.unknown().has(Part::end)) flow_.lose_order();
   const bool in_curve = modal_.curve || modal_.points;
@@ -426,6 +428,18 @@ void Interpreter::act(Task& task) {
   out_.close();
   flow_.begin_unreachable();
   while (const auto line = flow_.next_unreachable()) interpret(*line);
+}
+
+/// On a line that is only read: another program or another value may lead there.
+[[gnu::cold]] void Interpreter::warn_of_refused() {
+  if (out_.failed()) return;
+  out_.set_unreachable(true);
+  for (const auto& [code, word] : command_.codes()) {
+    if (!is_refused(*code)) continue;
+    Task task{*code, *word, command_, command_.values(), machine_, options_, modal_, out_, flow_};
+    code->act(task);
+  }
+  out_.set_unreachable(false);
 }
 
 /// The text has ended without M02 or M30.

@@ -78,6 +78,7 @@ class Interpreter {
   bool emit_restored(const ProgramLine& next);
   bool begins_data_input() const noexcept;
   void read_unreachable();
+  void warn_of_refused();
   void finish();
 
   Parser& parser_;

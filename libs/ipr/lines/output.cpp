@@ -105,11 +105,19 @@ std::optional<AxisVector> Output::stop_compensation() {
 }
 
 void Output::report(Code code, SourcePos pos, std::string message) {
-  if (code_info(code).severity == Severity::error) {
+  Diagnostic diagnostic{code, pos, std::move(message), {}, std::string(text_)};
+  diagnostic.unreachable = unreachable_;
+  if (unreachable_) diagnostic.message += "; nothing runs this line";
+  if (diagnostic.severity() == Severity::error) {
     failed_ = true;
     ++errors_;
   }
-  diagnostics_.report(code, pos, std::move(message), text_);
+  diagnostics_.report(std::move(diagnostic));
+}
+
+void Output::report_once(Code code, SourcePos pos, const std::string& subject,
+                         std::string message) {
+  if (subjects_.emplace(pos.file, subject).second) report(code, pos, std::move(message));
 }
 
 void Output::report(Code code, SourcePos pos, std::string message, std::string_view source_line) {

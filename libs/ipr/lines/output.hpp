@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "ipr/compensation/compensation.hpp"
@@ -35,6 +37,12 @@ class Output {
   /// Reports a diagnostic of an earlier line, on which this one does not depend: this line does not
   /// fail.
   void report(Code code, SourcePos pos, std::string message, std::string_view source_line);
+
+  /// Reports a diagnostic only for the first line of a file with this subject, such as the name of
+  /// a code.
+  void report_once(Code code, SourcePos pos, const std::string& subject, std::string message);
+  /// Makes errors warnings that say that nothing runs their line.
+  void set_unreachable(bool unreachable) noexcept { unreachable_ = unreachable; }
 
   /// Records that the line means something else in the other dialect.
   void note_difference(DialectDifference kind, SourcePos pos) {
@@ -120,7 +128,8 @@ class Output {
   int popped_ = 0, errors_ = 0;
   SourcePos source_;
   std::string_view text_;
-  bool failed_ = false, closed_ = false;
+  bool failed_ = false, closed_ = false, unreachable_ = false;
+  std::set<std::pair<int, std::string>> subjects_;  // of report_once(), by file
   Compensation compensation_;
   Corners corners_;
   std::optional<AskedCorner> asked_;  // by the line

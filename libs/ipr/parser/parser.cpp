@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "ipr/dialects/grbl_reading.hpp"
 #include "ipr/text/text_errors.hpp"
 
 namespace softcnc::ipr {
@@ -93,7 +94,7 @@ std::optional<ProgramLine> Parser::next_line(Read read) {
   before_.clear();
   line_ = ProgramLine{};
   line_.number = reader_->line();
-  line_.text = text;
+  line_.text = code_ = text;
   given_up_ = false;
   begin_ = 1;
 }
@@ -106,6 +107,7 @@ void Parser::read_line(Depth depth) {
   read_words();
   if (!assignments_.empty()) apply_assignments();
   line_.words = words_;
+  if (options_.dialect == Dialect::grbl) note_computed();
 }
 
 bool Parser::is_readable() {
@@ -126,8 +128,16 @@ bool Parser::skip_sender_line() {
   const std::size_t star = whole ? 0 : checksum_at(line_.text);
   if (star == std::string_view::npos) return false;
   sender_lines_.note({line_.number, static_cast<int>(star) + 1, 1, file_}, line_.text);
-  line_.text = line_.text.substr(0, star);
+  code_ = code_.substr(0, star);
   return whole;
+}
+
+/// Once a file: grbl computes nothing.
+void Parser::note_computed() {
+  const std::size_t at = computed_at(line_.text);
+  if (at == std::string_view::npos || line_.broken || !computed_.insert(file_).second) return;
+  diagnostics_.report(Code::SC1056, {line_.number, static_cast<int>(at) + 1, 1, file_},
+                      "grbl 1.1 has no O-words, variables and expressions", line_.text);
 }
 
 /// No line of it can be read, or shown.
@@ -139,7 +149,7 @@ void Parser::refuse_file(std::string_view encoding) {
 }
 
 [[gnu::hot]] void Parser::read_words() {
-  Lexer lexer(line_.text);
+  Lexer lexer(code_);
   for (PlainWord plain; lexer.take_plain_word(plain);) {
     Word& word = words_.emplace_back();
     word.letter = plain.letter;

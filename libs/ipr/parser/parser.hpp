@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -106,6 +107,7 @@ class Parser {
   Token pass_slash(Lexer& lexer, const Token& token);
   bool is_readable();
   bool skip_sender_line();
+  void note_computed();
   bool refuse_sender_line();
   void refuse_file(std::string_view encoding);
   void read_nul(const Token& nul);
@@ -165,11 +167,13 @@ class Parser {
   int file_ = 0;
   Diagnostics& diagnostics_;
   ProgramLine line_;
+  std::string_view code_;  // its text without a checksum
   std::vector<Word> words_;
   std::string called_;
   Word corner_;
   ParserOptions options_;
   SenderLines sender_lines_;
+  std::set<int> computed_;  // files of which note_computed() has noted a line
   Parameters parameters_;
   std::vector<Assigned> assignments_;  // of the line; all is read before one takes effect
   std::vector<Assigned> before_;       // what they have replaced on the line

@@ -74,8 +74,8 @@ Diagnostic harmless(const Diagnostic& d) {
   std::vector<CallPlace> calls = d.calls;
   for (CallPlace& call : calls) call.file = harmless(call.file);
   return {
-      d.code,           pos,      harmless(d.message), harmless(d.file), harmless(d.source_line),
-      std::move(calls), d.subject};
+      d.code,           pos,       harmless(d.message), harmless(d.file), harmless(d.source_line),
+      std::move(calls), d.subject, d.unreachable};
 }
 
 /// Returns blanks as wide as the text is on a terminal; tabs stay tabs.

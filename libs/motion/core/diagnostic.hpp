@@ -64,8 +64,12 @@ struct Diagnostic {
   std::string source_line = {};       // the text of line pos.line; empty if unknown
   std::vector<CallPlace> calls = {};  // calls that led there, the last one first
   std::uint32_t subject = 0;          // if any: a position is reported once per subject
+  bool unreachable = false;           // of a line that is never run: a warning instead of an error
 
-  Severity severity() const noexcept { return code_info(code).severity; }
+  Severity severity() const noexcept {
+    const Severity usual = code_info(code).severity;
+    return unreachable && usual == Severity::error ? Severity::warning : usual;
+  }
 };
 
 /// Renders file:line:column: severity: message [SCnnnn], then the source line and a caret below its
