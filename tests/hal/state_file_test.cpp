@@ -186,7 +186,7 @@ TEST_CASE("what is wrong with a state file is reported with its place", "[hal][s
         "    3 | x = 3\n      | ^\n");
   CHECK(refused("[parameter]\n30 = 3\n")
             .starts_with("mill.state:3:1: error: unknown key 'parameter.30': a parameter is a "
-                         "number from 31 to 5999, or the name of a global variable, which begins "
+                         "number from 31 to 10999, or the name of a global variable, which begins "
                          "with '_' [SC7015]\n"));
   CHECK(refused("[work.G60]\n")
             .starts_with("mill.state:2:7: error: unknown key 'work.G60' [SC7015]\n"));

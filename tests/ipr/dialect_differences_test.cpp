@@ -151,8 +151,14 @@ const std::vector<Case> kCases{
 /// What haas reads as linuxcnc does, and fanuc otherwise.
 const std::vector<Case> kHaasCases{
     {C::dwell_with_point, "G4 P2.\nM30", "SC2384 1:4", ""},
-    {C::dwell_with_point, "G0 Z5.\nG99 G82 X1. Z-1. R2. P.5 F100\nM30", "SC2384 2:22", ""},
+    {C::dwell_with_point, "G0 Z5.\nG99 G82 X1. Z-1. R2. P.5 F100.\nM30", "SC2384 2:22", ""},
     {C::old_call, "M98 P10002\nM30\nO10002\nG0 X1\nM99\nO2\nG0 X2\nM99", "SC2128 1:5", ""},
+};
+
+/// What linuxcnc refuses, and haas and fanuc read each in its own way.
+const std::vector<Case> kSiblingCases{
+    {C::cutter_offset, "G10 L12 P2 R3.\nG13 D2 I9. Z-1. F100.\nM30", "SC2386 1:1", ""},
+    {C::cutter_offset, "G10 L13 P2 R3.\nG13 D2 I9. Z-1. F100.\nM30", "SC2386 1:1", ""},
 };
 
 std::string words_of(const DialectDifferenceRow& row, Dialect dialect) {
@@ -200,6 +206,7 @@ TEST_CASE("every dialect difference has an example", "[ipr][differences]") {
   for (const Case& example : kCases)
     if (!example.place.empty()) seen.insert(example.kind);
   for (const Case& example : kHaasCases) seen.insert(example.kind);
+  for (const Case& example : kSiblingCases) seen.insert(example.kind);
   CHECK(seen.size() == dialect_difference_table().size());
 }
 
@@ -214,6 +221,21 @@ TEST_CASE("what haas reads as linuxcnc does is reported beside fanuc", "[ipr][di
         dialect_difference_table()[static_cast<std::size_t>(example.kind)];
     CHECK(haas.diagnostics[0].message == std::string(row.what) + ' ' + std::string(row.haas) +
                                              "; in the fanuc dialect: " + std::string(row.fanuc));
+  }
+}
+
+TEST_CASE("what fanuc and haas read each in its own way is reported in fanuc",
+          "[ipr][differences]") {
+  for (const Case& example : kSiblingCases) {
+    CAPTURE(example.program);
+    const Interpreted fanuc = run(example.program, Dialect::fanuc);
+    REQUIRE(places(fanuc) == Places{example.place});
+    CHECK(deeds(fanuc) != deeds(run(example.program, Dialect::haas)));
+    CHECK(has_errors(run(example.program, Dialect::linuxcnc)));
+    const DialectDifferenceRow& row =
+        dialect_difference_table()[static_cast<std::size_t>(example.kind)];
+    CHECK(fanuc.diagnostics[0].message == std::string(row.what) + ' ' + std::string(row.fanuc) +
+                                              "; in the haas dialect: " + std::string(row.haas));
   }
 }
 
@@ -261,9 +283,8 @@ TEST_CASE("what one dialect refuses is no dialect difference", "[ipr][difference
   for (const char* text :
        {"G04 X1\nM30", "#1=1+1\nM30", "G30 P2 X0\nM30", "G54 P2\nM30", "G10 L20 P0 X0\nM30",
         "G1 F100 X[#0+1]\nM30", "G0 X[1 EQ 1 AND 2 EQ 2]\nM30", "G0 X[1.5 AND 1]\nM30",
-        "G10 L12 P1 R1\nM30", "G0 X1 H1\nM30", "G0 X1 D1\nM30", "G0 G28 X0\nM30",
-        "G0 X1\nG80 X2\nM30", "F9 G0 Z3\nG99 G81 X1 Z0 R1\nG83 X2 Q1\nM30",
-        "F9 G0 Z3\nG99 G83 X1 Z0 R1 Q1 P1\nM30",
+        "G0 X1 H1\nM30", "G0 X1 D1\nM30", "G0 G28 X0\nM30", "G0 X1\nG80 X2\nM30",
+        "F9 G0 Z3\nG99 G81 X1 Z0 R1\nG83 X2 Q1\nM30", "F9 G0 Z3\nG99 G83 X1 Z0 R1 Q1 P1\nM30",
         "T1 M6\nF9 G1 G41 D1 X20\nX40\nG41 D1 X50\nG40 X60\nM30"}) {
     CAPTURE(text);
     const Interpreted linuxcnc = run(text, Dialect::linuxcnc), fanuc = run(text, Dialect::fanuc);

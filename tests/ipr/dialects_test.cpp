@@ -45,22 +45,22 @@ std::size_t holes(const std::string& text, Dialect dialect) {
 }  // namespace
 
 TEST_CASE("a dwell counts by the dialect, in haas by its decimal point", "[ipr][dialects]") {
-  const std::string text = "G4 P5\nG4 P5.\nG0 Z5.\nG99 G82 X1. Z-1. R2. P0.5 F100\nG80\nM30";
+  const std::string text = "G4 P5\nG4 P5.\nG0 Z5.\nG99 G82 X1. Z-1. R2. P0.5 F100.\nG80\nM30";
   CHECK(dwells(text, Dialect::linuxcnc) == std::vector<double>{5, 5, 0.5});
   CHECK(dwells(text, Dialect::grbl) == std::vector<double>{5, 5, 0.5});
   CHECK(dwells(text, Dialect::haas) == std::vector<double>{0.005, 5, 0.5});
-  CHECK(dwells("G4 P500\nG0 Z5.\nG99 G82 X1. Z-1. R2. P500 F100\nM30", Dialect::haas) ==
+  CHECK(dwells("G4 P500\nG0 Z5.\nG99 G82 X1. Z-1. R2. P500 F100.\nM30", Dialect::haas) ==
         std::vector<double>{0.5, 0.5});
   CHECK(dwells("G4 P5\nM30", Dialect::fanuc) == std::vector<double>{0.005});
 }
 
 TEST_CASE("cycles are repeated by K in fanuc, by L in haas", "[ipr][dialects]") {
-  const std::string begin = "G0 Z5.\nG91 G99 G81 X1. Z-1. R-3. F100 ";
+  const std::string begin = "G0 Z5.\nG91 G99 G81 X1. Z-1. R-3. F100. ";
   CHECK(holes(begin + "K3\nM30", Dialect::fanuc) == 3);
   CHECK(holes(begin + "L3\nM30", Dialect::haas) == 3);
   CHECK(holes(begin + "L0\nX2.\nM30", Dialect::haas) == 1);
   const Interpreted refused = run(begin + "K3\nM30", Dialect::haas);
-  CHECK(places(refused) == Places{"SC2007 2:32"});
+  CHECK(places(refused) == Places{"SC2007 2:33"});
 }
 
 TEST_CASE("M98 P of five digits is a number in haas, with a count in fanuc", "[ipr][dialects]") {
@@ -85,7 +85,7 @@ TEST_CASE("E after a number is a word in fanuc and haas", "[ipr][dialects]") {
 TEST_CASE("two letters of a keyword or a function are enough in fanuc and haas",
           "[ipr][dialects]") {
   const std::string loop =
-      "#1=1\nWH[#1LE3]DO1\nG01X#1F100\n#1=#1+1\nEN1\nIF[#1EQ4]TH#2=7\nIF[#1EQ4]GO20\nG0X99\n"
+      "#1=1\nWH[#1LE3]DO1\nG01X#1F100.\n#1=#1+1\nEN1\nIF[#1EQ4]TH#2=7\nIF[#1EQ4]GO20\nG0X99\n"
       "N20G0X#2\nGO30\nG0X98\nN30M30";
   for (const Dialect dialect : {Dialect::fanuc, Dialect::haas}) {
     CHECK(places_along_x(loop, dialect) == std::vector<double>{1, 2, 3, 7});
@@ -100,19 +100,20 @@ TEST_CASE("two letters of a keyword or a function are enough in fanuc and haas",
 }
 
 TEST_CASE("P of a cycle without a dwell has no effect in fanuc and haas", "[ipr][dialects]") {
-  const std::string text = "G0 Z10.\nG99 G81 X1. Z-1. R1. P500 F100\nX2. P600\nG85 X3.\nG80\nM30";
+  const std::string text = "G0 Z10.\nG99 G81 X1. Z-1. R1. P500 F100.\nX2. P600\nG85 X3.\nG80\nM30";
   for (const Dialect dialect : {Dialect::fanuc, Dialect::haas}) {
     const Interpreted result = run(text, dialect);
     CHECK(places(result) == Places{"SC2230 2:22"});
-    CHECK(result.blocks.size() ==
-          run("G0 Z10.\nG99 G81 X1. Z-1. R1. F100\nX2.\nG85 X3.\nG80\nM30", dialect).blocks.size());
+    CHECK(
+        result.blocks.size() ==
+        run("G0 Z10.\nG99 G81 X1. Z-1. R1. F100.\nX2.\nG85 X3.\nG80\nM30", dialect).blocks.size());
   }
-  CHECK(places(run("G0 Z10.\nG99 G81 X1. Z-1. R1. P500 F100\nM30", Dialect::linuxcnc)) ==
+  CHECK(places(run("G0 Z10.\nG99 G81 X1. Z-1. R1. P500 F100.\nM30", Dialect::linuxcnc)) ==
         Places{"SC2004 2:22"});
 }
 
 TEST_CASE("H beside G41 or G42 asks for D in fanuc", "[ipr][dialects]") {
-  const std::string text = "G1 F100\nG42 H19 Y10.\nX50.\nG40 Y-10.\nM30";
+  const std::string text = "G1 F100.\nG42 H19 Y10.\nX50.\nG40 Y-10.\nM30";
   const Interpreted result = run(text, Dialect::fanuc);
   CHECK(places(result) == Places{"SC2231 2:5"});
   CHECK(result.diagnostics[0].message ==
@@ -120,7 +121,7 @@ TEST_CASE("H beside G41 or G42 asks for D in fanuc", "[ipr][dialects]") {
 }
 
 TEST_CASE("grbl starts in G00", "[ipr][dialects]") {
-  const std::string text = "G21 G90\nZ5\nX10 Y10\nG1 Z-1 F100\nM2";
+  const std::string text = "G21 G90\nZ5\nX10 Y10\nG1 Z-1 F100.\nM2";
   const auto moves = moves_of(text, {}, in(Dialect::grbl));
   REQUIRE(moves.size() == 3);
   CHECK(moves[0].rapid);
@@ -146,13 +147,13 @@ TEST_CASE("grbl's senders' lines are skipped with one note", "[ipr][dialects]") 
 
 TEST_CASE("elsewhere each of them is an error that names the dialect", "[ipr][dialects]") {
   for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc, Dialect::haas}) {
-    for (const char* line : {"$H", "$$", "$J=G91 X1 F9", "?", "!", "~", "$N0=G54", "$RST=*"}) {
+    for (const char* line : {"$H", "$$", "$J=G91 X1 F9.", "?", "!", "~", "$N0=G54", "$RST=*"}) {
       CAPTURE(line);
       const Interpreted result = run(std::string(line) + "\nM2", dialect);
       REQUIRE(places(result) == Places{"SC1054 1:1"});
       CHECK(result.diagnostics[0].message.find("--dialect grbl") != std::string::npos);
     }
-    CHECK(places(run("G1 F9\nX1*57\nM2", dialect)) == Places{"SC1054 2:3"});
+    CHECK(places(run("G1 F9.\nX1*57\nM2", dialect)) == Places{"SC1054 2:3"});
   }
   CHECK(places(run("$0 M3 S100\nM2", Dialect::linuxcnc)) == Places{"SC1001 1:1"});
   const Interpreted product = run("#1=2\nG0 X[#1*57]\nM2", Dialect::grbl);

@@ -174,7 +174,8 @@ TEST_CASE("FANUC: P of M98 may hold the count, as in old programs", "[ipr][flow]
 
 TEST_CASE("FANUC: M98 shares the local variables, G65 has its own", "[ipr][flow]") {
   CHECK(fanuc_way("O1\n#1=5\nM98 P2\nG0 X#1\nM30\nO2\n#1=#1+1\nM99") == Positions{6});
-  CHECK(fanuc_way("O1\n#1=5\nG65 P2 A1\nG0 X#1\nM30\nO2\n#1=#1+1\nG0 X#1\nM99") == Positions{2, 5});
+  CHECK(fanuc_way("O1\n#1=5\nG65 P2 A1.\nG0 X#1\nM30\nO2\n#1=#1+1\nG0 X#1\nM99") ==
+        Positions{2, 5});
 }
 
 TEST_CASE("FANUC: the words of G65 are variables", "[ipr][flow]") {
@@ -185,13 +186,22 @@ TEST_CASE("FANUC: the words of G65 are variables", "[ipr][flow]") {
   const int numbers[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
   std::string all;
   for (std::size_t i = 0; i < letters.size(); ++i)
-    all += letters[i] + std::to_string(numbers[i] + 100) + " ";
+    all += letters[i] + std::to_string(numbers[i] + 100) + ". ";
   for (const int number : numbers) CHECK(taken(all, number) == Positions{number + 100.0});
-  const std::string sets = "A1 B2 C3 I4 J5 K6 I7 J8 K9 I10 K12 J14 K15 I16";
+  const std::string sets = "A1. B2. C3. I4. J5. K6. I7. J8. K9. I10. K12. J14. K15. I16.";
   for (const int number : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 15, 16})
     CHECK(taken(sets, number) == Positions{static_cast<double>(number)});
-  CHECK(fanuc_way("O1\nG91\nG65 P2 A3 L2\nM30\nO2\nG0 X#1\n#1=7\nM99") == Positions{3, 6});
-  CHECK(taken("I1 I2 D9", 7) == Positions{9});
+  CHECK(fanuc_way("O1\nG91\nG65 P2 A3. L2\nM30\nO2\nG0 X#1\n#1=7\nM99") == Positions{3, 6});
+  CHECK(taken("I1. I2. D9", 7) == Positions{9});
+}
+
+TEST_CASE("Haas: a repeated G65 keeps the local variables of the time before",
+          "[ipr][flow][haas]") {
+  const std::string text = "O1\n#1=50.\nG65 P2 L3 A1.\nG0 X#1\nM30\nO2\nG0 X#1\n#1=#1+1\nM99";
+  CHECK(way(text, Dialect::haas) == Positions{1, 2, 3, 50});
+  CHECK(fanuc_way(text) == Positions{1, 50});
+  CHECK(way("O1\n#1=7.\nG65 P2 L3 A1.\nG0 X9.\nN5 G0 X#1\nM30\nO2\nG0 X#1\n#1=#1+1\nM99 P5",
+            Dialect::haas) == Positions{1, 7});
 }
 
 TEST_CASE("FANUC: GOTO looks ahead first, then from the beginning", "[ipr][flow]") {
@@ -227,9 +237,9 @@ TEST_CASE("FANUC: M99 leads where P says, and starts the main program again", "[
 
 TEST_CASE("FANUC calls programs by name as well as by number", "[ipr][flow]") {
   const std::string subs = "\nM30\nO<Drill>\nG0 X#1\nM99\nO<other>\nG0 X9\nM99";
-  CHECK(fanuc_way("O1\nG65 <DRILL> A1 L2\nM98 <Other>\nG0 X3" + subs) == Positions{1, 9, 3});
+  CHECK(fanuc_way("O1\nG65 <DRILL> A1. L2\nM98 <Other>\nG0 X3" + subs) == Positions{1, 9, 3});
   CHECK(fanuc_way("O1\nN5 M98 < other > L2\nG0 X3" + subs) == Positions{9, 3});
-  CHECK(fanuc_way("O1\n#1=4\nM98 <DRILL>\nIF [#1 EQ 5] GOTO 7\nG65 <DRILL> A#1 A5\nN7" + subs) ==
+  CHECK(fanuc_way("O1\n#1=4\nM98 <DRILL>\nIF [#1 EQ 5] GOTO 7\nG65 <DRILL> A#1 A5.\nN7" + subs) ==
         Positions{4, 5});
   Folder folder;
   folder.with("part.nc", "G0 X7\nM99\n");
@@ -238,8 +248,8 @@ TEST_CASE("FANUC calls programs by name as well as by number", "[ipr][flow]") {
 
 TEST_CASE("of arguments of G65 with one letter the last counts", "[ipr][flow]") {
   const std::string sub = "\nM30\nO2\nG0 X#1\nX#4\nX#7\nM99";
-  CHECK(fanuc_way("O1\nG65 P2 A1 A2 I3 I4" + sub) == Positions{2, 3, 4});
-  CHECK(fanuc_way("O1\nG65 P2 D5 A1 I2 I6 D7 A3" + sub) == Positions{3, 2, 7});
+  CHECK(fanuc_way("O1\nG65 P2 A1. A2. I3. I4." + sub) == Positions{2, 3, 4});
+  CHECK(fanuc_way("O1\nG65 P2 D5 A1. I2. I6. D7 A3." + sub) == Positions{3, 2, 7});
 }
 
 TEST_CASE("a return leaves the subprogram whatever its label", "[ipr][flow]") {
@@ -252,7 +262,7 @@ TEST_CASE("a return leaves the subprogram whatever its label", "[ipr][flow]") {
 TEST_CASE("a call that cannot be read is reported, and leads nowhere", "[ipr][flow]") {
   CHECK(reported("M98\nG0 X1\nM30", Dialect::fanuc) ==
         Told{"1:1 SC2005 M98 needs P, the number of the subprogram"});
-  CHECK(reported("G65 A1\nM30", Dialect::fanuc) ==
+  CHECK(reported("G65 A1.\nM30", Dialect::fanuc) ==
         Told{"1:1 SC2005 G65 needs P, the number of the subprogram"});
   CHECK(reported("M98 P1 L1.5\nM30\nO1\nM99", Dialect::fanuc) ==
         Told{"1:8 SC2007 L takes a whole number from 0"});
@@ -358,7 +368,7 @@ TEST_CASE("a called file is found beside the program", "[ipr][flow]") {
   CHECK(way_of(folder.run("o<Pocket> call [3]\no100 call\nG0 X0\nM2")) == Positions{3, 8, 4, 0});
   CHECK(way_of(folder.run("G65 P13\nM30\n", Dialect::fanuc)) == Positions{9});
   CHECK(way_of(folder.run("o<Rim> call\nM2\n")) == Positions{5});
-  CHECK(way_of(folder.run("%\nO1\n#1=2\nM98 P7\nG65 P7 A3 L2\nM98 P1234\nM30\n%",
+  CHECK(way_of(folder.run("%\nO1\n#1=2\nM98 P7\nG65 P7 A3. L2\nM98 P1234\nM30\n%",
                           Dialect::fanuc)) == Positions{2, 3, 6});
 }
 

@@ -9,7 +9,7 @@ namespace softcnc::ipr {
 namespace {
 
 Interpreted run(const std::string& text, Dialect dialect = Dialect::fanuc,
-                IntegerUnit unit = IntegerUnit::units) {
+                IntegerUnit unit = IntegerUnit::unstated) {
   InterpreterOptions options;
   options.dialect = dialect;
   Machine machine;
@@ -52,7 +52,8 @@ TEST_CASE("ordinary programs are not", "[ipr][dialects]") {
   for (const char* text :
        {"G0 X10 Y20\nG1 Z-5 F100\nX0\nM30", "G0 X10. Y20.\nG28 Z0\nG3 X20. Y20. I5. J0 F100.\nM30",
         "G0 X1.\nG4 X3\nG4 P500\nM30", "#1=5\nG0 X1.5\nX#1\nX[#1+2]\nM30",
-        "G0 Z5.\nG91 G99 G81 X1. Z-1. R-2. F100 K300\nM30", "G65 P2 X100 A5\nM30\nO2\nG0 X1.\nM99",
+        "G0 Z5.\nG91 G99 G81 X1. Z-1. R-2. F100 K300\nM30",
+        "G65 P2 X100. A5. D7 H2 A#1\nM30\nO2\nG0 X1.\nM99",
         "G0 X100.\nG43 H1 Z5.\nT2\nS5000 M3\nN100 G1 F500 X1.\nM30"}) {
     CAPTURE(text);
     CHECK(places(run(text)).empty());
@@ -73,7 +74,8 @@ TEST_CASE("as increments they are thousandths of a mm or ten-thousandths of an i
           "[ipr][dialects]") {
   for (const Dialect dialect : {Dialect::fanuc, Dialect::haas}) {
     const auto points = ends(
-        "G21 G90\nG0 X1000 Y500.\nG1 Z-500 F100\nG3 X3000 I1000\nG20 G1 X10000\n#1=2\nG21 X#1\nM30",
+        "G21 G90\nG0 X1000 Y500.\nG1 Z-500 F100.\nG3 X3000 I1000\nG20 G1 X10000\n#1=2\nG21 "
+        "X#1\nM30",
         dialect);
     REQUIRE(points.size() == 5);
     CHECK(near(points[0], {1, 500, 0}));
@@ -106,6 +108,61 @@ TEST_CASE("the radius of polar coordinates counts increments, the angle does not
   REQUIRE(corner.size() == 3);
   CHECK(near(corner[0], {9, 0, 0}));
   CHECK(ends("F600\nG12 I2000 K4000 Q1000 Z-1000 D0\nM30").size() == 8);
+}
+
+TEST_CASE("arguments of G65 count increments by their letters", "[ipr][dialects]") {
+  const auto passed = [](const std::string& words, int number, Dialect dialect,
+                         IntegerUnit unit = IntegerUnit::unstated) {
+    const Interpreted result =
+        run("G65 P2 " + words + "\nM30\nO2\nG91 G0 X#" + std::to_string(number) + "\nM99", dialect,
+            unit);
+    return end(std::get<Move>(result.blocks.at(0).what).path).x();
+  };
+  const std::string letters = "ABCIJKDEFHMQRSTUVWXYZ", whole = "DEFHMST";
+  const int numbers[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::haas})
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+      CAPTURE(name(dialect), letters[i]);
+      const double unit = whole.find(letters[i]) == std::string::npos ? 0.001 : 1;
+      CHECK(passed(letters[i] + std::string("5"), numbers[i], dialect) == Approx(5 * unit));
+      CHECK(passed(letters[i] + std::string("5."), numbers[i], dialect) == 5);
+    }
+  CHECK(passed("A[2+3]", 1, Dialect::haas) == 5);
+  CHECK(passed("A5", 1, Dialect::linuxcnc) == 5);
+  CHECK(passed("A5", 1, Dialect::fanuc, IntegerUnit::units) == 5);
+  CHECK(passed("A5", 1, Dialect::fanuc, IntegerUnit::increments) == Approx(0.005));
+  const Interpreted inch = run("G20 G65 P2 A5\nM30\nO2\nG0 X#1\nM99", Dialect::haas);
+  CHECK(end(std::get<Move>(inch.blocks.at(0).what).path).x() == Approx(0.0005 * 25.4));
+}
+
+TEST_CASE("an argument without a decimal point is told once", "[ipr][dialects]") {
+  const std::string text = "G65 P2 D5 A5 B3\nG65 P2 L2 A5.\nG65 P2 C0 C-7\nM30\nO2\nM99";
+  const Interpreted result = run(text, Dialect::haas);
+  REQUIRE(places(result) == Places{"SC1057 1:11"});
+  CHECK(result.diagnostics[0].message ==
+        "A5 without a decimal point is the argument 0.005, in increments; a control that counts "
+        "units passes 5 (here and on 1 more line)");
+  CHECK(run(text, Dialect::haas, IntegerUnit::units).diagnostics.empty());
+  CHECK(run(text, Dialect::fanuc, IntegerUnit::increments).diagnostics.empty());
+  CHECK(run(text, Dialect::linuxcnc).diagnostics.empty());
+}
+
+TEST_CASE("in haas a feed without a decimal point is told once", "[ipr][dialects]") {
+  const std::string text = "G1 X10. F10\nX20. F250.\nX30. F0\nX40. F30\nM98 P2\nM30\nO2\nM99";
+  const Interpreted result = run(text, Dialect::haas);
+  REQUIRE_FALSE(result.diagnostics.empty());
+  CHECK(places(result).back() == "SC1057 1:9");
+  CHECK(result.diagnostics.back().message ==
+        "F10 without a decimal point is a feed of 10; setting 77 of a Haas control may make it a "
+        "tenth to a ten-thousandth of that (here and on 1 more line)");
+  CHECK(places(run("G1 X10. F10.\nX20. F#1\nM30", Dialect::haas)).empty());
+  CHECK(places(run("G1 X10. F10\nM30", Dialect::haas, IntegerUnit::units)).empty());
+  CHECK(places(run("G1 X10. F10\nM30", Dialect::fanuc)).empty());
+}
+
+TEST_CASE("units that the machine file states are not told", "[ipr][dialects]") {
+  CHECK(places(run("G0 X1000 Y0.5\nM30", Dialect::fanuc, IntegerUnit::units)).empty());
+  CHECK(places(run("G0 X1000 Y0.5\nM30")) == Places{"SC1057 1:4"});
 }
 
 TEST_CASE("linuxcnc and grbl have units whatever the machine", "[ipr][dialects]") {

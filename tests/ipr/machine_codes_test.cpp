@@ -133,7 +133,7 @@ TEST_CASE("an M code of the machine may set an output, by its name or number", "
 
 TEST_CASE("M codes of the machine work in loops, in calls and in fanuc", "[ipr][mcode][fanuc]") {
   const InterpreterOptions fanuc{.dialect = Dialect::fanuc};
-  CHECK(blocks_with_codes("G65 P9 A2\nM30\nO9\nWHILE [#1 GT 0] DO 1\nM31\n#1=#1-1\nEND 1\nM99\n",
+  CHECK(blocks_with_codes("G65 P9 A2.\nM30\nO9\nWHILE [#1 GT 0] DO 1\nM31\n#1=#1-1\nEND 1\nM99\n",
                           fanuc)
             .size() == 3);
   CHECK(blocks_with_codes("%\nO1 (conveyor)\nN10 M31\n/N20 M33\nM[30+1] X0 G0\nM30\n%\n", fanuc)

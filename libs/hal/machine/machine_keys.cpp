@@ -263,8 +263,10 @@ const MachineKey kKeys[] = {
      NumberKey{in_part<&Machine::program, &ProgramReading::motion_limit>, s_from_h, h_from_s, at_least_0(1e9)}},
     {"program.spline_parameter", "", "parameter of splines through points: the length of the chords between them, or the same from each point to the next",
      choice_in<&Machine::program, &ProgramReading::spline_parameter>(kSplineParameterNames)},
-    {"program.integers", "", "what a length without a decimal point counts in the fanuc and haas dialects: units (mm or inches), or increments of 0.001 mm or 0.0001 inch",
+    {"program.integers", "", "what a length or an argument of G65 without a decimal point counts in the fanuc and haas dialects: units (mm or inches), or increments of 0.001 mm or 0.0001 inch; unstated: lengths units, arguments increments, with warnings",
      choice_in<&Machine::program, &ProgramReading::integers>(kIntegerUnitNames)},
+    {"program.cutter_offsets", "", "what G10 L12, L13 and #2401 to #2800 give in the haas dialect (setting 40): the diameter or the radius of a tool; unstated: the diameter, with a warning",
+     choice_in<&Machine::program, &ProgramReading::cutter_offsets>(kCutterOffsetNames)},
     {"program.path", "", "folders of subprograms, looked through in this order after the folder of the program and those of --subprograms; relative ones count from the folder of the machine file",
      ListKey{subprogram_folders}},
 

@@ -14,7 +14,7 @@ namespace softcnc::hal {
 inline constexpr int kStateSchema = 1;
 
 /// The numbers of the parameters that a state may hold, from first to last.
-inline constexpr int kFirstParameter = 31, kLastParameter = 5999;
+inline constexpr int kFirstParameter = 31, kLastParameter = 10999;
 
 /// A state, or all errors of its file, line by line.
 using StateOrErrors = tl::expected<MachineState, std::vector<Diagnostic>>;

@@ -37,8 +37,9 @@ constexpr std::array<DialectDifferenceRow, kDialectDifferences> kTable{{
      "custom macro, processing macro statements"},
     {C::system_variable, Code::SC1037,
      "#2001 to #2400, #3000, #3006, #4001 to #4120, #5001 to #5203", "are variables like others",
-     "are those of the system: tools, alarm, stop, modes, positions", "",
-     "custom macro, system variables"},
+     "are those of the system: tools, alarm, stop, modes, positions",
+     "are those of the system, with the lengths of tools before their wear",
+     "custom macro, system variables; Haas: macro variables"},
     {C::local_variable, Code::SC1038, "#31 to #33 in a called program", "belong to all programs",
      "belong to the call", "", "custom macro, macro call"},
     {C::assigned_offset, Code::SC1039, "an offset assigned to (#5211 to #5382)",
@@ -94,6 +95,9 @@ constexpr std::array<DialectDifferenceRow, kDialectDifferences> kTable{{
      "R and the depth of a canned cycle, kept where G90 or G91 changes",
      "are read again, by the mode of the line", "stay the heights that they were", "",
      "canned cycles for drilling; polar coordinate command, example with incremental angles"},
+    {C::cutter_offset, Code::SC2386, "G10 L12, L13", "are errors", "set the radius and its wear",
+     "set the diameter and its wear, or by `program.cutter_offsets` the radius",
+     "tool compensation values; Haas: G10, setting 40"},
 }};
 
 constexpr bool in_order() {
@@ -115,6 +119,40 @@ constexpr DialectTraitRow kTraits[] = {
     {"X Y Z I J K R Q without a decimal point",
      {"units", "units, or by `program.integers` increments", kAsFanuc, "units"},
      "FANUC: decimal point programming; Haas: setting 162"},
+    {"A B C I J K Q R U to Z of G65 without a decimal point",
+     {"units", "increments, or by `program.integers` units", kAsFanuc, "units"},
+     "FANUC: custom macro, position of the decimal point; Haas: integer argument passing"},
+    {"F without a decimal point",
+     {"units", "units", "units, with a warning", "units"},
+     "Haas: setting 77"},
+    {"L of G65",
+     {"sets the arguments each time", kAsLinuxcnc, "sets them the first time", kAsLinuxcnc},
+     "Haas: macro variables, local variables"},
+    {"G10 L2 P0",
+     {"sets the work system in force", kNo, "sets the shift of G52", kAsLinuxcnc},
+     "Haas: G10"},
+    {"G53 in G91, under G51, G51.1 and G68, and without axes",
+     {kNo, kNo, "leaves them for its line; without axes it moves nothing", kNo},
+     "Haas: G53"},
+    {"#100 to #199",
+     {"variables like others", "end with the program", "outlive the program", kAsLinuxcnc},
+     "custom macro, variables; Haas: macro variables"},
+    {"#2001 to #2200; #2201 to #2400",
+     {"variables like others", "wear of lengths; lengths", "lengths; their wear", kAsLinuxcnc},
+     "custom macro, system variables; Haas: macro variables"},
+    {"#2401 to #2600; #2601 to #2800",
+     {"variables like others", kNo, "as G10 L12; as G10 L13", kAsLinuxcnc},
+     "Haas: macro variables, setting 40"},
+    {"#5201 to #5203",
+     {"variables like others", "the offset of all work systems, always 0", "the shift of G52",
+      kAsLinuxcnc},
+     "custom macro, system variables; Haas: macro variables"},
+    {"#10000 to #10999",
+     {kNo, "wear of lengths, from #10001 on", "outlive the program; #10100 is #100", kNo},
+     "custom macro, system variables; Haas: macro variables"},
+    {"#11001 to #13999",
+     {kNo, "lengths, wear of radii, radii", kNo, kNo},
+     "custom macro, system variables; Haas: macro variables"},
     {"E right after a number, as in `F600E41`",
      {"an exponent, an error", "a word", kAsFanuc, kAsLinuxcnc},
      "FANUC: custom macro, argument specification I"},
@@ -166,7 +204,9 @@ void DialectDifferences::note(DialectDifference kind, SourcePos pos, std::string
 std::string DialectDifferences::text_of(const DialectDifferenceRow& row, const Met& met) const {
   const std::string_view own = row.meaning(dialect_);
   const Dialect main = other_family(dialect_);
-  const Dialect other = row.meaning(main) != own ? main : other_family(main);
+  const Dialect sibling = dialect_ == Dialect::haas ? Dialect::fanuc : Dialect::haas;
+  const bool linuxcnc_differs = row.meaning(main) != own && row.kind != C::cutter_offset;
+  const Dialect other = linuxcnc_differs ? main : sibling;
   std::string text = std::string(row.what) + ' ';
   text += own;
   text += "; in the " + std::string(name(other)) + " dialect: ";

@@ -51,8 +51,9 @@ enum class DialectDifference : std::uint8_t {
   named_shift,
   further_system,
   kept_height,
+  cutter_offset,
 };
-inline constexpr std::size_t kDialectDifferences = 31;
+inline constexpr std::size_t kDialectDifferences = 32;
 
 struct DialectDifferenceRow {
   DialectDifference kind;

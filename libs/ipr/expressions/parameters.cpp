@@ -17,6 +17,10 @@ constexpr int kLocals = 30, kFirstSystem = 5000, kEnd = 5602;
 constexpr int kFanucLocals = 33, kFanucFirstCommon = 100, kFanucEndVolatile = 200;
 constexpr int kFanucFirstKept = 500, kFanucEnd = 1000;
 
+// Haas: those of FANUC, which are all kept from #100 on, and #10000 to #10999, of which #10100 is
+// another number of #100.
+constexpr int kHaasFirst = 10000, kHaasEnd = 11000;
+
 constexpr int kDebugSwitch = 5599;  // LinuxCNC: (DEBUG,text) is shown unless it is 0
 
 constexpr int kTouch = 5061, kTouchEnd = 5071;
@@ -29,18 +33,41 @@ constexpr bool is_fanuc_ordinary(int number) noexcept {
          (number >= kFanucFirstKept && number < kFanucEnd);
 }
 
+constexpr bool is_haas_general(int number) noexcept {
+  return number >= kHaasFirst && number < kHaasEnd;
+}
+
+/// Of two numbers for one variable the shorter one.
+constexpr int shortest(int number, Dialect dialect) noexcept {
+  if (dialect != Dialect::haas || !is_haas_general(number)) return number;
+  const int short_number = number - kHaasFirst;
+  const bool same = short_number > kFanucLocals && is_fanuc_ordinary(short_number);
+  return same ? short_number : number;
+}
+
+constexpr int first_system(Dialect dialect) noexcept {
+  if (dialect == Dialect::haas) return kFanucFirstCommon;
+  return is_fanuc_like(dialect) ? kFanucFirstKept : kFirstSystem;
+}
+
 }  // namespace
 
 Parameters::Parameters(Dialect dialect)
     : dialect_(dialect),
       locals_(is_fanuc_like(dialect) ? kFanucLocals : kLocals),
-      first_system_(is_fanuc_like(dialect) ? kFanucFirstKept : kFirstSystem) {
+      first_system_(first_system(dialect)) {
   push({});
 }
 
 /// Whether the number is that of a variable that only programs use.
 bool Parameters::is_ordinary(int number) const noexcept {
-  return is_fanuc_like(dialect_) ? is_fanuc_ordinary(number) : number >= 1 && number < kEnd;
+  if (is_linuxcnc_like(dialect_)) return number >= 1 && number < kEnd;
+  return is_fanuc_ordinary(number) || (dialect_ == Dialect::haas && is_haas_general(number));
+}
+
+/// Whether an error has lost what the system keeps of it.
+bool Parameters::is_lost(int number) const {
+  return kept_lost_ && is_kept(number) && !known_again_.contains(number);
 }
 
 /// Vacant where nothing has been assigned. Expects an ordinary variable.
@@ -58,11 +85,14 @@ void Parameters::store(int number, double value) {
 }
 
 std::optional<double> Parameters::read(int number) const {
+  number = shortest(number, dialect_);
   if (number == 0 && is_fanuc_like(dialect_)) return kVacant;
   if (probed_point_lost_ && is_touch(number)) return kUnknown;
   if (!refused_.empty() && refused_.contains(number)) return kUnknown;
+  if (is_lost(number)) return kUnknown;
   if (is_system(number) && system_ != nullptr) {
-    may_differ_ = true;
+    may_differ_ = may_differ_ || !is_ordinary(number) || is_linuxcnc_like(dialect_);
+    if (system_->assumes_unit(number)) assumed_ = number;
     if (const auto value = system_->read(number)) return value;
   }
   if (!is_ordinary(number)) return std::nullopt;
@@ -83,8 +113,9 @@ std::optional<double> Parameters::read_as(int number, Dialect other) const {
 }
 
 bool Parameters::is_fanuc_system(int number) const {
+  const Dialect own = is_fanuc_like(dialect_) ? dialect_ : Dialect::fanuc;
   return system_ != nullptr && !is_fanuc_ordinary(number) && number < kEnd &&
-         system_->has(number, Dialect::fanuc) && !system_->has(number, Dialect::linuxcnc);
+         system_->has(number, own) && !system_->has(number, Dialect::linuxcnc);
 }
 
 double Parameters::fanuc_unit(int number) const {
@@ -120,6 +151,7 @@ std::optional<double> Parameters::read(std::string_view name) const {
 }
 
 Parameters::Access Parameters::access(int number) const {
+  number = shortest(number, dialect_);
   if (number == 0 && is_fanuc_like(dialect_)) return Access::read_only;
   if (is_system(number) && system_ != nullptr && system_->read(number))
     return system_->is_read_only(number) ? Access::read_only : Access::granted;
@@ -132,13 +164,17 @@ Parameters::Access Parameters::access(std::string_view name) const {
 }
 
 double Parameters::limit(int number) const {
+  number = shortest(number, dialect_);
   const bool of_system = is_system(number) && system_ != nullptr;
   return of_system ? system_->limit(number) : std::numeric_limits<double>::max();
 }
 
 void Parameters::write(int number, double value) {
   assert(access(number) == Access::granted);
+  number = shortest(number, dialect_);
   may_differ_ = true;
+  if (kept_lost_ && is_kept(number)) known_again_.insert(number);
+  if (is_system(number) && system_ != nullptr && system_->assumes_unit(number)) assumed_ = number;
   if (number <= locals_)
     levels_.back().numbered[static_cast<std::size_t>(number)] = value;
   else if (!is_system(number) || system_ == nullptr || !system_->write(number, value))
@@ -203,6 +239,8 @@ void Parameters::write(std::string_view name, double value) {
 void Parameters::lose_all(bool locals) {
   lose();
   unset_ = kUnknown;
+  kept_lost_ = true;
+  known_again_.clear();
   std::fill(numbered_.begin(), numbered_.end(), kUnknown);
   for (auto& [name, value] : global_) value = kUnknown;
   give_back(kUnknown);

@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ipr/expressions/dialect.hpp"
@@ -39,6 +40,9 @@ class SystemVariables {
   virtual bool is_read_only(int number) const = 0;
   /// Returns how far from 0 an assigned value may lie.
   virtual double limit(int number) const = 0;
+  /// Returns whether the unit of the variable has to be assumed, since nothing states it; at most
+  /// once in a program.
+  virtual bool assumes_unit(int /*number*/) const { return false; }
   /// Returns the unit, in mm, in which the fanuc dialect counts what linuxcnc counts in mm; 1 for
   /// all other variables.
   virtual double fanuc_unit(int number) const = 0;
@@ -100,6 +104,8 @@ class Parameters {
   Access access(std::string_view name) const;
   /// Returns how far from 0 an assigned value may lie.
   double limit(int number) const;
+  /// Returns the variable whose unit has been assumed since the last call; 0 if there is none.
+  int take_assumed() noexcept { return std::exchange(assumed_, 0); }
   /// Assigns a value. Requires that access is granted, and a value within the limit.
   void write(int number, double value);
   void write(std::string_view name, double value);
@@ -145,6 +151,8 @@ class Parameters {
   std::optional<double> own(std::string_view name) const noexcept;
   bool is_system(int number) const noexcept { return number >= first_system_; }
   bool is_ordinary(int number) const noexcept;
+  bool is_kept(int number) const noexcept { return is_system(number) && is_ordinary(number); }
+  bool is_lost(int number) const;
   double stored(int number) const noexcept;
   void store(int number, double value);
   void write_ordinary(int number, double value);
@@ -156,13 +164,15 @@ class Parameters {
   std::vector<double> numbered_;  // by number, unset_ after the last; local ones lie in levels_
   double unset_ = kVacant;
   std::set<int> kept_, refused_;
+  std::set<int> known_again_;  // of those that the system keeps, after all were lost
   std::set<std::string, std::less<>> kept_names_;
   std::vector<Level> levels_;
   Names global_;
   std::optional<double> given_back_;
   int line_ = 0;
-  bool lost_ = false, probed_point_lost_ = false, watching_ = false;
+  bool lost_ = false, probed_point_lost_ = false, watching_ = false, kept_lost_ = false;
   mutable bool may_differ_ = false;  // reading a variable of the system sets it too
+  mutable int assumed_ = 0;
 };
 
 }  // namespace softcnc::ipr

@@ -172,7 +172,7 @@ class Flow {
   bool begin_at(int number, const SourcePos& pos);
   std::string program_in_work() const;
   void enter(Subprogram sub, Jump jump, bool has_level);
-  void start();
+  void start(bool keeps_variables = false);
   void leave_by_statement();
   void leave_by_code(const Jump& jump);
   void leave(std::optional<double> value, const SourcePos& pos);

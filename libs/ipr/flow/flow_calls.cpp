@@ -222,10 +222,10 @@ bool Flow::begin_at(int number, const SourcePos& pos) {
   return false;
 }
 
-/// Begins the innermost call, once or again.
-void Flow::start() {
+/// Begins the innermost call, once or again, with variables of its own or those of the time before.
+void Flow::start(bool keeps_variables) {
   const Call& call = calls_.back();
-  if (call.has_level) parser_.parameters().push(call.arguments);
+  if (call.has_level && !keeps_variables) parser_.parameters().push(call.arguments);
   if (options_.observer != nullptr) options_.observer->begin_call();
   go(call.entry.value_or(call.sub.begin));
 }
@@ -279,17 +279,19 @@ void Flow::leave_by_code(const Jump& jump) {
   if (jump.line_number && !ended_) go_to_line(*jump.line_number, jump.pos);
 }
 
-/// Ends the innermost call, or runs it once more.
+/// Ends the innermost call, or runs it once more. Haas' controls set the arguments the first time
+/// only: what a time has left in the local variables is what the next one finds.
 void Flow::leave(std::optional<double> value, const SourcePos& pos) {
   Call& call = calls_.back();
   opens_.resize(call.opens);
-  if (call.has_level) parser_.parameters().pop();
+  const bool keeps = call.times > 1 && parser_.parameters().dialect() == Dialect::haas;
+  if (call.has_level && !keeps) parser_.parameters().pop();
   if (options_.observer != nullptr) options_.observer->end_call(pos);
   if (call.sub.kind == SubKind::o_word) parser_.parameters().give_back(value);
   if (--call.times > 0) {
     const bool too_long = runs_too_long(executed_ - call.since, "the call of " + name_of(call.sub),
                                         call.pos, call.text);
-    return too_long ? void() : start();
+    return too_long ? void() : start(keeps);
   }
   const Spot back = call.back;
   calls_.pop_back();

@@ -19,14 +19,15 @@ constexpr double kLargestWhole = 999999999;  // as many digits as a number may h
 
 namespace {
 
+/// Such a place that a transformation leads from it to the one that the words name.
 AxisVector end_in_machine(const Task& task) {
-  AxisVector end = task.modal.position;
+  AxisVector end = task.modal.machine_position();
   for (int i = 0; i < kAxes; ++i) {
     const char letter = axis_letter(i);
     if (!task.values.has(letter)) continue;
     end[i] = task.values[letter] * task.modal.mm_per_unit;
   }
-  return end;
+  return task.modal.unplaced(end);
 }
 
 }  // namespace

@@ -82,8 +82,17 @@ AxisVector given_origin(const Task& task, AxisVector origin) {
   return origin;
 }
 
+/// L2 P0 of Haas: the shift of G52.
+bool set_local_shift_by_table(Task& task) {
+  if (!lacks(task, "R")) return false;
+  AxisVector& shift = task.modal.local_shift;
+  return keep_offset(task, shift, given_origin(task, shift));
+}
+
 /// L2: origin and rotation as given.
 bool set_system(Task& task) {
+  const bool haas = task.options.dialect == Dialect::haas;
+  if (haas && task.values.has('P') && task.values['P'] == 0) return set_local_shift_by_table(task);
   const auto system = read_system(task);
   if (!system || (is_fanuc(task) && !lacks(task, "R"))) return false;
   compare_system(task, *system);
@@ -165,11 +174,29 @@ bool set_tool_by_position(Task& task, bool fixture) {
          set_radius(task, tool);
 }
 
-/// The fanuc dialect: one value of the tables of H and D.
-bool set_compensation(Task& task, double& value) {
+/// The fanuc dialect: one value of the tables of H and D. R is that times `unit`.
+bool set_compensation(Task& task, double& value, double unit = 1) {
   if (!lacks(task, "XYZ") || !needs(task, "R", "R, the value")) return false;
-  const double given = task.values['R'] * task.modal.mm_per_unit;
+  const double given = task.values['R'] * task.modal.mm_per_unit / unit;
   return keep_offset(task, 'R', value, adds(task) ? value + given : given);
+}
+
+/// L12 and L13: Haas' controls take diameters, unless setting 40 says otherwise.
+bool set_cutter_offset(Task& task, double& value) {
+  const CutterOffset meaning = task.machine.program.cutter_offsets;
+  if (task.options.dialect == Dialect::fanuc && task.values.has('R'))
+    task.out.note_difference(DialectDifference::cutter_offset, task.word.pos);
+  if (task.options.dialect != Dialect::haas || meaning == CutterOffset::radius)
+    return set_compensation(task, value);
+  if (meaning == CutterOffset::unstated && task.values.has('R') && !task.modal.diameter_warned) {
+    report_word(task, 'R', Code::SC2386,
+                "R of " + form(task) +
+                    " counts the diameter of a tool, as Haas' setting 40 has it unless it says "
+                    "radius");
+    task.modal.diameter_warned = true;
+  }
+  constexpr double kPerRadius = 2;
+  return set_compensation(task, value, kPerRadius);
 }
 
 bool write_compensation(Task& task, int table) {
@@ -180,9 +207,9 @@ bool write_compensation(Task& task, int table) {
     case 10:
       return set_compensation(task, tool.length[2]);
     case 12:
-      return set_compensation(task, tool.radius);
+      return set_cutter_offset(task, tool.radius);
     case 13:
-      return set_compensation(task, tool.radius_wear);
+      return set_cutter_offset(task, tool.radius_wear);
     default:
       return set_compensation(task, tool.length_wear);
   }

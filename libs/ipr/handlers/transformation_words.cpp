@@ -149,8 +149,8 @@ bool is_refused(const Task& task) {
   if (number >= kG17 && number <= kG19) return selects_other_plane(task);
   if (task.code.group == Group::work_offset) return selects_other_system(task);
   if (number == kG10) return moves_coordinates(task);
-  return number == kG28 || number == kG30 || number == kG52 || number == kG53 ||
-         (number >= kG92 && number <= kG923);
+  if (number == kG53) return task.options.dialect != Dialect::haas;
+  return number == kG28 || number == kG30 || number == kG52 || (number >= kG92 && number <= kG923);
 }
 
 /// Reports why a path cannot be followed where it lies.

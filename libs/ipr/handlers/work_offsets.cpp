@@ -106,17 +106,20 @@ void select_further_system(Task& task) {
   if (number) select_system(task, kWorkSystems + *number - 1);
 }
 
-/// G53.
+/// G53. On Haas' controls it leaves G91 and transformations for its line, and moves nothing without
+/// axes.
 void use_machine_coordinates(Task& task) {
   Modal& modal = task.modal;
+  const bool haas = task.options.dialect == Dialect::haas;
   const GCode* motion = task.command.find(Group::motion);
   modal.machine_coordinates = true;
+  if (haas && !task.values.letters().has_any(kAxisWords)) return;
   if (motion == nullptr || (motion->number != kG00 && motion->number != kG01)) {
     task.out.report(Code::SC2111, task.word.pos,
                     task.values.letters().has_any(kAxisWords)
                         ? "G53 moves by G00 or G01 only, written beside it or in force"
                         : "G53 counts for its own line only, and this one names no axis");
-  } else if (modal.incremental) {
+  } else if (modal.incremental && !haas) {
     task.out.report(Code::SC2111, task.word.pos,
                     "G53 requires G90: machine coordinates are absolute");
   }

@@ -216,8 +216,9 @@ bool Interpreter::emit_restored(const ProgramLine& next) {
 const ProgramLine& Interpreter::with_lengths(const ProgramLine& line) {
   const bool in_cycle = modal_.motion != nullptr && is_canned_cycle(*modal_.motion);
   const char angle = axis_letter(plane_axes(modal_.plane).second);
+  const bool haas = options_.dialect == Dialect::haas;
   return lengths_.read(
-      line, {modal_.mm_per_unit, in_cycle, modal_.curve.has_value(), modal_.polar, angle});
+      line, {modal_.mm_per_unit, in_cycle, modal_.curve.has_value(), modal_.polar, angle, haas});
 }
 
 [[gnu::hot]] void Interpreter::interpret(const ProgramLine& line) {

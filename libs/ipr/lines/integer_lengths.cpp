@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <span>
 
 #include "ipr/text/number.hpp"
 
@@ -23,9 +24,9 @@ bool has_code(const ProgramLine& line, char letter, double number) noexcept {
                      [&](const Word& word) { return is_code(word, letter, number); });
 }
 
-/// Dwells, arguments and switches: their letters are no lengths.
+/// Dwells and switches: their letters are no lengths.
 bool has_no_lengths(const ProgramLine& line) noexcept {
-  constexpr double kCodes[] = {4, 5, 5.1, 8, 65, 66, 66.1};
+  constexpr double kCodes[] = {4, 5, 5.1, 8, 66, 66.1};
   return std::any_of(std::begin(kCodes), std::end(kCodes),
                      [&](double code) { return has_code(line, 'G', code); });
 }
@@ -81,17 +82,69 @@ bool is_computed(const ProgramLine& line, const Word& word) noexcept {
   return text_of(line, word).find_first_of("#[") != std::string_view::npos;
 }
 
+bool is_whole(const ProgramLine& line, const Word& word) noexcept {
+  return !has_point(line, word) && !is_computed(line, word);
+}
+
+/// The words after G65.
+std::span<const Word> arguments_of(const ProgramLine& line) noexcept {
+  const auto call = std::find_if(line.words.begin(), line.words.end(),
+                                 [](const Word& word) { return is_code(word, 'G', 65); });
+  return line.words.subspan(static_cast<std::size_t>(call - line.words.begin()));
+}
+
+void add(IntegerWords& words, const ProgramLine& line, const Word& word, double increment) {
+  if (words.lines == 0) {
+    words.first = word.pos;
+    words.text = line.text;
+    words.word = word.letter + number_text(word.value);
+    words.value = word.value;
+    words.increment = increment;
+  }
+  const std::pair<int, int> place{word.pos.file, word.pos.line};
+  if (place == std::exchange(words.last, place)) return;
+  ++words.lines;
+}
+
+void tell(IntegerWords& words, std::string_view what, Diagnostics& diagnostics) {
+  const std::int64_t more = words.lines - 1;
+  std::string message = words.word + " without a decimal point is ";
+  message += what;
+  if (more > 0)
+    message +=
+        " (here and on " + std::to_string(more) + (more == 1 ? " more line)" : " more lines)");
+  words.lines = 0;
+  diagnostics.report(Code::SC1057, words.first, std::move(message), words.text);
+}
+
+constexpr LetterSet kArguments{"ABCIJKQRUVWXYZ"};  // that may count increments
+
 }  // namespace
 
 const ProgramLine& IntegerLengths::read(const ProgramLine& line, const LengthContext& context) {
   if (line.words.empty() || has_no_lengths(line)) return line;
-  if (unit_ == IntegerUnit::increments) return scaled(line, context);
-  if (line.broken) return line;
-  if (!is_new(line)) return line;
-  const LetterSet lengths = lengths_of(line, context);
-  for (const Word& word : line.words)
-    if (lengths.has(word.letter) && word.value != 0) see(line, word, context);
-  return line;
+  if (has_code(line, 'G', 65)) return with_arguments(line, context);
+  if (unit_ != IntegerUnit::units && !line.broken && is_new(line)) see_lengths(line, context);
+  if (unit_ != IntegerUnit::increments) return line;
+  return scaled(line, lengths_of(line, context), increment_of(line, context));
+}
+
+/// The words before G65 stay as they are.
+const ProgramLine& IntegerLengths::with_arguments(const ProgramLine& line,
+                                                  const LengthContext& context) {
+  if (unit_ == IntegerUnit::units) return line;
+  const double increment = increment_of(line, context);
+  const auto arguments = arguments_of(line);
+  if (unit_ == IntegerUnit::unstated && !line.broken && is_new(line))
+    for (const Word& word : arguments)
+      if (kArguments.has(word.letter) && word.value != 0 && is_whole(line, word))
+        add(arguments_, line, word, increment);
+  words_.assign(line.words.begin(), line.words.end());
+  for (std::size_t i = words_.size() - arguments.size(); i < words_.size(); ++i)
+    if (kArguments.has(words_[i].letter) && is_whole(line, words_[i])) words_[i].value *= increment;
+  line_ = line;
+  line_.words = words_;
+  return line_;
 }
 
 /// Loops and calls read a line more than once.
@@ -106,40 +159,28 @@ bool IntegerLengths::is_new(const ProgramLine& line) {
   return true;
 }
 
-void IntegerLengths::see(const ProgramLine& line, const Word& word, const LengthContext& context) {
-  if (is_computed(line, word)) return;
-  if (has_point(line, word)) {
-    points_ = true;
-    return;
+void IntegerLengths::see_lengths(const ProgramLine& line, const LengthContext& context) {
+  const LetterSet lengths = lengths_of(line, context);
+  for (const Word& word : line.words) {
+    if (word.value == 0 || is_computed(line, word)) continue;
+    if (word.letter == 'F' && context.of_haas && !has_point(line, word)) add(feeds_, line, word, 1);
+    if (!lengths.has(word.letter)) continue;
+    points_ = points_ || has_point(line, word);
+    if (has_point(line, word)) continue;
+    const double size = std::abs(word.value);
+    smallest_ = lengths_.lines == 0 ? size : std::min(smallest_, size);
+    add(lengths_, line, word, increment_of(line, context));
   }
-  const double size = std::abs(word.value);
-  smallest_ = lines_ == 0 ? size : std::min(smallest_, size);
-  if (lines_ == 0) {
-    first_ = word.pos;
-    text_ = line.text;
-    word_ = word.letter + number_text(word.value);
-    value_ = word.value;
-    increment_ = increment_of(line, context);
-    unit_name_ = increment_ == kMetric ? " mm" : " inch";
-    last_counted_ = {};
-  }
-  const std::pair<int, int> place{word.pos.file, word.pos.line};
-  if (place == last_counted_) return;
-  last_counted_ = place;
-  ++lines_;
 }
 
-const ProgramLine& IntegerLengths::scaled(const ProgramLine& line, const LengthContext& context) {
-  const LetterSet lengths = lengths_of(line, context);
-  const double increment = increment_of(line, context);
+const ProgramLine& IntegerLengths::scaled(const ProgramLine& line, LetterSet letters,
+                                          double increment) {
   words_.assign(line.words.begin(), line.words.end());
   for (Word& word : words_)
-    if (lengths.has(word.letter) && !has_point(line, word) && !is_computed(line, word))
-      word.value *= increment;
+    if (letters.has(word.letter) && is_whole(line, word)) word.value *= increment;
   line_ = line;
   line_.words = words_;
-  if (line.corner != nullptr && !has_point(line, *line.corner) &&
-      !is_computed(line, *line.corner)) {
+  if (line.corner != nullptr && is_whole(line, *line.corner)) {
     corner_ = *line.corner;
     corner_.value *= increment;
     line_.corner = &corner_;
@@ -147,17 +188,28 @@ const ProgramLine& IntegerLengths::scaled(const ProgramLine& line, const LengthC
   return line_;
 }
 
+void IntegerLengths::report_lengths(Diagnostics& diagnostics) {
+  const bool likely = points_ || smallest_ >= kLarge;
+  if (unit_ != IntegerUnit::unstated || lengths_.lines == 0 || !likely) return;
+  const std::string unit = lengths_.increment == kMetric ? " mm" : " inch";
+  tell(lengths_,
+       number_text(lengths_.value) + unit + "; a control that counts increments goes " +
+           exact_text(lengths_.value * lengths_.increment) + unit,
+       diagnostics);
+}
+
 void IntegerLengths::report(Diagnostics& diagnostics) {
-  if (lines_ == 0 || (!points_ && smallest_ < kLarge)) return;
-  const std::int64_t more = lines_ - 1;
-  std::string message = word_ + " without a decimal point is " + number_text(value_) + unit_name_;
-  message +=
-      "; a control that counts increments goes " + exact_text(value_ * increment_) + unit_name_;
-  if (more > 0)
-    message +=
-        " (here and on " + std::to_string(more) + (more == 1 ? " more line)" : " more lines)");
-  lines_ = 0;
-  diagnostics.report(Code::SC1057, first_, std::move(message), text_);
+  report_lengths(diagnostics);
+  if (arguments_.lines > 0)
+    tell(arguments_,
+         "the argument " + exact_text(arguments_.value * arguments_.increment) +
+             ", in increments; a control that counts units passes " + number_text(arguments_.value),
+         diagnostics);
+  if (feeds_.lines > 0)
+    tell(feeds_,
+         "a feed of " + number_text(feeds_.value) +
+             "; setting 77 of a Haas control may make it a tenth to a ten-thousandth of that",
+         diagnostics);
 }
 
 }  // namespace softcnc::ipr

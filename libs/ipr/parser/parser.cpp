@@ -106,8 +106,19 @@ void Parser::read_line(Depth depth) {
   if (options_.dialect == Dialect::grbl && skip_sender_line()) return;
   read_words();
   if (!assignments_.empty()) apply_assignments();
+  if (const int number = parameters_.take_assumed(); number != 0) report_assumed(number);
   line_.words = words_;
   if (options_.dialect == Dialect::grbl) note_computed();
+}
+
+/// At the first variable of the line, which need not be the one.
+[[gnu::cold]] void Parser::report_assumed(int number) {
+  const std::size_t sign = line_.text.find('#');
+  const int column = sign == std::string_view::npos ? 1 : static_cast<int>(sign) + 1;
+  report(Code::SC2386, column, 1,
+         "#" + std::to_string(number) +
+             " counts the diameter of a tool, as Haas' setting 40 has it "
+             "unless it says radius");
 }
 
 bool Parser::is_readable() {

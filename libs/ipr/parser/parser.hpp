@@ -105,6 +105,7 @@ class Parser {
   void read_line(Depth depth);
   void read_outline();
   Token pass_slash(Lexer& lexer, const Token& token);
+  void report_assumed(int number);
   bool is_readable();
   bool skip_sender_line();
   void note_computed();

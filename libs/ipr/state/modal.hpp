@@ -130,8 +130,9 @@ struct Modal : Modes {
   bool look_ahead_reported = false, chopping_reported = false, order_reported = false;
   bool across_reported = false, corner_radius_reported = false;
   bool idle_dwell_reported = false;
-  bool rest_reported = false;  // once a G06.4: that the spindle rests
-  bool ended = false;          // M02 or M30 was read
+  bool diameter_warned = false;  // of Haas: that offsets are taken for diameters
+  bool rest_reported = false;    // once a G06.4: that the spindle rests
+  bool ended = false;            // M02 or M30 was read
 
   WorkOffset work() const { return state.work_system(state.active); }
   AxisVector shift() const noexcept {

@@ -17,11 +17,15 @@ constexpr int kShiftOn = 5210, kActive = 5220;
 constexpr int kLoadedTool = 5400, kToolOffset = 5401, kDiameter = 5410, kToolEnd = 5414;
 constexpr int kFirstPosition = 5420, kPositionEnd = 5429;
 // FANUC: the end of the last block, and the same in machine coordinates; where the tool is; the
-// tool offset; a work offset for all systems, which there is none of.
+// tool offset; a work offset for all systems, which there is none of (Haas: the shift of G52).
 constexpr int kBlockEnd = 5001, kMachine = 5021, kCurrent = 5041, kLength = 5081, kCommon = 5201;
-// FANUC: what outlives a program; switches of the control that change nothing here; codes in force.
-constexpr int kKept = 500, kKeptEnd = 1000, kNoSingleBlock = 3003, kNoHold = 3004;
+// FANUC: switches of the control that change nothing here; codes in force.
+constexpr int kNoSingleBlock = 3003, kNoHold = 3004;
 constexpr int kCodes = 4000;
+
+bool is_local_shift(int number, Dialect dialect) {
+  return dialect == Dialect::haas && axis_in(number, kCommon) >= 0;
+}
 
 double program_position(const Modal& modal, int axis) {
   if (modal.unknown.has(position_part(axis)) || modal.unknown.has_any(kOffsets)) return kUnknown;
@@ -321,14 +325,15 @@ std::optional<double> ModalVariables::read_fanuc(int number) const {
   if (const int axis = axis_in(number, kMachine); axis >= 0) return machine_position(modal_, axis);
   if (const int axis = axis_in(number, kLength); axis >= 0)
     return knows_unit() ? modal_.tool_offset[axis] / unit() : kUnknown;
-  if (axis_in(number, kCommon) >= 0) return 0;
-  if (number >= kKept && number < kKeptEnd) {
+  if (const int axis = axis_in(number, kCommon); axis >= 0)
+    return is_local_shift(number, dialect_) ? modal_.local_shift[axis] / unit() : 0;
+  if (is_kept_variable(number, dialect_)) {
     const auto kept = modal_.state.parameters.find(number);
     return kept != modal_.state.parameters.end() ? kept->second : kVacant;
   }
-  if (const auto of_tool = tool_variable(number)) {
+  if (const auto of_tool = of_tool_in(number)) {
     ToolOffset tool = tools().find(of_tool->tool).value_or(ToolOffset{});
-    return of_tool->of(tool) / unit();
+    return of_tool->of(tool) / (of_tool->unit * unit());
   }
   if (const auto of_system = further_system_variable(number))
     return modal_.state.work_system(of_system->index).origin[of_system->axis] / unit();
@@ -338,20 +343,35 @@ std::optional<double> ModalVariables::read_fanuc(int number) const {
   return std::nullopt;
 }
 
+std::optional<ToolVariable> ModalVariables::of_tool_in(int number) const {
+  return tool_variable(number, dialect_, machine_.program.cutter_offsets);
+}
+
 bool ModalVariables::is_offset(int number) const {
   return offset_variable(number, modal_.state, dialect_) ||
-         (is_fanuc_like(dialect_) && (tool_variable(number) || further_system_variable(number)));
+         (is_fanuc_like(dialect_) && (of_tool_in(number) || further_system_variable(number) ||
+                                      is_local_shift(number, dialect_)));
 }
 
 bool ModalVariables::has(int number, Dialect dialect) const {
   if (offset_variable(number, modal_.state, dialect)) return true;
-  return (is_fanuc_like(dialect) ? read_fanuc(number) : read_linuxcnc(number)).has_value();
+  const ModalVariables there(modal_, machine_, dialect);
+  return (is_fanuc_like(dialect) ? there.read_fanuc(number) : read_linuxcnc(number)).has_value();
 }
 
 bool ModalVariables::is_read_only(int number) const {
   if (is_offset(number)) return false;
   return !is_fanuc_like(dialect_) ||
-         !((number >= kKept && number < kKeptEnd) || number == kNoSingleBlock || number == kNoHold);
+         !(is_kept_variable(number, dialect_) || number == kNoSingleBlock || number == kNoHold);
+}
+
+/// Lengths are none: #2001 to #2400.
+bool ModalVariables::assumes_unit(int number) const {
+  if (dialect_ != Dialect::haas || modal_.diameter_warned) return false;
+  if (machine_.program.cutter_offsets != CutterOffset::unstated) return false;
+  const auto of_tool = of_tool_in(number);
+  modal_.diameter_warned = of_tool && of_tool->unit != 1;
+  return modal_.diameter_warned;
 }
 
 double ModalVariables::limit(int number) const {
@@ -366,8 +386,7 @@ bool ModalVariables::write(int number, double value) {
   unknown_.erase(number);
   if (is_unknown(value) || (is_offset(number) && !knows_unit())) {
     unknown_.insert(number);
-    if (is_offset(number))
-      modal_.unknown.add(tool_variable(number) ? Part::tool_data : Part::shift);
+    if (is_offset(number)) modal_.unknown.add(of_tool_in(number) ? Part::tool_data : Part::shift);
     return true;
   }
   if (!is_offset(number)) return write_fanuc(number, value);
@@ -388,14 +407,16 @@ void ModalVariables::keep(std::string_view name, double value) {
 void ModalVariables::write_offset(int number, double value) {
   if (const auto offset = offset_variable(number, modal_.state, dialect_))
     *offset->value = value * offset->unit * unit();
-  else if (const auto of_tool = tool_variable(number))
-    of_tool->of(tools().row(of_tool->tool)) = value * unit();
+  else if (const auto of_tool = of_tool_in(number))
+    of_tool->of(tools().row(of_tool->tool)) = value * of_tool->unit * unit();
   else if (const auto of_system = further_system_variable(number))
     modal_.state.work_system_entry(of_system->index).origin[of_system->axis] = value * unit();
+  else
+    modal_.local_shift[axis_in(number, kCommon)] = value * unit();
 }
 
 bool ModalVariables::write_fanuc(int number, double value) {
-  if (number >= kKeptEnd) return true;  // a switch
+  if (!is_kept_variable(number, dialect_)) return true;  // a switch
   if (is_vacant(value))
     modal_.state.parameters.erase(number);
   else

@@ -6,6 +6,7 @@
 
 #include "ipr/expressions/parameters.hpp"
 #include "ipr/state/modal.hpp"
+#include "ipr/state/offset_variables.hpp"
 #include "ipr/state/tool_table.hpp"
 
 namespace softcnc::ipr {
@@ -26,6 +27,7 @@ class ModalVariables final : public SystemVariables {
   bool has(int number, Dialect dialect) const override;
   bool is_read_only(int number) const override;
   double limit(int number) const override;
+  bool assumes_unit(int number) const override;
   double fanuc_unit(int number) const override;
   bool write(int number, double value) override;
   void keep(int number, double value) override;
@@ -35,6 +37,7 @@ class ModalVariables final : public SystemVariables {
   ToolTable tools() const noexcept { return {modal_.state, machine_, dialect_}; }
   double diameter() const;
   double tool_length(int axis) const;
+  std::optional<ToolVariable> of_tool_in(int number) const;
   bool is_offset(int number) const;
   double unit() const noexcept;
   bool knows_unit() const noexcept;

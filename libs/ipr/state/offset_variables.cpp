@@ -3,6 +3,7 @@
 #include "ipr/state/offset_variables.hpp"
 
 #include <numbers>
+#include <span>
 
 namespace softcnc::ipr {
 namespace {
@@ -16,16 +17,28 @@ double& length_wear(ToolOffset& tool) { return tool.length_wear; }
 double& radius(ToolOffset& tool) { return tool.radius; }
 double& radius_wear(ToolOffset& tool) { return tool.radius_wear; }
 
-/// Of tools 1 to `count`: FANUC's memory C.
+/// Of tools 1 to `count`.
 struct ToolRange {
   int first, count;
   double& (*of)(ToolOffset&);
+  bool of_cutter = false;
 };
 
+/// FANUC's memory C.
 constexpr ToolRange kToolRanges[] = {
     {2001, 200, length_wear}, {2201, 200, length},       {10001, 999, length_wear},
     {11001, 999, length},     {12001, 999, radius_wear}, {13001, 999, radius},
 };
+/// Haas' mill operator's manual, table of macro variables.
+constexpr ToolRange kHaasToolRanges[] = {
+    {2001, 200, length},
+    {2201, 200, length_wear},
+    {2401, 200, radius, true},
+    {2601, 200, radius_wear, true},
+};
+// What outlives a program: of both, of Haas alone.
+constexpr int kKept = 500, kKeptEnd = 1000;
+constexpr int kCommonVariable = 100, kCommonEnd = 200, kGeneral = 10000, kGeneralEnd = 11000;
 
 }  // namespace
 
@@ -52,11 +65,22 @@ std::optional<FurtherSystemVariable> further_system_variable(int number) {
   return FurtherSystemVariable{kWorkSystems + at / kWorkStep, at % kWorkStep};
 }
 
-std::optional<ToolVariable> tool_variable(int number) {
-  for (const ToolRange& range : kToolRanges)
-    if (number >= range.first && number < range.first + range.count)
-      return ToolVariable{number - range.first + 1, range.of};
+std::optional<ToolVariable> tool_variable(int number, Dialect dialect, CutterOffset offsets) {
+  constexpr double kHalf = 0.5;
+  const bool haas = dialect == Dialect::haas;
+  const auto ranges = haas ? std::span<const ToolRange>(kHaasToolRanges) : kToolRanges;
+  for (const ToolRange& range : ranges) {
+    if (number < range.first || number >= range.first + range.count) continue;
+    const bool halved = range.of_cutter && offsets != CutterOffset::radius;
+    return ToolVariable{number - range.first + 1, range.of, halved ? kHalf : 1};
+  }
   return std::nullopt;
+}
+
+bool is_kept_variable(int number, Dialect dialect) noexcept {
+  if (number >= kKept && number < kKeptEnd) return is_fanuc_like(dialect);
+  return dialect == Dialect::haas && ((number >= kCommonVariable && number < kCommonEnd) ||
+                                      (number >= kGeneral && number < kGeneralEnd));
 }
 
 }  // namespace softcnc::ipr

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ipr/expressions/dialect.hpp"
+#include "motion/model/machine.hpp"
 #include "motion/model/machine_state.hpp"
 
 namespace softcnc::ipr {
@@ -22,15 +23,20 @@ struct OffsetVariable {
 /// number is of none of them.
 std::optional<OffsetVariable> offset_variable(int number, MachineState& state, Dialect dialect);
 
-/// A value of one tool, mm.
+/// A value of one tool, mm: `of(tool)` is that times `unit`.
 struct ToolVariable {
   int tool;
   double& (*of)(ToolOffset&);
+  double unit = 1;
 };
 
-/// Returns the variable of a length, a radius or its wear, as FANUC numbers them; nothing if the
-/// number is of none of them.
-std::optional<ToolVariable> tool_variable(int number);
+/// Returns the variable of a length, of a radius, which haas may count as a diameter, or of its
+/// wear, as FANUC or Haas numbers them; nothing if the number is of none of them.
+std::optional<ToolVariable> tool_variable(int number, Dialect dialect, CutterOffset offsets);
+
+/// Returns whether FANUC's or Haas' control keeps the variable, which only programs use, when it is
+/// switched off.
+bool is_kept_variable(int number, Dialect dialect) noexcept;
 
 /// A coordinate of the origin of a further work system, mm.
 struct FurtherSystemVariable {

@@ -192,16 +192,25 @@ struct HalStream {
   double patience = 5.0;               // s: timeout for a blocked pipe
 };
 
-/// What a length without a decimal point counts in the fanuc and haas dialects: units of G20 or
-/// G21, or the least input increments of these controls, 0.001 mm or 0.0001 inch.
-enum class IntegerUnit : std::uint8_t { units, increments };
-inline constexpr std::array<std::string_view, 2> kIntegerUnitNames{"units", "increments"};
+/// What a length, or an argument of G65, without a decimal point counts in the fanuc and haas
+/// dialects: units of G20 or G21, or the least input increments of these controls, 0.001 mm or
+/// 0.0001 inch. Unstated: lengths units and arguments increments, with a warning.
+enum class IntegerUnit : std::uint8_t { unstated, units, increments };
+inline constexpr std::array<std::string_view, 3> kIntegerUnitNames{"unstated", "units",
+                                                                   "increments"};
+
+/// What the offsets D of the haas dialect are, as setting 40 of these controls decides. Unstated:
+/// diameters, with a warning.
+enum class CutterOffset : std::uint8_t { unstated, diameter, radius };
+inline constexpr std::array<std::string_view, 3> kCutterOffsetNames{"unstated", "diameter",
+                                                                    "radius"};
 
 struct ProgramReading {
   int block_limit = 2'000'000;  // lines that one loop, or one call with all it calls, may run
   double motion_limit = 3.6e7;  // s: a program that moves for longer is refused; 0: no limit
   SplineParameter spline_parameter = SplineParameter::chord_length;  // of splines through points
-  IntegerUnit integers = IntegerUnit::units;                         // of lengths without a point
+  IntegerUnit integers = IntegerUnit::unstated;                      // of lengths without a point
+  CutterOffset cutter_offsets = CutterOffset::unstated;              // in the haas dialect
   std::vector<std::string> path;  // folders of subprograms, after that of the program
   std::string path_base;          // from where they count; empty: from the working folder
 };

@@ -7,7 +7,7 @@ and x = 3.
 import math
 
 OPTIONS = ["--dialect", "fanuc"]
-WARNINGS = ["SC2132"]  # how compensation begins
+WARNINGS = ["SC2132", "SC2386"]  # how compensation begins; G10 L12
 
 
 def path(p):

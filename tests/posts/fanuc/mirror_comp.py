@@ -4,7 +4,7 @@
 So the mirrored contour has its tool on the right of it, and arcs the other way round.
 """
 OPTIONS = ["--dialect", "fanuc"]
-WARNINGS = ["SC2132"]  # how compensation begins
+WARNINGS = ["SC2132", "SC2386"]  # how compensation begins; G10 L12
 NO_EFFECT = ["line 15: X0"]  # of a mirror that is cancelled
 
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """G13 and G12 with I alone: down, half a circle out to the side of +X, the circle, half a circle back to the centre.
 
-The tool keeps its radius from the wall: the centre of a tool of 4 mm goes round on a circle of 12 - 4 mm; D00 is none.
+The tool keeps its radius from the wall: the centre of a tool of radius 4 mm (L12 has its diameter) goes round on a circle of 12 - 4 mm; D00 is none.
 """
 OPTIONS = ["--dialect", "haas"]
+WARNINGS = ["SC2386"]  # R of G10 L12 is a diameter
 
 
 def pocket(p, x, y, radius, depth, feed, turn):

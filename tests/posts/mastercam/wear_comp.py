@@ -4,7 +4,7 @@
 FANUC's entry ends beside the start of the next move, perpendicular to it; the exit starts beside the end of the last one.
 """
 OPTIONS = ["--dialect", "fanuc"]
-WARNINGS = ["SC2132"]  # how compensation begins
+WARNINGS = ["SC2132", "SC2386"]  # how compensation begins; G10 L12
 
 
 def path(p):

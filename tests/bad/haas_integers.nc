@@ -1,0 +1,7 @@
+(expect SC1057 2:11, SC1057 4:9; haas)
+G65 P2 D5 A5 B3
+G65 P2 C7
+G01 X1. F10
+M30
+O2
+M99
