@@ -492,6 +492,8 @@ inline constexpr double kSlowedStops = 2;
 inline constexpr double kNodePart = 0.1;
 // Of v^2 / 2A with all axes together. Choice: the first stop that is tried.
 inline constexpr double kShortestStop = 0.8;
+// Of the jerk. Choice: for a plan that the solver has not found with all of it.
+inline constexpr double kNearlyAll = 0.98;
 // Of the jerk. Choice: of the plan that is tried where none is found with all of it.
 inline constexpr double kSofter = 0.4;
 // Of the jerk. Choice: of the plan that is tried where that is not found either.

@@ -18,7 +18,8 @@ namespace {
 constexpr Horizon kSlowed{tuning::horizon::kSlowedStops, 0};
 
 /// Parts of the jerk.
-constexpr std::array kSofter{tuning::horizon::kSofter, tuning::horizon::kSoftest};
+constexpr std::array kSofter{tuning::horizon::kNearlyAll, tuning::horizon::kSofter,
+                             tuning::horizon::kSoftest};
 
 double speed(const VelocityLimit& bound) noexcept { return std::sqrt(bound.q); }
 
@@ -246,8 +247,9 @@ std::optional<Plan> JerkWindow::plan(std::size_t end, std::size_t taken, double 
   return plan_to_rest(span, taken, motion_, last, bound, effort_);
 }
 
-/// Plans with less jerk than allowed: what changes more slowly needs fewer nodes, and can be found
-/// where tangent jumps lie closer together than the phases of a motion.
+/// Plans with less jerk than allowed. A little less is another problem for the solver where it has
+/// not converged; what changes more slowly needs fewer nodes, and can be found where tangent jumps
+/// lie closer together than the phases of a motion.
 std::optional<Plan> JerkWindow::plan_softly(std::size_t end, std::size_t taken) {
   for (const double part : kSofter) {
     auto plan = plan_within_bound(end, taken, part);
