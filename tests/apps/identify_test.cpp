@@ -92,6 +92,33 @@ TEST_CASE("a plant is identified with its backlash, and then followed", "[apps][
   CHECK(contour(at / "m.toml", false) < 10);
 }
 
+TEST_CASE("unequal gains are reported with the contour error that they make", "[apps][identify]") {
+  const Folder at;
+  write(at / "plant.toml",
+        "[axis.x]\ndrive.kv_1_s = 31.5\n[axis.y]\ndrive.kv_1_s = 28.5\n[axis.z]\n");
+  const std::string settings =
+      " --set backend.sim.plant=" + (at / "plant.toml") + " --report " + (at / "r.json");
+  for (const std::string follow : {"off", "lead", "model"}) {
+    const Ended ended = call("run - --machine builtin --set control.follow=" + follow + settings,
+                             "G21 G90 G1 X100 Y100 F3000\nM30\n");
+    REQUIRE(ended.status == 0);
+    CAPTURE(follow, ended.err);
+    const std::string stated = " at F3000 lines between X and Y are up to ";
+    const std::size_t place = ended.err.find(stated);
+    REQUIRE(place != std::string::npos);
+    // v/2 (1/28.5 - 1/31.5), and what the run has
+    const double error = std::stod(ended.err.substr(place + stated.size()));
+    CHECK(error == Approx(1000 * 25 * (1 / 28.5 - 1 / 31.5)).epsilon(0.02));
+    CHECK(error ==
+          Approx(double(json::parse(read(at / "r.json"))["contour_error_um_max"])).epsilon(0.04));
+  }
+  // One axis alone makes none.
+  const Ended alone = call("run - --machine builtin --set control.follow=model" + settings,
+                           "G21 G90 G1 X100 F3000\nM30\n");
+  CHECK(shows(alone.err, "<stdin>: warning: X lags... [SC5060]"));
+  CHECK_FALSE(shows(alone.err, "lines between"));
+}
+
 TEST_CASE("what a motion does not tell is unknown", "[apps][identify]") {
   const Folder at;
   write(at / "one_way.nc", "G21 G90 G1 X50 F3000\nM30\n");
