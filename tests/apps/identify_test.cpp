@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // softcnc identify: the figures of drives that only a trace knows.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -90,6 +92,50 @@ TEST_CASE("a plant is identified with its backlash, and then followed", "[apps][
   };
   CHECK(contour("builtin", true) > 40);
   CHECK(contour(at / "m.toml", false) < 10);
+}
+
+TEST_CASE("a trace that is late has the same gain, and a delay", "[apps][identify]") {
+  const Folder at;
+  run(at, "", "t.csv");
+  std::istringstream rows(read(at / "t.csv"));
+  std::string late, row, before;
+  std::ptrdiff_t place = -1;  // of the column
+  while (std::getline(rows, row)) {
+    if (row.starts_with('#')) continue;
+    if (place < 0) {
+      const auto name = static_cast<std::ptrdiff_t>(row.find("x_act_mm"));
+      place = std::count(row.begin(), row.begin() + name, ',');
+      late = row + '\n';
+      continue;
+    }
+    std::size_t first = 0;
+    for (auto column = place; column > 0; --column) first = row.find(',', first) + 1;
+    const std::size_t size = row.find(',', first) - first;
+    const std::string position = row.substr(first, size);
+    late += row.replace(first, size, before.empty() ? position : before) + '\n';
+    before = position;
+  }
+  write(at / "late.csv", late);
+  const json axis = identified((at / "late.csv") + " --machine builtin")["axes"]["x"];
+  check_figure(axis, "kv_1_s", 30, 0.001);
+  check_figure(axis, "delay_ms", 1, 0.01);
+  check_figure(axis, "friction_over_inertia_mm_s2", 234.8, 0.03);
+  CHECK(axis["loop_period_ms"] == 0.25);
+  CHECK(double(axis["residual_um_rms"]) < 0.1);
+  const Ended text = call("identify --machine builtin " + (at / "late.csv"));
+  CHECK(shows(text.out, "  delay of the record, ms "));
+}
+
+TEST_CASE("a drive that reads its counter less often is found", "[apps][identify]") {
+  const Folder at;
+  run(at, "--set control.servo_period_ms=1", "t.npz");
+  const json axis = identified((at / "t.npz") + " --machine builtin")["axes"]["x"];
+  check_figure(axis, "kv_1_s", 30, 0.001);
+  CHECK(axis["loop_period_ms"] == 1);
+  CHECK(double(axis["delay_ms"]["value"]) == Approx(0).margin(0.01));
+  const Ended text = call("identify --machine builtin " + (at / "t.npz"));
+  CHECK(shows(text.out,
+              "  the drive reads its counter every 1 ms, where the machine file has 0.25 ms"));
 }
 
 TEST_CASE("unequal gains are reported with the contour error that they make", "[apps][identify]") {
