@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // softcnc identify: the figures of drives that only a trace knows.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -90,6 +92,77 @@ TEST_CASE("a plant is identified with its backlash, and then followed", "[apps][
   };
   CHECK(contour("builtin", true) > 40);
   CHECK(contour(at / "m.toml", false) < 10);
+}
+
+TEST_CASE("a trace that is late has the same gain, and a delay", "[apps][identify]") {
+  const Folder at;
+  run(at, "", "t.csv");
+  std::istringstream rows(read(at / "t.csv"));
+  std::string late, row, before;
+  std::ptrdiff_t place = -1;  // of the column
+  while (std::getline(rows, row)) {
+    if (row.starts_with('#')) continue;
+    if (place < 0) {
+      const auto name = static_cast<std::ptrdiff_t>(row.find("x_act_mm"));
+      place = std::count(row.begin(), row.begin() + name, ',');
+      late = row + '\n';
+      continue;
+    }
+    std::size_t first = 0;
+    for (auto column = place; column > 0; --column) first = row.find(',', first) + 1;
+    const std::size_t size = row.find(',', first) - first;
+    const std::string position = row.substr(first, size);
+    late += row.replace(first, size, before.empty() ? position : before) + '\n';
+    before = position;
+  }
+  write(at / "late.csv", late);
+  const json axis = identified((at / "late.csv") + " --machine builtin")["axes"]["x"];
+  check_figure(axis, "kv_1_s", 30, 0.001);
+  check_figure(axis, "delay_ms", 1, 0.01);
+  check_figure(axis, "friction_over_inertia_mm_s2", 234.8, 0.03);
+  CHECK(axis["loop_period_ms"] == 0.25);
+  CHECK(double(axis["residual_um_rms"]) < 0.1);
+  const Ended text = call("identify --machine builtin " + (at / "late.csv"));
+  CHECK(shows(text.out, "  delay of the record, ms "));
+}
+
+TEST_CASE("a drive that reads its counter less often is found", "[apps][identify]") {
+  const Folder at;
+  run(at, "--set control.servo_period_ms=1", "t.npz");
+  const json axis = identified((at / "t.npz") + " --machine builtin")["axes"]["x"];
+  check_figure(axis, "kv_1_s", 30, 0.001);
+  CHECK(axis["loop_period_ms"] == 1);
+  CHECK(double(axis["delay_ms"]["value"]) == Approx(0).margin(0.01));
+  const Ended text = call("identify --machine builtin " + (at / "t.npz"));
+  CHECK(shows(text.out,
+              "  the drive reads its counter every 1 ms, where the machine file has 0.25 ms"));
+}
+
+TEST_CASE("unequal gains are reported with the contour error that they make", "[apps][identify]") {
+  const Folder at;
+  write(at / "plant.toml",
+        "[axis.x]\ndrive.kv_1_s = 31.5\n[axis.y]\ndrive.kv_1_s = 28.5\n[axis.z]\n");
+  const std::string settings =
+      " --set backend.sim.plant=" + (at / "plant.toml") + " --report " + (at / "r.json");
+  for (const std::string follow : {"off", "lead", "model"}) {
+    const Ended ended = call("run - --machine builtin --set control.follow=" + follow + settings,
+                             "G21 G90 G1 X100 Y100 F3000\nM30\n");
+    REQUIRE(ended.status == 0);
+    CAPTURE(follow, ended.err);
+    const std::string stated = " at F3000 lines between X and Y are up to ";
+    const std::size_t place = ended.err.find(stated);
+    REQUIRE(place != std::string::npos);
+    // v/2 (1/28.5 - 1/31.5), and what the run has
+    const double error = std::stod(ended.err.substr(place + stated.size()));
+    CHECK(error == Approx(1000 * 25 * (1 / 28.5 - 1 / 31.5)).epsilon(0.02));
+    CHECK(error ==
+          Approx(double(json::parse(read(at / "r.json"))["contour_error_um_max"])).epsilon(0.04));
+  }
+  // One axis alone makes none.
+  const Ended alone = call("run - --machine builtin --set control.follow=model" + settings,
+                           "G21 G90 G1 X100 F3000\nM30\n");
+  CHECK(shows(alone.err, "<stdin>: warning: X lags... [SC5060]"));
+  CHECK_FALSE(shows(alone.err, "lines between"));
 }
 
 TEST_CASE("what a motion does not tell is unknown", "[apps][identify]") {

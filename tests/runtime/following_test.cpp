@@ -135,6 +135,21 @@ TEST_CASE("a plant near the model is near the path", "[runtime][following]") {
   }
 }
 
+TEST_CASE("opposite errors of two gains leave four times what equal ones leave",
+          "[runtime][following]") {
+  const std::string butterfly = at_feed("08_butterfly.nc", 15000);
+  const auto left = [&](double x, double y) {
+    Machine machine = with_plant(mill(Follow::model), [](Axis&) {});
+    machine.plant.axes[0].drive.kv *= x;
+    machine.plant.axes[1].drive.kv *= y;
+    return follow(butterfly, machine).contour;
+  };
+  CHECK(left(1.003, 0.997) == Approx(17.8).epsilon(0.02));
+  CHECK(left(1.01, 0.99) == Approx(59.4).epsilon(0.02));
+  CHECK(left(0.95, 1.05) == Approx(300).epsilon(0.02));
+  CHECK(left(1.003, 1.003) == Approx(4.3).epsilon(0.1));
+}
+
 TEST_CASE("paths that commands are ahead of leave room for them", "[runtime][following]") {
   Machine machine = mill(Follow::model);
   const Machine planned = ipo::planned_machine(machine);

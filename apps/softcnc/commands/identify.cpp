@@ -19,12 +19,12 @@ namespace {
 std::vector<IdentifiedAxis> identify_axes(const Machine& machine,
                                           const runtime::ServoRecord& record) {
   std::vector<IdentifiedAxis> axes;
+  const double loop = loop_period(machine.control);
   for (std::size_t i = 0; i < record.axes.size(); ++i) {
     const Axis& axis = machine.axes[i];
     if (!axis.present || record.axes[i].actual.empty()) continue;
-    axes.push_back(
-        {static_cast<int>(i), axis, machine.screws[i].backlash,
-         runtime::fit_axis(axis, record.axes[i], record.period, loop_period(machine.control))});
+    axes.push_back({static_cast<int>(i), axis, machine.screws[i].backlash, loop,
+                    runtime::fit_axis(axis, record.axes[i], record.period, loop)});
   }
   return axes;
 }

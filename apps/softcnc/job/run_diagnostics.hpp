@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "motion/core/diagnostic.hpp"
 #include "motion/model/machine.hpp"
@@ -16,10 +18,12 @@ namespace softcnc::app {
 /// rights were missing.
 Diagnostic missed_periods(const runtime::Punctuality& punctuality, const std::string& program);
 
-/// Describes an axis that lags by `misfit` of 1/Kv more than its machine file says: SC5060; nothing
-/// where that is less than half a percent, or not known.
-std::optional<Diagnostic> lag_misfit(const Machine& machine, std::size_t axis, double misfit,
-                                     const std::string& program);
+/// Describes each axis that lags more than its machine file says, by the part of 1/Kv in `misfit`,
+/// where that is known and more than half a percent: SC5060. `fastest` is the highest speed of the
+/// run, mm/s: with it the message states the largest contour error that the difference of two lags
+/// makes, on a line at 45 degrees between their axes.
+std::vector<Diagnostic> lag_misfits(const Machine& machine, std::span<const double> misfit,
+                                    double fastest, const std::string& program);
 
 /// Describes a contour error of cutting moves beyond control.contour_tolerance_um and the BLU of
 /// the coarsest axis: SC5061; nothing where there is none, or no tolerance.

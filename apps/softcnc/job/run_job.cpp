@@ -140,9 +140,11 @@ void JobRunner::run(hal::Backend& backend, runtime::TraceRows& rows) {
 
 /// The model of the axes is a promise about where they are.
 void JobRunner::judge_lag(const std::array<double, kAxes>& misfit) {
-  for (std::size_t axis = 0; axis < misfit.size(); ++axis)
-    if (const auto found = lag_misfit(job_.machine, axis, misfit[axis], job_.program.name()))
-      messages_.show(*found);
+  double fastest = 0;
+  if (const auto& contour = result_.outcome.contour)
+    fastest = contour->cutting.instants > 0 ? contour->cutting.fastest : contour->rapids.fastest;
+  for (const Diagnostic& found : lag_misfits(job_.machine, misfit, fastest, job_.program.name()))
+    messages_.show(found);
 }
 
 void JobRunner::judge_contour() {

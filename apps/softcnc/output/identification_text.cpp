@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "hal/files/axis_name.hpp"
 #include "motion/core/units.hpp"
@@ -22,10 +23,11 @@ struct Figure {
   const char* what;
   const char* unit;
   const char* key;  // of JSON
-  double value, uncertainty, described;
+  double value, uncertainty;
+  std::optional<double> described;  // by the machine file, if that has it
 };
 
-std::array<Figure, 5> figures(const IdentifiedAxis& axis) {
+std::array<Figure, 6> figures(const IdentifiedAxis& axis) {
   const runtime::AxisFit& fit = axis.fit;
   const runtime::AxisFigures described = runtime::figures_of(axis.described);
   return {{{"gain of the position loop", "1/s", "kv_1_s", fit.figures.kv, fit.uncertainty.kv,
@@ -39,7 +41,9 @@ std::array<Figure, 5> figures(const IdentifiedAxis& axis) {
             fit.figures.friction_over_inertia, fit.uncertainty.friction_over_inertia,
             described.friction_over_inertia},
            {"backlash", "um", "backlash_um", um_from_mm(fit.figures.backlash),
-            um_from_mm(fit.uncertainty.backlash), um_from_mm(axis.described_backlash)}}};
+            um_from_mm(fit.uncertainty.backlash), um_from_mm(axis.described_backlash)},
+           {"delay of the record", "ms", "delay_ms", ms_from_s(fit.delay),
+            ms_from_s(fit.delay_uncertainty), std::nullopt}}};
 }
 
 std::string name_of(const IdentifiedAxis& axis) {
@@ -62,12 +66,16 @@ std::string identification_text(const std::vector<IdentifiedAxis>& axes) {
                         "machine file");
     for (const Figure& figure : figures(axis)) {
       const std::string what = fmt::format("  {}, {}", figure.what, figure.unit);
-      text +=
-          std::isfinite(figure.uncertainty)
-              ? fmt::format("{:<38}{:>12.4g}{:>12.2g}{:>14.4g}\n", what, figure.value,
-                            figure.uncertainty, figure.described)
-              : fmt::format("{:<38}{:>12}{:>12}{:>14.4g}\n", what, "unknown", "", figure.described);
+      text += std::isfinite(figure.uncertainty)
+                  ? fmt::format("{:<38}{:>12.4g}{:>12.2g}", what, figure.value, figure.uncertainty)
+                  : fmt::format("{:<38}{:>12}{:>12}", what, "unknown", "");
+      text += figure.described ? fmt::format("{:>14.4g}\n", *figure.described)
+                               : fmt::format("{:>14}\n", "none");
     }
+    if (axis.fit.loop_period != axis.described_loop_period)
+      text += fmt::format(
+          "  the drive reads its counter every {:.4g} ms, where the machine file has {:.4g} ms\n",
+          ms_from_s(axis.fit.loop_period), ms_from_s(axis.described_loop_period));
     text += fmt::format(
         "  the model then differs from the axis by {:.2g} um rms, that of the machine file by "
         "{:.2g} um\n",
@@ -88,6 +96,7 @@ std::string identification_json(const std::vector<IdentifiedAxis>& axes) {
       own[figure.key] = known ? Json{{"value", figure.value}, {"uncertainty", figure.uncertainty}}
                               : Json(nullptr);
     }
+    own["loop_period_ms"] = ms_from_s(axis.fit.loop_period);
     own["residual_um_rms"] = um_from_mm(axis.fit.residual);
     own["residual_of_machine_file_um_rms"] = um_from_mm(axis.fit.before);
   }

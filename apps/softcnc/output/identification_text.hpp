@@ -12,8 +12,9 @@ namespace softcnc::app {
 
 struct IdentifiedAxis {
   int axis;
-  Axis described;                 // as the machine file has it,
-  double described_backlash = 0;  // mm, and its screw
+  Axis described;                    // as the machine file has it,
+  double described_backlash = 0;     // mm, its screw,
+  double described_loop_period = 0;  // s, and how often its counter is read
   runtime::AxisFit fit;
 };
 

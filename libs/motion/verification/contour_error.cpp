@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "motion/verification/contour_error.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -64,6 +65,7 @@ double Contour::measure(const AxisVector& point, const Instant& now) noexcept {
     figures.speed = now.v;
     figures.radius = turn > 0 ? (now.s - nearest.s) / turn : 0;
   }
+  figures.fastest = std::max(figures.fastest, now.v);
   figures.sum_of_squares += nearest.distance * nearest.distance;
   ++figures.instants;
   return nearest.distance;

@@ -9,12 +9,13 @@ namespace softcnc {
 
 /// Contour errors of one kind of moves, over every instant of the position loop.
 struct ContourFigures {
-  double max = 0;     // mm
-  double time = 0;    // s: when that was
-  int line = 0;       // of the nearest point of the path then
-  double speed = 0;   // mm/s, planned then
-  double radius = 0;  // mm: of the path then between the nearest and the commanded point, in the
-                      // mean; 0: it is straight
+  double max = 0;      // mm
+  double time = 0;     // s: when that was
+  int line = 0;        // of the nearest point of the path then
+  double speed = 0;    // mm/s, planned then
+  double radius = 0;   // mm: of the path then between the nearest and the commanded point, in the
+                       // mean; 0: it is straight
+  double fastest = 0;  // mm/s: the highest speed planned
   double sum_of_squares = 0;  // mm^2
   std::int64_t instants = 0;
 

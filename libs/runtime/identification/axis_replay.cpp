@@ -27,30 +27,52 @@ double command_at(std::span<const double> commanded, std::size_t i, double part)
 
 }  // namespace
 
-std::vector<double> replay_axis(const Axis& axis, const Gap& gap, double period, double loop_period,
-                                std::span<const double> commanded, double start) {
-  std::vector<double> table;
-  if (commanded.empty()) return table;
-  table.reserve(commanded.size());
-  table.push_back(start);
-  const int parts = std::max(1, static_cast<int>(std::lround(period / loop_period)));
-  hal::ServoAxis servo(axis, period / parts);
+MotorMotion replay_motor(const Axis& axis, double period, double loop_period,
+                         std::span<const double> commanded) {
+  MotorMotion motion;
+  motion.parts = std::max(1, static_cast<int>(std::lround(period / loop_period)));
+  if (commanded.empty()) return motion;
+  motion.encoder.reserve(1 + (commanded.size() - 1) * static_cast<std::size_t>(motion.parts));
+  motion.encoder.push_back(commanded[0]);
+  hal::ServoAxis servo(axis, period / motion.parts);
   servo.reset(commanded[0]);
   hal::FinePulses fine(axis.blu, commanded[0]);
   std::vector<hal::CommandPulse> pulses;
   for (std::size_t i = 1; i < commanded.size(); ++i) {
-    for (int part = 1; part <= parts; ++part) {
+    for (int part = 1; part <= motion.parts; ++part) {
       pulses.clear();
-      const double target = part == parts
-                                ? commanded[i]
-                                : command_at(commanded, i, static_cast<double>(part) / parts);
+      const double target =
+          part == motion.parts ? commanded[i]
+                               : command_at(commanded, i, static_cast<double>(part) / motion.parts);
       fine.move(target, [&](double of_part, int direction) {
         pulses.push_back({of_part, direction});
       });
       servo.advance(pulses);
+      motion.encoder.push_back(servo.position());
     }
-    const double encoder = servo.position();
-    table.push_back(std::clamp(table.back(), encoder - gap.ahead, encoder + gap.after));
+  }
+  return motion;
+}
+
+std::vector<double> replay_table(const MotorMotion& motor, const Gap& gap, double start,
+                                 double delay) {
+  if (motor.encoder.empty()) return {};
+  const std::size_t last = motor.encoder.size() - 1;
+  std::vector<double> fine{start};
+  fine.reserve(last + 1);
+  for (std::size_t i = 1; i <= last; ++i)
+    fine.push_back(
+        std::clamp(fine.back(), motor.encoder[i] - gap.ahead, motor.encoder[i] + gap.after));
+  std::vector<double> table;
+  const auto parts = static_cast<std::size_t>(motor.parts);
+  table.reserve(last / parts + 1);
+  for (std::size_t i = 0; i <= last; i += parts) {
+    const double at =
+        std::clamp(static_cast<double>(i) - delay * motor.parts, 0.0, static_cast<double>(last));
+    const auto before = std::min(static_cast<std::size_t>(at), last == 0 ? 0 : last - 1);
+    const std::size_t after = std::min(before + 1, last);
+    table.push_back(fine[before] +
+                    (at - static_cast<double>(before)) * (fine[after] - fine[before]));
   }
   return table;
 }
