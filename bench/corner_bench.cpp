@@ -32,7 +32,7 @@ void round_corners(benchmark::State& state) {
   const auto blocks = chords();
   std::size_t pieces = 0;
   for (auto _ : state) {
-    CornerStage stage(machine, planned_time(machine));
+    CornerStage stage(machine, trial_plan(machine));
     pieces = 0;
     for (const Block& block : blocks) {
       stage.push(block);

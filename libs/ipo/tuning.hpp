@@ -719,6 +719,8 @@ inline constexpr double kShortestPart = 1e-9;
 // Of the time of the paths beside a corner. Choice: a rest that saves less is not worth it, and
 // plans under a jerk limit are no nearer to the optimum.
 inline constexpr double kNotWorth = 1.001;
+// Parts. Choice: of a curve, between places where it is seen whether the feed can be kept.
+inline constexpr int kLooks = 16;
 
 }  // namespace corners
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "ipo/planner/planned_time.hpp"
+#include "ipo/planner/trial_plan.hpp"
 #include "ipo/smoothing/corner_stage.hpp"
 
 namespace softcnc::test {
@@ -14,7 +14,7 @@ inline const Path& path_of(const Block& block) { return std::get<Move>(block.wha
 
 /// What the stage makes of the blocks.
 inline std::vector<ipo::Piece> rounded(const Machine& machine, const std::vector<Block>& blocks) {
-  ipo::CornerStage stage(machine, ipo::planned_time(machine));
+  ipo::CornerStage stage(machine, ipo::trial_plan(machine));
   std::vector<ipo::Piece> pieces;
   const auto take = [&] {
     while (auto piece = stage.pop()) pieces.push_back(std::move(*piece));

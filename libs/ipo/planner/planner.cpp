@@ -7,7 +7,7 @@
 #include "ipo/path/long_curve.hpp"
 #include "ipo/path/travel.hpp"
 #include "ipo/planner/make_window.hpp"
-#include "ipo/planner/planned_time.hpp"
+#include "ipo/planner/trial_plan.hpp"
 #include "ipo/tuning.hpp"
 
 namespace softcnc::ipo {
@@ -25,7 +25,7 @@ Planner::Planner(const Machine& machine, double feed_override, Diagnostics& diag
       constraints_(machine, feed_override, further),
       horizon_(horizon),
       pulses_(machine),
-      corners_(machine, planned_time(machine, further)),
+      corners_(machine, trial_plan(machine, further)),
       window_(make_window(constraints_, 1, horizon)),
       running_(feed_override),
       ceiling_(feed_override) {

@@ -19,20 +19,22 @@ void append(std::vector<Move>& moves, const Path& path, double begin, double end
     moves.push_back(make_move(section(path, begin, end), attributes));
 }
 
-void append_curve(std::vector<Move>& moves, const RoundedCorner& corner) {
+std::vector<Move> curve_of(const RoundedCorner& corner) {
+  std::vector<Move> moves;
   const double end = length(corner.curve);
   const bool is_one = corner.before.attributes == corner.after.attributes;
   const double middle = is_one ? end : 0.5 * end;
   append(moves, corner.curve, 0, middle, corner.before.attributes);
   append(moves, corner.curve, middle, end, corner.after.attributes);
+  return moves;
 }
 
 }  // namespace
 
-CornerChoice::CornerChoice(const Machine& machine, PlannedTime planned_time)
+CornerChoice::CornerChoice(const Machine& machine, TrialPlan trial)
     : limits_(limits_of(machine)),
       feed_(machine.limits.feed > 0 ? machine.limits.feed : kUnlimited),
-      planned_time_(std::move(planned_time)) {
+      trial_(std::move(trial)) {
   for (int i = 0; i < kAxes; ++i) {
     const Axis& axis = machine.axes[static_cast<std::size_t>(i)];
     velocity_[i] = axis.present ? axis.velocity : kUnlimited;
@@ -53,16 +55,18 @@ double CornerChoice::needed(const CornerSide& side, double s) const {
 }
 
 bool CornerChoice::is_sooner(const RoundedCorner& corner) const {
+  const std::vector<Move> passed = curve_of(corner);
+  if (std::all_of(passed.begin(), passed.end(), trial_.keeps_feed)) return true;
   const auto& [before, after, curve, cut_before, cut_after] = corner;
   const double begin = std::max(before.begin, before.end - cut_before - needed(before, before.end));
   const double end = std::min(after.end, after.begin + cut_after + needed(after, after.begin));
   std::vector<Move> rounded, resting;
   append(rounded, before.path, begin, before.end - cut_before, before.attributes);
-  append_curve(rounded, corner);
+  rounded.insert(rounded.end(), passed.begin(), passed.end());
   append(rounded, after.path, after.begin + cut_after, end, after.attributes);
   append(resting, before.path, begin, before.end, before.attributes);
   append(resting, after.path, after.begin, end, after.attributes);
-  return planned_time_(rounded) < tuning::corners::kNotWorth * planned_time_(resting);
+  return trial_.time(rounded) < tuning::corners::kNotWorth * trial_.time(resting);
 }
 
 }  // namespace softcnc::ipo

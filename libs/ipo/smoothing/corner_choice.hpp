@@ -4,7 +4,8 @@
 // Both ways are planned, as the planner plans all motions, over as much of the paths on either side
 // as the machine needs to reach their feed, from rest to rest. So every limit counts as it does in
 // the motion itself, a path and its reverse are treated alike, and a feed that the machine does not
-// reach beside the corner does not matter.
+// reach beside the corner does not matter. A curve on which nothing but the feed limits the speed
+// needs no plan: it is shorter than the corner, and nothing brakes on it.
 #pragma once
 
 #include <functional>
@@ -16,8 +17,13 @@
 
 namespace softcnc::ipo {
 
-/// Returns how long, s, a motion along these moves takes, which are connected, from rest to rest.
-using PlannedTime = std::function<double(const std::vector<Move>&)>;
+/// What the planner can tell of motions before they are queued.
+struct TrialPlan {
+  /// Returns how long, s, a motion along these moves takes, which are connected, from rest to rest.
+  std::function<double(const std::vector<Move>&)> time;
+  /// Returns whether every limit allows a move at its programmed feed.
+  std::function<bool(const Move&)> keeps_feed;
+};
 
 /// One side of a corner: the path that leads to it or away from it, from `begin` to `end` mm.
 struct CornerSide {
@@ -36,7 +42,7 @@ struct RoundedCorner {
 
 class CornerChoice {
  public:
-  CornerChoice(const Machine& machine, PlannedTime planned_time);
+  CornerChoice(const Machine& machine, TrialPlan trial);
 
   /// Returns false where a rest in the corner is sooner.
   bool is_sooner(const RoundedCorner& corner) const;
@@ -47,7 +53,7 @@ class CornerChoice {
   PlannerLimits limits_;
   AxisVector velocity_;  // mm/s; of absent axes: unlimited
   double feed_;          // mm/s: the largest of the machine
-  PlannedTime planned_time_;
+  TrialPlan trial_;
 };
 
 }  // namespace softcnc::ipo

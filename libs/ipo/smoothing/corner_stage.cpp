@@ -35,9 +35,9 @@ std::vector<double> inner_corners(const Path& path) {
 
 }  // namespace
 
-CornerStage::CornerStage(const Machine& machine, PlannedTime planned_time)
+CornerStage::CornerStage(const Machine& machine, TrialPlan trial)
     : machine_(machine),
-      choice_(machine, std::move(planned_time)),
+      choice_(machine, std::move(trial)),
       has_jerk_limit_(limits_jerk(machine)) {}
 
 bool CornerStage::passes(const Block& block) const noexcept {

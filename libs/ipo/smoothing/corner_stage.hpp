@@ -18,7 +18,7 @@ namespace softcnc::ipo {
 class CornerStage {
  public:
   /// `machine` must outlive the stage.
-  CornerStage(const Machine& machine, PlannedTime planned_time);
+  CornerStage(const Machine& machine, TrialPlan trial);
   CornerStage(const CornerStage&) = delete;
   CornerStage& operator=(const CornerStage&) = delete;
 

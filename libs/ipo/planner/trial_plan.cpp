@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "ipo/planner/trial_plan.hpp"
+
+#include <cmath>
+#include <memory>
+
+#include "ipo/planner/make_window.hpp"
+#include "ipo/tuning.hpp"
+
+namespace softcnc::ipo {
+namespace {
+
+/// Returns the time, s, in which the window runs its intervals that are settled.
+double run(Window& window, std::size_t intervals) {
+  double time = 0;
+  Profile profile;
+  for (; intervals > 0; --intervals) {
+    const bool ended = window.run_front(profile);
+    if (window.size() > 0 && window.front_rests()) time += window.settling_time();
+    if (!ended) continue;
+    time += profile.duration();
+    profile = {};
+  }
+  return time + profile.duration();
+}
+
+double time_of(const std::vector<Move>& moves, const ConstraintList& constraints) {
+  const auto window = make_window(constraints);
+  RestBefore rest = Limit::stop;
+  for (const Move& move : moves) {
+    window->append(move, rest);
+    rest = rest_after(&move);
+  }
+  double time = 0;
+  while (const std::size_t settled = window->settle(true)) time += run(*window, settled);
+  return window->size() == 0 ? time : kUnlimited;
+}
+
+/// Whether the machine can pass a point at this constant speed: nothing brakes it there.
+bool passes(const ConstraintList& constraints, const PathPoint& point, const Move& move, double v) {
+  const double q = v * v;
+  for (const auto& limit : constraints.velocity_limits())
+    if (limit->velocity_limit(point, move) < q) return false;
+  for (const Inequality& at : constraints.accelerations(point))
+    if (std::abs(at.ddx) * q > at.bound) return false;
+  for (const Inequality& at : constraints.jerks(point))
+    if (std::abs(at.dddx) * q * v > at.bound) return false;
+  return true;
+}
+
+bool keeps_feed(const Move& move, const ConstraintList& constraints) {
+  const double end = length(move.path);
+  for (int i = 0; i <= tuning::corners::kLooks; ++i) {
+    const PathPoint point = at(move.path, end * i / tuning::corners::kLooks);
+    const double q = constraints.velocity_limits().front()->velocity_limit(point, move);
+    if (!passes(constraints, point, move, std::sqrt(q))) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TrialPlan trial_plan(const Machine& machine, const FurtherConstraints& further) {
+  const auto constraints = std::make_shared<const ConstraintList>(machine, 1, further);
+  return {[constraints](const std::vector<Move>& moves) { return time_of(moves, *constraints); },
+          [constraints](const Move& move) { return keeps_feed(move, *constraints); }};
+}
+
+}  // namespace softcnc::ipo
