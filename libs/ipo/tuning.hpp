@@ -51,10 +51,13 @@ inline constexpr double kHollowChange = 0.1;
 
 namespace contour {
 
-// Of Kv. Choice: how fast speeds may fall towards a bend per distance; slower leaves less of the
-// contour, and takes longer. Bends of 0.05 to 20 mm between lines at 100 mm/s leave 11.3 um of 10
-// with it, and 16.4 with 1.
-inline constexpr double kBrakingRate = 0.4;
+// Of Kv. Choice: how fast speeds may fall near a bend per distance; slower leaves less of the
+// contour, and takes longer.
+inline constexpr double kNearRate = 0.4;
+// Of Kv. Choice: likewise, where the speed is more than kNear times that of the bend.
+inline constexpr double kFarRate = 1;
+// Of the speed of the bend. Choice: where the lag of the faster motion has time to fade.
+inline constexpr double kNear = 2.3;
 // Of v / Kv. Choice: the distance ahead of a bend in which the speed is that of the bend already.
 inline constexpr double kSteady = 1;
 // Of v / Kv. Choice: the distance after a bend in which the speed does not rise, since the table is

@@ -127,9 +127,7 @@ TEST_CASE("speeds fall slowly towards a slow place, and not at once after it", "
   Chain chain;
   for (const Move* move : {&before, &circle, &after}) append(*move, constraints, chain);
   const double slow = limit.velocity(bend(2)), last = 100 + 4 * std::numbers::pi;
-  const auto allowed = [&](double ahead) {
-    return slow + limit.braking_rate() * std::max(ahead - limit.steady_distance(slow), 0.0);
-  };
+  const auto allowed = [&](double ahead) { return limit.approach_velocity(slow, ahead); };
   int ahead = 0, late = 0;
   for (const Node& node : chain.nodes) {
     const double v = std::sqrt(node.own.q) * (1 - 1e-9);

@@ -93,11 +93,12 @@ TEST_CASE("by its model the table is within one BLU of the path", "[runtime][fol
   for (const auto& [name, text] : programs)
     for (const double jerk : {0.0, 50'000.0}) {
       const Followed followed = follow(text, mill(Follow::model, jerk));
-      const Followed off = follow(text, mill(Follow::off, jerk > 0 ? jerk : 30'000));
+      const Followed off = follow(text, mill(Follow::off, jerk > 0 ? jerk : 60'000));
       CAPTURE(name, jerk, followed.contour, off.contour, followed.time, off.time);
       CHECK(followed.contour <= 2.5);
       CHECK(off.contour > 50);
-      CHECK(followed.time <= 1.01 * off.time);
+      // At 223 mm/s without a jerk limit the circle is beyond what commands leave of the velocity.
+      CHECK(followed.time <= (name == "circle" && jerk == 0 ? 1.02 : 1.01) * off.time);
     }
 }
 
@@ -154,10 +155,10 @@ TEST_CASE("paths that commands are ahead of leave room for them", "[runtime][fol
   Machine machine = mill(Follow::model);
   const Machine planned = ipo::planned_machine(machine);
   for (std::size_t i = 0; i < kAxes; ++i) {
-    CHECK(planned.axes[i].jerk == machine.axes[i].acceleration * machine.axes[i].drive.kv);
+    CHECK(planned.axes[i].jerk == 2 * machine.axes[i].acceleration * machine.axes[i].drive.kv);
     CHECK(planned.axes[i].acceleration == machine.axes[i].acceleration);
-    // A / 2 Kv = 16.7 mm/s, and a lag of 2.7 ms of the velocity loop
-    CHECK(planned.axes[i].velocity == Approx(250 - 16.67 - 2.68).margin(0.1));
+    // 3 A / 4 Kv = 25 mm/s, and twice a lag of 2.7 ms of the velocity loop
+    CHECK(planned.axes[i].velocity == Approx(250 - 25 - 2 * 2.68).margin(0.1));
   }
   machine.axes[0].motor.torque_constant /= 4;  // a motor that cannot push 1000 mm/s^2
   CHECK(ipo::planned_machine(machine).axes[0].acceleration < 1000);

@@ -113,10 +113,23 @@ double ContourLimit::settling_time(const Rest& rest) const noexcept {
   return lag > settled ? std::log(lag / settled) / kv_ : 0;
 }
 
-double ContourLimit::braking_rate() const noexcept { return tuning::contour::kBrakingRate * kv_; }
+double ContourLimit::approach_velocity(double speed, double distance) const noexcept {
+  const double beyond = distance - near_distance(speed);
+  if (beyond > 0) return tuning::contour::kNear * speed + braking_rate() * beyond;
+  const double steady = tuning::contour::kSteady * speed / kv_;
+  return speed + tuning::contour::kNearRate * kv_ * std::max(distance - steady, 0.0);
+}
 
-double ContourLimit::steady_distance(double speed) const noexcept {
-  return tuning::contour::kSteady * speed / kv_;
+double ContourLimit::near_distance(double speed) const noexcept {
+  using namespace tuning::contour;
+  return (kSteady + (kNear - 1) / kNearRate) * speed / kv_;
+}
+
+double ContourLimit::braking_rate() const noexcept { return tuning::contour::kFarRate * kv_; }
+
+/// Where the slope changes.
+double ContourLimit::least_approach() const noexcept {
+  return tuning::contour::kNear / near_distance(1);
 }
 
 double ContourLimit::late_distance(double speed) const noexcept {

@@ -17,7 +17,8 @@ namespace softcnc::ipo {
 /// would (paper 000, eq. 5): kappa v^2 / (2 Kv^2) where the speed is steady. Where a motion has
 /// slowed down ahead of a bend, its lag still contains the higher speeds of some 1/Kv ago. So the
 /// speed is that of the bend already v/Kv ahead of it, and falls towards there by no more than a
-/// part b of Kv per distance, dv/ds >= -b Kv, which is by e^-bKvt in time.
+/// part b of Kv per distance, dv/ds >= -b Kv, which is by e^-bKvt in time. Where it is some times
+/// that of the bend, there is more time left for the lag to fade, and b is larger.
 class ContourLimit {
  public:
   /// The machine has a contour tolerance.
@@ -43,10 +44,15 @@ class ContourLimit {
   /// twice as much of the lag as goes across the next motion has to be within the tolerance.
   double settling_time(const Rest& rest) const noexcept;
 
-  /// Returns by how much speeds may fall per distance towards a slower place, 1/s.
+  /// Returns the speed, mm/s, that is allowed `distance` mm ahead of a place passed at this speed.
+  double approach_velocity(double speed, double distance) const noexcept;
+  /// Returns the distance, mm, ahead of such a place from which on the speed rises by
+  /// braking_rate() per distance.
+  double near_distance(double speed) const noexcept;
+  /// Returns the largest slope of approach_velocity(), 1/s.
   double braking_rate() const noexcept;
-  /// Returns the distance, mm, ahead of a place passed at this speed in which it is not higher.
-  double steady_distance(double speed) const noexcept;
+  /// Returns the least that approach_velocity() is at any distance, as a part of it, 1/s.
+  double least_approach() const noexcept;
   /// Returns the distance, mm, by which the table is late, and in which the speed must not rise.
   double late_distance(double speed) const noexcept;
   /// Returns the highest speed that any path of the machine has, mm/s.

@@ -11,6 +11,10 @@ namespace {
 constexpr double kMostMargin = 0.25;  // of the velocity of an axis
 constexpr double kLeastDrive = 0.01;  // of its acceleration: a motor too weak is not worth more
 constexpr double kMotorShare = 0.95;  // of torque and voltage that the path may ask for
+// Of A Kv, where the machine has no jerk limit: more makes ramps shorter and the velocity lower. A
+// rapid of 100 mm takes least with 2 to 4; a circle at the velocity limit takes 2 % longer with 2
+// than with 1, and 6 % with 4.
+constexpr double kJerk = 2;
 
 /// Returns the acceleration that current and voltage of a motor allow at the velocity of its axis,
 /// mm/s^2, against its friction.
@@ -38,7 +42,7 @@ void leave_margin(Axis& axis) noexcept {
   const double allowed = std::max(motor_acceleration(axis), kLeastDrive * axis.acceleration);
   axis.drive_limits = allowed < axis.acceleration;
   axis.acceleration = std::min(axis.acceleration, allowed);
-  if (axis.jerk == 0) axis.jerk = axis.acceleration * axis.drive.kv;
+  if (axis.jerk == 0) axis.jerk = kJerk * axis.acceleration * axis.drive.kv;
   const double part = std::min(1.0, kMostMargin * axis.velocity / margin(axis));
   axis.acceleration *= part;
   axis.jerk *= part;

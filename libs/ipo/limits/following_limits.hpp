@@ -9,7 +9,7 @@ namespace softcnc::ipo {
 /// Returns the machine as its paths are planned. Where commands are ahead of the path
 /// (control.follow), they move at v + a t + j t l: t is the lead, 1/Kv at most, and l the lag of
 /// the velocity loop. So that they are never faster than the axis, its path has
-/// - a jerk limit, A Kv where the machine has none;
+/// - a jerk limit, 2 A Kv where the machine has none;
 /// - a velocity lower by the most that a t - a^2 / 2J can be, which is J t^2 / 2 up to a = J t,
 ///   plus J t l: before an axis reaches its velocity, its acceleration a has to fall, and the
 ///   velocity is still a^2 / 2J below;

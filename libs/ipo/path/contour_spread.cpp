@@ -90,13 +90,14 @@ class ContourSpread {
     return near;
   }
 
+  /// Beyond the near distance no other limit rises faster towards what lies back.
   void brake_towards(std::size_t n, double v) {
-    const double steady = limit_.steady_distance(v);
+    const double near = limit_.near_distance(v);
     for (std::size_t i = n + 1; i-- > 0;) {
       Node& node = chain_.nodes[i];
-      const double ahead = distance(i, n) - steady;
-      const double most = v + limit_.braking_rate() * std::max(ahead, 0.0);
-      if (rests_at(node) || (ahead > 0 && node.contour_velocity <= most)) return;
+      const double ahead = distance(i, n), most = limit_.approach_velocity(v, ahead);
+      if (rests_at(node) || (ahead > near && node.contour_velocity <= most)) return;
+      if (most >= limit_.fastest()) return;
       node.contour_velocity = std::min(node.contour_velocity, most);
       lowest_ = std::min(lowest_, i);
     }
@@ -128,7 +129,7 @@ void spread_contour_limits(Chain& chain, const ContourLimit& limit, std::size_t 
 
 std::size_t last_final_by_contour(const Chain& chain, const ContourLimit& limit, std::size_t front,
                                   std::size_t last) noexcept {
-  const double end = chain.nodes.back().s, rate = limit.braking_rate();
+  const double end = chain.nodes.back().s, rate = limit.least_approach();
   std::size_t final = last;
   for (std::size_t n = last; n > front; --n) {
     const double most = rate * (end - chain.nodes[n].s), q = chain.own_limit(n).q;
