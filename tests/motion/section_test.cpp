@@ -2,6 +2,7 @@
 #include "motion/geometry/section.hpp"
 
 #include <catch2/catch.hpp>
+#include <limits>
 #include <numbers>
 
 #include "support/curves.hpp"
@@ -62,4 +63,23 @@ TEST_CASE("a part of a NURBS, whatever its degree and weights", "[motion][sectio
 TEST_CASE("a part that is all of a path is the path", "[motion][section]") {
   const Path circle = test::curve("circle_deg2");
   CHECK(length(section(circle, 0, length(circle))) == length(circle));
+}
+
+TEST_CASE("a part that begins or ends at a knot, but for rounding, bends there as the whole does",
+          "[motion][section]") {
+  for (const char* name : {"circle_deg2", "infinity8", "butterfly"}) {
+    const Path whole = test::curve(name);
+    const double size = 0.01 * length(whole);
+    for (const double knot : breaks(whole))
+      for (int ulps = -20; ulps <= 20; ++ulps) {
+        const double s = knot * (1 + ulps * std::numeric_limits<double>::epsilon());
+        CAPTURE(name, knot, ulps);
+        const PathPoint first = at(section(whole, s, s + size), 0, Side::after);
+        const Path before = section(whole, s - size, s);
+        const PathPoint last = at(before, length(before), Side::before);
+        const double bend = at(whole, knot, Side::after).ddq.norm();
+        CHECK(first.ddq.norm() == Approx(bend).epsilon(1e-6));
+        CHECK(last.ddq.norm() == Approx(at(whole, knot, Side::before).ddq.norm()).epsilon(1e-6));
+      }
+  }
 }

@@ -46,6 +46,24 @@ Homogeneous control_point(const NurbsSpec& spec, std::size_t m, const double* ar
   return d[0];
 }
 
+/// Returns the knot that a parameter stands for: rounding leaves it a little beside the knot, and
+/// the span between the two would be bent without bound.
+double at_knot(const std::vector<double>& knots, double u) {
+  constexpr double kSame = 1e-10;  // of the span
+  const auto next = std::upper_bound(knots.begin(), knots.end() - 1, u);
+  const double low = next[-1], high = *next, same = kSame * (high - low);
+  if (u - low < same) return low;
+  return high - u < same ? high : u;
+}
+
+std::pair<double, double> parameters(const Nurbs& nurbs, double s0, double s1) {
+  const auto& knots = nurbs.spec().knots;
+  const double u0 = s0 <= 0 ? nurbs.u_first() : nurbs.parameter(s0);
+  const double u1 = s1 >= nurbs.length() ? nurbs.u_last() : nurbs.parameter(s1);
+  const std::pair exact{at_knot(knots, u0), at_knot(knots, u1)};
+  return exact.first < exact.second ? exact : std::pair{u0, u1};
+}
+
 std::vector<double> clamped_knots(const NurbsSpec& spec, double u0, double u1) {
   const auto order = static_cast<std::size_t>(spec.degree) + 1;
   std::vector<double> knots(order, u0);
@@ -57,8 +75,7 @@ std::vector<double> clamped_knots(const NurbsSpec& spec, double u0, double u1) {
 
 Path part_of(const Nurbs& nurbs, double s0, double s1) {
   const NurbsSpec& whole = nurbs.spec();
-  const double u0 = s0 <= 0 ? nurbs.u_first() : nurbs.parameter(s0);
-  const double u1 = s1 >= nurbs.length() ? nurbs.u_last() : nurbs.parameter(s1);
+  const auto [u0, u1] = parameters(nurbs, s0, s1);
   NurbsSpec part{whole.degree, {}, {}, clamped_knots(whole, u0, u1)};
   const auto degree = static_cast<std::size_t>(whole.degree);
   const std::size_t points = part.knots.size() - degree - 1;
