@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "ipo/planner/planner.hpp"
+#include "ipo/planner/trial_plan.hpp"
 #include "support/chords.hpp"
 
 namespace softcnc::ipo {
@@ -32,7 +33,7 @@ void round_corners(benchmark::State& state) {
   const auto blocks = chords();
   std::size_t pieces = 0;
   for (auto _ : state) {
-    CornerStage stage(machine, trial_plan(machine));
+    CornerStage stage(machine, make_trial_plan(machine));
     pieces = 0;
     for (const Block& block : blocks) {
       stage.push(block);

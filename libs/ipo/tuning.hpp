@@ -11,6 +11,7 @@
 // scripts/random_programs and scripts/feed_table have to be run.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 namespace softcnc::ipo::tuning {
@@ -52,7 +53,9 @@ inline constexpr double kHollowChange = 0.1;
 namespace contour {
 
 // Of Kv. Choice: how fast speeds may fall near a bend per distance; slower leaves less of the
-// contour, and takes longer.
+// contour, and takes longer. With these three figures bends of 0.05 to 20 mm between lines at 100
+// mm/s leave 10.7 um of 10, and a circle of 15 mm after a line at 50 mm/s 12.5; with 0.5 instead of
+// 0.4 it leaves 12.9.
 inline constexpr double kNearRate = 0.4;
 // Of Kv. Choice: likewise, where the speed is more than kNear times that of the bend.
 inline constexpr double kFarRate = 1;
@@ -495,12 +498,9 @@ inline constexpr double kSlowedStops = 2;
 inline constexpr double kNodePart = 0.1;
 // Of v^2 / 2A with all axes together. Choice: the first stop that is tried.
 inline constexpr double kShortestStop = 0.8;
-// Of the jerk. Choice: for a plan that the solver has not found with all of it.
-inline constexpr double kNearlyAll = 0.98;
-// Of the jerk. Choice: of the plan that is tried where none is found with all of it.
-inline constexpr double kSofter = 0.4;
-// Of the jerk. Choice: of the plan that is tried where that is not found either.
-inline constexpr double kSoftest = 0.16;
+// Of the jerk. Choice: of the plans that are tried one after another where the solver finds none
+// with all of it. One of 0.8 or more has been enough for 15 of 15 plans of random chords.
+inline constexpr std::array kLessJerk{0.98, 0.95, 0.9, 0.8, 0.4, 0.16};
 // Of a speed. Rounding: at a velocity limit.
 inline constexpr double kRounding = 1e-6;
 // Of the work left. Choice: for one plan, so that shorter ones can still be tried.

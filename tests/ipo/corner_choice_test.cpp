@@ -78,7 +78,7 @@ TEST_CASE("what makes a curve slower makes a rest the better choice", "[corner_c
   };
   Machine machine = machine_of({1000, 0, 1e-3});
   CHECK(is_rounded(machine));
-  machine.control.period = 4e-3;
+  machine.control.period = 8e-3;
   CHECK_FALSE(is_rounded(machine));
   machine = machine_of({5000, 0, 1e-3});  // the chord holds, not the axes
   CHECK_FALSE(is_rounded(machine));

@@ -400,7 +400,7 @@ TEST_CASE("of two tolerances the smaller counts, and a blend has the feed of eit
 
 TEST_CASE("without a tolerance blocks pass at once, unchanged", "[corner_stage]") {
   const Machine machine = machine_with(1000);
-  CornerStage stage(machine, trial_plan(machine));
+  CornerStage stage(machine, make_trial_plan(machine));
   const auto blocks = polyline({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, 0, 0);
   for (const Block& block : blocks) CHECK(stage.passes(block));
   stage.push(polyline({{0, 0, 0}, {1, 0, 0}}, 0.1, 0)[0]);
@@ -416,7 +416,7 @@ TEST_CASE("without a tolerance blocks pass at once, unchanged", "[corner_stage]"
 
 TEST_CASE("little is held back, however long the program", "[corner_stage]") {
   const Machine machine = machine_with(1000);
-  CornerStage stage(machine, trial_plan(machine));
+  CornerStage stage(machine, make_trial_plan(machine));
   int in = 0, out = 0, most = 0;
   for (const Block& block : polyline(serpentine(20, 0.05, 6000, 0), 0.01, 0.01)) {
     stage.push(block);

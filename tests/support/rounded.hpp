@@ -14,7 +14,7 @@ inline const Path& path_of(const Block& block) { return std::get<Move>(block.wha
 
 /// What the stage makes of the blocks.
 inline std::vector<ipo::Piece> rounded(const Machine& machine, const std::vector<Block>& blocks) {
-  ipo::CornerStage stage(machine, ipo::trial_plan(machine));
+  ipo::CornerStage stage(machine, ipo::make_trial_plan(machine));
   std::vector<ipo::Piece> pieces;
   const auto take = [&] {
     while (auto piece = stage.pop()) pieces.push_back(std::move(*piece));

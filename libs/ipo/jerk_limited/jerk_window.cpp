@@ -2,7 +2,6 @@
 #include "ipo/jerk_limited/jerk_window.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -16,10 +15,6 @@ namespace {
 
 /// Of a plan that shows whether the machine can slow down.
 constexpr Horizon kSlowed{tuning::horizon::kSlowedStops, 0};
-
-/// Parts of the jerk.
-constexpr std::array kSofter{tuning::horizon::kNearlyAll, tuning::horizon::kSofter,
-                             tuning::horizon::kSoftest};
 
 double speed(const VelocityLimit& bound) noexcept { return std::sqrt(bound.q); }
 
@@ -251,7 +246,7 @@ std::optional<Plan> JerkWindow::plan(std::size_t end, std::size_t taken, double 
 /// not converged; what changes more slowly needs fewer nodes, and can be found where tangent jumps
 /// lie closer together than the phases of a motion.
 std::optional<Plan> JerkWindow::plan_softly(std::size_t end, std::size_t taken) {
-  for (const double part : kSofter) {
+  for (const double part : tuning::horizon::kLessJerk) {
     auto plan = plan_within_bound(end, taken, part);
     if (!plan) continue;
     ++effort_.fallbacks;

@@ -121,8 +121,8 @@ double ContourLimit::approach_velocity(double speed, double distance) const noex
 }
 
 double ContourLimit::near_distance(double speed) const noexcept {
-  using namespace tuning::contour;
-  return (kSteady + (kNear - 1) / kNearRate) * speed / kv_;
+  const double rise = (tuning::contour::kNear - 1) / tuning::contour::kNearRate;
+  return (tuning::contour::kSteady + rise) * speed / kv_;
 }
 
 double ContourLimit::braking_rate() const noexcept { return tuning::contour::kFarRate * kv_; }

@@ -25,7 +25,7 @@ Planner::Planner(const Machine& machine, double feed_override, Diagnostics& diag
       constraints_(machine, feed_override, further),
       horizon_(horizon),
       pulses_(machine),
-      corners_(machine, trial_plan(machine, further)),
+      corners_(machine, make_trial_plan(machine, further)),
       window_(make_window(constraints_, 1, horizon)),
       running_(feed_override),
       ceiling_(feed_override) {

@@ -58,12 +58,25 @@ bool keeps_feed(const Move& move, const ConstraintList& constraints) {
   return true;
 }
 
+class PlannerTrial final : public TrialPlan {
+ public:
+  PlannerTrial(const Machine& machine, const FurtherConstraints& further)
+      : constraints_(machine, 1, further) {}
+
+  double time(const std::vector<Move>& moves) const override {
+    return time_of(moves, constraints_);
+  }
+  bool keeps_feed(const Move& move) const override { return ipo::keeps_feed(move, constraints_); }
+
+ private:
+  ConstraintList constraints_;
+};
+
 }  // namespace
 
-TrialPlan trial_plan(const Machine& machine, const FurtherConstraints& further) {
-  const auto constraints = std::make_shared<const ConstraintList>(machine, 1, further);
-  return {[constraints](const std::vector<Move>& moves) { return time_of(moves, *constraints); },
-          [constraints](const Move& move) { return keeps_feed(move, *constraints); }};
+std::unique_ptr<const TrialPlan> make_trial_plan(const Machine& machine,
+                                                 const FurtherConstraints& further) {
+  return std::make_unique<PlannerTrial>(machine, further);
 }
 
 }  // namespace softcnc::ipo

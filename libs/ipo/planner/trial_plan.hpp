@@ -2,14 +2,17 @@
 // Motions planned by themselves, before anything is decided.
 #pragma once
 
+#include <memory>
+
 #include "ipo/limits/constraint_list.hpp"
 #include "ipo/smoothing/corner_choice.hpp"
 
 namespace softcnc::ipo {
 
-/// Plans motions of the machine from rest to rest as the planner does, without an override; a time
-/// contains what a motion waits for the drives at rests within. `machine` and the further
+/// It plans motions of the machine from rest to rest as the planner does, without an override; a
+/// time contains what a motion waits for the drives at rests within. `machine` and the further
 /// constraints must outlive it.
-TrialPlan trial_plan(const Machine& machine, const FurtherConstraints& further = {});
+std::unique_ptr<const TrialPlan> make_trial_plan(const Machine& machine,
+                                                 const FurtherConstraints& further = {});
 
 }  // namespace softcnc::ipo

@@ -31,7 +31,7 @@ std::vector<Move> curve_of(const RoundedCorner& corner) {
 
 }  // namespace
 
-CornerChoice::CornerChoice(const Machine& machine, TrialPlan trial)
+CornerChoice::CornerChoice(const Machine& machine, std::unique_ptr<const TrialPlan> trial)
     : limits_(limits_of(machine)),
       feed_(machine.limits.feed > 0 ? machine.limits.feed : kUnlimited),
       trial_(std::move(trial)) {
@@ -56,7 +56,8 @@ double CornerChoice::needed(const CornerSide& side, double s) const {
 
 bool CornerChoice::is_sooner(const RoundedCorner& corner) const {
   const std::vector<Move> passed = curve_of(corner);
-  if (std::all_of(passed.begin(), passed.end(), trial_.keeps_feed)) return true;
+  const auto keeps_feed = [&](const Move& move) { return trial_->keeps_feed(move); };
+  if (std::all_of(passed.begin(), passed.end(), keeps_feed)) return true;
   const auto& [before, after, curve, cut_before, cut_after] = corner;
   const double begin = std::max(before.begin, before.end - cut_before - needed(before, before.end));
   const double end = std::min(after.end, after.begin + cut_after + needed(after, after.begin));
@@ -66,7 +67,7 @@ bool CornerChoice::is_sooner(const RoundedCorner& corner) const {
   append(rounded, after.path, after.begin + cut_after, end, after.attributes);
   append(resting, before.path, begin, before.end, before.attributes);
   append(resting, after.path, after.begin, end, after.attributes);
-  return trial_.time(rounded) < tuning::corners::kNotWorth * trial_.time(resting);
+  return trial_->time(rounded) < tuning::corners::kNotWorth * trial_->time(resting);
 }
 
 }  // namespace softcnc::ipo

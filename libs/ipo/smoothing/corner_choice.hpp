@@ -8,7 +8,7 @@
 // needs no plan: it is shorter than the corner, and nothing brakes on it.
 #pragma once
 
-#include <functional>
+#include <memory>
 #include <vector>
 
 #include "ipo/limits/planner_limits.hpp"
@@ -18,11 +18,17 @@
 namespace softcnc::ipo {
 
 /// What the planner can tell of motions before they are queued.
-struct TrialPlan {
+class TrialPlan {
+ public:
+  TrialPlan() = default;
+  TrialPlan(const TrialPlan&) = delete;
+  TrialPlan& operator=(const TrialPlan&) = delete;
+  virtual ~TrialPlan() = default;
+
   /// Returns how long, s, a motion along these moves takes, which are connected, from rest to rest.
-  std::function<double(const std::vector<Move>&)> time;
+  virtual double time(const std::vector<Move>& moves) const = 0;
   /// Returns whether every limit allows a move at its programmed feed.
-  std::function<bool(const Move&)> keeps_feed;
+  virtual bool keeps_feed(const Move& move) const = 0;
 };
 
 /// One side of a corner: the path that leads to it or away from it, from `begin` to `end` mm.
@@ -42,7 +48,7 @@ struct RoundedCorner {
 
 class CornerChoice {
  public:
-  CornerChoice(const Machine& machine, TrialPlan trial);
+  CornerChoice(const Machine& machine, std::unique_ptr<const TrialPlan> trial);
 
   /// Returns false where a rest in the corner is sooner.
   bool is_sooner(const RoundedCorner& corner) const;
@@ -53,7 +59,7 @@ class CornerChoice {
   PlannerLimits limits_;
   AxisVector velocity_;  // mm/s; of absent axes: unlimited
   double feed_;          // mm/s: the largest of the machine
-  TrialPlan trial_;
+  std::unique_ptr<const TrialPlan> trial_;
 };
 
 }  // namespace softcnc::ipo

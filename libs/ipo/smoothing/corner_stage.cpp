@@ -35,7 +35,7 @@ std::vector<double> inner_corners(const Path& path) {
 
 }  // namespace
 
-CornerStage::CornerStage(const Machine& machine, TrialPlan trial)
+CornerStage::CornerStage(const Machine& machine, std::unique_ptr<const TrialPlan> trial)
     : machine_(machine),
       choice_(machine, std::move(trial)),
       has_jerk_limit_(limits_jerk(machine)) {}

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <optional>
 
 #include "ipo/smoothing/blend.hpp"
@@ -18,7 +19,7 @@ namespace softcnc::ipo {
 class CornerStage {
  public:
   /// `machine` must outlive the stage.
-  CornerStage(const Machine& machine, TrialPlan trial);
+  CornerStage(const Machine& machine, std::unique_ptr<const TrialPlan> trial);
   CornerStage(const CornerStage&) = delete;
   CornerStage& operator=(const CornerStage&) = delete;
 

@@ -106,7 +106,7 @@ void add(IntegerWords& words, const ProgramLine& line, const Word& word, double 
   ++words.lines;
 }
 
-void tell(IntegerWords& words, std::string_view what, Diagnostics& diagnostics) {
+void report_words(IntegerWords& words, std::string_view what, Diagnostics& diagnostics) {
   const std::int64_t more = words.lines - 1;
   std::string message = words.word + " without a decimal point is ";
   message += what;
@@ -192,24 +192,26 @@ void IntegerLengths::report_lengths(Diagnostics& diagnostics) {
   const bool likely = points_ || smallest_ >= kLarge;
   if (unit_ != IntegerUnit::unstated || lengths_.lines == 0 || !likely) return;
   const std::string unit = lengths_.increment == kMetric ? " mm" : " inch";
-  tell(lengths_,
-       number_text(lengths_.value) + unit + "; a control that counts increments goes " +
-           exact_text(lengths_.value * lengths_.increment) + unit,
-       diagnostics);
+  report_words(lengths_,
+               number_text(lengths_.value) + unit + "; a control that counts increments goes " +
+                   exact_text(lengths_.value * lengths_.increment) + unit,
+               diagnostics);
 }
 
 void IntegerLengths::report(Diagnostics& diagnostics) {
   report_lengths(diagnostics);
   if (arguments_.lines > 0)
-    tell(arguments_,
-         "the argument " + exact_text(arguments_.value * arguments_.increment) +
-             ", in increments; a control that counts units passes " + number_text(arguments_.value),
-         diagnostics);
+    report_words(arguments_,
+                 "the argument " + exact_text(arguments_.value * arguments_.increment) +
+                     ", in increments; a control that counts units passes " +
+                     number_text(arguments_.value),
+                 diagnostics);
   if (feeds_.lines > 0)
-    tell(feeds_,
-         "a feed of " + number_text(feeds_.value) +
-             "; setting 77 of a Haas control may make it a tenth to a ten-thousandth of that",
-         diagnostics);
+    report_words(
+        feeds_,
+        "a feed of " + number_text(feeds_.value) +
+            "; setting 77 of a Haas control may make it a tenth to a ten-thousandth of that",
+        diagnostics);
 }
 
 }  // namespace softcnc::ipr
