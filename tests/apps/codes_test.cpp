@@ -41,9 +41,12 @@ TEST_CASE("codes lists words, group and order of a code", "[apps][codes]") {
         "G41     D L                 The tool runs left of the contour, by its radius; D: that of "
         "another tool (fanuc: without D the last).\n"
         "        group   cutter compensation (G40 G41 G41.1 G42 G42.1)\n"
-        "        order   15 of 25: cutter compensation\n");
+        "        order   15 of 26: cutter compensation\n");
   CHECK(
       call("codes G4").out.find("        fanuc   takes X U too\n        group   none: for its ") !=
+      std::string::npos);
+  CHECK(
+      call("codes G83").out.find("        fanuc   takes P too\n        haas    takes I J too\n") !=
       std::string::npos);
   for (const ipr::GCode& code : ipr::gcode_table()) {
     const std::string text = call("codes " + ipr::code_name(code)).out;
@@ -51,7 +54,7 @@ TEST_CASE("codes lists words, group and order of a code", "[apps][codes]") {
     CHECK(text.starts_with(ipr::code_name(code) + ' '));
     CHECK(text.find("group   " + std::string(ipr::group_name(code.group)) + " (") !=
           std::string::npos);
-    CHECK(text.find(" of 25: ") != std::string::npos);
+    CHECK(text.find(" of 26: ") != std::string::npos);
   }
 }
 

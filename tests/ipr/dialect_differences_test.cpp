@@ -159,6 +159,13 @@ const std::vector<Case> kHaasCases{
 const std::vector<Case> kSiblingCases{
     {C::cutter_offset, "G10 L12 P2 R3.\nG13 D2 I9. Z-1. F100.\nM30", "SC2386 1:1", ""},
     {C::cutter_offset, "G10 L13 P2 R3.\nG13 D2 I9. Z-1. F100.\nM30", "SC2386 1:1", ""},
+    {C::peck_limit, "G0 Z5.\nG99 G73 X1. Z-5. R1. Q2. K4 F100.\nM30", "SC2387 2:26", ""},
+};
+
+/// What haas reads otherwise than both others.
+const std::vector<Case> kHaasAloneCases{
+    {C::leave_to_line, "G0\nM98 P2\nM30\nN10 X9.\nM30\nO2\nM99 P10\nN10 X7.\nM99", "SC2387 7:5",
+     ""},
 };
 
 std::string words_of(const DialectDifferenceRow& row, Dialect dialect) {
@@ -207,6 +214,7 @@ TEST_CASE("every dialect difference has an example", "[ipr][differences]") {
     if (!example.place.empty()) seen.insert(example.kind);
   for (const Case& example : kHaasCases) seen.insert(example.kind);
   for (const Case& example : kSiblingCases) seen.insert(example.kind);
+  for (const Case& example : kHaasAloneCases) seen.insert(example.kind);
   CHECK(seen.size() == dialect_difference_table().size());
 }
 
@@ -236,6 +244,26 @@ TEST_CASE("what fanuc and haas read each in its own way is reported in fanuc",
         dialect_difference_table()[static_cast<std::size_t>(example.kind)];
     CHECK(fanuc.diagnostics[0].message == std::string(row.what) + ' ' + std::string(row.fanuc) +
                                               "; in the haas dialect: " + std::string(row.haas));
+  }
+}
+
+TEST_CASE("what haas alone reads otherwise is reported in every dialect", "[ipr][differences]") {
+  for (const Case& example : kHaasAloneCases) {
+    CAPTURE(example.program);
+    const DialectDifferenceRow& row =
+        dialect_difference_table()[static_cast<std::size_t>(example.kind)];
+    const Interpreted haas = run(example.program, Dialect::haas);
+    REQUIRE(places(haas) == Places{example.place});
+    CHECK(haas.diagnostics[0].message ==
+          std::string(row.what) + ' ' + std::string(row.haas) +
+              "; in the linuxcnc dialect: " + std::string(row.linuxcnc));
+    for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc}) {
+      const Interpreted other = run(example.program, dialect);
+      REQUIRE(places(other) == Places{example.place});
+      CHECK(deeds(other) != deeds(haas));
+      CHECK(other.diagnostics[0].message == std::string(row.what) + ' ' + std::string(row.fanuc) +
+                                                "; in the haas dialect: " + std::string(row.haas));
+    }
   }
 }
 

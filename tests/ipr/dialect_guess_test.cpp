@@ -71,6 +71,9 @@ TEST_CASE("the number of a program alone shows fanuc", "[ipr][dialects]") {
     CHECK(shown(text).ends_with(" the number of a program"));
   }
   CHECK(shown("%\nO0001\n(HAAS VF-2)\nG0 X1.\n") == "haas 3 'HAAS' in a comment");
+  CHECK(shown("O1\nN5 [#1 LT 2] M99 P9\n") == "haas 2 a condition before M99");
+  CHECK(shown("G81 Z-1. R.1 F9. L0\nG70 I5. J15. L12\n") == "haas 2 a pattern of holes");
+  CHECK(shown("G70\nG71\nG81 X1 Z-1 R1 L2\n") == "none");
 }
 
 TEST_CASE("against the number of a program count O-words, names and lines for senders",

@@ -200,8 +200,8 @@ TEST_CASE("Haas: a repeated G65 keeps the local variables of the time before",
   const std::string text = "O1\n#1=50.\nG65 P2 L3 A1.\nG0 X#1\nM30\nO2\nG0 X#1\n#1=#1+1\nM99";
   CHECK(way(text, Dialect::haas) == Positions{1, 2, 3, 50});
   CHECK(fanuc_way(text) == Positions{1, 50});
-  CHECK(way("O1\n#1=7.\nG65 P2 L3 A1.\nG0 X9.\nN5 G0 X#1\nM30\nO2\nG0 X#1\n#1=#1+1\nM99 P5",
-            Dialect::haas) == Positions{1, 7});
+  CHECK(way("O1\n#1=7.\nG65 P2 L3 A1.\nG0 X#1\nM30\nO2\nG0 X#1\n#1=#1+1\nM99 P5\nX90.\nN5 M99",
+            Dialect::haas) == Positions{1, 2, 3, 7});
 }
 
 TEST_CASE("FANUC: GOTO looks ahead first, then from the beginning", "[ipr][flow]") {

@@ -97,6 +97,21 @@ TEST_CASE("increments are the lengths alone", "[ipr][dialects]") {
   CHECK(deepest == Approx(-2));
 }
 
+TEST_CASE("in haas I J K of pecks are lengths, J and K of a pattern angles", "[ipr][dialects]") {
+  const auto pecks =
+      ends("G0 Z10.\nG99 G83 X1000 Z-4000 R1000 I2000 J500 K1000 F100.\nG80\nM30", Dialect::haas);
+  REQUIRE(pecks.size() == 14);
+  CHECK(near(pecks[3], {1, 0, -1}));
+  CHECK(near(pecks[6], {1, 0, -2.5}));
+  CHECK(near(pecks[9], {1, 0, -3.5}));
+  const auto circle =
+      ends("G0 Z10.\nG98 G81 Z-4000 R1000 L0 F100.\nG71 X2000 I5000 J90 K90 L2\nG80\nM30",
+           Dialect::haas);
+  REQUIRE(circle.size() == 9);
+  CHECK(near(circle[1], {2, 5, 10}));
+  CHECK(near(circle[5], {-3, 0, 10}));
+}
+
 TEST_CASE("the radius of polar coordinates counts increments, the angle does not",
           "[ipr][dialects]") {
   const auto polar = ends("G16 G0 X10000 Y90\nX5000 Y0\nG15 X5000 Y1000\nM30");

@@ -61,9 +61,16 @@ double x_of(const Block& block) { return end(std::get<Move>(block.what).path).x(
 TEST_CASE("the M codes that a machine cannot define are those of the table", "[ipr][mcode]") {
   std::vector<int> own;
   for (const GCode& code : gcode_table())
-    if (code.letter == 'M') own.push_back(code.number / 10);
+    if (code.letter == 'M' && !is_of_haas(code)) own.push_back(code.number / 10);
   CHECK(std::vector<int>(kOwnMCodes.begin(), kOwnMCodes.end()) == own);
   CHECK(std::is_sorted(kOwnMCodes.begin(), kOwnMCodes.end()));
+}
+
+TEST_CASE("a machine may define Haas' M109, in every dialect", "[ipr][mcode][haas]") {
+  Machine machine = machine_with_codes();
+  machine.m_codes[109] = sets("conveyor", 1);
+  for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc, Dialect::haas})
+    CHECK(action(blocks_of("M109\nM30\n", machine, {.dialect = dialect}).at(0)).value == 1);
 }
 
 TEST_CASE("an M code of the machine may be ignored, with its words", "[ipr][mcode]") {

@@ -186,9 +186,10 @@ TEST_CASE("a label of which something is missing is reported once", "[ipr][unkno
 }
 
 TEST_CASE("with everything unknown no code reports what it would do", "[ipr][unknown]") {
-  for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc})
+  for (const Dialect dialect : {Dialect::linuxcnc, Dialect::fanuc, Dialect::haas})
     for (const GCode& code : gcode_table()) {
       if (operands(code, Command{}, Modal{}).empty()) continue;
+      if (is_of_haas(code) != (dialect == Dialect::haas)) continue;
       const std::string line = line_of(code);
       CAPTURE(line, static_cast<int>(dialect));
       CHECK(after_a_missing_call(line, dialect).empty());

@@ -57,6 +57,7 @@ std::string explained(const ipr::GCode& code) {
   };
   const auto order = static_cast<std::size_t>(code.order);
   line("fanuc", code.fanuc_words.empty() ? "" : "takes " + spaced(code.fanuc_words) + " too");
+  line("haas", code.haas_words.empty() ? "" : "takes " + spaced(code.haas_words) + " too");
   line("group", fmt::format("{} ({})", ipr::group_name(code.group), codes_of(code.group)));
   line("order", fmt::format("{} of {}: {}", order + 1, ipr::order_names().size(),
                             ipr::order_names()[order]));

@@ -69,6 +69,7 @@ struct GCode {
   void (*act)(Task&);                 // nullptr: nothing is to be done
   std::string_view says;              // one sentence for the user
   std::string_view fanuc_words = {};  // letters that it takes in the fanuc dialect beside
+  std::string_view haas_words = {};   // and in the haas dialect beside those
 };
 
 /// Returns the table of codes: G, M, then the other letters, each letter by number.
@@ -108,11 +109,21 @@ constexpr bool is_curve_of_lines(const GCode& code) noexcept {
   return code.group == Group::motion && code.number >= 52 && code.number <= 62;
 }
 
+/// Returns whether the code is G70, G71 or G72: the cycle in force at the places of a pattern.
+constexpr bool is_hole_pattern(const GCode& code) noexcept {
+  return code.letter == 'G' && code.number >= 700 && code.number <= 720;
+}
+
 /// Returns whether the code is known but not supported. Its handler reports why.
-constexpr bool is_refused(const GCode& code) noexcept { return code.says.starts_with("Refused"); }
+constexpr bool is_refused(const GCode& code) noexcept {
+  return code.says.starts_with("Refused") || code.says.starts_with("haas: refused");
+}
 
 /// Returns whether the code is one that LinuxCNC does not know.
 constexpr bool is_of_fanuc(const GCode& code) noexcept { return code.says.starts_with("fanuc:"); }
+
+/// Returns whether the code is one that only Haas' controls know.
+constexpr bool is_of_haas(const GCode& code) noexcept { return code.says.starts_with("haas:"); }
 
 /// Returns whether the code is G65, G66 or G66.1: the words after it on the line are arguments, not
 /// codes.

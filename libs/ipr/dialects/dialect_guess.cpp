@@ -59,6 +59,8 @@ constexpr LineMark kLineMarks[] = {
     {L, 3, "O*[]0-9>]DO", "an O-word"},
     {L, 3, "*#<*>*", "a variable with a name"},
     {L, 2, "*G64*P*", "G64 P"},
+    {H, 3, "[[]*]M99*", "a condition before M99"},
+    {H, 3, "*G7[012]*I*L*", "a pattern of holes"},
     {F, 3, "WH*[[]*]DO[123]", "WHILE DO"},
     {F, 3, "IF[[]*]THEN*", "IF THEN"},
     {F, 3, "IF[[]*]GOTO*", "IF GOTO"},

@@ -98,6 +98,12 @@ constexpr std::array<DialectDifferenceRow, kDialectDifferences> kTable{{
     {C::cutter_offset, Code::SC2386, "G10 L12, L13", "are errors", "set the radius and its wear",
      "set the diameter and its wear, or by `program.cutter_offsets` the radius",
      "tool compensation values; Haas: G10, setting 40"},
+    {C::leave_to_line, Code::SC2387, "M99 P in a called program",
+     "goes back, and on at line N P of the caller", "goes back, and on at line N P of the caller",
+     "goes on at line N P of the called program",
+     "subprogram call; Haas: M99, conditional expressions"},
+    {C::peck_limit, Code::SC2387, "K of G73 beside Q", "is an error", "repeats the line",
+     "is the depth after which the tool goes out to R", "canned cycles for drilling; Haas: G73"},
 }};
 
 constexpr bool in_order() {
@@ -134,6 +140,24 @@ constexpr DialectTraitRow kTraits[] = {
     {"G53 in G91, under G51, G51.1 and G68, and without axes",
      {kNo, kNo, "leaves them for its line; without axes it moves nothing", kNo},
      "Haas: G53"},
+    {"R of a canned cycle that has none in force",
+     {kNo, kNo, "is the height at which the series began", kNo},
+     "Haas: G81"},
+    {"G74, G84 while the spindle does not turn",
+     {kNo, kNo, "start it, and stop it after each hole", kNo},
+     "Haas: G84"},
+    {"I J K of G73 and G83",
+     {kNo, kNo, "the first peck, by how much each next one is less, the least", kNo},
+     "Haas: G73, G83"},
+    {"G70, G71, G72",
+     {kNo, kNo, "holes on a circle, on an arc, along a line", kNo},
+     "Haas: G70, G71, G72"},
+    {"`[..] M99`",
+     {kNo, kNo, "M99 if the condition is true", kNo},
+     "Haas: conditional expressions"},
+    {"GOTO and IF GOTO after the words of a line",
+     {kNo, kNo, "jump after the line has acted", kNo},
+     "Haas: GOTO"},
     {"#100 to #199",
      {"variables like others", "end with the program", "outlive the program", kAsLinuxcnc},
      "custom macro, variables; Haas: macro variables"},
@@ -160,8 +184,8 @@ constexpr DialectTraitRow kTraits[] = {
      {kNo, "the keyword, the function", kAsFanuc, kNo},
      "FANUC: custom macro, abbreviation of functions and of control statements"},
     {"K of a canned cycle",
-     {kNo, "number of repetitions", kNo, kNo},
-     "FANUC: canned cycles for drilling; Haas: G81"},
+     {kNo, "number of repetitions", "of G73 and G83 a peck, otherwise an error", kNo},
+     "FANUC: canned cycles for drilling; Haas: G81, G73"},
     {"L of a canned cycle; L0",
      {"repetitions; an error", "as K; only keeps the words", "repetitions; only keeps the words",
       kAsLinuxcnc},
@@ -205,7 +229,8 @@ std::string DialectDifferences::text_of(const DialectDifferenceRow& row, const M
   const std::string_view own = row.meaning(dialect_);
   const Dialect main = other_family(dialect_);
   const Dialect sibling = dialect_ == Dialect::haas ? Dialect::fanuc : Dialect::haas;
-  const bool linuxcnc_differs = row.meaning(main) != own && row.kind != C::cutter_offset;
+  const bool refused = row.kind == C::cutter_offset || row.kind == C::peck_limit;  // by linuxcnc
+  const bool linuxcnc_differs = row.meaning(main) != own && !refused;
   const Dialect other = linuxcnc_differs ? main : sibling;
   std::string text = std::string(row.what) + ' ';
   text += own;

@@ -52,8 +52,10 @@ enum class DialectDifference : std::uint8_t {
   further_system,
   kept_height,
   cutter_offset,
+  leave_to_line,
+  peck_limit,
 };
-inline constexpr std::size_t kDialectDifferences = 32;
+inline constexpr std::size_t kDialectDifferences = 34;
 
 struct DialectDifferenceRow {
   DialectDifference kind;

@@ -62,6 +62,7 @@ std::optional<ProgramLine> Flow::next() {
     ++executed_;
     if (options_.unreachable_too) remember(*line);
     if (line->broken) note_unread(*line);
+    decided_ = decided_ || line->decided;
     if (line->skipped && line->words.empty()) continue;
     const bool plain = line->statement == nullptr && !new_round_;
     if (plain || obey(*line)) return line;

@@ -255,9 +255,11 @@ bool Flow::repeats_endlessly() const noexcept {
   return !decided_ || !parser_.parameters().may_differ();
 }
 
+/// M99. Its P is a line of the caller, on Haas' controls of the program in which it stands.
 void Flow::leave_by_code(const Jump& jump) {
-  if (options_.unreachable_too && jump.pos.file == 0) leaves_.insert(jump.pos.line);
-  if (in_subprogram()) {
+  const bool stays = jump.line_number && parser_.parameters().dialect() == Dialect::haas;
+  if (options_.unreachable_too && jump.pos.file == 0 && !stays) leaves_.insert(jump.pos.line);
+  if (in_subprogram() && !stays) {
     if (jump.line_number) calls_.back().times = 1;
     leave(std::nullopt, jump.pos);
   } else if (!jump.line_number) {

@@ -93,6 +93,8 @@ void leave_program(Task& task) {
   jump.kind = Jump::Kind::leave;
   jump.line_number = optional_number(task, 'P');
   jump.pos = task.word.pos;
+  if (jump.line_number && task.flow.in_subprogram())
+    task.out.note_difference(DialectDifference::leave_to_line, task.values.word('P').pos);
   const bool nowhere = task.values.has('P') && !jump.line_number;  // reported
   if (nowhere && !task.flow.in_subprogram())
     task.modal.ended = true;

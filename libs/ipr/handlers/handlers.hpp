@@ -55,6 +55,9 @@ void quadratic(Task& task);
 // cycles.cpp
 void canned_cycle(Task& task);
 void refuse_cycle(Task& task);
+/// Makes the holes of the cycle in force at these places, which are programmed ones. Requires that
+/// a cycle is in force.
+void drill_at(Task& task, const std::vector<AxisVector>& places);
 void retract_to_start(Task& task);
 void retract_to_r(Task& task);
 
@@ -109,6 +112,12 @@ void refuse_probing(Task& task);
 /// Notes that the code has no effect.
 void pass_over(Task& task);
 void refuse_rigid_tapping(Task& task);
+void refuse_of_haas(Task& task);
+
+// hole_patterns.cpp
+void drill_pattern(Task& task);
+/// Returns whether the line has one of G70 to G72, which uses the axes, I, J, K and L of the line.
+bool has_hole_pattern(const Command& command) noexcept;
 
 // signals.cpp
 void set_digital_output(Task& task);

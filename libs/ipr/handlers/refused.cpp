@@ -35,6 +35,17 @@ void refuse_probing(Task& task) {
   if (task.code.group == Group::motion) task.modal.motion = task.modal.motion_below = nullptr;
 }
 
+/// G47, G150, M109.
+void refuse_of_haas(Task& task) {
+  constexpr int kG47 = 470, kG150 = 1500;
+  if (task.code.number == kG47)
+    return report(task, "it engraves a text or a serial number in the letters of the control");
+  if (task.code.number == kG150)
+    return report(task,
+                  "it clears a pocket whose outline is the program of P, by paths of the control");
+  report(task, "it shows a text to the operator and puts the key pressed into the variable of P");
+}
+
 /// G103 and G187: how far a control looks ahead, and how closely it follows the path.
 void pass_over(Task& task) {
   task.out.report(Code::SC2268, task.word.pos,

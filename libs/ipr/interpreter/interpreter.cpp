@@ -301,7 +301,7 @@ const GCode* Interpreter::after_g80() const noexcept {
 /// Words that no code of the line takes may be meant for the motion in force.
 void Interpreter::find_motion() {
   const LetterSet unused = command_.unused(options_.dialect);
-  if (unused.empty()) return;
+  if (unused.empty() || has_hole_pattern(command_)) return;
   if (modal_.unknown.has(Part::motion)) return follow_axes(command_, modal_, unused);
   const GCode* motion = command_.has(Group::cycle) ? after_g80() : modal_.motion;
   if (motion == nullptr && fanuc_goes_to_machine_point()) motion = find_gcode('G', 0);
@@ -340,6 +340,7 @@ void Interpreter::check_axis_codes() {
   for (const auto& [code, word] : command_.codes()) {
     if (!LetterSet(code->words).has_any(kAxisWords)) continue;
     if (is_straight(*code) && fanuc_goes_home(command_, options_.dialect)) continue;
+    if (is_canned_cycle(*code) && has_hole_pattern(command_)) continue;
     if (user != nullptr) {
       out_.report(Code::SC2110, word->pos,
                   code_name(*code) + " beside " + code_name(*user) + ": both take the axes");

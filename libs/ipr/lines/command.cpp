@@ -28,6 +28,11 @@ bool may_be_of_machine(const Word& word) noexcept {
          word.value == std::floor(word.value);
 }
 
+bool is_of_other(const GCode& code, Dialect dialect) noexcept {
+  if (dialect == Dialect::haas) return false;
+  return is_of_haas(code) || (!is_fanuc_like(dialect) && is_of_fanuc(code));
+}
+
 /// The three lines of a machine file that define this M code. Words of its line that seldom belong
 /// to another code are taken for its own.
 std::string lines_of_machine(const Word& code, std::span<const Word> words) {
@@ -92,10 +97,12 @@ void Command::read(const ProgramLine& line, Dialect dialect, Output& out) {
 [[gnu::always_inline]] inline void Command::read_code(const Word& word, Dialect dialect,
                                                       Output& out) {
   const GCode* code = find_gcode(word.letter, word.value);
-  if (code == nullptr && word.letter == 'M') code = find_machine_code(machine_codes_, word.value);
-  const bool of_other = code != nullptr && !is_fanuc_like(dialect) && is_of_fanuc(*code);
+  if (word.letter == 'M' && (code == nullptr || is_of_haas(*code)))
+    if (const GCode* own = find_machine_code(machine_codes_, word.value)) code = own;
+  const bool of_other = code != nullptr && is_of_other(*code, dialect);
+  const bool of_machine = word.letter == 'M' && of_other && is_of_haas(*code);  // it may be
   if (code == nullptr || of_other) {
-    report_unknown(word, of_other ? name(dialect) : std::string_view{}, out);
+    report_unknown(word, of_other && !of_machine ? name(dialect) : std::string_view{}, out);
     unknown_ |= word.letter == 'G' ? Unknown{Part::motion} : set_by("M");
     probes_ = probes_ || is_probing(word, dialect);
     return;
@@ -227,6 +234,7 @@ const Word& Command::find_word(Group group) const noexcept {
   for (const CodeWord& code : codes()) {
     used |= LetterSet(code.code->words);
     if (is_fanuc_like(dialect)) used |= LetterSet(code.code->fanuc_words);
+    if (dialect == Dialect::haas) used |= LetterSet(code.code->haas_words);
   }
   return values_.letters().without(used);
 }

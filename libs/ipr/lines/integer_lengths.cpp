@@ -37,16 +37,25 @@ bool begins_cycle(const ProgramLine& line) noexcept {
   });
 }
 
-/// K may be a number of repetitions or a knot, R a weight or an angle, I J K factors.
+/// Haas' G70 to G72, whose J and K are angles.
+bool has_hole_pattern(const ProgramLine& line) noexcept {
+  return has_code(line, 'G', 70) || has_code(line, 'G', 71) || has_code(line, 'G', 72);
+}
+
+/// K may be a number of repetitions, on Haas' controls a peck, or a knot, R a weight or an angle,
+/// I J K factors.
 LetterSet lengths_beside_angles(const ProgramLine& line, const LengthContext& context) noexcept {
   if (context.in_curve || has_code(line, 'G', 6.2)) return {"XYZ"};
   if (has_code(line, 'G', 68) || has_code(line, 'G', 51)) return {"XYZ"};
-  if (begins_cycle(line)) return {"XYZRQIJ"};
+  if (context.of_haas && has_hole_pattern(line)) return {"XYZRQI"};
+  const bool pecks = has_code(line, 'G', 73) || has_code(line, 'G', 83) || !begins_cycle(line);
+  const LetterSet of_cycle{context.of_haas && pecks ? "XYZRQIJK" : "XYZRQIJ"};
+  if (begins_cycle(line)) return of_cycle;
   if (has_code(line, 'G', 12) || has_code(line, 'G', 13)) return {"XYZIKQ"};
   const bool leaves_cycle = has_code(line, 'G', 80) || has_code(line, 'G', 0) ||
                             has_code(line, 'G', 1) || has_code(line, 'G', 2) ||
                             has_code(line, 'G', 3);
-  return context.in_cycle && !leaves_cycle ? LetterSet("XYZRQIJ") : LetterSet("XYZIJKR");
+  return context.in_cycle && !leaves_cycle ? of_cycle : LetterSet("XYZIJKR");
 }
 
 /// The letters of lengths on this line.

@@ -21,7 +21,7 @@ struct LengthContext {
   bool in_curve = false;   // the line may be one of a NURBS: K is a knot, R a weight
   bool polar = false;      // G16 is in force before the line: the letter below is an angle
   char angle = 'Y';        // the second axis of the plane
-  bool of_haas = false;    // setting 77 of a Haas control decides what F counts
+  bool of_haas = false;    // whose F counts by setting 77, and K of a cycle is a length
 };
 
 /// Words without a decimal point, as they are told in one warning.

@@ -8,7 +8,8 @@ namespace {
 
 constexpr int kG00 = 0, kG02 = 20, kG03 = 30, kG05 = 50, kG051 = 51, kG053 = 53;
 constexpr int kG10 = 100, kG12 = 120, kG13 = 130, kG31 = 310, kG28 = 280, kG30 = 300, kG40 = 400,
-              kG411 = 411, kG421 = 421, kG43 = 430, kG432 = 432, kG52 = 520, kG53 = 530, kG65 = 650;
+              kG411 = 411, kG421 = 421, kG43 = 430, kG432 = 432, kG47 = 470, kG52 = 520, kG53 = 530,
+              kG65 = 650, kG74 = 740, kG84 = 840, kG150 = 1500;
 constexpr int kG501 = 501, kG511 = 511, kG68 = 680;
 constexpr int kG92 = 920, kG923 = 923, kM72 = 720;
 
@@ -55,6 +56,7 @@ Unknown operands_of_motion(const GCode& code, const Command& command, const Moda
   if (in_plane) parts |= {Part::plane, Part::centres};
   if (modal.polar || command.has_polar_words()) parts.add(Part::plane);
   if (is_canned_cycle(code)) parts.add(Part::spindle);
+  if (code.number == kG74 || code.number == kG84) parts.add(Part::speed);
   const bool by_mode = command.has(Group::motion) && command.find_word(Group::motion).letter != 'G';
   if (is_canned_cycle(code) && by_mode) parts.add(Part::cycle_words);
   return parts;
@@ -78,6 +80,9 @@ Unknown tables(const Command& command) noexcept {
 }
 
 Unknown operands_of_offset(const GCode& code, const Command& command, const Modal& modal) noexcept {
+  if (is_hole_pattern(code))
+    return operands_of_motion(code, command, modal) | of_feed(modal) |
+           Unknown{Part::motion, Part::plane, Part::spindle, Part::speed, Part::cycle_words};
   switch (code.number) {
     case kG12:
     case kG13:
@@ -183,6 +188,7 @@ Unknown results(const GCode& code, const Command& command) noexcept {
     }
     case Group::non_modal:
       if (code.number == kG28 || code.number == kG30 || code.number == kG31) return kPosition;
+      if (is_hole_pattern(code) || code.number == kG47 || code.number == kG150) return kPosition;
       if (code.number == kG12 || code.number == kG13) return named_axes(command);
       if (code.number == kG53) return named_axes(command);
       if (code.number == kG10) return tables(command);

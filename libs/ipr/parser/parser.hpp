@@ -36,6 +36,7 @@ struct ProgramLine {
   bool broken = false;                   // reported already; `words` are those that could be read
   LetterSet unread;                      // letters of words whose value is not known
   bool skipped = false;                  // what stands after a THEN: it does not count
+  bool decided = false;                  // a condition has decided what of it counts
   const Word* corner = nullptr;          // FANUC: `,C` or `,R`, with the letter C or R
   std::string_view called;               // FANUC: the program that it calls by name, in lower case
 };
@@ -120,6 +121,9 @@ class Parser {
   bool refuse_late_statement(Lexer& lexer, const Token& letter);
   std::optional<Token> read_keyword(Lexer& lexer, const Token& letter);
   void settle(const StatementReader& reader, Lexer& lexer);
+  std::optional<Token> read_late_jump(Lexer& lexer, const Token& letter);
+  std::optional<Token> read_condition_of_m99(Lexer& lexer, const Token& bracket);
+  Token read_after_condition(Lexer& lexer, const StatementReader& reader, Found found);
   Token read_consequence(Lexer& lexer, bool known);
   Token read_assignment(Lexer& lexer, const Token& sign);
   Token read_order(Lexer& lexer, const Token& sign, int number);

@@ -290,6 +290,8 @@ Token Parser::read_macro(Lexer& lexer, const Token& mark) {
   const bool fanuc = is_fanuc_like(options_.dialect);
   if (name && fanuc && line_.called.empty()) return read_called(lexer, mark);
   if (text == "[")
+    if (const auto after = read_condition_of_m99(lexer, mark)) return *after;
+  if (text == "[")
     give_up(Code::SC1007, mark, "'[' has no letter before it");
   else if (text == "]")
     give_up(Code::SC1017, mark, "this ']' has no '['");

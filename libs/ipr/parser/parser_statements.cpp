@@ -13,6 +13,7 @@ namespace softcnc::ipr {
 namespace {
 
 constexpr int kAlarm = 3000, kMessage = 3006;  // FANUC
+constexpr double kM99 = 99;
 constexpr int kToolValues = 2001, kToolValuesEnd = 2401;
 
 /// In the fanuc dialect to assign to it ends or stops the program.
@@ -129,7 +130,7 @@ bool Parser::refuse_late_statement(Lexer& lexer, const Token& letter) {
 
 /// IF, WHILE and the like: returns what is to be read after it. Nothing: there is no such keyword.
 std::optional<Token> Parser::read_keyword(Lexer& lexer, const Token& letter) {
-  if (!only_line_number()) return std::nullopt;
+  if (!only_line_number()) return read_late_jump(lexer, letter);
   Lexer ahead = lexer;
   ahead.back_to(letter);
   StatementReader reader(ahead, parameters_, statement_, depth_);
@@ -137,12 +138,61 @@ std::optional<Token> Parser::read_keyword(Lexer& lexer, const Token& letter) {
   note(reader.other_value());
   if (found == Found::nothing) return std::nullopt;
   lexer = ahead;
-  if (found != Found::statement && depth_ != Depth::outline) {
-    report(reader.error());
-    const bool known = !reader.error() && !statement_.unknown;
-    return known && found == Found::then_true ? lexer.next() : read_consequence(lexer, known);
-  }
+  if (found != Found::statement && depth_ != Depth::outline)
+    return read_after_condition(lexer, reader, found);
   if (found == Found::statement) settle(reader, lexer);
+  return Token{};
+}
+
+Token Parser::read_after_condition(Lexer& lexer, const StatementReader& reader, Found found) {
+  report(reader.error());
+  line_.decided = true;
+  const bool known = !reader.error() && !statement_.unknown;
+  return known && found == Found::then_true ? lexer.next() : read_consequence(lexer, known);
+}
+
+/// Haas: GOTO or IF [..] GOTO after the words of a line, which act before the jump. M99 P is such a
+/// jump. Nothing: there is none.
+std::optional<Token> Parser::read_late_jump(Lexer& lexer, const Token& letter) {
+  const bool may_begin = letter.letter == 'G' || letter.letter == 'I';
+  if (options_.dialect != Dialect::haas || !may_begin || words_.empty()) return std::nullopt;
+  Lexer ahead = lexer;
+  ahead.back_to(letter);
+  Statement jump;
+  StatementReader reader(ahead, parameters_, jump, depth_);
+  const Found found = reader.read_keyword({line_.number, letter.column, letter.length});
+  if (found != Found::statement || jump.kind != Statement::Kind::go_to) return std::nullopt;
+  note(reader.other_value());
+  lexer = ahead;
+  line_.decided = true;
+  if (reader.broke_off()) {
+    give_up(reader.error(), lexer);
+    return Token{};
+  }
+  report(reader.error());
+  line_.broken = line_.broken || jump.unknown;
+  if (!jump.unknown && !jump.condition) return Token{};
+  words_.push_back({'M', kM99, jump.pos});
+  if (jump.unknown)
+    line_.unread.add('P');
+  else
+    words_.push_back({'P', jump.value, jump.pos});
+  return Token{};
+}
+
+/// Haas: `[..] M99`. Nothing: it is none.
+std::optional<Token> Parser::read_condition_of_m99(Lexer& lexer, const Token& bracket) {
+  if (options_.dialect != Dialect::haas || !only_line_number()) return std::nullopt;
+  Lexer ahead = lexer;
+  ahead.back_to(bracket);
+  statement_ = Statement{};
+  StatementReader reader(ahead, parameters_, statement_, depth_);
+  const Found found = reader.read_condition_of_m99();
+  if (found == Found::nothing) return std::nullopt;
+  note(reader.other_value());
+  lexer = ahead;
+  if (found != Found::statement) return read_after_condition(lexer, reader, found);
+  give_up(reader.error(), lexer);
   return Token{};
 }
 

@@ -90,6 +90,13 @@ std::string without_leading_zeros(std::string digits) {
   return digits;
 }
 
+/// M99, which Haas' controls make conditional: "Conditional expressions" of Haas' manual.
+bool at_m99(Lexer lexer) {
+  if (!lexer.take('M') || !is_digit(lexer.peek())) return false;
+  constexpr double kM99 = 99;
+  return lexer.take_number().value == kM99;
+}
+
 /// Of a loop: a variable is none.
 bool lacks_number(char next) noexcept { return next == 0 || next == '#' || next == '['; }
 
@@ -267,6 +274,13 @@ StatementReader::Found StatementReader::read_if() {
   }
   statement_.condition = holds;
   return read_jump();
+}
+
+StatementReader::Found StatementReader::read_condition_of_m99() {
+  Lexer ahead = lexer_;
+  if (!ahead.pass_brackets() || !at_m99(ahead)) return Found::nothing;
+  const bool holds = condition();
+  return broke_off_ ? Found::statement : read_then(holds);
 }
 
 /// What follows THEN stands on its line.

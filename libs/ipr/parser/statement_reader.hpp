@@ -36,6 +36,9 @@ class StatementReader {
   /// Reads a line from its first letter on, which is at `at`.
   Found read_keyword(SourcePos at);
 
+  /// Reads '[..]' if M99 follows it, in whose place IF [..] THEN would stand.
+  Found read_condition_of_m99();
+
   const std::optional<LineError>& error() const noexcept { return error_; }
   /// Returns the first expression that has another value in the other dialect.
   const std::optional<OtherValue>& other_value() const noexcept { return other_; }

@@ -2,6 +2,7 @@
 // What stays in force from line to line: modes, position, and a NURBS whose lines are still coming.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,9 +70,29 @@ struct Beside {
   Plane plane;      // of the contour
 };
 
+/// The depths of pecks, mm: each is less than the one before, down to the least. With Q, and here
+/// by default, all are alike.
+struct Pecks {
+  double first = 0, less_by = 0, least = 0;
+  double out_after = 0;  // the depth after which the tool goes out of the hole; 0: never
+
+  bool lessen() const noexcept { return less_by != 0 || least != 0; }
+  double after(double peck) const noexcept {
+    return lessen() ? std::max(peck - less_by, least) : peck;
+  }
+  /// Returns whether the tool goes out after pecks of this depth together.
+  bool is_out_after(double depth) const noexcept {
+    constexpr double kSame = 1e-9;  // mm
+    return out_after > 0 && depth > out_after - kSame;
+  }
+  /// Returns what no peck is below.
+  double at_least() const noexcept { return lessen() ? std::min(first, least) : first; }
+};
+
 /// The words of a canned cycle that stay in force with it: mm, s; as programmed.
 struct CycleWords {
-  std::optional<double> retract, bottom, dwell, peck;
+  std::optional<double> retract, bottom, dwell;
+  std::optional<Pecks> pecks;
   double start = 0;  // mm, programmed: the height before the first cycle of a row
   /// Written in G91: FANUC's controls keep the height that the word had, whatever comes after it.
   bool retract_from_start = false, bottom_from_retract = false;

@@ -1,0 +1,6 @@
+(expect SC2387 6:5; check)
+M98 P2
+N10 M30
+O2
+G00 X5.
+M99 P10
