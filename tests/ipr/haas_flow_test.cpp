@@ -73,7 +73,10 @@ TEST_CASE("a wrong jump after words is reported as one at the beginning", "[ipr]
   CHECK(reported("G00 X1. GOTO 1.5\nN10 X3.") == Places{"SC1029 1:14"});
   CHECK(reported("G00 X1. GOTO 10 X5.\nN10 X3.") == Places{"SC1029 1:17"});
   CHECK(reported("#1=X\nG00 X1. GOTO #1\nN10 X3.") == Places{"SC1018 1:4"});
-  CHECK(reported("G00 X1. M99 GOTO 10\nN10 X3.") == Places{"SC2002 1:13"});
+  CHECK(reported("G00 X1. M99 GOTO 10\nN10 X3.") == Places{"SC1029 1:13"});
+  CHECK(reported("G04 P100 GOTO 10\nN10 X3.") == Places{"SC1029 1:10"});
+  CHECK(reported("#1=1\nG04 P100 IF [#1 EQ 2] GOTO 10\nN10 X3.") == Places{"SC1029 2:10"});
+  CHECK(reported("M30 GOTO 10\nN10 X3.") == Places{"SC1029 1:5"});
   CHECK(reported("G00 X1. GOTO 10\nN10 X3.", kFanuc) == Places{"SC1020 1:9"});
 }
 

@@ -122,6 +122,7 @@ class Parser {
   std::optional<Token> read_keyword(Lexer& lexer, const Token& letter);
   void settle(const StatementReader& reader, Lexer& lexer);
   std::optional<Token> read_late_jump(Lexer& lexer, const Token& letter);
+  const Word* word_of_jump() const noexcept;
   std::optional<Token> read_condition_of_m99(Lexer& lexer, const Token& bracket);
   Token read_after_condition(Lexer& lexer, const StatementReader& reader, Found found);
   Token read_consequence(Lexer& lexer, bool known);

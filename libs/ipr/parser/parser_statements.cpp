@@ -151,6 +151,17 @@ Token Parser::read_after_condition(Lexer& lexer, const StatementReader& reader, 
   return known && found == Found::then_true ? lexer.next() : read_consequence(lexer, known);
 }
 
+/// Returns the word of the line that the M99 P of a jump would meet, if there is one: a P, the end
+/// of the program, or another M99.
+const Word* Parser::word_of_jump() const noexcept {
+  const auto met = [](const Word& word) {
+    return word.letter == 'P' ||
+           (word.letter == 'M' && (word.value == 2 || word.value == 30 || word.value == kM99));
+  };
+  const auto found = std::find_if(words_.begin(), words_.end(), met);
+  return found == words_.end() ? nullptr : &*found;
+}
+
 /// Haas: GOTO or IF [..] GOTO after the words of a line, which act before the jump. M99 P is such a
 /// jump. Nothing: there is none.
 std::optional<Token> Parser::read_late_jump(Lexer& lexer, const Token& letter) {
@@ -167,6 +178,12 @@ std::optional<Token> Parser::read_late_jump(Lexer& lexer, const Token& letter) {
   line_.decided = true;
   if (reader.broke_off()) {
     give_up(reader.error(), lexer);
+    return Token{};
+  }
+  if (const Word* other = word_of_jump()) {
+    give_up(
+        Code::SC1029, jump.pos.column, jump.pos.length,
+        "GOTO after " + quoted(std::string(1, other->letter)) + ": write it on a line of its own");
     return Token{};
   }
   report(reader.error());

@@ -16,8 +16,8 @@ constexpr int kFirst = -64, kLast = 16;  // powers of 2
 constexpr unsigned kLeading = 8;
 constexpr unsigned kDropped = std::numeric_limits<double>::digits - 1 - kLeading;  // bits
 constexpr std::uint64_t kBias = std::numeric_limits<double>::max_exponent - 1;
-constexpr std::uint64_t kLowest = (kBias + kFirst) << kLeading;
-constexpr std::size_t kBins = std::size_t{kLast - kFirst} << kLeading;
+constexpr std::uint64_t kLowest = (kBias - static_cast<std::uint64_t>(-kFirst)) << kLeading;
+constexpr std::size_t kBins = static_cast<std::size_t>(kLast - kFirst) << kLeading;
 
 std::size_t bin_of(double magnitude) noexcept {
   const std::uint64_t leading = std::bit_cast<std::uint64_t>(magnitude) >> kDropped;
