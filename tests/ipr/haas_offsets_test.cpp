@@ -69,7 +69,7 @@ TEST_CASE("by setting 40 Haas' offsets D are radii", "[ipr][variables][haas]") {
   CHECK(interpret("G10 L12 P3 R8.\nM30\n", kDiameters, kFanuc).state.tools.at(3).radius == 8);
 }
 
-TEST_CASE("that diameters are assumed is told once", "[ipr][variables][haas]") {
+TEST_CASE("that diameters are assumed is reported once", "[ipr][variables][haas]") {
   const Interpreted result =
       interpret("G10 L10 P1 R5.\nG10 L12 P1 R8.\nG10 L13 P1 R1.\n#2401=8.\nM30\n", {}, kHaas);
   REQUIRE(places(result) == Places{"SC2386 2:12"});

@@ -150,7 +150,7 @@ TEST_CASE("arguments of G65 count increments by their letters", "[ipr][dialects]
   CHECK(end(std::get<Move>(inch.blocks.at(0).what).path).x() == Approx(0.0005 * 25.4));
 }
 
-TEST_CASE("an argument without a decimal point is told once", "[ipr][dialects]") {
+TEST_CASE("an argument without a decimal point is reported once", "[ipr][dialects]") {
   const std::string text = "G65 P2 D5 A5 B3\nG65 P2 L2 A5.\nG65 P2 C0 C-7\nM30\nO2\nM99";
   const Interpreted result = run(text, Dialect::haas);
   REQUIRE(places(result) == Places{"SC1057 1:11"});
@@ -162,7 +162,7 @@ TEST_CASE("an argument without a decimal point is told once", "[ipr][dialects]")
   CHECK(run(text, Dialect::linuxcnc).diagnostics.empty());
 }
 
-TEST_CASE("in haas a feed without a decimal point is told once", "[ipr][dialects]") {
+TEST_CASE("in haas a feed without a decimal point is reported once", "[ipr][dialects]") {
   const std::string text = "G1 X10. F10\nX20. F250.\nX30. F0\nX40. F30\nM98 P2\nM30\nO2\nM99";
   const Interpreted result = run(text, Dialect::haas);
   REQUIRE_FALSE(result.diagnostics.empty());

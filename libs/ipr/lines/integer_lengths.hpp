@@ -24,7 +24,7 @@ struct LengthContext {
   bool of_haas = false;    // whose F counts by setting 77, and K of a cycle is a length
 };
 
-/// Words without a decimal point, as they are told in one warning.
+/// Words without a decimal point, as one warning reports them.
 struct IntegerWords {
   std::int64_t lines = 0;            // that have them
   std::pair<int, int> last{-1, -1};  // of these: file and line
