@@ -36,7 +36,7 @@ double dwell_time(const Task& task, const Word& word) {
 
 const Word* dwell_word(const Task& task) {
   for (const char letter : {'P', 'X', 'U'}) {
-    const bool taken = letter == 'P' || is_fanuc_like(task.options.dialect);
+    const bool taken = letter == 'P' || is_fanuc(task);
     if (taken && task.values.has(letter)) return &task.values.word(letter);
   }
   return nullptr;
@@ -53,7 +53,7 @@ bool looks_like_other_unit(const Task& task, const Word& word) {
 void check_dwell_unit(Task& task, const Word& word) {
   if (task.modal.dwell_warned || !looks_like_other_unit(task, word)) {
     if (word.letter != 'P') return;
-    const bool by_point = is_fanuc_like(task.options.dialect) && !counts_milliseconds(task, word);
+    const bool by_point = is_fanuc(task) && !counts_milliseconds(task, word);
     return task.out.note_difference(
         by_point ? DialectDifference::dwell_with_point : DialectDifference::dwell, word.pos);
   }
@@ -70,7 +70,7 @@ void check_dwell_unit(Task& task, const Word& word) {
 }  // namespace
 
 void dwell(Task& task) {
-  const bool fanuc = is_fanuc_like(task.options.dialect);
+  const bool fanuc = is_fanuc(task);
   const Word* time = dwell_word(task);
   if (time == nullptr)
     return task.out.report(

@@ -32,8 +32,7 @@ bool may_pass_over(const Task& task, char across) {
 
 /// Once a file.
 void note_across(Task& task, char across) {
-  if (is_fanuc_like(task.options.dialect) || std::exchange(task.modal.across_reported, true))
-    return;
+  if (is_fanuc(task) || std::exchange(task.modal.across_reported, true)) return;
   task.out.report(
       Code::SC2171, task.values.word(across).pos,
       std::string(1, across) + "0 lies across the plane of the arc and changes nothing");
@@ -43,7 +42,7 @@ void note_across(Task& task, char across) {
 bool is_well_given(Task& task, const PlaneAxes& axes) {
   const Values& values = task.values;
   const bool radius = values.has('R');
-  if (radius && is_fanuc_like(task.options.dialect)) return true;
+  if (radius && is_fanuc(task)) return true;
   if (radius && values.letters().has_any(kOffsetLetters)) {
     task.out.report(Code::SC2106, span_of(values, "IJKR"),
                     code_name(task.code) + " takes R or a centre, not both");

@@ -12,8 +12,6 @@ namespace {
 
 constexpr int kG41Dynamic = 411, kG42 = 420, kG42Dynamic = 421;
 
-bool is_fanuc(const Task& task) { return is_fanuc_like(task.options.dialect); }
-
 bool is_dynamic(const GCode& code) {
   return code.number == kG41Dynamic || code.number == kG42Dynamic;
 }

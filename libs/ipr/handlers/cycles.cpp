@@ -26,8 +26,6 @@ bool dwells(const GCode& code) {
 bool never_dwells(const GCode& code) { return code.number == kG81 || code.number == kG85; }
 
 bool feeds_out(const GCode& code) { return taps(code) || code.number == kG89; }
-bool is_fanuc(const Task& task) { return is_fanuc_like(task.options.dialect); }
-bool is_haas(const Task& task) { return task.options.dialect == Dialect::haas; }
 
 /// Of a tap: 1 clockwise (M03), -1 counter-clockwise.
 int tapping_direction(const GCode& code) { return code.number == kG84 ? 1 : -1; }

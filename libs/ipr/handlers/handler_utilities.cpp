@@ -125,8 +125,8 @@ bool has_point(const Task& task, const Word& word) {
 }
 
 bool counts_milliseconds(const Task& task, const Word& dwell) {
-  if (dwell.letter != 'P' || !is_fanuc_like(task.options.dialect)) return false;
-  return task.options.dialect != Dialect::haas || !has_point(task, dwell);
+  if (dwell.letter != 'P' || !is_fanuc(task)) return false;
+  return !is_haas(task) || !has_point(task, dwell);
 }
 
 SourcePos place_of(const Task& task, char letter) {

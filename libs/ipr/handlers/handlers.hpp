@@ -255,6 +255,9 @@ bool keep_offset(Task& task, char letter, double& offset, double wanted);
 bool has_near_lengths(Task& task, std::string_view letters);
 
 // handler_utilities.cpp: what several handlers need
+/// Returns whether the dialect is fanuc, or haas, which is like it.
+inline bool is_fanuc(const Task& task) noexcept { return is_fanuc_like(task.options.dialect); }
+inline bool is_haas(const Task& task) noexcept { return task.options.dialect == Dialect::haas; }
 /// Returns the place of the word with this letter, or of the code if the line has none.
 SourcePos place_of(const Task& task, char letter);
 /// Returns whether the word is written with a decimal point.

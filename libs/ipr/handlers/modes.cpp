@@ -71,7 +71,7 @@ void use_incremental_centres(Task& task) { task.modal.absolute_centres = false; 
 /// G61: FANUC's is G09 in every block.
 void follow_exactly(Task& task) {
   task.out.note_difference(DialectDifference::exact_stop, task.word.pos);
-  const bool fanuc = is_fanuc_like(task.options.dialect);
+  const bool fanuc = is_fanuc(task);
   set_path_mode(task.modal, fanuc ? PathMode::stop : PathMode::follow, 0, 0, true);
 }
 

@@ -34,7 +34,7 @@ void line(Task& task, bool rapid) {
   if (task.modal.machine_coordinates && !rapid) {
     task.out.note_difference(DialectDifference::machine_point,
                              task.command.find_word(Group::non_modal).pos);
-    rapid = is_fanuc_like(task.options.dialect);
+    rapid = is_fanuc(task);
   }
   if (!rapid) has_feed(task);
   move_straight(task, to, rapid);
@@ -102,7 +102,7 @@ void rapid(Task& task) { line(task, true); }
 
 /// In the fanuc dialect G80 ends cycles only.
 void cancel_motion(Task& task) {
-  const bool fanuc = is_fanuc_like(task.options.dialect);
+  const bool fanuc = is_fanuc(task);
   task.modal.motion = fanuc ? task.modal.motion_below : nullptr;
 }
 

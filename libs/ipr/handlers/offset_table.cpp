@@ -13,8 +13,6 @@ constexpr double kRadPerDegree = std::numbers::pi / 180;
 constexpr int kFanucSystems = 6;  // G54 to G59
 constexpr std::size_t kG593 = kWorkSystems - 1;
 
-bool is_fanuc(const Task& task) { return is_fanuc_like(task.options.dialect); }
-
 std::string form(const Task& task) { return "G10 L" + number_text(task.values['L']); }
 
 bool needs(Task& task, LetterSet letters, std::string_view text) {
@@ -91,7 +89,7 @@ bool set_local_shift_by_table(Task& task) {
 
 /// L2: origin and rotation as given.
 bool set_system(Task& task) {
-  const bool haas = task.options.dialect == Dialect::haas;
+  const bool haas = is_haas(task);
   if (haas && task.values.has('P') && task.values['P'] == 0) return set_local_shift_by_table(task);
   const auto system = read_system(task);
   if (!system || (is_fanuc(task) && !lacks(task, "R"))) return false;
@@ -186,8 +184,7 @@ bool set_cutter_offset(Task& task, double& value) {
   const CutterOffset meaning = task.machine.program.cutter_offsets;
   if (task.options.dialect == Dialect::fanuc && task.values.has('R'))
     task.out.note_difference(DialectDifference::cutter_offset, task.word.pos);
-  if (task.options.dialect != Dialect::haas || meaning == CutterOffset::radius)
-    return set_compensation(task, value);
+  if (!is_haas(task) || meaning == CutterOffset::radius) return set_compensation(task, value);
   if (meaning == CutterOffset::unstated && task.values.has('R') && !task.modal.diameter_warned) {
     report_word(task, 'R', Code::SC2386,
                 "R of " + form(task) +

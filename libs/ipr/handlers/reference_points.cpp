@@ -29,7 +29,7 @@ std::optional<AxisVector> home_of(Task& task) {
   const bool second = task.code.number != kG28;
   if (!task.values.has('P')) return second ? state.second_home : state.home;
   const Word& word = task.values.word('P');
-  if (!second || !is_fanuc_like(task.options.dialect)) {
+  if (!second || !is_fanuc(task)) {
     task.out.report(Code::SC2004, word.pos, "P is not used by " + code_name(task.code));
   } else if (word.value == kSecond) {
     return state.second_home;

@@ -16,7 +16,7 @@ void report(Task& task, const std::string& why) {
 /// G33, G33.1, G76.
 void refuse_thread(Task& task) {
   constexpr int kG76 = 760;  // a thread of LinuxCNC's, fine boring of FANUC's
-  if (task.code.number == kG76 && is_fanuc_like(task.options.dialect)) return refuse_cycle(task);
+  if (task.code.number == kG76 && is_fanuc(task)) return refuse_cycle(task);
   report(task, "threads need a spindle with an encoder, which the axes could follow");
   task.modal.motion = task.modal.motion_below = nullptr;
 }

@@ -14,7 +14,7 @@ void use_offset(Task& task, const AxisVector& offset) {
 /// The tool that H names, or the one in force without H.
 std::optional<int> tool_number(Task& task) {
   if (task.values.has('H')) return whole_number(task, task.values.word('H'));
-  const bool fanuc = is_fanuc_like(task.options.dialect);
+  const bool fanuc = is_fanuc(task);
   const int last = task.modal.length_number, loaded = task.modal.loaded_tool.value_or(0);
   if (last != loaded) task.out.note_difference(DialectDifference::length_number, task.word.pos);
   return fanuc ? last : loaded;

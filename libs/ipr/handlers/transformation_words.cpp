@@ -120,8 +120,7 @@ constexpr int kG10 = 100, kG17 = 170, kG19 = 190, kG28 = 280, kG30 = 300, kG52 =
 bool selects_other_system(const Task& task) {
   constexpr int kG59 = 590, kFirstTenth = 5;
   const int number = task.code.number;
-  const bool further_by_p =
-      number == kG54 && is_fanuc_like(task.options.dialect) && task.values.has('P');
+  const bool further_by_p = number == kG54 && is_fanuc(task) && task.values.has('P');
   const bool is_basic = number == kG54 || (number > kG54 && number <= kG593 && number != kG541);
   if (!is_basic || further_by_p) return true;
   const int index = number > kG59 ? kFirstTenth + number - kG59 : (number - kG54) / 10;
@@ -149,7 +148,7 @@ bool is_refused(const Task& task) {
   if (number >= kG17 && number <= kG19) return selects_other_plane(task);
   if (task.code.group == Group::work_offset) return selects_other_system(task);
   if (number == kG10) return moves_coordinates(task);
-  if (number == kG53) return task.options.dialect != Dialect::haas;
+  if (number == kG53) return !is_haas(task);
   return number == kG28 || number == kG30 || number == kG52 || (number >= kG92 && number <= kG923);
 }
 

@@ -53,7 +53,7 @@ void select_system(Task& task, int index) {
 
 /// The code beside this one that takes P, or nullptr if there is none.
 const GCode* other_user_of_p(const Task& task) {
-  const bool fanuc = is_fanuc_like(task.options.dialect);
+  const bool fanuc = is_fanuc(task);
   for (const auto& [code, word] : task.command.codes()) {
     if (code == &task.code) continue;
     const bool takes =
@@ -92,8 +92,8 @@ std::optional<int> further_number(Task& task) {
 /// line takes P.
 void select_work_system(Task& task) {
   const int number = task.code.number;
-  const bool further = number == kG54 && is_fanuc_like(task.options.dialect) &&
-                       task.values.has('P') && other_user_of_p(task) == nullptr;
+  const bool further =
+      number == kG54 && is_fanuc(task) && task.values.has('P') && other_user_of_p(task) == nullptr;
   if (further) return select_further_system(task);
   select_system(task, number > kG59 ? kFirstTenth + number - kG59 - 1 : (number - kG54) / kWhole);
 }
@@ -110,7 +110,7 @@ void select_further_system(Task& task) {
 /// axes.
 void use_machine_coordinates(Task& task) {
   Modal& modal = task.modal;
-  const bool haas = task.options.dialect == Dialect::haas;
+  const bool haas = is_haas(task);
   const GCode* motion = task.command.find(Group::motion);
   modal.machine_coordinates = true;
   if (haas && !task.values.letters().has_any(kAxisWords)) return;
@@ -129,7 +129,7 @@ void use_machine_coordinates(Task& task) {
 void set_local_shift(Task& task) {
   if (!names_axes(task)) return;
   Modal& modal = task.modal;
-  const bool own = is_fanuc_like(task.options.dialect);
+  const bool own = is_fanuc(task);
   compare_shift(task);
   AxisVector shift = own ? modal.local_shift : shift_in_force(modal.state);
   for_named_axes(task, [&](int axis, double value) { shift[axis] = value; });
@@ -159,7 +159,7 @@ void name_position(Task& task) {
 void clear_shift(Task& task) {
   const bool named = task.values.letters().has_any(kAxisWords);
   if (named) task.out.note_difference(DialectDifference::named_shift, task.word.pos);
-  if (named && is_fanuc_like(task.options.dialect)) {
+  if (named && is_fanuc(task)) {
     for_named_axes(task, [&](int axis, double) {
       task.modal.local_shift[axis] = task.modal.shift_of_g52[axis] = 0;
       task.modal.state.shift[axis] = 0;
