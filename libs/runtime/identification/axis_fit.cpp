@@ -73,7 +73,6 @@ class AxisFitter {
   void improve(Search& search) const;
   void go_on(Search& search, int steps) const;
   Search best() const;
-  FitParameters as_late(FitParameters p, double longer) const noexcept;
   void try_loop_periods(Search& found);
   Square covariance(const Sensitivity& by, const Eigen::VectorXd& left) const;
   void state_uncertainty(const Square& spread, AxisFit& fit) const;
@@ -189,24 +188,18 @@ Search AxisFitter::best() const {
   return std::move(best);
 }
 
-/// Returns the figures by which the axis is as late, where its counter is read this much less
-/// often, s: half of that later on average. 1/Kv and the delay of the record make up for it.
-FitParameters AxisFitter::as_late(FitParameters p, double longer) const noexcept {
-  const double kv = figures(p).kv;
-  p[kGain] -= std::log1p(0.5 * longer * kv);
-  p[kDelay] -= 0.5 * longer;
-  return p;
-}
-
 /// A counter that is read less often than the machine file says looks like a larger gain and a late
-/// record, but not quite: the residual tells. What one search has found is where the next begins,
-/// and the last one is again with the machine file's period.
+/// record, but not quite: the residual tells. Each search begins where the axis is as late as with
+/// what was found before, and the last one is again with the machine file's period.
 void AxisFitter::try_loop_periods(Search& found) {
   const double described = loop_period_;
   double chosen = described;
   const double in_favour = 1 + kTells / static_cast<double>(actual_.size());
   const auto search_with = [&](double period, double handicap) {
-    const FitParameters start = as_late(found.at, period - chosen);
+    const double later = 0.5 * (period - chosen);  // on average
+    FitParameters start = found.at;
+    start[kGain] -= std::log1p(later * figures(start).kv);
+    start[kDelay] -= later;
     loop_period_ = period;
     Search search{start, residual(start)};
     go_on(search, kMostSteps);
