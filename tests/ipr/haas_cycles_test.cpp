@@ -120,7 +120,7 @@ TEST_CASE("Haas' G73 goes out to R after the depth of K", "[ipr][cycles][haas]")
         "F1,0,-6 R1,0,2 R1,0,-5.746 F1,0,-8 R1,0,20 ");
   CHECK(way("G99 G73 X1. Z-2. R2. Q2. K1.\nX2. Q3.") ==
         "R1,0,20 R1,0,2 F1,0,0 R1,0,2 R1,0,0.254 F1,0,-2 R1,0,2 "
-        "R2,0,2 F2,0,-1 R2,0,-0.746 F2,0,-2 R2,0,2 ");
+        "R2,0,2 F2,0,-1 R2,0,2 R2,0,-0.746 F2,0,-2 R2,0,2 ");
 }
 
 TEST_CASE("words of pecks that do not fit are refused", "[ipr][cycles][haas]") {
@@ -192,6 +192,8 @@ TEST_CASE("patterns that cannot be made are refused", "[ipr][cycles][haas][patte
   CHECK(of("G70 L4") == Places{"SC2005 3:1"});
   CHECK(of("G72 I5.") == Places{"SC2005 3:1"});
   CHECK(of("G71 I5. L4") == Places{"SC2005 3:1"});
+  CHECK(of("G70 I0 L4") == Places{"SC2007 3:5"});
+  CHECK(of("G72 I0. J30. L4") == Places{"SC2007 3:5"});
   CHECK(of("G70 I5. L0") == Places{"SC2007 3:9"});
   CHECK(of("G70 I5. L1.5") == Places{"SC2007 3:9"});
   CHECK(of("G70 I5. L10001") == Places{"SC2007 3:9"});

@@ -97,7 +97,10 @@ void keep_pecks(Task& task, CycleWords& words) {
   };
   const bool of_pattern = has_hole_pattern(task.command);  // I, J and K
   const bool own = is_haas(task) && !of_pattern;
-  if (task.values.has('Q')) words.pecks = Pecks{length('Q'), 0, 0, own ? length('K') : 0};
+  if (task.values.has('Q')) {
+    const double kept = own && words.pecks ? words.pecks->out_after : 0;
+    words.pecks = Pecks{length('Q'), 0, 0, task.values.has('K') && own ? length('K') : kept};
+  }
   if (own && task.values.has('I')) words.pecks = Pecks{length('I'), length('J'), length('K'), 0};
   const bool differs = task.code.number == kG73 && task.values.has('K') && task.values.has('Q');
   if (differs && !of_pattern)

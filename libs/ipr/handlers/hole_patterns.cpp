@@ -23,9 +23,14 @@ bool lacks(Task& task, char letter, std::string_view what) {
 }
 
 bool has_words(Task& task) {
-  const bool line = task.code.number == kG72;
-  if (lacks(task, 'I', line ? "the distance between holes" : "the radius")) return false;
+  const std::string_view of_i =
+      task.code.number == kG72 ? "the distance between holes" : "the radius";
+  if (lacks(task, 'I', of_i)) return false;
   if (lacks(task, 'L', "the number of holes")) return false;
+  if (task.values['I'] == 0) {
+    report_word(task, 'I', Code::SC2007, "I, " + std::string(of_i) + ", must not be 0");
+    return false;
+  }
   return task.code.number != kG71 || !lacks(task, 'K', "the angle between holes");
 }
 
