@@ -2,6 +2,7 @@
 #include "ipo/path/window.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ipo/path/contour_spread.hpp"
 #include "ipo/tuning.hpp"
@@ -101,6 +102,12 @@ Window::Turn Window::front_turn() const noexcept {
   if (!chain_.nodes[front_].turns()) return {false, false, {}};
   const double period = constraints_.limits().period;
   return {true, shares_its_step(chain_, front_, period), chain_.directions_around(front_, period)};
+}
+
+double Window::farthest_sample(const Turn& turn) const noexcept {
+  const double allowed = constraints_.limits().chord_tolerance *
+                         (turn.shares_its_step ? tuning::joints::kTurnShare : 1);
+  return std::sqrt(2 * allowed / constraints_.most_u(turn.directions));
 }
 
 double Window::settling_time() const noexcept {

@@ -94,6 +94,10 @@ class Window {
   };
   Turn front_turn() const noexcept;
 
+  /// Returns the longest time, s, from a rest at a turn to the nearest sample with which the
+  /// polyline through the samples leaves the corner by no more than the chord tolerance.
+  double farthest_sample(const Turn& turn) const noexcept;
+
   /// Returns how long, s, the machine must wait at a rest at the front until the drives leave no
   /// more than the contour tolerance of what follows; 0 if that goes straight on.
   double settling_time() const noexcept;

@@ -214,10 +214,8 @@ void Planner::rest_at_turn(Profile& profile) {
   const double t = t_ + profile.duration();
   const double sample_before = sample_at(t, period);
   const double nearest = std::min(t - sample_before, sample_before + period - t);
-  const double cut = 0.5 * constraints_.most_u(turn.directions) * nearest * nearest;
-  const double allowed = constraints_.limits().chord_tolerance *
-                         (turn.shares_its_step ? tuning::joints::kTurnShare : 1);
-  if (cut > allowed || last_rest_ > sample_before) profile.add_rest(sample_before + period - t);
+  const bool cuts = nearest > window_->farthest_sample(turn);
+  if (cuts || last_rest_ > sample_before) profile.add_rest(sample_before + period - t);
   last_rest_ = t;
 }
 

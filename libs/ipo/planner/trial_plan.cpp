@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ipo/planner/trial_plan.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -10,13 +11,22 @@
 namespace softcnc::ipo {
 namespace {
 
+/// Returns how long, s, a rest at the front takes: what the drives need, or what it waits for the
+/// next sample at a turn, in the mean over all times from sample to sample.
+double rest_time(const Window& window, double period) {
+  if (const double settling = window.settling_time(); settling > 0)
+    return std::max(settling, period);
+  const Window::Turn turn = window.front_turn();
+  return turn.turns ? std::max(0.0, 0.5 * period - window.farthest_sample(turn)) : 0;
+}
+
 /// Returns the time, s, in which the window runs its intervals that are settled.
-double run(Window& window, std::size_t intervals) {
+double run(Window& window, std::size_t intervals, double period) {
   double time = 0;
   Profile profile;
   for (; intervals > 0; --intervals) {
     const bool ended = window.run_front(profile);
-    if (window.size() > 0 && window.front_rests()) time += window.settling_time();
+    if (window.size() > 0 && window.front_rests()) time += rest_time(window, period);
     if (!ended) continue;
     time += profile.duration();
     profile = {};
@@ -32,7 +42,8 @@ double time_of(const std::vector<Move>& moves, const ConstraintList& constraints
     rest = rest_after(&move);
   }
   double time = 0;
-  while (const std::size_t settled = window->settle(true)) time += run(*window, settled);
+  while (const std::size_t settled = window->settle(true))
+    time += run(*window, settled, constraints.limits().period);
   return window->size() == 0 ? time : kUnlimited;
 }
 

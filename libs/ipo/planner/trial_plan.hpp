@@ -10,8 +10,8 @@
 namespace softcnc::ipo {
 
 /// It plans motions of the machine from rest to rest as the planner does, without an override; a
-/// time contains what a motion waits for the drives at rests within. `machine` and the further
-/// constraints must outlive it.
+/// time contains what a motion waits at rests within, for the drives or in the mean for the next
+/// sample. `machine` and the further constraints must outlive it.
 std::unique_ptr<const TrialPlan> make_trial_plan(const Machine& machine,
                                                  const FurtherConstraints& further = {});
 
